@@ -45,6 +45,11 @@ impl Scales {
         size(worked, level, &self.boxes).is_some_and(|s| s <= self.most[usize::from(level == Level::Acceleration)])
     }
 
+    /// The diagonal of the room for a polygon (mm): no vector on the paper is longer.
+    pub fn longest_mm(&self) -> f64 {
+        libm::hypot(self.boxes.polygon[0], self.boxes.polygon[1])
+    }
+
     /// Writes the scales on a paper.
     pub fn fix(&self, paper: &mut Paper) {
         (paper.mu_l, paper.mu_v, paper.mu_a) = (Some(self.mu_l), self.mu[0], self.mu[1]);

@@ -38,6 +38,8 @@ const ZOOMS: &str = "<div class=\"zooms\"><button type=\"button\" class=\"whole\
 pub const BASE: &str = include_str!("base.css");
 const PAGE: &str = include_str!("page/page.html");
 const STYLE: [&str; 2] = [BASE, include_str!("page/page.css")];
+/// What opens the script.
+const BOOT: &str = include_str!("page/boot.js");
 /// The script, in the order of its rooms.
 const SCRIPT: [&str; 7] = [
     include_str!("page/read.js"),
@@ -117,7 +119,8 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
             ("polygons", &polygons),
             ("noscript", &escaped(word("noscript", options.lang))),
             ("data", &data),
-            ("script", &terse(&SCRIPT.concat())),
+            ("program", &pack::pressed(&terse(&SCRIPT.concat()))),
+            ("boot", &terse(BOOT)),
         ],
     ))
 }

@@ -202,11 +202,12 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
             let book = &w.scene.book;
             let value = told(steps, level, action, What::Rate, book.value(level.turning(), r.value.abs()));
             let value = book.label(level.turning(), &inked(value.trim_start_matches('-')));
-            let sense = sense(w.lang, steps.number(level, action, What::Rate).map_or(r.value, Number::sign));
+            let sign = steps.number(level, action, What::Rate).map_or(r.value, Number::sign);
+            let sense = if sign == 0.0 { String::new() } else { sense(w.lang, sign).to_string() };
             let sense = if sense.is_empty() { String::new() } else { format!("{}{sense}", tr(w.lang, ", ", "，")) };
-            let [verb, given, stop] = match w.lang {
-                Lang::En => ["Calculate ", "Given is ", "."],
-                Lang::Zh => ["计算 ", "已知 ", "。"],
+            let [verb, given, is, stop] = match w.lang {
+                Lang::En => ["Calculate ", "", "is given as", "."],
+                Lang::Zh => ["计算 ", "已知 ", "=", "。"],
             };
             match r.measured {
                 Some(m) => format!(
@@ -215,7 +216,7 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
                     factor(book, level, p.mu),
                     book.text(Kind::Length, &tell(What::Arm, book.value(Kind::Length, m.arm))),
                 ),
-                None => format!("{given}${symbol}$ = ${value}${sense}{stop}"),
+                None => format!("{given}${symbol}$ {is} ${value}${sense}{stop}"),
             }
         }
     }

@@ -141,7 +141,7 @@ impl Givens<'_> {
                     name.to_owned()
                 } else {
                     out += &match self.lang() {
-                        Lang::En => format!(", turning against link {}", self.link(*against)),
+                        Lang::En => format!(", turning relative to link {}", self.link(*against)),
                         Lang::Zh => format!("，相对构件 {} 转动", self.link(*against)),
                     };
                     format!("{name}/{}", self.link(*against))

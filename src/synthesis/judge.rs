@@ -288,5 +288,5 @@ fn driven_by(scene: &Json, link: &str, from: &Wanted, to: &Wanted) -> bool {
 
 /// In words, with its size: how far the finished scene is from what was wanted.
 pub fn accuracy(judged: &Judged) -> Both {
-    both!("off by {} at most (size {})", "最大偏差 {}（机构尺寸 {}）", metres(judged.off_m), metres(judged.size_m))
+    both!("greatest deviation {} (size {})", "最大偏差 {}（机构尺寸 {}）", metres(judged.off_m), metres(judged.size_m))
 }

@@ -9,7 +9,7 @@ use crate::digits::{inked, shortest, significant};
 use crate::figure::item::Figure;
 use crate::figure::label::Label;
 use crate::figure::synthesis::{self as figure, Set};
-use crate::paper::phrase::{Phrase, tr};
+use crate::paper::phrase::{Phrase, Piece, tr};
 use crate::report::drafting::DIGITS;
 use crate::report::limits::grashof_words;
 use crate::report::math::Math;
@@ -168,8 +168,10 @@ impl Maker<'_> {
         blocks.push(self.heading(2, "The linkage in its positions", "机构的各位置"));
         blocks.push(picture("positions", figure::linkage(self.task, self.candidate, self.set)));
         let swept = match self.lang() {
-            Lang::En => format!("Its motion, followed from the first position: {}.", motion(self.candidate, Lang::En)),
-            Lang::Zh => format!("由第一位置起考察其运动：{}。", motion(self.candidate, Lang::Zh)),
+            Lang::En => {
+                format!("Followed from the first position, the linkage shows: {}.", motion(self.candidate, Lang::En).replace(" · ", "; "))
+            }
+            Lang::Zh => format!("由第一位置起考察其运动：{}。", motion(self.candidate, Lang::Zh).replace(" · ", "；")),
         };
         blocks.push(Block::Paragraph(Phrase::new(&swept)));
         let said: Vec<Phrase> = self.candidate.notes().map(|d| Phrase::new(&symbols(self.lang().of(&d.message)))).collect();
@@ -233,7 +235,12 @@ impl Maker<'_> {
             .design
             .numbers
             .iter()
-            .map(|n| Phrase::of_words(&format!("{}: {} = {}", self.lang().of(&n.what), n.name, value(n))))
+            .map(|n| {
+                let colon = tr(self.lang(), ": ", "：");
+                let words = |text: String| Piece::Words(text);
+                let what = words(format!("{}{colon}", self.lang().of(&n.what)));
+                Phrase::of_pieces(vec![what, Piece::Formula(printed(&n.name)), words(format!(" = {}", inked(&value(n))))])
+            })
             .collect();
         if !told.is_empty() {
             blocks.push(self.heading(2, "Numbers of the task", "其他数据"));
@@ -313,6 +320,22 @@ fn braced(text: &str) -> (&str, &str) {
         }
     }
     (text, "")
+}
+
+/// A number's name as books print it: `P12_x` is the x of P₁₂, `alpha1` is α₁.
+fn printed(name: &str) -> String {
+    let (of, axis) = match name.rsplit_once('_') {
+        Some((of, axis @ ("x" | "y"))) => (of, Some(axis)),
+        Some(_) | None => (name, None),
+    };
+    let letters = of.trim_end_matches(|c: char| c.is_ascii_digit());
+    let greek = matches!(letters, "alpha" | "beta" | "gamma" | "delta" | "theta" | "lambda" | "mu" | "phi" | "psi" | "omega");
+    let sign = format!("{}{letters}", if greek { "\\" } else { "" });
+    let symbol = match &of[letters.len()..] {
+        "" => sign,
+        index => format!("{sign}_{{{index}}}"),
+    };
+    axis.map_or(symbol.clone(), |axis| format!("{axis}_{{{symbol}}}"))
 }
 
 #[cfg(test)]

@@ -27,6 +27,7 @@ mi[mathvariant] { font-style: normal }
 table { border-collapse: collapse; margin: .6em 0; break-inside: avoid }
 td, th { padding: .15em .6em; text-align: left; font-weight: 400 }
 .values th { border-bottom: 1px solid; font-style: italic }
+.values td:last-child { min-width: 8em }
 .equation td, .equation th { text-align: center }
 @media print { body { margin: 0; padding: 0; max-width: none } .scroll, figure { overflow: visible } figure svg { max-width: none }
   .solution { break-before: page } }

@@ -108,7 +108,7 @@ impl Maker<'_> {
             return match (arm.map(|h| self.link(h)), self.lang()) {
                 (None, Lang::En) => format!("{name} of link {} to link {}", self.link(a), self.link(b)),
                 (None, Lang::Zh) => format!("构件 {} 与构件 {} 的{name}", self.link(a), self.link(b)),
-                (Some(h), Lang::En) => format!("{name} of link {} to link {}, both against the arm {h}", self.link(a), self.link(b)),
+                (Some(h), Lang::En) => format!("{name} of link {} to link {}, both relative to the arm {h}", self.link(a), self.link(b)),
                 (Some(h), Lang::Zh) => format!("构件 {} 与构件 {} 相对系杆 {h} 的{name}", self.link(a), self.link(b)),
             };
         }
@@ -119,24 +119,25 @@ impl Maker<'_> {
             (Of::Points(a, b), Lang::En) if a.point == b.point => {
                 format!("{name} at {}, of {} relative to {}", self.point(a.point), of_link(&a), of_link(&b))
             }
+            (Of::Points(a, b), Lang::Zh) if a.point == b.point && a.link.is_none() => format!("{} 对{} 的{name}", spot(&a), of_link(&b)),
             (Of::Points(a, b), Lang::Zh) if a.point == b.point => {
-                format!("{} 处{} 相对{} 的{name}", self.point(a.point), of_link(&a), of_link(&b))
+                format!("{} 处{} 对{} 的{name}", self.point(a.point), of_link(&a), of_link(&b))
             }
             (Of::Points(a, b), Lang::En) => format!("{name} of {} relative to {}", spot(&a), spot(&b)),
             (Of::Points(a, b), Lang::Zh) => format!("{} 相对 {} 的{name}", spot(&a), spot(&b)),
             (Of::Link(l), Lang::En) => format!("{name} of link {}", self.link(l)),
             (Of::Link(l), Lang::Zh) => format!("构件 {} 的{name}", self.link(l)),
-            (Of::Links(a, b), Lang::En) => format!("{name} of link {} against link {}", self.link(a), self.link(b)),
+            (Of::Links(a, b), Lang::En) => format!("{name} of link {} relative to link {}", self.link(a), self.link(b)),
             (Of::Links(a, b), Lang::Zh) => format!("构件 {} 相对构件 {} 的{name}", self.link(a), self.link(b)),
             (Of::Seen(p, frame), lang) => {
                 let own = match (frame, lang) {
-                    (Frame::Link(l), Lang::En) => format!("the frame on link {}", self.link(l)),
+                    (Frame::Link(l), Lang::En) => format!("is fixed to link {}", self.link(l)),
                     (Frame::Link(l), Lang::Zh) => format!("固连于构件 {} ", self.link(l)),
-                    (Frame::Point(c), Lang::En) => format!("the frame that translates with {}", spot(&c)),
+                    (Frame::Point(c), Lang::En) => format!("translates with {}", spot(&c)),
                     (Frame::Point(c), Lang::Zh) => format!("随 {} 平移", spot(&c)),
                 };
                 match lang {
-                    Lang::En => format!("{name} of the moving point, {}, in {own}", spot(&p)),
+                    Lang::En => format!("{name} of the moving point {}; the frame {own}", spot(&p)),
                     Lang::Zh => format!("动点为 {}、动系{own}时的{name}", spot(&p)),
                 }
             }

@@ -76,10 +76,10 @@ impl Maker<'_> {
         blocks.push(self.heading(2, "Comparison with the loop equations", "与解析法比较"));
         let [v, a] = self.worked.solution.size;
         blocks.push(Block::Paragraph(Phrase::new(&match (self.lang(), a) {
-            (Lang::En, 0) => format!("All constraints of the mechanism, differentiated with respect to time, are {v} linear equations in the {v} unknown rates; they are solved at once, without any polygon."),
-            (Lang::En, _) => format!("All constraints of the mechanism, differentiated once and twice with respect to time, are {v} linear equations in the unknown rates and {a} in the unknown accelerations; they are solved at once, without any polygon."),
-            (Lang::Zh, 0) => format!("将机构全部约束方程对时间求导，得到关于 {v} 个未知速度的线性方程组，不用矢量多边形而一次解出。"),
-            (Lang::Zh, _) => format!("将机构全部约束方程对时间求一阶和二阶导数，得到关于 {v} 个未知速度和 {a} 个未知加速度的线性方程组，不用矢量多边形而一次解出。"),
+            (Lang::En, 0) => format!("All constraints of the mechanism, differentiated with respect to time, give {v} linear equations in the {v} unknown velocities, which are solved simultaneously, without any polygon."),
+            (Lang::En, _) => format!("All constraints of the mechanism, differentiated once and twice with respect to time, give {v} linear equations in the unknown velocities and {a} in the unknown accelerations, which are solved simultaneously, without any polygon."),
+            (Lang::Zh, 0) => format!("将机构全部约束方程对时间求导，得到关于 {v} 个未知速度的线性方程组，不作矢量多边形，直接联立求解。"),
+            (Lang::Zh, _) => format!("将机构全部约束方程对时间求一阶和二阶导数，得到关于 {v} 个未知速度和 {a} 个未知加速度的线性方程组，不作矢量多边形，直接联立求解。"),
         })));
         self.components(blocks);
         let mm = shortest(by_hand.pencil_mm);

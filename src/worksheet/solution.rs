@@ -94,9 +94,9 @@ impl Maker<'_> {
         }
         blocks.push(self.heading(2, "Scales", "比例尺"));
         blocks.push(self.paragraph(
-            "From the series 1, 2, 2.5, 5 times a power of ten, as large as the paper allows. What is measured on paper, times its \
-             scale, is the quantity.",
-            "取自 1、2、2.5、5 乘以 10 的幂，在图纸允许范围内尽量大。图上量得的长度乘以相应的比例尺即为该量的大小。",
+            "The scales are chosen from the series 1, 2, 2.5, 5 times a power of ten, so that each drawing is as large as the paper \
+             allows. A length measured on paper, multiplied by its scale, is the quantity.",
+            "比例尺取自 1、2、2.5、5 乘以 10 的幂的系列，使图形在图纸允许的范围内尽量大。图上量得的长度乘以相应的比例尺，即为该量的大小。",
         ));
         blocks.push(Block::List { numbered: false, members: members.iter().map(|s| Phrase::new(s)).collect() });
     }

@@ -130,8 +130,46 @@ fn sheets_of_poses_can_be_read() {
         let (scene, worked) = open(name);
         let wanted = poses::Wanted { count: 5, driver: 0, points: Vec::new() };
         let pages = poses::sheets(&scene, &worked, &Options::of_language(lang), &wanted).unwrap_or_else(|f| panic!("{name}: {f}"));
-        assert!(pages.value.len() == 1 && pages.notes.iter().all(|n| n.code == "poses-driver"), "{name}: {:?}", pages.notes);
-        readable(name, &pages.value[0], scene.links.len(), true);
+        assert!(pages.notes.iter().all(|n| n.code == "poses-driver"), "{name}: {:?}", pages.notes);
+        for page in &pages.value {
+            readable(name, page, scene.links.len(), true);
+        }
+    }
+}
+
+/// Without a paper of its own the table of any template is printed on A4, or on A3: nothing is cut off, and no page has a single row.
+#[test]
+fn tables_of_poses_are_printed_on_a4_or_a3() {
+    let mut formats = [0; 2];
+    for t in templates::list() {
+        let (scene, worked) = open(t.name);
+        let wanted = poses::Wanted { count: 6, driver: 0, points: Vec::new() };
+        let Ok(pages) = poses::sheets(&scene, &worked, &Options::of_language(Lang::En), &wanted) else { continue };
+        let mut positions = 0;
+        for page in &pages.value {
+            let (short, long) = (page.width_mm.min(page.height_mm), page.width_mm.max(page.height_mm));
+            let format = if short <= 210.0 && long <= 297.0 { 0 } else { 1 };
+            assert!(short <= 297.0 && long <= 420.0, "{}: {short} x {long}", t.name);
+            formats[format] += 1;
+            positions += page.items.iter().filter(|i| i.id.starts_with("position-") && !i.id.ends_with("-driver")).count();
+        }
+        assert!(positions >= 2 && pages.value.len() <= positions.div_ceil(2), "{}: {} pages", t.name, pages.value.len());
+    }
+    assert!(formats[0] > formats[1], "{formats:?}");
+}
+
+/// Only the first drawing of a column has the names of its vectors and links; letters of points have all of them.
+#[test]
+fn names_stand_in_the_first_row() {
+    let (scene, worked) = open("crank-rocker");
+    let wanted = poses::Wanted { count: 4, driver: 0, points: Vec::new() };
+    let pages = poses::sheets(&scene, &worked, &Options::of_language(Lang::En), &wanted).unwrap().value;
+    let labels = |row: usize, what: &str| {
+        let start = format!("pose-{row}-{what}-label-");
+        pages.iter().flat_map(|p| &p.items).filter(|i| i.id.starts_with(&start) && !i.id.ends_with("-leader")).count()
+    };
+    for what in ["mechanism", "velocity", "acceleration"] {
+        assert!((2..=4).all(|row| labels(row, what) >= 3 && labels(row, what) < labels(1, what)), "{what}");
     }
 }
 

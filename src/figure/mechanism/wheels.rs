@@ -149,15 +149,21 @@ impl Draft<'_> {
         let middle = (contact - round.centre).angle();
         let (sign, base) = if round.hollow { (1.0, round.radius_mm) } else { (-1.0, round.radius_mm) };
         let half = HATCHED_RAD.min(GUIDE_MM / round.radius_mm);
-        let count = (2.0 * half * round.radius_mm / self.style.hatch_pitch_mm).floor().max(1.0) as usize;
-        let foot = |k: usize| on_circle(round.centre, base, middle - half + 2.0 * half * k as f64 / count as f64);
+        // The strokes stand still while the contact goes along the rim: each is drawn where its stretch of the rim is next to it.
+        let around = (TAU * round.radius_mm / self.style.hatch_pitch_mm).floor().max(1.0);
+        let step = TAU / around;
+        let count = (2.0 * half / step).floor().max(1.0) as i64;
+        let first = ((middle - half) / step).ceil() as i64;
+        let mut strokes: Vec<i64> = (first..first + count).collect();
+        strokes.sort_by_key(|k| k.rem_euclid(count));
+        let feet: Vec<Point> = strokes.into_iter().map(|k| on_circle(round.centre, base, k as f64 * step)).collect();
         let depth = |p: Point| {
             let out = (p - round.centre).unit().unwrap_or(Vec2::ZERO);
             p + (out * sign + out.perp()) * self.style.hatch_depth_mm
         };
-        let pieces = (0..=count).flat_map(|k| [Piece::Move(foot(k)), Piece::Line(depth(foot(k)))]).skip(1).collect();
+        let pieces = feet.iter().flat_map(|p| [Piece::Move(*p), Piece::Line(depth(*p))]).skip(1).collect();
         let id = format!("track-{}", self.scene.point_name(pair.at));
-        self.d.shape(&id, "ground hatch", Shape::Path { start: foot(0), pieces, closed: false, stroke: Some(self.style.thin), fill: None });
+        self.d.shape(&id, "ground hatch", Shape::Path { start: feet[0], pieces, closed: false, stroke: Some(self.style.thin), fill: None });
         let (from_rad, to_rad) = (middle - half, middle + half);
         let arc = Shape::Arc { centre: round.centre, radius_mm: base, from_rad, to_rad, stroke: self.style.outline };
         self.d.shape(&id, "ground line", arc);

@@ -1,10 +1,11 @@
 //! A velocity or acceleration polygon, from the drawing board's actions to ink.
 //!
 //! Decided here: which vectors are drawn and once only, what is thin, how points and vectors are marked. ([`inset`] enlarges
-//! what is too small for its names, [`circles`] are the images of what rolls, [`names`] says what is written at them, [`mod@plates`] splits one of many vectors.) The places are
+//! what is too small for its names, [`aside`] draws side by side what lies over another, [`circles`] are the images of what rolls, [`names`] says what is written at them, [`mod@plates`] splits one of many vectors.) The places are
 //! those of the board. Every item carries the class `step-N`, the index of the action that draws it, so that a lesson
 //! can show the polygon as it grows.
 
+mod aside;
 mod circles;
 mod inset;
 mod marks;
@@ -54,6 +55,8 @@ struct Arrow {
     link: Option<usize>,
     /// Black; grey where a plate only starts from it.
     colour: Colour,
+    /// By how much it is drawn beside its place.
+    aside: Vec2,
 }
 
 struct Draft<'a> {
@@ -71,7 +74,8 @@ const MANY_ARROWS: usize = 16;
 
 /// Draws a polygon; its pole lies in the origin. A cluster too small for its names gets an inset.
 pub fn polygon(style: &Style, w: &Writer, p: &Polygon) -> Part {
-    let (draft, style) = Draft::new(style, w, p, false);
+    let (mut draft, style) = Draft::new(style, w, p, false);
+    draft.side_by_side(style.vector.width_mm);
     let finished = |mut drawing: Drawing| {
         marks(w, p).iter().for_each(|(mark, at)| drawing.mark(&mark_name(w, p.level, mark), *at));
         drawing.finish()
@@ -228,6 +232,7 @@ impl Draft<'_> {
                 steps: vec![step],
                 link,
                 colour: Colour::BLACK,
+                aside: Vec2::ZERO,
             }),
         }
     }
@@ -294,10 +299,15 @@ impl Draft<'_> {
         for k in order {
             let a = &self.arrows[k];
             d.of_link(a.link);
-            let shape = Shape::Arrow { from: a.from, to: a.to, stroke: style.vector.coloured(a.colour), head: style.head };
+            let (from, to) = a.drawn();
+            let shape = Shape::Arrow { from, to, stroke: style.vector.coloured(a.colour), head: style.head };
             let owner = d.shape(&format!("{}-{}", a.word(), a.symbols[0]), &a.classes(), shape);
+            for (from, to) in a.joins() {
+                let class = a.classes().replacen(a.class, "aside", 1);
+                d.shape(&format!("aside-{}", a.symbols[0]), &class, Shape::Line { from, to, stroke: style.thin.coloured(a.colour) });
+            }
             if !insets.iter().any(|i| i.arrows.contains(&k)) {
-                names[k] = self.name(&mut d, style, a, Shown { ends: (self.own_part(a), a.to), owner, middle, within: "" });
+                names[k] = self.name(&mut d, style, a, Shown { ends: (self.own_part(a), to), owner, middle, within: "" });
             }
         }
         d.of_link(None);

@@ -69,9 +69,10 @@ impl Draft<'_> {
 
     /// Where the part of a vector begins that no shorter one covers: there its name belongs.
     pub(super) fn own_part(&self, a: &Arrow) -> Point {
-        let inside = |b: &&Arrow| is_one(b.from, a.from) && covers((a.from, a.to), b.to) && b.to.distance(a.to) > LABEL_ROOM_MM;
-        let far = self.arrows.iter().filter(inside).max_by(|b, c| a.from.distance(b.to).total_cmp(&a.from.distance(c.to)));
-        far.map_or(a.from, |b| b.to)
+        let (from, to) = a.drawn();
+        let inside = |b: &(Point, Point)| is_one(b.0, from) && covers((from, to), b.1) && b.1.distance(to) > LABEL_ROOM_MM;
+        let far = self.arrows.iter().map(Arrow::drawn).filter(inside).max_by(|b, c| from.distance(b.1).total_cmp(&from.distance(c.1)));
+        far.map_or(from, |b| b.1)
     }
 
     /// Asks for a vector's name along a line that shows it; it may be left out where both ends are lettered.

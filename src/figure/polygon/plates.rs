@@ -57,7 +57,8 @@ fn plate(style: &Style, w: &Writer, p: &Polygon, mine: &dyn Fn(usize) -> bool) -
     };
     let mu = scale::choose_in(w.scene.book.size(p.level.kind()), [over(|q| q.x) * p.mu, over(|q| q.y) * p.mu], ROOM_MM);
     let own = p.to_scale(mu);
-    let draft = Draft::of(w, &own).only(mine)?;
+    let mut draft = Draft::of(w, &own).only(mine)?;
+    draft.side_by_side(style.vector.width_mm);
     let (drawing, names) = draft.draw(style, &[]);
     let part = drawing.finish();
     let insets = draft.insets(|arrow| part.left_out.contains(&names[arrow]));

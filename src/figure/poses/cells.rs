@@ -1,10 +1,11 @@
 //! What stands in the cells of a sheet of poses: a drawing for each of them, as on any other sheet, with ground or pole at one place
-//! of its cell, so that neighbouring poses can be compared.
+//! of its cell, so that neighbouring poses can be compared. In a table only the first drawing of a column has all its names; those below
+//! have the letters of their points.
 
-use super::{BOXES, Row, Table, text};
+use super::{Row, Table, text};
 use crate::construct::Polygon;
 use crate::figure::course::courses;
-use crate::figure::drawing::{Habits, Part};
+use crate::figure::drawing::{Drawing, Habits, Part};
 use crate::figure::extent::Rect;
 use crate::figure::hodograph::runs;
 use crate::figure::item::{Anchor, Colour, Dash, Item, Shape, Stroke};
@@ -77,10 +78,18 @@ impl Table<'_> {
         let full = self.rows.iter().filter_map(|row| self.polygon(row, shows)).any(|(w, p)| polygon::is_full(&w, p));
         let (mut habits, mut of_polygon) = (Habits::new(), Habits::new());
         let mut parts = Vec::new();
+        let mut named = false;
+        let mut with_names = |mut drawing: Drawing| {
+            if named && !self.still {
+                drawing.letters_only();
+            }
+            named = true;
+            drawing
+        };
         for (k, row) in self.rows.iter().enumerate() {
             let mut part = match shows {
                 Shows::Mechanism => {
-                    let drawing = mechanism::drawing(style, &row.scene, &row.worked, notation, &courses[k]);
+                    let drawing = with_names(mechanism::drawing(style, &row.scene, &row.worked, notation, &courses[k]));
                     let mut part = drawing.finish_after(&mut habits);
                     // The diagram's origin may be a point that moves.
                     let (here, first) = (&row.worked.construction.diagram, &self.rows[0].worked.construction.diagram);
@@ -90,7 +99,7 @@ impl Table<'_> {
                 Shows::Polygon(_) => match self.polygon(row, shows) {
                     // An inset would take more room than the pose.
                     Some((w, p)) if self.still => polygon::drawing(style, &w, p, full).finish_after(&mut of_polygon),
-                    Some((w, p)) => polygon::drawing(style, &w, p, full).finish(),
+                    Some((w, p)) => with_names(polygon::drawing(style, &w, p, full)).finish(),
                     None => Part::of(self.absent(row)),
                 },
             };
@@ -139,7 +148,7 @@ impl Table<'_> {
                     let curve: Vec<Option<Vec2>> = moved.moments.iter().map(|m| m.vectors[k][l]).collect();
                     let paper = |v: &Vec2| (*v * (1.0 / mu)).to_point();
                     // As far as the polygons reach.
-                    let most = libm::hypot(BOXES.polygon[0], BOXES.polygon[1]) * mu;
+                    let most = self.scales.longest_mm() * mu;
                     runs(&curve, moved.full, most).0.iter().map(|run| run.iter().map(paper).collect()).collect()
                 }
             };

@@ -28,8 +28,8 @@ use super::style::Style;
 
 /// Steps in which the mechanism is followed through a turn: 2°.
 const STEPS: usize = 180;
-/// Room for the drawings of one pose: a row of three is about as wide as A4 across, and twelve of them are A1.
-const BOXES: Boxes = Boxes { diagram: [90.0, 80.0], polygon: [95.0, 80.0] };
+/// Room for the drawings of one pose in the table: a row of three is as wide as A4 upright, which holds four or five of them.
+const BOXES: Boxes = Boxes { diagram: [48.0, 44.0], polygon: [44.0, 44.0] };
 
 /// What is on the sheet.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,7 +43,7 @@ pub struct Wanted {
     pub points: Vec<PointId>,
 }
 
-/// The sheet; several pages where the scene fixes the size of its paper.
+/// The sheet: of the size that the scene fixes for its paper, else A4, or A3 where a row is wider; as many pages as it takes.
 ///
 /// # Errors
 /// `no-motion` where the mechanism cannot be followed from its pose; `paper-too-small` where the paper does not hold one row.
@@ -60,7 +60,7 @@ pub struct Wanted {
 /// # Ok::<(), hodograph::diag::Faults>(())
 /// ```
 pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted) -> Result<Warned<Vec<Figure>>, Faults> {
-    let poses = Poses::of(scene, worked, wanted)?;
+    let poses = Poses::of(scene, worked, wanted, BOXES)?;
     let style = Style { label_mm: options.style.small_mm, ..options.style.clone() };
     let options = Options { style, ..options.clone() };
     let pages = poses.table(&options, wanted.driver, false).pages(scene.paper.size_mm)?;
@@ -76,7 +76,7 @@ struct Poses {
 }
 
 impl Poses {
-    fn of(scene: &Scene, worked: &Worked, wanted: &Wanted) -> Result<Poses, Faults> {
+    fn of(scene: &Scene, worked: &Worked, wanted: &Wanted, boxes: Boxes) -> Result<Poses, Faults> {
         let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.driver);
         let sweep = follower.sweep(STEPS);
         let poses = at_equal_steps(&follower, &sweep, wanted.count);
@@ -88,7 +88,7 @@ impl Poses {
         let trials: Vec<(&Pose, Worked)> =
             poses.iter().filter_map(|p| Some((p, work(&scene_at(scene, wanted.driver, p.travel), p)?))).collect();
         let sized: Vec<(f64, &Worked)> = trials.iter().map(|(p, w)| (p.travel, w)).collect();
-        let scales = Scales::of(&scene.paper, &sized, sweep.full, BOXES);
+        let scales = Scales::of(&scene.paper, &sized, sweep.full, boxes);
         let now = position_now(scene, &worked.configuration, wanted.driver);
         let rows: Vec<Row> = trials
             .iter()

@@ -4,7 +4,6 @@ use super::cells::{Column, Shows};
 use super::{Table, text};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::digits::{inked, shortest};
-use crate::figure::arrange::AIM_MM;
 use crate::figure::item::{Anchor, Figure, Item, Shape, Stroke};
 use crate::figure::label::Label;
 use crate::figure::path::turned;
@@ -21,6 +20,10 @@ const AIR_MM: f64 = 3.5;
 /// Width of the column that says which pose a row shows, and height of the table's head.
 const NAME_MM: f64 = 26.0;
 const HEAD_MM: f64 = 15.0;
+/// Papers that a printer has: A4 and A3.
+const PAPERS: [[f64; 2]; 2] = [[210.0, 297.0], [297.0, 420.0]];
+/// Fewer rows on a page are no table.
+const ROWS_LEAST: usize = 2;
 /// Below the title.
 const TITLE_MM: f64 = 14.0;
 
@@ -76,14 +79,13 @@ impl Table<'_> {
                 (across, ((h - one_h) / row_mm) as usize + 1, [w, h])
             }
             None => {
-                // Of the format of all paper, upright or across, as nearly as may be.
-                let larger = |across: &usize| {
-                    let [w, h] = size(*across, count.div_ceil(*across));
-                    (w.max(h) / AIM_MM[0]).max(w.min(h) / AIM_MM[1])
-                };
-                let across = (1..=count).min_by(|a, b| larger(a).total_cmp(&larger(b))).unwrap_or(1);
-                let down = count.div_ceil(across);
-                (across, down, size(across, down))
+                let (across, down, size_mm) = choose(&size, width_mm, row_mm, count);
+                // A page that is not full is no larger than what is on it.
+                if count > across * down {
+                    (across, down, size_mm)
+                } else {
+                    (across.min(count), down, size(across.min(count), count.div_ceil(across)))
+                }
             }
         };
         let per_page = across * down;
@@ -94,6 +96,22 @@ impl Table<'_> {
         });
         Ok(pages.collect())
     }
+}
+
+/// How many rows stand side by side and below one another on a paper that a printer has: the smallest that holds some rows, and of its two
+/// ways the one with fewer pages; a sheet of one row where even the largest is too small.
+fn choose(size: &dyn Fn(usize, usize) -> [f64; 2], width_mm: f64, row_mm: f64, count: usize) -> (usize, usize, [f64; 2]) {
+    let [one_w, one_h] = size(1, 1);
+    let on = |[w, h]: [f64; 2]| {
+        let (more_across, more_down) = ((w - one_w) / width_mm, (h - one_h) / row_mm);
+        (more_across >= 0.0 && more_down >= 0.0).then(|| (more_across as usize + 1, more_down as usize + 1, [w, h]))
+    };
+    let holds = |(across, down, _): &(usize, usize, [f64; 2])| across * down >= ROWS_LEAST.min(count);
+    let formats = PAPERS.into_iter().filter_map(|[a, b]| {
+        let ways = [[a, b], [b, a]].into_iter().filter_map(on).filter(holds);
+        ways.min_by_key(|(across, down, _)| count.div_ceil(across * down))
+    });
+    formats.into_iter().next().unwrap_or((1, 1, [one_w, one_h]))
 }
 
 /// A page in the making.

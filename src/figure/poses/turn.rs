@@ -5,6 +5,7 @@
 
 use super::cells::{Column, Shows};
 use super::{Poses, Table, Wanted, text};
+use crate::construct::scale::Boxes;
 use crate::diag::{Faults, Warned};
 use crate::figure::item::{Anchor, Figure, Item};
 use crate::figure::label::Label;
@@ -17,6 +18,8 @@ use crate::worked::Worked;
 
 /// Between drawings.
 const GAP_MM: f64 = 10.0;
+/// Room for the drawings of a frame.
+const BOXES: Boxes = Boxes { diagram: [90.0, 80.0], polygon: [95.0, 80.0] };
 /// From the title to the drawings.
 const TITLE_MM: f64 = 12.0;
 /// From the drawings to the caption's baseline, and from there to the scale's.
@@ -46,7 +49,7 @@ impl Turn {
 /// # Errors
 /// `no-motion` where the mechanism cannot be followed from its pose.
 pub fn turn(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted, step_mm: f64) -> Result<Warned<Turn>, Faults> {
-    let poses = Poses::of(scene, worked, wanted)?;
+    let poses = Poses::of(scene, worked, wanted, BOXES)?;
     let table = poses.table(options, wanted.driver, true);
     let columns = table.columns();
     let width: f64 = columns.iter().map(|c| c.bounds.width_mm()).sum::<f64>() + GAP_MM * columns.len().saturating_sub(1) as f64;

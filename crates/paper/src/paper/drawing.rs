@@ -168,6 +168,12 @@ impl Drawing {
         id
     }
 
+    /// Only the letters of points stay: for a drawing that stands beside one with all its names.
+    pub fn letters_only(&mut self) {
+        let is_letter = |w: &Wanted| w.request.point().is_some() && w.class.split(' ').any(|word| matches!(word, "point" | "pole"));
+        self.wanted.retain(is_letter);
+    }
+
     /// A label at a point.
     pub fn label_at(&mut self, name: &str, class: &str, text: &str, at: Point, clear_mm: f64, prefer: Option<Vec2>) {
         let request = LabelRequest::at_point(Label::math(text), self.style.label_mm, at, clear_mm);

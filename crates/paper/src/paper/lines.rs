@@ -13,16 +13,21 @@ use super::label::Label;
 use super::text;
 use crate::paper::phrase::{Phrase, Piece};
 
+/// Units as they follow a number that is a formula.
+const UNITS: [&str; 8] = ["mm", "cm", "m", "ft", "in", "rad/s", "m/s", "s"];
+/// A formula is one thing among the words; before its relations it may break too.
+const THING: char = '\u{FFFC}';
+
 /// Whether a break would part a number from its unit, or from what it counts.
 fn parts_a_number(text: &str, at: usize) -> bool {
-    at < text.len() && text[..at].strip_suffix(' ').is_some_and(|before| before.ends_with(|c: char| c.is_ascii_digit()))
+    let unit = || text[at..].split([' ', ')', ',', ';', '.', '，', '；', '。', '）']).next().is_some_and(|word| UNITS.contains(&word));
+    let number = |before: &str| before.ends_with(|c: char| c.is_ascii_digit()) || before.ends_with(THING) && unit();
+    at < text.len() && text[..at].strip_suffix(' ').is_some_and(number)
 }
 
 /// Breaks a phrase into lines no wider than `width_mm`, where Unicode's rules allow it. A word that is longer than a line
 /// breaks anywhere; a formula that is, sticks out.
 pub fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Fonts) -> Vec<Label> {
-    // A formula is one thing among the words; before its relations it may break too.
-    const THING: char = '\u{FFFC}';
     let mut plain = String::new();
     let mut formulas = VecDeque::new();
     for piece in phrase.pieces() {
@@ -121,6 +126,14 @@ mod tests {
     fn a_number_keeps_its_unit() {
         for width in 20..80 {
             let lines = texts("from o lay off 59.01 mm square to it, 3 mm more, then 12 mm back", f64::from(width));
+            assert!(lines.iter().all(|l| !l.starts_with("mm")), "{width} mm: {lines:?}");
+        }
+    }
+
+    #[test]
+    fn a_number_that_is_a_formula_keeps_its_unit() {
+        for width in 20..80 {
+            let lines = texts("measured: $l_1$ = $144.64$ mm ($144.64$ mm), then $l_2$ = $65.8$ mm", f64::from(width));
             assert!(lines.iter().all(|l| !l.starts_with("mm")), "{width} mm: {lines:?}");
         }
     }

@@ -49,13 +49,19 @@ const LEADERS: [(f64, f64); 3] = [(5.0, 3.5), (8.0, 4.2), (12.0, 5.0)];
 /// The same where none of these ends at a clear place.
 const LONG_LEADERS: [(f64, f64); 2] = [(17.0, 5.8), (22.0, 6.6)];
 
+/// The same for lines between those directions.
+const BETWEEN: [(f64, f64); 6] = [(3.5, 3.6), (6.5, 4.0), (10.0, 4.7), (14.0, 5.4), (19.0, 6.1), (26.0, 7.2)];
+
+/// The cosine of the least angle between such a leader line and its own vector: 30°.
+const ACROSS: f64 = 0.866;
+
 /// 48 places around a point, 28 along a segment or an arc.
 pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
     match wanted.target {
         Target::Point { at, clear_mm } => {
             let mut all = Vec::with_capacity(DIRECTIONS * POINT_GAPS.len());
             for (gap, base) in POINT_GAPS {
-                for u in directions() {
+                for &u in directions() {
                     let rect = wanted.rect(at + u * reach(u, wanted, clear_mm + gap));
                     all.push(Candidate::new(rect, None, base + side_cost(u, wanted)));
                 }
@@ -102,15 +108,32 @@ pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
 
 /// Places farther off, with a leader line.
 pub(super) fn far(wanted: &Wanted) -> Vec<Candidate> {
-    led(wanted, &LEADERS)
+    led(wanted, &LEADERS, directions())
 }
 
 /// Places so far off that one has to look for the end of the leader line.
 pub(super) fn farthest(wanted: &Wanted) -> Vec<Candidate> {
-    led(wanted, &LONG_LEADERS)
+    led(wanted, &LONG_LEADERS, directions())
 }
 
-fn led(wanted: &Wanted, leaders: &[(f64, f64)]) -> Vec<Candidate> {
+/// Places with a leader line in the directions between those of the others, for a label that found none.
+pub(super) fn between(wanted: &Wanted) -> Vec<Candidate> {
+    static ALL: LazyLock<[Vec2; DIRECTIONS]> =
+        LazyLock::new(|| std::array::from_fn(|k| Vec2::from_angle((k as f64 + 0.5) * TAU / DIRECTIONS as f64)));
+    match wanted.target {
+        Target::Point { .. } => led(wanted, &BETWEEN, &*ALL),
+        Target::Segment { from, to, .. } => {
+            // A leader line along its own vector is not seen.
+            let along = (to - from).unit().unwrap_or(Vec2::ZERO);
+            let across: Vec<Vec2> = ALL.iter().copied().filter(|u| u.dot(along).abs() < ACROSS).collect();
+            led(wanted, &BETWEEN, &across)
+        }
+        // The arrow of a rotation goes around its pivot: between the others these lines would run through its hatching.
+        Target::Arc { .. } => Vec::new(),
+    }
+}
+
+fn led(wanted: &Wanted, leaders: &[(f64, f64)], directions: &[Vec2]) -> Vec<Candidate> {
     let (at, clear_mm) = match wanted.target {
         Target::Point { at, clear_mm } => (at, clear_mm),
         Target::Segment { from, to, .. } => (from + (to - from) * 0.5, 0.0),
@@ -118,7 +141,7 @@ fn led(wanted: &Wanted, leaders: &[(f64, f64)]) -> Vec<Candidate> {
     };
     let mut all = Vec::with_capacity(DIRECTIONS * leaders.len());
     for &(length, base) in leaders {
-        for u in directions() {
+        for &u in directions {
             let t = reach(u, wanted, clear_mm + length);
             let rect = wanted.rect(at + u * t);
             let near = nearest(rect, at);
@@ -131,10 +154,10 @@ fn led(wanted: &Wanted, leaders: &[(f64, f64)]) -> Vec<Candidate> {
     all
 }
 
-fn directions() -> impl Iterator<Item = Vec2> {
+fn directions() -> &'static [Vec2; DIRECTIONS] {
     static ALL: LazyLock<[Vec2; DIRECTIONS]> =
         LazyLock::new(|| std::array::from_fn(|k| Vec2::from_angle(k as f64 * TAU / DIRECTIONS as f64)));
-    ALL.iter().copied()
+    &ALL
 }
 
 /// How far along `u` a box's middle must go for the box to stand `clear_mm` off the origin.

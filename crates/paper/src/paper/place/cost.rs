@@ -14,6 +14,10 @@ pub(super) const TOUCH: f64 = 8.0;
 const AIR_MM: f64 = 0.5;
 /// Each millimetre of a line under a label.
 const PER_MM: f64 = 1.0;
+/// A bar or a vector under a label is worse than a thin line: a leader line across two lines is better still.
+const THICK_FACTOR: f64 = 1.5;
+/// Half the width from which a line is one of those.
+const THICK_HALF_MM: f64 = 0.165;
 /// An arrowhead is what the reader looks for: it counts as this many lines.
 const HEAD_FACTOR: f64 = 2.0;
 /// The label's own line through its letters does not mislead, and is no easier to read.
@@ -30,7 +34,7 @@ const NEARER_MARGIN_MM: f64 = 0.8;
 const NEARER_MAX: f64 = 4.0;
 /// A foreign place nearer than the own one, or a line as thick as the own one nearer than that: less than touching, but poor, so that a
 /// leader line is tried.
-const STRAYS: f64 = 7.5;
+pub(super) const STRAYS: f64 = 7.5;
 /// Letters within this of one place are those of one mark.
 const ONE_MARK_MM: f64 = 0.15;
 /// A leader line across a line, or across a label.
@@ -114,7 +118,12 @@ impl<'a> Around<'a> {
             }
             let covered = if touch(grown, *bounds) { clipped_mm(bar.from, bar.to, grown) } else { 0.0 };
             if covered > 0.0 {
-                cost += (TOUCH + PER_MM * covered) * if *own { OWN_FACTOR } else { 1.0 };
+                let factor = match (*own, bar.half_width_mm >= THICK_HALF_MM) {
+                    (true, _) => OWN_FACTOR,
+                    (false, true) => THICK_FACTOR,
+                    (false, false) => 1.0,
+                };
+                cost += (TOUCH + PER_MM * covered) * factor;
             } else if !own && !meets && NEARER_PER_MM * nearer < NEARER_MAX {
                 let foreign = distance(c.rect, bar) - bar.half_width_mm;
                 nearer = nearer.max(look - foreign);

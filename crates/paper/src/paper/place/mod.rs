@@ -12,11 +12,12 @@ mod candidate;
 mod coarse;
 mod cost;
 mod obstacle;
+mod offer;
 mod search;
 
 pub use obstacle::{Bar, Disc, Obstacles};
 
-use std::f64::consts::TAU;
+use std::f64::consts::PI;
 
 use crate::geom::{Point, Vec2};
 
@@ -25,7 +26,7 @@ use super::item::{Anchor, Colour, Item, Piece, Shape, Stroke};
 use super::label::Label;
 use super::text;
 use candidate::Candidate;
-use search::Offer;
+use offer::Offer;
 
 /// What a label belongs to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -165,12 +166,11 @@ const LEADER_DOT_MM: f64 = 0.45;
 /// A leader line: grey, with a dot at the thing that it names.
 fn pointer(from: Point, to: Point, stroke: Stroke) -> Shape {
     let grey = Colour::grey(LEADER_GREY);
-    let (radius_mm, from_rad) = (LEADER_DOT_MM, (from - to).angle());
-    let dot = Piece::Arc { centre: to, radius_mm, from_rad, to_rad: from_rad + TAU };
-    let start = to + Vec2::from_angle(from_rad) * radius_mm;
+    // Both begin where no direction plays a part: over the frames of a lesson all numbers of the dot change alike, and take no room.
+    let half = |from_rad| Piece::Arc { centre: to, radius_mm: LEADER_DOT_MM, from_rad, to_rad: from_rad + PI };
     Shape::Path {
-        start,
-        pieces: vec![dot, Piece::Move(start), Piece::Line(from)],
+        start: to + Vec2::new(LEADER_DOT_MM, 0.0),
+        pieces: vec![half(0.0), half(PI), Piece::Move(to), Piece::Line(from)],
         closed: false,
         stroke: Some(stroke.coloured(grey)),
         fill: Some(grey),

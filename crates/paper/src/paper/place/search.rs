@@ -1,10 +1,14 @@
 //! Picks one place for each label: coordinate descent, then joint moves of labels in conflict.
+//!
+//! Decided here: that nothing is found twice. What a place costs by itself is kept in its [`Offer`]; what it costs beside a neighbour is
+//! kept until the neighbour moves ([`Beside`]); a pair that could not be bettered is not tried again before something around it has moved.
 
 use crate::paper::extent::Rect;
 
 use super::candidate::{self, Candidate};
 use super::cost::{self, Around};
 use super::obstacle::Obstacles;
+use super::offer::{Offer, RINGS};
 use super::{CROWDED, Found, Leads, Placement, Wanted};
 
 /// Sweeps of the descent. Each lowers the total, so it ends by itself; on sheets of 200 labels after 6 at most.
@@ -14,73 +18,12 @@ const ROUNDS_MAX: usize = 8;
 /// From this cost on a leader line is worth a try: dearer than any place with nothing but a foreign line near by.
 const POOR: f64 = 5.5;
 
+/// From this cost on it is tried in all directions: what stands nearer to something else costs more.
+const STRAYED: f64 = cost::STRAYS - 0.5;
+
 /// What it costs a label of a series of figures to leave the place that it had in the figure before: less than touching
 /// anything, more than any nearness, so that it stays beside its thing until something comes in its way.
 pub(super) const LEAVE: f64 = 6.0;
-
-/// Places from near the thing to far off: without a leader line, with one, with a long one.
-const RINGS: [fn(&Wanted) -> Vec<Candidate>; 3] = [candidate::near, candidate::far, candidate::farthest];
-
-/// The places that a label may take and what each costs by itself, found when first asked for: the same label is often searched
-/// for again without some of its neighbours, which changes nothing of this.
-pub(super) struct Offer<'a> {
-    wanted: &'a Wanted,
-    obstacles: &'a Obstacles,
-    paper: Rect,
-    /// Those near its thing, from the first search that needs them on also those of a further ring.
-    places: Vec<Candidate>,
-    /// How many there are up to the end of each ring found so far.
-    ends: Vec<usize>,
-    costs: Vec<Option<f64>>,
-    /// What is drawn around those of each ring.
-    around: [Option<Around<'a>>; RINGS.len()],
-}
-
-impl<'a> Offer<'a> {
-    /// Of a label among all that is drawn.
-    pub(super) fn new(wanted: &'a Wanted, obstacles: &'a Obstacles, paper: Rect) -> Offer<'a> {
-        let around = std::array::from_fn(|_| None);
-        let mut offer = Offer { wanted, obstacles, paper, places: Vec::new(), ends: Vec::new(), costs: Vec::new(), around };
-        offer.up_to(0);
-        offer
-    }
-
-    /// How many places there are up to the end of a ring.
-    fn up_to(&mut self, ring: usize) -> usize {
-        for further in &RINGS[self.ends.len().min(ring + 1)..=ring] {
-            self.places.extend(further(self.wanted));
-            self.ends.push(self.places.len());
-        }
-        self.costs.resize(self.places.len(), None);
-        self.ends[ring]
-    }
-
-    /// In which ring a place is, and the places of that ring.
-    fn ring(&self, k: usize) -> (usize, std::ops::Range<usize>) {
-        let ring = self.ends.partition_point(|end| *end <= k);
-        (ring, if ring == 0 { 0 } else { self.ends[ring - 1] }..self.ends[ring])
-    }
-
-    /// The cost of a place, of which most others will be asked too.
-    fn cost(&mut self, k: usize) -> f64 {
-        if let Some(cost) = self.costs[k] {
-            return cost;
-        }
-        let (ring, alike) = self.ring(k);
-        let alike = &self.places[alike];
-        let around = self.around[ring].get_or_insert_with(|| Around::new(alike, self.wanted, self.obstacles, self.paper));
-        let cost = around.fixed(&self.places[k]);
-        self.costs[k] = Some(cost);
-        cost
-    }
-
-    /// The cost of a place that is perhaps the only one.
-    fn cost_alone(&mut self, k: usize) -> f64 {
-        let here = &self.places[k];
-        let found = || Around::new(std::slice::from_ref(here), self.wanted, self.obstacles, self.paper).fixed(here);
-        *self.costs[k].get_or_insert_with(found)
-    }
-}
 
 struct Choice<'c, 'a> {
     offer: &'c mut Offer<'a>,
@@ -97,6 +40,43 @@ struct Choice<'c, 'a> {
     reach: Rect,
     /// The labels with a place that could meet one of this label's places.
     neighbours: Vec<usize>,
+    /// What its places cost beside the others' where they stand.
+    beside: Beside,
+    /// When it last took another place or looked at more of them.
+    moved: u64,
+}
+
+/// What the places of a label cost beside the others where they stand. Most places meet nobody: only what costs something is kept.
+#[derive(Default)]
+struct Beside {
+    /// For each place the others that make it dearer, in their order, and by how much.
+    rows: Vec<Vec<(usize, f64)>>,
+    /// At which of its places each other label is taken to stand; at none yet.
+    stand: Vec<Option<usize>>,
+}
+
+impl Beside {
+    /// From now on another label stands at its `index`th place.
+    fn turn_to(&mut self, places: &[Candidate], j: usize, (index, place): (usize, &Candidate)) {
+        let before = self.stand[j].replace(index);
+        if before == Some(index) {
+            return;
+        }
+        for (row, mine) in self.rows.iter_mut().zip(places) {
+            if before.is_some() {
+                row.retain(|(other, _)| *other != j);
+            }
+            let cost = cost::pair(mine, place);
+            if cost > 0.0 {
+                row.insert(row.partition_point(|(other, _)| *other < j), (j, cost));
+            }
+        }
+    }
+
+    /// There are more places now: all is found anew.
+    fn restart(&mut self, places: usize, labels: usize) {
+        (self.rows, self.stand) = (vec![Vec::new(); places], vec![None; labels]);
+    }
 }
 
 /// The box around some places and their leader lines.
@@ -116,7 +96,8 @@ impl<'c, 'a> Choice<'c, 'a> {
         let before = before.filter(|b| *b < count);
         let reach = around(&offer.places[..count]);
         let (fixed, known) = (vec![f64::INFINITY; count], vec![true; count]);
-        let mut choice = Choice { offer, fixed, known, picked: 0, before, open: false, reach, neighbours: Vec::new() };
+        let (neighbours, beside) = (Vec::new(), Beside::default());
+        let mut choice = Choice { offer, fixed, known, picked: 0, before, open: false, reach, neighbours, beside, moved: 0 };
         if let Some(b) = before {
             choice.picked = b;
             choice.fixed[b] = choice.offer.cost_alone(b);
@@ -202,33 +183,33 @@ impl<'c, 'a> Choice<'c, 'a> {
 pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>], leads: Leads) -> Vec<Found> {
     let stood = |i: usize| before.get(i).copied().flatten();
     let wanted = offers.iter_mut().enumerate().filter(|(k, _)| of.binary_search(k).is_ok());
-    let mut choices: Vec<Choice> = wanted.enumerate().map(|(i, (_, offer))| Choice::new(offer, stood(i))).collect();
+    let mut search = Search::new(wanted.enumerate().map(|(i, (_, offer))| Choice::new(offer, stood(i))).collect());
     // In a series the figure before has settled what stands where: one descent mends what has come in the way.
     let rounds = if before.is_empty() { ROUNDS_MAX } else { 0 };
-    settle(&mut choices, rounds);
+    search.settle(rounds);
     loop {
-        let content = |i: &usize| choices[*i].open || total(&choices, *i, choices[*i].picked) < LEAVE;
-        let others: Vec<usize> = (0..choices.len()).filter(|i| !content(i)).collect();
+        let content = |i: &usize| search.choices[*i].open || search.total(*i) < LEAVE;
+        let others: Vec<usize> = (0..search.choices.len()).filter(|i| !content(i)).collect();
         if others.is_empty() {
             break;
         }
-        others.into_iter().for_each(|i| choices[i].open());
-        settle(&mut choices, rounds);
+        others.into_iter().for_each(|i| search.choices[i].open());
+        search.settle(rounds);
     }
     let rings: &[(usize, f64)] = match leads {
         Leads::Short => &[(1, POOR)],
-        Leads::Long => &[(1, POOR), (2, CROWDED)],
+        Leads::Long => &[(1, POOR), (2, CROWDED), (3, STRAYED)],
     };
     for &(ring, enough) in rings {
-        let is_poor = |i: &usize| choices[*i].open && total(&choices, *i, choices[*i].picked) > enough;
-        let poor: Vec<usize> = (0..choices.len()).filter(is_poor).collect();
+        let is_poor = |i: &usize| search.choices[*i].open && search.total(*i) > enough;
+        let poor: Vec<usize> = (0..search.choices.len()).filter(is_poor).collect();
         if !poor.is_empty() {
-            poor.into_iter().for_each(|i| choices[i].look_far(ring));
-            settle(&mut choices, rounds);
+            poor.into_iter().for_each(|i| search.look_far(i, ring));
+            search.settle(rounds);
         }
     }
-    let picked = |i: usize| choices[i].picked;
-    (0..choices.len()).map(|i| (*choices[i].place(), total(&choices, i, picked(i)) - choices[i].leave(picked(i)), picked(i))).collect()
+    let found = |(i, c): (usize, &Choice)| (*c.place(), search.total(i) - c.leave(c.picked), c.picked);
+    search.choices.iter().enumerate().map(found).collect()
 }
 
 /// The best place near its thing for a label beside others that stay where they are.
@@ -247,153 +228,204 @@ fn argmin(costs: &[f64]) -> usize {
     costs.iter().enumerate().fold(0, |best, (i, c)| if *c < costs[best] { i } else { best })
 }
 
-/// Cost of place `k` of label `i` beside the picked places of all others.
-fn total(choices: &[Choice], i: usize, k: usize) -> f64 {
-    choices[i].fixed[k] + beside(choices, i, k)
+/// All labels that are weighed against one another.
+struct Search<'c, 'a> {
+    choices: Vec<Choice<'c, 'a>>,
+    /// Counts the moves.
+    clock: u64,
+    /// For each pair of labels, when it was last found that no two places together are better: `n i + j`.
+    tried: Vec<u64>,
 }
 
-/// What place `k` of label `i` costs beside the picked places of its neighbours.
-fn beside(choices: &[Choice], i: usize, k: usize) -> f64 {
-    let me = &choices[i];
-    me.neighbours.iter().map(|&j| cost::pair(&me.places()[k], choices[j].place())).sum()
-}
-
-fn meet(choices: &mut [Choice]) {
-    let reach: Vec<Rect> = choices.iter().map(|c| c.reach).collect();
-    for (i, choice) in choices.iter_mut().enumerate() {
-        choice.neighbours = (0..reach.len()).filter(|&j| j != i && cost::close(reach[i], reach[j])).collect();
-    }
-}
-
-fn settle(choices: &mut [Choice], rounds: usize) {
-    meet(choices);
-    descend(choices);
-    for _ in 0..rounds {
-        if !move_pairs(choices) {
-            return;
+impl<'c, 'a> Search<'c, 'a> {
+    fn new(mut choices: Vec<Choice<'c, 'a>>) -> Search<'c, 'a> {
+        let n = choices.len();
+        for c in &mut choices {
+            c.beside.restart(c.count(), n);
         }
-        descend(choices);
+        Search { choices, clock: 1, tried: vec![0; n * n] }
     }
-}
 
-fn descend(choices: &mut [Choice]) {
-    let mut others: Vec<Candidate> = Vec::new();
-    for _ in 0..SWEEPS_MAX {
-        let mut moved = false;
-        for i in 0..choices.len() {
-            let me = &choices[i];
-            others.clear();
-            others.extend(me.neighbours.iter().map(|&j| *choices[j].place()).filter(|p| cost::close(me.reach, p.reach)));
-            let me = &mut choices[i];
-            let (mut best, mut least) = (me.picked, total_beside(me, me.picked, &others, f64::INFINITY));
-            let now = least;
-            for k in 0..me.count() {
-                // Beside others a place only becomes dearer: most need not be looked at.
-                if me.fixed[k] <= least {
-                    me.know(k);
+    /// What a label costs where it stands.
+    fn total(&self, i: usize) -> f64 {
+        let me = &self.choices[i];
+        let beside: f64 = me.neighbours.iter().map(|&j| cost::pair(me.place(), self.choices[j].place())).sum();
+        me.fixed[me.picked] + beside
+    }
+
+    /// Takes the places of a label up to the end of a ring as well.
+    fn look_far(&mut self, i: usize, ring: usize) {
+        let n = self.choices.len();
+        let me = &mut self.choices[i];
+        me.look_far(ring);
+        me.beside.restart(me.count(), n);
+        self.stamp(i);
+    }
+
+    fn pick(&mut self, i: usize, place: usize) {
+        self.choices[i].picked = place;
+        self.stamp(i);
+    }
+
+    fn stamp(&mut self, i: usize) {
+        self.clock += 1;
+        self.choices[i].moved = self.clock;
+    }
+
+    /// Finds who can meet whom.
+    fn meet(&mut self) {
+        let reach: Vec<Rect> = self.choices.iter().map(|c| c.reach).collect();
+        for (i, choice) in self.choices.iter_mut().enumerate() {
+            choice.neighbours = (0..reach.len()).filter(|&j| j != i && cost::close(reach[i], reach[j])).collect();
+        }
+    }
+
+    fn settle(&mut self, rounds: usize) {
+        self.meet();
+        self.descend();
+        for _ in 0..rounds {
+            if !self.move_pairs() {
+                return;
+            }
+            self.descend();
+        }
+    }
+
+    fn descend(&mut self) {
+        for _ in 0..SWEEPS_MAX {
+            let mut moved = false;
+            for i in 0..self.choices.len() {
+                self.look_around(i);
+                let me = &mut self.choices[i];
+                let (mut best, mut least) = (me.picked, me.total(me.picked, None));
+                let now = least;
+                for k in 0..me.count() {
+                    // Beside others a place only becomes dearer: most need not be looked at.
+                    if me.fixed[k] <= least {
+                        me.know(k);
+                    }
+                    if me.fixed[k] > least || k == me.picked {
+                        continue;
+                    }
+                    let cost = me.total(k, None);
+                    // Of equals the first, as everywhere.
+                    if cost < least || cost == least && k < best && cost < now {
+                        (best, least) = (k, cost);
+                    }
                 }
-                if me.fixed[k] > least || k == me.picked {
+                if least < now {
+                    self.pick(i, best);
+                    moved = true;
+                }
+            }
+            if !moved {
+                return;
+            }
+        }
+    }
+
+    /// Moves labels in conflict together with each neighbour that stands in their way.
+    fn move_pairs(&mut self) -> bool {
+        let mut moved = false;
+        for i in 0..self.choices.len() {
+            let bound = self.total(i);
+            if bound < CROWDED {
+                continue;
+            }
+            for j in self.rivals(i, bound) {
+                let n = self.choices.len();
+                if self.stirred(i).max(self.stirred(j)) <= self.tried[n * i + j] {
                     continue;
                 }
-                let cost = total_beside(me, k, &others, least);
-                // Of equals the first, as everywhere.
-                if cost < least || cost == least && k < best && cost < now {
-                    (best, least) = (k, cost);
+                if self.move_pair(i, j) {
+                    moved = true;
+                } else {
+                    self.tried[n * i + j] = self.clock;
                 }
             }
-            if least < now {
-                me.picked = best;
-                moved = true;
+        }
+        moved
+    }
+
+    /// Whoever stands where one of a label's own better places is, not only where it is now.
+    fn rivals(&mut self, i: usize, bound: f64) -> Vec<usize> {
+        self.look_around(i);
+        let me = &mut self.choices[i];
+        me.know_up_to(bound);
+        let better = me.beside.rows.iter().zip(&me.fixed).filter(|(_, fixed)| **fixed < bound);
+        let mut found: Vec<usize> = better.flat_map(|(row, _)| row.iter().map(|(j, _)| *j)).collect();
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    /// When a label or one of its neighbours last moved.
+    fn stirred(&self, i: usize) -> u64 {
+        let me = &self.choices[i];
+        me.neighbours.iter().map(|&j| self.choices[j].moved).fold(me.moved, u64::max)
+    }
+
+    fn move_pair(&mut self, i: usize, j: usize) -> bool {
+        self.look_around(i);
+        self.look_around(j);
+        let choices = &mut self.choices;
+        let together = cost::pair(choices[i].place(), choices[j].place());
+        let alone = |me: &Choice, without: usize| me.total(me.picked, Some(without));
+        let now = alone(&choices[i], j) + alone(&choices[j], i) + together;
+        // Rounding must not keep two equal places changing for ever.
+        let mut best = now - 1e-9;
+        let mut at = None;
+        // What one of the two costs at the least leaves so much for the other: dearer places need not be looked at.
+        let least = choices[j].fixed.iter().copied().fold(f64::INFINITY, f64::min);
+        let mine = choices[i].cheap_first(j, best - least);
+        let Some(least) = mine.first().map(|m| m.1) else { return false };
+        let theirs = choices[j].cheap_first(i, best - least);
+        for &(a, cost_a) in &mine {
+            for &(b, cost_b) in &theirs {
+                let alone = cost_a + cost_b;
+                if alone > best {
+                    break;
+                }
+                let both = alone + cost::pair(&choices[i].places()[a], &choices[j].places()[b]);
+                // Of equals the first, as everywhere.
+                if both < best || both == best && at.is_some_and(|at| (a, b) < at) {
+                    best = both;
+                    at = Some((a, b));
+                }
             }
         }
-        if !moved {
-            return;
+        let Some((a, b)) = at else { return false };
+        self.pick(i, a);
+        self.pick(j, b);
+        true
+    }
+
+    /// Finds out where the neighbours of a label stand.
+    fn look_around(&mut self, i: usize) {
+        let mut beside = std::mem::take(&mut self.choices[i].beside);
+        let me = &self.choices[i];
+        for &j in &me.neighbours {
+            let other = &self.choices[j];
+            beside.turn_to(me.places(), j, (other.picked, other.place()));
         }
+        self.choices[i].beside = beside;
     }
 }
 
-/// Cost of a label's place `k` beside these places of its neighbours; from `enough` on some cost that is larger.
-fn total_beside(me: &Choice, k: usize, others: &[Candidate], enough: f64) -> f64 {
-    let mut beside = 0.0;
-    for other in others {
-        beside += cost::pair(&me.places()[k], other);
-        if me.fixed[k] + beside > enough {
-            break;
-        }
+impl Choice<'_, '_> {
+    /// Cost of place `k` beside its neighbours, or all of them but one.
+    fn total(&self, k: usize, without: Option<usize>) -> f64 {
+        let beside: f64 = self.beside.rows[k].iter().filter(|(j, _)| Some(*j) != without).map(|(_, cost)| cost).sum();
+        self.fixed[k] + beside
     }
-    me.fixed[k] + beside
-}
 
-/// Moves labels in conflict together with each neighbour that stands in their way.
-fn move_pairs(choices: &mut [Choice]) -> bool {
-    let mut moved = false;
-    for i in 0..choices.len() {
-        if total(choices, i, choices[i].picked) < CROWDED {
-            continue;
-        }
-        // Whoever stands where one of the label's own better places is, not only where it is now.
-        let bound = total(choices, i, choices[i].picked);
-        choices[i].know_up_to(bound);
-        let all = choices[i].neighbours.iter().copied();
-        let rivals: Vec<usize> = all
-            .filter(|&j| {
-                let here = choices[j].place();
-                choices[i].places().iter().zip(&choices[i].fixed).any(|(p, &f)| f < bound && cost::pair(p, here) > 0.0)
-            })
-            .collect();
-        for j in rivals {
-            moved |= move_pair(choices, i, j);
-        }
+    /// Its places that cost no more than `enough` beside all neighbours but one, the cheapest first.
+    fn cheap_first(&mut self, without: usize, enough: f64) -> Vec<(usize, f64)> {
+        self.know_up_to(enough);
+        let affordable = (0..self.count()).filter(|&k| self.fixed[k] <= enough);
+        let mut list: Vec<(usize, f64)> =
+            affordable.map(|k| (k, self.total(k, Some(without)))).filter(|(_, cost)| *cost <= enough).collect();
+        list.sort_by(|a, b| a.1.total_cmp(&b.1));
+        list
     }
-    moved
-}
-
-fn move_pair(choices: &mut [Choice], i: usize, j: usize) -> bool {
-    let (beside_me, beside_other) = (others(choices, i, j), others(choices, j, i));
-    let alone = |me: &Choice, others: &[Candidate]| total_beside(me, me.picked, others, f64::INFINITY);
-    let together = cost::pair(choices[i].place(), choices[j].place());
-    let now = alone(&choices[i], &beside_me) + alone(&choices[j], &beside_other) + together;
-    // Rounding must not keep two equal places changing for ever.
-    let mut best = now - 1e-9;
-    let mut at = None;
-    // What one of the two costs at the least leaves so much for the other: dearer places need not be looked at.
-    let least = choices[j].fixed.iter().copied().fold(f64::INFINITY, f64::min);
-    let mine = cheap_first(&mut choices[i], &beside_me, best - least);
-    let Some(least) = mine.first().map(|m| m.1) else { return false };
-    let theirs = cheap_first(&mut choices[j], &beside_other, best - least);
-    for &(a, cost_a) in &mine {
-        for &(b, cost_b) in &theirs {
-            let alone = cost_a + cost_b;
-            if alone > best {
-                break;
-            }
-            let both = alone + cost::pair(&choices[i].places()[a], &choices[j].places()[b]);
-            // Of equals the first, as everywhere.
-            if both < best || both == best && at.is_some_and(|at| (a, b) < at) {
-                best = both;
-                at = Some((a, b));
-            }
-        }
-    }
-    let Some(at) = at else { return false };
-    (choices[i].picked, choices[j].picked) = at;
-    true
-}
-
-/// The picked places that can meet one of label `i`'s, without that of label `j`.
-fn others(choices: &[Choice], i: usize, j: usize) -> Vec<Candidate> {
-    let me = &choices[i];
-    let all = me.neighbours.iter().filter(|n| **n != j).map(|&n| *choices[n].place());
-    all.filter(|p| cost::close(me.reach, p.reach)).collect()
-}
-
-/// A label's places that cost no more than `enough` beside these, the cheapest first.
-fn cheap_first(me: &mut Choice, others: &[Candidate], enough: f64) -> Vec<(usize, f64)> {
-    me.know_up_to(enough);
-    let me = &*me;
-    let affordable = (0..me.count()).filter(|&k| me.fixed[k] <= enough);
-    let priced = affordable.map(|k| (k, total_beside(me, k, others, enough)));
-    let mut list: Vec<(usize, f64)> = priced.filter(|(_, cost)| *cost <= enough).collect();
-    list.sort_by(|a, b| a.1.total_cmp(&b.1));
-    list
 }

@@ -1,0 +1,116 @@
+//! Vectors that lie over one another on paper are drawn side by side: one keeps its place, the others are moved square to themselves, and
+//! thin lines join their ends to the points where they belong.
+//!
+//! Decided here: which vectors lie over one another, and how far each is moved. Lengths and directions stay true, and so do the marks;
+//! a figure of a series is drawn without it, as vectors would jump from one figure to the next.
+
+use crate::geom::{Point, Vec2};
+
+use super::{Arrow, Draft, LABEL_ROOM_MM, SAME_MM, covers, is_one};
+
+/// White between two vectors side by side: less, and they close up in print.
+const AIR_MM: f64 = 0.7;
+/// Nearer than so much white they are read as one.
+const CLOSED_MM: f64 = 0.3;
+/// Two vectors that lie over one another along less than this are told apart by their ends.
+const OVER_MM: f64 = 3.0;
+/// The same as a part of the shorter one.
+const OVER_PART: f64 = 0.6;
+/// To each side of the place that is true.
+const LANES: i32 = 3;
+
+/// A straight line on paper.
+type Ends = (Point, Point);
+
+impl Draft<'_> {
+    /// Moves vectors aside that would lie over others: those from the pole and the long ones keep their places.
+    pub(super) fn side_by_side(&mut self, width_mm: f64) {
+        let length = |a: &Arrow| a.from.distance(a.to);
+        let mut order: Vec<usize> = (0..self.arrows.len()).collect();
+        let rank = |k: usize| (!is_one(self.arrows[k].from, Point::ORIGIN), -length(&self.arrows[k]));
+        order.sort_by(|&i, &j| rank(i).0.cmp(&rank(j).0).then(rank(i).1.total_cmp(&rank(j).1)));
+        let mut placed: Vec<usize> = Vec::new();
+        for k in order {
+            let at = |by: Vec2| (self.arrows[k].from + by, self.arrows[k].to + by);
+            let over = |by: Vec2| placed.iter().find_map(|&j| lies_over(at(by), self.arrows[j].drawn(), width_mm));
+            if let (Some(left_mm), Some(along)) = (over(Vec2::ZERO), (self.arrows[k].to - self.arrows[k].from).unit()) {
+                // To the side on which it lies already.
+                let side = along.perp() * if left_mm < -SAME_MM { -1.0 } else { 1.0 };
+                let lanes = (1..=LANES).flat_map(|n| [n, -n]).map(|n| side * (f64::from(n) * (width_mm + AIR_MM)));
+                self.arrows[k].aside = lanes.into_iter().find(|by| over(*by).is_none()).unwrap_or(Vec2::ZERO);
+            }
+            placed.push(k);
+        }
+    }
+}
+
+impl Arrow {
+    /// The ends between which it is drawn.
+    pub(super) fn drawn(&self) -> Ends {
+        (self.from + self.aside, self.to + self.aside)
+    }
+
+    /// From the true ends to those drawn; none where they are the same.
+    pub(super) fn joins(&self) -> Vec<Ends> {
+        let ends = if self.aside == Vec2::ZERO { vec![] } else { vec![self.from, self.to] };
+        ends.into_iter().map(|p| (p, p + self.aside)).collect()
+    }
+}
+
+/// How far to the left of one line another lies over it; `None` where both are seen. One that begins where a longer one begins, and goes
+/// the same way, is seen by its head.
+fn lies_over(one: Ends, other: Ends, width_mm: f64) -> Option<f64> {
+    let u = (other.1 - other.0).unit()?;
+    let reach = [other.0.distance(other.1), one.0.distance(one.1)];
+    let (short, long) = if reach[1] < reach[0] { (one, other) } else { (other, one) };
+    let ways = (one.1 - one.0).dot(u);
+    if ways > 0.0 && is_one(one.0, other.0) && covers(long, short.1) && short.1.distance(long.1) > LABEL_ROOM_MM {
+        return None;
+    }
+    let [mut p, mut q] = [one.0, one.1].map(|e| ((e - other.0).dot(u), u.cross(e - other.0)));
+    if p.0 > q.0 {
+        std::mem::swap(&mut p, &mut q);
+    }
+    let (from, to) = (p.0.max(0.0), q.0.min(reach[0]));
+    if to <= from {
+        return None;
+    }
+    // How far it is off is linear along the other one.
+    let slope = (q.1 - p.1) / (q.0 - p.0);
+    let near = width_mm + CLOSED_MM;
+    let (mut lo, mut hi) = (from, to);
+    if slope == 0.0 {
+        hi = if p.1.abs() < near { hi } else { lo };
+    } else {
+        let at = |off: f64| p.0 + (off - p.1) / slope;
+        let [a, b] = [at(-near), at(near)];
+        (lo, hi) = (lo.max(a.min(b)), hi.min(a.max(b)));
+    }
+    let enough = OVER_MM.max(OVER_PART * reach[0].min(reach[1]));
+    let left_mm = p.1 + slope * ((from + to) / 2.0 - p.0);
+    (hi - lo >= enough).then_some(left_mm * ways.signum())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(a: [f64; 2], b: [f64; 2]) -> Ends {
+        (Point::new(a[0], a[1]), Point::new(b[0], b[1]))
+    }
+
+    #[test]
+    fn lines_over_one_another() {
+        let level = line([0.0, 0.0], [40.0, 0.0]);
+        let over = |other: Ends| lies_over(other, level, 0.4);
+        assert_eq!(over(line([40.0, 0.0], [0.0, 0.0])), Some(0.0), "back again");
+        assert_eq!(over(line([40.0, 0.0], [0.0, 0.4])), Some(-0.2), "and a little to the right of the way back");
+        assert_eq!(over(line([0.0, 0.0], [40.0, 0.4])), Some(0.2));
+        assert_eq!(over(line([0.0, 0.0], [40.0, 4.0])), None, "apart at one end");
+        assert_eq!(over(line([0.0, 2.0], [40.0, 2.0])), None, "apart");
+        assert_eq!(over(line([38.0, 0.0], [60.0, 0.0])), None, "one after the other");
+        assert_eq!(over(line([0.0, 0.0], [25.0, 0.0])), None, "its head is seen");
+        assert_eq!(over(line([10.0, 0.0], [40.0, 0.0])), Some(0.0), "its head is not");
+        assert_eq!(over(line([25.0, 0.0], [0.0, 0.0])), Some(0.0));
+    }
+}
