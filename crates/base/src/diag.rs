@@ -231,8 +231,7 @@ const TAIL: usize = 20;
 /// Longest sentence, in characters.
 const LONGEST: usize = 1200;
 
-/// A sentence in which no name of the input is told whole that nobody would read whole: a file of two megabytes may be one name, and
-/// thousands of faults may tell it.
+/// A sentence with the long names of the input cut short: a file of two megabytes may be one name, and thousands of faults may quote it.
 fn bounded(text: String) -> String {
     if text.len() <= LONG {
         return text;

@@ -15,7 +15,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     plain(&format!("{:.*e}", digits.max(1) - 1, value))
 }
 
-/// What stands in the place of a number that is none.
+/// What is written for a number that is not finite.
 fn unbounded(value: f64) -> &'static str {
     match value {
         _ if value.is_nan() => "—",

@@ -79,7 +79,7 @@ pub trait Real: Ring + Debug + PartialEq + Div<Output = Self> {
     /// The square root. Where the number may be zero or less by its rounding only, a root that encloses zero.
     fn sqrt(self) -> Self;
 
-    /// The square root of what is not negative but for rounding: plain numbers take a negative one for zero.
+    /// The square root of a value that is negative by rounding at most: plain numbers take a negative value for zero.
     fn sqrt_or_zero(self) -> Self {
         self.sqrt()
     }

@@ -177,7 +177,7 @@ impl<N: Real> Coupled<'_, N> {
             })
         };
         match form {
-            // How far the origin of a link lies beside its guide is nobody's concern: at the instant it lies on it, and stays there.
+            // The distance of a link's origin from its guide changes no answer: at the instant it is put on the guide, and stays there.
             Form::Meet { .. } | Form::OnPath { .. } | Form::Rolls { .. } => Some(Given::Nothing),
             Form::AlongPath { driver, .. } | Form::Distance { driver, .. } => match aside {
                 Some(then) => farther(then, driver),

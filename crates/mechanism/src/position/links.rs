@@ -318,7 +318,7 @@ impl<N: Real> Assembly<'_, N> {
                         _ => return Err(self.no_closure(link)),
                     },
                 };
-                // How far the link's own origin lies beside the guide is nobody's concern: it lies on it.
+                // The distance of the link's own origin from the guide changes no answer: it is put on the guide.
                 let through = match self.guide_in_plane(guide) {
                     Some(Path::Line { through, .. }) => through,
                     _ => Point::origin(),

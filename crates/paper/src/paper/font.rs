@@ -10,9 +10,11 @@ use std::collections::HashMap;
 use std::rc::Rc;
 use std::sync::{Arc, LazyLock};
 
-use harfrust::{Buffer, ShapeOptions, ShaperFont, shape};
-use skrifa::font::{Font, glyph::outline::PathSink};
-use skrifa::{DrawMemory, GlyphId, ScalerFont};
+use harfrust::{ShapeOptions, ShaperData, UnicodeBuffer};
+use skrifa::outline::{DrawSettings, OutlinePen};
+use skrifa::prelude::{LocationRef, Size};
+use skrifa::raw::TableProvider;
+use skrifa::{FontRef, GlyphId, MetadataProvider};
 
 pub mod own;
 
@@ -74,8 +76,10 @@ const ROMAN_FIRST: [Face; 4] = [Face::Roman, Face::Math, Face::Song, Face::Itali
 const MATH_FIRST: [Face; 4] = [Face::Math, Face::Roman, Face::Song, Face::Italic];
 
 struct Loaded {
-    font: Font,
-    scaler: ScalerFont,
+    bytes: Bytes,
+    shaper: ShaperData,
+    /// Units of the font.
+    em: f64,
 }
 
 impl Loaded {
@@ -84,16 +88,26 @@ impl Loaded {
     }
 
     fn try_new(bytes: Bytes) -> Option<Loaded> {
-        let font = Font::new(bytes, 0)?;
-        let scaler = ScalerFont::unhinted(font.clone(), None);
-        Some(Loaded { font, scaler })
+        let font = FontRef::from_index((*bytes).as_ref(), 0).ok()?;
+        let (shaper, em) = (ShaperData::new(&font), f64::from(font.head().ok()?.units_per_em().max(1)));
+        Some(Loaded { bytes, shaper, em })
+    }
+
+    /// The font: a view of its file, whose directory of tables is all that is read here.
+    fn font(&self) -> FontRef<'_> {
+        FontRef::from_index((*self.bytes).as_ref(), 0).expect("the same bytes have been read before")
+    }
+
+    /// The glyph of a character.
+    fn glyph(&self, c: char) -> Option<GlyphId> {
+        self.font().charmap().map(c)
     }
 
     /// The outline of a glyph; `None` where it is damaged.
     fn outline(&self, glyph: u32) -> Option<Outline> {
-        let mut sink = Sink { segments: Vec::new(), ink: Ink::NONE, em: f64::from(self.font.units_per_em().max(1)) };
-        if let Some(outline) = self.scaler.outline(GlyphId::new(glyph)) {
-            outline.draw(DrawMemory::Scratch, &mut sink).ok()?;
+        let mut sink = Sink { segments: Vec::new(), ink: Ink::NONE, em: self.em };
+        if let Some(outline) = self.font().outline_glyphs().get(GlyphId::new(glyph)) {
+            outline.draw(DrawSettings::unhinted(Size::unscaled(), LocationRef::default()), &mut sink).ok()?;
         }
         let reach = sink.ink.min.iter().chain(&sink.ink.max).fold(0.0_f64, |most, v| most.max(v.abs()));
         let sound = sink.segments.len() <= MOST_SEGMENTS && (!sink.ink.any() || reach <= MOST_EM);
@@ -101,11 +115,11 @@ impl Loaded {
     }
 
     fn shape(&self, run: &str) -> Run {
-        let em = f64::from(self.font.units_per_em().max(1));
-        let mut buffer = Buffer::new();
+        let em = self.em;
+        let mut buffer = UnicodeBuffer::new();
         buffer.push_str(run);
         buffer.guess_segment_properties();
-        shape(&ShaperFont::new(&self.font), &mut buffer, ShapeOptions::new()).expect("direction is set, no plan is handed in");
+        let buffer = self.shaper.shaper(&self.font()).build().shape(buffer, ShapeOptions::new());
         let mut glyphs: Vec<Glyph> = Vec::new();
         let mut ink = Ink::NONE;
         let mut pen = 0.0;
@@ -187,7 +201,7 @@ impl Face {
             Slant::Upright => ROMAN_FIRST,
             Slant::Symbol => MATH_FIRST,
         };
-        fonts.face_of(c, slant).or_else(|| order.into_iter().find(|face| face.loaded().font.charmap().map_unicode(c).is_some()))
+        fonts.face_of(c, slant).or_else(|| order.into_iter().find(|face| face.loaded().glyph(c).is_some()))
     }
 
     /// Shapes a run of characters (kerning included).
@@ -251,7 +265,7 @@ impl Face {
 
 /// How a font draws a character; `None` where it does not have it, or only a damaged one.
 fn drawn(loaded: &Loaded, c: char) -> Option<Outline> {
-    let glyph = loaded.font.charmap().map_unicode(c)?;
+    let glyph = loaded.glyph(c)?;
     let text = String::from(c);
     let run = loaded.shape(&text);
     let all = sound(&run, &text) && run.glyphs.iter().all(|g| loaded.outline(g.id).is_some());
@@ -382,7 +396,7 @@ impl Sink {
     }
 }
 
-impl PathSink for Sink {
+impl OutlinePen for Sink {
     fn move_to(&mut self, x: f32, y: f32) {
         let to = self.at(x, y);
         self.push(Segment::Move(to));

@@ -371,7 +371,7 @@ mod tests {
             ("100,5 mm", "`100,5 mm` has a comma in a number (write the decimal point: \"100.5 mm\")"),
             ("2 $ 3", "`2 $ 3` cannot be read from `$ 3` on"),
             ("2 r", "`r` is not a unit (for a product write `*r`)"),
-            ("2 pi", "`pi` is not a unit (for a product write `*pi`)"),
+            ("(2) pi", "`pi` is not a unit (for a product write `*pi`)"),
             ("5 milimeters", "`milimeters` is not a unit"),
             ("R", "`R` is neither a parameter nor a unit (did you mean `r`?)"),
             ("sine(phi)", "`sine` is not a function (did you mean `sin`?)"),

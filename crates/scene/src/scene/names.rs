@@ -102,8 +102,25 @@ impl<'a> Names<'a> {
     pub fn link_in(&self, text: &str, word: &Word) -> Result<LinkId, Diagnostic> {
         self.find_link(text).ok_or_else(|| {
             let d = Diagnostic::error("unknown-link", both!("there is no link `{text}`", "没有构件 `{text}`")).at(word.span);
-            d.help(suggest(text, self.links.iter().map(|l| l.name.as_str()), both!("the links are", "构件有")))
+            let near = || suggest(text, self.links.iter().map(|l| l.name.as_str()), both!("the links are", "构件有"));
+            d.help(self.meant_link(text).unwrap_or_else(near))
         })
+    }
+
+    /// What books mean by `BC` and `31` where a link is wanted: the link that carries both points, a link relative to another.
+    fn meant_link(&self, text: &str) -> Option<Both> {
+        let halves = || text.char_indices().skip(1).map(|(i, _)| text.split_at(i));
+        let carrier = |(a, b): (&str, &str)| {
+            let (p, q) = (self.find_point(a)?, self.find_point(b)?);
+            let mut on = self.links.iter().filter(|l| l.points.contains(&p) && l.points.contains(&q));
+            let name = &on.next().filter(|_| on.next().is_none())?.name;
+            Some(both!("{a} and {b} are on link `{name}`: write `{name}`", "{a} 和 {b} 在构件 `{name}` 上：请写 `{name}`"))
+        };
+        let relative = |(a, b): (&str, &str)| {
+            (self.find_link(a)? != self.find_link(b)?)
+                .then(|| both!("for link `{a}` relative to link `{b}` write `{a}/{b}`", "构件 `{a}` 相对于构件 `{b}` 请写 `{a}/{b}`"))
+        };
+        halves().find_map(carrier).or_else(|| halves().find_map(relative))
     }
 
     fn no_point(&self, text: &str, word: &Word) -> Diagnostic {

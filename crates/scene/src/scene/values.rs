@@ -311,7 +311,13 @@ impl<'a> Values<'a> {
             }
             let message = both!("{} is wanted here, `{text}` is {}", "此处需要{}，`{text}` 是{}", wanted.describe(), value.dim.describe());
             let d = Diagnostic::error("dimension", message).at(quantity.span);
-            return Err(d.help(both!("write it in {}", "请以 {} 为单位", wanted.usual_unit())));
+            return Err(match expr::unit_in_divisor(text, expr) {
+                Some(meant) => d.help(both!(
+                    "a unit binds to the number before it and not to the quotient: write \"{meant}\"",
+                    "单位只属于它前面的数，不属于整个商：请写 \"{meant}\""
+                )),
+                None => d.help(both!("write it in {}", "请以 {} 为单位", wanted.usual_unit())),
+            });
         }
         if value.number == 0.0 {
             let zero = Value { number: 0.0, dim: wanted.dim(), degrees: wanted == Wanted::Angle };

@@ -52,7 +52,7 @@ impl Changes {
         let after_last = |Again { first, after }: Again| {
             let [one, last] = [self.events.get(first)?, self.events.last()?].map(|e| e.value);
             let sense = (last - one).signum();
-            // The first that was not searched for any more follows the last as its earlier self was followed.
+            // Changes repeat with the period: the next one follows the last by the distance found one period earlier.
             let next = self.events.get(first + 1)?.value + sense * after;
             Some(sense * (until - next) >= 0.0)
         };

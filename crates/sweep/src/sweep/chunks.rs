@@ -25,7 +25,7 @@ pub(super) struct Rows<C = Vec<f64>> {
     pub columns: Vec<C>,
     /// The rows that are missing, and why.
     pub missing: BTreeMap<usize, Faults>,
-    /// The rows whose numbers are not all finite, in order, with nobody having said why.
+    /// The rows whose numbers are not all finite, in order, whose reason is not yet known.
     pub open: Vec<usize>,
 }
 
@@ -49,7 +49,7 @@ impl<C: DerefMut<Target = [f64]>> Rows<C> {
         true
     }
 
-    /// Asks the general solver why the first of each run of missing rows is missing, where nobody has said it yet.
+    /// Asks the general solver why the first of each run of missing rows is missing, where the reason is not yet known.
     pub fn explain(&mut self, general: &General, stations: &Stations) {
         let mut last = None;
         for (&i, why) in &mut self.missing {
@@ -269,8 +269,8 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
             if buffer.hand_out(answers, places(part, &here), width) {
                 continue;
             }
-            // What misses by more than rounding needs nobody's second opinion. What the closures are made of is not in a program that only
-            // answers: there it is found again, which is worth it for the rows that are lost.
+            // A row that misses its closure by more than rounding is certainly without a position: the general solver is not asked. A
+            // program of answers alone does not hold the closures; they are computed again, for the lost rows only.
             let closures = program.fused_crossings();
             let mut looked = closures.buffer();
             run(closures, &mut looked, &rows);

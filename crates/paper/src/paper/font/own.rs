@@ -8,8 +8,9 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use skrifa::font::attribute::Style;
-use skrifa::font::name::NameId;
+use skrifa::MetadataProvider;
+use skrifa::attribute::Style;
+use skrifa::string::StringId;
 
 use super::{Bytes, Cut, Face, Loaded, Slant};
 use crate::diag::{Both, Diagnostic, both};
@@ -48,7 +49,7 @@ impl Own {
             return Err(fault(both!("{name} is no font that can be read", "{name} 不是可读的字体"))
                 .help(both!("give an OpenType or TrueType file (.otf, .ttf)", "请用 OpenType 或 TrueType 文件（.otf、.ttf）")));
         };
-        let cut = match loaded.font.default_attributes().style {
+        let cut = match loaded.font().attributes().style {
             Style::Normal => Cut::Upright,
             _ => Cut::Slanted,
         };
@@ -58,8 +59,8 @@ impl Own {
                 .help(both!("give a text font", "请用文字字体")));
         }
         // A name goes into files as it is: nothing in it may end an attribute.
-        let named = loaded.font.names().get(NameId::FAMILY_NAME).and_then(|n| n.english_or_first());
-        let letters = named.iter().flat_map(|n| n.name().chars().take(64)).filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-'));
+        let named = loaded.font().localized_strings(StringId::FAMILY_NAME).english_or_first();
+        let letters = named.iter().flat_map(|n| n.chars().take(64)).filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-'));
         let family = letters.collect::<String>();
         Ok(Own(Arc::new(File { cut, loaded, bytes, family, key })))
     }

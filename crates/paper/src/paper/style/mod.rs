@@ -148,7 +148,7 @@ impl Style {
 
 /// The smallest type of a figure: its scripts (70 %) are then 2.2 mm, the smallest that prints.
 const LEAST_TYPE_MM: f64 = 2.2 / 0.7;
-/// Lines and symbols shrink less than drawings do: to this part, below which a pin is no circle any more.
+/// Lines and symbols shrink less than drawings do: to this part, below which a pin can no longer be seen as a circle.
 const LEAST_INK: f64 = 0.7;
 
 impl Style {

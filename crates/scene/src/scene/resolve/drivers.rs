@@ -180,7 +180,13 @@ fn slide(
         _ => {
             let d = Diagnostic::error("ambiguous", both!("`{}` runs in {} guides", "`{}` 在 {} 条导路中", word.text, meant.len()))
                 .at(word.span);
-            faults.push(d.help(both!("name a pin or slider that runs in one of them only", "请写只在一条导路中的销或滑块")));
+            let runners = |i: usize| [&c.raw.guides[i].pin, &c.raw.guides[i].slider].into_iter().flatten().map(|w| w.text.as_str());
+            let alone = |name: &str| (0..c.raw.guides.len()).filter(|i| runners(*i).any(|n| n == name)).count() == 1;
+            let names: Vec<String> = meant.iter().flat_map(|i| runners(*i)).filter(|n| alone(n)).map(|n| format!("\"{n}\"")).collect();
+            faults.push(d.help(match names.as_slice() {
+                [] => both!("name the sliders of these guides", "请给这些导路的滑块命名"),
+                _ => both!("name what runs in one of them only: {}", "请写只在一条导路中的销或滑块：{}", names.join(", ")),
+            }));
             None
         }
     }

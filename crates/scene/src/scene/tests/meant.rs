@@ -54,6 +54,57 @@ fn a_decimal_comma_is_told_with_the_point() {
 }
 
 #[test]
+fn quantities_are_read_as_they_are_printed() {
+    let rate = |omega: &str| {
+        let driver = format!(r#"{{"link": "1", "angle": "60 deg", "omega": "{omega}"}}"#);
+        with("driver", &driver)
+    };
+    let tau = std::f64::consts::TAU;
+    let of = |omega: &str| good(&rate(omega)).drivers[0].rate.value;
+    for (text, value) in
+        [("2π rad/s", tau), ("2 pi rad/s", tau), ("π*(1 rad/s)", tau / 2.0), ("−3 rad/s", -3.0), ("2·3 rad/s", 6.0), ("4 (rad·s⁻¹)", 4.0)]
+    {
+        assert!((of(text) - value).abs() < 1e-14, "{text}: {}", of(text));
+    }
+    let scene = good(&with("driver", r#"{"link": "1", "angle": "60 deg", "omega": "10 rad/s", "alpha": "2 rad/s²"}"#));
+    assert_eq!(scene.drivers[0].acceleration.as_ref().unwrap().value, 2.0);
+    for (text, said) in [
+        ("10 rad/s clockwise", "clockwise is a minus sign: \"-10 rad/s\""),
+        ("10 rad/s 逆时针", "counter-clockwise is positive: \"10 rad/s\""),
+        ("atan2(20.52,56.38)", "has a comma between two values (a function takes one value"),
+        ("2 rad/s⁻", "ends too early"),
+    ] {
+        assert!(faults(&rate(text)).contains(said), "{text}: {}", faults(&rate(text)));
+    }
+}
+
+#[test]
+fn a_runner_of_two_guides_is_told_with_what_runs_in_one() {
+    let text = r#"{"links": {"1": ["O"], "3": ["O", "E"]}, "ground": "1",
+ "points": {"O": [0, 0], "B": ["0.3 m", "0.15 m"], "E": ["0.4 m", "0.2 m"]},
+ "guides": [{"pin": "B", "slider": "2", "through": [0, "0.15 m"], "angle": "0 deg"}, {"pin": "B", "on": "3", "line": "OE"}],
+ "driver": {"slide": "B", "velocity": "-0.4 m/s"}, "find": ["omega_3"]}"#;
+    let said = faults(text);
+    assert!(said.contains("`B` runs in 2 guides (name what runs in one of them only: \"2\")"), "{said}");
+    good(&text.replace(r#""slide": "B""#, r#""slide": "2""#));
+}
+
+#[test]
+fn a_unit_in_the_divisor_is_told() {
+    let said = faults(&with("lengths", r#"{"AB": "sqrt(3)/2 m", "BC": "1/(2 mm)"}"#));
+    assert!(said.contains("write \"(sqrt(3)/2) m\""), "{said}");
+    assert!(said.contains("`1/(2 mm)` is a quantity in 1/m (write it in mm)"), "{said}");
+}
+
+#[test]
+fn links_written_as_in_books_are_told() {
+    let text = crate::scene::templates::get("crank-rocker").unwrap();
+    let asked = |what: &str| faults(&crate::scene::edit::with_find(text, &[what]).unwrap());
+    assert!(asked("omega_BC").contains("B and C are on link `2`: write `2`"), "{}", asked("omega_BC"));
+    assert!(asked("omega_21").contains("for link `2` relative to link `1` write `2/1`"), "{}", asked("omega_21"));
+}
+
+#[test]
 fn a_velocity_of_a_link_is_told_with_its_points() {
     let yoke = crate::scene::templates::get("scotch-yoke").unwrap();
     let asked = |what: &str| faults(&crate::scene::edit::with_find(yoke, &[what]).unwrap());

@@ -241,7 +241,7 @@ impl Compiler<'_> {
             Row::Guided { p, on, n, rates } => {
                 let (rate, led) = rates.parts(level);
                 let reach = self.arm_to(core, p)?;
-                // A guide on ground does not move; where its arm leads from is nobody's concern.
+                // A guide on ground does not move; the start of its arm does not enter.
                 let (r, vo, omega) = match on == self.scene.ground {
                     true => (self.fixed(Vec2::ZERO), self.fixed(Vec2::ZERO), self.zero()),
                     false => (self.between(Spot::Own(on), p)?, self.spot(Spot::Own(on), V)?, self.turning(on, V)?),
