@@ -179,8 +179,8 @@ fn every_centre_can_be_read() {
             continue;
         }
         let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
-        // Sixty-six centres on one mechanism are more than a drawing can hold clearly.
-        if scene.links.len() > A4_LINKS {
+        // The sixty-six centres of twelve links are more than is looked at; the eighteen that an eight-bar finds stand on pages of five.
+        if scene.links.len() > A4_LINKS && t.name != "double-butterfly" {
             continue;
         }
         let mut here = Found::default();
