@@ -232,7 +232,7 @@ const KINDS: &[Kinds] = &[
             "crates/sweep/src/sweep/train.rs",
             "crates/sweep/src/sweep/compile/rolling.rs",
         ],
-        "Form::ends, driver, path, meets or equations",
+        "Form::ends, driver, path, meets, locks, lies_on or equations",
     ),
 ];
 

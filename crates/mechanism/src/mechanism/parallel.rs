@@ -29,11 +29,10 @@ fn circles_across(scene: &Scene, m: &Mechanism, direction: f64) -> usize {
         Node::Pin(p) => scene.links.len() + p.0,
     };
     let mut joined = UnionFind::new(scene.links.len() + scene.points.len());
-    let holds = |form: Form| match form {
+    let holds = |form: Form| match form.meets() {
         // A pin of a link that never turns keeps its place there.
-        Form::Meet { link, .. } => m.never_turns[link.0],
-        Form::OnPath { .. } => across(scene, m, form).is_some_and(|angle| parallel(angle, direction)),
-        Form::Angles { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Rolls { .. } => false,
+        Some((_, link)) => m.never_turns[link.0],
+        None => across(scene, m, form).is_some_and(|angle| parallel(angle, direction)),
     };
     let forms = m.constraints.iter().map(|c| c.form()).filter(|f| holds(*f));
     forms.map(|f| f.ends()).filter(|(a, b)| !joined.union(index(*a), index(*b))).count()
@@ -41,7 +40,7 @@ fn circles_across(scene: &Scene, m: &Mechanism, direction: f64) -> usize {
 
 /// The direction of a straight guide on a link that never turns.
 fn across(scene: &Scene, m: &Mechanism, form: Form) -> Option<f64> {
-    let Form::OnPath { guide, on, .. } = form else { return None };
+    let (guide, on) = form.lies_on()?;
     match &scene.guides[guide.0].path {
         GuidePath::Line { direction: Direction::Instant(angle), .. } if m.never_turns[on.0] => Some(angle.value.radians()),
         GuidePath::Line { .. } | GuidePath::Arc { .. } => None,

@@ -112,8 +112,9 @@ pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
     let mut search = Search { scene, left_to_match: MOST_MATCHED, found: Vec::new() };
     for count in 1..=MOST_OPENED {
         search.choose(closed, &candidates, count, matched.homeless());
-        let ranked =
-            std::mem::take(&mut search.found).into_iter().filter_map(|o| Some((rank(scene, &Mechanism::opened(scene, o.clone()).ok()?), o)));
+        let ranked = std::mem::take(&mut search.found)
+            .into_iter()
+            .filter_map(|o| Some((rank(scene, &Mechanism::opened(scene, o.clone()).ok()?), o)));
         // The first of those of equal rank: candidates stand in the reverse order of the file.
         if let Some((_, best)) = ranked.min_by_key(|r| r.0) {
             return Some(best);

@@ -4,7 +4,7 @@
 //! block for the second link, which is a group without a core. Both turn as the first link does: said so, the group falls into dyads.
 //! The equations are the same but for sums of one another, and so are their solutions.
 
-use super::{Constraint, Core, Form, Mechanism, Node};
+use super::{Constraint, Core, Mechanism};
 use crate::scene::LinkId;
 
 /// The constraints with the locks of every group without a core said against a link that is known before the group; `None` where that
@@ -18,7 +18,7 @@ pub(super) fn from_known_links(m: &Mechanism) -> Option<Vec<Constraint>> {
         loop {
             let before = turns_as.len();
             for &i in &group.constraints {
-                let Some((a, b)) = locked(&constraints[i]) else { continue };
+                let Some((a, b)) = constraints[i].form().locks() else { continue };
                 let known = |l: LinkId| turns_as.iter().find(|(t, _)| *t == l).map(|(_, known)| *known);
                 match (of_group(a), of_group(b), known(a), known(b)) {
                     (true, false, None, _) => turns_as.push((a, b)),
@@ -40,12 +40,4 @@ pub(super) fn from_known_links(m: &Mechanism) -> Option<Vec<Constraint>> {
         }
     }
     (constraints != m.constraints).then_some(constraints)
-}
-
-/// The two links that a constraint locks to one another.
-fn locked(c: &Constraint) -> Option<(LinkId, LinkId)> {
-    match (c.form(), c.ends()) {
-        (Form::Angles { driver: None, .. }, (Node::Link(a), Node::Link(b))) => Some((a, b)),
-        _ => None,
-    }
 }

@@ -117,6 +117,23 @@ impl Form {
         }
     }
 
+    /// The two links of which the first keeps its direction against the second.
+    pub fn locks(&self) -> Option<(LinkId, LinkId)> {
+        match *self {
+            Form::Angles { of, against, driver: None } => Some((of, against)),
+            Form::Angles { driver: Some(_), .. } => None,
+            Form::Meet { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Rolls { .. } => None,
+        }
+    }
+
+    /// The guide on whose path it holds a point, and the link that carries the guide.
+    pub fn lies_on(&self) -> Option<(GuideId, LinkId)> {
+        match *self {
+            Form::OnPath { guide, on, .. } => Some((guide, on)),
+            Form::Meet { .. } | Form::Angles { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Rolls { .. } => None,
+        }
+    }
+
     /// The guide that has to be laid in its link for it.
     pub fn path(&self) -> Option<GuideId> {
         match *self {
