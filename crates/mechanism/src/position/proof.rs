@@ -136,18 +136,23 @@ mod tests {
         residual: bool,
     }
 
+    /// 0/0, of which a ball says nothing.
+    fn undecided() -> Ball<f64> {
+        let [nought, none] = [0.0, 0.0].map(Ball::from_f64);
+        nought / none
+    }
+
     impl System<Ball<f64>> for Pair {
         type State = [Ball<f64>; 2];
 
         fn residuals(&self, at: &Self::State) -> Vec<Ball<f64>> {
             let off = at.map(|x| x - Ball::from_f64(2.0));
-            let none = Ball::from_f64(0.0) / Ball::from_f64(0.0);
-            vec![off[0], if self.residual || off[1].approx() != 0.0 { off[1] } else { none }]
+            vec![off[0], if self.residual || off[1].approx() != 0.0 { off[1] } else { undecided() }]
         }
 
         fn jacobian(&self, at: &Self::State) -> Vec<Vec<Ball<f64>>> {
             let (one, zero) = (Ball::from_f64(1.0), Ball::from_f64(0.0));
-            let slope = if self.slope || at[1].radius() == 0.0 { one } else { zero / zero };
+            let slope = if self.slope || at[1].radius() == 0.0 { one } else { undecided() };
             vec![vec![one, zero], vec![zero, slope]]
         }
 
