@@ -6,7 +6,7 @@
 use hodograph::answer::Value;
 use hodograph::centres::{Place, centres};
 use hodograph::report::mobility;
-use hodograph::scene::{self, Kind};
+use hodograph::scene::{self, Kind, templates};
 use hodograph::worked::{Scope, work};
 use serde_json::Value as Json;
 use std::f64::consts::TAU;
@@ -135,6 +135,87 @@ fn mobility_of_further_problems() {
             let got = told.pointer(place);
             if got != Some(expected) {
                 faults.push(format!("{id}: {count} is {got:?}, expected {expected}"));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// The lists and tables of a scene in another order: that of the entries of a file means nothing, but for the points of a link and for
+/// parameters, which use those before them.
+fn shuffled(scene: &Json, seed: usize) -> Json {
+    let mut scene = scene.clone();
+    let order = |n: usize| -> Vec<usize> {
+        // A step prime to the length, and another start.
+        let step = (1..n.max(2)).filter(|s| (2..=*s).all(|d| s % d > 0 || n % d > 0)).nth_back(seed % 2).unwrap_or(1);
+        (0..n).map(|k| (seed + 1 + k * step) % n).collect()
+    };
+    for (key, value) in scene.as_object_mut().unwrap() {
+        match value {
+            _ if key == "parameters" => {}
+            Json::Array(list) if list.iter().all(Json::is_object) => {
+                *list = order(list.len()).into_iter().map(|k| list[k].clone()).collect()
+            }
+            Json::Object(table) => {
+                let entries: Vec<_> = table.iter().map(|(k, v)| (k.clone(), v.clone())).collect();
+                *table = order(entries.len()).into_iter().map(|k| entries[k].clone()).collect();
+            }
+            _ => {}
+        }
+    }
+    scene
+}
+
+#[test]
+fn the_order_of_entries_decides_nothing() {
+    let mut faults = Vec::new();
+    let given = problems("motion");
+    let own = templates::list().into_iter().map(|t| (t.name.to_owned(), serde_json::from_str(templates::get(t.name).unwrap()).unwrap()));
+    let all = given.iter().map(|p| (name(p).to_owned(), p["scene"].clone())).chain(own);
+    for (id, scene) in all {
+        // Several drivers are told apart by their order.
+        if scene["driver"].is_array() || scene["drivers"].is_array() {
+            continue;
+        }
+        let answers = |scene: &Json| {
+            let read = scene::read(scene.to_string())?.value;
+            let worked = work(&read, Scope::Questions)?.value;
+            Ok::<_, hodograph::diag::Faults>(
+                worked.results.iter().map(|r| (read.find[r.find].text.clone(), r.computed)).collect::<Vec<_>>(),
+            )
+        };
+        // Of several assemblies that nothing decides one is taken, and a note says so.
+        let open = |scene: &Json| {
+            let told = scene::read(scene.to_string()).and_then(|s| work(&s.value, Scope::Questions)).map(|w| w.notes);
+            told.is_ok_and(|notes| notes.iter().any(|n| ["side-undecided", "assembly-by-default"].contains(&n.code)))
+        };
+        let Ok(first) = answers(&scene) else { continue };
+        if open(&scene) {
+            continue;
+        }
+        for seed in 0..2 {
+            let again = match answers(&shuffled(&scene, seed)) {
+                Ok(again) => again,
+                Err(f) => {
+                    faults.push(format!("{id}, order {seed}: {f}"));
+                    continue;
+                }
+            };
+            for (find, value) in &first {
+                let Some((_, other)) = again.iter().find(|(f, _)| f == find) else {
+                    faults.push(format!("{id}, order {seed}: {find} is not answered"));
+                    continue;
+                };
+                let off = match (*value, *other) {
+                    (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs(),
+                    (Value::Vector(a), Value::Vector(b)) => (a - b).norm(),
+                    (Value::Point(a), Value::Point(b)) => a.distance(b),
+                    _ => f64::INFINITY,
+                };
+                let largest = first.iter().map(|(_, v)| size(*v)).fold(0.0, f64::max);
+                if off.is_nan() || off > ALLOWED * size(*value).max(largest * 1e-3) {
+                    faults.push(format!("{id}, order {seed}: {find} is {other:?} and was {value:?}"));
+                }
             }
         }
     }

@@ -88,11 +88,17 @@ impl Mechanism {
         if faults.has_errors() {
             return Err(faults);
         }
-        let mut opening = Opening { passive, redundant: Vec::new() };
+        let mut opening = Opening { passive, redundant: Vec::new(), touches: None };
         if opening.matched(scene).homeless() > 0 {
             opening = redundant::open(scene, &opening).unwrap_or(opening);
         }
-        let mechanism = Mechanism::opened(scene, opening)?;
+        let mut mechanism = Mechanism::opened(scene, opening.clone())?;
+        let higher = |m: &Mechanism| m.groups.iter().any(|g| g.core == Core::Higher);
+        if higher(&mechanism) {
+            // Another pair of gears may hold a distance that only one has to hold: that which leaves groups of a lower class.
+            let other = |g| Mechanism::opened(scene, Opening { touches: Some(g), ..opening.clone() }).ok().filter(|m| !higher(m));
+            mechanism = holding(scene).take(MOST_OPTIONAL).find_map(other).unwrap_or(mechanism);
+        }
         Ok(Warned { value: mechanism, notes: Vec::new() })
     }
 
@@ -185,6 +191,9 @@ impl Mechanism {
         }
     }
 }
+
+/// Of so many pairs of gears it is tried which of them keeps its centres apart.
+const MOST_OPTIONAL: usize = 16;
 
 fn find_passive(scene: &Scene) -> Vec<Option<Passive>> {
     let mut passive = vec![None; scene.links.len()];
@@ -310,12 +319,20 @@ fn runs_along(scene: &Scene, guide: &Guide) -> bool {
     scene.guides.iter().any(|g| g.rolling.is_none() && g.slider == Some(guide.on) && carries(g.on) && parallel(g))
 }
 
-/// Adds the guides that keep gears in touch where nothing else does: those whose equation finds a home among the others'.
+/// The guides between gears that may have to keep them in touch.
+fn holding(scene: &Scene) -> impl Iterator<Item = GuideId> {
+    let may = |g: &Guide| is_optional(scene, g) && !runs_along(scene, g);
+    scene.guides.iter().enumerate().filter(move |(_, g)| may(g)).map(|(g, _)| GuideId(g))
+}
+
+/// Adds the guides that keep gears in touch where nothing else does: those whose equation finds a home among the others', the first of all
+/// that which the opening names.
 fn touching(scene: &Scene, opening: &Opening, pins: &[PointId], mut constraints: Vec<Constraint>) -> Vec<Constraint> {
     let passive = &opening.passive;
-    for (g, _) in scene.guides.iter().enumerate().filter(|(_, g)| is_optional(scene, g) && !runs_along(scene, g)) {
+    let optional = holding(scene).filter(|g| opening.touches != Some(*g));
+    for g in opening.touches.into_iter().chain(optional) {
         let closed = constraints.len();
-        constraints.extend(constraints_of(scene, Item::Guide(GuideId(g))));
+        constraints.extend(constraints_of(scene, Item::Guide(g)));
         if !mobility::all_have_a_home(scene, passive, pins, &constraints) {
             constraints.truncate(closed);
         }

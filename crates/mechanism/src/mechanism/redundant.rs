@@ -41,6 +41,8 @@ pub struct Redundant {
 pub(super) struct Opening {
     pub passive: Vec<Option<Passive>>,
     pub redundant: Vec<Redundant>,
+    /// The guide between gears that is the first to hold their distance, where another is.
+    pub touches: Option<GuideId>,
 }
 
 impl Opening {

@@ -137,7 +137,7 @@ impl Survey {
 
 /// Links and pairs as they stand. A bare pin in two slots is a body of its own, whose turning is a local freedom.
 fn counted(scene: &Scene) -> (Counts, Vec<(PointId, usize)>, Vec<Local>) {
-    let closed = Opening { passive: super::find_passive(scene), redundant: Vec::new() };
+    let closed = Opening { passive: super::find_passive(scene), redundant: Vec::new(), touches: None };
     let mobility = super::mobility::count(scene, &closed.pins_and_constraints(scene).1);
     let bare = |p: PointId| scene.carriers(p).next().is_none();
     let mut local: Vec<Local> = Vec::new();
