@@ -140,7 +140,7 @@ impl Label {
         &self.faults
     }
 
-    /// In one line of characters, for screen readers and text reports: `ω_1^2 l_AB`.
+    /// In one line of characters, for screen readers and text reports: `ω_1^2 l_AB`, `3 m/s²`.
     pub fn plain(&self) -> String {
         let mut out = String::new();
         plain_row(&self.row, &mut out);
@@ -170,9 +170,23 @@ fn plain_row(row: &[Node], out: &mut String) {
         out.push_str(&node.text);
         out.extend(std::iter::repeat_n('′', node.primes));
         for (mark, script) in [('_', &node.sub), ('^', &node.sup)] {
-            if !script.is_empty() {
-                out.push(mark);
-                plain_row(script, out);
+            if script.is_empty() {
+                continue;
+            }
+            let mut told = String::new();
+            plain_row(script, &mut told);
+            match (mark, node.slant, told.trim()) {
+                // Powers of units are written as all texts write them.
+                ('^', Slant::Upright, "2") => out.push('²'),
+                ('^', Slant::Upright, "3") => out.push('³'),
+                (_, _, parts) if parts.contains(' ') => {
+                    out.push(mark);
+                    out.push_str(&format!("({parts})"));
+                }
+                _ => {
+                    out.push(mark);
+                    out.push_str(&told);
+                }
             }
         }
         if spaced || node.space_em > 0.0 {
@@ -257,6 +271,8 @@ mod tests {
     #[test]
     fn plain_line() {
         assert_eq!(Label::math(r"\omega_1^2 l_{AB}").plain(), "ω_1^2l_AB");
+        assert_eq!(Label::math("3 m/s^2").plain(), "3 m/s²");
+        assert_eq!(Label::math(r"a^{e\,t}_{C}").plain(), "a_C^(e t)");
         assert_eq!(Label::math(r"\mu_l = 0.002 m/mm").plain(), "μ_l = 0.002 m/mm");
         assert_eq!(Label::math(r"\angle -90.00").plain(), "∠−90.00");
         assert_eq!(Label::text("Velocity polygon").plain(), "Velocity polygon");
