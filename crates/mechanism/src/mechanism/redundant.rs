@@ -5,12 +5,13 @@
 //! distance held twice by parallel guides ([`super::parallel`]), then those that leave the lowest class of groups, then the last in the file. Whether what is opened holds by itself is decided by lengths, in
 //! [`crate::position::redundant`]; topology cannot tell a third crank from a strut that locks the mechanism.
 //!
-//! Where pairs leave some freedom by count, a circuit of two drivers or more has a driver too many, and is left to the diagnosis of that.
+//! Where pairs leave some freedom by count, a circuit of two drivers or more has a driver too many, and is left to the diagnosis of that;
+//! but of equal planets on one arm all but the first repeat it whatever drives the train.
 
 use super::mobility::Matched;
 use super::{Constraint, Core, Item, Mechanism, Passive, find_constraints, find_pins, touching};
 use crate::diag::Span;
-use crate::scene::{Guide, GuideId, LinkId, PointId, RollingId, Scene};
+use crate::scene::{Contours, Guide, GuideId, LinkId, PointId, Rolling, RollingId, Scene, Sizes};
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
@@ -107,8 +108,13 @@ pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
     let drives = |c: &usize| constraints[*c].form().driver().is_some();
     let many = |c: BTreeSet<usize>| c.into_iter().filter(drives).count() > 1;
     let moves = super::mobility::count(scene, &constraints).freedom > 0;
-    if matched.free() > 0 || moves && matched.circuits().any(many) {
+    if matched.free() > 0 {
         return None;
+    }
+    if moves && matched.circuits().any(many) {
+        let opening = equal_planets(scene).iter().fold(closed.clone(), |opening, c| opening.with(c));
+        let left = opening.matched(scene);
+        return (left.homeless() == 0 && left.free() == 0).then_some(opening);
     }
     let candidates = candidates(scene, closed, &pins);
     let mut search = Search { scene, left_to_match: MOST_MATCHED, found: Vec::new() };
@@ -198,6 +204,42 @@ fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidat
     }
     all.sort_by_key(|c| Reverse(c.span.start));
     all
+}
+
+/// The last mesh of every planet that has a fellow before it: on the same arm, in mesh with the same wheels, in the same ratios.
+fn equal_planets(scene: &Scene) -> Vec<Candidate> {
+    let meshes = |l: LinkId| scene.rolling.iter().enumerate().filter(move |(_, r)| r.links.contains(&l));
+    let ratios = |l: LinkId| -> Option<Vec<(LinkId, Option<usize>, f64)>> {
+        let mut all = meshes(l).map(|(_, r)| ratio(r, l)).collect::<Option<Vec<_>>>()?;
+        all.sort_by_key(|(other, ..)| *other);
+        Some(all)
+    };
+    let arm = |l: LinkId| (0..scene.links.len()).map(LinkId).find(|a| *a != l && carries(scene, *a, l));
+    let links = || (0..scene.links.len()).map(LinkId);
+    let fellow = |l: &LinkId| {
+        let own = ratios(*l).filter(|r| r.len() > 1);
+        own.is_some() && arm(*l).is_some() && links().take(l.0).any(|k| arm(k) == arm(*l) && ratios(k) == own)
+    };
+    let last = |l: LinkId| meshes(l).last().map(|(r, pair)| (RollingId(r), pair.span));
+    let opened = links().filter(fellow).filter_map(last);
+    opened.map(|(r, span)| Candidate { opened: Opened::Rolling(r), pins: Vec::new(), equations: 1, span }).collect()
+}
+
+/// Whether a wheel has its axis on a link that is no wheel of a pair with it.
+fn carries(scene: &Scene, arm: LinkId, wheel: LinkId) -> bool {
+    let meets = scene.rolling.iter().any(|r| r.links.contains(&arm) && r.links.contains(&wheel));
+    !meets && scene.links[wheel.0].points.iter().any(|p| scene.links[arm.0].points.contains(p))
+}
+
+/// The other wheel of a pair of circles, which of the two is hollow as this one sees it, and the ratio of their sizes.
+fn ratio(pair: &Rolling, wheel: LinkId) -> Option<(LinkId, Option<usize>, f64)> {
+    let Contours::Circles { sizes, hollow, .. } = &pair.contours else { return None };
+    let own = pair.links.iter().position(|l| *l == wheel)?;
+    let [a, b] = match sizes {
+        Sizes::Radii([a, b]) => [a.value, b.value],
+        Sizes::Teeth([a, b]) => [f64::from(*a), f64::from(*b)],
+    };
+    Some((pair.links[1 - own], hollow.map(|h| h ^ own), if own == 0 { a / b } else { b / a }))
 }
 
 /// A link that may be left to follow two of its pins: nothing but pins holds it, and nothing drives it.
