@@ -234,9 +234,11 @@ fn printed_digits_are_true_closer_than_f64_can_tell() {
 #[test]
 fn angles_of_many_turns_are_those_within_one() {
     let mut compared = 0;
-    for t in templates::list() {
+    let names = ["phi_1", "phi_2", "phi", "theta"];
+    let all = templates::list();
+    for (t, name) in all.iter().flat_map(|t| names.map(|name| (t, name))) {
         for at in ["30", "47.25", "-12.3"] {
-            let scene = |angle: &str| read(&templates::instantiate(t.name, &[("phi_1", angle)]).ok()?).ok().map(|s| in_si(s.value));
+            let scene = |angle: &str| read(&templates::instantiate(t.name, &[(name, angle)]).ok()?).ok().map(|s| in_si(s.value));
             let (Some(one), whole) = (scene(at), at.split_once('.').map_or(at, |p| p.0)) else { continue };
             let Ok(here) = work(&one, Scope::Questions) else { continue };
             let printed = |scene: &Scene, w: &Worked| -> Vec<Option<String>> {
@@ -245,6 +247,10 @@ fn angles_of_many_turns_are_those_within_one() {
             };
             let expected = printed(&one, &here.value);
             for turns in [1_000_000u128, 300_000_000_000_000, 10u128.pow(24), 10u128.pow(34) + 7] {
+                // Wheels tell their own turns by double precision.
+                if turns > 1 << 50 && !one.rolling.is_empty() {
+                    continue;
+                }
                 let many = 360 * turns;
                 let sum = whole.parse::<i64>().map(|w| if w < 0 { many - w.unsigned_abs() as u128 } else { many + w as u128 }).unwrap();
                 let text = match at.split_once('.') {

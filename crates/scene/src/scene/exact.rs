@@ -67,6 +67,25 @@ pub(super) fn less_turns(texts: &[(&str, &str)], text: &str, degrees: bool) -> O
     })
 }
 
+/// The whole turns by which a text is more than a value that was made of it (degrees): in parts, each a number of `f64`.
+pub(super) fn turns_taken(texts: &[(&str, &str)], text: &str, degrees: f64) -> Vec<f64> {
+    let longest = BITS.into_iter().fold(0, usize::max);
+    within(longest, || {
+        let mut taken = Vec::new();
+        let Some(read) = Inputs::<Ball<Big>>::of_texts(texts).read(text) else { return taken };
+        let mut rest = in_unit_of(read, true) - Ball::from_f64(degrees);
+        for _ in 0..8 {
+            let turns = libm::rint(rest.approx() / 360.0);
+            if turns == 0.0 || !turns.is_finite() {
+                break;
+            }
+            rest = rest - Ball::from_f64(360.0) * Ball::from_f64(turns);
+            taken.push(turns);
+        }
+        taken
+    })
+}
+
 fn in_unit_of<N: Real>(v: Value<N>, degrees: bool) -> N {
     match (v.degrees, degrees) {
         (true, true) => v.number,

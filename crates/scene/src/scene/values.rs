@@ -276,6 +276,14 @@ impl<'a> Values<'a> {
         Some(Given { value: value.angle(), radius, text, span: quantity.span })
     }
 
+    /// The text of an angle, less the whole turns that were taken off its value: what is written with the one then is what is computed
+    /// from the other.
+    pub fn text_of(&self, angle: &Given<Angle>) -> String {
+        let turns = exact::turns_taken(&self.texts, &angle.text, angle.value.degrees());
+        // With a precision all digits of a large number are printed, and not the shortest that find it again.
+        turns.into_iter().fold(angle.text.clone(), |text, n| format!("({text})-({n:.0}*360 deg)"))
+    }
+
     /// Two coordinates in metres.
     pub fn two_lengths(&self, xy: &[RawQuantity; 2], faults: &mut Faults) -> Option<[Given; 2]> {
         let x = self.si(&xy[0], Wanted::Length, faults);

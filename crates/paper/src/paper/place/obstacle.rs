@@ -45,6 +45,13 @@ pub struct Obstacles {
 /// Arcs are taken as chords of at most this angle: at 20 mm radius a chord of 0.3 rad is off by 0.2 mm.
 const CHORD_RAD: f64 = 0.3;
 
+/// What boxes are wider than they must be, so that rounding never parts what meets.
+const SLACK_MM: f64 = 1e-6;
+
+fn overlap(a: &Rect, b: &Rect) -> bool {
+    a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y
+}
+
 impl Obstacles {
     /// The obstacles that these items make.
     pub fn of(items: &[Item]) -> Obstacles {
@@ -60,8 +67,16 @@ impl Obstacles {
 
     /// How many of these lines and discs others cross, or come nearer to than `air_mm`.
     pub fn met_by(&self, others: &Obstacles, air_mm: f64) -> usize {
-        let met = |bar: &&Bar| others.bars.iter().any(|o| super::cost::bars_apart(bar, o) < air_mm);
-        let disc = |d: &&Disc| others.bars.iter().any(|o| super::cost::to_bar(d.centre, o) < d.radius_mm + air_mm);
+        // Most of a drawing is nowhere near: boxes tell it, of all the others together and of each.
+        let boxes: Vec<Rect> =
+            others.bars.iter().map(|o| Rect::new(o.from, o.to).grown(o.half_width_mm + air_mm.max(0.0) + SLACK_MM)).collect();
+        let Some(all) = boxes.iter().copied().reduce(Rect::union) else { return 0 };
+        let any = |own: Rect, meets: &dyn Fn(&Bar) -> bool| {
+            overlap(&own, &all) && boxes.iter().zip(&others.bars).any(|(b, o)| overlap(&own, b) && meets(o))
+        };
+        let met = |bar: &&Bar| any(Rect::new(bar.from, bar.to).grown(bar.half_width_mm), &|o| super::cost::bars_apart(bar, o) < air_mm);
+        let disc =
+            |d: &&Disc| any(Rect::new(d.centre, d.centre).grown(d.radius_mm), &|o| super::cost::to_bar(d.centre, o) < d.radius_mm + air_mm);
         self.bars.iter().filter(met).count() + self.discs.iter().filter(disc).count()
     }
 
@@ -137,5 +152,48 @@ impl Obstacles {
         if let &[tip, left, notch, right] = corners {
             self.heads.push(Bar { from: notch, to: tip, half_width_mm: left.distance(right) / 2.0, owner });
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::paper::place::cost::{bars_apart, to_bar};
+
+    /// What boxes leave out meets nothing: the same count as of all against all.
+    #[test]
+    fn what_is_met_is_counted_as_without_boxes() {
+        let mut state = 7_u64;
+        let mut random = |size: f64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 40) as f64 / (1u64 << 24) as f64 * size
+        };
+        let mut counts = [0; 2];
+        for _ in 0..60 {
+            let mut some = |bars: usize, size: f64| {
+                let mut all = Obstacles::default();
+                for k in 0..bars {
+                    let from = Point::new(random(size), random(size));
+                    // Level and upright lines and such without length among them.
+                    let to = match k % 4 {
+                        0 => Point::new(from.x, random(size)),
+                        1 => Point::new(random(size), from.y),
+                        2 => from,
+                        _ => Point::new(random(size), random(size)),
+                    };
+                    all.bar(from, to, random(0.5), None);
+                    all.discs.push(Disc { centre: to, radius_mm: random(2.0) });
+                }
+                all
+            };
+            let (drawn, others) = (some(40, 90.0), some(3, 30.0));
+            for air in [-0.2, 0.0, 0.1, 3.0] {
+                let met = drawn.bars.iter().filter(|b| others.bars.iter().any(|o| bars_apart(b, o) < air)).count()
+                    + drawn.discs.iter().filter(|d| others.bars.iter().any(|o| to_bar(d.centre, o) < d.radius_mm + air)).count();
+                assert_eq!(drawn.met_by(&others, air), met, "{drawn:?} {others:?} {air}");
+                counts[usize::from(met > 0)] += 1;
+            }
+        }
+        assert!(counts[0] > 0 && counts[1] > 100, "{counts:?}");
     }
 }

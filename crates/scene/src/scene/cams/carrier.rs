@@ -109,7 +109,7 @@ impl One<'_> {
         };
         let d = &scene.drivers[driver];
         let stated = match &d.kind {
-            DriverKind::Turn { angle, .. } => angle.as_ref().map(Told::angle),
+            DriverKind::Turn { angle, .. } => angle.as_ref().map(|a| Told::angle(&Given { text: self.values.text_of(a), ..a.clone() })),
             DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
         };
         let turned = |t: Told| if way < 0.0 { Told { value: -t.value, text: negative(&t.text, t.value) } } else { t };
