@@ -22,6 +22,19 @@ fn problems(file: &str) -> Vec<Json> {
     list
 }
 
+#[test]
+fn the_readme_counts_the_problems() {
+    let counts = ["motion", "centres", "mobility"].map(|file| problems(file).len());
+    let read = |path: &str| std::fs::read_to_string(format!("{}/{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let all = format!("{} further problems", counts.iter().sum::<usize>());
+    assert!(read("README.md").contains(&all), "README.md should say: {all}");
+    let [motion, centres, mobility] = counts;
+    let parts = format!(
+        "{motion} scenes with the answers of `hodograph solve`, {centres} with the places of instantaneous centres, {mobility} with the counts"
+    );
+    assert!(read("docs/cases.md").contains(&parts), "docs/cases.md should say: {parts}");
+}
+
 fn name(problem: &Json) -> &str {
     problem["name"].as_str().unwrap()
 }
