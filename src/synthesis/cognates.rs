@@ -13,7 +13,7 @@ use super::board::{Board, Line, Weight};
 use super::candidate::{Draft, Number, Wanted};
 use super::form::Form;
 use super::fourbar::{FourBar, Heading, named_lengths};
-use super::{Found, KindOfTask, Proof, Statement, Wish};
+use super::{Found, KindOfTask, Proof, Statement, USUAL_OMEGA, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Mechanism};
@@ -140,6 +140,8 @@ struct Task {
     cognates: Cognates,
     /// The title where the file has none.
     name: Both,
+    /// The rate of the given scene's driver (rad/s).
+    rate: f64,
 }
 
 fn read(form: &Form) -> Option<Box<dyn Wish>> {
@@ -200,7 +202,8 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
             } else {
                 both!("Cognates of: {}", "同源机构：{}", Both { en: scene.title.en.clone(), zh: scene.title.zh.clone() })
             };
-            Some(Box::new(Task { cognates, name }))
+            let rate = scene.drivers.iter().find(|d| d.kind.turns()).map_or(USUAL_OMEGA, |d| d.rate.value);
+            Some(Box::new(Task { cognates, name, rate }))
         }
         Err(d) => {
             fault(d);
@@ -237,6 +240,10 @@ impl Task {
 impl Wish for Task {
     fn title(&self) -> Both {
         self.name.clone()
+    }
+
+    fn rate(&self) -> f64 {
+        self.rate
     }
 
     fn solve(&self, heading: &Heading) -> Result<Found, Faults> {

@@ -58,6 +58,11 @@ pub trait Wish: Debug + Send + Sync {
     /// What it is called where the file has no title.
     fn title(&self) -> Both;
 
+    /// The rate of the driver (rad/s) where the file names none.
+    fn rate(&self) -> f64 {
+        USUAL_OMEGA
+    }
+
     /// All designs, in any order, with what is to be said of the task as a whole.
     ///
     /// # Errors
@@ -180,10 +185,11 @@ fn of_kind(root: &Node, text: &str, faults: &RefCell<Faults>) -> Option<Task> {
     let front = Front::new(&raw, text, &mut faults.borrow_mut());
     let form = Form::new(fields, &front, faults);
     let wish = (kind.read)(&form);
-    let omega = form.omega("omega").unwrap_or(USUAL_OMEGA);
+    let omega = form.omega("omega");
     let transmission = form.angle("transmission").unwrap_or(judge::USUAL_GAMMA);
     faults.borrow_mut().list.extend(front.unused());
     let wish: Arc<dyn Wish> = wish?.into();
+    let omega = omega.unwrap_or_else(|| wish.rate());
     let idle = form.idle(kind.keys);
     faults.borrow_mut().list.extend(idle);
     let title = front.title.as_ref().map_or_else(|| wish.title(), |t| Both { en: t.en.clone(), zh: t.zh.clone() });
