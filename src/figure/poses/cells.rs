@@ -1,6 +1,6 @@
 //! What stands in the cells of a sheet of poses: a drawing for each of them, as on any other sheet, with ground or pole at one place
-//! of its cell, so that neighbouring poses can be compared. In a table only the first drawing of a column has all its names; those below
-//! have the letters of their points.
+//! of its cell, so that neighbouring poses can be compared. In a table only the first drawing of a column that has room for them has all its names; the
+//! others have the letters of their points.
 
 use super::{Row, Table, text};
 use crate::construct::Polygon;
@@ -79,17 +79,17 @@ impl Table<'_> {
         let (mut habits, mut of_polygon) = (Habits::new(), Habits::new());
         let mut parts = Vec::new();
         let mut named = false;
-        let mut with_names = |mut drawing: Drawing| {
-            if named && !self.still {
+        let mut with_names = |mut drawing: Drawing, room: bool| {
+            if (named || !room) && !self.still {
                 drawing.letters_only();
             }
-            named = true;
+            named |= room;
             drawing
         };
         for (k, row) in self.rows.iter().enumerate() {
             let mut part = match shows {
                 Shows::Mechanism => {
-                    let drawing = with_names(mechanism::drawing(style, &row.scene, &row.worked, notation, &courses[k]));
+                    let drawing = with_names(mechanism::drawing(style, &row.scene, &row.worked, notation, &courses[k]), true);
                     let mut part = drawing.finish_after(&mut habits);
                     // The diagram's origin may be a point that moves.
                     let (here, first) = (&row.worked.construction.diagram, &self.rows[0].worked.construction.diagram);
@@ -99,7 +99,7 @@ impl Table<'_> {
                 Shows::Polygon(_) => match self.polygon(row, shows) {
                     // An inset would take more room than the pose.
                     Some((w, p)) if self.still => polygon::drawing(style, &w, p, full).finish_after(&mut of_polygon),
-                    Some((w, p)) => with_names(polygon::drawing(style, &w, p, full)).finish(),
+                    Some((w, p)) => with_names(polygon::drawing(style, &w, p, full), has_room(p)).finish(),
                     None => Part::of(self.absent(row)),
                 },
             };
@@ -160,3 +160,12 @@ impl Table<'_> {
         items
     }
 }
+
+/// Whether the vectors of a polygon are so long that each can have its name.
+fn has_room(p: &Polygon) -> bool {
+    let lengths = p.edges.iter().map(|e| e.from.1.distance(e.to.1));
+    lengths.sum::<f64>() >= NAMED_MM * p.edges.len() as f64
+}
+
+/// The mean length of vectors that have their names beside them.
+const NAMED_MM: f64 = 12.0;
