@@ -220,7 +220,7 @@ fn equal_planets(scene: &Scene) -> Vec<Candidate> {
         let own = ratios(*l).filter(|r| r.len() > 1);
         own.is_some() && arm(*l).is_some() && links().take(l.0).any(|k| arm(k) == arm(*l) && ratios(k) == own)
     };
-    let last = |l: LinkId| meshes(l).last().map(|(r, pair)| (RollingId(r), pair.span));
+    let last = |l: LinkId| meshes(l).next_back().map(|(r, pair)| (RollingId(r), pair.span));
     let opened = links().filter(fellow).filter_map(last);
     opened.map(|(r, span)| Candidate { opened: Opened::Rolling(r), pins: Vec::new(), equations: 1, span }).collect()
 }
