@@ -129,7 +129,7 @@ struct Read {
 impl Read {
     /// Whether `f64` tells the angle, also within its turn.
     fn told(&self) -> bool {
-        exact::tells(&self.value, self.off)
+        exact::tells(self.value.angle(), self.off)
     }
 
     /// The angle, less whole turns where there are too many.

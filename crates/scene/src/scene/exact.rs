@@ -43,9 +43,11 @@ pub(super) fn distance(value: &Value, ball: Value<Ball<f64>>) -> f64 {
 
 /// Whether an angle that may be off by so much (in its own unit) is told as well as one within a turn: a unit in the last place
 /// of a turn is 6e-14 degrees, and a mechanism magnifies that no more than the rounding of its lengths.
-pub(super) fn tells(angle: &Value, off: f64) -> bool {
-    let (turn, told) = if angle.degrees { (360.0, 1e-12) } else { (std::f64::consts::TAU, 2e-14) };
-    angle.number.abs() <= turn || off <= told
+pub(super) fn tells(angle: Angle, off: f64) -> bool {
+    match angle {
+        Angle::Deg(number) => number.abs() <= 360.0 || off <= 1e-12,
+        Angle::Rad(number) => number.abs() <= std::f64::consts::TAU || off <= 2e-14,
+    }
 }
 
 /// The angle of a text less whole turns, and a bound of its error; in degrees, or radians.

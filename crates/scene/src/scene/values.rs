@@ -262,17 +262,24 @@ impl<'a> Values<'a> {
 
     /// An angle, in degrees where it is written in degrees.
     pub fn angle(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<Given<Angle>> {
+        let mut angle = self.angle_in_full(quantity, faults)?;
+        let degrees = matches!(angle.value, Angle::Deg(_));
+        // Of so many turns `f64` no longer tells where in its turn the angle lies: whole turns are taken off what is written.
+        if !exact::tells(angle.value, angle.radius)
+            && let Some((number, radius)) = exact::less_turns(&self.texts, &angle.text, degrees)
+        {
+            (angle.value, angle.radius) = (if degrees { Angle::Deg(number) } else { Angle::Rad(number) }, radius);
+        }
+        Some(angle)
+    }
+
+    /// An angle with all its turns.
+    pub fn angle_in_full(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<Given<Angle>> {
         let (text, value, ball) = self.value(quantity, Wanted::Angle, faults)?;
         // In the unit of the value: an angle that is only known to be near a whole number of degrees is in radians.
         let degrees = if ball.degrees { ball.number } else { ball.number * Ball::from_f64(180.0) / Ball::pi() };
         let number = if value.degrees { degrees } else { ball.si() };
-        let (mut value, mut radius) = (value, distance(value.number, number));
-        // Of so many turns `f64` no longer tells where in its turn the angle lies: whole turns are taken off what is written.
-        if !exact::tells(&value, radius)
-            && let Some(rest) = exact::less_turns(&self.texts, &text, value.degrees)
-        {
-            (value.number, radius) = rest;
-        }
+        let radius = distance(value.number, number);
         Some(Given { value: value.angle(), radius, text, span: quantity.span })
     }
 

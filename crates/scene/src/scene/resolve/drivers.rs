@@ -62,10 +62,23 @@ fn turn(
         Some(word) => note(c.names.link(word), faults),
         None => Some(c.ground),
     };
+    // A wheel with another number of teeth does not stand as before after a turn of the driver: there all turns count.
+    let rolling = !c.raw.rolling.is_empty();
     let angle = match angle {
+        Some(q) if rolling => Some(c.values.angle_in_full(q, faults)?),
         Some(q) => Some(c.values.angle(q, faults)?),
         None => None,
     };
+    if let Some(angle) = angle.as_ref().filter(|a| rolling && a.value.degrees().abs() > MOST_DEGREES) {
+        let message = both!(
+            "the driver's angle {} is beyond 2⁵³ degrees, where double precision does not tell the places of wheels that roll",
+            "原动件角度 {} 超过 2⁵³ 度，双精度数已无法确定滚动轮的位置",
+            angle.text
+        );
+        let d = Diagnostic::error("out-of-range", message).at(angle.span);
+        faults.push(d.help(both!("take off whole turns after which all wheels stand as before", "请减去使各轮回到原位的整转数")));
+        return None;
+    }
     let (link, against) = (link?, against?);
     if link == against {
         let name = c.link_name(link);
@@ -138,6 +151,9 @@ fn guided(
     faults.push(d.help(both!("leave one of the two angles out", "请去掉其中一个角度")));
     None
 }
+
+/// Of more than 2⁵³ degrees `f64` tells not even the whole ones.
+const MOST_DEGREES: f64 = 9_007_199_254_740_992.0;
 
 /// Two texts of one angle may differ by the rounding of what a person types (nine digits).
 const ONE_ANGLE: f64 = 1e-9;
