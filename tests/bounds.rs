@@ -96,6 +96,20 @@ fn large_mechanisms_are_drawn_and_coarse_labels_are_told() {
     }
 }
 
+/// A lesson places the labels of every position: what would take minutes is refused at once, what is accepted is made.
+#[test]
+fn lessons_have_a_limit() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, scene, code) in [("chain", chain(30), 2), ("points", points_on_a_link(200), 2), ("fair", points_on_a_link(40), 0)] {
+        let scene = written(folder.path(), &format!("{name}.json"), &scene);
+        let output = folder.path().join(format!("{name}.html"));
+        let (got, said) = run(&["lesson", "--positions", "8"], &scene, &output);
+        assert_eq!(got, Some(code), "{name}: {said}");
+        assert_eq!(said.contains("120"), code == 2, "{name}: {said}");
+        assert_eq!(output.exists(), code == 0, "{name}");
+    }
+}
+
 /// Writes the scenes of the table of largest sizes in `docs/reliability.md` for who measures them: nothing is tested.
 #[test]
 #[ignore = "writes scenes to measure"]

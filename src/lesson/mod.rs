@@ -60,6 +60,9 @@ impl Options {
 /// Poses through a turn unless others are asked for: every 5°.
 pub const POSITIONS: usize = 72;
 
+/// Links and their points together: the labels of so many are placed anew for every position, some seconds in all.
+const MOST: usize = 120;
+
 /// The page, and what the reader should know of it.
 ///
 /// # Errors
@@ -83,9 +86,21 @@ pub fn lesson(scene: &Scene, options: &Options) -> Result<Warned<String>, Faults
 /// The page of a scene that has been worked through for [`Scope::Figure`] in its own pose, without the notes of that.
 ///
 /// # Errors
-/// A driver that the scene does not have; those of the drawings.
+/// A driver that the scene does not have; a mechanism too large for all its positions; those of the drawings.
 pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Warned<String>, Faults> {
     let mut notes = Vec::new();
+    let size = scene.links.len() + scene.links.iter().map(|l| l.points.len()).sum::<usize>();
+    if size > MOST {
+        let message = both!(
+            "the links and their points are {size} together; a page that draws every position of them is made up to {MOST}",
+            "构件及其上各点共 {size} 个；逐一画出各位置的网页最多允许 {MOST} 个"
+        );
+        let help = both!(
+            "take a part of the mechanism, or `hodograph draw --steps` for one position",
+            "请只取一部分机构，或用 `hodograph draw --steps` 画一个位置"
+        );
+        return Err(Diagnostic::error("too-many", message).help(help).into());
+    }
     if options.driver >= scene.drivers.len() {
         return Err(Diagnostic::error(
             "driver",
