@@ -291,6 +291,9 @@ fn symbol_sheet() {
     assert!(svg.contains(r#"class="ground hatch""#));
 }
 
+/// How far vectors are moved aside at most.
+const ASIDE_MM: f64 = 5.0;
+
 /// What must hold for every sheet; returns what does not.
 fn check(name: &str, scene: &scene::Scene, worked: &hodograph::worked::Worked, figure: &Figure) -> Vec<String> {
     let mut faults = Vec::new();
@@ -335,9 +338,14 @@ fn check(name: &str, scene: &scene::Scene, worked: &hodograph::worked::Worked, f
                 _ => None,
             })
             .collect();
-        let near = |a: Point, b: Point| a.distance(pole + b.to_vec2()) < 0.1;
+        // Vectors that lie over one another are drawn side by side: as long and as directed, moved square to themselves.
+        let shows = |(from, to): &(Point, Point), e: [Point; 2]| {
+            let [off, end_off] = [*from - (pole + e[0].to_vec2()), *to - (pole + e[1].to_vec2())];
+            let along = (e[1] - e[0]).unit().expect("an edge has a length").dot(off);
+            (off - end_off).norm() < 0.1 && along.abs() < 0.1 && off.norm() < ASIDE_MM
+        };
         for e in p.edges.iter().filter(|e| e.from.1.distance(e.to.1) > 0.1) {
-            if !arrows.iter().any(|(from, to)| near(*from, e.from.1) && near(*to, e.to.1)) {
+            if !arrows.iter().any(|arrow| shows(arrow, [e.from.1, e.to.1])) {
                 fault(format!("{kind}: no arrow from {:?} to {:?}", e.from, e.to));
             }
         }
