@@ -56,7 +56,7 @@ pub struct Wanted {
 /// let worked = work(&scene, Scope::Figure)?.value;
 /// let wanted = poses::Wanted { count: 4, driver: 0, points: Vec::new() };
 /// let pages = poses::sheets(&scene, &worked, &Options::of_language(Lang::En), &wanted)?.value;
-/// assert_eq!(pages.len(), 1);
+/// assert_eq!(pages.len(), 2); // a page of A4 holds two or three rows
 /// # Ok::<(), hodograph::diag::Faults>(())
 /// ```
 pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted) -> Result<Warned<Vec<Figure>>, Faults> {

@@ -1,6 +1,6 @@
 //! A scene with its driver elsewhere: the same mechanism at another instant of its motion.
 
-use super::{Angle, Given, Position, PositionSlot, Scene};
+use super::{Angle, Direction, Given, GuidePath, LinkId, Position, PositionSlot, Scene};
 
 /// The position of a driver: radians for a turning one, metres for a slider or a cylinder; `None` where the pose is given by
 /// coordinates.
@@ -12,6 +12,7 @@ pub fn driver_position(scene: &Scene, driver: usize) -> Option<f64> {
 ///
 /// A scene whose driver has no position stays as it is.
 pub fn with_driver_at(scene: &Scene, driver: usize, position: f64) -> Scene {
+    let before = driver_position(scene, driver);
     let mut scene = scene.clone();
     // The shortest decimal that reads back as the same double is within half a unit of its last place.
     let radius = position.abs() * f64::EPSILON;
@@ -25,5 +26,33 @@ pub fn with_driver_at(scene: &Scene, driver: usize, position: f64) -> Scene {
         PositionSlot::Angle(None) | PositionSlot::Coordinate(None) | PositionSlot::Distance(None) => {}
     }
     scene.set_followers(driver, None);
+    if let (Some((link, _)), Some(before)) = (scene.drivers[driver].kind.turned(), before) {
+        turn_guides(&mut scene, link, position - before);
+    }
     scene
+}
+
+/// Turns the guides whose direction is given at the instant with the link that carries them, which turns as a driven link does: itself, or
+/// what blocks on straight guides lock to it.
+fn turn_guides(scene: &mut Scene, driven: LinkId, by: f64) {
+    let mut turning = vec![driven];
+    let straight = |path: &GuidePath| matches!(path, GuidePath::Line { .. });
+    let locks: Vec<[LinkId; 2]> = scene.guides.iter().filter(|g| straight(&g.path)).filter_map(|g| Some([g.on, g.slider?])).collect();
+    loop {
+        let found = locks.iter().find_map(|[a, b]| match (turning.contains(a), turning.contains(b)) {
+            (true, false) => Some(*b),
+            (false, true) => Some(*a),
+            (true, true) | (false, false) => None,
+        });
+        match found {
+            Some(link) => turning.push(link),
+            None => break,
+        }
+    }
+    for guide in scene.guides.iter_mut().filter(|g| turning.contains(&g.on)) {
+        let GuidePath::Line { direction: Direction::Instant(angle), .. } = &mut guide.path else { continue };
+        let turned = angle.value.radians() + by;
+        let radius = angle.radius + (turned.abs() + by.abs()) * f64::EPSILON;
+        *angle = Given { value: Angle::Rad(turned), radius, text: format!("({turned:?}) rad"), span: angle.span };
+    }
 }
