@@ -216,8 +216,7 @@ fn a_dragged_crank_shows_what_the_library_computes() {
 
 /// Text without what only looks: spaces, and marks that formulas set in another way.
 fn bare(text: &str) -> String {
-    // The page sets powers as raised digits, a plain text with the characters that are raised.
-    let text = text.replace('²', "2").replace('³', "3");
+    let text = text.replace('²', "2"); // A page raises the digit itself.
     text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '_' | '^' | '{' | '}' | '′')).collect()
 }
 
