@@ -14,6 +14,7 @@
 
   const words = () => data.words[lang];
   const pick = (both) => both[lang === "en" ? 0 : 1];
+  const steps = () => data.steps;
 
   // What has no construction has no steps to go through.
   if (!data.steps.length) {
@@ -110,65 +111,18 @@
   });
   $("play").addEventListener("click", () => play(!running));
 
-  // ---- words, keys, colours ---------------------------------------------------------------------------------------
+  // ---- what the player needs --------------------------------------------------------------------------------------
 
-  function speak() {
-    document.documentElement.lang = data.tags[lang];
-    document.title = $("title").textContent = pick(data.title);
-    $("language").textContent = words().language;
-    for (const e of document.querySelectorAll("[data-word]")) e.textContent = words()[e.dataset.word];
-    for (const e of document.querySelectorAll("[data-title]")) e.title = words()[e.dataset.title];
-    for (const e of document.querySelectorAll("[data-label]")) e.setAttribute("aria-label", words()[e.dataset.label]);
+  const spoken = () => {
     $("driver").setAttribute("aria-label", words().positions);
     $("facts").innerHTML = pick(data.facts);
     showStep();
-  }
-  $("language").addEventListener("click", () => {
-    lang = lang === "en" ? "zh" : "en";
-    speak();
-  });
-  const theme = () => {
-    const root = document.documentElement;
-    const dark = root.dataset.theme ? root.dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
-    root.dataset.theme = dark ? "light" : "dark";
   };
-  $("theme").addEventListener("click", theme);
-  if ($("first")) {
-    $("first").addEventListener("click", () => go(1));
-    $("previous").addEventListener("click", () => go(step - 1));
-    $("next").addEventListener("click", () => go(step + 1));
-    $("last").addEventListener("click", () => {
-      stepping = false;
-      step = data.steps.length;
-      showStep();
-    });
-  }
-  addEventListener("keydown", (e) => {
-    if (e.ctrlKey || e.altKey || e.metaKey || e.target.tagName === "INPUT") return;
-    const keys = {
-      ArrowRight: () => go(step + 1),
-      PageDown: () => go(step + 1),
-      ArrowLeft: () => go(step - 1),
-      PageUp: () => go(step - 1),
-      Home: () => go(1),
-      End: () => go(data.steps.length),
-      "+": () => toFrame(frame + 1),
-      "-": () => toFrame(frame - 1),
-      " ": () => play(!running && !still.matches),
-      l: () => $("language").click(),
-      d: theme,
-    };
-    const at = Number(e.key);
-    if (at >= 1 && at <= data.stops.length) {
+  const ownKeys = {};
+  data.stops.slice(0, 9).forEach((k, i) => {
+    ownKeys[i + 1] = () => {
       play(false);
-      toFrame(data.stops[at - 1]);
-    } else if (keys[e.key]) {
-      keys[e.key]();
-    } else return;
-    e.preventDefault();
+      toFrame(k);
+    };
   });
-
   toFrame(data.stops.length ? data.stops[0] : 0);
-  speak();
-  document.documentElement.dataset.ready = "";
-})();

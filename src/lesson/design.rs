@@ -32,9 +32,9 @@ use crate::synthesis::{Candidate, Task};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
-const PAGE: &str = include_str!("design.html");
+const PAGE: &str = concat!(include_str!("player.html"), include_str!("design.html"));
 const STYLE: [&str; 2] = [BASE, include_str!("design.css")];
-const SCRIPT: &str = include_str!("design.js");
+const SCRIPT: &str = concat!(include_str!("design.js"), include_str!("player.js"));
 /// Frames through a turn of the driver.
 const FRAMES: usize = 120;
 

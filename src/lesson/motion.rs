@@ -26,9 +26,9 @@ use crate::report::particle as report;
 use crate::scene::Lang;
 use serde_json::{Value, json};
 
-const PAGE: &str = include_str!("motion.html");
+const PAGE: &str = concat!(include_str!("player.html"), include_str!("motion.html"));
 const STYLE: [&str; 3] = [BASE, include_str!("design.css"), include_str!("motion.css")];
-const SCRIPT: &str = include_str!("motion.js");
+const SCRIPT: &str = concat!(include_str!("motion.js"), include_str!("player.js"));
 
 /// What the page says around the drawings: key, both languages.
 const WORDS: [(&str, [&str; 2]); 15] = [
