@@ -75,9 +75,10 @@ fn run(arguments: &[&str], scene: &Path, output: &Path) -> (Option<i32>, String)
     (out.status.code(), String::from_utf8_lossy(&out.stderr).into_owned())
 }
 
+/// Its scenes stay in `target/tmp`, for who measures the largest sizes of `docs/reliability.md`.
 #[test]
 fn large_mechanisms_are_drawn_and_coarse_labels_are_told() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     for (name, scene, coarse) in [
         ("chain-8", chain(8), false),
         ("chain-60", chain(60), true),
@@ -86,8 +87,8 @@ fn large_mechanisms_are_drawn_and_coarse_labels_are_told() {
         ("points-400", points_on_a_link(400), true),
         ("points-1900", points_on_a_link(1900), true),
     ] {
-        let scene = written(folder.path(), &format!("{name}.json"), &scene);
-        let output = folder.path().join(format!("{name}.svg"));
+        let scene = written(folder, &format!("{name}.json"), &scene);
+        let output = folder.join(format!("{name}.svg"));
         let (code, said) = run(&["draw"], &scene, &output);
         assert_eq!(code, Some(0), "{name}: {said}");
         assert_eq!(said.contains("coarse-labels"), coarse, "{name}: {said}");
@@ -108,15 +109,6 @@ fn lessons_have_a_limit() {
         assert_eq!(said.contains("120"), code == 2, "{name}: {said}");
         assert_eq!(output.exists(), code == 0, "{name}");
     }
-}
-
-/// Writes the scenes of the table of largest sizes in `docs/reliability.md` for who measures them: nothing is tested.
-#[test]
-#[ignore = "writes scenes to measure"]
-fn large_scenes_to_measure() {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
-    println!("{}", written(folder, "chain-200.json", &chain(200)).display());
-    println!("{}", written(folder, "points-1900.json", &points_on_a_link(1900)).display());
 }
 
 #[test]
