@@ -4,7 +4,7 @@ use super::draw::style_of;
 use super::together::Together;
 use super::values::{Format, Text};
 use super::{Failure, Input, Run, args, choices, files};
-use crate::cam::{Motion, Segment, Survey};
+use crate::cam::{Motion, Segment};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::cam::{inversion, motion};
 use crate::geom::Vec2;
@@ -21,8 +21,10 @@ pub fn run(a: args::Cam) -> Run {
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     let (lang, _) = choices(&input.scene, &a.common);
     let chosen = chosen(&input, a.cam).map_err(|f| input.failed(f))?;
-    let surveys: Vec<Survey> = chosen.iter().map(|(_, t)| Survey::of(&t.disc)).collect();
-    let report = |k: usize| Report { scene: &input.scene, cam: chosen[k].0, turning: chosen[k].1, survey: &surveys[k] };
+    let report = |k: usize| {
+        let (cam, turning) = chosen[k];
+        Report { scene: &input.scene, cam, turning, survey: turning.survey.of(&turning.disc) }
+    };
     let reports: Vec<Report> = (0..chosen.len()).map(report).collect();
     let mut all = Together::default();
     let mut written = String::new();

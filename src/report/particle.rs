@@ -19,9 +19,9 @@ pub fn unit(what: Asked) -> &'static str {
         Asked::MeetingPlace(_) | Asked::Distance(_) | Asked::Place(_) | Asked::Curvature(_) => "m",
         Asked::LineOmega(_) => "rad/s",
         Asked::Velocity(_) => "m/s",
-        Asked::Acceleration(_) => "m/s^2",
+        Asked::Acceleration(_) => "m/s²",
         Asked::Part(_, part) if part.is_velocity() => "m/s",
-        Asked::Part(..) => "m/s^2",
+        Asked::Part(..) => "m/s²",
     }
 }
 
@@ -110,7 +110,7 @@ pub fn text(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, 
     if steps {
         for d in board {
             out += &format!(
-                "\n{}: μ_l = {} m/mm, μ_v = {} (m/s)/mm, μ_a = {} (m/s^2)/mm\n",
+                "\n{}: μ_l = {} m/mm, μ_v = {} (m/s)/mm, μ_a = {} (m/s²)/mm\n",
                 tr(lang, "Drawing", "作图"),
                 d.mu[0],
                 d.mu[1],
@@ -227,7 +227,7 @@ pub fn lines(problem: &Problem, solved: &Solved, digits: usize, lang: Lang) -> V
     out
 }
 
-/// Numbers and units as they are printed: a minus as long as a plus, squares raised.
+/// Numbers as they are printed: a minus as long as a plus.
 fn inked_words(text: &str) -> String {
-    text.replace("m/s^2", "m/s²").replace('-', "−")
+    text.replace('-', "−")
 }

@@ -120,8 +120,11 @@ pub(crate) fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Gr
     let led = g.constraints.iter().filter_map(|&c| m.constraints[c].form().driver()).any(|d| scene.is_led(d));
     let what = match (g.class(), lang) {
         (None, lang) if led => tr(lang, "follower of the cam", "凸轮从动件").into(),
-        // What is driven by something else is the follower, in English.
-        (None, Lang::En) => g.kind().replace("driven", "driving"),
+        // A "driven link" of English books is the follower.
+        (None, Lang::En) => match g.kind().as_str() {
+            "driven slider" => "driving slider".into(),
+            _ => "driving link".into(),
+        },
         (None, Lang::Zh) => match g.kind().as_str() {
             "driven slider" => "原动滑块".into(),
             _ => "原动件".into(),

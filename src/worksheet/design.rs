@@ -328,13 +328,8 @@ fn printed(name: &str) -> String {
         Some((of, axis @ ("x" | "y"))) => (of, Some(axis)),
         Some(_) | None => (name, None),
     };
-    let letters = of.trim_end_matches(|c: char| c.is_ascii_digit());
-    let greek = matches!(letters, "alpha" | "beta" | "gamma" | "delta" | "theta" | "lambda" | "mu" | "phi" | "psi" | "omega");
-    let sign = format!("{}{letters}", if greek { "\\" } else { "" });
-    let symbol = match &of[letters.len()..] {
-        "" => sign,
-        index => format!("{sign}_{{{index}}}"),
-    };
+    let (sign, index) = letters(of);
+    let symbol = if index.is_empty() { sign } else { format!("{sign}_{{{index}}}") };
     axis.map_or(symbol.clone(), |axis| format!("{axis}_{{{symbol}}}"))
 }
 

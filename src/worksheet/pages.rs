@@ -65,7 +65,7 @@ const CLOSER: [Setting; 5] = [
     Setting { line_em: CLOSE_LINE_EM, columns: true, filled: true, ..USUAL },
 ];
 
-/// A side of more pages is not set closer: nobody misses the page, and each setting costs as much as the first.
+/// A side of more pages is not set closer: one page less of so many is not noticed, and each setting costs as much as the first.
 const LONG: usize = 8;
 
 /// Sets a document on pages. Each of its sides begins on a new one, and is set closer where that saves a page; a side of a page

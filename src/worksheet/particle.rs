@@ -104,7 +104,7 @@ fn answers(problem: &Problem, solved: &Solved, board: &[Drawn], options: &Option
     Table { kind: TableKind::Values, rows }
 }
 
-/// Units with their squares raised, minus signs as long as a plus.
+/// Numbers as they are printed: a minus as long as a plus.
 fn printed(text: &str) -> String {
-    text.replace("m/s^2", "m/s²").replace('-', "−")
+    text.replace('-', "−")
 }

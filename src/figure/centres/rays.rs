@@ -51,7 +51,7 @@ impl Plate {
                 };
                 lines.iter().any(through)
             }
-            _ => false,
+            Some(Origin::Pair | Origin::Velocities) | None => false,
         };
         all.contains(&k) || all.iter().any(serves)
     }

@@ -77,10 +77,11 @@ impl Layout {
         let pins = |o: &Opened| if let Opened::Link(l) = o { m.held(*l) } else { None };
         let opened = m.redundant.iter().map(|r| (r.opened.clone(), pins(&r.opened))).collect();
         let holds = scene.guides.iter().enumerate().map(|(g, guide)| m.guide_holds(guide, GuideId(g))).collect();
-        let together = m.constraints.iter().filter_map(|c| match (c.form(), c.item()) {
-            (Form::Angles { of, against, .. }, Item::Guide(g)) if !links.contains(&scene.guides[g.0].slider?) => Some((of, against, g)),
-            _ => None,
+        let locked = m.constraints.iter().filter_map(|c| match c.item() {
+            Item::Guide(g) => c.form().locks().map(|(a, b)| (a, b, g)),
+            Item::Pin(..) | Item::Driver(_) | Item::Rolling(_) => None,
         });
+        let together = locked.filter(|(.., g)| scene.guides[g.0].slider.is_some_and(|s| !links.contains(&s)));
         let together = together.filter(|(a, b, _)| [a, b].iter().all(|l| **l == scene.ground || links.contains(l))).collect();
         Layout { links, bare, unknowns, index, second, origins, scale, opened, holds, together }
     }

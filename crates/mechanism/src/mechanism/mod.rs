@@ -28,7 +28,7 @@ use redundant::Opening;
 pub use crate::scene::quantity::{Joined, Level, Need, joined};
 
 use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::scene::{Direction, Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene, quantity};
+use crate::scene::{Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene, quantity};
 
 /// A thing whose place is to be found: a link (three freedoms) or a pin (two).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -106,9 +106,8 @@ impl Mechanism {
     fn opened(scene: &Scene, opening: Opening) -> Result<Mechanism, Faults> {
         let (pins, constraints) = opening.pins_and_constraints(scene);
         let assignment = mobility::assign(scene, &opening.passive, &pins, &constraints)?;
-        let mobility = mobility::count(scene, &constraints);
         let mut mechanism = Mechanism {
-            mobility,
+            mobility: mobility::count(scene, &constraints),
             constraints,
             pins,
             passive: opening.passive,
@@ -116,7 +115,7 @@ impl Mechanism {
             group_of_link: vec![None; scene.links.len()],
             group_of_pin: vec![None; scene.points.len()],
             redundant: opening.redundant,
-            never_turns: find_never_turning(scene),
+            never_turns: scene.turning_with(scene.ground),
         };
         groups::find(scene, &mut mechanism, &assignment);
         if let Some(constraints) = turning::from_known_links(&mechanism) {
@@ -307,21 +306,9 @@ fn is_optional(scene: &Scene, guide: &Guide) -> bool {
     guide.rolling.is_some_and(|r| scene.rolling[r.0].toothed)
 }
 
-/// Whether a rack slides along its own pitch line in the link that carries the axis of its gear: then it keeps its distance, whatever drives the two.
-fn runs_along(scene: &Scene, guide: &Guide) -> bool {
-    let line = |g: &Guide| match &g.path {
-        GuidePath::Line { direction: Direction::Instant(angle), .. } => Some(angle.value.radians()),
-        GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
-    };
-    // What a person types has nine digits.
-    let parallel = |g: &Guide| line(g).zip(line(guide)).is_some_and(|(a, b)| libm::sin(a - b).abs() < 1e-9);
-    let carries = |l: LinkId| guide.pin.is_some_and(|axis| scene.links[l.0].points.contains(&axis));
-    scene.guides.iter().any(|g| g.rolling.is_none() && g.slider == Some(guide.on) && carries(g.on) && parallel(g))
-}
-
 /// The guides between gears that may have to keep them in touch.
 fn holding(scene: &Scene) -> impl Iterator<Item = GuideId> {
-    let may = |g: &Guide| is_optional(scene, g) && !runs_along(scene, g);
+    let may = |g: &Guide| is_optional(scene, g) && !parallel::runs_along(scene, g);
     scene.guides.iter().enumerate().filter(move |(_, g)| may(g)).map(|(g, _)| GuideId(g))
 }
 
@@ -338,26 +325,4 @@ fn touching(scene: &Scene, opening: &Opening, pins: &[PointId], mut constraints:
         }
     }
     constraints
-}
-
-/// Ground, and every link joined to a never-turning link by a slider that keeps its direction.
-fn find_never_turning(scene: &Scene) -> Vec<bool> {
-    let mut still = vec![false; scene.links.len()];
-    still[scene.ground.0] = true;
-    loop {
-        let before = still.iter().filter(|s| **s).count();
-        for g in &scene.guides {
-            // Only a straight guide keeps its slider's direction in the plane.
-            if let Some(s) = g.slider
-                && matches!(g.path, GuidePath::Line { .. })
-                && (still[s.0] || still[g.on.0])
-            {
-                still[s.0] = true;
-                still[g.on.0] = true;
-            }
-        }
-        if still.iter().filter(|s| **s).count() == before {
-            return still;
-        }
-    }
 }

@@ -2,10 +2,11 @@
 //!
 //! Across a straight guide its runner keeps its distance from the link that carries the guide. Links that never turn and pins that
 //! such guides of one direction join in a circle keep one distance twice, and another freedom of theirs is open in every pose. Of several
-//! pairs that could be opened those are opened that leave no such circle.
+//! pairs that could be opened those are opened that leave no such circle. A rack that slides along its own pitch line is such a circle by
+//! itself: its gear need not hold it.
 
 use super::{Form, Mechanism, Node};
-use crate::scene::{Direction, GuidePath, Scene};
+use crate::scene::{Direction, Guide, GuidePath, LinkId, Scene};
 use petgraph::unionfind::UnionFind;
 use std::f64::consts::PI;
 
@@ -41,8 +42,21 @@ fn circles_across(scene: &Scene, m: &Mechanism, direction: f64) -> usize {
 /// The direction of a straight guide on a link that never turns.
 fn across(scene: &Scene, m: &Mechanism, form: Form) -> Option<f64> {
     let (guide, on) = form.lies_on()?;
-    match &scene.guides[guide.0].path {
-        GuidePath::Line { direction: Direction::Instant(angle), .. } if m.never_turns[on.0] => Some(angle.value.radians()),
+    direction(&scene.guides[guide.0]).filter(|_| m.never_turns[on.0])
+}
+
+/// Whether a rack slides along its own pitch line in the link that carries the axis of its gear: then it keeps its distance, whatever drives
+/// the two.
+pub(super) fn runs_along(scene: &Scene, pitch: &Guide) -> bool {
+    let along = |g: &Guide| direction(g).zip(direction(pitch)).is_some_and(|(a, b)| parallel(a, b));
+    let carries = |l: LinkId| pitch.pin.is_some_and(|axis| scene.links[l.0].points.contains(&axis));
+    scene.guides.iter().any(|g| g.rolling.is_none() && g.slider == Some(pitch.on) && carries(g.on) && along(g))
+}
+
+/// The direction of a straight guide, where it is given at the instant (rad).
+fn direction(guide: &Guide) -> Option<f64> {
+    match &guide.path {
+        GuidePath::Line { direction: Direction::Instant(angle), .. } => Some(angle.value.radians()),
         GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
     }
 }

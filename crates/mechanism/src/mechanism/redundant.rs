@@ -2,8 +2,8 @@
 //!
 //! Decided here, from topology alone: an equation without a home in the matching depends on its circuit; of the links, guides and
 //! double pins of that circuit the fewest are opened that leave as many equations as freedoms. Among several those are taken that leave no
-//! distance held twice by parallel guides ([`super::parallel`]), then those that leave the lowest class of groups, then the last in the file. Whether what is opened holds by itself is decided by lengths, in
-//! [`crate::position::redundant`]; topology cannot tell a third crank from a strut that locks the mechanism.
+//! distance held twice by parallel guides ([`super::parallel`]), then those that leave the lowest class of groups, then the last in the
+//! file. Whether what is opened holds by itself is decided by lengths, in [`crate::position::redundant`]; topology cannot tell a third crank from a strut that locks the mechanism.
 //!
 //! Where pairs leave some freedom by count, a circuit of two drivers or more has a driver too many, and is left to the diagnosis of that;
 //! but of equal planets on one arm all but the first repeat it whatever drives the train.

@@ -34,7 +34,7 @@ impl<N: Real> Assembly<'_, N> {
             start.points[p.0] =
                 Some(rough(p).ok_or_else(|| lacking(both!("{} is not sketched", "{} 没有大致位置", self.scene.point_name(p))))?);
         }
-        let sliders: Vec<(LinkId, LinkId)> = group.constraints.iter().filter_map(|&c| self.locked(self.m.constraints[c].form())).collect();
+        let sliders: Vec<(LinkId, LinkId)> = group.constraints.iter().filter_map(|&c| self.m.constraints[c].form().locks()).collect();
         for &l in &group.links {
             if let Some((_, on)) = sliders.iter().find(|(s, _)| *s == l) {
                 // Its frame lies as the plane's, unless its own points tell it a direction that nothing puts in relation to the guide.
@@ -111,19 +111,6 @@ impl<N: Real> Assembly<'_, N> {
             }
         }
         places
-    }
-
-    /// A slider and the link against which it keeps its direction.
-    fn locked(&self, form: Form) -> Option<(LinkId, LinkId)> {
-        match form {
-            Form::Angles { of, against, driver: None } => Some((of, against)),
-            Form::Angles { driver: Some(_), .. }
-            | Form::Meet { .. }
-            | Form::OnPath { .. }
-            | Form::AlongPath { .. }
-            | Form::Distance { .. }
-            | Form::Rolls { .. } => None,
-        }
     }
 
     fn node_name(&self, n: Node) -> Both {

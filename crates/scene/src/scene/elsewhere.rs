@@ -32,24 +32,10 @@ pub fn with_driver_at(scene: &Scene, driver: usize, position: f64) -> Scene {
     scene
 }
 
-/// Turns the guides whose direction is given at the instant with the link that carries them, which turns as a driven link does: itself, or
-/// what blocks on straight guides lock to it.
+/// Turns the guides whose direction is given at the instant with the links that carry them, which turn as a driven link does.
 fn turn_guides(scene: &mut Scene, driven: LinkId, by: f64) {
-    let mut turning = vec![driven];
-    let straight = |path: &GuidePath| matches!(path, GuidePath::Line { .. });
-    let locks: Vec<[LinkId; 2]> = scene.guides.iter().filter(|g| straight(&g.path)).filter_map(|g| Some([g.on, g.slider?])).collect();
-    loop {
-        let found = locks.iter().find_map(|[a, b]| match (turning.contains(a), turning.contains(b)) {
-            (true, false) => Some(*b),
-            (false, true) => Some(*a),
-            (true, true) | (false, false) => None,
-        });
-        match found {
-            Some(link) => turning.push(link),
-            None => break,
-        }
-    }
-    for guide in scene.guides.iter_mut().filter(|g| turning.contains(&g.on)) {
+    let turning = scene.turning_with(driven);
+    for guide in scene.guides.iter_mut().filter(|g| turning[g.on.0]) {
         let GuidePath::Line { direction: Direction::Instant(angle), .. } = &mut guide.path else { continue };
         let turned = angle.value.radians() + by;
         let radius = angle.radius + (turned.abs() + by.abs()) * f64::EPSILON;

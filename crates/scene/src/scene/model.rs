@@ -368,6 +368,19 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// For each link whether it turns as this one for topological reasons: it is this one, or joined to one that does by a slider, which
+    /// keeps its direction on a straight guide.
+    pub fn turning_with(&self, link: LinkId) -> Vec<bool> {
+        let mut turning = vec![false; self.links.len()];
+        turning[link.0] = true;
+        let straight = self.guides.iter().filter(|g| matches!(g.path, GuidePath::Line { .. }));
+        let locks: Vec<[LinkId; 2]> = straight.filter_map(|g| Some([g.on, g.slider?])).collect();
+        while let Some(lock) = locks.iter().find(|[a, b]| turning[a.0] != turning[b.0]) {
+            lock.iter().for_each(|l| turning[l.0] = true);
+        }
+        turning
+    }
+
     /// Name of a point.
     pub fn point_name(&self, p: PointId) -> &str {
         &self.points[p.0].name

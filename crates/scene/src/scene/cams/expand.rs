@@ -43,8 +43,8 @@ pub(super) struct Pending {
     span: Span,
 }
 
-/// A cam whose link has one point and turns gets a second one on its base circle, from which its angle is told; so does a lever with a flat face whose
-/// motion a law gives. A face that does not say where it is passes through the pin of the guide in which its follower slides.
+/// A cam whose link has one point and turns gets a second one on its base circle, from which its angle is told; so does a lever with a flat
+/// face whose motion a law gives. A face that does not say where it is passes through the pin of the guide in which its follower slides.
 pub(in crate::scene) fn marked(raw: &RawScene) -> RawScene {
     let mut out = raw.clone();
     (0..out.cams.len()).for_each(|i| slid(&mut out, i));
@@ -65,9 +65,8 @@ pub(in crate::scene) fn marked(raw: &RawScene) -> RawScene {
         };
         let lever =
             driven && matches!(cam.follows, RawFollows::Face(_)) && !raw.guides.iter().any(|g| named(&g.slider, &cam.follower.text));
-        let still = raw.ground.as_ref().is_some_and(|g| g.text == cam.cam.text);
         // One that slides has the direction of its guide.
-        let still = still || raw.guides.iter().any(|g| named(&g.slider, &cam.cam.text));
+        let still = named(&raw.ground, &cam.cam.text) || raw.guides.iter().any(|g| named(&g.slider, &cam.cam.text));
         for (link, proposed) in [(Some(&cam.cam).filter(|_| !still), "M"), (Some(&cam.follower).filter(|_| lever), "W")] {
             let (Some(link), Some(radius)) = (link, radius) else { continue };
             let name = fresh(&out, &[proposed]);

@@ -132,9 +132,7 @@ fn guided(
         GuidePath::Line { direction: Direction::Instant(angle), .. } if g.on == link => Some(angle),
         GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
     });
-    // Where only pairs count, a guide without an angle was given one that means nothing.
-    let told = c.names.links[link.0].points.len() < 2 && !c.raw.topology;
-    let Some(stated) = stated.filter(|_| told) else { return Some(angle) };
+    let Some(stated) = stated.filter(|_| c.names.links[link.0].points.len() < 2) else { return Some(angle) };
     let Some(given) = angle else { return Some(Some(stated.clone())) };
     let (s, k) = libm::sincos(given.value.radians() - stated.value.radians());
     if s.abs() + (1.0 - k) <= ONE_ANGLE {
