@@ -7,6 +7,7 @@ mod fonts;
 mod geared;
 mod legible;
 mod motion;
+mod pairs;
 mod parted;
 mod plots;
 mod width;

@@ -78,6 +78,7 @@ impl Draft<'_> {
             _ => None,
         };
         let ends = line.or_else(|| first_two(link)).and_then(|(a, b)| Some((self.point(a)?, self.point(b)?)));
+        let ends = ends.or_else(|| self.lever(link));
         // The arrow of a wheel without a line of its own stands outside its rim.
         let wheel = self.free_side(link).filter(|_| ends.is_none());
         let Some((at, to)) = ends.or_else(|| wheel.map(|(c, u, r)| (c, c + u * r))) else { return };
@@ -121,6 +122,15 @@ impl Draft<'_> {
         self.d.of_link(Some(link.0));
         self.rotations(driver, &index, Turns { centre, radius, angles, mirror: outward.angle() });
         self.d.of_link(None);
+    }
+
+    /// Of a link that is its pivot and a slot through it: the pivot, and a place of the slot.
+    fn lever(&self, l: LinkId) -> Option<(Point, Point)> {
+        let [pivot] = self.scene.links[l.0].points[..] else { return None };
+        let slot = |g: &GuideId| self.scene.guides[g.0].on == l && self.scene.guides[g.0].rolling.is_none();
+        let g = (0..self.scene.guides.len()).map(GuideId).find(slot)?;
+        let (from, (runner, along)) = (self.point(pivot)?, self.runner(g)?);
+        (from.distance(runner) > super::SAME_MM && (runner - from).cross(along).abs() < super::SAME_MM).then_some((from, runner))
     }
 
     pub(super) fn arc_label(&mut self, symbol: &str, class: &str, centre: Point, radius: f64, angles: [f64; 2], owner: u32) {

@@ -9,11 +9,14 @@ use crate::scene::{GuideId, GuidePath, LinkId, PointId, Through};
 
 use super::Draft;
 use super::letters::NumberPlace;
+use super::wheels::RACK_HALF_MM;
 
 /// Length of a fixed guide: three blocks and a little.
 pub(super) const GUIDE_MM: f64 = 26.0;
 /// From a yoke's slot to the bushing of its rod.
 const BUSHING_MM: f64 = 20.0;
+/// Between the end of a rack and its bushing.
+const BUSHING_FREE_MM: f64 = 5.0;
 /// Length of a bushing.
 const BUSHING_LENGTH_MM: f64 = 11.0;
 /// How far the slotted bar of a yoke goes on beyond its rod.
@@ -45,14 +48,7 @@ impl Draft<'_> {
                 (Some(p), Some(_), Path::Line { direction, .. }) => self.hatched_line(g, p, direction),
                 (None, Some(_), Path::Line { direction, .. }) => self.bushing(g, direction),
                 (Some(p), None, Path::Line { direction, .. }) => self.fixed_slot(g, p, direction),
-                (Some(p), _, Path::Arc { centre, radius }) => {
-                    let Some(at) = self.point(p) else { continue };
-                    let (middle, half) = ((at - centre).angle(), (FIXED_SLOT_HALF_MM / radius).min(1.5));
-                    let [back, on] = self.travel(g).map(|t| t / radius);
-                    let radius = radius.max(self.style.slot_width_mm);
-                    let items = sym::slot_arc(self.style, centre, radius, middle + back - half, middle + on + half);
-                    self.d.draw(&format!("guide-{}", self.scene.point_name(p).to_owned()), "ground", items);
-                }
+                (Some(p), _, Path::Arc { centre, radius }) => self.fixed_arc(g, p, centre, radius),
                 _ => {}
             }
         }
@@ -104,10 +100,24 @@ impl Draft<'_> {
         self.d.draw(&id, "", sym::ground_line(self.style, at + u + n, at - u + n));
     }
 
+    /// A curved slot of the ground, and the line from its centre that tells its radius.
+    fn fixed_arc(&mut self, g: GuideId, p: PointId, centre: Point, radius: f64) {
+        let Some(at) = self.point(p) else { return };
+        let (middle, half) = ((at - centre).angle(), (FIXED_SLOT_HALF_MM / radius).min(1.5));
+        let [back, on] = self.travel(g).map(|t| t / radius);
+        let span = [middle + back - half, middle + on + half];
+        let (radius, width) = (radius.max(self.style.slot_width_mm), self.style.slot_width_mm / 2.0);
+        let id = format!("guide-{}", self.scene.point_name(p));
+        self.d.draw(&id, "", sym::ground_arc(self.style, centre, radius + width, span, true));
+        self.d.draw(&id, "", sym::ground_arc(self.style, centre, radius - width, span, false));
+        let shape = Shape::Line { from: centre, to: at, stroke: self.style.thin.dashed(Dash::DashDot) };
+        self.d.shape(&format!("{id}-radius"), "centre", shape);
+    }
+
     /// A slider without a pin (a yoke): a rod through a hatched bushing.
     fn bushing(&mut self, g: GuideId, u: Vec2) {
         let Some(slider) = self.scene.guides[g.0].slider else { return };
-        let Some(root) = self.rod_root(slider.0, g, u) else { return };
+        let Some((root, taken)) = self.rod_root(slider.0, g, u) else { return };
         // Away from the fixed pivots, so that the crank does not run into the bushing.
         let pivots = (0..self.scene.points.len()).map(PointId).filter(|p| self.is_fixed_pivot(*p)).filter_map(|p| self.point(p));
         let [back, on] = self.travel(g);
@@ -115,28 +125,34 @@ impl Draft<'_> {
         let away: f64 = pivots.map(|p| (middle - p).dot(u)).sum();
         let (u, ahead) = if away < 0.0 { (-u, -back) } else { (u, on) };
         // The bushing stands where the yoke never comes; the rod reaches through it when the yoke is farthest off.
-        let centre = root + u * (ahead + BUSHING_MM + BUSHING_LENGTH_MM / 2.0);
-        let end = root + u * (on - back + BUSHING_MM + BUSHING_LENGTH_MM + 8.0);
+        let before = BUSHING_MM.max(taken + BUSHING_FREE_MM);
+        let centre = root + u * (ahead + before + BUSHING_LENGTH_MM / 2.0);
+        let end = root + u * (on - back + before + BUSHING_LENGTH_MM + 8.0);
+        let root = root + u * taken;
         let name = self.scene.links[slider.0].name.clone();
         let items = sym::guide(self.style, centre, u.angle(), BUSHING_LENGTH_MM, sym::Guide::TwoSided);
         self.d.draw(&format!("guide-{name}"), "", items);
         self.d.of_link(Some(slider.0));
         let owner = self.d.draw(&format!("link-{name}"), "", sym::link(self.style, &[root, end]));
         self.d.of_link(None);
-        self.number_at[slider.0] = Some(NumberPlace::Along(root, root + u * BUSHING_MM, owner));
+        self.number_at[slider.0] = Some(NumberPlace::Along(root, root + u * (before - taken), owner));
     }
 
-    /// Where the rod of a yoke begins: on its slot, level with a fixed pivot; at a point of it; or where its guide lies.
-    fn rod_root(&self, slider: usize, g: GuideId, u: Vec2) -> Option<Point> {
+    /// Where the rod of a yoke begins: on its slot, level with a fixed pivot; at a point of it; where a wheel rolls on it; or where its guide
+    /// lies; and how far the body that holds it reaches to both sides.
+    fn rod_root(&self, slider: usize, g: GuideId, u: Vec2) -> Option<(Point, f64)> {
         let link = &self.scene.links[slider];
         let slot = self.forms[slider].as_ref().and_then(|f| f.guide_bars.first().copied());
         if let Some((a, b)) = slot {
             let pivot = (0..self.scene.points.len()).map(PointId).find(|p| self.is_fixed_pivot(*p)).and_then(|p| self.point(p));
             let middle = a + (b - a) * 0.5;
             let crossing = cross_lines(a, b - a, pivot.unwrap_or(middle), u);
-            return Some(if crossing.at.is_finite() && crossing.sine.abs() > 0.1 { crossing.at } else { middle });
+            return Some((if crossing.at.is_finite() && crossing.sine.abs() > 0.1 { crossing.at } else { middle }, 0.0));
         }
-        link.points.iter().find_map(|p| self.point(*p)).or_else(|| self.runner(g).map(|(at, _)| at))
+        let own = link.points.iter().find_map(|p| self.point(*p));
+        let rolled = || self.scene.rolling.iter().filter(|r| r.links.iter().any(|l| l.0 == slider)).find_map(|r| self.point(r.at));
+        let along = || own.or_else(|| self.runner(g).map(|(at, _)| at)).map(|at| (at, 0.0));
+        own.is_none().then(rolled).flatten().map(|at| (at, RACK_HALF_MM)).or_else(along)
     }
 
     /// Guides carried by moving links: bars, and slots over them.

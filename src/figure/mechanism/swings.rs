@@ -1,12 +1,13 @@
 //! Swinging blocks: a link of one joint, with a guide through that joint for another link's rod (曲柄摇块, an oscillating cylinder).
 //!
 //! Decided here: such a link is the block and the runner is the rod, drawn from its pin through the block and beyond. A link with
-//! another point on it is a lever, on which a block slides ([`slides`](super::slides)).
+//! another point on it is a lever, on which a block slides ([`slides`](super::slides)); so is one that a driver turns, and one whose runner
+//! carries a guide itself.
 
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
 use crate::position::Path;
-use crate::scene::{GuideId, GuidePath, LinkId, PointId};
+use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId};
 
 use super::Draft;
 use super::letters::NumberPlace;
@@ -33,9 +34,12 @@ impl Draft<'_> {
         let [joint] = self.scene.links[guide.on.0].points[..] else { return false };
         let straight = matches!(guide.path, GuidePath::Line { .. }) && guide.rolling.is_none() && !self.is_contact(g);
         let alone = self.scene.guides.iter().filter(|o| o.on == guide.on || o.slider == Some(guide.on)).count() == 1;
-        let rod = guide.slider.is_some_and(|s| self.scene.links[s.0].points.iter().all(|p| Some(*p) == guide.pin));
+        let plain =
+            |l: LinkId| self.scene.guides.iter().all(|o| o.on != l) && self.scene.links[l.0].points.iter().all(|p| Some(*p) == guide.pin);
+        let rod = guide.slider.is_some_and(plain);
+        let turned = self.scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Turn { link, .. } if link == guide.on));
         let hangs = guide.pin.is_some_and(|p| p != joint) && guide.on != self.scene.ground && self.is_pin(joint);
-        if !(straight && alone && rod && hangs) {
+        if !(straight && alone && rod && hangs) || turned {
             return false;
         }
         match (self.guide(g), self.point(joint)) {

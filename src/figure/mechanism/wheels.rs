@@ -24,7 +24,7 @@ const RIM_MM: f64 = 1.6;
 /// Half of the angle over which the rim of the ground is hatched beside a contact.
 const HATCHED_RAD: f64 = FRAC_PI_4;
 /// A rack goes on so far to either side of the contact.
-const RACK_HALF_MM: f64 = 22.0;
+pub(super) const RACK_HALF_MM: f64 = 22.0;
 
 /// Half of that arc, in parts of the rest of the figure: it passes behind all of it.
 const ARC_PART: f64 = 0.6;

@@ -96,6 +96,15 @@ pub(super) fn pole_letter(scene: &Scene, plan: &Plan, usual: &str) -> String {
     [usual, "p", "o", "q", "z"].into_iter().find(|l| !taken(l)).unwrap_or("z").to_owned()
 }
 
+/// Whether the image of something that moves bears this letter, with or without a number.
+pub(super) fn is_image(scene: &Scene, plan: &Plan, letter: &str) -> bool {
+    let bears = |s: Spot| match s {
+        Spot::Point(p) => Parts::of(scene.point_name(p)).head.eq_ignore_ascii_case(letter),
+        Spot::Special(k) => Parts::of(&special_name(scene, plan, k)).head.eq_ignore_ascii_case(letter),
+    };
+    plan.vertices.iter().any(|v| !v.fixed && bears(v.spot))
+}
+
 /// A name that ends in a number: what stands before, the number, the primes after it. Others are all head; in those, the primes
 /// are part of the head too.
 struct Parts<'a> {

@@ -3,7 +3,7 @@
 //! A vector that starts at a fixed point is written as an absolute one (v_C, not v_CD), as every textbook does.
 
 pub use super::names::point_label;
-use super::names::{image_label, image_of, name_label, numbered, pole_letter, small, special_name};
+use super::names::{image_label, image_of, is_image, name_label, numbered, pole_letter, small, special_name};
 use super::notation::Notation;
 use super::{Body, By, Chain, Plan, Spot, Step, Term, TermKind, VertexId};
 use crate::diag::{Both, both};
@@ -220,24 +220,25 @@ impl Writer<'_> {
     }
 
     /// The end of a part of the acceleration of a point: `n'_B`, `k'`, written with the image letter of the point in
-    /// the subscript, as n_b′.
+    /// the subscript, as n_b′. The Greek letter stands where the image of a point is n or k already.
     pub fn part(&self, level: Level, t: &Term) -> String {
-        let letter = Self::part_letter(t.kind);
+        let (letter, other) = Self::part_letters(t.kind);
         // Two parts of one point, such as aⁿ_C and aⁿ_CB, are told apart by the point from which the second is seen.
-        let shared = self.plan.terms(level).any(|u| Self::part_letter(u.kind) == letter && u.of == t.of && u.to != t.to);
+        let shared = self.plan.terms(level).any(|u| Self::part_letters(u.kind).0 == letter && u.of == t.of && u.to != t.to);
         let to = if shared && !self.is_absolute(level, t) { self.small(t.to) } else { String::new() };
         // Over one pin in two slots of a link there are two parts of one name; the second has a prime more.
-        let twin = |u: &Term| Self::part_letter(u.kind) == letter && (u.of, u.to) == (t.of, t.to);
+        let twin = |u: &Term| Self::part_letters(u.kind).0 == letter && (u.of, u.to) == (t.of, t.to);
         let before = self.plan.terms(level).filter(twin).take_while(|u| u.is_same(t).is_none()).count();
+        let letter = if is_image(self.scene, self.plan, letter) { other } else { letter };
         format!("{letter}{}{}_{{{}{to}}}", prime(level), "'".repeat(before), self.small(t.of))
     }
 
-    fn part_letter(kind: TermKind) -> &'static str {
+    fn part_letters(kind: TermKind) -> (&'static str, &'static str) {
         match kind {
-            TermKind::Normal | TermKind::SlideNormal => "n",
-            TermKind::Coriolis => "k",
-            TermKind::Tangential => "t",
-            TermKind::Relative | TermKind::Slide | TermKind::Extension | TermKind::Roll => "r",
+            TermKind::Normal | TermKind::SlideNormal => ("n", "\\nu"),
+            TermKind::Coriolis => ("k", "\\kappa"),
+            TermKind::Tangential => ("t", "\\tau"),
+            TermKind::Relative | TermKind::Slide | TermKind::Extension | TermKind::Roll => ("r", "\\rho"),
         }
     }
 
@@ -254,51 +255,6 @@ impl Writer<'_> {
                     ([], None) => letter.into(),
                 }
             }
-        }
-    }
-
-    /// The name of a guide's direction where it runs along no line of two points and no axis: t–t, that of link 3 t₃.
-    pub fn tangent(&self, g: GuideId) -> Option<String> {
-        use crate::scene::Direction::{Along, Instant, Own};
-        let guide = &self.scene.guides[g.0];
-        let GuidePath::Line { through, direction, offset } = &guide.path else { return None };
-        match direction {
-            Along(_, _, None) => None,
-            Own if offset.is_none() && matches!(through, crate::scene::Through::Point(_)) => None,
-            Instant(_) if self.plan.still[guide.on.0] => self.axis(g).is_none().then(|| "t\\text{–}t".into()),
-            Along(..) | Own | Instant(_) => Some(format!("t_{{{}}}", name_label(self.scene.link_name(guide.on)))),
-        }
-    }
-
-    /// The axis along which a guide that stands still runs.
-    fn axis(&self, g: GuideId) -> Option<&'static str> {
-        let guide = &self.scene.guides[g.0];
-        match &guide.path {
-            GuidePath::Line { direction: crate::scene::Direction::Instant(angle), .. } if self.plan.still[guide.on.0] => {
-                match angle.value {
-                    crate::scene::Angle::Deg(d) if d.rem_euclid(180.0) == 0.0 => Some("x"),
-                    crate::scene::Angle::Deg(d) if d.rem_euclid(180.0) == 90.0 => Some("y"),
-                    crate::scene::Angle::Deg(_) | crate::scene::Angle::Rad(_) => None,
-                }
-            }
-            GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
-        }
-    }
-
-    /// The name of a guide's direction: the line of two points it runs along, an axis, else t.
-    pub fn guide_line(&self, g: GuideId) -> String {
-        if let Some(own) = self.axis(g).map(str::to_owned).or_else(|| self.tangent(g)) {
-            return own;
-        }
-        let guide = &self.scene.guides[g.0];
-        let p = |q: crate::scene::PointId| point_label(self.scene.point_name(q));
-        let from = |start: crate::scene::PointId| format!("{}{}", p(start), guide.pin.map(p).unwrap_or_default());
-        match &guide.path {
-            GuidePath::Line { direction: crate::scene::Direction::Along(a, b, _), .. } => format!("{}{}", p(*a), p(*b)),
-            GuidePath::Line { through: crate::scene::Through::Point(a), .. } => from(*a),
-            // Without two points a guide has been named above.
-            GuidePath::Line { .. } => String::new(),
-            GuidePath::Arc { centre, .. } => from(*centre),
         }
     }
 

@@ -31,6 +31,23 @@ pub fn ground_line(style: &Style, from: Point, to: Point) -> Vec<Item> {
     ]
 }
 
+/// An arc of ground, hatched on the side away from its centre or towards it.
+pub fn ground_arc(style: &Style, centre: Point, radius_mm: f64, [from_rad, to_rad]: [f64; 2], outside: bool) -> Vec<Item> {
+    let side = if outside { 1.0 } else { -1.0 };
+    let count = ((to_rad - from_rad) * radius_mm / style.hatch_pitch_mm).floor().max(1.0);
+    let stroke = |k: f64| {
+        let out = Vec2::from_angle(from_rad + (to_rad - from_rad) * (k + 0.5) / count);
+        let foot = centre + out * radius_mm;
+        [Piece::Move(foot), Piece::Line(foot + (out * side + out.perp()) * style.hatch_depth_mm)]
+    };
+    let start = centre + Vec2::from_angle(from_rad + (to_rad - from_rad) * 0.5 / count) * radius_mm;
+    let pieces = (0..count as usize).flat_map(|k| stroke(k as f64)).skip(1).collect();
+    vec![
+        Item::new("ground hatch", Shape::Path { start, pieces, closed: false, stroke: Some(style.thin), fill: None }),
+        Item::new("ground line", Shape::Arc { centre, radius_mm, from_rad, to_rad, stroke: style.outline }),
+    ]
+}
+
 /// A revolute joint on the ground: triangle, hatched ground line and pin. `towards` is the direction from the joint
 /// to the ground, usually down; a zero vector is taken as down.
 pub fn fixed_pivot(style: &Style, at: Point, towards: Vec2) -> Vec<Item> {

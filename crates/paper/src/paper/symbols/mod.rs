@@ -10,7 +10,7 @@ mod link;
 mod mark;
 mod slide;
 
-pub use joint::{dot, fixed_pivot, ground_line, pin, wedge};
+pub use joint::{dot, fixed_pivot, ground_arc, ground_line, pin, wedge};
 pub use link::{dashed, link, plate, weld};
 pub use mark::{angle, dimension, dimension_line, rotation, scale_bar};
 pub use slide::{Guide, block, cylinder, guide, slot, slot_arc};

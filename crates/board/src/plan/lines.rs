@@ -1,0 +1,67 @@
+//! Names of the lines along which guides run: BC, x, t–t, t₃.
+
+use super::names::{name_label, point_label};
+use super::text::Writer;
+use crate::scene::{Angle, Direction, GuideId, GuidePath, PointId, Through};
+
+impl Writer<'_> {
+    /// The name of a guide's direction where it runs along no line of two points and no axis: t–t, that of link 3 t₃.
+    pub fn tangent(&self, g: GuideId) -> Option<String> {
+        use Direction::{Along, Instant, Own};
+        let guide = &self.scene.guides[g.0];
+        let GuidePath::Line { through, direction, offset } = &guide.path else { return None };
+        match direction {
+            Along(_, _, None) => None,
+            Own if offset.is_none() && matches!(through, Through::Point(_)) => None,
+            Instant(_) if guide.on == self.scene.ground => self.axis(g).is_none().then(|| self.oblique(g)),
+            Instant(_) if self.axis(g).is_some() => None,
+            Along(..) | Own | Instant(_) => Some(format!("t_{{{}}}", name_label(self.scene.link_name(guide.on)))),
+        }
+    }
+
+    /// An oblique guide of the ground: t–t, and where there are several, each by what runs in it.
+    fn oblique(&self, g: GuideId) -> String {
+        let of_ground = |k: &usize| {
+            let guide = &self.scene.guides[*k];
+            let straight = matches!(&guide.path, GuidePath::Line { direction: Direction::Instant(_), .. });
+            straight && guide.on == self.scene.ground && guide.rolling.is_none() && self.axis(GuideId(*k)).is_none()
+        };
+        if (0..self.scene.guides.len()).filter(of_ground).count() < 2 {
+            return "t\\text{–}t".into();
+        }
+        let guide = &self.scene.guides[g.0];
+        let runner =
+            guide.pin.map(|p| point_label(self.scene.point_name(p))).or_else(|| Some(name_label(self.scene.link_name(guide.slider?))));
+        format!("t_{{{}}}", runner.unwrap_or_default())
+    }
+
+    /// The axis along which a guide that stands still runs.
+    fn axis(&self, g: GuideId) -> Option<&'static str> {
+        let guide = &self.scene.guides[g.0];
+        match &guide.path {
+            GuidePath::Line { direction: Direction::Instant(angle), .. } if self.plan.still[guide.on.0] => match angle.value {
+                Angle::Deg(d) if d.rem_euclid(180.0) == 0.0 => Some("x"),
+                Angle::Deg(d) if d.rem_euclid(180.0) == 90.0 => Some("y"),
+                Angle::Deg(_) | Angle::Rad(_) => None,
+            },
+            GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
+        }
+    }
+
+    /// The name of a guide's direction: the line of two points it runs along, an axis, else t.
+    pub fn guide_line(&self, g: GuideId) -> String {
+        if let Some(own) = self.axis(g).map(str::to_owned).or_else(|| self.tangent(g)) {
+            return own;
+        }
+        let guide = &self.scene.guides[g.0];
+        let p = |q: PointId| point_label(self.scene.point_name(q));
+        let from = |start: PointId| format!("{}{}", p(start), guide.pin.map(p).unwrap_or_default());
+        match &guide.path {
+            GuidePath::Line { direction: Direction::Along(a, b, _), .. } => format!("{}{}", p(*a), p(*b)),
+            GuidePath::Line { through: Through::Point(a), .. } => from(*a),
+            // Without two points a guide has been named above.
+            GuidePath::Line { .. } => String::new(),
+            GuidePath::Arc { centre, .. } => from(*centre),
+        }
+    }
+}

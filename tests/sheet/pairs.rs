@@ -1,0 +1,100 @@
+//! The figure shows the pairs that the scene names: what is a block and what a lever, with the rates that are given.
+
+use hodograph::figure::item::{Item, Shape};
+use hodograph::figure::mechanism::mechanism;
+use hodograph::figure::style::Style;
+use hodograph::geom::Point;
+use hodograph::plan::notation::Notation;
+use hodograph::scene::{self, Lang, templates};
+use hodograph::worked::{Scope, work};
+
+fn drawn(text: &str) -> Vec<Item> {
+    let scene = scene::read(text).unwrap_or_else(|f| panic!("{f}")).value;
+    let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{f}")).value;
+    mechanism(&Style::default(), &scene, &worked, &Notation::of_language(Lang::En)).items
+}
+
+/// The links that are drawn as blocks, by number in the scene.
+fn blocks(items: &[Item]) -> Vec<String> {
+    let mut names: Vec<String> =
+        items.iter().filter(|i| i.class.ends_with("slider")).map(|i| i.id.trim_start_matches("mechanism-").to_owned()).collect();
+    names.sort();
+    names
+}
+
+fn written(items: &[Item]) -> Vec<&str> {
+    fn label(i: &Item) -> Option<&str> {
+        match &i.shape {
+            Shape::Label { label, .. } => Some(label.source()),
+            _ => None,
+        }
+    }
+    items.iter().filter_map(label).collect()
+}
+
+/// A lever that is its pivot and a slot, the block on it in a guide of the ground or on a wire.
+const LEVER: &str = r#"{"links": {"1": ["O"], "2": ["O"]}, "ground": "1", "points": {"O": [0, 0]},
+    "guides": [{"pin": "B", "slider": "3", "on": "2", "through": "O"},
+               {"pin": "B", "slider": "4", "on": "1", "through": ["300 mm", 0], "angle": "90 deg"}],
+    "driver": {"link": "2", "angle": "25 deg", "omega": "2 rad/s", "alpha": "-1 rad/s^2"}, "find": ["v_B"]}"#;
+
+#[test]
+fn a_driven_lever_is_no_swinging_block() {
+    let items = drawn(LEVER);
+    assert_eq!(blocks(&items), ["link-3", "link-4"]);
+    for rate in ["\\omega_{2}", "\\alpha_{2}", "\\varphi_{2}"] {
+        assert!(written(&items).contains(&rate), "{rate}: {:?}", written(&items));
+    }
+}
+
+#[test]
+fn what_swings_about_one_joint_is_a_block() {
+    assert_eq!(blocks(&drawn(templates::get("oscillating-cylinder").unwrap())), ["link-3"]);
+}
+
+#[test]
+fn both_arms_of_a_cross_are_drawn() {
+    let oldham = r#"{"links": {"1": ["A", "B"], "2": ["A"], "3": ["P"], "4": ["B"]}, "ground": "1", "lengths": {"AB": "35 mm"},
+        "points": {"P": ["35 mm*cos(50 deg)^2", "35 mm*cos(50 deg)*sin(50 deg)"]},
+        "guides": [{"slider": "3", "on": "2", "pin": "P", "through": "A"},
+                   {"pin": "B", "slider": "4", "on": "3", "through": "P", "angle": "140 deg"}],
+        "driver": {"link": "2", "omega": "12 rad/s"}, "find": ["omega_4"]}"#;
+    let items = drawn(oldham);
+    let blocks = blocks(&items);
+    assert!(matches!(&blocks[..], [a, b] if a.starts_with("link-3") && b.starts_with("link-4")), "{blocks:?}");
+    let bars = |link: usize| items.iter().filter(|i| i.link == Some(link) && i.class.ends_with("link")).count();
+    assert_eq!([bars(1), bars(2)], [1, 1], "a lever 2, and the other arm of 3");
+}
+
+#[test]
+fn a_plank_is_guided_where_it_lies() {
+    let plank = r#"{"links": {"1": ["O"], "2": ["O", "A"], "3": ["A", "C"], "4": ["C"], "5": []}, "ground": "1", "points": {"O": [0, 0]},
+        "lengths": {"OA": "150 mm", "AC": "500 mm"}, "guides": [{"slider": "5", "angle": "0 deg"}],
+        "rolling": [{"wheel": "4", "centre": "C", "radius": "80 mm", "on": "1", "through": [0, "-130 mm"], "angle": "0 deg", "at": "N"},
+                    {"wheel": "4", "centre": "C", "radius": "80 mm", "on": "5", "angle": "180 deg", "at": "T"}],
+        "driver": {"link": "2", "angle": "60 deg", "omega": "5 rad/s"}, "side": {"C": "right of OA"}, "find": ["v_T5"]}"#;
+    let items = drawn(plank);
+    let level = |i: &Item| match i.shape {
+        Shape::Line { from, to, .. } if i.id.ends_with("link-5") || i.id.ends_with("track-T") => Some([from, to]),
+        _ => None,
+    };
+    let ends: Vec<Point> = items.iter().filter_map(level).flatten().collect();
+    assert!(ends.len() >= 4, "body and track: {ends:?}");
+    assert!(ends.iter().all(|p| (p.y - ends[0].y).abs() < 1e-9), "{ends:?}");
+}
+
+#[test]
+fn oblique_guides_have_names_of_their_own() {
+    let bars = r#"{"links": {"1": ["O"], "2": ["A"], "3": ["B"]}, "ground": "1",
+        "points": {"O": [0, 0], "A": ["-0.3 m*cos(20 deg)", "-0.3 m*sin(20 deg)"], "B": ["-0.2 m*cos(100 deg)", "-0.2 m*sin(100 deg)"],
+                   "M": [0, 0]},
+        "guides": [{"pin": "A", "slider": "2", "angle": "110 deg"}, {"pin": "B", "slider": "3", "angle": "190 deg"},
+                   {"pin": "M", "on": "2", "through": "A", "angle": "20 deg"}, {"pin": "M", "on": "3", "through": "B", "angle": "100 deg"}],
+        "driver": [{"slide": "A", "velocity": "0.4 m/s"}, {"slide": "B", "velocity": "0.25 m/s"}], "find": ["v_M"]}"#;
+    let items = drawn(bars);
+    let names: Vec<&str> = written(&items).into_iter().filter(|t| t.starts_with("t_") || t.starts_with("t\\")).collect();
+    let mut different = names.clone();
+    different.sort_unstable();
+    different.dedup();
+    assert_eq!((names.len(), different.len()), (4, 4), "{names:?}");
+}
