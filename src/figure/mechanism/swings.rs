@@ -7,7 +7,7 @@
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
 use crate::position::Path;
-use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId};
+use crate::scene::{GuideId, GuidePath, LinkId, PointId};
 
 use super::Draft;
 use super::letters::NumberPlace;
@@ -37,7 +37,7 @@ impl Draft<'_> {
         let plain =
             |l: LinkId| self.scene.guides.iter().all(|o| o.on != l) && self.scene.links[l.0].points.iter().all(|p| Some(*p) == guide.pin);
         let rod = guide.slider.is_some_and(plain);
-        let turned = self.scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Turn { link, .. } if link == guide.on));
+        let turned = self.scene.drivers.iter().any(|d| d.kind.turns_link(guide.on));
         let hangs = guide.pin.is_some_and(|p| p != joint) && guide.on != self.scene.ground && self.is_pin(joint);
         if !(straight && alone && rod && hangs) || turned {
             return false;
