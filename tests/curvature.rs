@@ -314,6 +314,35 @@ fn cardans_centrodes_are_circles() {
     assert!(poles.len() > 100 && poles.iter().all(|p| (p.distance(centre) - radius).abs() < 1e-9 * radius));
 }
 
+/// The moving centrode of a wheel is its contour, and is dashed all round though the pole goes round it many times.
+#[test]
+fn the_moving_centrode_of_a_planet_is_one_dashed_circle() {
+    use hodograph::figure::item::{Dash, Shape};
+    use hodograph::figure::list::{Extras, Wanted, named};
+    use hodograph::figure::sheet::Options;
+    use hodograph::worked::{Scope, work};
+    let scene = read(
+        r#"{"links": {"1": ["O"], "2": ["O", "Q"], "3": ["Q", "M"]}, "ground": "1",
+        "points": {"O": [0, 0], "Q": ["60 mm*cos(35 deg)", "60 mm*sin(35 deg)"], "M": ["60 mm", "60 mm"]},
+        "gears": [{"links": ["3", "1"], "centres": ["Q", "O"], "radii": ["40 mm", "100 mm"], "ring": "1"}],
+        "driver": {"link": "2", "omega": "3 rad/s"}}"#,
+    );
+    let worked = work(&scene, Scope::Figure).unwrap().value;
+    let options = Options::of_language(scene::Lang::En);
+    let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
+    let pages = (named("centrodes").unwrap().draw)(&wanted).unwrap().value;
+    let (_, page) = pages.iter().find(|(_, p)| p.desc.contains("QM")).unwrap();
+    let round = |i: &hodograph::figure::item::Item| match i.shape {
+        Shape::Arc { centre, radius_mm, stroke, .. } if radius_mm > 20.0 => Some((centre, radius_mm, stroke.dash)),
+        _ => None,
+    };
+    let circles: Vec<_> = page.items.iter().filter_map(round).collect();
+    let dashed: Vec<_> = circles.iter().filter(|c| c.2 == Dash::Dashed).collect();
+    let [(centre, radius, _)] = dashed[..] else { panic!("{circles:?}") };
+    let over = circles.iter().filter(|c| c.0.distance(*centre) < 1e-6 && (c.1 - radius).abs() < 1e-6).count();
+    assert_eq!(over, 1, "nothing is drawn over the dashes: {circles:?}");
+}
+
 /// Labels stand clear of one another on all figures, over positions and in both languages.
 #[test]
 fn labels_do_not_overlap() {

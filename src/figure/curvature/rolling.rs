@@ -15,14 +15,21 @@ use crate::figure::list::Wanted;
 use crate::figure::mechanism;
 use crate::figure::place::LabelRequest;
 use crate::figure::sheet::Maker;
-use crate::geom::{Point, Vec2};
+use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::Level;
 use crate::report::curvature::Words;
 
 use super::board::Board;
+use std::f64::consts::TAU;
 
 /// Paper around the mechanism for the branches.
 const REACH_MM: f64 = 45.0;
+/// Centrodes that take no more than this are drawn whole.
+const WHOLE_MM: f64 = 240.0;
+/// A path whose places are all so near to a circle is one.
+const SAME_MM: f64 = 1e-6;
+/// Where the letter of such a circle stands.
+const LETTERED_RAD: [f64; 2] = [4.2, 5.2];
 /// Parts of the way between two stations.
 const PARTS: usize = 8;
 
@@ -36,16 +43,27 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
     let words = Words { found, lang: w.options.lang };
     let (style, diagram) = (&w.options.style, &w.worked.construction.diagram);
     let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu_l)).to_point();
-    let d = mechanism::numbered(style, w.scene, w.worked, &w.options.notation);
-    let reach = d.bounds().grown(REACH_MM);
+    let d = mechanism::rolling(style, w.scene, w.worked, &w.options.notation, [of.link, found.against]);
     // Branches that stay near need no more paper than they take.
     let all = || paths.stations.iter().flatten().flat_map(|s| [s.fixed, s.moving].map(|v| to_paper((v * (1.0 / s.omega)).to_point())));
+    let whole = all().fold(d.bounds(), |all, p| all.union(Rect::new(p, p)));
+    let reach = if whole.width_mm().max(whole.height_mm()) < WHOLE_MM { whole } else { d.bounds().grown(REACH_MM) };
     let now = of.pole().map(|p| to_paper(p.pole)).filter(|p| holds(d.bounds().grown(2.0 * REACH_MM), *p));
     let window = all().filter(|p| holds(reach, *p)).chain(now).fold(d.bounds(), |all, p| all.union(Rect::new(p, p))).grown(3.0);
     let mut board = Board::new(style, d, window);
     let kinds: [Kind; 2] = [("fixed", |s| s.fixed, style.vector), ("moving", |s| s.moving, style.vector.dashed(Dash::Dashed))];
     for (name, over, stroke) in kinds {
+        let symbol = if name == "fixed" { "p" } else { "p'" };
         let stations: Vec<Option<(Vec2, f64)>> = paths.stations.iter().map(|s| s.as_ref().map(|s| (over(s), s.omega))).collect();
+        if let Some((centre, radius_mm)) = whole_circle(&stations, window, &to_paper) {
+            let circle = Shape::Arc { centre, radius_mm, from_rad: 0.0, to_rad: TAU, stroke };
+            let mut owner = 0;
+            board.d.behind(|d| owner = d.shape(name, "centrode", circle));
+            let request =
+                LabelRequest::along_arc(Label::math(symbol), style.label_mm, centre, radius_mm, LETTERED_RAD, stroke.width_mm / 2.0);
+            board.d.label(name, "centrode", request.owned(owner));
+            continue;
+        }
         let runs = runs(&stations, paths.closed, window, &to_paper);
         let longest = runs.iter().enumerate().max_by_key(|(_, r)| r.len()).map(|(k, _)| k);
         for (k, points) in runs.into_iter().enumerate() {
@@ -56,7 +74,6 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
                 .d
                 .behind(|d| owner = d.shape(name, "centrode", Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None }));
             if let (Some((from, to)), true) = (near, Some(k) == longest) {
-                let symbol = if name == "fixed" { "p" } else { "p'" };
                 board.d.label(
                     name,
                     "centrode",
@@ -82,6 +99,24 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
     let mut figure = maker.alone(part);
     figure.desc = format!("{} – {}", maker.words().centrodes, words.heading(of));
     Ok(figure)
+}
+
+/// The circle that a path goes round, once or several times: drawn once, for rounds of dashes would fill each other's gaps.
+fn whole_circle(stations: &[Option<(Vec2, f64)>], window: Rect, to_paper: &dyn Fn(Point) -> Point) -> Option<(Point, f64)> {
+    let place = |s: &Option<(Vec2, f64)>| s.map(|(over, omega)| to_paper((over * (1.0 / omega)).to_point()));
+    let places: Vec<Point> = stations.iter().map(place).collect::<Option<_>>()?;
+    let [a, .., _] = places[..] else { return None };
+    // The perpendicular bisectors of two chords: the longest from the first place, and that to the place farthest from it.
+    let b = places.iter().copied().max_by(|p, q| a.distance(*p).total_cmp(&a.distance(*q)))?;
+    let off = |p: &Point| (*p - a).cross(b - a).abs();
+    let c = places.iter().copied().max_by(|p, q| off(p).total_cmp(&off(q)))?;
+    let centre = cross_lines(a + (b - a) * 0.5, (b - a).perp(), a + (c - a) * 0.5, (c - a).perp()).at;
+    let radius = centre.distance(a);
+    let even = radius.is_finite() && places.iter().all(|p| (centre.distance(*p) - radius).abs() < SAME_MM);
+    let turn = |w: &[Point]| (w[0] - centre).cross(w[1] - centre) / (radius * radius);
+    let around: f64 = places.windows(2).map(|w| libm::asin(turn(w).clamp(-1.0, 1.0))).sum();
+    let held = holds(window, centre + Vec2::new(radius, radius)) && holds(window, centre - Vec2::new(radius, radius));
+    (even && held && around.abs() > TAU * (1.0 - 2.0 / STEPS as f64)).then_some((centre, radius))
 }
 
 /// The pieces of a path that the paper holds.

@@ -94,6 +94,17 @@ pub fn numbered(style: &Style, scene: &Scene, worked: &Worked, notation: &Notati
     draft.d
 }
 
+/// The same without the contours by which one of its links rolls on another: they are its centrodes.
+pub fn rolling(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, links: [LinkId; 2]) -> Drawing {
+    let alone = Course::default();
+    let mut draft = Draft::new(style, scene, worked, notation, &alone);
+    draft.constructed = false;
+    draft.rolling = Some(links);
+    draft.everything();
+    draft.numbers();
+    draft.d
+}
+
 /// The diagram in the making.
 struct Draft<'a> {
     style: &'a Style,
@@ -117,6 +128,8 @@ struct Draft<'a> {
     constructed: bool,
     /// Whether given angles are written with their values.
     dimensioned: bool,
+    /// Two links whose contours are left out where they roll on one another: the first moves.
+    rolling: Option<[LinkId; 2]>,
     /// What is shown of a mechanism that is drawn apart; `None`: all of it.
     only: Option<apart::Only>,
 }
@@ -139,6 +152,7 @@ impl<'a> Draft<'a> {
             course,
             constructed: true,
             dimensioned: false,
+            rolling: None,
             only: None,
         };
         draft.forms = (0..scene.links.len()).map(|l| draft.form(LinkId(l))).collect();

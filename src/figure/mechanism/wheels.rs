@@ -120,7 +120,8 @@ impl Draft<'_> {
         // A line and no disc: labels may stand inside.
         let [from_rad, to_rad] = self.span(pair, round);
         let circle = |radius_mm, stroke| Shape::Arc { centre: round.centre, radius_mm, from_rad, to_rad, stroke };
-        let owner = self.d.shape(&id, class, circle(round.radius_mm, stroke));
+        let traced = self.rolling.is_some_and(|links| round.link == links[0] && pair.links.iter().all(|l| links.contains(l)));
+        let owner = if traced { 0 } else { self.d.shape(&id, class, circle(round.radius_mm, stroke)) };
         if round.hollow && pair.toothed && !ground {
             self.d.shape(&id, class, circle(round.radius_mm + RIM_MM, self.style.outline));
         }

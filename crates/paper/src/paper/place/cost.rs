@@ -159,7 +159,8 @@ impl<'a> Around<'a> {
             let reach = Rect::new(a, b);
             let near = self.bars.iter().filter(|l| !l.own && !l.meets && touch(reach, l.bounds));
             let crossed = near.filter(|l| crosses(a, b, l.bar.from, l.bar.to));
-            cost += LEADER_CROSSES * crossed.count() as f64;
+            let texts = self.rects.iter().filter(|r| clipped_mm(a, b, ***r) > 0.0);
+            cost += LEADER_CROSSES * crossed.count() as f64 + TOUCH * texts.count() as f64;
         }
         cost
     }
