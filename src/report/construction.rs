@@ -216,6 +216,10 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
                     factor(book, level, p.mu),
                     book.text(Kind::Length, &tell(What::Arm, book.value(Kind::Length, m.arm))),
                 ),
+                None if w.plan.is_still(r.body) => match w.lang {
+                    Lang::En => format!("The link does not turn: ${symbol}$ = 0."),
+                    Lang::Zh => format!("构件作平动：${symbol}$ = 0。"),
+                },
                 None => format!("{given}${symbol}$ {is} ${value}${sense}{stop}"),
             }
         }

@@ -379,6 +379,11 @@ pub struct Plan {
 }
 
 impl Plan {
+    /// Whether a body never turns.
+    pub fn is_still(&self, body: Body) -> bool {
+        matches!(body, Body::Link(l) if self.still[l.0])
+    }
+
     /// The vertex.
     pub fn vertex(&self, v: VertexId) -> &Vertex {
         &self.vertices[v.0]
