@@ -54,7 +54,7 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
         }
     }
     // A place of contact is a point of both links, and of none by itself.
-    let by_itself = |p: &OnLink| scene.rolling.iter().all(|pair| pair.at != p.point);
+    let by_itself = |p: &OnLink| scene.rolling.iter().all(|pair| !pair.at.contains(&p.point));
     let points = (0..scene.points.len()).map(|p| pin(hodograph::scene::PointId(p)));
     let movers: Vec<OnLink> = points.filter(moving).filter(by_itself).collect();
     if let [first, .., last] = movers[..] {

@@ -145,6 +145,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         match rolling.contours {
             Contours::Circles { .. } => line * (a * b / ((a + b) * (a + b))),
             Contours::Track { .. } => line,
+            Contours::Belt { .. } => unreachable!("what the ends of a strand differ by across it is never known"),
         }
     }
 

@@ -72,11 +72,13 @@ pub fn size(scene: &Scene, at: &Configuration) -> [f64; 2] {
 fn circles(pair: &Rolling, at: &Configuration) -> Vec<(Point, f64, bool)> {
     let hollow = match pair.contours {
         Contours::Circles { hollow, .. } => hollow,
-        Contours::Track { .. } => None,
+        Contours::Track { .. } | Contours::Belt { .. } => None,
     };
-    let Some(contact) = at.points[pair.at.0] else { return Vec::new() };
-    let centres = pair.centres().into_iter().enumerate().filter_map(|(i, p)| Some((i, at.points[p?.0]?)));
-    centres.map(|(i, centre)| (centre, centre.distance(contact), hollow == Some(i))).collect()
+    let round = |i: usize| {
+        let centre = at.points[pair.centres()[i]?.0]?;
+        Some((centre, centre.distance(at.points[pair.at[i].0]?), hollow == Some(i)))
+    };
+    [0, 1].into_iter().filter_map(round).collect()
 }
 
 /// Points round the profile of a cam, one for each ten degrees.

@@ -8,6 +8,7 @@
 //! The result is a [`Configuration`]: all that the drawing board and the loop equations share.
 
 mod assemble;
+pub mod belt;
 mod branch;
 mod configure;
 mod coupled;
