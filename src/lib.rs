@@ -117,7 +117,7 @@
 //! accuracy   diag digits number geom scene mechanism position answer motion plan construct analytic
 //! worked     diag digits geom scene mechanism position answer plan construct analytic accuracy
 //! certified  diag digits number geom scene mechanism position answer motion plan construct accuracy worked
-//! effort     diag number geom scene mechanism position answer motion plan construct analytic accuracy worked certified
+//! effort     diag number geom scene mechanism position answer motion plan construct analytic sweep accuracy worked certified
 //! gears      geom
 //! trains     scene
 //! centres    diag geom scene mechanism position answer worked certified
