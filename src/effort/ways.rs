@@ -13,11 +13,11 @@ use crate::construct::pencil::Single;
 use crate::construct::scale::Boxes;
 use crate::construct::{self, Layout};
 use crate::diag::{Diagnostic, Faults, both};
-use crate::mechanism::{Level, Mechanism};
+use crate::mechanism::Level;
 use crate::number::{Ball, Big, Dd, Kept, Real, within};
 use crate::position::{Configuration, newton};
 use crate::scene::{Scene, driver_position, with_driver_at};
-use crate::sweep::extreme::limits;
+use crate::sweep::extreme::ends;
 use crate::worked::{Scope, Worked, work};
 use crate::{motion, position};
 use std::hint::black_box;
@@ -163,10 +163,8 @@ pub struct Near {
 /// Nothing stops the driver, or the pose is given by coordinates.
 pub fn toward_toggle(scene: &Scene, watch: Watch) -> Result<Vec<Near>, Faults> {
     let start = driver_position(scene, 0);
-    let mechanism = Mechanism::new(scene)?.value;
-    let ends = limits(scene, &mechanism, 0)?.range.ends;
-    let values = ends.iter().flatten().map(|limit| limit.value);
-    let nearest = start.and_then(|s| values.min_by(|a, b| (a - s).abs().total_cmp(&(b - s).abs())));
+    let ends = ends(scene, 0)?.into_iter().flatten();
+    let nearest = start.and_then(|s| ends.min_by(|a, b| (a - s).abs().total_cmp(&(b - s).abs())));
     let (Some(start), Some(limit)) = (start, nearest) else {
         let why = if start.is_none() {
             both!("the pose is given by coordinates", "位置由坐标给定")

@@ -253,7 +253,7 @@ fn printed_lengths_are_distances_in_the_svg() {
                 let level = find.what.level();
                 let kind = if level == Level::Acceleration { "acceleration" } else { "velocity" };
                 let place = |k: usize| {
-                    let id = hodograph::figure::drawing::id(kind, &format!("mark-{}", mark(&w, level, &m.marks[k].0)));
+                    let id = hodograph::paper::drawing::id(kind, &format!("mark-{}", mark(&w, level, &m.marks[k].0)));
                     let node = by_id(&id).unwrap_or_else(|| panic!("{name}: no mark {id} for {}", find.text));
                     assert!(node.attribute("class").unwrap().split(' ').any(|c| c == "mark"));
                     let number = |key: &str| node.attribute(key).unwrap().parse::<f64>().unwrap();
