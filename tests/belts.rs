@@ -182,6 +182,22 @@ fn a_program_builds_a_belt() {
     assert!(chain.json().contains("\"chains\""), "{}", chain.json());
 }
 
+/// An arm that a belt moves is found with its rod and rocker: where these let it go no farther, they are named.
+#[test]
+fn a_limit_names_the_links_that_a_belt_moves() {
+    let scene = read(
+        r#"{"units": {"length": "mm"}, "links": {"1": ["O", "D"], "2": ["O", "P"], "3": ["O"], "4": ["P", "B"], "5": ["B", "D"]}, "ground": "1",
+        "points": {"O": [0, 0], "P": [120, 50], "B": [170, 60], "D": [260, -30]},
+        "belts": [{"pulleys": ["3", "4"], "centres": ["O", "P"], "radii": [30, 45]}],
+        "driver": {"link": "3", "omega": "-7 rad/s", "alpha": "3 rad/s^2"}, "find": ["v_B", "a_B", "omega_4", "alpha_4", "v_M3", "v_N4"]}"#,
+    );
+    solved(&scene);
+    let mechanism = Mechanism::new(&scene).unwrap().value;
+    let limits = extreme::limits(&scene, &mechanism, 0).unwrap_or_else(|f| panic!("{f}"));
+    let ends: Vec<_> = limits.range.ends.iter().flatten().collect();
+    assert!(!ends.is_empty() && ends.iter().all(|e| !e.links.is_empty()), "{ends:?}");
+}
+
 fn errors(f: &Faults) -> Vec<&'static str> {
     f.list.iter().filter(|d| d.severity == Severity::Error).map(|d| d.code).collect()
 }

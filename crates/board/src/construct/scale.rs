@@ -8,6 +8,23 @@ use crate::plan::{Plan, Step};
 use crate::position::Configuration;
 use crate::scene::{Cam, Contours, Paper, Rolling, Scene};
 
+/// A velocity (m/s) or an acceleration (m/s²), by the polygon's level. Laid-off and measured vectors are millimetres: the two do not mix, and only a
+/// scale μ leads from the one to the other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Si<N>(pub Vec2<N>);
+
+impl<N: Real> Si<N> {
+    /// What is measured on paper (mm), to a scale.
+    pub fn measured(drawn_mm: Vec2<N>, mu: f64) -> Si<N> {
+        Si(drawn_mm * number(mu))
+    }
+
+    /// As it is laid off on paper (mm), to a scale.
+    pub fn laid_off(self, mu: f64) -> Vec2<N> {
+        self.0 * (N::from_f64(1.0) / number(mu))
+    }
+}
+
 /// Room for each drawing, in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boxes {
