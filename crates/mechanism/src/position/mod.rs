@@ -12,6 +12,7 @@ pub mod belt;
 mod branch;
 mod configure;
 mod coupled;
+mod eliminant;
 mod equations;
 mod finish;
 pub mod fold;
