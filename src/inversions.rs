@@ -20,6 +20,7 @@ use crate::sweep::extreme::{self, Limits};
 use crate::worked::{Scope, Worked, work};
 use serde_json::{Map, Value as Json, json};
 
+mod belts;
 mod pairs;
 
 /// Scenes with more links are refused: each link makes a figure.
@@ -184,7 +185,7 @@ fn written(scene: &Scene, at: &Configuration, ground: LinkId, driver: Json) -> S
     if let Some(pin) = pairs::pin_of_part(scene, ground) {
         links.insert(scene.link_name(ground).to_owned(), json!([pin]));
     }
-    let contact = |p: &PointId| scene.rolling.iter().any(|r| r.at == *p);
+    let contact = |p: &PointId| scene.rolling.iter().any(|r| r.at.contains(p));
     let points: Map<String, Json> = (0..scene.points.len()).map(PointId).filter(|p| !contact(p)).filter_map(place).collect();
     let own = scene.guides.iter().zip(&at.guides).filter(|(g, _)| g.rolling.is_none());
     let guides: Vec<Json> =
@@ -200,7 +201,7 @@ fn written(scene: &Scene, at: &Configuration, ground: LinkId, driver: Json) -> S
     if !guides.is_empty() {
         out["guides"] = Json::Array(guides);
     }
-    for (key, pairs) in ["gears", "rolling"].into_iter().zip(pairs::rolling(scene, at)) {
+    for (key, pairs) in ["gears", "rolling", "belts", "chains"].into_iter().zip(pairs::rolling(scene, at)) {
         if !pairs.is_empty() {
             out[key] = Json::Array(pairs);
         }

@@ -117,7 +117,7 @@
 //! accuracy   diag digits number geom scene mechanism position answer motion plan construct analytic
 //! worked     diag digits geom scene mechanism position answer plan construct analytic accuracy
 //! certified  diag digits number geom scene mechanism position answer motion plan construct accuracy worked
-//! effort     diag number geom scene mechanism position answer motion plan construct analytic accuracy worked certified
+//! effort     diag number geom scene mechanism position answer motion plan construct analytic sweep accuracy worked certified
 //! gears      geom
 //! trains     scene
 //! centres    diag geom scene mechanism position answer worked certified
@@ -143,6 +143,7 @@
 //! ```text
 //! a new pair of these forms   its file in mechanism/pair and its line in the list there; the scene's reading and writing of it; its symbol
 //! a new kind of driver        the same, and its answers in scene/driver.rs; its statement, its JSON, its symbol in the lesson
+//! a new pair without contact  besides: a contour in scene/rolling.rs, where it runs off and on (position/belt.rs is the example)
 //! a new form                  besides: its equation (position/equations.rs), coefficients (position/coupled.rs), motion
 //!                             (motion/conditions.rs), rows (analytic/rows.rs), legs (mechanism/groups.rs, plan/reduce.rs), sweep/train.rs
 //! ```

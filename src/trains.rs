@@ -159,7 +159,11 @@ fn meshes(scene: &Scene) -> Vec<Mesh> {
     let mut seen: Vec<(LinkId, f64)> = Vec::new();
     let mut out = Vec::new();
     for (k, pair) in scene.rolling.iter().enumerate() {
-        let Contours::Circles { centres, .. } = &pair.contours else { continue };
+        // A belt and a wheel on its track are no mesh.
+        let centres = match &pair.contours {
+            Contours::Circles { centres, .. } => centres,
+            Contours::Belt { .. } | Contours::Track { .. } => continue,
+        };
         let carries = |l: usize| centres.iter().all(|c| scene.links[l].points.contains(c));
         let Some(arm) = (0..scene.links.len()).find(|l| carries(*l)).map(LinkId) else { continue };
         if pair.links.contains(&arm) && arm != scene.ground {

@@ -2,7 +2,7 @@
 //! signal is heeded in the middle of a computation.
 //!
 //! Times are not measured here. What once took minutes has a deadline that only a return of the old growth can miss; the growth itself
-//! is counted where it arises (`figure::place::coarse`, `sweep::changes`, `certified::apart`).
+//! is counted where it arises (`paper::place::coarse`, `sweep::changes`, `certified::apart`).
 
 use assert_cmd::Command;
 use serde_json::{Value, json};

@@ -346,10 +346,10 @@ fn the_moving_centrode_of_a_planet_is_one_dashed_circle() {
 /// Labels stand clear of one another on all figures, over positions and in both languages.
 #[test]
 fn labels_do_not_overlap() {
-    use hodograph::figure::extent::bounds;
-    use hodograph::figure::item::Shape;
     use hodograph::figure::list::{Extras, Wanted, named};
     use hodograph::figure::sheet::Options;
+    use hodograph::paper::extent::bounds;
+    use hodograph::paper::item::Shape;
     use hodograph::scene::Lang;
     use hodograph::worked::{Scope, work};
     let (mut figures, mut faults) = (0, Vec::new());

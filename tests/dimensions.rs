@@ -1,10 +1,10 @@
 //! The dimensioned diagram: from what is printed on it one can draw the mechanism again, and every number can be read.
 
-use hodograph::figure::extent::{Rect, turned_corners};
-use hodograph::figure::item::{Figure, Shape};
 use hodograph::figure::mechanism::Overlay;
 use hodograph::figure::sheet::{Options, diagram};
 use hodograph::geom::Point;
+use hodograph::paper::extent::{Rect, turned_corners};
+use hodograph::paper::item::{Figure, Shape};
 use hodograph::scene::{self, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 

@@ -3,9 +3,9 @@
 use hodograph::accuracy::{self, Drawn, drafting, simulate};
 use hodograph::construct::pencil::{Exact, Single};
 use hodograph::construct::{Layout, by_hand};
-use hodograph::figure::item::Shape;
 use hodograph::figure::sheet::{Options, sheet};
 use hodograph::mechanism::Level;
+use hodograph::paper::item::Shape;
 use hodograph::render::svg;
 use hodograph::scene::{self, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};

@@ -2,7 +2,7 @@
 //! the differentiated whole, drawing against analysis, and what is refused.
 
 use hodograph::figure::particle::figures;
-use hodograph::figure::style::Style;
+use hodograph::paper::style::Style;
 use hodograph::particle::plate::Part;
 use hodograph::particle::{Asked, Solved, board, read, solve, solve_again, templates};
 use hodograph::report::particle as report;
@@ -186,7 +186,7 @@ fn figures_have_no_labels_on_one_another() {
             for lang in [Lang::En, Lang::Zh] {
                 for (_, figure) in figures(&problem, &found, &drawn, &Style::default(), lang).unwrap() {
                     let boxes: Vec<_> =
-                        figure.items.iter().filter(|i| matches!(i.shape, hodograph::figure::item::Shape::Label { .. })).collect();
+                        figure.items.iter().filter(|i| matches!(i.shape, hodograph::paper::item::Shape::Label { .. })).collect();
                     for (i, one) in boxes.iter().enumerate() {
                         for other in &boxes[..i] {
                             let (Some(a), Some(b)) = (one.bounds(), other.bounds()) else { continue };

@@ -5,7 +5,7 @@
 //! against its numbers before anything is timed.
 
 use fearless_simd::{Level, Simd, SimdBase, SimdFloat, f64x4};
-use hodograph::sweep::run::CHUNK;
+use hodograph::sweep::CHUNK;
 
 /// A vector of four positions.
 type Vector<S> = (f64x4<S>, f64x4<S>);

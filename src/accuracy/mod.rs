@@ -8,7 +8,6 @@ mod near;
 mod places;
 mod rung;
 mod simulate;
-pub mod toggle;
 mod written;
 
 pub use agreement::{Agreement, ROUNDING, compare};

@@ -86,7 +86,7 @@ impl Site {
         match *self {
             Site::NoCoriolis(g) | Site::CoriolisWrongOmega(g, _) => scene.guides[g.0].pin.map(name),
             Site::NoNormal(_) | Site::AccelerationByCentre(_) => None,
-            Site::RollingPointAZero(r) => Some(name(scene.rolling[r.0].at)),
+            Site::RollingPointAZero(r) => Some(name(scene.rolling[r.0].at[0])),
             Site::ContactPoint(c) => Some(contact_point::name(scene, c)),
             Site::ImageAcrossLinks(p, ..) => Some(name(p)),
         }

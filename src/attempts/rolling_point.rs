@@ -19,7 +19,7 @@ fn found(plan: &Plan, pair: RollingId) -> Option<(usize, (VertexId, Term))> {
 
 /// Each contact whose point is found by its normal.
 pub fn sites(t: &Topology) -> Vec<Site> {
-    let pairs = (0..t.scene.rolling.len()).map(RollingId);
+    let pairs = (0..t.scene.rolling.len()).map(RollingId).filter(|r| t.scene.rolling[r.0].contact().is_some());
     pairs.filter(|r| found(t.plan, *r).is_some()).map(Site::RollingPointAZero).collect()
 }
 
@@ -36,7 +36,7 @@ pub fn as_track(plan: &Plan, pair: RollingId) -> Option<(Plan, Shown)> {
 
 /// Why it has one.
 pub fn why(scene: &Scene, r: RollingId) -> Both {
-    let at = scene.point_name(scene.rolling[r.0].at);
+    let at = scene.point_name(scene.rolling[r.0].at[0]);
     both!(
         "At {at} the velocities agree, and so do the tangential accelerations; along the normal the point of the wheel has $\\Omega^2 \\rho_1 \\rho_2/(\\rho_1+\\rho_2)$ toward the wheel's centre. No velocity does not mean no acceleration.",
         "{at} 处两点速度相等，切向加速度也相等；但轮上接触点沿法线有指向轮心的加速度 $\\Omega^2 \\rho_1 \\rho_2/(\\rho_1+\\rho_2)$。速度为零并不意味着加速度为零。"

@@ -122,7 +122,7 @@ impl Board<'_> {
         let at = &self.worked.configuration;
         match primary {
             Primary::Pin(p) => at.points[p.0].map(Place::At),
-            Primary::Contact(r) => at.points[self.scene.rolling[r.0].at.0].map(Place::At),
+            Primary::Contact(r) => at.points[self.scene.rolling[r.0].at[0].0].map(Place::At),
             Primary::Slide(g) => match at.guides[g.0]? {
                 Path::Line { direction, .. } => Place::infinity(direction.perp()),
                 Path::Arc { centre, .. } => Some(Place::At(centre)),

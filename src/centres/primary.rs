@@ -78,7 +78,7 @@ pub(super) fn given(scene: &Scene) -> Given {
             slides.push((barrel, rod));
         }
     }
-    for (r, rolling) in scene.rolling.iter().enumerate() {
+    for (r, rolling) in scene.rolling.iter().enumerate().filter(|(_, r)| r.contact().is_some()) {
         add(rolling.links[0], rolling.links[1], Primary::Contact(RollingId(r)));
     }
     let normals = scene.guides.iter().enumerate().filter(|(_, guide)| guide.slider.is_none()).flat_map(|(g, guide)| {

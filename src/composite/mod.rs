@@ -78,12 +78,12 @@ pub fn judge(scene: &Scene, of: OnLink, frame: Frame, place: Place) -> Choice {
 
 /// Whether a point of a link is named only because another's pin or contact lies there: the next instant it is another point of the link.
 fn momentary(scene: &Scene, of: OnLink) -> bool {
-    let Some(link) = of.link else { return scene.rolling.iter().any(|r| r.at == of.point) };
+    let Some(link) = of.link else { return scene.rolling.iter().any(|r| r.at.contains(&of.point)) };
     if scene.links[link.0].points.contains(&of.point) {
         return false;
     }
     let under_pin = scene.guides.iter().any(|g| g.on == link && g.pin == Some(of.point));
-    under_pin || scene.rolling.iter().any(|r| r.at == of.point && r.links.contains(&link))
+    under_pin || scene.rolling.iter().any(|r| r.at.contains(&of.point) && r.links.contains(&link))
 }
 
 /// All choices: those that the scene names, then those at each slide, pin and contact.
@@ -99,9 +99,11 @@ pub fn choices(scene: &Scene) -> Vec<Choice> {
         list.pin(p);
     }
     for (r, pair) in scene.rolling.iter().enumerate() {
+        // The ends of a strand are two places.
+        let Some(contact) = pair.contact() else { continue };
         let [a, b] = pair.links;
         for (own, other) in [(a, b), (b, a)] {
-            let of = OnLink { point: pair.at, link: Some(own) };
+            let of = OnLink { point: contact, link: Some(own) };
             list.add_moving(of, Frame::Link(other), Place::Contact(crate::scene::RollingId(r)));
         }
     }

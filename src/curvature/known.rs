@@ -98,8 +98,9 @@ impl Places<'_> {
 
     /// The drawing of a link that rolls on the one from which it is seen: the contact is the pole, and the centres lie on its normal.
     fn rolled(&self, link: LinkId) -> Option<Rolled> {
-        let (r, pair) = self.scene.rolling.iter().enumerate().find(|(_, r)| r.other(link) == Some(self.against))?;
-        let pole = self.point(pair.at)?;
+        let (r, pair) =
+            self.scene.rolling.iter().enumerate().find(|(_, r)| r.other(link) == Some(self.against) && r.contact().is_some())?;
+        let pole = self.point(pair.contact()?)?;
         let own = usize::from(pair.links[1] == link);
         let centres = pair.centres().map(|c| c.and_then(|c| self.point(c)));
         let normal = centres.iter().flatten().find_map(|c| (*c - pole).unit())?;

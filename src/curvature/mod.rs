@@ -15,9 +15,9 @@
 
 pub mod centrodes;
 pub mod drawing;
-pub mod known;
+pub(crate) mod known;
 pub mod motion;
-pub mod plane;
+pub(crate) mod plane;
 
 use crate::analytic::third;
 use crate::answer::{Source, Value};

@@ -6,7 +6,7 @@
 
 use super::truth::Differences;
 use crate::accuracy::Rung;
-use crate::accuracy::{Errors, simulate, toggle};
+use crate::accuracy::{Errors, simulate};
 use crate::analytic;
 use crate::answer::{Source, Value, evaluate};
 use crate::construct::pencil::Single;
@@ -17,6 +17,7 @@ use crate::mechanism::Level;
 use crate::number::{Ball, Big, Dd, Kept, Real, within};
 use crate::position::{Configuration, newton};
 use crate::scene::{Scene, driver_position, with_driver_at};
+use crate::sweep::extreme::ends;
 use crate::worked::{Scope, Worked, work};
 use crate::{motion, position};
 use std::hint::black_box;
@@ -161,9 +162,9 @@ pub struct Near {
 /// # Errors
 /// Nothing stops the driver, or the pose is given by coordinates.
 pub fn toward_toggle(scene: &Scene, watch: Watch) -> Result<Vec<Near>, Faults> {
-    let limits = [true, false].map(|up| toggle::limit(scene, 0, up));
     let start = driver_position(scene, 0);
-    let nearest = start.and_then(|s| limits.into_iter().flatten().min_by(|a, b| (a - s).abs().total_cmp(&(b - s).abs())));
+    let ends = ends(scene, 0)?.into_iter().flatten();
+    let nearest = start.and_then(|s| ends.min_by(|a, b| (a - s).abs().total_cmp(&(b - s).abs())));
     let (Some(start), Some(limit)) = (start, nearest) else {
         let why = if start.is_none() {
             both!("the pose is given by coordinates", "位置由坐标给定")

@@ -13,7 +13,7 @@ use crate::digits::significant;
 use crate::gears::{Basic, Mate, Pair, distance_of, operating, standard, sum_of_shifts};
 use crate::geom::Point;
 use crate::plan::names::name_label;
-use crate::scene::{Contours, Flanks, LinkId, Rolling, Scene};
+use crate::scene::{Contours, Flanks, LinkId, Rolling, RollingKind, Scene};
 
 use super::drawing::Part;
 use super::item::Figure;
@@ -35,8 +35,8 @@ pub(super) fn pairs(maker: &Maker) -> Result<Warned<Pages>, Faults> {
     let all: Vec<(&Rolling, &Flanks)> = scene.rolling.iter().filter_map(|r| Some((r, r.flanks.as_ref()?))).collect();
     let one = all.len() == 1;
     let (mut pages, mut notes, mut faults) = (Pages::new(), Vec::new(), Faults::default());
-    if let (true, Some(bare)) = (all.is_empty(), scene.rolling.iter().find(|r| r.toothed)) {
-        let at = scene.point_name(bare.at);
+    if let (true, Some(bare)) = (all.is_empty(), scene.rolling.iter().find(|r| r.kind == RollingKind::Gears)) {
+        let at = scene.point_name(bare.at[0]);
         let message = both!("the gear pair at `{at}` has radii, but no numbers of teeth", "`{at}` 处的齿轮副只有半径，没有齿数");
         faults.push(Diagnostic::error("gear-no-teeth", message).at(bare.span).help(both!(
             "give \"teeth\": [20, 40] and \"module\": \"2 mm\" in place of \"radii\"",
@@ -47,7 +47,7 @@ pub(super) fn pairs(maker: &Maker) -> Result<Warned<Pages>, Faults> {
         match meant(maker, rolling, flanks) {
             Ok(pair) => {
                 notes.extend(remarks(scene, rolling, &pair));
-                let name = if one { String::new() } else { format!("-{}", scene.point_name(rolling.at)) };
+                let name = if one { String::new() } else { format!("-{}", scene.point_name(rolling.at[0])) };
                 pages.push((format!("gears{name}"), Drawn { maker, rolling, pair, order: order(scene, rolling) }.figure()));
             }
             Err(fault) => faults.push(fault),
@@ -61,7 +61,7 @@ fn order(scene: &Scene, rolling: &Rolling) -> [usize; 2] {
     let driven = |l: LinkId| scene.drivers.iter().any(|d| d.kind.turned().is_some_and(|(link, _)| link == l));
     match rolling.contours {
         Contours::Circles { hollow: Some(0), .. } | Contours::Track { .. } => [1, 0],
-        Contours::Circles { hollow: Some(_), .. } => [0, 1],
+        Contours::Circles { hollow: Some(_), .. } | Contours::Belt { .. } => [0, 1],
         Contours::Circles { hollow: None, .. } if driven(rolling.links[1]) && !driven(rolling.links[0]) => [1, 0],
         Contours::Circles { hollow: None, .. } => [0, 1],
     }
@@ -76,7 +76,7 @@ fn meant(maker: &Maker, rolling: &Rolling, flanks: &Flanks) -> Result<Pair, Diag
             .help(both!("check module, teeth, shift and the distance of the centres", "请检查模数、齿数、变位系数和中心距"))
     };
     let mate = match rolling.contours {
-        Contours::Circles { hollow: None, .. } => Mate::Gear,
+        Contours::Circles { hollow: None, .. } | Contours::Belt { .. } => Mate::Gear,
         Contours::Circles { hollow: Some(_), .. } => Mate::Ring,
         Contours::Track { .. } => Mate::Rack,
     };
@@ -136,7 +136,7 @@ fn meant(maker: &Maker, rolling: &Rolling, flanks: &Flanks) -> Result<Pair, Diag
 
 /// What a maker of the gears should know.
 fn remarks(scene: &Scene, rolling: &Rolling, pair: &Pair) -> Vec<Diagnostic> {
-    let at = scene.point_name(rolling.at);
+    let at = scene.point_name(rolling.at[0]);
     let note = |code, message| Diagnostic::warning(code, message).at(rolling.span);
     let mut out = Vec::new();
     let larger = || both!("give the smaller gear a larger shift", "请加大小齿轮的变位系数");

@@ -125,7 +125,7 @@ impl Plan<'_> {
         }
         for m in &train.meshes {
             let pair = &scene.rolling[m.0];
-            add(pair.at, &pair.links)?;
+            add(pair.at[0], &pair.links)?;
         }
         Some(all)
     }
@@ -225,7 +225,7 @@ impl Plan<'_> {
         let pair = &scene.rolling[mesh];
         let height = |p: PointId| stations.iter().find(|s| s.name == scene.point_name(p)).map(|s| s.s);
         let circle = |i: usize| {
-            let (c, q) = (height(pair.centres()[i]?)?, height(pair.at)?);
+            let (c, q) = (height(pair.centres()[i]?)?, height(pair.at[0])?);
             Some((pair.links[i], c, (q - c).abs()))
         };
         [0, 1].into_iter().filter_map(circle).collect()

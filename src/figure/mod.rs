@@ -2,7 +2,7 @@
 //!
 //! Everything here is y up and knows no file format; [`crate::render`] turns a [`item::Figure`] into ink.
 
-pub use crate::paper::{arrow, drawing, extent, font, grid, item, label, place, style, symbols, text, words};
+pub(crate) use crate::paper::{arrow, drawing, extent, font, grid, item, label, place, style, symbols, text, words};
 
 pub(crate) use crate::paper::lines;
 
@@ -18,7 +18,7 @@ pub mod curves;
 pub mod fit;
 mod gears;
 pub mod groups;
-pub mod hodograph;
+pub(crate) mod hodograph;
 mod inversions;
 mod kutzbach;
 pub mod list;
@@ -31,8 +31,8 @@ pub mod poses;
 pub mod price;
 pub(crate) mod remarks;
 pub mod results;
-pub mod series;
+pub(crate) mod series;
 pub mod sheet;
 pub mod steps;
 pub mod synthesis;
-pub mod tables;
+pub(crate) mod tables;

@@ -210,7 +210,7 @@ impl Maker<'_> {
     /// What the tables are made from.
     pub fn tables<'t>(&'t self, writer: &'t Writer<'t>, steps: &'t Steps) -> Tables<'t> {
         let worked = self.worked;
-        Tables { style: &self.options.style, writer, mechanism: &worked.mechanism, construction: &worked.construction, steps }
+        Tables { style: &self.options.style, writer, construction: &worked.construction, steps }
     }
 
     pub fn mechanism(&self) -> Part {

@@ -4,7 +4,7 @@
 use crate::certified::Steps;
 use crate::construct::{Action, Construction, Polygon};
 use crate::digits::inked;
-use crate::mechanism::{ConstraintLine, Level, Mechanism};
+use crate::mechanism::{ConstraintLine, Level};
 use crate::paper::phrase::{Phrase, fill};
 use crate::plan::text::Writer;
 use crate::plan::{Chain, Special, SpecialLine, Step, VertexId};
@@ -37,8 +37,6 @@ pub struct Tables<'a> {
     pub style: &'a Style,
     /// Names and symbols.
     pub writer: &'a Writer<'a>,
-    /// Legs of triads.
-    pub mechanism: &'a Mechanism,
     /// The alternatives that were drawn.
     pub construction: &'a Construction,
     /// The certified numbers of its steps.

@@ -5,35 +5,37 @@
 //! is: only the order of the two is turned where the driven link is the ground. A cylinder is a distance of two pins; where its barrel or rod is
 //! the ground it is written as the guide that it is, with the other part as slider.
 
+use super::belts;
 use crate::position::{Configuration, Path};
-use crate::scene::{Contours, Driver, DriverKind, Guide, LinkId, Rolling, Scene, Sizes};
+use crate::scene::{Contours, Driver, DriverKind, Guide, LinkId, Rolling, RollingKind, Scene, Sizes};
 use serde_json::{Value as Json, json};
 
-fn metres(x: f64) -> String {
+pub(super) fn metres(x: f64) -> String {
     format!("{x:?} m")
 }
 
-/// The sections `gears` and `rolling`.
-pub(super) fn rolling(scene: &Scene, at: &Configuration) -> [Vec<Json>; 2] {
+/// The sections `gears`, `rolling`, `belts` and `chains`.
+pub(super) fn rolling(scene: &Scene, at: &Configuration) -> [Vec<Json>; 4] {
     let (mut gears, mut wheels) = (Vec::new(), Vec::new());
+    let [belts, chains] = belts::sections(scene);
     for pair in &scene.rolling {
         let direction = pair.guide.and_then(|g| match at.guides[g.0] {
             Some(Path::Line { direction, .. }) => Some(format!("{:?} rad", direction.angle())),
             Some(Path::Arc { .. }) | None => None,
         });
-        if pair.toothed {
-            gears.push(gear(scene, pair, direction));
-        } else {
-            wheels.push(wheel(scene, pair, direction));
+        match pair.kind {
+            RollingKind::Gears => gears.extend(gear(scene, pair, direction)),
+            RollingKind::Wheel => wheels.extend(wheel(scene, pair, direction)),
+            RollingKind::Belt | RollingKind::Chain => {}
         }
     }
-    [gears, wheels]
+    [gears, wheels, belts, chains]
 }
 
 /// Two gears, or a gear on its rack.
-fn gear(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Json {
+fn gear(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json> {
     let [a, b] = pair.links.map(|l| scene.link_name(l));
-    let at = scene.point_name(pair.at);
+    let at = scene.point_name(pair.contact()?);
     let mut out = match &pair.contours {
         Contours::Circles { centres, sizes, hollow } => {
             let mut out = json!({"links": [a, b], "centres": centres.map(|p| scene.point_name(p)), "at": at});
@@ -49,6 +51,7 @@ fn gear(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Json {
         Contours::Track { centre, radius } => {
             json!({"links": [b, a], "centres": [scene.point_name(*centre)], "radii": [metres(radius.value)], "rack": a, "angle": direction, "at": at})
         }
+        Contours::Belt { .. } => return None,
     };
     if let Some(flanks) = &pair.flanks {
         let teeth: Vec<u32> = flanks.teeth.iter().copied().flatten().collect();
@@ -66,14 +69,14 @@ fn gear(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Json {
             out["shift"] = json!(flanks.shifts);
         }
     }
-    out
+    Some(out)
 }
 
 /// A wheel on its track.
-fn wheel(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Json {
+fn wheel(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json> {
     let [on, wheel] = pair.links.map(|l| scene.link_name(l));
-    let at = scene.point_name(pair.at);
-    match &pair.contours {
+    let at = scene.point_name(pair.contact()?);
+    Some(match &pair.contours {
         Contours::Circles { centres: [track, centre], hollow, .. } => {
             let [size, own] = pair.sizes(&crate::scene::exact::Inputs::<f64>::of(scene)).map(f64::abs);
             json!({
@@ -84,7 +87,8 @@ fn wheel(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Json {
         Contours::Track { centre, radius } => {
             json!({"wheel": wheel, "centre": scene.point_name(*centre), "radius": metres(radius.value), "on": on, "angle": direction, "at": at})
         }
-    }
+        Contours::Belt { .. } => return None,
+    })
 }
 
 /// The pins of a cylinder of which the ground is barrel or rod, and the number of its other part: its own pin, the other one.

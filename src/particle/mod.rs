@@ -19,7 +19,7 @@ mod ask;
 pub mod board;
 pub mod law;
 pub mod plate;
-pub mod pursuit;
+pub(crate) mod pursuit;
 mod read;
 pub mod schema;
 mod solve;

@@ -98,7 +98,7 @@ impl Words<'_> {
                 let name = guide.pin.map_or("", |p| self.scene.point_name(p));
                 format!("{} {name}", tr(lang, "slide", "移动副"))
             }
-            Place::Contact(r) => format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(self.scene.rolling[r.0].at)),
+            Place::Contact(r) => format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(self.scene.rolling[r.0].at[0])),
         }
     }
 

@@ -1,5 +1,6 @@
-//! What is given, as a list: lengths, fixed points, guides ([`guide`]), gears and wheels ([`rolling`]), cams ([`cams`]), drivers. Numbers as the scene writes them.
+//! What is given, as a list: lengths, fixed points, guides ([`guide`]), gears and wheels ([`rolling`]), belts and chains ([`belts`]), cams ([`cams`]), drivers. Numbers as the scene writes them.
 
+mod belts;
 mod cams;
 mod guide;
 mod rolling;

@@ -5,6 +5,7 @@
 //! are laid off with the protractor; halves, bisectors and circles through points are drawn.
 
 use super::candidate::Draft;
+use super::fourbar;
 use crate::construct::pencil::{Blunt, Pencil};
 use crate::diag::{Both, both};
 use crate::geom::{Point, Vec2, cross_lines};
@@ -106,10 +107,7 @@ impl Line {
 
     /// Where it crosses a circle, in its own order.
     pub fn cross_circle(&self, centre: Point, radius_mm: f64) -> Option<[Point; 2]> {
-        let to = centre - self.at;
-        let (foot, off) = (self.along.dot(to), self.along.cross(to));
-        let half2 = (radius_mm - off) * (radius_mm + off);
-        (half2 >= 0.0).then(|| [-1.0, 1.0].map(|s| self.place(foot + s * half2.sqrt())))
+        fourbar::cross_circle(self.at, self.along, centre, radius_mm).map(|both| both.map(|s| self.place(s)))
     }
 
     /// The square to it through a place.
@@ -120,15 +118,7 @@ impl Line {
 
 /// Where two circles cross, left of the line of centres first.
 pub fn cross_circles(p: Point, r: f64, q: Point, s: f64) -> Option<[Point; 2]> {
-    let way = q - p;
-    let l = way.norm();
-    let along = (l * l + r * r - s * s) / (2.0 * l);
-    let high2 = r * r - along * along;
-    if !(l > 0.0 && high2 >= 0.0) {
-        return None;
-    }
-    let axis = way * (1.0 / l);
-    Some([1.0, -1.0].map(|side| p + axis * along + axis.perp() * (side * high2.sqrt())))
+    Some([fourbar::meet(p, r, q, s, true)?, fourbar::meet(p, r, q, s, false)?])
 }
 
 impl Board {

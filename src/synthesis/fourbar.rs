@@ -106,6 +106,9 @@ pub fn omega(rate: f64) -> Json {
 }
 
 /// Where two circles meet, on the left or right of the line from the first centre to the second.
+///
+/// A search asks this millions of times, in plain numbers and for one side: `position::kernel::meet` closes the dyads of scenes in any number, and
+/// says by how much two loci miss.
 pub fn meet(p: Point, r: f64, q: Point, s: f64, left: bool) -> Option<Point> {
     let d = q - p;
     let l = d.norm();

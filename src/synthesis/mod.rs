@@ -17,18 +17,18 @@
 //! assert!(hodograph::scene::read(best.scene_text()).is_ok());
 //! ```
 
-pub mod board;
+pub(crate) mod board;
 pub mod body;
-pub mod by_hand;
+pub(crate) mod by_hand;
 pub mod candidate;
 pub mod cognates;
 pub(crate) mod form;
-pub mod fourbar;
+pub(crate) mod fourbar;
 pub mod function;
-pub mod grashof;
-pub mod judge;
-pub mod limits;
-pub mod nearest;
+pub(crate) mod grashof;
+pub(crate) mod judge;
+pub(crate) mod limits;
+pub(crate) mod nearest;
 mod order;
 pub mod path;
 mod poly;
@@ -36,7 +36,7 @@ pub mod schema;
 pub mod straight_line;
 pub mod templates;
 pub mod time_ratio;
-pub mod told;
+pub(crate) mod told;
 
 pub use board::Board;
 pub use candidate::{Candidate, Compared, Draft, Number, Wanted};

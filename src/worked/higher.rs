@@ -14,7 +14,7 @@ pub(super) fn drawn_by_special_points(mechanism: &Mechanism, plan: &Plan) -> Vec
 /// The wheels of a group that roll on one another while neither is known.
 fn contacts(scene: &Scene, mechanism: &Mechanism, group: &Group) -> Vec<Both> {
     let pairs = group.constraints.iter().filter_map(|c| match mechanism.constraints[*c].item() {
-        Item::Rolling(r) => Some(scene.rolling[r.0].links),
+        Item::Rolling(r) => scene.rolling[r.0].contact().map(|_| scene.rolling[r.0].links),
         Item::Pin(..) | Item::Guide(_) | Item::Driver(_) => None,
     });
     let inner = pairs.filter(|links| links.iter().all(|l| group.links.contains(l)));

@@ -7,7 +7,7 @@ mod read;
 use crate::chromium::Browser;
 use crate::{browser, template};
 use hodograph::figure::sheet::{Options, sheet};
-use hodograph::figure::style::Style;
+use hodograph::paper::style::Style;
 use hodograph::render::svg;
 use hodograph::scene::{Lang, Scene, with_driver_at};
 use hodograph::worked::{Scope, work};

@@ -13,16 +13,16 @@ mod stage;
 mod touch;
 
 use chromium::Browser;
-use hodograph::accuracy::toggle;
-use hodograph::figure::item::Shape;
-use hodograph::figure::style::Style;
 use hodograph::figure::{mechanism, polygon};
 use hodograph::lesson::{Options, lesson};
 use hodograph::mechanism::Level;
+use hodograph::paper::item::Shape;
+use hodograph::paper::style::Style;
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::report::construction::sentences;
 use hodograph::scene::{self, DriverKind, Lang, Scene, driver_position, templates, with_driver_at};
+use hodograph::sweep::extreme::ends;
 use hodograph::worked::{Scope, Worked, work};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -344,7 +344,7 @@ fn a_limit_stops_the_driver_and_says_why() {
             b.key(key);
         }
         let end = travel(&mut b);
-        let limit = toggle::limit(&scene, 0, up).unwrap();
+        let limit = ends(&scene, 0).unwrap()[usize::from(up)].unwrap();
         assert!((start + end - limit).abs() < 1e-6, "{} instead of {limit}", start + end);
         assert!(said(&mut b).contains("link 2 (BC) and link 3 (CD) lie in line"), "{}", said(&mut b));
     }

@@ -208,7 +208,7 @@ fn what_cannot_be_shown_is_refused_at_its_place() {
     every["statement"] = json!("one\n\ttwo");
     assert!(hodograph::scene::read(every.to_string()).is_ok());
     let style = format!("{{ \"name\": \"{}\", \"notation\": {{ \"pole\": \"\\u001b\" }} }}", "x\u{9b}");
-    assert_eq!(hodograph::figure::style::read(style.as_bytes()).unwrap_err().list.iter().filter(|d| d.code == "text").count(), 2);
+    assert_eq!(hodograph::paper::style::read(style.as_bytes()).unwrap_err().list.iter().filter(|d| d.code == "text").count(), 2);
 }
 
 #[test]

@@ -9,7 +9,7 @@ mod tasks;
 
 use hodograph::certified::certify;
 use hodograph::figure::sheet::{Options, sheet};
-use hodograph::figure::style;
+use hodograph::paper::style;
 use hodograph::render::svg;
 use hodograph::report::answers;
 use hodograph::report::diagnostics::render;

@@ -2,9 +2,9 @@
 //! their own and the tasks that the tests of their rooms solve, so that every kind of file is mutated and not only those of the templates.
 
 use super::{corpus, finite, fuzz, root, told, well_formed};
-use hodograph::figure::style::Style;
 use hodograph::figure::{particle as motion_figure, synthesis as design_figure};
 use hodograph::lesson::design as design_lesson;
+use hodograph::paper::style::Style;
 use hodograph::particle::{self, board};
 use hodograph::render::svg;
 use hodograph::report::{particle as motion_report, synthesis as design_report};

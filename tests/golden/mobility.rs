@@ -2,8 +2,8 @@
 
 use super::files::{LANGS, MOBILITY, check_text, finish, golden};
 use super::worksheet::{faults_of, told, without, worked};
-use hodograph::figure::item::{Dash, Item, Shape};
 use hodograph::mechanism::Survey;
+use hodograph::paper::item::{Dash, Item, Shape};
 use hodograph::scene::{Lang, Scene, templates};
 use hodograph::worked::Worked;
 use hodograph::worksheet::{Block, Document, Options, Sides, html, markdown, mobility, pages, typst};

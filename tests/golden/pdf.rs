@@ -9,8 +9,8 @@ use hayro_interpret::{
     BlendMode, ClipPath, Context, Device, DrawMode, DrawProps, Image, ImageDrawProps, InterpreterCache, InterpreterSettings, Paint,
     SoftMask, StrokeProps, TransformExt, interpret_page,
 };
-use hodograph::figure::item::{Figure, Item, Shape};
-use hodograph::figure::text;
+use hodograph::paper::item::{Figure, Item, Shape};
+use hodograph::paper::text;
 use hodograph::render::{pdf, png as raster, svg};
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};

@@ -9,7 +9,7 @@ mod read;
 
 use faults::Faults;
 use hodograph::figure::sheet::{Options, sheet};
-use hodograph::figure::style::Style;
+use hodograph::paper::style::Style;
 use hodograph::render::svg;
 use hodograph::scene::{self, DriverKind, Lang, Scene, driver_position, templates, with_driver_at};
 use hodograph::worked::{Scope, work};

@@ -4,13 +4,13 @@ use crate::emit::{Ask, Pose, scene as emitted};
 use crate::properties::{mechanism, seeds, style};
 use crate::rng::Rng;
 use crate::told::told;
-use hodograph::accuracy::toggle;
 use hodograph::answer::Value;
 use hodograph::certified::ladder::{Part, certify, parts};
 use hodograph::certified::steps;
 use hodograph::effort::truth;
 use hodograph::number::{Ball, Big, Real, within};
 use hodograph::scene::{Kind, Scene, driver_position, read, templates, with_driver_at};
+use hodograph::sweep::extreme::ends;
 use hodograph::worked::{Scope, Worked, work};
 
 /// What was compared.
@@ -281,7 +281,7 @@ impl Tally {
     /// Poses down to 1e-12 (radians, or of the way) before both toggles.
     fn toward(&mut self, name: &str, scene: &Scene) {
         for up in [true, false] {
-            let Some(limit) = toggle::limit(scene, 0, up) else { continue };
+            let Some(limit) = ends(scene, 0).unwrap_or_default()[usize::from(up)] else { continue };
             for k in (2..=12).step_by(2) {
                 let at = limit + if up { -1.0 } else { 1.0 } * 10f64.powi(-k) * limit.abs().min(1.0);
                 self.check(&format!("{name} 1e-{k} before {limit}"), &with_driver_at(scene, 0, at));

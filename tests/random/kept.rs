@@ -4,12 +4,13 @@
 use crate::emit::{Ask, Pose, scene as emitted};
 use crate::properties::{mechanism, seeds, style};
 use crate::singular::{FOUR_BAR, FRAMES, RATES, drive, scene_in};
-use hodograph::accuracy::{Agreement, toggle};
+use hodograph::accuracy::Agreement;
 use hodograph::answer::Value;
 use hodograph::certified::ladder::{Certified, Part, Why, certify};
 use hodograph::geom::Vec2;
 use hodograph::mechanism::Level;
 use hodograph::scene::{Scene, read, templates, with_driver_at};
+use hodograph::sweep::extreme::ends;
 use hodograph::worked::{Outcome, Scope, Worked, work};
 
 /// What was seen.
@@ -133,7 +134,7 @@ fn promises_are_kept_next_to_toggles() {
         let scene = scene_of(templates::get(t.name).unwrap());
         seen.check(t.name, &scene);
         for up in [true, false] {
-            let Some(limit) = toggle::limit(&scene, 0, up) else { continue };
+            let Some(limit) = ends(&scene, 0).unwrap_or_default()[usize::from(up)] else { continue };
             for k in 2..=14 {
                 let at = limit + if up { -1.0 } else { 1.0 } * 10f64.powi(-k) * limit.abs().min(1.0);
                 seen.check(&format!("{} 1e-{k} before {limit}", t.name), &with_driver_at(&scene, 0, at));

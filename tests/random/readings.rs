@@ -54,7 +54,7 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
         }
     }
     // A place of contact is a point of both links, and of none by itself.
-    let by_itself = |p: &OnLink| scene.rolling.iter().all(|pair| pair.at != p.point);
+    let by_itself = |p: &OnLink| scene.rolling.iter().all(|pair| !pair.at.contains(&p.point));
     let points = (0..scene.points.len()).map(|p| pin(hodograph::scene::PointId(p)));
     let movers: Vec<OnLink> = points.filter(moving).filter(by_itself).collect();
     if let [first, .., last] = movers[..] {
@@ -253,7 +253,7 @@ fn printed_lengths_are_distances_in_the_svg() {
                 let level = find.what.level();
                 let kind = if level == Level::Acceleration { "acceleration" } else { "velocity" };
                 let place = |k: usize| {
-                    let id = hodograph::figure::drawing::id(kind, &format!("mark-{}", mark(&w, level, &m.marks[k].0)));
+                    let id = hodograph::paper::drawing::id(kind, &format!("mark-{}", mark(&w, level, &m.marks[k].0)));
                     let node = by_id(&id).unwrap_or_else(|| panic!("{name}: no mark {id} for {}", find.text));
                     assert!(node.attribute("class").unwrap().split(' ').any(|c| c == "mark"));
                     let number = |key: &str| node.attribute(key).unwrap().parse::<f64>().unwrap();

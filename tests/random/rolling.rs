@@ -26,6 +26,7 @@ struct Grown {
     wheels: Vec<Wheel>,
     gears: Vec<String>,
     rolling: Vec<String>,
+    belts: Vec<String>,
     /// Contact points with the two links.
     contacts: Vec<(String, [usize; 2])>,
 }
@@ -74,6 +75,27 @@ impl Grown {
         if !inside {
             self.wheels.push(Wheel { link, centre, radius });
         }
+    }
+
+    /// A pulley on a link that carries the centre of a wheel, and a belt round both, open or crossed.
+    fn belted(&mut self, rng: &mut Rng) {
+        let on = self.wheels[rng.below(self.wheels.len())];
+        let arms: Vec<usize> = (0..self.links.len()).filter(|l| *l != on.link && self.links[*l].contains(&on.centre)).collect();
+        if arms.is_empty() {
+            return;
+        }
+        let (arm, radius, crossed) = (rng.pick(&arms), rng.between(0.3, 1.5), rng.chance(0.5));
+        let distance = (on.radius + radius) * rng.between(1.1, 2.0);
+        let centre = self.point(self.points[on.centre] + rng.direction() * distance);
+        self.links[arm].push(centre);
+        let end = self.point(self.points[centre] + rng.direction() * rng.between(0.5, 1.5));
+        let link = self.link(vec![centre, end]);
+        let (n, first) = (self.belts.len(), on.link);
+        self.belts.push(format!(
+            "{{\"pulleys\": [\"{first}\", \"{link}\"], \"centres\": [\"P{}\", \"P{centre}\"], \"radii\": [\"{:?} m\", \"{radius:?} m\"], \"crossed\": {crossed}, \"at\": [\"M{n}\", \"N{n}\"]}}",
+            on.centre, on.radius
+        ));
+        self.wheels.push(Wheel { link, centre, radius });
     }
 
     /// An arm about a wheel on the ground with a planet between it and a fixed ring.
@@ -180,11 +202,12 @@ impl Grown {
         }
         find.retain(|f| !f.contains(','));
         format!(
-            "{{\"links\": {{{}}}, \"ground\": \"0\", \"points\": {{{}}}, \"gears\": [{}], \"rolling\": [{}], \"driver\": {{\"link\": \"1\", \"omega\": \"{:?} rad/s\", \"alpha\": \"{:?} rad/s^2\"}}, \"find\": [{}]}}",
+            "{{\"links\": {{{}}}, \"ground\": \"0\", \"points\": {{{}}}, \"gears\": [{}], \"rolling\": [{}], \"belts\": [{}], \"driver\": {{\"link\": \"1\", \"omega\": \"{:?} rad/s\", \"alpha\": \"{:?} rad/s^2\"}}, \"find\": [{}]}}",
             links.join(", "),
             points.join(", "),
             self.gears.join(", "),
             self.rolling.join(", "),
+            self.belts.join(", "),
             rng.between(0.5, 2.0),
             rng.between(-1.0, 1.0),
             find.join(", "),
@@ -209,6 +232,11 @@ fn grown(seed: u64) -> (Grown, String) {
             3 => g.rolls(&mut rng),
             _ => g.dyad(&mut rng),
         }
+    }
+    if seed % 3 == 2 {
+        g.belted(&mut rng);
+        g.dyad(&mut rng);
+        g.belted(&mut rng);
     }
     // Of every other one a pair is found as a whole.
     if seed % 2 == 1 {
@@ -318,7 +346,7 @@ fn contacts_roll() {
         }
         let (sv, sa) = (largest(w, Level::Velocity, scene), largest(w, Level::Acceleration, scene));
         for (r, pair) in scene.rolling.iter().enumerate() {
-            let of = |level, i: usize| w.solution.vector(level, pair.at, Some(pair.links[i]));
+            let of = |level, i: usize| w.solution.vector(level, pair.at[i], Some(pair.links[i]));
             let omega = |i: usize| w.solution.turning(Level::Velocity, pair.links[i]);
             let (Some(v1), Some(v2), Some(a1), Some(a2), Some(w1), Some(w2)) = (
                 of(Level::Velocity, 0),
@@ -330,19 +358,21 @@ fn contacts_roll() {
             ) else {
                 continue;
             };
-            let n = w.configuration.normal(scene, hodograph::scene::RollingId(r)).unwrap();
             let [r1, r2] = w.configuration.shapes.rolling[r];
             let delta = match pair.contours {
                 Contours::Circles { .. } => r1 * r2 / (r1 + r2),
                 Contours::Track { .. } => r2,
+                // Its ends are two places: see tests/belts.rs.
+                Contours::Belt { .. } => continue,
             };
+            let n = w.configuration.normal(scene, hodograph::scene::RollingId(r)).unwrap();
             let expected = n * ((w2 - w1) * (w2 - w1) * delta);
-            assert!((v2 - v1).norm() < 1e-10 * sv, "seed {seed}: {} slips by {:?}", scene.point_name(pair.at), v2 - v1);
+            assert!((v2 - v1).norm() < 1e-10 * sv, "seed {seed}: {} slips by {:?}", scene.point_name(pair.at[0]), v2 - v1);
             let off = (a2 - a1 - expected).norm() / sa;
             assert!(
                 off < 1e-9,
                 "seed {seed}: at {} the accelerations differ by {:?}, not {expected:?}",
-                scene.point_name(pair.at),
+                scene.point_name(pair.at[0]),
                 a2 - a1
             );
             contacts += 1;

@@ -5,11 +5,11 @@
 //! `HODOGRAPH_EXTRA=all cargo test --release --test sheet read -- --nocapture`. One template: `HODOGRAPH_ONLY=shaper`.
 
 use crate::legible::{SMALLEST_MM, look, poses};
-use hodograph::figure::item::{Colour, Shape};
 use hodograph::figure::list::{self, Extras, Wanted};
 use hodograph::figure::sheet::{Options, drawing};
-use hodograph::figure::style::Style;
 use hodograph::mechanism::Level;
+use hodograph::paper::item::{Colour, Shape};
+use hodograph::paper::style::Style;
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
 

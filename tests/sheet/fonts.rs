@@ -4,13 +4,14 @@ use std::time::{Duration, Instant};
 
 use hodograph::effort::ways;
 use hodograph::figure::curves::{self, Diagram};
-use hodograph::figure::font::{Face, own::Fonts};
-use hodograph::figure::item::{Figure, Item, Shape};
 use hodograph::figure::mechanism::Overlay;
 use hodograph::figure::sheet::{Options, diagram, sheet};
-use hodograph::figure::style::Style;
-use hodograph::figure::{path, poses, price, steps, text};
+use hodograph::figure::{path, poses, price, steps};
 use hodograph::mechanism::Mechanism;
+use hodograph::paper::font::{Face, own::Fonts};
+use hodograph::paper::item::{Figure, Item, Shape};
+use hodograph::paper::style::Style;
+use hodograph::paper::text;
 use hodograph::scene::{Angle, Lang, PointId, read, templates};
 use hodograph::sweep::{self, Placed, Stations, Width};
 use hodograph::worked::{Scope, work};

@@ -6,9 +6,9 @@
 use hodograph::cam::Survey;
 use hodograph::figure::cam::{inversion, motion};
 use hodograph::figure::groups;
-use hodograph::figure::item::Figure;
 use hodograph::figure::list::{self, Extras, Wanted};
 use hodograph::figure::sheet::Options;
+use hodograph::paper::item::Figure;
 use hodograph::report::cam::Report;
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};

@@ -3,15 +3,15 @@
 //!
 //! The table: `cargo test --release --test sheet every_pose -- --nocapture`
 
-use hodograph::accuracy::toggle::limit;
-use hodograph::figure::extent::Rect;
-use hodograph::figure::item::{Figure, Item, Shape};
 use hodograph::figure::list::{self, Extras, Wanted};
-use hodograph::figure::place::Obstacles;
 use hodograph::figure::sheet::{Options, sheet};
 use hodograph::geom::{Point, Vec2};
+use hodograph::paper::extent::Rect;
+use hodograph::paper::item::{Figure, Item, Shape};
+use hodograph::paper::place::Obstacles;
 use hodograph::plan::notation::Notation;
 use hodograph::scene::{self, DriverKind, Lang, Scene, driver_position, templates, with_driver_at};
+use hodograph::sweep::extreme::ends;
 use hodograph::worked::{Scope, work};
 
 /// Positions of the driver.
@@ -92,7 +92,7 @@ pub fn look(figure: &Figure, links: usize) -> Found {
         let thick = ink.bars.iter().filter(|b| b.half_width_mm > 0.15);
         found.on_thick_lines += usize::from(thick.clone().any(|b| meets(*r, b.from, b.to, b.half_width_mm)));
         found.on_heads += usize::from(ink.heads.iter().any(|h| meets(*r, h.from, h.to, 0.0)));
-        let near = |d: &hodograph::figure::place::Disc| {
+        let near = |d: &hodograph::paper::place::Disc| {
             let p = Point::new(d.centre.x.clamp(r.min.x, r.max.x), d.centre.y.clamp(r.min.y, r.max.y));
             p.distance(d.centre) < d.radius_mm - GRAZE_MM
         };
@@ -119,7 +119,7 @@ fn clipped(a: Point, b: Point, r: Rect) -> f64 {
 pub fn poses(scene: &Scene) -> Vec<Scene> {
     let Some(start) = driver_position(scene, 0) else { return vec![scene.clone()] };
     let turns = matches!(scene.drivers[0].kind, DriverKind::Turn { .. });
-    let [low, high] = match [limit(scene, 0, false), limit(scene, 0, true)] {
+    let [low, high] = match ends(scene, 0).unwrap_or_default() {
         [Some(low), Some(high)] => [low, high],
         _ if turns => [start, start + std::f64::consts::TAU],
         _ => [start * 0.8, start * 1.2],

@@ -14,16 +14,16 @@ mod width;
 
 use std::sync::LazyLock;
 
-use hodograph::figure::extent::translate;
-use hodograph::figure::item::{Anchor, Colour, Figure, Item, Shape};
-use hodograph::figure::label::Label;
-use hodograph::figure::place::{CROWDED, LabelRequest, Obstacles, Placement, place};
 use hodograph::figure::sheet::{Options, sheet};
-use hodograph::figure::style::Style;
-use hodograph::figure::symbols as sym;
-use hodograph::figure::{arrow::Head, extent::Rect};
 use hodograph::geom::{Point, Vec2, cross_lines};
 use hodograph::mechanism::Level;
+use hodograph::paper::extent::translate;
+use hodograph::paper::item::{Anchor, Colour, Figure, Item, Shape};
+use hodograph::paper::label::Label;
+use hodograph::paper::place::{CROWDED, LabelRequest, Obstacles, Placement, place};
+use hodograph::paper::style::Style;
+use hodograph::paper::symbols as sym;
+use hodograph::paper::{arrow::Head, extent::Rect};
 use hodograph::render::{png, svg};
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};

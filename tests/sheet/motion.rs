@@ -1,11 +1,11 @@
 //! Pictures of motion: what they show is what a sweep tells, and they can be read.
 
 use super::legible::{SMALLEST_MM, look};
-use hodograph::figure::item::{Figure, Shape};
 use hodograph::figure::path::{self, Wanted};
 use hodograph::figure::poses;
 use hodograph::figure::sheet::Options;
 use hodograph::mechanism::Mechanism;
+use hodograph::paper::item::{Figure, Shape};
 use hodograph::scene::{Lang, PointId, Scene, edit, read, templates};
 use hodograph::sweep::points::motion;
 use hodograph::sweep::{self, Placed, Stations, Width, extreme, station};

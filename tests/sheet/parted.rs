@@ -1,9 +1,9 @@
 //! Two links that lie over one another are seen as two, whatever the pose.
 
-use hodograph::figure::item::{Item, Shape};
 use hodograph::figure::mechanism::mechanism;
-use hodograph::figure::style::Style;
 use hodograph::geom::Point;
+use hodograph::paper::item::{Item, Shape};
+use hodograph::paper::style::Style;
 use hodograph::plan::notation::Notation;
 use hodograph::scene::{self, Lang, Scene, templates};
 use hodograph::scene::{driver_position, with_driver_at};

@@ -4,11 +4,11 @@ use std::time::{Duration, Instant};
 
 use hodograph::effort::ways;
 use hodograph::figure::curves::{self, Diagram};
-use hodograph::figure::extent::{Rect, bounds};
-use hodograph::figure::item::{Figure, Shape};
 use hodograph::figure::price;
-use hodograph::figure::style::Style;
 use hodograph::mechanism::Mechanism;
+use hodograph::paper::extent::{Rect, bounds};
+use hodograph::paper::item::{Figure, Shape};
+use hodograph::paper::style::Style;
 use hodograph::plan::notation::Notation;
 use hodograph::scene::{Angle, Lang, read, templates};
 use hodograph::sweep::{self, Placed, Stations, Width};
@@ -20,7 +20,7 @@ fn faults_of(figure: &Figure, what: &str) -> Vec<String> {
     if ink.min.x < 0.0 || ink.min.y < 0.0 || ink.max.x > figure.width_mm || ink.max.y > figure.height_mm {
         faults.push(format!("{what}: ink at {ink:?} of {} x {} mm", figure.width_mm, figure.height_mm));
     }
-    let label = |i: &&hodograph::figure::item::Item| matches!(i.shape, Shape::Label { .. });
+    let label = |i: &&hodograph::paper::item::Item| matches!(i.shape, Shape::Label { .. });
     let boxes: Vec<(&str, Rect)> = figure.items.iter().filter(label).filter_map(|i| Some((i.id.as_str(), i.bounds()?))).collect();
     for (k, (a, r)) in boxes.iter().enumerate() {
         for (b, s) in &boxes[k + 1..] {

@@ -3,11 +3,11 @@
 
 use super::legible::SMALLEST_MM;
 use hodograph::diag::Warned;
-use hodograph::figure::extent::bounds;
 use hodograph::figure::fit::{Room, pages};
-use hodograph::figure::item::{Figure, Shape};
 use hodograph::figure::list::{self, Extras, Wanted};
 use hodograph::figure::sheet::Options;
+use hodograph::paper::extent::bounds;
+use hodograph::paper::item::{Figure, Shape};
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
 

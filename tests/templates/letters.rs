@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use hodograph::figure::item::{Figure, Shape};
 use hodograph::figure::sheet::{Options, drawing, equations};
 use hodograph::mechanism::Level;
+use hodograph::paper::item::{Figure, Shape};
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
 

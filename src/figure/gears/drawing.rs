@@ -203,7 +203,7 @@ impl Drawn<'_> {
                 d.shape("contact", "contact", circle);
             }
         }
-        let name = self.maker.scene.point_name(self.rolling.at).to_owned();
+        let name = self.maker.scene.point_name(self.rolling.at[0]).to_owned();
         d.label_at(&name, "point", &point_label(&name), Point::ORIGIN, 1.6, Some(Vec2::new(-1.0, 0.6)));
         // The operating pressure angle, between the common tangent and the line of action.
         let radius = (0.75 * reach).min(26.0);

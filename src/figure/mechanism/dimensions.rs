@@ -146,11 +146,13 @@ impl Draft<'_> {
         for pair in &self.scene.rolling {
             let hollow = match pair.contours {
                 Contours::Circles { hollow, .. } => hollow,
-                Contours::Track { .. } => None,
+                Contours::Track { .. } | Contours::Belt { .. } => None,
             };
-            let Some(contact) = self.point(pair.at) else { continue };
-            let centres = pair.centres().into_iter().enumerate().filter(|(i, _)| hollow != Some(*i));
-            discs.extend(centres.filter_map(|(_, p)| self.point(p?)).map(|c| (c, c.distance(contact))));
+            let round = |i: usize| {
+                let centre = self.point(pair.centres()[i]?)?;
+                Some((centre, centre.distance(self.point(pair.at[i])?)))
+            };
+            discs.extend([0, 1].into_iter().filter(|i| hollow != Some(*i)).filter_map(round));
         }
         for c in &self.scene.cams {
             if let Some((centre, radius)) = c.circle

@@ -112,7 +112,7 @@ impl Draft<'_> {
             let shown = self.is_fixed_pivot(p)
                 || self.is_pin(p)
                 || self.is_reference(p)
-                || self.scene.rolling.iter().any(|r| r.at == p)
+                || self.scene.rolling.iter().any(|r| r.at.contains(&p))
                 || self.scene.carriers(p).any(|l| self.forms[l.0].is_some());
             if !shown {
                 continue;

@@ -6,6 +6,7 @@
 //! Links and points without a place are left out.
 
 mod apart;
+mod belts;
 mod cams;
 mod composed;
 pub(crate) mod dimensions;

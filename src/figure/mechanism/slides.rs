@@ -150,7 +150,9 @@ impl Draft<'_> {
             return Some((if crossing.at.is_finite() && crossing.sine.abs() > 0.1 { crossing.at } else { middle }, 0.0));
         }
         let own = link.points.iter().find_map(|p| self.point(*p));
-        let rolled = || self.scene.rolling.iter().filter(|r| r.links.iter().any(|l| l.0 == slider)).find_map(|r| self.point(r.at));
+        let rolled = || {
+            self.scene.rolling.iter().filter(|r| r.links.iter().any(|l| l.0 == slider)).find_map(|r| self.point(r.at_of(LinkId(slider))))
+        };
         let along = || own.or_else(|| self.runner(g).map(|(at, _)| at)).map(|at| (at, 0.0));
         own.is_none().then(rolled).flatten().map(|at| (at, RACK_HALF_MM)).or_else(along)
     }

@@ -11,7 +11,7 @@ use crate::figure::label::Label;
 use crate::figure::place::LabelRequest;
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
-use crate::scene::{Contours, GuideId, LinkId, PointId, Rolling};
+use crate::scene::{Contours, GuideId, LinkId, PointId, Rolling, RollingKind};
 
 use super::Draft;
 use super::letters::NumberPlace;
@@ -43,14 +43,13 @@ struct Round {
 impl Draft<'_> {
     /// The round contours of a pair.
     fn rounds(&self, pair: &Rolling) -> Vec<Round> {
-        let Some(contact) = self.point(pair.at) else { return Vec::new() };
         let teeth = pair.flanks.as_ref().map(|f| f.teeth);
         let hollow = match pair.contours {
             Contours::Circles { hollow, .. } => hollow,
-            Contours::Track { .. } => None,
+            Contours::Track { .. } | Contours::Belt { .. } => None,
         };
         let round = |i: usize| {
-            let centre = self.point(pair.centres()[i]?)?;
+            let (centre, contact) = (self.point(pair.centres()[i]?)?, self.point(pair.at[i])?);
             let (radius_mm, hollow) = (centre.distance(contact), hollow == Some(i));
             Some(Round { link: pair.links[i], centre, radius_mm, hollow, teeth: teeth.and_then(|z| z[i]) })
         };
@@ -74,7 +73,7 @@ impl Draft<'_> {
         let wheels = self.scene.rolling.iter().flat_map(|p| self.rounds(p)).filter(|r| !r.hollow);
         let boxes = points.map(|p| Rect::new(p, p)).chain(wheels.map(|r| Rect::new(r.centre, r.centre).grown(r.radius_mm)));
         let rest = boxes.reduce(Rect::union).map_or(0.0, |b| b.width_mm().max(b.height_mm()));
-        match self.point(pair.at) {
+        match self.point(pair.at_of(round.link)) {
             Some(contact) if round.hollow && 2.0 * round.radius_mm > DWARFS * rest => {
                 let (middle, half) = ((contact - round.centre).angle(), ARC_PART * rest / round.radius_mm);
                 [middle - half, middle + half]
@@ -97,7 +96,7 @@ impl Draft<'_> {
                     drawn.push((round.link, round.centre, round.radius_mm));
                     self.round(pair, &round);
                 }
-                if round.link == scene.ground || round.hollow && !pair.toothed {
+                if round.link == scene.ground || round.hollow && pair.kind == RollingKind::Wheel {
                     self.hatched_rim(pair, &round);
                 }
             }
@@ -107,6 +106,7 @@ impl Draft<'_> {
                 self.track(pair, guide);
             }
         }
+        self.belts();
     }
 
     /// The circle itself.
@@ -115,17 +115,20 @@ impl Draft<'_> {
         let l = (!ground).then_some(round.link.0);
         let id = format!("wheel-{}", self.scene.link_name(round.link));
         let class = if ground { "ground wheel" } else { "wheel" };
-        let stroke = if pair.toothed { self.style.outline.dashed(Dash::DashDot) } else { self.style.outline };
+        let stroke = match pair.kind {
+            RollingKind::Gears | RollingKind::Chain => self.style.outline.dashed(Dash::DashDot),
+            RollingKind::Wheel | RollingKind::Belt => self.style.outline,
+        };
         self.d.of_link(l);
         // A line and no disc: labels may stand inside.
         let [from_rad, to_rad] = self.span(pair, round);
         let circle = |radius_mm, stroke| Shape::Arc { centre: round.centre, radius_mm, from_rad, to_rad, stroke };
         let traced = self.rolling.is_some_and(|links| round.link == links[0] && pair.links.iter().all(|l| links.contains(l)));
         let owner = if traced { 0 } else { self.d.shape(&id, class, circle(round.radius_mm, stroke)) };
-        if round.hollow && pair.toothed && !ground {
+        if round.hollow && pair.kind == RollingKind::Gears && !ground {
             self.d.shape(&id, class, circle(round.radius_mm + RIM_MM, self.style.outline));
         }
-        let contact = self.point(pair.at).unwrap_or(round.centre);
+        let contact = self.point(pair.at_of(round.link)).unwrap_or(round.centre);
         let away = (round.centre - contact).unit().unwrap_or(Vec2::new(0.0, 1.0));
         if let Some(teeth) = round.teeth {
             let angles = TEETH_RAD.map(|a| away.angle() + a);
@@ -146,7 +149,8 @@ impl Draft<'_> {
 
     /// Hatching of a rim beside its contact: outside a hollow one, inside a full one.
     fn hatched_rim(&mut self, pair: &Rolling, round: &Round) {
-        let Some(contact) = self.point(pair.at) else { return };
+        let at = pair.at_of(round.link);
+        let Some(contact) = self.point(at) else { return };
         let middle = (contact - round.centre).angle();
         let (sign, base) = if round.hollow { (1.0, round.radius_mm) } else { (-1.0, round.radius_mm) };
         let half = HATCHED_RAD.min(GUIDE_MM / round.radius_mm);
@@ -163,7 +167,7 @@ impl Draft<'_> {
             p + (out * sign + out.perp()) * self.style.hatch_depth_mm
         };
         let pieces = feet.iter().flat_map(|p| [Piece::Move(*p), Piece::Line(depth(*p))]).skip(1).collect();
-        let id = format!("track-{}", self.scene.point_name(pair.at));
+        let id = format!("track-{}", self.scene.point_name(at));
         self.d.shape(&id, "ground hatch", Shape::Path { start: feet[0], pieces, closed: false, stroke: Some(self.style.thin), fill: None });
         let (from_rad, to_rad) = (middle - half, middle + half);
         let arc = Shape::Arc { centre: round.centre, radius_mm: base, from_rad, to_rad, stroke: self.style.outline };
@@ -172,11 +176,11 @@ impl Draft<'_> {
 
     /// A straight track or rack under its wheel.
     fn track(&mut self, pair: &Rolling, guide: GuideId) {
-        let (Some(at), Some(crate::position::Path::Line { direction, .. })) = (self.point(pair.at), self.guide(guide)) else { return };
+        let (Some(at), Some(crate::position::Path::Line { direction, .. })) = (self.point(pair.at[0]), self.guide(guide)) else { return };
         let on = pair.links[0];
         let [back, ahead] = self.travel(guide);
         let half = (self.wheel(pair.links[1]).map_or(0.0, |w| w.1) / 2.0).max(GUIDE_MM / 2.0);
-        let id = format!("track-{}", self.scene.point_name(pair.at));
+        let id = format!("track-{}", self.scene.point_name(pair.at[0]));
         if on == self.scene.ground {
             // The material lies to the right of the direction, as the wheel lies to its left.
             let items = sym::ground_line(self.style, at + direction * (back - half), at + direction * (ahead + half));
@@ -191,8 +195,9 @@ impl Draft<'_> {
         let reach = held.iter().map(|p| (*p - at).dot(direction)).fold([back - half, ahead + half], |[a, b], s| [a.min(s), b.max(s)]);
         let [from, to] = reach.map(|s| at + direction * s);
         // As a ring is: the pitch line in chain, the body behind it in full.
-        let behind = if pair.toothed { -direction.perp() * RIM_MM } else { Vec2::ZERO };
-        let owner = if pair.toothed {
+        let toothed = pair.kind == RollingKind::Gears;
+        let behind = if toothed { -direction.perp() * RIM_MM } else { Vec2::ZERO };
+        let owner = if toothed {
             let stroke = self.style.outline;
             self.d.shape(&id, "wheel", Shape::Line { from, to, stroke: stroke.dashed(Dash::DashDot) });
             let pieces = vec![Piece::Line(from + behind), Piece::Line(to + behind), Piece::Line(to)];
@@ -215,12 +220,15 @@ impl Draft<'_> {
     pub(super) fn contacts(&mut self) {
         let scene = self.scene;
         for pair in &scene.rolling {
-            let Some(at) = self.point(pair.at) else { continue };
-            let normal = self.rounds(pair).first().map_or(0.0, |r| (at - r.centre).angle());
-            let arm = |k: f64| Vec2::from_angle(normal + FRAC_PI_4 + FRAC_PI_2 * k) * CROSS_MM;
-            let pieces = vec![Piece::Line(at - arm(0.0)), Piece::Move(at + arm(1.0)), Piece::Line(at - arm(1.0))];
-            let shape = Shape::Path { start: at + arm(0.0), pieces, closed: false, stroke: Some(self.style.outline), fill: None };
-            self.d.shape(&format!("contact-{}", scene.point_name(pair.at)), "contact", shape);
+            // Both ends of a strand, and of a contact its one point.
+            for p in pair.at.into_iter().skip(usize::from(pair.contact().is_some())) {
+                let Some(at) = self.point(p) else { continue };
+                let normal = self.rounds(pair).first().map_or(0.0, |r| (at - r.centre).angle());
+                let arm = |k: f64| Vec2::from_angle(normal + FRAC_PI_4 + FRAC_PI_2 * k) * CROSS_MM;
+                let pieces = vec![Piece::Line(at - arm(0.0)), Piece::Move(at + arm(1.0)), Piece::Line(at - arm(1.0))];
+                let shape = Shape::Path { start: at + arm(0.0), pieces, closed: false, stroke: Some(self.style.outline), fill: None };
+                self.d.shape(&format!("contact-{}", scene.point_name(p)), "contact", shape);
+            }
         }
     }
 
@@ -232,7 +240,7 @@ impl Draft<'_> {
             .rolling
             .iter()
             .filter(|r| r.links.contains(&l))
-            .filter_map(|r| (self.point(r.at)? - centre).unit())
+            .filter_map(|r| (self.point(r.at_of(l))? - centre).unit())
             .chain(self.scene.links[l.0].points.iter().flat_map(|p| self.leaving(*p)))
             .collect();
         let nearest = |u: &Vec2| contacts.iter().map(|c| c.dot(*u)).fold(-1.0, f64::max);

@@ -60,7 +60,9 @@ impl Draft<'_> {
         for pair in &scene.rolling {
             for (link, centre) in pair.links.into_iter().zip(pair.centres()) {
                 let (Some(centre), true) = (centre, link != scene.ground) else { continue };
-                let (Some((centre, a)), Some((through, b))) = (self.image_of(centre, link), self.image_of(pair.at, link)) else { continue };
+                let (Some((centre, a)), Some((through, b))) = (self.image_of(centre, link), self.image_of(pair.at_of(link), link)) else {
+                    continue;
+                };
                 let circle = Circle { centre, through, link, step: a.max(b), whole: true };
                 let same = |c: &Circle| {
                     c.link == link && c.centre.distance(centre) < SAME_MM && (c.radius_mm() - circle.radius_mm()).abs() < SAME_MM

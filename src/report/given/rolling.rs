@@ -2,12 +2,13 @@
 
 use super::Givens;
 use super::guide::Lay;
-use crate::scene::{Contours, Direction, Flanks, GuidePath, Lang, Rolling, Sizes};
+use crate::scene::{Contours, Direction, Flanks, GuidePath, Lang, Rolling, RollingKind, Sizes};
 
 impl Givens<'_> {
     /// A rolling pair in one sentence: `gears 2 and 4: $z_{2} = 20$, $z_{4} = 40$, pitch point $K$`.
     pub(super) fn rolling(&self, pair: &Rolling) -> String {
         let mut parts: Vec<String> = self.sizes(pair).into_iter().collect();
+        parts.extend(self.crossing(pair));
         if let Some(phase) = &pair.phase {
             let angle = self.angle(phase);
             parts.push(match self.lang() {
@@ -15,12 +16,16 @@ impl Givens<'_> {
                 Lang::Zh => format!("另一轮的直线与连心线重合时，其直线与连心线成 ${angle}$"),
             });
         }
-        let at = self.point(pair.at);
-        parts.push(match (pair.toothed, self.lang()) {
-            (true, Lang::En) => format!("pitch point {at}"),
-            (true, Lang::Zh) => format!("节点 {at}"),
-            (false, Lang::En) => format!("touching in {at}, without slip"),
-            (false, Lang::Zh) => format!("接触点 {at}，纯滚动"),
+        let [at, end] = pair.at.map(|p| self.point(p));
+        parts.push(match (pair.kind, self.lang()) {
+            (RollingKind::Gears, Lang::En) => format!("pitch point {at}"),
+            (RollingKind::Gears, Lang::Zh) => format!("节点 {at}"),
+            (RollingKind::Wheel, Lang::En) => format!("touching in {at}, without slip"),
+            (RollingKind::Wheel, Lang::Zh) => format!("接触点 {at}，纯滚动"),
+            (RollingKind::Belt, Lang::En) => format!("a strand from {at} to {end}, without slip"),
+            (RollingKind::Belt, Lang::Zh) => format!("带段自 {at} 至 {end}，不打滑"),
+            (RollingKind::Chain, Lang::En) => format!("a strand from {at} to {end}"),
+            (RollingKind::Chain, Lang::Zh) => format!("链段自 {at} 至 {end}"),
         });
         format!("{}{}", self.pair(pair), parts.join(self.words().comma))
     }
@@ -35,7 +40,8 @@ impl Givens<'_> {
             (false, true) => format!("link {a}"),
             (false, false) => format!("构件 {a} "),
         };
-        match (&pair.contours, pair.toothed) {
+        match (&pair.contours, pair.kind == RollingKind::Gears) {
+            (Contours::Belt { .. }, _) => self.belt(pair),
             (Contours::Circles { hollow: None, .. }, true) if en => format!("gears {a} and {b}: "),
             (Contours::Circles { hollow: None, .. }, true) => format!("齿轮 {a} 与 {b}："),
             (Contours::Circles { hollow: Some(i), .. }, true) => {
@@ -91,6 +97,11 @@ impl Givens<'_> {
                 vec![format!("$z_{{{a}}} = {y}$"), format!("$z_{{{b}}} = {z}$")]
             }
             (None, Contours::Track { radius: r, .. }) => vec![radius(&b, r)],
+            (None, Contours::Belt { radii: [p, q], teeth, .. }) => {
+                let number = |(of, z)| format!("$z_{{{of}}} = {z}$");
+                let teeth = teeth.iter().flat_map(|[y, z]| [number((&a, y)), number((&b, z))]);
+                teeth.chain([radius(&a, p), radius(&b, q)]).collect()
+            }
         }
     }
 }

@@ -1,9 +1,9 @@
-//! What the analysis says of a question: vectors and rates from its unknowns, the parts of a relative motion from rows.
+//! What the analysis answers to a question: vectors and rates are unknowns of the solution; the parts of a relative motion are derivatives of
+//! position equations.
 //!
-//! A relative motion is taken apart by equations between positions of the same kinds as those that were solved, now for coordinates that
-//! are not given: how far a point stands along and across a line of the carrying link ([`Along`](super::relation::Relation::Along)), how long a line is
-//! ([`Distance`](super::relation::Relation::Distance)), how it turns ([`Line`](super::relation::Relation::Line)). Their first and second derivatives at the solution are v_r, aʳ, aⁿ and aᵗ; the
-//! Coriolis part is what these leave of the whole.
+//! Each part has its own coordinate: how far a point lies along and across a line of the carrying link ([`Along`](super::relation::Relation::Along)),
+//! how long the line of two points is ([`Distance`](super::relation::Relation::Distance)), how it turns ([`Line`](super::relation::Relation::Line)).
+//! The first and second derivatives of these coordinates at the solution are v_r, aʳ, aⁿ and aᵗ; the Coriolis part is the whole less these.
 
 use super::Solution;
 use super::relation::{Handle, Pair, Row};

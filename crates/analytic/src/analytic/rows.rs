@@ -316,7 +316,7 @@ impl Layout {
         let [r1, r2] = at.shapes.rolling[r.0];
         let mut c = Vec::new();
         let relation = match pair.contours {
-            Contours::Circles { centres: [k1, k2], .. } => {
+            Contours::Circles { centres: [k1, k2], .. } | Contours::Belt { centres: [k1, k2], .. } => {
                 let (q, p) = (at.points[k1.0]?, at.points[k2.0]?);
                 let d = (p - q) * self.scale;
                 let [q, p] = [self.body(scene, pair.links[0], q)?, self.body(scene, pair.links[1], p)?];

@@ -1,7 +1,7 @@
-//! The motion as a power series in time, and what each equation between positions leaves of it.
+//! The motion as a power series in time, and the residual of each position equation for it, order by order.
 //!
-//! With c₁ = q̇ and c₂ = q̈/2 the equation's terms of t and t² say again what its row and its γ say; the terms of higher
-//! order are needed where the rows alone do not determine the motion.
+//! With c₁ = q̇ and c₂ = q̈/2, the orders t and t² repeat the equation's row and its γ. The higher orders determine the motion where the Jacobian is
+//! singular.
 
 use super::jet::Jet;
 use super::relation::{Handle, Relation};

@@ -1,7 +1,6 @@
-//! A large system solved block by block, in the order in which the blocks rest on one another.
+//! A large system solved block by block (block triangular form), each block after those that it rests on.
 //!
-//! A mechanism of many groups falls into as many small blocks. Their factors cost as much as the blocks are many, where those of the
-//! whole cost the cube of its unknowns.
+//! The cost of factoring grows with the number of blocks, not with the cube of the number of unknowns.
 
 use super::blocks::{Block, blocks};
 use super::relation::Row;

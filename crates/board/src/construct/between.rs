@@ -1,5 +1,4 @@
-//! What is drawn between two images because a question or a turning rate reads it, and the order in which all that is read off gets its
-//! turn.
+//! Draws the vectors between two images that a question or a turning rate reads, and decides in which order images, vectors and rates become known.
 
 use super::board::{Board, part_mark};
 use super::pencil::Pencil;

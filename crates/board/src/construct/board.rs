@@ -285,7 +285,6 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         known: &[Term],
         target: Option<VertexId>,
     ) -> Result<(Mark, Point<N>), Faults> {
-        let mu: N = scale::number(p.mu);
         let mut at = from;
         let last_drawn = known.iter().rposition(|t| !self.plan.vanishes(self.scene, p.level, t));
         for (i, term) in known.iter().enumerate() {
@@ -293,7 +292,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
                 p.actions.push(Action::Nothing { term: *term, at: at.1 });
                 continue;
             }
-            let end = at.1 + self.known_vector(p, term)? * (N::from_f64(1.0) / mu);
+            let end = at.1 + self.known_vector(p, term)?.laid_off(p.mu);
             let end = self.pencil.mark(p.level, end);
             let mark = match target {
                 Some(target) if Some(i) == last_drawn => Mark::Image(target),

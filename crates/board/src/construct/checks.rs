@@ -1,5 +1,5 @@
-//! What a pair that only repeats what others fix demands of the motion, measured on paper: along the line of its two pins nothing is left
-//! of their velocities, and of their accelerations the normal one alone. No crossing uses it, so it checks the drawing.
+//! Checks of the drawing by links that only repeat what others fix (virtual constraints): such a link has two pins at a fixed distance, so that along
+//! their line the relative velocity is zero and the relative acceleration is aⁿ alone. No crossing uses it, so it checks the drawing.
 
 use super::{Construction, Polygon};
 use crate::geom::Point;

@@ -147,7 +147,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     fn contact_length(&self, pair: RollingId) -> f64 {
         match self.scene.rolling[pair.0] {
             Rolling { contours: Contours::Track { .. }, guide: Some(guide), .. } => self.guide_length(guide),
-            Rolling { contours: Contours::Track { .. } | Contours::Circles { .. }, .. } => {
+            Rolling { contours: Contours::Track { .. } | Contours::Circles { .. } | Contours::Belt { .. }, .. } => {
                 self.contact_normal(pair).map_or(0.0, |n| n.approx().norm())
             }
         }

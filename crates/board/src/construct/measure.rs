@@ -2,7 +2,7 @@
 
 use super::board::Board;
 use super::pencil::Pencil;
-use super::scale;
+use super::scale::{self, Si};
 use super::{Action, Mark, Polygon, RateMeasured, RateReading};
 use crate::diag::Faults;
 use crate::geom::{Point, Vec2};
@@ -75,12 +75,12 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         p.edge_of(&[wanted]).map(|(marks, _)| marks)
     }
 
-    /// A known term as a vector in SI.
-    pub(super) fn known_vector(&mut self, p: &Polygon<N>, term: &Term) -> Result<Vec2<N>, Faults> {
+    /// A known term.
+    pub(super) fn known_vector(&mut self, p: &Polygon<N>, term: &Term) -> Result<Si<N>, Faults> {
         let two = N::from_f64(2.0);
         let arm = || self.arm(term.of, term.to);
         let turning = |body| self.arm_of(body, term.of, term.to);
-        Ok(match (term.kind, term.by) {
+        Ok(Si(match (term.kind, term.by) {
             (TermKind::Relative, By::Turning(body)) => turning(body).perp() * self.rate(Level::Velocity, body),
             (TermKind::Normal, By::Turning(body)) => {
                 let omega = self.rate(Level::Velocity, body);
@@ -101,21 +101,21 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
             }
             (TermKind::Coriolis, By::Guide { guide, .. }) => {
                 let omega = self.rate(Level::Velocity, Body::Link(self.plan.coriolis_link(self.scene, guide)));
-                self.slide_velocity(term).perp() * (two * omega)
+                self.slide_velocity(term).0.perp() * (two * omega)
             }
             (TermKind::SlideNormal, By::Frame { about: Some(centre), .. }) => {
-                let v = self.slide_velocity(term);
+                let Si(v) = self.slide_velocity(term);
                 let Spot::Point(own) = self.plan.vertex(term.of).spot else { unreachable!("a moving point is a point") };
                 let inward = self.at.point(centre) - self.at.point(own);
                 inward * (v.norm2() / inward.norm2())
             }
             (TermKind::Coriolis, By::Frame { body: Some(body), .. }) => {
                 let omega = self.rate(Level::Velocity, body);
-                self.slide_velocity(term).perp() * (two * omega)
+                self.slide_velocity(term).0.perp() * (two * omega)
             }
             (TermKind::SlideNormal, By::Guide { guide, .. }) => {
                 let Path::Arc { centre, radius } = self.at.guide(guide) else { unreachable!("only arcs have a normal part of sliding") };
-                let v = self.slide_velocity(term);
+                let Si(v) = self.slide_velocity(term);
                 let Spot::Point(pin) = self.plan.vertex(term.of).spot else { unreachable!("a runner is a point") };
                 let inward = self.turned(guide, (centre - self.at.point(pin)) * (N::from_f64(1.0) / radius));
                 let size = v.norm2() / radius;
@@ -128,7 +128,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
                 self.contact_radius(pair, term.of) * ((other - one) * (other - one) * N::from_f64(way))
             }
             _ => unreachable!("this kind of term is never known"),
-        })
+        }))
     }
 
     /// δn at a contact: δ = ρ₁ρ₂/(ρ₁ + ρ₂), of a straight track ρ of the wheel, n from the first link to the second; the radii as the contact divides the
@@ -145,6 +145,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         match rolling.contours {
             Contours::Circles { .. } => line * (a * b / ((a + b) * (a + b))),
             Contours::Track { .. } => line,
+            Contours::Belt { .. } => unreachable!("what the ends of a strand differ by across it is never known"),
         }
     }
 
@@ -157,9 +158,9 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     }
 
     /// Sliding velocity between the two points of a term, measured on the velocity polygon.
-    fn slide_velocity(&mut self, term: &Term) -> Vec2<N> {
+    fn slide_velocity(&mut self, term: &Term) -> Si<N> {
         let v = self.done.polygon(Level::Velocity).expect("velocities are drawn before accelerations");
         let (drawn, mu) = (self.image(v, term.of) - self.image(v, term.to), v.mu);
-        self.pencil.read(Level::Velocity, drawn) * scale::number(mu)
+        Si::measured(self.pencil.read(Level::Velocity, drawn), mu)
     }
 }

@@ -8,6 +8,23 @@ use crate::plan::{Plan, Step};
 use crate::position::Configuration;
 use crate::scene::{Cam, Contours, Paper, Rolling, Scene};
 
+/// A velocity (m/s) or an acceleration (m/s²), by the polygon's level. Laid-off and measured vectors are millimetres: the two do not mix, and only a
+/// scale μ leads from the one to the other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Si<N>(pub Vec2<N>);
+
+impl<N: Real> Si<N> {
+    /// What is measured on paper (mm), to a scale.
+    pub fn measured(drawn_mm: Vec2<N>, mu: f64) -> Si<N> {
+        Si(drawn_mm * number(mu))
+    }
+
+    /// As it is laid off on paper (mm), to a scale.
+    pub fn laid_off(self, mu: f64) -> Vec2<N> {
+        self.0 * (N::from_f64(1.0) / number(mu))
+    }
+}
+
 /// Room for each drawing, in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boxes {
@@ -72,11 +89,13 @@ pub fn size(scene: &Scene, at: &Configuration) -> [f64; 2] {
 fn circles(pair: &Rolling, at: &Configuration) -> Vec<(Point, f64, bool)> {
     let hollow = match pair.contours {
         Contours::Circles { hollow, .. } => hollow,
-        Contours::Track { .. } => None,
+        Contours::Track { .. } | Contours::Belt { .. } => None,
     };
-    let Some(contact) = at.points[pair.at.0] else { return Vec::new() };
-    let centres = pair.centres().into_iter().enumerate().filter_map(|(i, p)| Some((i, at.points[p?.0]?)));
-    centres.map(|(i, centre)| (centre, centre.distance(contact), hollow == Some(i))).collect()
+    let round = |i: usize| {
+        let centre = at.points[pair.centres()[i]?.0]?;
+        Some((centre, centre.distance(at.points[pair.at[i].0]?), hollow == Some(i)))
+    };
+    [0, 1].into_iter().filter_map(round).collect()
 }
 
 /// Points round the profile of a cam, one for each ten degrees.

@@ -60,11 +60,12 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         Some((self.constraint_line(&all[legs.0])?, self.constraint_line(&all[legs.1])?))
     }
 
-    /// The line of centres at a contact, as drawn; of a straight track its normal.
+    /// The line of centres at a contact, as drawn; of a straight track, and of a strand, its normal.
     pub(super) fn contact_normal(&self, pair: RollingId) -> Option<Vec2<N>> {
         let pair = &self.scene.rolling[pair.0];
         match pair.contours {
             Contours::Circles { centres: [a, b], .. } => Some(self.joint(b)? - self.joint(a)?),
+            Contours::Belt { .. } => Some((self.joint(pair.at[1])? - self.joint(pair.at[0])?).perp()),
             Contours::Track { .. } => match (pair.guide, self.at.guide(pair.guide?)) {
                 (Some(guide), Path::Line { direction, .. }) => Some(self.turned(guide, direction.perp())),
                 (_, Path::Arc { .. }) | (None, _) => None,

@@ -12,6 +12,7 @@ impl Writer<'_> {
         let p = |q: crate::scene::PointId| point_label(self.scene.point_name(q));
         match (&pair.contours, pair.guide) {
             (Contours::Circles { centres: [a, b], .. }, _) => format!("\\parallel {}{}", p(*a.min(b)), p(*a.max(b))),
+            (Contours::Belt { .. }, _) => format!("\\perp {}{}", p(pair.at[0]), p(pair.at[1])),
             (Contours::Track { .. }, Some(guide)) => format!("\\perp {}", self.guide_line(guide)),
             (Contours::Track { .. }, None) => String::new(),
         }
@@ -25,6 +26,7 @@ impl Writer<'_> {
         let hollow = match rolling.contours {
             Contours::Circles { hollow, .. } => hollow,
             Contours::Track { .. } => Some(0),
+            Contours::Belt { .. } => None,
         };
         let centre = |k: usize| rolling.centres()[k].map(|p| point_label(self.scene.point_name(p))).unwrap_or_default();
         match hollow == Some(own) {
@@ -48,6 +50,8 @@ impl Writer<'_> {
                 format!("{omega} r_{{{a}}} r_{{{b}}}/({sum})")
             }
             Contours::Track { .. } => format!("{omega} r_{{{b}}}"),
+            // Two wheels in a belt have no such term: what their rims differ by is never known beforehand.
+            Contours::Belt { .. } => String::new(),
         }
     }
 }

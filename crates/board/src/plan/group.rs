@@ -143,8 +143,8 @@ impl Builder<'_> {
     /// A link that touches a known one and rolls on it: at the contact both have one velocity, and of their accelerations the difference is
     /// known, as if it were pinned there.
     fn pinned_at_contact(&mut self, level: Level, link: LinkId, (pair, other): (RollingId, LinkId), third: &Hold) {
-        let at = self.scene.rolling[pair.0].at;
-        let (own, from) = (self.coincident(at, link), self.coincident(at, other));
+        let rolling = &self.scene.rolling[pair.0];
+        let (own, from) = (self.coincident(rolling.at_of(link), link), self.coincident(rolling.at_of(other), other));
         self.ensure(level, from);
         let known = self.roll(level, pair, own, from);
         self.equation(level, own, vec![Chain { start: from, known, unknown: Vec::new() }], Method::Coincident);
@@ -249,5 +249,6 @@ fn contact_on_bar(scene: &Scene, a: &Hold, b: &Hold) -> Option<usize> {
     let (Hold::Distance { near, far, strut: Strut::Bar(_) }, [Some(p), Some(q)]) = (bar, scene.rolling[pair.0].centres()) else {
         return None;
     };
+    scene.rolling[pair.0].contact()?;
     ((p, q) == (near, far) || (p, q) == (far, near)).then_some(which)
 }

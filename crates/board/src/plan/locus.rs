@@ -7,7 +7,7 @@
 use super::build::Builder;
 use super::{Body, By, Chain, Term, TermKind, VertexId};
 use crate::mechanism::{Hold, Level, Strut};
-use crate::scene::{GuideId, GuidePath, LinkId, PointId};
+use crate::scene::{Contours, GuideId, GuidePath, LinkId, PointId, RollingId};
 
 impl Builder<'_> {
     /// Terms of a turning body between two of its points: known ones and, unless the rate is known, the unknown one.
@@ -88,12 +88,25 @@ impl Builder<'_> {
             }
             Hold::Rolls { pair, other, at } => {
                 let link = core.expect("a contact belongs to the core link");
-                let (of, to) = (self.coincident(at, link), self.coincident(at, other));
+                let (of, to) = (self.coincident(at, link), self.coincident(self.scene.rolling[pair.0].at_of(other), other));
                 self.ensure(level, to);
                 let apart = Term { kind: TermKind::Roll, of, to, by: By::Contact(pair), known: false };
-                Chain { start: to, known: Vec::new(), unknown: vec![apart] }
+                Chain { start: to, known: self.along_strand(level, pair, of, to), unknown: vec![apart] }
             }
             Hold::Glide { guide, other, driver } => self.glide(level, guide, other, driver, at.expect("a gliding link needs a point")),
+        }
+    }
+
+    /// What the ends of a strand differ by along it: nothing of the velocities; of the accelerations the normal part that the arm's turning gives
+    /// the strand. Across it they differ by what else turning and bending make, as two points at a contact do.
+    fn along_strand(&mut self, level: Level, pair: RollingId, of: VertexId, to: VertexId) -> Vec<Term> {
+        match (&self.scene.rolling[pair.0].contours, level) {
+            (Contours::Belt { arm, .. }, Level::Acceleration) if !self.m.never_turns[arm.0] => {
+                let body = Body::Link(*arm);
+                self.need_rate(body);
+                vec![Term { kind: TermKind::Normal, of, to, by: By::Turning(body), known: true }]
+            }
+            (Contours::Belt { .. } | Contours::Circles { .. } | Contours::Track { .. }, _) => Vec::new(),
         }
     }
 

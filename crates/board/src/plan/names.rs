@@ -9,7 +9,7 @@ use crate::scene::{PointId, Scene};
 /// A name, or several run together (`O2B`, `3/2`), as it stands among other signs: `B_1` → `B\_1`.
 ///
 /// ```
-/// use hodograph::figure::label::Label;
+/// use hodograph::paper::label::Label;
 /// use hodograph::plan::names::name_label;
 /// assert_eq!(Label::math(format!("v_{{{}}}", name_label("O_"))).faults(), []);
 /// ```

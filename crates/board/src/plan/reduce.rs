@@ -175,7 +175,7 @@ impl Builder<'_> {
         }
         states[i].done = true;
         for &pair in &member.rolls {
-            let contact = self.coincident(self.scene.rolling[pair.0].at, member.link);
+            let contact = self.coincident(self.scene.rolling[pair.0].at_of(member.link), member.link);
             if !self.is_known(level, contact) {
                 self.pending.push(Step::Image { link: member.link, target: contact, from: (a, b) });
                 self.learn(level, contact);
@@ -190,7 +190,7 @@ impl Builder<'_> {
             for &pair in &member.rolls {
                 let rolling = &self.scene.rolling[pair.0];
                 let Some(other) = rolling.other(member.link) else { continue };
-                let (own, from) = (self.coincident(rolling.at, member.link), self.coincident(rolling.at, other));
+                let (own, from) = (self.coincident(rolling.at_of(member.link), member.link), self.coincident(rolling.at_of(other), other));
                 if from != found || self.is_known(level, own) {
                     continue;
                 }
@@ -225,7 +225,7 @@ impl Builder<'_> {
             .collect();
         let Some(points) = points else { return false };
         self.scene.rolling.iter().any(|r| {
-            let on = |p: &PointId| *p == r.at || r.centres().contains(&Some(*p));
+            let on = |p: &PointId| r.at.contains(p) || r.centres().contains(&Some(*p));
             points.iter().all(on)
         })
     }
@@ -274,7 +274,7 @@ impl Builder<'_> {
         match line {
             Line::Leg(hold) => self.near(link, hold).expect("a leg with a line has a point on the link"),
             Line::Neighbour { pin, .. } => self.pin(*pin),
-            Line::Contact { pair, .. } => self.coincident(self.scene.rolling[pair.0].at, link),
+            Line::Contact { pair, .. } => self.coincident(self.scene.rolling[pair.0].at_of(link), link),
         }
     }
 
@@ -287,8 +287,8 @@ impl Builder<'_> {
                 Chain { start: special, known, unknown }
             }
             Line::Contact { pair, special, link: other } => {
-                let at = self.scene.rolling[pair.0].at;
-                let (own, near) = (self.coincident(at, link), self.coincident(at, other));
+                let rolling = &self.scene.rolling[pair.0];
+                let (own, near) = (self.coincident(rolling.at_of(link), link), self.coincident(rolling.at_of(other), other));
                 let (mut known, unknown) = self.turning(level, Body::Link(other), near, special, false);
                 known.extend(self.roll(level, pair, own, near));
                 Chain { start: special, known, unknown }
@@ -301,7 +301,7 @@ fn special_line(scene: &Scene, line: &Line) -> SpecialLine {
     match line {
         Line::Leg(hold) => SpecialLine::Leg(hold.line().expect("members are held along lines")),
         Line::Neighbour { pin, special, .. } => SpecialLine::Through { pin: *pin, special: *special },
-        Line::Contact { pair, special, .. } => SpecialLine::Through { pin: scene.rolling[pair.0].at, special: *special },
+        Line::Contact { pair, special, link } => SpecialLine::Through { pin: scene.rolling[pair.0].at_of(*link), special: *special },
     }
 }
 
@@ -364,11 +364,13 @@ fn members(scene: &Scene, m: &crate::mechanism::Mechanism, g: usize) -> Option<V
                 add(*holder(near).first()?, Hold::Distance { near, far, strut: Strut::Cylinder(driver) })?;
             }
             Form::Rolls { pair, links } if links.iter().all(|l| group.links.contains(l)) => {
+                // Of a strand between two unknown links neither end tells the other: it turns with an arm.
+                scene.rolling[pair.0].contact()?;
                 contacts.push((pair, links));
             }
             Form::Rolls { pair, links } => {
                 let own = ends(links.map(|l| group.links.contains(&l)))?;
-                add(links[own], Hold::Rolls { pair, other: links[1 - own], at: scene.rolling[pair.0].at })?;
+                add(links[own], Hold::Rolls { pair, other: links[1 - own], at: scene.rolling[pair.0].at_of(links[own]) })?;
             }
             Form::Angles { .. } | Form::OnPath { runner: Runner::Link(_), .. } | Form::AlongPath { .. } => return None,
         }

@@ -323,7 +323,7 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
             Form::Rolls { pair, .. } => {
                 let rolling = &scene.rolling[pair.0];
                 let other = rolling.other(core).filter(|l| !links.contains(l))?;
-                legs.push(Leg::Rolls { pair, other, at: rolling.at });
+                legs.push(Leg::Rolls { pair, other, at: rolling.at_of(core) });
                 used += 1;
             }
             Form::OnPath { runner: Runner::Link(slider), guide, on } => {

@@ -3,7 +3,7 @@
 
 use super::{Constraint, Item, Node, Passive};
 use crate::diag::{Both, Diagnostic, Faults, both};
-use crate::scene::{LinkId, PointId, Scene};
+use crate::scene::{LinkId, PointId, RollingKind, Scene};
 use std::collections::BTreeSet;
 
 /// Mobility F = 3n − 2P_L − P_H with its counts.
@@ -309,7 +309,7 @@ fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, N
 /// Counts links and pairs. Drivers do not count: they are what the freedoms are for. A cylinder counts as barrel, rod
 /// and sliding pair, so that its driver too has its freedom.
 ///
-/// A wheel that rolls on its track takes two freedoms, as a lower pair does. A mesh takes one, and one more where nothing but its flanks
+/// A belt or chain takes one freedom of two neighbours, as a mesh does; it is no link. A wheel that rolls on its track takes two freedoms, as a lower pair does. A mesh takes one, and one more where nothing but its flanks
 /// holds the distance of the centres, which the constraints say.
 pub(super) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
     let mut moving = scene.links.len() - 1;
@@ -337,9 +337,10 @@ pub(super) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
     }
     for pair in &scene.rolling {
         let own = pair.guide.filter(|g| constraints.iter().any(|c| c.item() == Item::Guide(*g)));
-        match (pair.toothed, own) {
-            (false, _) => lower += 1,
-            (true, own) => higher += 1 + usize::from(own.is_some()),
+        match pair.kind {
+            RollingKind::Wheel => lower += 1,
+            RollingKind::Gears => higher += 1 + usize::from(own.is_some()),
+            RollingKind::Belt | RollingKind::Chain => higher += 1,
         }
     }
     for g in scene.guides.iter().filter(|g| g.rolling.is_none()) {

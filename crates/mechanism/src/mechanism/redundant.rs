@@ -11,7 +11,7 @@
 use super::mobility::Matched;
 use super::{Constraint, Core, Item, Mechanism, Passive, find_constraints, find_pins, touching};
 use crate::diag::Span;
-use crate::scene::{Contours, Guide, GuideId, LinkId, PointId, Rolling, RollingId, Scene, Sizes};
+use crate::scene::{Contours, Guide, GuideId, LinkId, PointId, Rolling, RollingId, RollingKind, Scene, Sizes};
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
@@ -180,7 +180,7 @@ fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidat
     let mut all: Vec<Candidate> = links.filter_map(|l| as_follower(scene, pins, l)).collect();
     let driven = |g: usize| scene.drivers.iter().any(|d| d.kind.guide() == Some(GuideId(g)));
     // Teeth keep a distance only where nothing else does; a wheel on its track may touch it because its axle keeps it there.
-    let toothed = |guide: &Guide| guide.rolling.is_some_and(|r| scene.rolling[r.0].toothed);
+    let toothed = |guide: &Guide| guide.rolling.is_some_and(|r| scene.rolling[r.0].kind == RollingKind::Gears);
     for (g, guide) in scene.guides.iter().enumerate().filter(|(g, guide)| !driven(*g) && !toothed(guide)) {
         let block = guide.slider.is_some_and(|s| closed.passive[s.0] == Some(Passive::Block(GuideId(g))));
         let equations = match (guide.slider.filter(|_| !block), guide.pin) {
@@ -233,12 +233,12 @@ fn carries(scene: &Scene, arm: LinkId, wheel: LinkId) -> bool {
 
 /// The other wheel of a pair of circles, which of the two is hollow as this one sees it, and the ratio of their sizes.
 fn ratio(pair: &Rolling, wheel: LinkId) -> Option<(LinkId, Option<usize>, f64)> {
-    let Contours::Circles { sizes, hollow, .. } = &pair.contours else { return None };
-    let own = pair.links.iter().position(|l| *l == wheel)?;
-    let [a, b] = match sizes {
-        Sizes::Radii([a, b]) => [a.value, b.value],
-        Sizes::Teeth([a, b]) => [f64::from(*a), f64::from(*b)],
+    let (hollow, [a, b]) = match &pair.contours {
+        Contours::Circles { sizes: Sizes::Radii([a, b]), hollow, .. } => (*hollow, [a.value, b.value]),
+        Contours::Circles { sizes: Sizes::Teeth([a, b]), hollow, .. } => (*hollow, [f64::from(*a), f64::from(*b)]),
+        Contours::Belt { .. } | Contours::Track { .. } => return None,
     };
+    let own = pair.links.iter().position(|l| *l == wheel)?;
     Some((pair.links[1 - own], hollow.map(|h| h ^ own), if own == 0 { a / b } else { b / a }))
 }
 

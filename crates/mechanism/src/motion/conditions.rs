@@ -14,7 +14,7 @@ use crate::number::Real;
 use crate::position::kernel::power_of_two_scale;
 use crate::position::{Configuration, Path};
 use crate::scene::exact::Inputs;
-use crate::scene::{LinkId, PointId, Scene};
+use crate::scene::{Contours, LinkId, PointId, RollingId, Scene};
 
 /// A point of a body: of one whose motion is known, or of an unknown of the group.
 #[derive(Clone, Copy)]
@@ -78,8 +78,8 @@ enum Condition<N> {
     Along { p: Handle<N>, q: Handle<N>, k: Vec2<N>, rate: N, acceleration: N },
     /// The distance P − Q, times a weight w: u = w (P − Q), u·(v_P − v_Q) = w l l̇, u·(a_P − a_Q) + w |v_P − v_Q|² = w (l̇² + l l̈).
     Distance { p: Handle<N>, q: Handle<N>, u: Vec2<N>, weight: N, rate: N, acceleration: N },
-    /// ω_P − ω_Q.
-    Turning { p: Handle<N>, q: Handle<N>, rate: N, acceleration: N },
+    /// The sum of the angular velocities of bodies, each times a number that stays.
+    Turning { bodies: Vec<(Handle<N>, N)>, rate: N, acceleration: N },
 }
 
 impl<N: Real> Condition<N> {
@@ -88,12 +88,12 @@ impl<N: Real> Condition<N> {
         match self {
             Condition::Along { p, q, k, rate, .. } => *rate + p.add(row, *k) + q.add(row, -*k),
             Condition::Distance { p, q, u, rate, .. } => *rate + p.add(row, *u) + q.add(row, -*u),
-            Condition::Turning { p, q, rate, .. } => {
+            Condition::Turning { bodies, rate, .. } => {
                 let mut known = *rate;
-                for (h, sign) in [(p, 1.0), (q, -1.0)] {
-                    match *h {
-                        Handle::Known(m) => known = known - N::from_f64(sign) * m.omega,
-                        Handle::Link(i, _) => row[i + 2] = row[i + 2] + N::from_f64(sign),
+                for (body, factor) in bodies {
+                    match *body {
+                        Handle::Known(m) => known = known - *factor * m.omega,
+                        Handle::Link(i, _) => row[i + 2] = row[i + 2] + *factor,
                         Handle::Pin(_) => {}
                     }
                 }
@@ -114,10 +114,10 @@ impl<N: Real> Condition<N> {
                 let relative = p.velocity(x) - q.velocity(x);
                 *acceleration - relative.norm2() * *weight - u.dot(p.bias(x) - q.bias(x))
             }
-            Condition::Turning { p, q, acceleration, .. } => {
-                let alpha = |h: &Handle<N>| if let Handle::Known(m) = h { m.alpha } else { N::from_f64(0.0) };
-                *acceleration - alpha(p) + alpha(q)
-            }
+            Condition::Turning { bodies, acceleration, .. } => bodies.iter().fold(*acceleration, |sum, (body, factor)| match body {
+                Handle::Known(m) => sum - *factor * m.alpha,
+                Handle::Link(..) | Handle::Pin(_) => sum,
+            }),
         }
     }
 }
@@ -258,6 +258,30 @@ impl<N: Real> Builder<'_, N> {
         }
     }
 
+    /// The turning of a link, times a number.
+    fn turns(&self, l: LinkId, factor: N) -> (Handle<N>, N) {
+        (self.body(l, Point::origin()), factor)
+    }
+
+    /// Both points at a contact have one velocity, and accelerations that differ along the normal only. Both wheels in a belt have one speed
+    /// at their rims, seen from the link that carries their centres.
+    fn rolls(&self, pair: RollingId, links: [LinkId; 2]) -> Condition<N> {
+        let (rolling, zero) = (&self.scene.rolling[pair.0], N::from_f64(0.0));
+        match rolling.contours {
+            Contours::Circles { .. } | Contours::Track { .. } => {
+                let (place, n) = (self.at.point(rolling.at[0]), self.at.normal(self.scene, pair).expect("a planned contact is placed"));
+                let [a, b] = links.map(|l| self.body(l, place));
+                Condition::Along { p: b, q: a, k: n.perp(), rate: zero, acceleration: zero }
+            }
+            Contours::Belt { arm, .. } => {
+                let [a, b] = self.at.shapes.rolling[pair.0];
+                let (ratio, one) = (a / b, N::from_f64(1.0));
+                let bodies = vec![self.turns(links[0], ratio), self.turns(links[1], one), self.turns(arm, -(ratio + one))];
+                Condition::Turning { bodies, rate: zero, acceleration: zero }
+            }
+        }
+    }
+
     /// What runs in a guide, and where it is: its pin, or the slider itself.
     fn runner(&self, runner: Runner) -> (Handle<N>, Point<N>) {
         match runner {
@@ -299,17 +323,11 @@ impl<N: Real> Builder<'_, N> {
                 let k = self.at.guide(guide).tangent_at(place);
                 list.push(Condition::Along { p, q, k, rate: rate * self.scale, acceleration: acceleration * self.scale });
             }
-            Form::Rolls { pair, links } => {
-                // Both points at the contact have one velocity, and accelerations that differ along the normal only.
-                let (place, n) =
-                    (self.at.point(self.scene.rolling[pair.0].at), self.at.normal(self.scene, pair).expect("a planned contact is placed"));
-                let [a, b] = links.map(|l| self.body(l, place));
-                list.push(Condition::Along { p: b, q: a, k: n.perp(), rate: zero, acceleration: zero });
-            }
+            Form::Rolls { pair, links } => list.push(self.rolls(pair, links)),
             Form::Angles { of, against, driver } => {
                 let (rate, acceleration) = driver.map_or((zero, zero), driven);
-                let anywhere = Point::origin();
-                list.push(Condition::Turning { p: self.body(of, anywhere), q: self.body(against, anywhere), rate, acceleration });
+                let one = N::from_f64(1.0);
+                list.push(Condition::Turning { bodies: vec![self.turns(of, one), self.turns(against, -one)], rate, acceleration });
             }
             Form::Distance { from, to, driver } => {
                 let (rate, acceleration) = driven(driver);

@@ -301,7 +301,10 @@ pub(super) fn complete<N: Real>(
     let guides: Vec<Option<Path<N>>> =
         (0..scene.guides.len()).map(|g| Some(shapes.guides[g]?.to_world(&poses[scene.guides[g].on.0]?))).collect();
     for (pair, sizes) in scene.rolling.iter().zip(&shapes.rolling) {
-        points[pair.at.0] = rolling::contact(pair, *sizes, &points, &guides);
+        let ends = rolling::contact(pair, *sizes, &points, &guides);
+        for (k, at) in pair.at.into_iter().enumerate() {
+            points[at.0] = ends.map(|ends| ends[k]);
+        }
     }
     for (l, passive) in m.passive.iter().enumerate() {
         poses[l] = match *passive {

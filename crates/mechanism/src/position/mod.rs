@@ -8,9 +8,11 @@
 //! The result is a [`Configuration`]: all that the drawing board and the loop equations share.
 
 mod assemble;
+pub mod belt;
 mod branch;
 mod configure;
 mod coupled;
+mod eliminant;
 mod equations;
 mod finish;
 pub mod fold;

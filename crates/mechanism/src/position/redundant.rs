@@ -1,10 +1,10 @@
-//! Does what is opened because it only repeats what others fix ([`crate::mechanism::Redundant`]) hold by itself?
+//! Whether a pair that was opened because it only repeats others ([`crate::mechanism::Redundant`]) holds by itself: a virtual constraint, or not.
 //!
 //! One pose never decides: a third crank half as long holds in the pose in which it is drawn, and to first order about it. So the driver
-//! is moved to four finite positions, by Newton's method on what is left closed, and there it is looked how far the opened pair is off.
-//! Each position is proved in double-double balls, so that a zero is one: off by no more than the bound of the error it is a virtual
-//! constraint, off by more it is none. What is off by no more than lengths rounded to print would make it is an *almost* virtual one,
-//! answered with a warning; what is off by more locks the mechanism.
+//! is moved to four finite positions, by Newton's method on the pairs that stay closed, and at each the distance by which the opened pair misses is
+//! computed in double-double balls, so that a zero is proved. A pair that misses by no more than the bound of the error is a virtual constraint; one
+//! that misses by no more than lengths rounded to print would make it is an *almost* virtual one, answered with a warning; any other locks the
+//! mechanism.
 
 use super::assemble::Assembly;
 use super::coupled::Aside;

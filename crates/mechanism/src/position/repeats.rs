@@ -5,7 +5,7 @@ use super::{Configuration, Path};
 use crate::diag::{Both, Diagnostic, Span, both};
 use crate::digits::significant;
 use crate::mechanism::{Mechanism, Opened};
-use crate::scene::{GuideId, LinkId, PointId, RollingId, Scene};
+use crate::scene::{GuideId, LinkId, PointId, RollingId, RollingKind, Scene};
 
 /// Why a pair repeats what the others fix.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -203,9 +203,11 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
         Opened::Rolling(r) => {
             let pair = &scene.rolling[r.0];
             let [a, b] = pair.links.map(|l| scene.link_name(l));
-            let words = match pair.toothed {
-                true => both!("the gear pair of links {a} and {b}", "构件 {a} 与 {b} 的齿轮副"),
-                false => both!("the rolling of link {b} on link {a}", "构件 {b} 在构件 {a} 上的滚动"),
+            let words = match pair.kind {
+                RollingKind::Gears => both!("the gear pair of links {a} and {b}", "构件 {a} 与 {b} 的齿轮副"),
+                RollingKind::Wheel => both!("the rolling of link {b} on link {a}", "构件 {b} 在构件 {a} 上的滚动"),
+                RollingKind::Belt => both!("the belt between links {a} and {b}", "构件 {a} 与 {b} 之间的带传动"),
+                RollingKind::Chain => both!("the chain between links {a} and {b}", "构件 {a} 与 {b} 之间的链传动"),
             };
             (words, pair.span)
         }
@@ -327,7 +329,7 @@ fn joint(scene: &Scene, m: &Mechanism, opened: &Opened) -> Both {
         }),
         Opened::Guide(g) => scene.guides[g.0].pin.map_or_else(|| opened_words(scene, opened).0, pin),
         Opened::Pin(p, _) => pin(*p),
-        Opened::Rolling(r) => pin(scene.rolling[r.0].at),
+        Opened::Rolling(r) => scene.rolling[r.0].contact().map_or_else(|| opened_words(scene, opened).0, pin),
     }
 }
 

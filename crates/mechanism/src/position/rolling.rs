@@ -5,6 +5,7 @@
 //! track s + ρ(φ₂ − φ₁) with s counted along it: between two poses these change by nothing.
 
 use super::assemble::Assembly;
+use super::belt;
 use super::finish::same_place;
 use super::kernel::Locus;
 use super::shape::{Frame, given_place};
@@ -13,12 +14,12 @@ use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Group, Hold};
 use crate::number::Real;
-use crate::scene::{Contours, Driver, GuideId, LinkId, PointId, Rolling, RollingId, Scene, Sizes};
+use crate::scene::{Contours, Driver, GuideId, LinkId, PointId, Rolling, RollingId, RollingKind, Scene, Sizes};
 use std::f64::consts::TAU;
 
 impl<N: Real> Configuration<N> {
     /// The unit normal n at a contact, from the first link's contour to the second's: the centres of curvature are Q − ρ₁n and Q + ρ₂n.
-    /// `None` where the pair is not placed.
+    /// `None` where the pair is not placed, and where it touches nowhere.
     pub fn normal(&self, scene: &Scene, pair: RollingId) -> Option<Vec2<N>> {
         let (r, [r1, r2]) = (&scene.rolling[pair.0], self.shapes.rolling[pair.0]);
         let n = normal(r, &self.points, &self.guides)?;
@@ -30,6 +31,7 @@ impl<N: Real> Configuration<N> {
 fn normal<N: Real>(pair: &Rolling, points: &[Option<Point<N>>], guides: &[Option<Path<N>>]) -> Option<Vec2<N>> {
     match pair.contours {
         Contours::Circles { centres: [a, b], .. } => (points[b.0]? - points[a.0]?).unit(),
+        Contours::Belt { .. } => None,
         Contours::Track { .. } => match guides[pair.guide?.0]? {
             Path::Line { direction, .. } => Some(direction.perp()),
             Path::Arc { .. } => None,
@@ -37,15 +39,21 @@ fn normal<N: Real>(pair: &Rolling, points: &[Option<Point<N>>], guides: &[Option
     }
 }
 
-/// The place of contact.
-pub(super) fn contact<N: Real>(pair: &Rolling, sizes: [N; 2], points: &[Option<Point<N>>], guides: &[Option<Path<N>>]) -> Option<Point<N>> {
+/// The place of contact on either link.
+pub(super) fn contact<N: Real>(
+    pair: &Rolling,
+    sizes: [N; 2],
+    points: &[Option<Point<N>>],
+    guides: &[Option<Path<N>>],
+) -> Option<[Point<N>; 2]> {
     let [r1, r2] = sizes;
     match pair.contours {
         Contours::Circles { centres: [a, b], .. } => {
             let (a, b) = (points[a.0]?, points[b.0]?);
-            Some(a + (b - a) * (r1 / (r1 + r2)))
+            Some([a + (b - a) * (r1 / (r1 + r2)); 2])
         }
-        Contours::Track { centre, .. } => Some(points[centre.0]? + normal(pair, points, guides)? * -r2),
+        Contours::Track { centre, .. } => Some([points[centre.0]? + normal(pair, points, guides)? * -r2; 2]),
+        Contours::Belt { centres: [a, b], right, .. } => belt::strand(sizes, right, points[a.0]?, points[b.0]?),
     }
 }
 
@@ -93,7 +101,7 @@ impl Rolled {
     pub(super) fn slip(&self, pair: &Rolling, [r1, r2]: [f64; 2], now: &Seen) -> f64 {
         let [a, b, line] = self.on(now).turned;
         match pair.contours {
-            Contours::Circles { .. } => (b - line) + (a - line) * (r1 / r2),
+            Contours::Circles { .. } | Contours::Belt { .. } => (b - line) + (a - line) * (r1 / r2),
             Contours::Track { .. } => (now.line.x - self.start.line.x) / r2 + (b - a),
         }
     }
@@ -109,7 +117,7 @@ pub(super) fn seen(
     let [a, b] = pair.links;
     let axes = [pose(a)?.axis, pose(b)?.axis];
     let line = match pair.contours {
-        Contours::Circles { centres: [p, q], .. } => place(b, q)? - place(a, p)?,
+        Contours::Circles { centres: [p, q], .. } | Contours::Belt { centres: [p, q], .. } => place(b, q)? - place(a, p)?,
         Contours::Track { centre, .. } => match shapes.guides[pair.guide?.0]? {
             Path::Line { through, direction } => {
                 let local = pose(a)?.to_local(place(b, centre)?) - through;
@@ -147,7 +155,7 @@ pub(super) fn slipped_m(scene: &Scene, c: &Configuration, r: RollingId) -> Optio
             let [r1, r2] = c.shapes.rolling[r.0];
             c.points[a.0]?.distance(c.points[b.0]?) * (r2 / (r1 + r2)).abs()
         }
-        Contours::Track { .. } => c.shapes.rolling[r.0][1],
+        Contours::Track { .. } | Contours::Belt { .. } => c.shapes.rolling[r.0][1].abs(),
     };
     Some(turned * second_m)
 }
@@ -156,7 +164,7 @@ pub(super) fn slipped_m(scene: &Scene, c: &Configuration, r: RollingId) -> Optio
 /// is given.
 pub(super) fn out_of_phase(scene: &Scene, shapes: &Shapes, r: RollingId, now: &Seen) -> Option<f64> {
     let (pair, [r1, r2]) = (&scene.rolling[r.0], shapes.rolling[r.0]);
-    let phase = pair.phase.as_ref().filter(|_| matches!(pair.contours, Contours::Circles { .. }))?;
+    let phase = pair.phase.as_ref().filter(|_| pair.round().is_some())?;
     let line = now.line.unit()?;
     let mark = |l: LinkId| mark(scene, l, |p| shapes.local(l, p));
     let from_line = |i: usize| Some(mark(pair.links[i])?.rotate_by(now.axes[i]).divide_by(line).angle());
@@ -238,7 +246,7 @@ impl<N: Real> Assembly<'_, N> {
     /// phase of the pair.
     fn rolled(&self, link: LinkId, id: RollingId, other: LinkId, at: Point<N>) -> Option<Vec2<N>> {
         let pair = &self.scene.rolling[id.0];
-        let Contours::Circles { centres, .. } = pair.contours else { return self.rolled_on_track(link, id, at) };
+        let Some(centres) = pair.round() else { return self.rolled_on_track(link, id, at) };
         let own = usize::from(pair.links[1] == link);
         let [r1, r2] = pair.sizes(&self.inputs);
         // Of this link, and of the one on which it rolls.
@@ -319,7 +327,7 @@ impl<N: Real> Assembly<'_, N> {
     /// What is wrong with a pair whose line of centres has no direction.
     fn no_line(&self, id: RollingId) -> Option<Diagnostic> {
         let pair = &self.scene.rolling[id.0];
-        let Contours::Circles { centres: [p, q], .. } = pair.contours else { return None };
+        let [p, q] = pair.round()?;
         let (at, other) = (self.points[p.0]?.approx(), self.points[q.0]?.approx());
         (at.distance(other) == 0.0).then(|| coincident(self.scene, pair, [p, q]))
     }
@@ -339,10 +347,14 @@ impl<N: Real> Assembly<'_, N> {
 
 /// What is wrong with the radii of two circles: their sum (of a ring their difference) is the distance of the centres.
 pub(super) fn misfit(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option<Diagnostic> {
-    let Contours::Circles { centres: [p, q], sizes, hollow } = &pair.contours else { return None };
+    let (centres @ [p, q], sizes, hollow) = match &pair.contours {
+        Contours::Circles { centres, sizes, hollow } => (centres, sizes, hollow),
+        Contours::Belt { centres, radii, .. } => return belt::misfit(scene, pair, *centres, radii, c),
+        Contours::Track { .. } => return None,
+    };
     let (at, other) = (c.points[p.0]?, c.points[q.0]?);
     let Sizes::Radii([a, b]) = sizes else {
-        return (at.distance(other) <= same_place(c.extent(), at)).then(|| coincident(scene, pair, [*p, *q]));
+        return (at.distance(other) <= same_place(c.extent(), at)).then(|| coincident(scene, pair, *centres));
     };
     let (given, distance) = (if hollow.is_some() { (a.value - b.value).abs() } else { a.value + b.value }, at.distance(other));
     if (given - distance).abs() <= same_place(c.extent().max(a.value.max(b.value)), at) {
@@ -365,7 +377,7 @@ pub(super) fn misfit(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option
             },
         )
         .at(pair.span)
-        .help(if !pair.toothed {
+        .help(if pair.kind == RollingKind::Wheel {
             both!(
                 "correct a radius or a centre; \"inside\": true lets a wheel roll inside its track",
                 "请改正半径或圆心；轮在圆形轨道内侧滚动时写 \"inside\": true"

@@ -40,7 +40,7 @@ const MITRE: f32 = 4.0;
 /// Warnings and errors as [`document`].
 ///
 /// ```
-/// use hodograph::figure::item::{Colour, Figure, Item, Shape, Stroke};
+/// use hodograph::paper::item::{Colour, Figure, Item, Shape, Stroke};
 /// use hodograph::{geom::Point, render::pdf};
 /// let edge = Shape::Line { from: Point::ORIGIN, to: Point::new(4.0, 3.0), stroke: Stroke::new(0.4) };
 /// let items = vec![Item::new("link", edge)];

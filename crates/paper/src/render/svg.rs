@@ -37,7 +37,7 @@ mod letters;
 /// all of them in the order of the items.
 ///
 /// ```
-/// use hodograph::figure::item::{Colour, Figure, Item, Shape, Stroke};
+/// use hodograph::paper::item::{Colour, Figure, Item, Shape, Stroke};
 /// use hodograph::{geom::Point, render::svg};
 /// let edge = Shape::Line { from: Point::ORIGIN, to: Point::new(4.0, 3.0), stroke: Stroke::new(0.4) };
 /// let items = vec![Item::new("link", edge).with_id("crank")];

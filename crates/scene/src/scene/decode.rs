@@ -1,6 +1,7 @@
 //! JSON tree to [`RawScene`]: shapes and keys are checked here, the meaning of the words is not.
 
 mod attempts;
+mod belts;
 mod composite;
 mod motion;
 mod rolling;
@@ -76,6 +77,7 @@ pub(super) fn scene(root: &Node, topology: bool, faults: &mut Faults) -> Option<
     for node in items(f.get("rolling"), "\"rolling\"", faults) {
         raw.rolling.extend(rolling::wheel(node, faults));
     }
+    belts::belts(&f, &mut raw, faults);
     let drivers = match topology {
         true => f.get("driver"),
         false => f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults),
@@ -168,6 +170,18 @@ fn within<'a, T>(all: &'a [T], limit: usize, what: &What, faults: &mut Faults, s
             let message = both!("{} has {} entries; at most {limit} are allowed", "{}有 {} 项，最多允许 {limit} 项", *what, all.len());
             faults.push(Diagnostic::error("too-many", message).at(span(first)));
             &all[..limit]
+        }
+    }
+}
+
+/// True or false.
+fn flag(node: &Node, key: &str, faults: &mut Faults) -> Option<bool> {
+    match node.kind {
+        Kind::Bool(value) => Some(value),
+        Kind::Text(_) | Kind::Number(_) | Kind::Null | Kind::Array(_) | Kind::Object(_) => {
+            let message = both!("\"{key}\" is {}, not true or false", "\"{key}\" 是{}，应为 true 或 false", node.what());
+            faults.push(Diagnostic::error("wrong-type", message).at(node.span));
+            None
         }
     }
 }

@@ -15,6 +15,8 @@ pub(super) const SCENE: &[&str] = &[
     "cams",
     "gears",
     "rolling",
+    "belts",
+    "chains",
     "driver",
     "motions",
     "sketch",
@@ -51,6 +53,8 @@ pub(super) const GEAR: &[&str] = &[
 ];
 pub(super) const ROLLING: &[&str] =
     &["wheel", "centre", "radius", "on", "line", "through", "angle", "track", "track_radius", "inside", "at", "phase"];
+pub(super) const BELT: &[&str] = &["pulleys", "centres", "radii", "crossed", "reversed", "at", "phase"];
+pub(super) const CHAIN: &[&str] = &["sprockets", "centres", "teeth", "pitch", "reversed", "at", "phase"];
 pub(super) const TURN: &[&str] = &["link", "against", "line", "against_line", "angle", "omega", "alpha"];
 pub(super) const SLIDE: &[&str] = &["slide", "position", "velocity", "acceleration"];
 pub(super) const CYLINDER: &[&str] = &["cylinder", "length", "rate", "acceleration", "links"];

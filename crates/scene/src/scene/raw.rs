@@ -1,6 +1,7 @@
 //! The scene file as written: the same words, each with its place, nothing interpreted yet.
 
 use super::cams::raw::RawCam;
+use super::rolling::RollingKind;
 use crate::diag::Span;
 use crate::json::Word;
 
@@ -61,8 +62,9 @@ pub(super) struct RawRolling {
     /// The two links, each with the centre of its circle; a straight track or rack comes first and has none.
     pub sides: [RawRollingSide; 2],
     pub sizes: RawSizes,
-    /// Whether the pair has teeth.
-    pub toothed: bool,
+    pub kind: RollingKind,
+    /// The strand of a belt or chain that they are joined by.
+    pub strand: Option<RawStrand>,
     /// Direction of a straight track, and a point of it.
     pub line: Option<Word>,
     pub through: Option<RawThrough>,
@@ -71,6 +73,18 @@ pub(super) struct RawRolling {
     pub phase: Option<RawQuantity>,
     pub flanks: RawFlanks,
     pub span: Span,
+}
+
+/// A strand of a belt or chain: it begins in the pair's `at`.
+#[derive(Clone, Debug)]
+pub(super) struct RawStrand {
+    /// Which of the file's.
+    pub belt: usize,
+    pub crossed: bool,
+    /// Whether it lies right of the line of centres.
+    pub right: bool,
+    /// The name of its end.
+    pub end: Option<Word>,
 }
 
 /// What the file says of a gear pair's flanks.

@@ -1,8 +1,9 @@
-//! Rolling pairs: gears in mesh, a gear on its rack, a wheel on its track.
+//! Rolling pairs: gears in mesh, a gear on its rack, a wheel on its track; pulleys in a belt, sprockets in a chain.
 //!
 //! Two circles, or a line and a circle, touch in a point Q and roll there without slip: the points of both links at Q have one
 //! velocity, and their accelerations differ along the normal only. What keeps the two in touch is no matter of this pair: a link that
-//! carries both centres, or the guide that the scene gets with it ([`Guide::rolling`](super::Guide::rolling)).
+//! carries both centres, or the guide that the scene gets with it ([`Guide::rolling`](super::Guide::rolling)). Two pulleys touch nowhere: a strand of the belt runs off the one in
+//! M and onto the other in N, and along it both move with the belt's speed.
 
 use super::exact::Inputs;
 use super::model::{Angle, Given, GuideId, LinkId, PointId};
@@ -20,10 +21,10 @@ pub struct Rolling {
     pub links: [LinkId; 2],
     /// What rolls on what.
     pub contours: Contours,
-    /// The place of contact: a point of no link, found from the centres.
-    pub at: PointId,
-    /// Whether the pair has teeth; a wheel without them is held on its track by a guide.
-    pub toothed: bool,
+    /// The place of contact on each link, a point of no link, found from the centres: one and the same but for the ends of a strand.
+    pub at: [PointId; 2],
+    /// By what they roll.
+    pub kind: RollingKind,
     /// The guide in which the second centre runs against the first link, which keeps the two in touch where nothing else does.
     pub guide: Option<GuideId>,
     /// The angle of the second link's line, from the line of centres, when that of the first lies on it.
@@ -32,6 +33,19 @@ pub struct Rolling {
     pub flanks: Option<Flanks>,
     /// Where it is declared.
     pub span: Span,
+}
+
+/// By what two links roll on one another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RollingKind {
+    /// Their teeth are in mesh.
+    Gears,
+    /// Friction; a guide holds the wheel on its track.
+    Wheel,
+    /// A belt runs round both.
+    Belt,
+    /// A chain runs round both.
+    Chain,
 }
 
 /// The flanks of a gear pair, which matter for its figure alone: kinematics has the pitch circles.
@@ -70,6 +84,23 @@ pub enum Contours {
         /// The wheel's radius (m).
         radius: Given,
     },
+    /// Two neighbours in a belt or chain: circles about points whose distance a link keeps.
+    Belt {
+        /// The centres, one of each link.
+        centres: [PointId; 2],
+        /// The radii (m); of sprockets those with which the chain's speed is ω r.
+        radii: [Given; 2],
+        /// Numbers of teeth of sprockets.
+        teeth: Option<[u32; 2]>,
+        /// Whether the strand crosses the line of centres, so that the two turn in opposite senses.
+        crossed: bool,
+        /// Whether the strand lies right of the line of centres: the belt runs on its back over the first.
+        right: bool,
+        /// The link that carries both centres.
+        arm: LinkId,
+        /// Which belt of the file: its strands follow one another.
+        belt: usize,
+    },
 }
 
 /// Sizes of two circles.
@@ -82,27 +113,46 @@ pub enum Sizes {
 }
 
 impl Rolling {
-    /// The sizes of both contours in one unit, a hollow one negative: their ratio is that of the radii. A straight one is endless and
-    /// has 0, the wheel its radius (m).
+    /// The sizes of both contours in one unit: their ratio is that of the radii. Negative is a hollow one, and the second in an open belt. A
+    /// straight one is endless and has 0, the wheel its radius (m).
     pub fn sizes<N: Real>(&self, inputs: &Inputs<N>) -> [N; 2] {
         let [a, b] = match &self.contours {
             Contours::Circles { sizes: Sizes::Radii([a, b]), .. } => [inputs.number(a), inputs.number(b)],
             Contours::Circles { sizes: Sizes::Teeth(teeth), .. } => teeth.map(|z| N::from_f64(f64::from(z))),
             Contours::Track { radius, .. } => [N::from_f64(0.0), inputs.number(radius)],
+            Contours::Belt { radii: [a, b], .. } => [inputs.number(a), inputs.number(b)],
         };
         match self.contours {
             Contours::Circles { hollow: Some(0), .. } => [-a, b],
-            Contours::Circles { hollow: Some(_), .. } => [a, -b],
-            Contours::Circles { hollow: None, .. } | Contours::Track { .. } => [a, b],
+            Contours::Circles { hollow: Some(_), .. } | Contours::Belt { crossed: false, .. } => [a, -b],
+            Contours::Circles { hollow: None, .. } | Contours::Track { .. } | Contours::Belt { crossed: true, .. } => [a, b],
         }
     }
 
     /// The centres of the two contours; a straight one has none.
     pub fn centres(&self) -> [Option<PointId>; 2] {
         match self.contours {
-            Contours::Circles { centres: [a, b], .. } => [Some(a), Some(b)],
+            Contours::Circles { centres: [a, b], .. } | Contours::Belt { centres: [a, b], .. } => [Some(a), Some(b)],
             Contours::Track { centre, .. } => [None, Some(centre)],
         }
+    }
+
+    /// The centres of two round contours.
+    pub fn round(&self) -> Option<[PointId; 2]> {
+        match self.centres() {
+            [Some(a), Some(b)] => Some([a, b]),
+            [None, _] | [_, None] => None,
+        }
+    }
+
+    /// The point in which the two touch, if they do.
+    pub fn contact(&self) -> Option<PointId> {
+        Some(self.at[0]).filter(|at| *at == self.at[1])
+    }
+
+    /// The place of contact on one of the two links.
+    pub fn at_of(&self, link: LinkId) -> PointId {
+        self.at[usize::from(self.links[1] == link)]
     }
 
     /// The link on which this one rolls, if it is one of the two.

@@ -1,9 +1,8 @@
-//! The change points of a driver on its way, and how they come again with its turns.
+//! The change points of a driver on its way, found once for each period.
 //!
-//! Everything that a program knows of a turning driver has the period of a turn (with wheels that roll, of several), as long as its joints
-//! keep their branches. So a whole
-//! period without an event has none on any further turn; and where a change point comes again, whole turns on and with all branches as
-//! they were, the same ones follow for ever. A way of a million turns is as soon searched as one of a few.
+//! While its joints keep their branches, a program has the period of the driver's turn (with wheels that roll, of several turns). A period without an
+//! event therefore has none on any further turn, and where all branches are as they were some whole turns before, the same change points follow for
+//! ever. A way of a million turns is searched as fast as one of a few.
 
 use super::limit::{Event, Kind, Probe};
 use super::program::{Op, Program};

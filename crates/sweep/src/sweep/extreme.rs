@@ -142,6 +142,15 @@ pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Lim
     Ok(Limits { range, swings, transmission, grashof, turns, seen })
 }
 
+/// Where a driver ends downward and upward, the others standing; `None` where nothing stops it.
+///
+/// # Errors
+/// Those of [`limits`].
+pub fn ends(scene: &Scene, driver: usize) -> Result<[Option<f64>; 2], Faults> {
+    let mechanism = Mechanism::new(scene)?.value;
+    Ok(limits(scene, &mechanism, driver)?.range.ends.map(|end| end.map(|event| event.value)))
+}
+
 /// The turns that are looked through of a motion that comes again after so many.
 pub(super) fn turns_seen(turns: u64) -> u64 {
     if (1..=MOST_TURNS).contains(&turns) { turns } else { 1 }

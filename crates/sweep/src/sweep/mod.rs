@@ -12,33 +12,33 @@
 //! ([`crate::position`], [`crate::analytic`]); both are the check of this room.
 
 pub mod batch;
-pub mod carry;
+mod carry;
 mod changes;
 mod chunks;
-pub mod closure;
-pub mod compile;
+mod closure;
+mod compile;
 pub mod extreme;
 pub mod follow;
-pub mod fuse;
+mod fuse;
 mod general;
-pub mod kernel;
-pub mod lane;
-pub mod led;
+mod kernel;
+mod lane;
+mod led;
 pub mod limit;
 pub mod long;
 pub mod pieces;
 pub mod points;
-pub mod program;
-pub mod reading;
+mod program;
+mod reading;
 #[cfg(test)]
 mod rolling_tests;
-pub mod rows;
-pub mod run;
+mod rows;
+mod run;
 pub mod station;
 mod suspect;
 pub mod table;
 mod train;
-pub mod turns;
+mod turns;
 pub mod vary;
 pub mod zoom;
 
@@ -46,6 +46,7 @@ use pieces::never;
 
 pub use compile::compile;
 pub use lane::Width;
+pub use run::CHUNK;
 pub use station::{Stations, Steps};
 pub use table::{Column, Table};
 

@@ -211,9 +211,15 @@ impl Train {
                                 Ratio::near(ra / rb)
                             }
                         };
-                        e.add(self.seen(m, g, a), k);
-                        e.add(self.seen(m, g, b), Ratio::ONE);
-                        e.add(self.line(scene, m, g, *centres)?, k.plus(Ratio::ONE).negative());
+                        e.circles(self.seen(m, g, a), self.seen(m, g, b), self.line(scene, m, g, *centres)?, k);
+                    }
+                    Contours::Belt { centres, teeth, .. } => {
+                        let [ra, rb] = at.shapes.rolling[r.0];
+                        let k = match teeth {
+                            Some([za, zb]) => Ratio::of(i64::from(*za) * if ra * rb < 0.0 { -1 } else { 1 }, i64::from(*zb)),
+                            None => Ratio::near(ra / rb),
+                        };
+                        e.circles(self.seen(m, g, a), self.seen(m, g, b), self.line(scene, m, g, *centres)?, k);
                     }
                     Contours::Track { centre, .. } => {
                         let placed = |p: PointId| m.group_of_pin[p.0] != Some(g);
@@ -249,6 +255,13 @@ impl Train {
 }
 
 impl Equation {
+    /// k (φ₁ − β) + (φ₂ − β), with k the ratio of the first circle to the second.
+    fn circles(&mut self, first: Seen, second: Seen, line: Seen, k: Ratio) {
+        self.add(first, k);
+        self.add(second, Ratio::ONE);
+        self.add(line, k.plus(Ratio::ONE).negative());
+    }
+
     /// Adds an angle with its factor to the side of the unknowns.
     fn add(&mut self, angle: Seen, factor: Ratio) {
         match angle {

@@ -54,7 +54,9 @@ fn slots(scene: &mut Scene) -> Vec<Slot<'_>> {
     out.extend(scene.lengths.iter_mut().map(|l| Slot::Number(&mut l.value, true)));
     for r in &mut scene.rolling {
         match &mut r.contours {
-            Contours::Circles { sizes: Sizes::Radii(both), .. } => out.extend(both.iter_mut().map(|x| Slot::Number(x, true))),
+            Contours::Circles { sizes: Sizes::Radii(both), .. } | Contours::Belt { radii: both, .. } => {
+                out.extend(both.iter_mut().map(|x| Slot::Number(x, true)))
+            }
             Contours::Circles { sizes: Sizes::Teeth(_), .. } => {}
             Contours::Track { radius, .. } => out.push(Slot::Number(radius, true)),
         }

@@ -5,6 +5,7 @@
 //! ([`super::groups`]), its equations of position, motion and sweep. So a new pair is one file here, its line in [`KINDS`], the scene's
 //! reading of it and its symbol in the figure; only one that is none of the forms asks more of the solvers.
 
+mod belt;
 mod cylinder;
 mod form;
 mod glide;
@@ -67,6 +68,8 @@ const KINDS: &[Kind] = &[
     cylinder::CYLINDER,
     rolling::GEARS,
     rolling::WHEEL,
+    belt::BELT,
+    belt::CHAIN,
 ];
 
 /// One pair or driver, or a part of one, as a constraint between two nodes.

@@ -22,8 +22,8 @@ impl<N: Real> Coupled<'_, N> {
     /// The equation of a rolling pair; `None` where nothing but a rough sketch tells how it stands.
     pub(super) fn slip(&self, view: &Placed<N>, r: RollingId) -> Option<Slip<N>> {
         match (self.assembly.scene.rolling[r.0].contours.clone(), self.assembly.instant) {
-            (Contours::Circles { centres, .. }, Some(then)) => self.turned_since(view, r, centres, then),
-            (Contours::Circles { centres, .. }, None) => self.in_phase(view, r, centres),
+            (Contours::Circles { centres, .. } | Contours::Belt { centres, .. }, Some(then)) => self.turned_since(view, r, centres, then),
+            (Contours::Circles { centres, .. } | Contours::Belt { centres, .. }, None) => self.in_phase(view, r, centres),
             (Contours::Track { centre, .. }, Some(then)) => self.gone_since(view, r, centre, then),
             (Contours::Track { .. }, None) => None,
         }

@@ -19,11 +19,13 @@
 //! ```
 
 mod amount;
+mod belt;
 mod part;
 #[cfg(test)]
 mod tests;
 
 pub use amount::*;
+pub use belt::Belt;
 pub use part::{Driver, Gears, Guide, Wheel};
 
 use super::{Lang, Scene, read, write};
@@ -102,6 +104,12 @@ impl Builder {
     /// A wheel that rolls without slip.
     pub fn wheel(self, wheel: Wheel) -> Builder {
         self.among("rolling", wheel.json())
+    }
+
+    /// A belt round pulleys, or a chain round sprockets.
+    pub fn belt(self, belt: Belt) -> Builder {
+        let key = belt.section();
+        self.among(key, belt.json())
     }
 
     /// A driver; several may be added.

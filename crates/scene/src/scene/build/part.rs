@@ -5,10 +5,10 @@ use serde_json::{Map, Value, json};
 
 /// An entry in the making.
 #[derive(Clone, Debug, Default)]
-struct Entry(Map<String, Value>);
+pub(super) struct Entry(pub(super) Map<String, Value>);
 
 impl Entry {
-    fn with(mut self, key: &str, value: Value) -> Entry {
+    pub(super) fn with(mut self, key: &str, value: Value) -> Entry {
         self.0.insert(key.into(), value);
         self
     }
@@ -31,6 +31,8 @@ macro_rules! members {
         }
     };
 }
+
+pub(super) use members;
 
 /// What drives the mechanism.
 #[derive(Clone, Debug)]

@@ -1,8 +1,8 @@
 //! Where a cam and its follower are, as numbers and as the texts of the same numbers.
 //!
-//! Placed is what one link carries both ([`super::carrier`]): a cam on a pivot of the ground or of a moving link, a follower on a guide or pivot of the
-//! same link; all in the axes of that link. What different links carry is placed by the coordinates of the pose ([`super::by_pose`]), or found by the
-//! position solver, for which one circle needs no choice of a piece.
+//! This file serves cams whose follower is carried by the same link ([`super::carrier`]): the cam on a pivot of the ground or of a moving link, the
+//! follower on a guide or pivot of that link; all places count in its axes. Where different links carry the two, the coordinates of the pose place
+//! them ([`super::by_pose`]), or the position solver does, for which one circle needs no choice of a piece.
 
 use super::super::model::*;
 use crate::cam::Follower;

@@ -2,10 +2,11 @@
 
 use super::super::keys;
 use super::super::raw::*;
-use super::{quantity, through, words};
+use super::super::rolling::RollingKind;
+use super::{flag, quantity, through, words};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::json::fields::{Fields, list, word};
-use crate::json::{Kind, Node, Word};
+use crate::json::{Node, Word};
 
 /// A gear pair, or a gear and its rack.
 pub(super) fn gear(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
@@ -88,7 +89,7 @@ pub(super) fn gear(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
             return None;
         }
     };
-    Some(RawRolling { sides, sizes, toothed: true, line, through, angle, at, phase, flanks, span: node.span })
+    Some(RawRolling { sides, sizes, kind: RollingKind::Gears, strand: None, line, through, angle, at, phase, flanks, span: node.span })
 }
 
 /// A wheel that rolls without slip on a straight or round track.
@@ -103,17 +104,7 @@ pub(super) fn wheel(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let (angle, track_radius, phase) = (value("angle"), value("track_radius"), value("phase"));
     let through = through(&f, faults);
-    let inside = f.get("inside").map(|n| match n.kind {
-        Kind::Bool(inside) => inside,
-        Kind::Text(_) | Kind::Number(_) | Kind::Null | Kind::Array(_) | Kind::Object(_) => {
-            let d = Diagnostic::error(
-                "wrong-type",
-                both!("\"inside\" is {}, not true or false", "\"inside\" 是{}，应为 true 或 false", n.what()),
-            );
-            faults.push(d.at(n.span));
-            false
-        }
-    });
+    let inside = f.get("inside").and_then(|n| flag(n, "inside", faults));
     let (link, centre, radius) = (link?, centre?, radius?);
     if faults.list.len() > before {
         return None;
@@ -147,7 +138,8 @@ pub(super) fn wheel(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
     Some(RawRolling {
         sides,
         sizes: RawSizes::Radii(radii),
-        toothed: false,
+        kind: RollingKind::Wheel,
+        strand: None,
         line,
         through,
         angle,
@@ -158,11 +150,11 @@ pub(super) fn wheel(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
     })
 }
 
-fn side(link: &Word, centre: Option<&Word>, hollow: bool) -> RawRollingSide {
+pub(super) fn side(link: &Word, centre: Option<&Word>, hollow: bool) -> RawRollingSide {
     RawRollingSide { link: Some(link.clone()), centre: centre.cloned(), hollow }
 }
 
-fn quantities(node: &Node, key: &str, faults: &mut Faults) -> Vec<RawQuantity> {
+pub(super) fn quantities(node: &Node, key: &str, faults: &mut Faults) -> Vec<RawQuantity> {
     let what = format!("\"{key}\"");
     list(node, &what, faults).unwrap_or_default().iter().filter_map(|n| quantity(n, &what, faults)).collect()
 }

@@ -1,4 +1,4 @@
-//! The parser of expressions: recursive descent with one token of lookahead.
+//! The parser of expressions: a winnow parser for each rule of the grammar.
 //!
 //! The grammar, in which a unit directly after a number binds tighter than any operator (10 rad/s = (10 rad)/s), and so does a
 //! parenthesis (0.05 (m/s)/mm = (0.05*(m/s))/mm):
@@ -18,25 +18,42 @@
 //! name     = letter (letter | digit | "_" | "'")*
 //! ```
 //! The minus sign − and the dots and crosses · ⋅ × of products are read as `-` and `*`.
-//! The grammar is too small to earn a parser generator, whose macros take longer to build than all that reads a scene.
+//! The first token of a rule tells which one it is, and what follows may not fail without failing the whole (`cut_err`): a fault is where the
+//! input stands.
 
 use super::{Expr, ExprKind, FUNCTIONS, Function, Op};
 use crate::diag::{Both, Diagnostic, Span, both};
 use crate::json::fields::suggest;
 use crate::scene::units::{UNITS, unit_named};
+use winnow::ascii::{digit0, digit1};
+use winnow::combinator::{alt, cut_err, eof, not, opt, peek, preceded, repeat, terminated};
+use winnow::error::{EmptyError, ErrMode};
+use winnow::stream::{LocatingSlice, Location, Stateful};
+use winnow::token::{one_of, take_while};
+use winnow::{ModalResult, Parser};
+
+/// A text, and what its names may mean.
+type Input<'a> = Stateful<LocatingSlice<&'a str>, Names<'a>>;
+type Read<O> = ModalResult<O, EmptyError>;
+
+#[derive(Debug)]
+struct Names<'a> {
+    parameters: &'a [&'a str],
+    /// The first name without a meaning: told only of texts that keep to the grammar.
+    unknown: Option<Diagnostic>,
+}
 
 /// Reads a whole text.
 pub(super) fn whole(text: &str, parameters: &[&str]) -> Result<Expr, Diagnostic> {
-    let mut reader = Reader { text, at: 0, end: 0, parameters, unknown: None };
-    let Some(tree) = reader.sum().filter(|_| reader.peek().is_none()) else {
-        return Err(unreadable(text, reader.at));
-    };
-    reader.unknown.map_or(Ok(tree), Err)
+    let mut input = Input { input: LocatingSlice::new(text), state: Names { parameters, unknown: None } };
+    match terminated(sum, token(eof)).parse_next(&mut input) {
+        Ok(tree) => input.state.unknown.map_or(Ok(tree), Err),
+        Err(_) => Err(unreadable(text, input.current_token_start())),
+    }
 }
 
 const SIGNS: [char; 3] = ['+', '-', '−'];
-const TIMES: [char; 4] = ['*', '·', '⋅', '×'];
-
+const FACTORS: [char; 5] = ['*', '·', '⋅', '×', '/'];
 const SUPERSCRIPT: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
 /// What is said of a text that is no expression from a byte on.
@@ -88,204 +105,158 @@ fn binary(op: Op, a: Expr, b: Expr) -> Expr {
     Expr { kind: ExprKind::Binary(op, Box::new(a), Box::new(b)), span }
 }
 
-/// Reads the text from left to right. Its methods are the rules of the grammar; `None` says that the text breaks it at `at`.
-struct Reader<'a> {
-    text: &'a str,
-    at: usize,
-    /// Where the last token ends; spaces may follow it.
-    end: usize,
-    parameters: &'a [&'a str],
-    /// The first name without a meaning: told only of texts that keep to the grammar.
-    unknown: Option<Diagnostic>,
+/// A token: spaces may precede it. Its place is told with it.
+fn token<'a, O>(of: impl Parser<Input<'a>, O, ErrMode<EmptyError>>) -> impl Parser<Input<'a>, (O, Span), ErrMode<EmptyError>> {
+    let spaces = take_while(0.., [' ', '\t']);
+    preceded(spaces, of.with_span()).map(|(token, at)| (token, Span::new(at.start, at.end)))
 }
 
-impl<'a> Reader<'a> {
-    /// The next character that is not a space.
-    fn peek(&mut self) -> Option<char> {
-        let rest = &self.text[self.at..];
-        self.at += rest.len() - rest.trim_start_matches([' ', '\t']).len();
-        self.text[self.at..].chars().next()
-    }
+/// One of these characters.
+fn sign<'a, const N: usize>(of: [char; N]) -> impl Parser<Input<'a>, char, ErrMode<EmptyError>> {
+    token(one_of(of)).map(|(c, _)| c)
+}
 
-    /// Takes the next character where it is one of these.
-    fn take(&mut self, of: &[char]) -> Option<char> {
-        let c = self.peek().filter(|c| of.contains(c))?;
-        self.token(c.len_utf8());
-        Some(c)
+fn sum(i: &mut Input) -> Read<Expr> {
+    let mut left = product(i)?;
+    while let Some(sign) = opt(sign(SIGNS)).parse_next(i)? {
+        left = binary(if sign == '+' { Op::Add } else { Op::Sub }, left, product(i)?);
     }
+    Ok(left)
+}
 
-    /// Takes as many bytes.
-    fn token(&mut self, length: usize) -> Span {
-        let span = Span::new(self.at, self.at + length);
-        (self.at, self.end) = (span.end, span.end);
-        span
+fn product(i: &mut Input) -> Read<Expr> {
+    let mut left = signed(i, power)?;
+    while let Some(sign) = opt(sign(FACTORS)).parse_next(i)? {
+        left = binary(if sign == '/' { Op::Div } else { Op::Mul }, left, signed(i, power)?);
     }
+    Ok(left)
+}
 
-    fn sum(&mut self) -> Option<Expr> {
-        let mut left = self.product()?;
-        while let Some(sign) = self.take(&SIGNS) {
-            let op = if sign == '+' { Op::Add } else { Op::Sub };
-            left = binary(op, left, self.product()?);
+/// Signs, then an operand.
+fn signed(i: &mut Input, operand: fn(&mut Input) -> Read<Expr>) -> Read<Expr> {
+    let (_, Span { start, .. }) = token("").parse_next(i)?;
+    let negative = repeat(0.., sign(SIGNS)).fold(|| false, |negative, sign| negative ^ (sign != '+')).parse_next(i)?;
+    let inner = operand(i)?;
+    let span = Span::new(start, i.current_token_start());
+    Ok(if negative { Expr { kind: ExprKind::Neg(Box::new(inner)), span } } else { inner })
+}
+
+fn power(i: &mut Input) -> Read<Expr> {
+    let base = atom(i)?;
+    raised(i, base)
+}
+
+/// `base` and the exponent that may follow.
+fn raised(i: &mut Input, base: Expr) -> Read<Expr> {
+    let caret = preceded(sign(['^']), cut_err(|i: &mut Input| signed(i, exponent)));
+    Ok(match opt(alt((caret, superscript))).parse_next(i)? {
+        Some(exponent) => binary(Op::Pow, base, exponent),
+        None => base,
+    })
+}
+
+fn superscript(i: &mut Input) -> Read<Expr> {
+    let minus = opt(token('⁻')).parse_next(i)?;
+    let digit = token(one_of(SUPERSCRIPT)).map(|(c, at)| (SUPERSCRIPT.iter().position(|d| *d == c).unwrap_or_default(), at));
+    let digits: Vec<(usize, Span)> = match minus {
+        Some(_) => cut_err(repeat(1.., digit)).parse_next(i)?,
+        None => repeat(1.., digit).parse_next(i)?,
+    };
+    let (start, end) = (digits[0].1.start, i.current_token_start());
+    let number = Expr { kind: ExprKind::Number(digits.iter().map(|(d, _)| d.to_string()).collect()), span: Span::new(start, end) };
+    Ok(match minus {
+        Some((_, at)) => Expr { kind: ExprKind::Neg(Box::new(number)), span: Span::new(at.start, end) },
+        None => number,
+    })
+}
+
+fn atom(i: &mut Input) -> Read<Expr> {
+    let multiple = (number, opt(pi)).map(|(n, pi)| match pi {
+        Some(pi) => binary(Op::Mul, n, pi),
+        None => n,
+    });
+    let value = (alt((multiple, pi, group)), opt(tail)).map(|(value, tail)| match tail {
+        Some(tail) => binary(Op::Mul, value, tail),
+        None => value,
+    });
+    let (atom, _) = token(alt((value, call, name, unit))).parse_next(i)?;
+    Ok(atom)
+}
+
+/// What binds to a value without a sign.
+fn tail(i: &mut Input) -> Read<Expr> {
+    let factor = alt((group, unit)).parse_next(i)?;
+    cut_err(|i: &mut Input| raised(i, factor.clone())).parse_next(i)
+}
+
+fn exponent(i: &mut Input) -> Read<Expr> {
+    token(alt((number, pi, group, call, name))).map(|(exponent, _)| exponent).parse_next(i)
+}
+
+fn number(i: &mut Input) -> Read<Expr> {
+    let digits = alt(((digit1, opt(('.', digit0))).void(), ('.', digit1).void()));
+    let power = (one_of(['e', 'E']), opt(one_of(['+', '-'])), digit1);
+    let (text, span) = token((digits, opt(power)).take()).parse_next(i)?;
+    Ok(Expr { kind: ExprKind::Number(text.to_owned()), span })
+}
+
+fn group(i: &mut Input) -> Read<Expr> {
+    preceded(sign(['(']), cut_err(terminated(sum, sign([')'])))).parse_next(i)
+}
+
+fn word<'a>(i: &mut Input<'a>) -> Read<&'a str> {
+    (one_of(char::is_alphabetic), take_while(0.., is_letter)).take().parse_next(i)
+}
+
+/// The constant.
+fn pi(i: &mut Input) -> Read<Expr> {
+    token(word.verify(is_pi)).map(|(_, span)| Expr { kind: ExprKind::Pi, span }).parse_next(i)
+}
+
+/// A unit directly after a value, or a degree sign.
+fn unit(i: &mut Input) -> Read<Expr> {
+    let turns = terminated("r/min", not(one_of(is_letter)));
+    let (name, span) = token(alt(("°", turns, word))).parse_next(i)?;
+    Ok(match unit_named(name).map(ExprKind::Unit) {
+        Some(kind) => Expr { kind, span },
+        None => {
+            let why = not_a_unit(name, i.state.parameters);
+            without_meaning(i, span, why)
         }
-        Some(left)
-    }
+    })
+}
 
-    fn product(&mut self) -> Option<Expr> {
-        let mut left = self.signed(Reader::power)?;
-        while let Some(sign) = self.take(&TIMES).or_else(|| self.take(&['/'])) {
-            let op = if sign == '/' { Op::Div } else { Op::Mul };
-            left = binary(op, left, self.signed(Reader::power)?);
+/// A function of a value in parentheses.
+fn call(i: &mut Input) -> Read<Expr> {
+    let (name, at) = terminated(token(word), peek(sign(['(']))).parse_next(i)?;
+    let function = FUNCTIONS.iter().find(|(n, _)| *n == name).map(|(_, f)| *f);
+    if function.is_none() {
+        let why = not_a_function(name, i.state.parameters);
+        without_meaning(i, at, why);
+    }
+    let argument = cut_err(group).parse_next(i)?;
+    // Without a function there is a diagnosis, and the tree is dropped.
+    let kind = ExprKind::Call(function.unwrap_or(Function::Abs), Box::new(argument));
+    Ok(Expr { kind, span: Span::new(at.start, i.current_token_start()) })
+}
+
+/// A name that stands alone: a parameter or a unit.
+fn name(i: &mut Input) -> Read<Expr> {
+    let (name, span) = token(word).parse_next(i)?;
+    let parameter = i.state.parameters.contains(&name).then(|| ExprKind::Parameter(name.to_owned()));
+    Ok(match parameter.or_else(|| unit_named(name).map(ExprKind::Unit)) {
+        Some(kind) => Expr { kind, span },
+        None => {
+            let why = not_a_name(name, i.state.parameters);
+            without_meaning(i, span, why)
         }
-        Some(left)
-    }
+    })
+}
 
-    /// Signs, then an operand.
-    fn signed(&mut self, operand: fn(&mut Self) -> Option<Expr>) -> Option<Expr> {
-        self.peek();
-        let start = self.at;
-        let mut negative = false;
-        while let Some(sign) = self.take(&SIGNS) {
-            negative ^= sign != '+';
-        }
-        let inner = operand(self)?;
-        let span = Span::new(start, self.end);
-        Some(if negative { Expr { kind: ExprKind::Neg(Box::new(inner)), span } } else { inner })
-    }
-
-    fn power(&mut self) -> Option<Expr> {
-        let base = self.atom()?;
-        self.raised(base)
-    }
-
-    /// `base` and the exponent that may follow.
-    fn raised(&mut self, base: Expr) -> Option<Expr> {
-        if self.take(&['^']).is_some() {
-            return Some(binary(Op::Pow, base, self.signed(Reader::exponent)?));
-        }
-        let start = self.at;
-        let negative = self.take(&['⁻']).is_some();
-        let digits = self.at;
-        let mut number = String::new();
-        while let Some(digit) = self.take(&SUPERSCRIPT) {
-            number.extend(SUPERSCRIPT.iter().position(|c| *c == digit).and_then(|d| char::from_digit(d as u32, 10)));
-        }
-        if number.is_empty() {
-            return if negative { None } else { Some(base) };
-        }
-        let value = Expr { kind: ExprKind::Number(number), span: Span::new(digits, self.end) };
-        let span = Span::new(start, self.end);
-        let exponent = if negative { Expr { kind: ExprKind::Neg(Box::new(value)), span } } else { value };
-        Some(binary(Op::Pow, base, exponent))
-    }
-
-    fn atom(&mut self) -> Option<Expr> {
-        let value = match self.peek()? {
-            '°' => return self.unit(),
-            c if c.is_alphabetic() => match self.pi() {
-                Some(pi) => pi,
-                None => return self.name_or_call(),
-            },
-            '(' => self.group()?,
-            _ => {
-                let number = self.number()?;
-                self.peek();
-                match self.pi() {
-                    Some(pi) => binary(Op::Mul, number, pi),
-                    None => number,
-                }
-            }
-        };
-        let tail = match self.peek() {
-            Some('(') => self.group()?,
-            Some(c) if c == '°' || c.is_alphabetic() => self.unit()?,
-            _ => return Some(value),
-        };
-        let tail = self.raised(tail)?;
-        Some(binary(Op::Mul, value, tail))
-    }
-
-    fn exponent(&mut self) -> Option<Expr> {
-        match self.peek()? {
-            '(' => self.group(),
-            c if c.is_alphabetic() => self.pi().or_else(|| self.name_or_call()),
-            _ => self.number(),
-        }
-    }
-
-    /// The constant, where it stands here.
-    fn pi(&mut self) -> Option<Expr> {
-        let word = self.ahead();
-        is_pi(self.spelt(word)).then(|| Expr { kind: ExprKind::Pi, span: self.token(word.end - word.start) })
-    }
-
-    fn number(&mut self) -> Option<Expr> {
-        let span = self.token(number_length(&self.text[self.at..])?);
-        Some(Expr { kind: ExprKind::Number(self.spelt(span).to_owned()), span })
-    }
-
-    fn group(&mut self) -> Option<Expr> {
-        self.take(&['('])?;
-        let inner = self.sum()?;
-        self.take(&[')'])?;
-        Some(inner)
-    }
-
-    /// The name that begins here; empty where there is none.
-    fn ahead(&self) -> Span {
-        let rest = &self.text[self.at..];
-        let length = rest.find(|c: char| !is_letter(c)).unwrap_or(rest.len());
-        Span::new(self.at, self.at + length)
-    }
-
-    fn spelt(&self, span: Span) -> &'a str {
-        &self.text[span.start..span.end]
-    }
-
-    /// A unit directly after a value, or a degree sign.
-    fn unit(&mut self) -> Option<Expr> {
-        let rest = &self.text[self.at..];
-        let sign = ["°", "r/min"]
-            .into_iter()
-            .find(|sign| rest.strip_prefix(sign).is_some_and(|after| *sign == "°" || !after.starts_with(is_letter)));
-        let span = match sign {
-            Some(sign) => self.token(sign.len()),
-            None => self.token(self.ahead().end - self.at),
-        };
-        let name = self.spelt(span);
-        Some(match unit_named(name) {
-            Some(unit) => Expr { kind: ExprKind::Unit(unit), span },
-            None => self.without_meaning(span, not_a_unit(name, self.parameters)),
-        })
-    }
-
-    /// What a name is: a function before a parenthesis, else a parameter or a unit.
-    fn name_or_call(&mut self) -> Option<Expr> {
-        let word = self.token(self.ahead().end - self.at);
-        let name = self.spelt(word);
-        if self.peek() != Some('(') {
-            return Some(if self.parameters.contains(&name) {
-                Expr { kind: ExprKind::Parameter(name.to_owned()), span: word }
-            } else if let Some(unit) = unit_named(name) {
-                Expr { kind: ExprKind::Unit(unit), span: word }
-            } else {
-                self.without_meaning(word, not_a_name(name, self.parameters))
-            });
-        }
-        let function = FUNCTIONS.iter().find(|(n, _)| *n == name).map(|(_, f)| *f);
-        if function.is_none() {
-            self.without_meaning(word, not_a_function(name, self.parameters));
-        }
-        let argument = self.group()?;
-        // Without a function there is a diagnosis, and the tree is dropped.
-        let function = function.unwrap_or(Function::Abs);
-        Some(Expr { kind: ExprKind::Call(function, Box::new(argument)), span: Span::new(word.start, self.end) })
-    }
-
-    /// Notes a name without meaning; what is returned takes its place until the text has been read to its end.
-    fn without_meaning(&mut self, span: Span, why: Diagnostic) -> Expr {
-        self.unknown.get_or_insert(why.at(span));
-        Expr { kind: ExprKind::Pi, span }
-    }
+/// Notes a name without meaning; what is returned takes its place until the text has been read to its end.
+fn without_meaning(i: &mut Input, span: Span, why: Diagnostic) -> Expr {
+    i.state.unknown.get_or_insert(why.at(span));
+    Expr { kind: ExprKind::Pi, span }
 }
 
 /// Whether a word is the constant.
@@ -296,30 +267,6 @@ pub(super) fn is_pi(word: &str) -> bool {
 /// What a name is made of after its first letter.
 pub(super) fn is_letter(c: char) -> bool {
     c.is_alphabetic() || c.is_ascii_digit() || c == '_' || c == '\''
-}
-
-/// How many bytes of a text are the number that it begins with; `None` where it begins with none.
-fn number_length(text: &str) -> Option<usize> {
-    let digits = |from: usize| text[from..].bytes().take_while(u8::is_ascii_digit).count();
-    let whole = digits(0);
-    let mut end = whole;
-    if text[end..].starts_with('.') {
-        let after = digits(end + 1);
-        if whole + after == 0 {
-            return None;
-        }
-        end += 1 + after;
-    } else if whole == 0 {
-        return None;
-    }
-    if let Some(power) = text[end..].strip_prefix(['e', 'E']) {
-        let sign = usize::from(power.starts_with(['+', '-']));
-        let after = digits(end + 1 + sign);
-        if after > 0 {
-            end += 1 + sign + after;
-        }
-    }
-    Some(end)
 }
 
 fn not_a_function(name: &str, parameters: &[&str]) -> Diagnostic {

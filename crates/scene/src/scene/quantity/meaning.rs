@@ -1,4 +1,6 @@
-//! What questions come down to, which is little: by this go the rooms that have a way of their own to answer. Their formulas of relative motion.
+//! The few meanings that all questions reduce to, and the formulas of relative motion that belong to them.
+//!
+//! A room that answers by a way of its own (the drawing, the compiled sweep) matches [`Meaning`], not the families of quantities.
 
 use super::{Frame, Joined, Known, Level, Place, Seen, Value, joined};
 use crate::number::Real;

@@ -12,8 +12,8 @@ pub(super) struct Declared {
     pub links: Vec<Link>,
     /// Missing (with a fault) where the file names none or an impossible one.
     pub ground: Option<LinkId>,
-    /// The contact points of the rolling pairs, in their order.
-    pub contacts: Vec<PointId>,
+    /// The places of contact of the rolling pairs, in their order.
+    pub contacts: Vec<[PointId; 2]>,
 }
 
 /// Collects points and links while the sections are read in order.
@@ -111,18 +111,25 @@ pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
         faults.push(d.at(raw.links[0].name.span));
     }
     empty_links(raw, &r, ground, faults);
-    let contacts = raw.rolling.iter().map(|pair| contact(pair, &mut r, faults)).collect();
+    let contacts = raw.rolling.iter().map(|pair| contacts(pair, &mut r, faults)).collect();
     Declared { points: r.points, links: r.links, ground, contacts }
 }
 
-/// The contact point of a rolling pair, by the name that the file gives it or the first free one of the usual letters.
-fn contact(pair: &RawRolling, r: &mut Register, faults: &mut Faults) -> PointId {
-    if let Some(word) = &pair.at {
-        return r.point(word, faults);
+/// The place of contact of a rolling pair, or both ends of a strand, by the names that the file gives them or the first free ones of the
+/// usual letters.
+fn contacts(pair: &RawRolling, r: &mut Register, faults: &mut Faults) -> [PointId; 2] {
+    let mut named = |word: &Option<Word>, usual: &[&str]| {
+        if let Some(word) = word {
+            return r.point(word, faults);
+        }
+        let usual = usual.iter().map(|letter| (*letter).to_owned()).chain((1..).map(|n| format!("{}{n}", usual[0])));
+        let name = usual.into_iter().find(|name| !r.by_point.contains_key(name));
+        r.point(&Word { text: name.expect("the names do not end"), span: pair.span }, faults)
+    };
+    match &pair.strand {
+        None => [named(&pair.at, &["Q", "S", "T", "U", "W"]); 2],
+        Some(strand) => [named(&pair.at, &["M", "S", "U"]), named(&strand.end, &["N", "T", "W"])],
     }
-    let usual = ["Q", "S", "T", "U", "W"].into_iter().map(str::to_owned);
-    let name = usual.chain((1..).map(|n| format!("Q{n}"))).find(|name| !r.by_point.contains_key(name));
-    r.point(&Word { text: name.expect("the names do not end"), span: pair.span }, faults)
 }
 
 /// A bare pin need not be on a link: in two slots it has its place all the same.

@@ -1,5 +1,6 @@
 //! The section `driver`.
 
+use super::super::rolling::RollingKind;
 use super::guides::Numbered;
 use super::*;
 
@@ -174,12 +175,14 @@ fn slide(
         [one] => guides.iter().position(|(_, i)| i == one).map(|i| DriverKind::Slide { guide: GuideId(i), position }),
         [] => {
             // The centre of a wheel runs along its track.
-            let wheel =
-                |g: &Guide| g.pin.is_some_and(|p| c.point_name(p) == word.text) && g.rolling.is_some_and(|r| !rolling.rolling[r.0].toothed);
+            let wheel = |g: &Guide| {
+                g.pin.is_some_and(|p| c.point_name(p) == word.text)
+                    && g.rolling.is_some_and(|r| rolling.rolling[r.0].kind == RollingKind::Wheel)
+            };
             if let Some(i) = rolling.guides.iter().position(wheel) {
                 return Some(DriverKind::Slide { guide: GuideId(guides.len() + i), position });
             }
-            let wheels = c.raw.rolling.iter().filter(|p| !p.toothed).filter_map(|p| p.sides[1].centre.as_ref());
+            let wheels = c.raw.rolling.iter().filter(|p| p.kind == RollingKind::Wheel).filter_map(|p| p.sides[1].centre.as_ref());
             let runners = c.raw.guides.iter().flat_map(|g| [&g.pin, &g.slider]).flatten().chain(wheels).map(|w| w.text.as_str());
             let nothing = runners.clone().next().is_none();
             let d = Diagnostic::error("driver", both!("no guide has a pin or slider `{}`", "没有导路以 `{}` 为销或滑块", word.text))

@@ -22,7 +22,7 @@ pub(super) fn centres(
     loop {
         let before = (laid.len(), rolling.lengths.len());
         for i in 0..rolling.rolling.len() {
-            let Contours::Circles { centres: [a, b], .. } = rolling.rolling[i].contours else { continue };
+            let Some([a, b]) = rolling.rolling[i].round() else { continue };
             for (from, to) in [(a, b), (b, a)] {
                 lay(c, (&mut *rolling, i, drivers), (from, to), places, lengths, &mut laid);
             }
@@ -154,10 +154,10 @@ fn neighbours(rolling: &rolling::Resolved, centre: PointId) -> impl Iterator<Ite
     let found: std::collections::BTreeSet<usize> = rolling
         .rolling
         .iter()
-        .filter_map(|r| match r.contours {
-            Contours::Circles { centres: [a, b], .. } if a == centre => Some(b.0),
-            Contours::Circles { centres: [a, b], .. } if b == centre => Some(a.0),
-            Contours::Circles { .. } | Contours::Track { .. } => None,
+        .filter_map(|r| match r.round()? {
+            [a, b] if a == centre => Some(b.0),
+            [a, b] if b == centre => Some(a.0),
+            _ => None,
         })
         .collect();
     found.into_iter().map(PointId)
@@ -168,11 +168,17 @@ fn guided(c: &Context, link: LinkId) -> bool {
     c.raw.guides.iter().any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == c.link_name(link)))
 }
 
-/// The distance of the centres of two gears of 1 mm module.
+/// The distance of the centres of two gears of 1 mm module; of two pulleys, whose distance is free, that at which the gap between them is as wide
+/// as both.
 fn by_teeth(c: &Context, rolling: &rolling::Resolved, pair: usize) -> Option<Given> {
-    let Contours::Circles { sizes: Sizes::Teeth([a, b]), hollow, .. } = rolling.rolling[pair].contours else { return None };
-    let halves = if hollow.is_some() { a.abs_diff(b) } else { a + b };
-    let text = format!("{}.{} mm", halves / 2, if halves % 2 == 0 { 0 } else { 5 });
+    let text = match &rolling.rolling[pair].contours {
+        Contours::Circles { sizes: Sizes::Teeth([a, b]), hollow, .. } => {
+            let halves = if hollow.is_some() { a.abs_diff(*b) } else { a + b };
+            format!("{}.{} mm", halves / 2, if halves % 2 == 0 { 0 } else { 5 })
+        }
+        Contours::Belt { radii: [a, b], .. } => format!("2*(({})+({}))", a.text, b.text),
+        Contours::Circles { sizes: Sizes::Radii(_), .. } | Contours::Track { .. } => return None,
+    };
     let span = rolling.rolling[pair].span;
     c.values.si(&RawQuantity { text, span, bare: false }, Wanted::Length, &mut Faults::default())
 }

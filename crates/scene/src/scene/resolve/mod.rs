@@ -5,6 +5,7 @@
 
 mod answers;
 mod attempts;
+mod belts;
 mod composite;
 mod declare;
 mod drivers;
@@ -33,8 +34,8 @@ struct Context<'a> {
     values: &'a Values<'a>,
     names: Names<'a>,
     ground: LinkId,
-    /// The contact points of the rolling pairs.
-    contacts: &'a [PointId],
+    /// The places of contact of the rolling pairs.
+    contacts: &'a [[PointId; 2]],
 }
 
 impl Context<'_> {
@@ -51,6 +52,11 @@ impl Context<'_> {
         let message = both!("centre `{}` is not on link `{}`, {}", "圆心 `{}` 不在构件 `{}` 上，{}", word.text, self.link_name(link), why);
         faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(self.points_of(link)));
         None
+    }
+
+    /// Whether a point is a place of contact.
+    fn is_contact(&self, point: PointId) -> bool {
+        self.contacts.iter().any(|at| at.contains(&point))
     }
 
     /// Whether a link is a wheel, or what a wheel rolls on.

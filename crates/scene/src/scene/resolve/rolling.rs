@@ -1,6 +1,6 @@
 //! The sections `gears` and `rolling`: rolling pairs, the guides that keep them in touch, and the distances of their centres.
 
-use super::super::rolling::{Contours, Flanks, Rolling, RollingId, Sizes};
+use super::super::rolling::{Contours, Flanks, Rolling, RollingId, RollingKind, Sizes};
 use super::*;
 
 /// Most teeth of a gear: more are a mistyped number.
@@ -41,7 +41,7 @@ pub(super) fn rolling(c: &Context, places: &[Place], lengths: &[Length], first_g
 fn pair(
     c: &Context,
     raw: &RawRolling,
-    at: PointId,
+    at: [PointId; 2],
     (places, lengths): (&[Place], &[Length]),
     first_guide: usize,
     out: &mut Resolved,
@@ -55,7 +55,9 @@ fn pair(
         faults.push(Diagnostic::error("rolling", message).at(raw.span).help(both!("name two links", "请写两个构件")));
         return None;
     }
-    if !places.get(at.0).is_none_or(|p| matches!(p, Place::Unknown)) || !c.names.links.iter().all(|l| !l.points.contains(&at)) {
+    let elsewhere =
+        |at: &PointId| !places.get(at.0).is_none_or(|p| matches!(p, Place::Unknown)) || c.names.links.iter().any(|l| l.points.contains(at));
+    if let Some(&at) = at.iter().find(|at| elsewhere(at)) {
         let message = both!(
             "`{}` is the point of contact: it is found from the centres, and no link carries it",
             "`{}` 是接触点：由圆心确定，不属于任何构件",
@@ -84,9 +86,22 @@ fn pair(
     }
     let id = RollingId(out.rolling.len());
     let wheel = b.centre?;
-    let (contours, path) = match a.centre {
-        None => straight(c, raw, a.link, (wheel, places), faults)?,
-        Some(centre) => round(c, raw, [centre, wheel], faults)?,
+    let (contours, path) = match (a.centre, &raw.strand) {
+        (None, _) => straight(c, raw, a.link, (wheel, places), faults)?,
+        (Some(centre), None) => round(c, raw, [centre, wheel], faults)?,
+        (Some(centre), Some(strand)) => {
+            let contours = belts::round(c, raw, strand, [a.link, b.link], [centre, wheel], faults)?;
+            return Some(Rolling {
+                links: [a.link, b.link],
+                contours,
+                at,
+                kind: raw.kind,
+                guide: None,
+                phase,
+                flanks: None,
+                span: raw.span,
+            });
+        }
     };
     let common = a.centre.is_some_and(|p| (0..c.names.links.len()).any(|l| c.carries(LinkId(l), p) && c.carries(LinkId(l), wheel)));
     if let (Contours::Circles { centres, sizes: Sizes::Radii([p, q]), hollow }, true) = (&contours, common) {
@@ -96,7 +111,7 @@ fn pair(
         out.guides.push(Guide { pin: Some(wheel), slider: None, on: a.link, path, rolling: Some(id), span: raw.span });
         GuideId(first_guide + out.guides.len() - 1)
     });
-    Some(Rolling { links: [a.link, b.link], contours, at, toothed: raw.toothed, guide, phase, flanks: flanks?, span: raw.span })
+    Some(Rolling { links: [a.link, b.link], contours, at, kind: raw.kind, guide, phase, flanks: flanks?, span: raw.span })
 }
 
 /// Whether something other than the phase says how a link stands: it is fixed, coordinates give two of its points, or a driver its angle.
@@ -210,7 +225,7 @@ fn round(c: &Context, raw: &RawRolling, centres: [PointId; 2], faults: &mut Faul
     for (key, given) in of_a_line {
         if let Some(span) = given {
             let message = both!("two circles have no `{key}`", "两圆相切没有 `{key}`");
-            faults.push(Diagnostic::error("rolling", message).at(span).help(if raw.toothed {
+            faults.push(Diagnostic::error("rolling", message).at(span).help(if raw.kind == RollingKind::Gears {
                 both!("leave it away, or name the \"rack\"", "请去掉，或写明 \"rack\"")
             } else {
                 both!("leave it away, or the \"track\" if it is straight", "请去掉；若轨道是直线，请去掉 \"track\"")
@@ -225,7 +240,8 @@ fn round(c: &Context, raw: &RawRolling, centres: [PointId; 2], faults: &mut Faul
                 faults.push(d.help(both!("write them in the order of the centres", "请按圆心的顺序写出")));
                 return None;
             };
-            let what = || if raw.toothed { both!("a pitch radius", "节圆半径") } else { both!("a radius", "半径") };
+            let what =
+                || if raw.kind == RollingKind::Gears { both!("a pitch radius", "节圆半径") } else { both!("a radius", "半径") };
             let (a, b) = (c.values.positive_length(a, what(), faults), c.values.positive_length(b, what(), faults));
             let (a, b) = (a?, b?);
             larger(c, raw, hollow, [a.value, b.value], faults)?;
@@ -390,7 +406,7 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
 }
 
 /// A number of teeth.
-fn whole(c: &Context, q: &RawQuantity, faults: &mut Faults) -> Option<u32> {
+pub(super) fn whole(c: &Context, q: &RawQuantity, faults: &mut Faults) -> Option<u32> {
     let z = c.values.pure_number(q, faults)?;
     if z.fract() == 0.0 && (1.0..=f64::from(MOST_TEETH)).contains(&z) {
         return Some(z as u32);

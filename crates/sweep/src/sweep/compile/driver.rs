@@ -1,8 +1,8 @@
 //! Drivers as registers: the swept one, those that stand, and followers that a cam on the swept one leads.
 //!
-//! A led follower has its place and its rates in registers ([`crate::sweep::led`]). Which piece of a profile, or of a law, holds it is decided
-//! at each position by the angles at which the stretches of a turn begin, which are found once; at a joint that which follows in the driver's
-//! sense, as everywhere. A sweep that asks for what has no operation solves each position by itself.
+//! A led follower has its place and its rates in registers ([`crate::sweep::led`]). The cam's angle selects the piece of its profile, or of its law, at
+//! each position: the angles at which the stretches of a turn begin are found once. At a joint of two pieces the one ahead in the driver's sense
+//! counts. A sweep that asks for a quantity without an operation solves each position by itself.
 
 use super::rate::Row;
 use super::{Compiler, NoKernel, Spot};

@@ -9,6 +9,7 @@
 //! Newton's method, position by position.
 
 pub(super) mod ask;
+mod belt;
 mod driver;
 mod place;
 mod rate;
@@ -40,9 +41,7 @@ pub type NoKernel = Diagnostic;
 /// The group that has no kernel.
 pub fn compile(scene: &Scene, m: &Mechanism, at: &Configuration, driver: Option<usize>, find: &[Find]) -> Result<Program, NoKernel> {
     let mut c = Compiler::new(scene, m, at, driver);
-    for f in find {
-        c.answer(f)?;
-    }
+    find.iter().try_for_each(|f| c.answer(f))?;
     Ok(c.finish())
 }
 
@@ -268,8 +267,8 @@ impl<'a> Compiler<'a> {
                 return Ok(pair);
             }
         }
-        if let (Level::Position, Some(r)) = (level, self.scene.rolling.iter().position(|r| r.at == p)) {
-            let pair = self.contact(RollingId(r))?;
+        if let (Level::Position, Some(r)) = (level, self.scene.rolling.iter().position(|r| r.at.contains(&p))) {
+            let pair = self.contact(RollingId(r), p)?;
             self.points[p.0][0] = Some(pair);
             return Ok(pair);
         }

@@ -272,7 +272,7 @@ impl Compiler<'_> {
                 Ok((n, Some(r), c))
             }
             Row::Rolled { pair, other, n } => {
-                let place = self.contact(pair)?;
+                let place = self.contact(pair, self.scene.rolling[pair.0].at[0])?;
                 let v = self.of_link_at(other, place, level)?;
                 let c = self.emit(level, Dot { u: n, v }, 1);
                 let r = match core {

@@ -400,8 +400,8 @@ impl Compiler<'_> {
         Ok(self.on_track(r)?.3)
     }
 
-    /// The place of contact of a pair.
-    pub(super) fn contact(&mut self, r: RollingId) -> Result<Pair, NoKernel> {
+    /// One of the places of contact of a pair.
+    pub(super) fn contact(&mut self, r: RollingId, at: PointId) -> Result<Pair, NoKernel> {
         let [r1, r2] = self.at.shapes.rolling[r.0];
         match self.scene.rolling[r.0].contours {
             Contours::Circles { centres: [a, b], .. } => {
@@ -414,6 +414,7 @@ impl Compiler<'_> {
                 let o = self.point(centre, P)?;
                 Ok(self.emit_pair(P, Image { o, d, k: [0.0, -r2] }))
             }
+            Contours::Belt { centres, right, .. } => self.strand_end(r, centres, right, at),
         }
     }
 

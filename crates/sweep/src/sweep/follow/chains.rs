@@ -1,9 +1,9 @@
-//! Following a mechanism from one position of its driver to the next, in pieces: the same states whatever pieces are asked for.
+//! Following a mechanism from one position of its driver to the next, in pieces, with the same states whatever pieces are asked for.
 //!
-//! Where a state comes from the one before it, the rows of a sweep hang on one another in chains: from where the driver stands
-//! upward, and from there downward, which is backward in the table. A chain keeps its state at every [`STRIDE`]-th position, so that any
-//! part of it can be gone over again without the whole; memory is that of these states. A crank that is stopped on one way round
-//! may come to a position on the other: what lies beyond a chain's end is looked for from there, in chains of the same kind.
+//! Each state is computed from the one before it, so the rows of a sweep form chains: one from where the driver stands upward, one downward, which is
+//! backward in the table. A chain keeps its state at every [`STRIDE`]-th position (checkpoints), so that any part of it can be computed again without
+//! the whole; memory is that of these states. A crank that is stopped on one way round may reach a position on the other: what lies beyond a chain's
+//! end is looked for from there, in chains of the same kind.
 
 use crate::diag::Faults;
 use std::f64::consts::TAU;

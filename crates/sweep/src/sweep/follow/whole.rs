@@ -109,9 +109,9 @@ impl<'a> Whole<'a> {
 
 /// What stops a mechanism in the pose of a limit.
 pub(in crate::sweep) fn event(m: &Mechanism, value: f64, at: &Configuration) -> Event {
-    // The group without a closed form holds the driver, unless a dyad or a link on three legs is at its limit.
-    let higher = || m.groups.iter().find(|g| g.core == Core::Higher).and_then(|g| Toggle::of(g, || false));
-    let toggle = Toggle::at(m, at).or_else(higher);
+    // A group without a closed form, or on three legs of which one rolls, holds the driver, unless legs are told that hold one another.
+    let followed = || m.groups.iter().find(|g| g.core == Core::Higher || g.class() == Some("III"));
+    let toggle = Toggle::at(m, at).or_else(|| followed().map(|g| Toggle::Open(g.links.clone())));
     let links = toggle.as_ref().map_or_else(Vec::new, Toggle::links);
     Event { value, kind: Kind::Limit, links, pin: None, joint: None, toggle }
 }

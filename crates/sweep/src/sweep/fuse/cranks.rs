@@ -1,4 +1,4 @@
-//! A crank on whose pin one group alone hangs is done together with that group: what it finds stays in the machine's registers.
+//! Fuses a crank with the one group that hangs on its pin: what the crank finds stays in the machine's registers.
 
 use super::kernels::*;
 use super::{Ordered, Unit};

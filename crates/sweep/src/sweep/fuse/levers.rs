@@ -1,4 +1,4 @@
-//! The operations of a lever with a slot over a pin, on a fixed pivot, found and made one.
+//! Fuses the operations of a lever that turns about a fixed pivot and has a slot over a pin.
 
 use super::kernels::Slotted;
 use super::matching::{Few, Matching, motion_of};

@@ -1,4 +1,4 @@
-//! Which operations of a program are one: a point's position, velocity and acceleration, a line's turning.
+//! Pattern matching on the list of operations: finds those that give position, velocity and acceleration of one point, or turning of one line.
 
 use super::kernels::{Coupled, Crank, Dyad, Images, Motion, Slider, Turned};
 use super::{NONE, Outs, Unit, Wires};

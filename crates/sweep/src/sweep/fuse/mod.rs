@@ -1,9 +1,9 @@
-//! A program as it is run over chunks: what belongs together is done in one pass, what nothing asks for is left out.
+//! Kernel fusion: the compiled list of operations rewritten to fewer ones that each do more, and without those whose results nothing reads.
 //!
-//! The compiled list has one small operation for each group and effect. Run one by one, most of their time goes into carrying
-//! numbers to memory and back. So the operations of one point are found again, position, velocity and acceleration of it,
-//! and one kernel of [`kernels`] does them all; what stays between is run as it is. Nothing here knows of mechanisms: a
-//! dyad is recognised by its operations, wherever it hangs. The numbers are the same whatever the width.
+//! The compiled list has one small operation for each group and effect; run one by one, most of their time goes into loads and stores. So the
+//! operations of one point, for its position, velocity and acceleration, are found again ([`matching`]) and replaced by one kernel of [`kernels`]; what
+//! stands between them is run as it is. Nothing here knows of mechanisms: a dyad is recognised by its operations, wherever it hangs. The numbers are
+//! the same whatever the width.
 
 pub mod cranks;
 pub mod kernels;

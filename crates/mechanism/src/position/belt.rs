@@ -1,0 +1,68 @@
+//! The strand between two wheels of a belt or chain: where it runs off the one and onto the other.
+
+use super::Configuration;
+use crate::diag::{Diagnostic, both};
+use crate::geom::{Point, Vec2};
+use crate::number::Real;
+use crate::scene::{Contours, Given, PointId, Rolling, RollingKind, Scene};
+
+/// The normal m of the strand left of the line of centres, away from the first of them, as cosine and sine of its angle from that line: the strand
+/// lies at the radius from either centre, so that (B − A)·m = ρ₁ + ρ₂ with the signed sizes of [`Rolling::sizes`]. `None` for wheels that lie
+/// one inside the other.
+pub fn normal<N: Real>([r1, r2]: [N; 2], distance: N) -> Option<[N; 2]> {
+    let cos = (r1 + r2) / distance;
+    let square = N::from_f64(1.0) - cos * cos;
+    (square.approx() > 0.0).then(|| [cos, square.sqrt()])
+}
+
+/// Both ends of a strand: A + ρ₁m and B − ρ₂m.
+pub(super) fn strand<N: Real>(sizes: [N; 2], right: bool, a: Point<N>, b: Point<N>) -> Option<[Point<N>; 2]> {
+    let line = b - a;
+    let [cos, sin] = normal(sizes, line.norm())?;
+    let m = Vec2::new(cos, if right { -sin } else { sin }).rotate_by(line.unit()?);
+    let [r1, r2] = sizes;
+    Some([a + m * r1, b - m * r2])
+}
+
+/// What is wrong with three wheels or more that are named counter-clockwise: the strand left of each line of centres would run inside. It is said
+/// of the last one.
+fn misordered(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option<Diagnostic> {
+    let belt_of = |r: &Rolling| match r.contours {
+        Contours::Belt { belt, .. } => Some(belt),
+        Contours::Circles { .. } | Contours::Track { .. } => None,
+    };
+    let strands: Vec<&Rolling> = scene.rolling.iter().filter(|r| belt_of(r) == belt_of(pair)).collect();
+    let ends = strands.iter().filter_map(|r| c.points[r.round()?[1].0]);
+    let centres: Vec<Point> = c.points[strands.first()?.round()?[0].0].into_iter().chain(ends).collect();
+    if strands.len() < 2 || !strands.last().is_some_and(|last| std::ptr::eq(*last, pair)) {
+        return None;
+    }
+    let doubled_area: f64 = centres.windows(2).map(|w| (w[0] - centres[0]).cross(w[1] - centres[0])).sum();
+    let message = both!("the belt or chain names its wheels counter-clockwise", "传动带（链）的各轮是按逆时针方向写的");
+    let help = both!("name them clockwise, in the opposite order", "请按相反的顺序（顺时针）写出");
+    (doubled_area > 0.0).then(|| Diagnostic::error("belt-order", message).at(pair.span).help(help))
+}
+
+/// What is wrong with wheels that overlap, or are not named as the belt runs.
+pub(super) fn misfit(scene: &Scene, pair: &Rolling, [p, q]: [PointId; 2], [a, b]: &[Given; 2], c: &Configuration) -> Option<Diagnostic> {
+    if let Some(fault) = misordered(scene, pair, c) {
+        return Some(fault);
+    }
+    let (distance, radii) = (c.points[p.0]?.distance(c.points[q.0]?), a.value + b.value);
+    if distance > radii {
+        return None;
+    }
+    let (p, q) = (scene.point_name(p), scene.point_name(q));
+    let (distance, radii) = (scene.length_words(distance), scene.length_words(radii));
+    let wheels = match pair.kind {
+        RollingKind::Chain => both!("sprockets", "链轮"),
+        RollingKind::Belt => both!("pulleys", "带轮"),
+        RollingKind::Gears | RollingKind::Wheel => both!("wheels", "轮"),
+    };
+    let message = both!(
+        "the {0} about {p} and {q} overlap: {p}{q} is {distance}, and their radii make {radii}",
+        "绕 {p} 与 {q} 的两{0}重叠：{p}{q} 为 {distance}，两半径之和为 {radii}",
+        wheels
+    );
+    Some(Diagnostic::error("belt-overlap", message).at(pair.span).help(both!("correct a radius or a centre", "请改正半径或圆心")))
+}

@@ -1,0 +1,40 @@
+//! Belts round pulleys and chains round sprockets.
+
+use super::amount::{Angle, Length};
+use super::part::{Entry, members};
+use serde_json::{Value, json};
+
+/// A belt or a chain.
+#[derive(Clone, Debug)]
+#[must_use]
+pub struct Belt(Entry);
+
+impl Belt {
+    /// A belt round pulleys with their centres and radii, in the order in which it runs round them.
+    pub fn round(pulleys: &[&str], centres: &[&str], radii: &[Length]) -> Belt {
+        let radii: Value = radii.iter().map(Length::json).collect();
+        Belt(Entry::default().with("pulleys", json!(pulleys)).with("centres", json!(centres)).with("radii", radii))
+    }
+
+    /// A chain of this pitch round sprockets with their centres and numbers of teeth.
+    pub fn chain(sprockets: &[&str], centres: &[&str], teeth: &[u32], pitch: Length) -> Belt {
+        let entry = Entry::default().with("sprockets", json!(sprockets)).with("centres", json!(centres));
+        Belt(entry.with("teeth", json!(teeth)).with("pitch", pitch.json()))
+    }
+
+    /// The section of the file in which it stands.
+    pub(super) fn section(&self) -> &'static str {
+        if self.0.0.contains_key("sprockets") { "chains" } else { "belts" }
+    }
+}
+
+members! { Belt:
+    /// Whether a belt round two pulleys is crossed.
+    crossed(value: bool) "crossed" = json!(value);
+    /// The wheels that turn in the opposite sense.
+    reversed(links: &[&str]) "reversed" = json!(links);
+    /// The names of both ends of the strand between each wheel and the next.
+    at(points: &[&str]) "at" = json!(points);
+    /// The angle of the second link's line, as [`Gears::phase`](super::Gears::phase).
+    phase(value: Angle) "phase" = value.json();
+}

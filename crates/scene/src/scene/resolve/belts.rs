@@ -1,0 +1,53 @@
+//! What the sections `belts` and `chains` say of two neighbours: the link that keeps their distance, and their radii.
+
+use super::super::rolling::Contours;
+use super::rolling::whole;
+use super::*;
+
+/// The two circles of a strand, whose links and centres are known.
+pub(super) fn round(
+    c: &Context,
+    raw: &RawRolling,
+    strand: &RawStrand,
+    links: [LinkId; 2],
+    centres: [PointId; 2],
+    faults: &mut Faults,
+) -> Option<Contours> {
+    let [p, q] = centres;
+    let sizes = match &raw.sizes {
+        RawSizes::Radii(radii) => {
+            let radii: Vec<Option<Given>> =
+                radii.iter().map(|r| c.values.positive_length(r, both!("the radius of a pulley", "带轮半径"), faults)).collect();
+            <[Option<Given>; 2]>::try_from(radii).ok().map(|radii| (radii, None))
+        }
+        RawSizes::Teeth(teeth, pitch) => {
+            let counts: Vec<Option<u32>> = teeth.iter().map(|z| whole(c, z, faults)).collect();
+            let pitch = pitch.as_ref().filter(|p| c.values.positive_length(p, both!("the pitch", "节距"), faults).is_some());
+            let radius = |(q, z): (&RawQuantity, Option<u32>)| {
+                // With z links round it and p each, the chain runs z p per turn.
+                let text = format!("({})*{}/(2*pi)", pitch?.text, z?);
+                c.values.si(&RawQuantity { text, span: q.span, bare: false }, Wanted::Length, &mut Faults::default())
+            };
+            match (&teeth[..], &counts[..]) {
+                ([a, b], &[y, z]) => Some(([radius((a, y)), radius((b, z))], y.zip(z).map(|(y, z)| [y, z]))),
+                _ => None,
+            }
+        }
+    };
+    let arm = (0..c.names.links.len()).map(LinkId).find(|l| !links.contains(l) && c.carries(*l, p) && c.carries(*l, q));
+    if arm.is_none() {
+        let message = both!(
+            "no link carries both {} and {}: nothing keeps the belt tight",
+            "没有同时带有 {} 与 {} 的构件：带不能张紧",
+            c.point_name(p),
+            c.point_name(q)
+        );
+        faults.push(Diagnostic::error("belt-arm", message).at(raw.span).help(both!(
+            "list both centres among the points of the ground, or of the arm that carries the wheels",
+            "请把两个圆心都写在机架或承载两轮的构件的点中"
+        )));
+    }
+    let ([a, b], teeth) = sizes?;
+    let RawStrand { belt, crossed, right, .. } = *strand;
+    Some(Contours::Belt { centres, radii: [a?, b?], teeth, crossed, right, arm: arm?, belt })
+}

@@ -1,0 +1,60 @@
+//! Belts and chains of an inversion: they run as before, whichever link is the ground.
+
+use super::pairs::metres;
+use crate::scene::{Contours, Rolling, RollingKind, Scene};
+use serde_json::{Value as Json, json};
+use std::f64::consts::TAU;
+
+/// The sections `belts` and `chains`.
+pub(super) fn sections(scene: &Scene) -> [Vec<Json>; 2] {
+    [RollingKind::Belt, RollingKind::Chain].map(|kind| {
+        let strands: Vec<&Rolling> = scene.rolling.iter().filter(|r| r.kind == kind).collect();
+        strands.chunk_by(|a, b| belt_of(a) == belt_of(b)).filter_map(|strands| entry(scene, kind, strands)).collect()
+    })
+}
+
+fn belt_of(pair: &Rolling) -> Option<usize> {
+    match pair.contours {
+        Contours::Belt { belt, .. } => Some(belt),
+        Contours::Circles { .. } | Contours::Track { .. } => None,
+    }
+}
+
+/// One belt or chain, whose strands follow one another.
+fn entry(scene: &Scene, kind: RollingKind, strands: &[&Rolling]) -> Option<Json> {
+    let (mut links, mut centres, mut radii, mut teeth, mut at) = (Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let (mut reversed, mut back) = (Vec::new(), false);
+    for pair in strands {
+        let Contours::Belt { centres: c, radii: r, teeth: z, crossed, right, .. } = &pair.contours else { return None };
+        if links.is_empty() && *right {
+            reversed.push(scene.link_name(pair.links[0]));
+            back = true;
+        }
+        back ^= crossed;
+        // The first wheel of a strand is the second of the one before.
+        for k in usize::from(!links.is_empty())..2 {
+            links.push(scene.link_name(pair.links[k]));
+            centres.push(scene.point_name(c[k]));
+            radii.push(r[k].value);
+            teeth.extend(z.map(|z| z[k]));
+        }
+        if back {
+            reversed.push(scene.link_name(pair.links[1]));
+        }
+        at.extend(pair.at.map(|p| scene.point_name(p)));
+    }
+    let mut out = match kind {
+        RollingKind::Chain => {
+            let pitch = TAU * radii.first()? / f64::from(*teeth.first()?);
+            json!({"sprockets": links, "centres": centres, "teeth": teeth, "pitch": metres(pitch)})
+        }
+        RollingKind::Belt | RollingKind::Gears | RollingKind::Wheel => {
+            json!({"pulleys": links, "centres": centres, "radii": radii.into_iter().map(metres).collect::<Vec<_>>()})
+        }
+    };
+    if !reversed.is_empty() {
+        out["reversed"] = json!(reversed);
+    }
+    out["at"] = json!(at);
+    Some(out)
+}
