@@ -5,7 +5,7 @@ use super::{Configuration, Path};
 use crate::diag::{Both, Diagnostic, Span, both};
 use crate::digits::significant;
 use crate::mechanism::{Mechanism, Opened};
-use crate::scene::{GuideId, LinkId, PointId, RollingId, Scene};
+use crate::scene::{Cam, GuideId, LinkId, PointId, RollingId, Scene};
 
 /// Why a pair repeats what the others fix.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,6 +23,8 @@ pub enum Reason {
     SameLine([PointId; 2], PointId, PointId),
     /// Another link meshes with the same links from the same carrier: its name.
     RepeatedPlanets(String),
+    /// Another contact of the same cam and follower: both have one normal.
+    OneNormal,
     /// None of these: it was found to hold in several positions.
     Found,
 }
@@ -45,7 +47,8 @@ pub(super) fn reason(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configu
             let mut circles =
                 cranks.filter_map(|l| same_circle(scene, l, at, near)).filter(|(ends, _, _)| ends.iter().any(|p| Some(*p) == pin));
             let line = || circles.next().map(|(ends, b, d)| Reason::SameLine(ends, b, d));
-            parallel_guides(scene, *g, at, near).map(Reason::ParallelGuides).or_else(line)
+            let normal = || contact_of(scene, *g).filter(|(_, all)| *all > 1).map(|_| Reason::OneNormal);
+            normal().or_else(|| parallel_guides(scene, *g, at, near).map(Reason::ParallelGuides)).or_else(line)
         }
         Opened::Rolling(r) => repeated_planets(scene, *r),
         Opened::Pin(p, l) => {
@@ -55,6 +58,14 @@ pub(super) fn reason(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configu
         }
     };
     found.unwrap_or(Reason::Found)
+}
+
+/// Which contact of its cam and its follower a guide stands for, from 1, and how many there are.
+fn contact_of(scene: &Scene, g: GuideId) -> Option<(usize, usize)> {
+    let own = scene.cams.iter().position(|c| c.contact == Some(g))?;
+    let pair = |c: &Cam| (c.cam, c.follower);
+    let mut same = (0..scene.cams.len()).filter(|k| pair(&scene.cams[*k]) == pair(&scene.cams[own]));
+    Some((same.clone().position(|k| k == own)? + 1, same.by_ref().count()))
 }
 
 fn parallel_cranks(scene: &Scene, m: &Mechanism, l: LinkId, at: &Configuration, near: f64) -> Option<Reason> {
@@ -178,6 +189,7 @@ impl Reason {
                 }
             }
             Reason::RepeatedPlanets(like) => both!("it repeats planet {like}", "与行星轮 {like} 重复"),
+            Reason::OneNormal => both!("two contacts on one normal", "两处接触的公法线重合"),
             Reason::Found => both!("it holds at {positions} positions", "在 {positions} 个位置均成立"),
         }
     }
@@ -193,6 +205,7 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
             let words = both!("the touching of the wheel about {axle} and link {on}", "绕 {axle} 的滚轮与构件 {on} 的接触");
             (words, guide.span)
         }
+        Opened::Guide(g) if contact_of(scene, *g).is_some() => contact_words(scene, *g),
         Opened::Guide(g) => {
             let guide = &scene.guides[g.0];
             let (on, runner) =
@@ -213,6 +226,18 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
             (both!("pin {} on link {}", "构件 {1} 上的销 {0}", scene.point_name(*p), scene.link_name(*l)), scene.links[l.0].span)
         }
     }
+}
+
+/// The contact of a cam for which a guide stands.
+fn contact_words(scene: &Scene, g: GuideId) -> (Both, Span) {
+    let Some(cam) = scene.cams.iter().find(|c| c.contact == Some(g)) else { return (Both::default(), scene.guides[g.0].span) };
+    let [own, follower] = [cam.cam, cam.follower].map(|l| scene.link_name(l));
+    let words = match contact_of(scene, g) {
+        Some((2, _)) => both!("the second contact of cam {own} and follower {follower}", "凸轮 {own} 与从动件 {follower} 的第二处接触"),
+        Some((1, 2..)) => both!("the first contact of cam {own} and follower {follower}", "凸轮 {own} 与从动件 {follower} 的第一处接触"),
+        Some(_) | None => both!("the contact of cam {own} and follower {follower}", "凸轮 {own} 与从动件 {follower} 的接触"),
+    };
+    (words, cam.span)
 }
 
 /// How far the driver was moved.
@@ -341,6 +366,10 @@ fn help(scene: &Scene, opened: &Opened) -> Both {
         Opened::Guide(g) if scene.guides[g.0].rolling.is_some() => both!(
             "let the axle of the wheel keep its distance from the track: correct a radius or the axle's place, or free the axle",
             "请使轮轴到轨道的距离与轮半径相符：修改半径或轮轴位置，或放开轮轴"
+        ),
+        Opened::Guide(g) if contact_of(scene, *g).is_some() => both!(
+            "make the two faces as far apart as the cam is broad, or leave one contact out",
+            "请使两平底的间距等于凸轮的宽度，或去掉一处接触"
         ),
         Opened::Guide(_) => both!(
             "leave the guide out; of two guides of one slider the second is parallel to the first",

@@ -20,7 +20,7 @@ impl One<'_> {
         &self,
         raw: &mut RawScene,
         parts: &[RawPart],
-        (cam, point): (LinkId, PointId),
+        (cam, follower, point): (LinkId, LinkId, PointId),
         (end, placed): (Option<Told>, Result<(OnPivot, Carried), Lacking>),
         pending: &mut Pending,
         faults: &mut Faults,
@@ -29,6 +29,7 @@ impl One<'_> {
         let (follows, offset, sense) = match &self.raw.follows {
             RawFollows::Face(face) => {
                 let (face, offset, sense) = self.face(placed.as_ref().ok().map(|p| &p.1), face, faults)?;
+                pending.left = face.left.unwrap_or(true);
                 (RawFollows::Face(face), offset, sense)
             }
             round => (round.clone(), None, 1.0),
@@ -38,7 +39,7 @@ impl One<'_> {
         }
         // A face that slides on a moving link has its direction from the pose; one circle needs no more.
         let leans = |p: &(OnPivot, Carried)| {
-            matches!((&follows, &p.1), (RawFollows::Face(_), Carried::Guide { .. })) && p.0.frame != self.bare.ground
+            matches!((&follows, &p.1), (RawFollows::Face(f), Carried::Guide { .. }) if !f.square) && p.0.frame != self.bare.ground
         };
         if let Ok(p) = &placed
             && leans(p)
@@ -97,7 +98,7 @@ impl One<'_> {
             pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
         } else if worded.len() > 1 {
             let why = placed.as_ref().err();
-            let posed = self.by_pose(&worded, (cam, point), (&follows, end.as_ref()), why, faults)?;
+            let posed = self.by_pose(&worded, (cam, follower, point), (&follows, end.as_ref()), why, faults)?;
             touched = posed.touched;
             pending.posed = Some(posed);
         }

@@ -34,7 +34,7 @@ impl One<'_> {
     pub(super) fn by_pose(
         &self,
         worded: &[Worded],
-        (cam, point): (LinkId, PointId),
+        (cam, follower, point): (LinkId, LinkId, PointId),
         (follows, end): (&RawFollows, Option<&Told>),
         why: Option<&Lacking>,
         faults: &mut Faults,
@@ -55,7 +55,7 @@ impl One<'_> {
         let into = |v: Vec2| v.divide_by(axis);
         let touched = match follows {
             RawFollows::Face(face) => {
-                let Some(along) = self.face_direction(face, faults) else { return self.no_pose(why, faults) };
+                let Some(along) = self.face_direction(face, follower, faults) else { return self.no_pose(why, faults) };
                 // The cam lies to the left of its face, or to the right: its outward normal points the other way.
                 let normal = if face.left.unwrap_or(true) { -along.perp() } else { along.perp() };
                 segments.iter().position(|s| s.faces(into(normal).angle()))
@@ -73,8 +73,19 @@ impl One<'_> {
         Some(Posed { frame, segments, touched })
     }
 
+    /// The direction in the pose of the guide in which a follower slides.
+    fn guide_direction(&self, follower: LinkId) -> Option<Vec2> {
+        let guide = self.bare.guides.iter().find(|g| g.slider == Some(follower))?;
+        let GuidePath::Line { direction: Direction::Along(a, b, turn), .. } = &guide.path else { return None };
+        let way = (place::spot(self.bare, *b)?.at() - place::spot(self.bare, *a)?.at()).unit()?;
+        Some(turn.as_ref().map_or(way, |t| way.rotate_by(Vec2::from_angle(t.value.radians()))))
+    }
+
     /// The direction of a face in the pose.
-    fn face_direction(&self, face: &RawFace, faults: &mut Faults) -> Option<Vec2> {
+    fn face_direction(&self, face: &RawFace, follower: LinkId, faults: &mut Faults) -> Option<Vec2> {
+        if face.square {
+            return self.guide_direction(follower).map(Vec2::perp);
+        }
         let angle = match &face.angle {
             Some(q) => Vec2::from_angle(self.told(q, Wanted::Angle, faults)?.value),
             None => Vec2::unit_x(),

@@ -29,12 +29,14 @@ fn of_links(c: &Context, word: &Word, what: Asked) -> Result<Asked, Diagnostic> 
         Of::Seen(p, Frame::Link(_)) => vec![p],
         Of::Line(..) | Of::Link(_) | Of::Links(..) => Vec::new(),
     };
-    let Some(contact) = moving.into_iter().find(|p| p.link.is_none() && c.contacts.contains(&p.point)) else { return Ok(what) };
+    let Some(contact) = moving.into_iter().find(|p| p.link.is_none() && c.is_contact(p.point)) else { return Ok(what) };
     let name = c.point_name(contact.point);
     let message = both!("`{}`: {name} is a point of contact, not a point of a link", "`{}`：{name} 是接触点，不是构件上的点", word.text);
     let sides = c.raw.rolling.iter().zip(c.contacts).filter(|(_, at)| **at == contact.point).flat_map(|(pair, _)| &pair.sides);
     let of = |side: &RawRollingSide| c.names.run(name, side.link.as_ref().map_or(c.link_name(c.ground), |w| &w.text));
-    let names: Vec<Both> = sides.map(of).map(Both::same).collect();
+    let cams = c.touches.iter().filter(|(at, _)| *at == contact.point).map(|(_, k)| &c.raw.cams[*k]);
+    let of_cams = cams.flat_map(|cam| [&cam.cam, &cam.follower]).map(|w| c.names.run(name, &w.text));
+    let names: Vec<Both> = sides.map(of).chain(of_cams).map(Both::same).collect();
     Err(Diagnostic::error("find", message).at(word.span).help(both!(
         "name the link whose point is meant: {}",
         "请写明是哪个构件上的点：{}",
@@ -49,7 +51,7 @@ fn everything(c: &Context) -> Vec<Find> {
     let mut ask = |name: &str, span, what: Asked| out.push(Find { what, text: format!("{}_{name}", what.entry().symbol), span });
     for (i, p) in points.iter().enumerate() {
         let id = PointId(i);
-        if !c.carries(c.ground, id) && !c.contacts.contains(&id) {
+        if !c.carries(c.ground, id) && !c.is_contact(id) {
             let on = OnLink { point: id, link: None };
             Rate::ALL.into_iter().for_each(|rate| ask(&p.name, p.span, PointMotion { rate, of: on }.into()));
         }
@@ -74,7 +76,9 @@ fn spelt(symbol: &str) -> &str {
     match symbol {
         "ω" => "omega",
         "α" => "alpha",
-        "φ" => "phi",
+        // Norton's and Uicker's letter.
+        "φ" | "theta" | "θ" => "phi",
+        "γ" => "gamma",
         other => other,
     }
 }

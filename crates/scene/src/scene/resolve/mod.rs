@@ -17,7 +17,7 @@ mod places;
 mod rolling;
 mod statement;
 
-use super::cams::expand;
+use super::cams::{expand, marked};
 use super::model::*;
 use super::names::Names;
 use super::raw::*;
@@ -35,6 +35,8 @@ struct Context<'a> {
     ground: LinkId,
     /// The contact points of the rolling pairs.
     contacts: &'a [PointId],
+    /// The contacts of cams that are points of the scene, each with its cam's place in the file.
+    touches: &'a [(PointId, usize)],
 }
 
 impl Context<'_> {
@@ -51,6 +53,11 @@ impl Context<'_> {
         let message = both!("centre `{}` is not on link `{}`, {}", "圆心 `{}` 不在构件 `{}` 上，{}", word.text, self.link_name(link), why);
         faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(self.points_of(link)));
         None
+    }
+
+    /// Whether a point is the contact of a pair, on no link.
+    fn is_contact(&self, p: PointId) -> bool {
+        self.contacts.contains(&p) || self.touches.iter().any(|(at, _)| *at == p)
     }
 
     /// Whether a link is a wheel, or what a wheel rolls on.
@@ -142,7 +149,7 @@ fn with_cams(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene>
     if raw.cams.is_empty() {
         return sections(raw, source, faults);
     }
-    let marked = expand::marked(raw);
+    let marked = marked::marked(raw);
     // What is wrong besides the cams is told when all is read.
     let Some(bare) = sections(&marked, source, &mut Faults::default()) else { return sections(&marked, source, faults) };
     let expanded = expand::expand(marked, source, &bare, faults);
@@ -164,8 +171,9 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
     let (values, parameters) = Values::new(source, &raw.units, &raw.parameters, faults);
     let declared = declare::declare(raw, faults);
     let scene = {
-        let declare::Declared { points, links, ground, contacts } = &declared;
-        let context = Context { raw, values: &values, names: Names::new(points, links), ground: ground.unwrap_or(LinkId(0)), contacts };
+        let declare::Declared { points, links, ground, contacts, touches } = &declared;
+        let (names, fixed) = (Names::new(points, links), ground.unwrap_or(LinkId(0)));
+        let context = Context { raw, values: &values, names, ground: fixed, contacts, touches };
         // Without a ground every guide and driver would be judged against the wrong link; the rest can still be read.
         let mut lengths = lengths::lengths(&context, faults);
         let mut places = places::places(&context, *ground, &lengths, faults);
