@@ -2,9 +2,9 @@
 
 use super::plan::{group_words, links_with_blocks};
 use crate::diag::{Both, both};
-use crate::mechanism::{Counts, ForDrivers, Group, Local, Survey};
+use crate::mechanism::{Counts, ForDrivers, Group, Local, Opened, Survey};
 use crate::paper::phrase::tr;
-use crate::position::redundant::{Checked, Verdict, look, opened_words};
+use crate::position::redundant::{Checked, Reason, Verdict, by_topology, look, opened_words};
 use crate::scene::{Lang, Scene};
 use serde_json::{Value as Json, json};
 
@@ -53,7 +53,9 @@ pub fn surveyed(scene: &Scene) -> (Survey, Vec<Option<Checked>>) {
 /// What lengths say of each pair that only repeats others as far as topology can tell; `None` where they are missing.
 fn checked(survey: &Survey) -> Vec<Option<Checked>> {
     let Some(first) = survey.choices.first() else { return Vec::new() };
-    survey.redundant().iter().enumerate().map(|(i, r)| look(&first.scene, &first.mechanism, i, &r.opened).ok()).collect()
+    let (scene, m) = (&first.scene, &first.mechanism);
+    let of = |i: usize, opened: &Opened| look(scene, m, i, opened).ok().or_else(|| by_topology(scene, m, i, opened));
+    survey.redundant().iter().enumerate().map(|(i, r)| of(i, &r.opened)).collect()
 }
 
 /// F, as far as it is known.
@@ -68,6 +70,9 @@ fn repeats_words(survey: &Survey, i: usize, checked: Option<&Checked>) -> Both {
     let (what, _) = opened_words(scene, &m.redundant[i].opened);
     match checked {
         Some(c) if known(checked) == Known::Repeats => both!("{}: {}", "{}：{}", what, c.reason.words(scene, c.positions)),
+        Some(Checked { reason: reason @ Reason::Triangle(_), positions, .. }) => {
+            both!("{} is none: {}", "{} 不是虚约束：{}", what, reason.words(scene, *positions))
+        }
         Some(c) => {
             let off = scene.length_words(c.off_m);
             both!("{} is none: it locks the mechanism, off by {off}", "{} 不是虚约束：机构被卡死，偏差 {off}", what)

@@ -23,6 +23,8 @@ pub enum Reason {
     SameLine([PointId; 2], PointId, PointId),
     /// Another link meshes with the same links from the same carrier: its name.
     RepeatedPlanets(String),
+    /// It closes a rigid triangle with these two links, and repeats nothing.
+    Triangle([LinkId; 2]),
     /// Another contact of the same cam and follower: both have one normal.
     OneNormal,
     /// None of these: it was found to hold in several positions.
@@ -58,6 +60,22 @@ pub(super) fn reason(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configu
         }
     };
     found.unwrap_or(Reason::Found)
+}
+
+/// What needs no lengths.
+pub(super) fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Option<Reason> {
+    match opened {
+        Opened::Rolling(r) => repeated_planets(scene, *r),
+        Opened::Link(l) => {
+            let (a, b) = m.held(*l)?;
+            let shares = |p: LinkId, q: LinkId| scene.links[p.0].points.iter().any(|x| scene.links[q.0].points.contains(x));
+            let at_b = bodies(scene, m, b, *l);
+            bodies(scene, m, a, *l)
+                .into_iter()
+                .find_map(|p| at_b.iter().find(|q| **q != p && shares(p, **q)).map(|q| Reason::Triangle([p, *q])))
+        }
+        Opened::Guide(_) | Opened::Pin(..) => None,
+    }
 }
 
 /// Which contact of its cam and its follower a guide stands for, from 1, and how many there are.
@@ -189,6 +207,10 @@ impl Reason {
                 }
             }
             Reason::RepeatedPlanets(like) => both!("it repeats planet {like}", "与行星轮 {like} 重复"),
+            Reason::Triangle([a, b]) => {
+                let [a, b] = [a, b].map(|l| scene.link_name(*l));
+                both!("it makes a rigid triangle with links {a} and {b}", "与构件 {a}、{b} 组成刚性三角形")
+            }
             Reason::OneNormal => both!("two contacts on one normal", "两处接触的公法线重合"),
             Reason::Found => both!("it holds at {positions} positions", "在 {positions} 个位置均成立"),
         }
