@@ -52,7 +52,7 @@ pub(super) fn reason(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configu
             let normal = || contact_of(scene, *g).filter(|(_, all)| *all > 1).map(|_| Reason::OneNormal);
             normal().or_else(|| parallel_guides(scene, *g, at, near).map(Reason::ParallelGuides)).or_else(line)
         }
-        Opened::Rolling(r) => repeated_planets(scene, *r),
+        Opened::Rolling(r) => repeated_planets(scene, *r, |_| true),
         Opened::Pin(p, l) => {
             let other =
                 |q: &&PointId| **q != *p && at.points[q.0].zip(at.points[p.0]).is_some_and(|(a, b)| a.distance(b) <= near * at.extent());
@@ -65,7 +65,12 @@ pub(super) fn reason(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configu
 /// What needs no lengths.
 pub(super) fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Option<Reason> {
     match opened {
-        Opened::Rolling(r) => repeated_planets(scene, *r),
+        Opened::Rolling(r) => {
+            // One of them stays whole, and is repeated.
+            let opened =
+                |l: LinkId| m.redundant.iter().any(|o| matches!(o.opened, Opened::Rolling(p) if scene.rolling[p.0].links.contains(&l)));
+            repeated_planets(scene, *r, |l| !opened(l))
+        }
         Opened::Link(l) => {
             let (a, b) = m.held(*l)?;
             let shares = |p: LinkId, q: LinkId| scene.links[p.0].points.iter().any(|x| scene.links[q.0].points.contains(x));
@@ -148,7 +153,7 @@ fn same_circle(scene: &Scene, l: LinkId, at: &Configuration, near: f64) -> Optio
 }
 
 /// A planet like that of a rolling pair: on the same carrier, rolling on the same links.
-fn repeated_planets(scene: &Scene, r: RollingId) -> Option<Reason> {
+fn repeated_planets(scene: &Scene, r: RollingId, whole: impl Fn(LinkId) -> bool) -> Option<Reason> {
     let partners = |l: LinkId| {
         let mut all: Vec<LinkId> = scene.rolling.iter().filter_map(|p| p.other(l)).collect();
         all.sort_unstable();
@@ -161,7 +166,7 @@ fn repeated_planets(scene: &Scene, r: RollingId) -> Option<Reason> {
         all
     };
     let like = |l: LinkId| {
-        let same = |k: &LinkId| *k != l && partners(*k) == partners(l) && carriers(*k) == carriers(l) && partners(l).len() > 1;
+        let same = |k: &LinkId| *k != l && partners(*k) == partners(l) && carriers(*k) == carriers(l) && partners(l).len() > 1 && whole(*k);
         (0..scene.links.len()).map(LinkId).find(same)
     };
     let planet = scene.rolling[r.0].links.into_iter().filter(|l| *l != scene.ground).find_map(like)?;
