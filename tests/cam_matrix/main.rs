@@ -149,34 +149,40 @@ fn every_follower_under_every_cam_on_every_link() {
                     if end == End::Flat && profile == Profile::Tangent || profile == Profile::Law && !seat.has_one_carrier() {
                         continue;
                     }
-                    let mut faulty = Vec::new();
-                    let mut here = 0;
-                    for k in 0..9 {
-                        let s = Setting { seat, profile, swings, end, angle: 0.21 + 0.7 * f64::from(k) };
-                        if near_a_joint(&s) || !follower(&s, 0.0).held.at.is_finite() {
+                    for by_lengths in [false, true] {
+                        // One circle, and what one link carries, need no coordinates anyway.
+                        if by_lengths && (seat.has_one_carrier() || profile == Profile::Circle) {
                             continue;
                         }
-                        here += 1;
-                        let found = faults(&s);
-                        if !found.is_empty() {
-                            faulty.push(format!(
-                                "{seat:?} {profile:?} {} {end:?} at {:.2}:\n  {}",
-                                if swings { "swings" } else { "slides" },
-                                s.angle,
-                                found.join("\n  ")
-                            ));
+                        let mut faulty = Vec::new();
+                        let mut here = 0;
+                        for k in 0..9 {
+                            let s = Setting { seat, profile, swings, end, angle: 0.21 + 0.7 * f64::from(k), by_lengths };
+                            if near_a_joint(&s) || !follower(&s, 0.0).held.at.is_finite() {
+                                continue;
+                            }
+                            here += 1;
+                            let found = faults(&s);
+                            if !found.is_empty() {
+                                faulty.push(format!(
+                                    "{seat:?} {profile:?} {} {end:?} at {:.2}:\n  {}",
+                                    if swings { "swings" } else { "slides" },
+                                    s.angle,
+                                    found.join("\n  ")
+                                ));
+                            }
                         }
+                        poses += here;
+                        assert!(here >= 1, "{seat:?} {profile:?} {swings} {end:?}: only {here} poses are clear of joints");
+                        tried += 1;
+                        passed += usize::from(faulty.is_empty());
+                        all.extend(faulty.into_iter().take(1));
                     }
-                    poses += here;
-                    assert!(here >= 1, "{seat:?} {profile:?} {swings} {end:?}: only {here} poses are clear of joints");
-                    tried += 1;
-                    passed += usize::from(faulty.is_empty());
-                    all.extend(faulty.into_iter().take(1));
                 }
             }
         }
     }
-    assert_eq!(tried, 156);
+    assert_eq!(tried, 198);
     assert!(poses > 900, "{poses}");
     assert!(all.is_empty(), "{passed} of {tried} combinations pass:\n{}", all.join("\n\n"));
 }

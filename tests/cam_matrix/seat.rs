@@ -50,6 +50,8 @@ pub struct Setting {
     pub end: End,
     /// The angle of the cam in its carrier (rad).
     pub angle: f64,
+    /// Whether lengths and angles of drivers tell where different links carry cam and follower; else coordinates.
+    pub by_lengths: bool,
 }
 
 /// Rate and acceleration of the cam in its carrier, of arm 4 and of arm 5.
@@ -260,7 +262,7 @@ impl Setting {
 
     /// The scene in the pose at the instant.
     pub fn text(&self, find: &str, now: &Follower) -> String {
-        let posed = !self.seat.has_one_carrier() && self.profile != Profile::Circle;
+        let posed = !self.seat.has_one_carrier() && self.profile != Profile::Circle && !self.by_lengths;
         let (p, t) = (self.point_name(), if self.swings { "P" } else { "T" });
         let (cam, of_cam, of_follower) = match self.seat {
             Seat::Ground => ("2", "1", "1"),
@@ -395,7 +397,7 @@ impl Setting {
         let quoted = |names: &[&str]| names.iter().map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(", ");
         let links: Vec<String> = links.iter().map(|(l, p)| format!("\"{l}\": [{}]", quoted(p))).collect();
         let side = if self.swings && !posed && self.end != End::Flat { r#""side": {"B": "right of PO"},"# } else { "" };
-        let sketch = if self.swings && !posed {
+        let sketch = if self.swings && !posed && !self.by_lengths {
             format!(r#""sketch": {{"{p}": ["{:?} m", "{:?} m"]}},"#, now.point.x, now.point.y)
         } else {
             String::new()

@@ -285,8 +285,8 @@ impl One<'_> {
             ),
         );
         faults.push(d.at(self.raw.span).help(both!(
-            "let one link, the ground or another, carry the pivot of the cam and the guide (through the point that touches) or pivot of the follower, and give the cam a driver against it with \"angle\"; where different links carry them, give coordinates of the cam's first two points and of the point that touches (of a face its \"angle\")",
-            "请使同一构件（机架或其他构件）支承凸轮轴心和从动件（通过接触点）的导路或转轴，并给出凸轮相对于它的带 \"angle\" 的原动件；二者由不同构件支承时，请给出凸轮前两点和接触点的坐标（平底则给出 \"angle\"）"
+            "let one link, the ground or another, carry the pivot of the cam and the guide (through the point that touches) or pivot of the follower, and give the cam a driver against it with \"angle\"; where different links carry them, give the angles of their drivers, or coordinates of the cam's first two points and of the point that touches (of a face its \"angle\")",
+            "请使同一构件（机架或其他构件）支承凸轮轴心和从动件（通过接触点）的导路或转轴，并给出凸轮相对于它的带 \"angle\" 的原动件；二者由不同构件支承时，请给出各原动件的角度，或凸轮前两点和接触点的坐标（平底则给出 \"angle\"）"
         )));
         None
     }

@@ -8,7 +8,7 @@
 //! Right for velocity and acceleration at the instant, exact along circles and lines. Of a profile of several pieces the one that is touched in
 //! the pose is taken; at a joint of two, that which follows in the driver's sense.
 //!
-//! [`decode`] reads the section, [`marked`] adds what is understood, [`carrier`] and [`place`] find where cam and follower are, [`expand`] writes the pairs in the words of the scene, so that
+//! [`decode`] reads the section, [`marked`] adds what is understood, [`carrier`] and [`place`] find where cam and follower are, [`reckoned`] where things are that different links carry, [`expand`] writes the pairs in the words of the scene, so that
 //! longer numbers read the same texts; [`motion`] carries them on beyond the instant.
 
 mod by_law;
@@ -23,6 +23,7 @@ mod motion;
 mod pairs;
 mod place;
 pub(super) mod raw;
+mod reckoned;
 mod untold;
 
 use super::model::{GuideId, LinkId, PointId, Scene};
