@@ -24,6 +24,9 @@ fn known(checked: Option<&Checked>) -> Known {
     }
 }
 
+/// More drivers than these are not tried where the file has none and the count asks for fewer.
+const MOST_DRIVERS: usize = 4;
+
 /// How many equations repeat others for sure, and how many may.
 fn repeated(survey: &Survey, checked: &[Option<Checked>]) -> (usize, usize) {
     let of = |wanted: Known| {
@@ -38,6 +41,15 @@ fn repeated(survey: &Survey, checked: &[Option<Checked>]) -> (usize, usize) {
 pub fn surveyed(scene: &Scene) -> (Survey, Vec<Option<Checked>>) {
     let mut survey = Survey::of(scene);
     let mut found = checked(&survey);
+    if scene.drivers.is_empty() && survey.choices.is_empty() {
+        // By count alone it has fewer freedoms than it has: what repeats others is found only where all drivers are there.
+        let more = (2..=MOST_DRIVERS).map(|drivers| (drivers, Survey::driven_by(scene, drivers)));
+        let mut sure = more.filter(|(_, s)| !s.choices.is_empty()).map(|(drivers, s)| (drivers, checked(&s), s));
+        let moves = |verdicts: &[Option<Checked>]| verdicts.iter().all(|c| known(c.as_ref()) == Known::Repeats);
+        if let Some((_, verdicts, s)) = sure.find(|(drivers, verdicts, s)| moves(verdicts) && freedom(s, verdicts) == *drivers as i64) {
+            (survey, found) = (s, verdicts);
+        }
+    }
     while scene.drivers.is_empty() && !found.is_empty() {
         let drivers = survey.choices.first().map_or(0, |c| c.scene.drivers.len());
         let more = Survey::driven_by(scene, drivers + 1);
@@ -54,7 +66,14 @@ pub fn surveyed(scene: &Scene) -> (Survey, Vec<Option<Checked>>) {
 fn checked(survey: &Survey) -> Vec<Option<Checked>> {
     let Some(first) = survey.choices.first() else { return Vec::new() };
     let (scene, m) = (&first.scene, &first.mechanism);
-    let of = |i: usize, opened: &Opened| look(scene, m, i, opened).ok().or_else(|| by_topology(scene, m, i, opened));
+    // Whatever drives it: where one choice of drivers does not tell the pose, another may.
+    let looked = |i: usize, opened: &Opened| {
+        survey.choices.iter().find_map(|c| {
+            let k = c.mechanism.redundant.iter().position(|r| r.opened == *opened)?;
+            Some(Checked { index: i, ..look(&c.scene, &c.mechanism, k, opened).ok()? })
+        })
+    };
+    let of = |i: usize, opened: &Opened| looked(i, opened).or_else(|| by_topology(scene, m, i, opened));
     survey.redundant().iter().enumerate().map(|(i, r)| of(i, &r.opened)).collect()
 }
 

@@ -138,7 +138,7 @@ fn between_parallels(scene: &Scene, mut opening: Opening, candidates: &[Candidat
     let still = scene.turning_with(scene.ground);
     let circles = |o: &Opening| super::parallel::circles(scene, &o.pins_and_constraints(scene).1, &still);
     let (mut said, mut homeless) = (circles(&opening), opening.matched(scene).homeless());
-    for c in candidates.iter().filter(|c| matches!(c.opened, Opened::Guide(_)) && c.equations == 1) {
+    for c in candidates.iter().filter(|c| matches!(c.opened, Opened::Guide(_))) {
         if said == 0 || homeless == 0 {
             break;
         }

@@ -5,7 +5,7 @@ use super::{Configuration, Path};
 use crate::diag::{Both, Diagnostic, Span, both};
 use crate::digits::significant;
 use crate::mechanism::{Mechanism, Opened};
-use crate::scene::{Cam, GuideId, LinkId, PointId, RollingId, Scene};
+use crate::scene::{Cam, Direction, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
 
 /// Why a pair repeats what the others fix.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -79,8 +79,24 @@ pub(super) fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Opti
                 .into_iter()
                 .find_map(|p| at_b.iter().find(|q| **q != p && shares(p, **q)).map(|q| Reason::Triangle([p, *q])))
         }
-        Opened::Guide(_) | Opened::Pin(..) => None,
+        Opened::Guide(g) => second_guide(scene, *g).map(Reason::ParallelGuides),
+        Opened::Pin(..) => None,
     }
+}
+
+/// Another guide of the same slider on the same link, in the same direction.
+fn second_guide(scene: &Scene, g: GuideId) -> Option<GuideId> {
+    let guide = &scene.guides[g.0];
+    let told = |path: &GuidePath| match path {
+        GuidePath::Line { direction: Direction::Instant(angle), .. } => Some(angle.value.radians()),
+        GuidePath::Line { direction: Direction::Along(..) | Direction::Own | Direction::Slid(_), .. } | GuidePath::Arc { .. } => None,
+    };
+    let own = told(&guide.path).filter(|_| guide.slider.is_some())?;
+    let same = |other: &GuideId| {
+        let o = &scene.guides[other.0];
+        *other != g && o.slider == guide.slider && o.on == guide.on && told(&o.path).is_some_and(|a| libm::sin(a - own).abs() < 1e-9)
+    };
+    (0..scene.guides.len()).map(GuideId).find(same)
 }
 
 /// Which contact of its cam and its follower a guide stands for, from 1, and how many there are.
