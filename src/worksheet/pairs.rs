@@ -98,17 +98,14 @@ impl Words<'_> {
     }
 
     fn driver(&self, kind: &DriverKind) -> Both {
-        match kind {
-            DriverKind::Turn { link, .. } => both!("{} is driven", "原动件为构件 {}", self.scene.link_name(*link)),
-            DriverKind::Slide { guide, .. } => {
-                let g = &self.scene.guides[guide.0];
-                let what = g.slider.map(|s| self.scene.link_name(s).to_owned()).or(g.pin.map(|p| self.point(p))).unwrap_or_default();
-                both!("{what} is driven along its guide", "原动件为沿导路移动的 {what}")
-            }
-            DriverKind::Cylinder { a, b, .. } => {
-                let ends = format!("{}{}", self.point(*a), self.point(*b)).replace("$$", "");
-                both!("cylinder {ends} is driven", "液压缸 {ends} 为原动件")
-            }
+        if let Some((link, _)) = kind.turned() {
+            return both!("{} is driven", "原动件为构件 {}", self.scene.link_name(link));
         }
+        if let Some(g) = kind.guide().map(|g| &self.scene.guides[g.0]) {
+            let what = g.slider.map(|s| self.scene.link_name(s).to_owned()).or(g.pin.map(|p| self.point(p))).unwrap_or_default();
+            return both!("{what} is driven along its guide", "原动件为沿导路移动的 {what}");
+        }
+        let [a, b] = kind.ends().map(|ends| ends.map(|p| self.point(p))).unwrap_or_default();
+        both!("the cylinder from {a} to {b} is driven", "{a}、{b} 间的液压缸为原动件")
     }
 }

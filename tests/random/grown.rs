@@ -293,7 +293,7 @@ fn geared(rng: &mut Rng) -> Growing {
 /// A grown mechanism as a text, with all it moves asked for; `None` where what is put together does not close.
 pub fn text(seed: u64) -> Option<String> {
     let mut rng = Rng::new(seed.wrapping_mul(2) + 77);
-    let mut g = if seed % 2 == 0 { cam(&mut rng) } else { geared(&mut rng) };
+    let mut g = if seed.is_multiple_of(2) { cam(&mut rng) } else { geared(&mut rng) };
     for _ in 0..rng.below(3) {
         g.dyad(&mut rng)?;
     }

@@ -87,7 +87,7 @@ impl Quantity for Transmission {
         let (a, b) = (direction(a)?, direction(b)?);
         // Of the angle and its supplement the acute one.
         let magnitude = |x: N| if x.approx() < 0.0 { -x } else { x };
-        Some(Value::Scalar(magnitude(a.cross(b)).atan2(magnitude(a.dot(b)))))
+        Some(Value::Scalar(Vec2 { x: magnitude(a.dot(b)), y: magnitude(a.cross(b)) }.angle()))
     }
 }
 
