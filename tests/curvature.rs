@@ -317,9 +317,9 @@ fn cardans_centrodes_are_circles() {
 /// The moving centrode of a wheel is its contour, and is dashed all round though the pole goes round it many times.
 #[test]
 fn the_moving_centrode_of_a_planet_is_one_dashed_circle() {
-    use hodograph::figure::item::{Dash, Shape};
     use hodograph::figure::list::{Extras, Wanted, named};
     use hodograph::figure::sheet::Options;
+    use hodograph::paper::item::{Dash, Shape};
     use hodograph::worked::{Scope, work};
     let scene = read(
         r#"{"links": {"1": ["O"], "2": ["O", "Q"], "3": ["Q", "M"]}, "ground": "1",
@@ -332,7 +332,7 @@ fn the_moving_centrode_of_a_planet_is_one_dashed_circle() {
     let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
     let pages = (named("centrodes").unwrap().draw)(&wanted).unwrap().value;
     let (_, page) = pages.iter().find(|(_, p)| p.desc.contains("QM")).unwrap();
-    let round = |i: &hodograph::figure::item::Item| match i.shape {
+    let round = |i: &hodograph::paper::item::Item| match i.shape {
         Shape::Arc { centre, radius_mm, stroke, .. } if radius_mm > 20.0 => Some((centre, radius_mm, stroke.dash)),
         _ => None,
     };

@@ -28,7 +28,8 @@ pub fn sites(t: &Topology) -> Vec<Site> {
 
 /// The name of the point of contact: that of the scene, or E, or the next letter that is free.
 pub fn name(scene: &Scene, cam: usize) -> String {
-    let taken = |n: &str| scene.points.iter().any(|p| p.name == n);
+    let own = |i: usize| scene.cams[cam].touch == Some(PointId(i));
+    let taken = |n: &str| scene.points.iter().enumerate().any(|(i, p)| p.name == n && !own(i));
     let own = scene.cams[cam].at.clone().filter(|n| !taken(n));
     let free = || ["E", "K", "T", "U", "W"].into_iter().find(|n| !taken(n)).unwrap_or("E_").to_owned();
     own.unwrap_or_else(free)
@@ -59,6 +60,10 @@ fn touched(scene: &Scene, at: &Configuration, index: usize, place: Point) -> Opt
     let (mut scene, mut at) = (scene.clone(), at.clone());
     let own = PointId(scene.points.len());
     let pose = at.poses[cam.follower.0]?;
+    // It stands for the contact that questions may name.
+    if let Some(asked) = cam.touch {
+        at.points[asked.0] = None;
+    }
     scene.points.push(crate::scene::Point { name: name(&scene, index), place: Place::Unknown, sketch: None, span: cam.span });
     scene.links[cam.follower.0].points.push(own);
     at.points.push(Some(place));

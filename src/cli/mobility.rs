@@ -8,6 +8,13 @@ use crate::scene::{self, Scene};
 use crate::worked::{Scope, work};
 use std::process::ExitCode;
 
+/// A scene of which only the pose is asked: without drivers those that move it.
+pub(super) fn posed_scene(scene: Scene) -> Scene {
+    let chosen = || report::surveyed(&scene).0.choices.into_iter().next().map(|c| c.scene.drivers);
+    let drivers = if scene.drivers.is_empty() { chosen().unwrap_or_default() } else { scene.drivers.clone() };
+    Scene { find: Vec::new(), drivers, ..scene }
+}
+
 /// Runs the command.
 pub fn run(a: args::Mobility) -> Run {
     let style = style_of(&a.look)?;
@@ -16,8 +23,8 @@ pub fn run(a: args::Mobility) -> Run {
     let (survey, checked) = report::surveyed(&input.scene);
     if let Some(path) = &a.output {
         // A drawing needs the pose: what is missing for it is told as everywhere.
-        let whole = scene::read(&input.source).map_err(|f| input.failed(f))?;
-        let asked = Scene { find: Vec::new(), ..whole.value };
+        let posed = scene::read_pose(&input.source).map_err(|f| input.failed(f))?;
+        let asked = posed_scene(posed.value);
         let worked = work(&asked, Scope::Figure).map_err(|f| input.failed(f))?;
         let figure = groups::figure(&asked, &worked.value, &style, &style.marks.over(&notation), lang);
         input.notes.extend(files::figure(&figure, path)?);

@@ -1,16 +1,22 @@
 //! `hodograph worksheet`: the problem and its solution as a document.
 
 use super::draw::style_of;
+use super::mobility::posed_scene;
 use super::together::Together;
 use super::{Failure, Input, Run, args, choices, files, verdict};
 use crate::attempts;
 use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::sheet;
+use crate::figure::style::Style;
 use crate::figure::words::words;
 use crate::render::pdf;
-use crate::worked::Scope;
-use crate::worksheet::{Beside, Document, Options, Sides, find_the_mistake, html, markdown, mobility, pages, typst, worksheet};
+use crate::scene;
+use crate::worked::{Scope, work};
+use crate::worksheet::{
+    Beside, Document, Options, Sides, find_the_mistake, html, markdown, mobility, mobility_of_pairs, pages, typst, worksheet,
+};
 use std::path::Path;
+use std::process::ExitCode;
 
 /// Runs the command.
 pub fn run(a: args::Worksheet) -> Run {
@@ -28,12 +34,13 @@ pub fn run(a: args::Worksheet) -> Run {
     if super::particle::is_problem(&a.common.scene) {
         return super::particle::worksheet(&a, style, sides, write);
     }
+    if a.mobility {
+        return counting(&a, style, sides, write);
+    }
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     let worked = input.work(Scope::Figure)?;
-    let (lang, notation) = choices(&input.scene, &a.common);
-    let options = Options { sheet: sheet::Options { lang, notation: style.marks.over(&notation), digits: a.digits, style }, sides };
+    let options = options(&input, &a, style, sides);
     let document = match &a.find_the_mistake {
-        None if a.mobility => mobility(&input.scene, &worked, &options),
         None => worksheet(&input.scene, &worked, &options),
         Some(name) => {
             let all = attempts::wanted(&input.scene, &worked, false).map_err(|f| input.failed(f))?;
@@ -46,6 +53,47 @@ pub fn run(a: args::Worksheet) -> Run {
     input.notes.extend(written.appear(&a.output)?);
     input.say_notes();
     Ok(verdict(&worked))
+}
+
+fn options(input: &Input, a: &args::Worksheet, style: Style, sides: Sides) -> Options {
+    let (lang, notation) = choices(&input.scene, &a.common);
+    Options { sheet: sheet::Options { lang, notation: style.marks.over(&notation), digits: a.digits, style }, sides }
+}
+
+/// The sheet on mobility: links and pairs are enough for it, and the pose for its drawings.
+fn counting(a: &args::Worksheet, style: Style, sides: Sides, write: Writer) -> Run {
+    let mut input = Input::read_topology(&a.common)?.drawn_in(&style);
+    let options = options(&input, a, style, sides);
+    let posed = scene::read_pose(&input.source).ok().and_then(|read| {
+        let scene = posed_scene(read.value);
+        let worked = work(&scene, Scope::Figure).ok()?;
+        Some((scene, worked))
+    });
+    let document = match posed {
+        Some((scene, worked)) => {
+            input.notes.extend(worked.notes);
+            mobility(&scene, &worked.value, &options)
+        }
+        None => {
+            input.notes.push(no_drawings());
+            mobility_of_pairs(&input.scene, &options)
+        }
+    };
+    let written = write(&document, stem(&a.output)).map_err(|f| input.failed(f))?;
+    input.notes.extend(written.appear(&a.output)?);
+    input.say_notes();
+    Ok(ExitCode::SUCCESS)
+}
+
+fn no_drawings() -> Diagnostic {
+    let message = both!(
+        "the pose is not told in full: the sheet lists links and pairs, and has no drawings",
+        "位置未完全给定：习题列出构件和运动副，不附图"
+    );
+    Diagnostic::note("no-pose", message).help(both!(
+        "`hodograph mobility SCENE -o groups.pdf` says what is missing for drawings",
+        "`hodograph mobility SCENE -o groups.pdf` 说明绘图还缺少哪些数据"
+    ))
 }
 
 /// The stem of the names of a document's drawings.

@@ -185,6 +185,9 @@ impl Givens<'_> {
     /// Adds the rate of a driver and its acceleration.
     fn driven(&self, mut out: String, d: usize, symbols: [&str; 2], kinds: [Kind; 2], turns: bool) -> String {
         let driver = &self.scene.drivers[d];
+        if !driver.rate_told {
+            return out;
+        }
         let comma = self.tr(", ", "，");
         let told = |symbol: &str, given: &Given, kind: Kind| {
             // The sense of a turning is told in words.

@@ -2,9 +2,9 @@
 
 use super::plan::{group_words, links_with_blocks};
 use crate::diag::{Both, both};
-use crate::mechanism::{Counts, ForDrivers, Group, Local, Survey};
+use crate::mechanism::{Counts, ForDrivers, Group, Local, Opened, Survey};
 use crate::paper::phrase::tr;
-use crate::position::redundant::{Checked, Verdict, look, opened_words};
+use crate::position::redundant::{Checked, Reason, Verdict, by_topology, look, opened_words};
 use crate::scene::{Lang, Scene};
 use serde_json::{Value as Json, json};
 
@@ -24,6 +24,9 @@ fn known(checked: Option<&Checked>) -> Known {
     }
 }
 
+/// More drivers than these are not tried where the file has none and the count asks for fewer.
+const MOST_DRIVERS: usize = 4;
+
 /// How many equations repeat others for sure, and how many may.
 fn repeated(survey: &Survey, checked: &[Option<Checked>]) -> (usize, usize) {
     let of = |wanted: Known| {
@@ -38,6 +41,15 @@ fn repeated(survey: &Survey, checked: &[Option<Checked>]) -> (usize, usize) {
 pub fn surveyed(scene: &Scene) -> (Survey, Vec<Option<Checked>>) {
     let mut survey = Survey::of(scene);
     let mut found = checked(&survey);
+    if scene.drivers.is_empty() && survey.choices.is_empty() {
+        // By count alone it has fewer freedoms than it has: what repeats others is found only where all drivers are there.
+        let more = (2..=MOST_DRIVERS).map(|drivers| (drivers, Survey::driven_by(scene, drivers)));
+        let mut sure = more.filter(|(_, s)| !s.choices.is_empty()).map(|(drivers, s)| (drivers, checked(&s), s));
+        let moves = |verdicts: &[Option<Checked>]| verdicts.iter().all(|c| known(c.as_ref()) == Known::Repeats);
+        if let Some((_, verdicts, s)) = sure.find(|(drivers, verdicts, s)| moves(verdicts) && freedom(s, verdicts) == *drivers as i64) {
+            (survey, found) = (s, verdicts);
+        }
+    }
     while scene.drivers.is_empty() && !found.is_empty() {
         let drivers = survey.choices.first().map_or(0, |c| c.scene.drivers.len());
         let more = Survey::driven_by(scene, drivers + 1);
@@ -53,7 +65,16 @@ pub fn surveyed(scene: &Scene) -> (Survey, Vec<Option<Checked>>) {
 /// What lengths say of each pair that only repeats others as far as topology can tell; `None` where they are missing.
 fn checked(survey: &Survey) -> Vec<Option<Checked>> {
     let Some(first) = survey.choices.first() else { return Vec::new() };
-    survey.redundant().iter().enumerate().map(|(i, r)| look(&first.scene, &first.mechanism, i, &r.opened).ok()).collect()
+    let (scene, m) = (&first.scene, &first.mechanism);
+    // Whatever drives it: where one choice of drivers does not tell the pose, another may.
+    let looked = |i: usize, opened: &Opened| {
+        survey.choices.iter().find_map(|c| {
+            let k = c.mechanism.redundant.iter().position(|r| r.opened == *opened)?;
+            Some(Checked { index: i, ..look(&c.scene, &c.mechanism, k, opened).ok()? })
+        })
+    };
+    let of = |i: usize, opened: &Opened| looked(i, opened).or_else(|| by_topology(scene, m, i, opened));
+    survey.redundant().iter().enumerate().map(|(i, r)| of(i, &r.opened)).collect()
 }
 
 /// F, as far as it is known.
@@ -68,6 +89,9 @@ fn repeats_words(survey: &Survey, i: usize, checked: Option<&Checked>) -> Both {
     let (what, _) = opened_words(scene, &m.redundant[i].opened);
     match checked {
         Some(c) if known(checked) == Known::Repeats => both!("{}: {}", "{}：{}", what, c.reason.words(scene, c.positions)),
+        Some(Checked { reason: reason @ Reason::Triangle(_), positions, .. }) => {
+            both!("{} is none: {}", "{} 不是虚约束：{}", what, reason.words(scene, *positions))
+        }
         Some(c) => {
             let off = scene.length_words(c.off_m);
             both!("{} is none: it locks the mechanism, off by {off}", "{} 不是虚约束：机构被卡死，偏差 {off}", what)

@@ -2,14 +2,16 @@
 //!
 //! The problem shows the mechanism with its dimensions, nothing of it dashed and no count told; what the author says of the scene asks for its motion
 //! and may give away what repeats what, and is left out. The solution counts in a table with every special case in words,
-//! and draws the groups apart.
+//! and draws the groups apart. Of a scene that tells links and pairs alone these are listed, and nothing is drawn.
 
-use super::{Block, Document, Maker, Options, Sides, Table, TableKind, document};
+use super::{Block, Document, Maker, Options, Sides, Table, TableKind, document, pairs};
 use crate::certified::steps;
 use crate::figure::groups;
 use crate::figure::label::Label;
+use crate::figure::sheet;
+use crate::figure::words::{Words, words};
 use crate::mechanism::{Counts, ForDrivers};
-use crate::paper::phrase::Phrase;
+use crate::paper::phrase::{Phrase, tr};
 use crate::report::math::Math;
 use crate::report::mobility::{Counted, class, kinds};
 use crate::report::plan::group_words;
@@ -19,51 +21,111 @@ use crate::worked::Worked;
 /// Makes the worksheet of a scene that has been worked through for [`crate::worked::Scope::Figure`].
 pub fn mobility(scene: &Scene, worked: &Worked, options: &Options) -> Document {
     let told = steps(scene, worked, None);
-    let maker = Maker { scene, worked, options: &options.sheet, certified: &[], told: &told };
-    let counted = Counted::of(scene);
-    let mut blocks = Vec::new();
-    if options.sides != Sides::Solution {
-        maker.asked_to_count(&mut blocks);
-    }
-    if options.sides != Sides::Problem {
-        maker.count(&mut blocks, &counted);
-        maker.split(&mut blocks, &counted);
-    }
-    document(scene, options, blocks)
+    let drawn = Maker { scene, worked, options: &options.sheet, certified: &[], told: &told };
+    Sheet { scene, options: &options.sheet, drawn: Some(drawn) }.document(options)
 }
 
-impl Maker<'_> {
+/// Makes the worksheet of links and pairs ([`crate::scene::read_topology`]): listed, not drawn.
+///
+/// ```
+/// use hodograph::{scene, worksheet};
+/// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1"}"#;
+/// let scene = scene::read_topology(text).unwrap().value;
+/// let document = worksheet::mobility_of_pairs(&scene, &worksheet::Options::of_language(scene::Lang::En));
+/// assert_eq!(document.blocks[0], worksheet::Block::Heading(1, "Problem".into()));
+/// ```
+pub fn mobility_of_pairs(scene: &Scene, options: &Options) -> Document {
+    Sheet { scene, options: &options.sheet, drawn: None }.document(options)
+}
+
+/// What the sheet is made from.
+struct Sheet<'a> {
+    scene: &'a Scene,
+    options: &'a sheet::Options,
+    /// Where the pose is told.
+    drawn: Option<Maker<'a>>,
+}
+
+impl Sheet<'_> {
+    fn document(&self, options: &Options) -> Document {
+        let counted = Counted::of(self.scene);
+        let mut blocks = Vec::new();
+        if options.sides != Sides::Solution {
+            self.asked_to_count(&mut blocks);
+        }
+        if options.sides != Sides::Problem {
+            self.count(&mut blocks, &counted);
+            self.split(&mut blocks, &counted);
+        }
+        document(self.scene, options, blocks)
+    }
+
+    fn lang(&self) -> Lang {
+        self.options.lang
+    }
+
+    fn tr(&self, en: &'static str, zh: &'static str) -> &'static str {
+        tr(self.lang(), en, zh)
+    }
+
+    fn words(&self) -> &'static Words {
+        words(self.lang())
+    }
+
+    fn link(&self, l: LinkId) -> &str {
+        self.scene.link_name(l)
+    }
+
+    fn heading(&self, level: u8, en: &'static str, zh: &'static str) -> Block {
+        Block::Heading(level, self.tr(en, zh).into())
+    }
+
+    fn paragraph(&self, en: &str, zh: &str) -> Block {
+        Block::Paragraph(Phrase::new(if self.lang() == Lang::En { en } else { zh }))
+    }
+
     fn asked_to_count(&self, blocks: &mut Vec<Block>) {
         blocks.push(self.heading(1, "Problem", "题目"));
-        blocks.push(
-            self.paragraph("The figure shows a planar mechanism; the arrow marks what is driven.", "图示为一平面机构，箭头所示为原动件。"),
-        );
-        blocks.push(self.whole());
-        blocks.push(self.heading(2, "Given", "已知"));
-        blocks.push(Block::List { numbered: false, members: self.givens().list() });
+        match &self.drawn {
+            Some(maker) => {
+                blocks.push(self.paragraph(
+                    "The figure shows a planar mechanism; the arrow marks what is driven.",
+                    "图示为一平面机构，箭头所示为原动件。",
+                ));
+                blocks.push(whole(maker));
+                blocks.push(self.heading(2, "Given", "已知"));
+                blocks.push(Block::List { numbered: false, members: maker.givens().list() });
+            }
+            None => {
+                blocks.push(self.paragraph("A planar mechanism consists of these links and pairs:", "某平面机构由下列构件和运动副组成："));
+                blocks.push(Block::List { numbered: false, members: pairs::listed(self.scene, self.lang()) });
+            }
+        }
         blocks.push(self.heading(2, "Wanted", "求"));
+        let determined = match (self.scene.drivers.is_empty(), self.lang()) {
+            (false, Lang::En) => "; does the mechanism move as its drivers say?",
+            (false, Lang::Zh) => "；机构是否具有确定的运动？",
+            (true, Lang::En) => "; how many drivers does it need?",
+            (true, Lang::Zh) => "；机构需要几个原动件？",
+        };
+        let formula = "$F = 3n - (2p_l + p_h - p') - F'$";
         let members = [
             self.tr(
                 "Compound hinges, local freedoms and virtual constraints, each with its reason.",
                 "指出复合铰链、局部自由度和虚约束，并说明理由。",
-            ),
-            self.tr(
-                "The degree of freedom $F = 3n - (2p_l + p_h - p') - F'$; does the mechanism move as its drivers say?",
-                "计算自由度 $F = 3n - (2p_l + p_h - p') - F'$；机构是否具有确定的运动？",
-            ),
+            )
+            .to_owned(),
+            match self.lang() {
+                Lang::En => format!("The degree of freedom {formula}{determined}"),
+                Lang::Zh => format!("计算自由度 {formula}{determined}"),
+            },
             self.tr(
                 "The groups into which it is taken apart, beginning far from the drivers, each with its class; and the class of the mechanism.",
                 "由远离原动件处开始拆杆组，指出各杆组的级别，并确定机构的级别。",
-            ),
+            )
+            .to_owned(),
         ];
-        blocks.push(Block::List { numbered: true, members: members.map(Phrase::new).to_vec() });
-    }
-
-    /// The mechanism, what repeats others drawn as everything else.
-    fn whole(&self) -> Block {
-        let mut bare = self.worked.clone();
-        bare.mechanism.redundant.clear();
-        Maker { worked: &bare, ..*self }.given_mechanism()
+        blocks.push(Block::List { numbered: true, members: members.map(|m| Phrase::new(&m)).to_vec() });
     }
 
     fn said(&self, both: &crate::diag::Both) -> Phrase {
@@ -100,13 +162,29 @@ impl Maker<'_> {
         blocks.push(Block::Formula(vec![Math::Row(Label::math(formula))]));
         self.substituted(blocks, counted);
         let drivers = self.scene.own_drivers() as i64;
-        let verdict = match (f == drivers, self.lang()) {
+        let verdict = if drivers == 0 { self.needed(f) } else { self.determined(f, drivers) };
+        blocks.push(Block::Paragraph(Phrase::new(&verdict)));
+    }
+
+    /// How many drivers a mechanism without any needs.
+    fn needed(&self, f: i64) -> String {
+        match (f, self.lang()) {
+            (..=0, Lang::En) => "It cannot move.".to_owned(),
+            (..=0, Lang::Zh) => "它不能运动，不是机构。".to_owned(),
+            (1, Lang::En) => "It needs one driver.".to_owned(),
+            (_, Lang::En) => format!("It needs {f} drivers."),
+            (_, Lang::Zh) => format!("需要 {f} 个原动件，机构才具有确定的运动。"),
+        }
+    }
+
+    /// Whether so many drivers determine the motion.
+    fn determined(&self, f: i64, drivers: i64) -> String {
+        match (f == drivers, self.lang()) {
             (true, Lang::En) => format!("As many freedoms as drivers ({drivers}): the motion is determined."),
             (true, Lang::Zh) => format!("自由度等于原动件数（{drivers}），机构具有确定的运动。"),
             (false, Lang::En) => format!("{f} freedoms, {drivers} drivers: what carried parts do by themselves is not driven."),
             (false, Lang::Zh) => format!("自由度为 {f}，原动件数为 {drivers}：其余自由度不由原动件确定。"),
-        };
-        blocks.push(Block::Paragraph(Phrase::new(&verdict)));
+        }
     }
 
     fn substituted(&self, blocks: &mut Vec<Block>, counted: &Counted) {
@@ -134,9 +212,11 @@ impl Maker<'_> {
         })));
         let members = given.from_the_far_end().map(|g| Phrase::of_words(&group_words(&given.scene, &given.mechanism, g, self.lang())));
         blocks.push(Block::List { numbered: true, members: members.collect() });
-        let (style, notation) = (&self.options.style, &self.options.notation);
-        let figure = groups::figure(self.scene, self.worked, style, notation, self.lang());
-        blocks.push(Block::Figure { name: "groups", figure: Box::new(figure) });
+        if let Some(maker) = &self.drawn {
+            let (style, notation) = (&self.options.style, &self.options.notation);
+            let figure = groups::figure(self.scene, maker.worked, style, notation, self.lang());
+            blocks.push(Block::Figure { name: "groups", figure: Box::new(figure) });
+        }
         blocks.push(Block::Paragraph(Phrase::of_words(&match self.lang() {
             Lang::En => {
                 format!("What is left is driven with the ground. The highest class of a group is that of the mechanism: class {highest}.")
@@ -180,4 +260,11 @@ impl Maker<'_> {
         };
         scene.drivers.iter().map(one).collect::<Vec<_>>().join(self.words().comma)
     }
+}
+
+/// The mechanism, what repeats others drawn as everything else.
+fn whole(maker: &Maker) -> Block {
+    let mut bare = maker.worked.clone();
+    bare.mechanism.redundant.clear();
+    Maker { worked: &bare, ..*maker }.given_mechanism()
 }

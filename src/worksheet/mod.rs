@@ -15,6 +15,7 @@ pub mod markdown;
 mod mistake;
 mod mobility;
 pub mod pages;
+mod pairs;
 mod particle;
 mod problem;
 mod results;
@@ -35,7 +36,7 @@ use crate::worked::Worked;
 
 pub use design::design;
 pub use mistake::find_the_mistake;
-pub use mobility::mobility;
+pub use mobility::{mobility, mobility_of_pairs};
 pub use particle::particle;
 
 /// Which sides of a worksheet are written.

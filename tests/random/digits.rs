@@ -173,6 +173,17 @@ fn printed_digits_are_true_on_random_mechanisms() {
     tally.done(2000);
 }
 
+/// `HODOGRAPH_SEEDS=20 cargo test --release --test random gears_and_cams` compares more than 10⁵ numbers.
+#[test]
+fn printed_digits_are_true_of_gears_and_cams() {
+    let mut tally = Tally::default();
+    for seed in seeds(60) {
+        let Some((_, scene)) = crate::grown::scene(seed) else { continue };
+        tally.check(&format!("grown {seed}"), &in_si(scene));
+    }
+    tally.done(4000);
+}
+
 #[test]
 fn printed_digits_are_true_next_to_a_toggle() {
     let mut tally = Tally::default();

@@ -5,12 +5,14 @@
 
 mod asked;
 mod bad;
+mod cams;
 mod centres;
 mod composite;
 mod dead;
 mod digits;
 mod emit;
 mod groups;
+mod grown;
 mod higher;
 mod hostile;
 mod invariance;

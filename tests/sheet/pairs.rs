@@ -1,9 +1,9 @@
 //! The figure shows the pairs that the scene names: what is a block and what a lever, with the rates that are given.
 
-use hodograph::figure::item::{Item, Shape};
 use hodograph::figure::mechanism::mechanism;
-use hodograph::figure::style::Style;
 use hodograph::geom::Point;
+use hodograph::paper::item::{Item, Shape};
+use hodograph::paper::style::Style;
 use hodograph::plan::notation::Notation;
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};

@@ -52,7 +52,7 @@ impl Draft<'_> {
     pub(super) fn on_face(&self, p: PointId) -> bool {
         let along = |g: GuideId| match self.scene.guides[g.0].path {
             GuidePath::Line { direction: Direction::Along(a, b, _), .. } => a == p || b == p,
-            GuidePath::Line { direction: Direction::Own | Direction::Instant(_), .. } | GuidePath::Arc { .. } => false,
+            GuidePath::Line { direction: Direction::Own | Direction::Instant(_) | Direction::Slid(_), .. } | GuidePath::Arc { .. } => false,
         };
         let faced = |c: &Cam| match c.follows {
             Follows::Face(_) => c.contact.is_some_and(along),

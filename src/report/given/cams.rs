@@ -35,14 +35,7 @@ impl Givens<'_> {
                 Lang::En => format!("a circle of radius {} about {}", length(*radius), self.point(*centre)),
                 Lang::Zh => format!("以 {} 为圆心、半径 {} 的圆", self.point(*centre), length(*radius)),
             },
-            (None, Some(Motion::Profile(segments))) => {
-                let one = |s: &Segment| match s {
-                    Segment::Line { .. } => self.tr("line", "直线").to_owned(),
-                    Segment::Arc { radius, .. } if *radius == 0.0 => self.tr("corner", "尖点").to_owned(),
-                    Segment::Arc { radius, .. } => format!("{} {}", self.tr("arc", "圆弧"), length(*radius)),
-                };
-                segments.iter().map(one).collect::<Vec<_>>().join(self.words().comma)
-            }
+            (None, Some(Motion::Profile(segments))) => self.pieces(segments),
             (None, Some(Motion::Law { base, program })) => {
                 let swings = matches!(c.disc.as_ref().map(|t| t.disc.follower), Some(crate::cam::Follower::Oscillating { .. }));
                 let gain = |h: f64| if swings { degrees(h) } else { length(h) };
@@ -63,12 +56,26 @@ impl Givens<'_> {
                     Lang::Zh => format!("基圆半径 {base}，{}", stages.join("；")),
                 }
             }
-            (None, None) => String::new(),
+            (None, None) => c.posed.as_ref().map(|p| self.pieces(&p.segments)).unwrap_or_default(),
         };
         match self.lang() {
+            Lang::En if profile.is_empty() => format!("cam {cam} with follower {follower} ({end})"),
+            Lang::Zh if profile.is_empty() => format!("凸轮 {cam}，从动件 {follower}（{end}）"),
             Lang::En => format!("cam {cam} with follower {follower} ({end}); profile: {profile}"),
             Lang::Zh => format!("凸轮 {cam}，从动件 {follower}（{end}）；廓线：{profile}"),
         }
+    }
+}
+
+impl Givens<'_> {
+    /// The pieces of a profile.
+    fn pieces(&self, segments: &[Segment]) -> String {
+        let one = |s: &Segment| match s {
+            Segment::Line { .. } => self.tr("line", "直线").to_owned(),
+            Segment::Arc { radius, .. } if *radius == 0.0 => self.tr("corner", "尖点").to_owned(),
+            Segment::Arc { radius, .. } => format!("{} {}", self.tr("arc", "圆弧"), self.scene.length_words(*radius)),
+        };
+        segments.iter().map(one).collect::<Vec<_>>().join(self.words().comma)
     }
 }
 

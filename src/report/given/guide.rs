@@ -89,7 +89,7 @@ impl Givens<'_> {
                 None if en => told.push(format!(" at ${}$ to the horizontal", self.angle(a))),
                 None => told.push(format!("与水平线成 ${}$", self.angle(a))),
             },
-            Direction::Own => {}
+            Direction::Own | Direction::Slid(_) => {}
         }
         let place = match through {
             Through::Pin => None,

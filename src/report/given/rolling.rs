@@ -75,7 +75,7 @@ impl Givens<'_> {
         let path = pair.guide.map(|g| &self.scene.guides[g.0].path);
         match path {
             Some(path @ GuidePath::Line { direction: Direction::Along(..) | Direction::Instant(_), .. }) => self.lay(path),
-            Some(GuidePath::Line { direction: Direction::Own, .. } | GuidePath::Arc { .. }) | None => {
+            Some(GuidePath::Line { direction: Direction::Own | Direction::Slid(_), .. } | GuidePath::Arc { .. }) | None => {
                 Lay { course: self.tr("", "的").to_owned(), ..Lay::default() }
             }
         }

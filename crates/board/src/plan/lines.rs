@@ -7,7 +7,7 @@ use crate::scene::{Angle, Direction, GuideId, GuidePath, PointId, Through};
 impl Writer<'_> {
     /// The name of a guide's direction where it runs along no line of two points and no axis: t–t, that of link 3 t₃.
     pub fn tangent(&self, g: GuideId) -> Option<String> {
-        use Direction::{Along, Instant, Own};
+        use Direction::{Along, Instant, Own, Slid};
         let guide = &self.scene.guides[g.0];
         let GuidePath::Line { through, direction, offset } = &guide.path else { return None };
         match direction {
@@ -15,7 +15,7 @@ impl Writer<'_> {
             Own if offset.is_none() && matches!(through, Through::Point(_)) => None,
             Instant(_) if guide.on == self.scene.ground => self.axis(g).is_none().then(|| self.oblique(g)),
             Instant(_) if self.axis(g).is_some() => None,
-            Along(..) | Own | Instant(_) => Some(format!("t_{{{}}}", name_label(self.scene.link_name(guide.on)))),
+            Along(..) | Own | Instant(_) | Slid(_) => Some(format!("t_{{{}}}", name_label(self.scene.link_name(guide.on)))),
         }
     }
 

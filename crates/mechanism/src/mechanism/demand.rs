@@ -97,7 +97,8 @@ pub fn nodes_of(scene: &Scene, m: &Mechanism, need: Need) -> Vec<Node> {
                 // Where the point is, its own link says, even when the vector asked for is another link's; of a contact both links say it.
                 nodes.extend(scene.carriers(p).next().map(link_nodes).unwrap_or_default());
                 let rolling = scene.rolling.iter().filter(|r| r.at.contains(&p));
-                nodes.extend(rolling.flat_map(|r| r.links).filter(|l| *l != scene.ground).flat_map(link_nodes));
+                let cams = scene.cams.iter().filter(|c| c.touch == Some(p)).flat_map(|c| [c.cam, c.follower]);
+                nodes.extend(rolling.flat_map(|r| r.links).chain(cams).filter(|l| *l != scene.ground).flat_map(link_nodes));
             }
             nodes
         }

@@ -5,7 +5,7 @@
 //! pairs that could be opened those are opened that leave no such circle. A rack that slides along its own pitch line is such a circle by
 //! itself: its gear need not hold it.
 
-use super::{Form, Mechanism, Node};
+use super::{Constraint, Form, Node};
 use crate::scene::{Direction, Guide, GuidePath, LinkId, Scene};
 use petgraph::unionfind::UnionFind;
 use std::f64::consts::PI;
@@ -13,18 +13,18 @@ use std::f64::consts::PI;
 /// Two directions are one to this part of a turn: what is given twice differs by rounding.
 const SAME: f64 = 1e-9;
 
-/// How many equations of the mechanism say a distance across parallel guides again.
-pub(super) fn circles(scene: &Scene, m: &Mechanism) -> usize {
+/// How many of the equations say a distance across parallel guides again.
+pub(super) fn circles(scene: &Scene, constraints: &[Constraint], still: &[bool]) -> usize {
     let mut directions: Vec<f64> = Vec::new();
-    for angle in m.constraints.iter().filter_map(|c| across(scene, m, c.form())) {
+    for angle in constraints.iter().filter_map(|c| across(scene, still, c.form())) {
         if !directions.iter().any(|d| parallel(*d, angle)) {
             directions.push(angle);
         }
     }
-    directions.into_iter().map(|d| circles_across(scene, m, d)).sum()
+    directions.into_iter().map(|d| circles_across(scene, (constraints, still), d)).sum()
 }
 
-fn circles_across(scene: &Scene, m: &Mechanism, direction: f64) -> usize {
+fn circles_across(scene: &Scene, (constraints, still): (&[Constraint], &[bool]), direction: f64) -> usize {
     let index = |n: Node| match n {
         Node::Link(l) => l.0,
         Node::Pin(p) => scene.links.len() + p.0,
@@ -32,17 +32,17 @@ fn circles_across(scene: &Scene, m: &Mechanism, direction: f64) -> usize {
     let mut joined = UnionFind::new(scene.links.len() + scene.points.len());
     let holds = |form: Form| match form.meets() {
         // A pin of a link that never turns keeps its place there.
-        Some((_, link)) => m.never_turns[link.0],
-        None => across(scene, m, form).is_some_and(|angle| parallel(angle, direction)),
+        Some((_, link)) => still[link.0],
+        None => across(scene, still, form).is_some_and(|angle| parallel(angle, direction)),
     };
-    let forms = m.constraints.iter().map(|c| c.form()).filter(|f| holds(*f));
+    let forms = constraints.iter().map(|c| c.form()).filter(|f| holds(*f));
     forms.map(|f| f.ends()).filter(|(a, b)| !joined.union(index(*a), index(*b))).count()
 }
 
 /// The direction of a straight guide on a link that never turns.
-fn across(scene: &Scene, m: &Mechanism, form: Form) -> Option<f64> {
+fn across(scene: &Scene, still: &[bool], form: Form) -> Option<f64> {
     let (guide, on) = form.lies_on()?;
-    direction(&scene.guides[guide.0]).filter(|_| m.never_turns[on.0])
+    direction(&scene.guides[guide.0]).filter(|_| still[on.0])
 }
 
 /// Whether a rack slides along its own pitch line in the link that carries the axis of its gear: then it keeps its distance, whatever drives

@@ -6,7 +6,8 @@
 //! file. Whether what is opened holds by itself is decided by lengths, in [`crate::position::redundant`]; topology cannot tell a third crank from a strut that locks the mechanism.
 //!
 //! Where pairs leave some freedom by count, a circuit of two drivers or more has a driver too many, and is left to the diagnosis of that;
-//! but of equal planets on one arm all but the first repeat it whatever drives the train.
+//! but of equal planets on one arm all but the first repeat it whatever drives the train, and so does what holds a distance between parallel guides
+//! again.
 
 use super::mobility::Matched;
 use super::{Constraint, Core, Item, Mechanism, Passive, find_constraints, find_pins, touching};
@@ -113,6 +114,7 @@ pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
     }
     if moves && matched.circuits().any(many) {
         let opening = equal_planets(scene).iter().fold(closed.clone(), |opening, c| opening.with(c));
+        let opening = between_parallels(scene, opening, &candidates(scene, closed, &pins));
         let left = opening.matched(scene);
         return (left.homeless() == 0 && left.free() == 0).then_some(opening);
     }
@@ -129,6 +131,24 @@ pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
         }
     }
     None
+}
+
+/// The same without guides that say a distance across parallel guides again, such as the touching of a roller and the second of two planks.
+fn between_parallels(scene: &Scene, mut opening: Opening, candidates: &[Candidate]) -> Opening {
+    let still = scene.turning_with(scene.ground);
+    let circles = |o: &Opening| super::parallel::circles(scene, &o.pins_and_constraints(scene).1, &still);
+    let (mut said, mut homeless) = (circles(&opening), opening.matched(scene).homeless());
+    for c in candidates.iter().filter(|c| matches!(c.opened, Opened::Guide(_))) {
+        if said == 0 || homeless == 0 {
+            break;
+        }
+        let one = opening.with(c);
+        let (of_one, left) = (circles(&one), one.matched(scene).homeless());
+        if of_one < said && left < homeless {
+            (opening, said, homeless) = (one, of_one, left);
+        }
+    }
+    opening
 }
 
 /// A search through sets of candidates.
@@ -171,7 +191,7 @@ impl Search<'_> {
 /// How much is still said twice, then how many groups are of a high class: those above the third, then those of the third.
 fn rank(scene: &Scene, m: &Mechanism) -> [usize; 3] {
     let of = |class| m.groups.iter().filter(|g| g.class() == Some(class)).count();
-    [super::parallel::circles(scene, m), m.groups.iter().filter(|g| g.core == Core::Higher).count(), of("III")]
+    [super::parallel::circles(scene, &m.constraints, &m.never_turns), m.groups.iter().filter(|g| g.core == Core::Higher).count(), of("III")]
 }
 
 /// What may be opened, the last in the file first.

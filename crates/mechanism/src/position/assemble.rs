@@ -196,6 +196,10 @@ impl<'a, N: Real> Assembly<'a, N> {
                         }
                     }
                     Direction::Own => pose.axis,
+                    Direction::Slid(angle) => {
+                        let (s, c) = self.inputs.sin_cos(angle);
+                        Vec2::new(c, s).rotate_by(self.slid_along(guide.on)?)
+                    }
                 };
                 let through = match through {
                     Through::Point(p) => pose.to_world(self.shapes[guide.on.0].local(*p)?),

@@ -12,7 +12,7 @@ use super::proof::{self, Unproven};
 use super::{Configuration, Path, Pose};
 use crate::diag::Diagnostic;
 use crate::geom::{Point, Vec2};
-use crate::mechanism::{Form, Group, Runner};
+use crate::mechanism::{Form, Group, Node, Runner};
 use crate::number::Real;
 use crate::scene::{GuideId, LinkId, PointId, RollingId};
 
@@ -186,7 +186,10 @@ impl<N: Real> Coupled<'_, N> {
             // At the instant a slider's frame lies as the plane's; later it stands against the other link as it stood then.
             Form::Angles { driver: None, .. } => match then {
                 Some(then) => equations::kept(form, &then),
-                None => Some(Given::InPlane(Vec2::unit_x())),
+                None => match form.ends().0 {
+                    Node::Link(slider) if a.lies_along_its_guide(slider) => a.slid_along(slider).map(Given::InPlane),
+                    Node::Link(_) | Node::Pin(_) => Some(Given::InPlane(Vec2::unit_x())),
+                },
             },
             Form::Angles { of, against, driver: Some(driver) } => match aside {
                 Some(then) => farther(then, driver),

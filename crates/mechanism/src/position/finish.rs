@@ -1,7 +1,7 @@
 //! From placed groups to a configuration: what only follows is added, and what was given twice must agree.
 
 use super::assemble::Assembly;
-use super::{Configuration, Path, Pose, Rolled, Shapes, rolling};
+use super::{Configuration, Path, Pose, Rolled, Shapes, rolling, touch};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::digits::significant;
 use crate::geom::Point;
@@ -305,6 +305,9 @@ pub(super) fn complete<N: Real>(
         for (k, at) in pair.at.into_iter().enumerate() {
             points[at.0] = ends.map(|ends| ends[k]);
         }
+    }
+    for (cam, at) in scene.cams.iter().filter_map(|c| Some((c, c.touch?))) {
+        points[at.0] = touch::place(scene, cam, &points, &guides);
     }
     for (l, passive) in m.passive.iter().enumerate() {
         poses[l] = match *passive {

@@ -10,7 +10,7 @@ use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Entry, Hold, Leg};
 use crate::number::Real;
-use crate::scene::{GuideId, GuidePath, LinkId, PointId, RollingId};
+use crate::scene::{Direction, Guide, GuideId, GuidePath, LinkId, PointId, RollingId};
 
 impl<N: Real> Assembly<'_, N> {
     /// The possible poses of a core link.
@@ -94,6 +94,8 @@ impl<N: Real> Assembly<'_, N> {
                     "give the coordinates of two of its points at the instant in \"points\"",
                     "请在 \"points\" 中给出其上两点在该时刻的坐标"
                 )))
+            } else if self.lies_along_its_guide(link) {
+                self.slid_along(link).ok_or_else(|| self.no_closure(link))
             } else {
                 Ok(Vec2::unit_x())
             };
@@ -131,6 +133,21 @@ impl<N: Real> Assembly<'_, N> {
                 "请用 \"line\"（及 \"against_line\"）写该构件上两个不同的点"
             ))
         })
+    }
+
+    /// Whether the frame of a sliding link lies along the guide in which it slides: a guide of its own counts from that.
+    pub(super) fn lies_along_its_guide(&self, link: LinkId) -> bool {
+        let counts = |g: &Guide| matches!(g.path, GuidePath::Line { direction: Direction::Slid(_), .. });
+        self.shapes[link.0].frame == Frame::Loose && self.scene.guides.iter().any(|g| g.on == link && counts(g))
+    }
+
+    /// The direction in the plane of the guide in which a link slides.
+    pub(super) fn slid_along(&self, link: LinkId) -> Option<Vec2<N>> {
+        let guide = self.scene.guides.iter().position(|g| g.slider == Some(link)).map(GuideId)?;
+        match self.guide_in_plane(guide)? {
+            Path::Line { direction, .. } => Some(direction),
+            Path::Arc { .. } => None,
+        }
     }
 
     /// The line of a link from which a driver's angle counts, in the link's frame: that of two points, else of its first two, else its x axis.

@@ -27,6 +27,7 @@ mod repeats;
 mod rolling;
 mod shape;
 pub mod toggle;
+mod touch;
 pub mod triad;
 
 pub use assemble::{later, recompute};

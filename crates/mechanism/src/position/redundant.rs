@@ -151,6 +151,16 @@ pub fn look(scene: &Scene, m: &Mechanism, index: usize, opened: &Opened) -> Resu
     Ok(Checked { index, verdict, off_m, driver: way.driver, moved, bound_m, positions: stations.len(), reason })
 }
 
+/// What links and pairs alone say of an opened pair, where lengths are missing: a planet between the wheels of another planet of the same arm
+/// repeats it, whatever their sizes, and three links joined by three pins are rigid.
+pub fn by_topology(scene: &Scene, m: &Mechanism, index: usize, opened: &Opened) -> Option<Checked> {
+    let (verdict, reason) = match super::repeats::by_topology(scene, m, opened)? {
+        reason @ Reason::Triangle(_) => (Verdict::Locked, reason),
+        reason => (Verdict::Virtual, reason),
+    };
+    Some(Checked { index, verdict, off_m: 0.0, driver: None, moved: 0.0, bound_m: None, positions: 0, reason })
+}
+
 /// All positions that tell of a pair.
 fn demand(scene: &Scene, m: &Mechanism, opened: &Opened) -> Demand {
     let mut demand = Demand::of_questions(scene, m, []);

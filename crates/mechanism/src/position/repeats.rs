@@ -5,7 +5,7 @@ use super::{Configuration, Path};
 use crate::diag::{Both, Diagnostic, Span, both};
 use crate::digits::significant;
 use crate::mechanism::{Mechanism, Opened};
-use crate::scene::{GuideId, LinkId, PointId, RollingId, RollingKind, Scene};
+use crate::scene::{Cam, Direction, GuideId, GuidePath, LinkId, PointId, RollingId, RollingKind, Scene};
 
 /// Why a pair repeats what the others fix.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,6 +23,10 @@ pub enum Reason {
     SameLine([PointId; 2], PointId, PointId),
     /// Another link meshes with the same links from the same carrier: its name.
     RepeatedPlanets(String),
+    /// It closes a rigid triangle with these two links, and repeats nothing.
+    Triangle([LinkId; 2]),
+    /// Another contact of the same cam and follower: both have one normal.
+    OneNormal,
     /// None of these: it was found to hold in several positions.
     Found,
 }
@@ -45,9 +49,10 @@ pub(super) fn reason(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configu
             let mut circles =
                 cranks.filter_map(|l| same_circle(scene, l, at, near)).filter(|(ends, _, _)| ends.iter().any(|p| Some(*p) == pin));
             let line = || circles.next().map(|(ends, b, d)| Reason::SameLine(ends, b, d));
-            parallel_guides(scene, *g, at, near).map(Reason::ParallelGuides).or_else(line)
+            let normal = || contact_of(scene, *g).filter(|(_, all)| *all > 1).map(|_| Reason::OneNormal);
+            normal().or_else(|| parallel_guides(scene, *g, at, near).map(Reason::ParallelGuides)).or_else(line)
         }
-        Opened::Rolling(r) => repeated_planets(scene, *r),
+        Opened::Rolling(r) => repeated_planets(scene, *r, |_| true),
         Opened::Pin(p, l) => {
             let other =
                 |q: &&PointId| **q != *p && at.points[q.0].zip(at.points[p.0]).is_some_and(|(a, b)| a.distance(b) <= near * at.extent());
@@ -55,6 +60,51 @@ pub(super) fn reason(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configu
         }
     };
     found.unwrap_or(Reason::Found)
+}
+
+/// What needs no lengths.
+pub(super) fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Option<Reason> {
+    match opened {
+        Opened::Rolling(r) => {
+            // One of them stays whole, and is repeated.
+            let opened =
+                |l: LinkId| m.redundant.iter().any(|o| matches!(o.opened, Opened::Rolling(p) if scene.rolling[p.0].links.contains(&l)));
+            repeated_planets(scene, *r, |l| !opened(l))
+        }
+        Opened::Link(l) => {
+            let (a, b) = m.held(*l)?;
+            let shares = |p: LinkId, q: LinkId| scene.links[p.0].points.iter().any(|x| scene.links[q.0].points.contains(x));
+            let at_b = bodies(scene, m, b, *l);
+            bodies(scene, m, a, *l)
+                .into_iter()
+                .find_map(|p| at_b.iter().find(|q| **q != p && shares(p, **q)).map(|q| Reason::Triangle([p, *q])))
+        }
+        Opened::Guide(g) => second_guide(scene, *g).map(Reason::ParallelGuides),
+        Opened::Pin(..) => None,
+    }
+}
+
+/// Another guide of the same slider on the same link, in the same direction.
+fn second_guide(scene: &Scene, g: GuideId) -> Option<GuideId> {
+    let guide = &scene.guides[g.0];
+    let told = |path: &GuidePath| match path {
+        GuidePath::Line { direction: Direction::Instant(angle), .. } => Some(angle.value.radians()),
+        GuidePath::Line { direction: Direction::Along(..) | Direction::Own | Direction::Slid(_), .. } | GuidePath::Arc { .. } => None,
+    };
+    let own = told(&guide.path).filter(|_| guide.slider.is_some())?;
+    let same = |other: &GuideId| {
+        let o = &scene.guides[other.0];
+        *other != g && o.slider == guide.slider && o.on == guide.on && told(&o.path).is_some_and(|a| libm::sin(a - own).abs() < 1e-9)
+    };
+    (0..scene.guides.len()).map(GuideId).find(same)
+}
+
+/// Which contact of its cam and its follower a guide stands for, from 1, and how many there are.
+fn contact_of(scene: &Scene, g: GuideId) -> Option<(usize, usize)> {
+    let own = scene.cams.iter().position(|c| c.contact == Some(g))?;
+    let pair = |c: &Cam| (c.cam, c.follower);
+    let mut same = (0..scene.cams.len()).filter(|k| pair(&scene.cams[*k]) == pair(&scene.cams[own]));
+    Some((same.clone().position(|k| k == own)? + 1, same.by_ref().count()))
 }
 
 fn parallel_cranks(scene: &Scene, m: &Mechanism, l: LinkId, at: &Configuration, near: f64) -> Option<Reason> {
@@ -119,7 +169,7 @@ fn same_circle(scene: &Scene, l: LinkId, at: &Configuration, near: f64) -> Optio
 }
 
 /// A planet like that of a rolling pair: on the same carrier, rolling on the same links.
-fn repeated_planets(scene: &Scene, r: RollingId) -> Option<Reason> {
+fn repeated_planets(scene: &Scene, r: RollingId, whole: impl Fn(LinkId) -> bool) -> Option<Reason> {
     let partners = |l: LinkId| {
         let mut all: Vec<LinkId> = scene.rolling.iter().filter_map(|p| p.other(l)).collect();
         all.sort_unstable();
@@ -132,7 +182,7 @@ fn repeated_planets(scene: &Scene, r: RollingId) -> Option<Reason> {
         all
     };
     let like = |l: LinkId| {
-        let same = |k: &LinkId| *k != l && partners(*k) == partners(l) && carriers(*k) == carriers(l) && partners(l).len() > 1;
+        let same = |k: &LinkId| *k != l && partners(*k) == partners(l) && carriers(*k) == carriers(l) && partners(l).len() > 1 && whole(*k);
         (0..scene.links.len()).map(LinkId).find(same)
     };
     let planet = scene.rolling[r.0].links.into_iter().filter(|l| *l != scene.ground).find_map(like)?;
@@ -178,6 +228,11 @@ impl Reason {
                 }
             }
             Reason::RepeatedPlanets(like) => both!("it repeats planet {like}", "与行星轮 {like} 重复"),
+            Reason::Triangle([a, b]) => {
+                let [a, b] = [a, b].map(|l| scene.link_name(*l));
+                both!("it makes a rigid triangle with links {a} and {b}", "与构件 {a}、{b} 组成刚性三角形")
+            }
+            Reason::OneNormal => both!("two contacts on one normal", "两处接触的公法线重合"),
             Reason::Found => both!("it holds at {positions} positions", "在 {positions} 个位置均成立"),
         }
     }
@@ -193,6 +248,7 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
             let words = both!("the touching of the wheel about {axle} and link {on}", "绕 {axle} 的滚轮与构件 {on} 的接触");
             (words, guide.span)
         }
+        Opened::Guide(g) if contact_of(scene, *g).is_some() => contact_words(scene, *g),
         Opened::Guide(g) => {
             let guide = &scene.guides[g.0];
             let (on, runner) =
@@ -215,6 +271,18 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
             (both!("pin {} on link {}", "构件 {1} 上的销 {0}", scene.point_name(*p), scene.link_name(*l)), scene.links[l.0].span)
         }
     }
+}
+
+/// The contact of a cam for which a guide stands.
+fn contact_words(scene: &Scene, g: GuideId) -> (Both, Span) {
+    let Some(cam) = scene.cams.iter().find(|c| c.contact == Some(g)) else { return (Both::default(), scene.guides[g.0].span) };
+    let [own, follower] = [cam.cam, cam.follower].map(|l| scene.link_name(l));
+    let words = match contact_of(scene, g) {
+        Some((2, _)) => both!("the second contact of cam {own} and follower {follower}", "凸轮 {own} 与从动件 {follower} 的第二处接触"),
+        Some((1, 2..)) => both!("the first contact of cam {own} and follower {follower}", "凸轮 {own} 与从动件 {follower} 的第一处接触"),
+        Some(_) | None => both!("the contact of cam {own} and follower {follower}", "凸轮 {own} 与从动件 {follower} 的接触"),
+    };
+    (words, cam.span)
 }
 
 /// How far the driver was moved.
@@ -343,6 +411,10 @@ fn help(scene: &Scene, opened: &Opened) -> Both {
         Opened::Guide(g) if scene.guides[g.0].rolling.is_some() => both!(
             "let the axle of the wheel keep its distance from the track: correct a radius or the axle's place, or free the axle",
             "请使轮轴到轨道的距离与轮半径相符：修改半径或轮轴位置，或放开轮轴"
+        ),
+        Opened::Guide(g) if contact_of(scene, *g).is_some() => both!(
+            "make the two faces as far apart as the cam is broad, or leave one contact out",
+            "请使两平底的间距等于凸轮的宽度，或去掉一处接触"
         ),
         Opened::Guide(_) => both!(
             "leave the guide out; of two guides of one slider the second is parallel to the first",

@@ -172,10 +172,10 @@ pub(super) fn out_of_phase(scene: &Scene, shapes: &Shapes, r: RollingId, now: &S
     Some(off - TAU * libm::round(off / TAU))
 }
 
-/// The line of a link from which its angle counts, in its frame: a unit vector.
+/// The line of a link from which its angle counts, in its frame: a unit vector. That of the ground is the x axis, whatever pivots it has.
 fn mark<N: Real>(scene: &Scene, l: LinkId, local: impl Fn(PointId) -> Option<Point<N>>) -> Option<Vec2<N>> {
     match &scene.links[l.0].points[..] {
-        [p, q, ..] => (local(*q)? - local(*p)?).unit(),
+        [p, q, ..] if l != scene.ground => (local(*q)? - local(*p)?).unit(),
         _ => Some(Vec2::unit_x()),
     }
 }

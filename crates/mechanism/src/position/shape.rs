@@ -283,6 +283,12 @@ pub(super) fn guide_in_link<N: Real>(
                     }
                 }
                 Direction::Own => Vec2::unit_x(),
+                // Its frame lies along the guide in which it slides.
+                Direction::Slid(angle) if shape.frame == Frame::Loose => {
+                    let (s, c) = inputs.sin_cos(angle);
+                    Vec2::new(c, s)
+                }
+                Direction::Slid(_) => return None,
             };
             let through = match through {
                 Through::Point(p) => shape.local(*p)?,

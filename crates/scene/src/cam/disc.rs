@@ -285,10 +285,15 @@ impl Disc {
             }
         };
         let out = Plane::constant(outward).turned(Jet::constant(back.value())).order(0);
-        // A flat face is pushed along its own normal at the contact; seen from a pivot that is the way the contact goes.
+        let against = |way: Vec2| self.sense * libm::atan2(way.cross(normal), way.dot(normal));
         let pressure = match (self.touch, self.follower) {
-            (Touch::Flat { .. }, _) => 0.0,
-            (Touch::Point { .. }, _) => self.sense * libm::atan2(out.cross(normal), out.dot(normal)),
+            // A flat face is pushed along its own normal; where it passes through its pivot that is the way the contact goes.
+            (Touch::Flat { .. }, Follower::Translating { .. }) => 0.0,
+            (Touch::Flat { lever: 0.0 }, Follower::Oscillating { .. }) => 0.0,
+            (Touch::Flat { .. }, Follower::Oscillating { pivot, sense, .. }) => {
+                against((contact - Plane::constant(pivot).turned(back).order(0)).perp() * sense)
+            }
+            (Touch::Point { .. }, _) => against(out),
         };
         Some(Station { phi, q, pitch, contact, normal, rho, rho_pitch, pressure })
     }

@@ -27,10 +27,10 @@ pub(super) const MAX_STATEMENT: usize = 10_000;
 
 /// Decodes a whole file. Faults are collected; what could be read is returned, so that later stages find theirs too.
 ///
-/// `topology`: links and pairs are enough.
-pub(super) fn scene(root: &Node, topology: bool, faults: &mut Faults) -> Option<RawScene> {
+/// `extent`: how much it has to tell.
+pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<RawScene> {
     let f = Fields::open(root, both!("a scene", "机构文件"), keys::SCENE, faults)?;
-    let mut raw = RawScene { topology, ..RawScene::default() };
+    let mut raw = RawScene { extent, ..RawScene::default() };
     if let Some(node) = f.get("title") {
         raw.title = localized(node, "\"title\"", MAX_TITLE, faults);
     }
@@ -69,21 +69,21 @@ pub(super) fn scene(root: &Node, topology: bool, faults: &mut Faults) -> Option<
         raw.guides.extend(guide(node, faults));
     }
     for node in items(f.get("cams"), "\"cams\"", faults) {
-        raw.cams.extend(cams::decode::cam(node, faults));
+        raw.cams.extend(cams::decode::cam(node, extent, faults));
     }
     for node in items(f.get("gears"), "\"gears\"", faults) {
-        raw.rolling.extend(rolling::gear(node, faults));
+        raw.rolling.extend(rolling::gear(node, extent, faults));
     }
     for node in items(f.get("rolling"), "\"rolling\"", faults) {
-        raw.rolling.extend(rolling::wheel(node, faults));
+        raw.rolling.extend(rolling::wheel(node, extent, faults));
     }
     belts::belts(&f, &mut raw, faults);
-    let drivers = match topology {
+    let drivers = match extent.is_at_rest() {
         true => f.get("driver"),
         false => f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults),
     };
     match drivers {
-        Some(Node { kind: Kind::Array(list), span }) if list.is_empty() && !topology => {
+        Some(Node { kind: Kind::Array(list), span }) if list.is_empty() && !extent.is_at_rest() => {
             faults.push(
                 Diagnostic::error("empty", both!("\"driver\" is empty: nothing drives the mechanism", "\"driver\" 为空：没有原动件"))
                     .at(*span),
@@ -91,10 +91,10 @@ pub(super) fn scene(root: &Node, topology: bool, faults: &mut Faults) -> Option<
         }
         Some(Node { kind: Kind::Array(_), .. }) => {
             for node in items(drivers, "\"driver\"", faults) {
-                raw.drivers.extend(driver(node, topology, faults));
+                raw.drivers.extend(driver(node, extent, faults));
             }
         }
-        Some(node) => raw.drivers.extend(driver(node, topology, faults)),
+        Some(node) => raw.drivers.extend(driver(node, extent, faults)),
         None => {}
     }
     for node in items(f.get("motions"), "\"motions\"", faults) {
@@ -274,7 +274,19 @@ fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
     let (angle, offset, radius) = (value("angle"), value("offset"), value("radius"));
     let through = through(&f, faults);
     // A guide with a member that could not be read must not be judged by what is left of it.
-    (faults.list.len() == before).then_some(RawGuide { pin, slider, on, line, through, angle, offset, centre, radius, span: node.span })
+    (faults.list.len() == before).then_some(RawGuide {
+        pin,
+        slider,
+        on,
+        line,
+        through,
+        angle,
+        slid: false,
+        offset,
+        centre,
+        radius,
+        span: node.span,
+    })
 }
 
 /// A point by its name or by coordinates.
@@ -298,7 +310,7 @@ fn words_of([en, zh]: [&str; 2]) -> Both {
     Both { en: en.to_owned(), zh: zh.to_owned() }
 }
 
-fn driver(node: &Node, topology: bool, faults: &mut Faults) -> Option<RawDriver> {
+fn driver(node: &Node, extent: Extent, faults: &mut Faults) -> Option<RawDriver> {
     let members = object(node, both!("a driver", "原动件"), faults)?;
     let present: Vec<_> = KINDS.iter().filter(|(mark, ..)| members.iter().any(|(k, _)| k.text == *mark)).collect();
     let (mark, what, known) = match present.as_slice() {
@@ -356,7 +368,7 @@ fn driver(node: &Node, topology: bool, faults: &mut Faults) -> Option<RawDriver>
         "slide" => ("velocity", "\"2 m/s\""),
         _ => ("rate", "\"50 mm/s\""),
     };
-    let rate = if topology { f.get(key) } else { f.need(key, example, faults) };
+    let rate = if extent.is_at_rest() { f.get(key) } else { f.need(key, example, faults) };
     let rate = rate.and_then(|n| quantity(n, both!("the rate of a driver", "原动件的速度"), faults));
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let acceleration = value(if mark == "link" { "alpha" } else { "acceleration" });

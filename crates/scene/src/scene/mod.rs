@@ -47,6 +47,7 @@ pub use written::Told;
 
 use crate::diag::{Faults, Severity, Span, Warned};
 use crate::json;
+use raw::Extent;
 
 /// Reads the error of a pencil as `"paper": {"pencil": ...}` would say it, such as `0.1 mm`; in mm.
 ///
@@ -142,17 +143,32 @@ pub fn language_of(source: &[u8]) -> Option<Lang> {
 /// assert!(hodograph::scene::read(text).is_err());
 /// ```
 pub fn read_topology(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
-    read_as(source.as_ref(), None, true)
+    read_as(source.as_ref(), None, Extent::Pairs)
+}
+
+/// Reads a mechanism in its pose: drivers and their rates may be missing. A rate that is not told counts as one ([`Driver::rate_told`]).
+///
+/// # Errors
+/// As [`read`].
+///
+/// ```
+/// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1",
+///     "points": {"A": [0, 0], "B": ["30 mm", "40 mm"], "C": ["120 mm", "60 mm"], "D": ["100 mm", 0]}, "driver": {"link": "2"}}"#;
+/// assert!(!hodograph::scene::read_pose(text).unwrap().value.drivers[0].rate_told);
+/// assert!(hodograph::scene::read(text).is_err());
+/// ```
+pub fn read_pose(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
+    read_as(source.as_ref(), None, Extent::Pose)
 }
 
 fn read_with(source: &[u8], questions: Option<&str>) -> Result<Warned<Scene>, Faults> {
-    read_as(source, questions, false)
+    read_as(source, questions, Extent::Motion)
 }
 
-fn read_as(source: &[u8], questions: Option<&str>, topology: bool) -> Result<Warned<Scene>, Faults> {
+fn read_as(source: &[u8], questions: Option<&str>, extent: Extent) -> Result<Warned<Scene>, Faults> {
     let mut faults = Faults::default();
     let (text, root) = json::parse(source, &mut faults)?;
-    let raw = decode::scene(&root, topology, &mut faults).map(|raw| match questions {
+    let raw = decode::scene(&root, extent, &mut faults).map(|raw| match questions {
         Some(questions) => raw::RawScene { find: Some(asked(questions, &mut faults)), ..raw },
         None => raw,
     });

@@ -171,6 +171,8 @@ pub enum Direction {
     /// Not given: the carrying link has no other direction of its own, so its guide *is* its direction
     /// (a lever known by its pivot and its slot only).
     Own,
+    /// Turned by this angle from the guide of another moving link in which the carrying link slides: the face of a follower.
+    Slid(Given<Angle>),
 }
 
 /// What drives the mechanism.
@@ -182,6 +184,8 @@ pub struct Driver {
     pub rate: Given,
     /// Rate of the rate; absent means constant rate.
     pub acceleration: Option<Given>,
+    /// Whether its rate is told; where only the pose is read it may count as one.
+    pub rate_told: bool,
     /// Where it is declared.
     pub span: Span,
 }

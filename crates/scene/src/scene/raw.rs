@@ -50,6 +50,8 @@ pub(super) struct RawGuide {
     pub line: Option<Word>,
     pub through: Option<RawThrough>,
     pub angle: Option<RawQuantity>,
+    /// Whether the angle counts from the guide in which the carrying link slides.
+    pub slid: bool,
     pub offset: Option<RawQuantity>,
     pub centre: Option<Word>,
     pub radius: Option<RawQuantity>,
@@ -168,11 +170,35 @@ pub(super) struct RawAttempt {
     pub span: Span,
 }
 
+/// How much of a mechanism a file has to tell.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Extent {
+    /// Links and pairs: neither a driver, nor the direction of a guide, nor the profile of a cam is missed.
+    Pairs,
+    /// Its pose besides: only drivers and their rates may be missing.
+    Pose,
+    /// Its motion.
+    #[default]
+    Motion,
+}
+
+impl Extent {
+    /// Whether links and pairs are enough.
+    pub fn is_of_pairs(self) -> bool {
+        self == Extent::Pairs
+    }
+
+    /// Whether drivers and their rates may be missing.
+    pub fn is_at_rest(self) -> bool {
+        self != Extent::Motion
+    }
+}
+
 /// A scene file, decoded.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RawScene {
-    /// Whether links and pairs are enough: neither a driver, nor its rate, nor the direction of a guide is missed.
-    pub topology: bool,
+    /// How much it has to tell.
+    pub extent: Extent,
     pub title: Option<RawLocalized>,
     pub statement: Option<RawLocalized>,
     pub parameters: Vec<(Word, RawQuantity)>,

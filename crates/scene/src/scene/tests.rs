@@ -357,7 +357,7 @@ fn the_description_shows_what_can_be_read() {
         // The decoder has nothing against its shape either.
         let mut said = crate::diag::Faults::default();
         let source = scene.to_string();
-        decode::scene(&json::parse(source.as_bytes(), &mut said).unwrap().1, false, &mut said);
+        decode::scene(&json::parse(source.as_bytes(), &mut said).unwrap().1, Default::default(), &mut said);
         assert_eq!(said.list, [], "{section}");
     }
 }

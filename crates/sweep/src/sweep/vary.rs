@@ -43,7 +43,9 @@ fn slots(scene: &mut Scene) -> Vec<Slot<'_>> {
                     out.extend(xy.iter_mut().map(|x| Slot::Number(x, false)));
                 }
                 match direction {
-                    Direction::Instant(angle) | Direction::Along(_, _, Some(angle)) => out.push(Slot::Angle(angle)),
+                    Direction::Instant(angle) | Direction::Slid(angle) | Direction::Along(_, _, Some(angle)) => {
+                        out.push(Slot::Angle(angle))
+                    }
                     Direction::Along(_, _, None) | Direction::Own => {}
                 }
                 out.extend(offset.iter_mut().map(|x| Slot::Number(x, false)));

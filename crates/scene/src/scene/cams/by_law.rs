@@ -108,6 +108,7 @@ impl One<'_> {
         let (face, offset, sense) = match &self.raw.follows {
             RawFollows::Face(face) => {
                 let (face, offset, sense) = self.face(placed.as_ref().ok().map(|p| &p.1), face, faults)?;
+                pending.left = face.left.unwrap_or(true);
                 (Some(face), offset, sense)
             }
             RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. } => (None, None, 1.0),

@@ -20,7 +20,7 @@ impl One<'_> {
         &self,
         raw: &mut RawScene,
         parts: &[RawPart],
-        (cam, point): (LinkId, PointId),
+        (cam, follower, point): (LinkId, LinkId, PointId),
         (end, placed): (Option<Told>, Result<(OnPivot, Carried), Lacking>),
         pending: &mut Pending,
         faults: &mut Faults,
@@ -29,6 +29,7 @@ impl One<'_> {
         let (follows, offset, sense) = match &self.raw.follows {
             RawFollows::Face(face) => {
                 let (face, offset, sense) = self.face(placed.as_ref().ok().map(|p| &p.1), face, faults)?;
+                pending.left = face.left.unwrap_or(true);
                 (RawFollows::Face(face), offset, sense)
             }
             round => (round.clone(), None, 1.0),
@@ -38,7 +39,7 @@ impl One<'_> {
         }
         // A face that slides on a moving link has its direction from the pose; one circle needs no more.
         let leans = |p: &(OnPivot, Carried)| {
-            matches!((&follows, &p.1), (RawFollows::Face(_), Carried::Guide { .. })) && p.0.frame != self.bare.ground
+            matches!((&follows, &p.1), (RawFollows::Face(f), Carried::Guide { .. }) if !f.square) && p.0.frame != self.bare.ground
         };
         if let Ok(p) = &placed
             && leans(p)
@@ -97,7 +98,11 @@ impl One<'_> {
             pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
         } else if worded.len() > 1 {
             let why = placed.as_ref().err();
-            let posed = self.by_pose(&worded, (cam, point), (&follows, end.as_ref()), why, faults)?;
+            let lies = (contact.offset.as_ref(), sense);
+            let posed = self.by_pose(&worded, (cam, follower, point), (&follows, end.as_ref()), lies, why, faults)?;
+            if let Some((p, at)) = posed.rough {
+                self.sketched(raw, self.bare.point_name(p), at);
+            }
             touched = posed.touched;
             pending.posed = Some(posed);
         }
@@ -139,17 +144,22 @@ impl One<'_> {
             }
             (_, Touch::Flat { .. }, _) => return None,
         };
-        let said = raw.sketch.iter().any(|(w, _)| w.text == name) || raw.points.iter().any(|(w, _)| w.text == name);
         let at = on.spot.at() + at;
-        if said {
-            return None;
-        }
         if on.frame != self.bare.ground {
-            return Some((name, at));
+            let said = raw.sketch.iter().any(|(w, _)| w.text == name) || raw.points.iter().any(|(w, _)| w.text == name);
+            return (!said).then_some((name, at));
+        }
+        self.sketched(raw, &name, at);
+        None
+    }
+
+    /// Writes where a point is in the pose, unless the scene says it.
+    fn sketched(&self, raw: &mut RawScene, name: &str, at: Vec2) {
+        if raw.sketch.iter().any(|(w, _)| w.text == name) || raw.points.iter().any(|(w, _)| w.text == name) {
+            return;
         }
         let quantity = |x: f64| RawQuantity { text: format!("({x:?}) m"), span: self.raw.span, bare: false };
-        raw.sketch.push((Word { text: name, span: self.raw.span }, [quantity(at.x), quantity(at.y)]));
-        None
+        raw.sketch.push((Word { text: name.to_owned(), span: self.raw.span }, [quantity(at.x), quantity(at.y)]));
     }
 
     /// The parts with texts and checked numbers.

@@ -195,7 +195,7 @@ impl One<'_> {
                     None => Told { value, text },
                 }
             }
-            Direction::Instant(_) | Direction::Own => return Err(self.guide_faulty(link)),
+            Direction::Instant(_) | Direction::Own | Direction::Slid(_) => return Err(self.guide_faulty(link)),
         };
         Ok(Carried::Guide { through, angle, pin })
     }

@@ -2,24 +2,28 @@
 
 use super::super::decode::{items, quantity, two_quantities};
 use super::super::keys;
-use super::super::raw::{RawQuantity, RawThrough};
+use super::super::raw::{Extent, RawQuantity, RawThrough};
 use super::raw::*;
 use crate::cam::Law;
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::json::fields::{Fields, suggest, word, wrong};
 use crate::json::{Kind, Node, Word};
 
-/// One cam; nothing where a member could not be read, as it must not be judged by what is left of it.
-pub(in crate::scene) fn cam(node: &Node, faults: &mut Faults) -> Option<RawCam> {
+/// One cam, of which counting needs neither profile nor radius; nothing where a member could not be read, as it must not be judged by what is left of it.
+pub(in crate::scene) fn cam(node: &Node, extent: Extent, faults: &mut Faults) -> Option<RawCam> {
     let before = faults.list.len();
     let f = Fields::open(node, both!("a cam", "凸轮"), keys::CAM, faults)?;
     let cam = f.need("cam", both!("\"2\", the link that is the cam", "\"2\"（作凸轮的构件）"), faults);
     let follower = f.need("follower", both!("\"3\", the link that it moves", "\"3\"（从动件）"), faults);
-    let profile = f.need("profile", "{\"centre\": \"B\", \"radius\": \"30 mm\"}", faults);
+    let counted = extent.is_of_pairs();
+    let profile = if counted { f.get("profile") } else { f.need("profile", "{\"centre\": \"B\", \"radius\": \"30 mm\"}", faults) };
     let cam = cam.and_then(|n| word(n, "\"cam\"", faults));
     let follower = follower.and_then(|n| word(n, "\"follower\"", faults));
-    let follows = follows(&f, faults);
-    let profile = profile.and_then(|n| self::profile(n, faults));
+    let follows = follows(&f, counted, faults);
+    let profile = match profile {
+        Some(n) => self::profile(n, faults),
+        None => counted.then_some(RawProfile::Untold),
+    };
     let at = f.get("at").and_then(|n| word(n, "\"at\"", faults));
     let whole = faults.list.len() == before;
     let cam = RawCam { cam: cam?, follower: follower?, follows: follows?, profile: profile?, at, span: node.span };
@@ -27,7 +31,7 @@ pub(in crate::scene) fn cam(node: &Node, faults: &mut Faults) -> Option<RawCam> 
 }
 
 /// With what the follower touches: one of four keys.
-fn follows(f: &Fields, faults: &mut Faults) -> Option<RawFollows> {
+fn follows(f: &Fields, counted: bool, faults: &mut Faults) -> Option<RawFollows> {
     let kinds = ["edge", "roller", "arc", "face"];
     let given: Vec<&str> = kinds.into_iter().filter(|k| f.get(k).is_some()).collect();
     let [kind] = given.as_slice() else {
@@ -54,8 +58,12 @@ fn follows(f: &Fields, faults: &mut Faults) -> Option<RawFollows> {
         _ => {
             let f = Fields::open(node, format!("\"{kind}\"").as_str(), keys::ROLLER, faults)?;
             let pin = f.need("pin", "\"B\"", faults).and_then(|n| word(n, "\"pin\"", faults));
-            let radius = f.need("radius", "\"10 mm\"", faults).and_then(|n| quantity(n, "\"radius\"", faults));
-            let (pin, radius) = (pin?, radius?);
+            let radius = if counted { f.get("radius") } else { f.need("radius", "\"10 mm\"", faults) };
+            let radius = match radius {
+                Some(n) => Some(quantity(n, "\"radius\"", faults)?),
+                None => None,
+            };
+            let pin = pin?;
             Some(if *kind == "roller" { RawFollows::Roller { pin, radius } } else { RawFollows::Arc { pin, radius } })
         }
     }
@@ -71,7 +79,7 @@ fn face(node: &Node, faults: &mut Faults) -> Option<RawFace> {
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let (angle, offset) = (value("angle"), value("offset"));
     let left = f.get("cam").and_then(|n| word(n, "\"cam\"", faults)).and_then(|w| one_of(&w, ["left", "right"], faults)).map(|k| k == 0);
-    Some(RawFace { through, line, angle, offset, left })
+    Some(RawFace { through, line, angle, square: false, offset, left })
 }
 
 /// Which of two words it is.

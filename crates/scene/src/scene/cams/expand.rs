@@ -4,12 +4,11 @@ use std::collections::HashSet;
 
 use super::super::model::*;
 use super::super::names::Names;
-use super::super::raw::{RawGuide, RawLink, RawQuantity, RawScene, RawThrough};
+use super::super::raw::{RawQuantity, RawScene};
 use super::super::units::Wanted;
 use super::super::values::Values;
 use super::by_pose::Posed;
 use super::carrier::Lacking;
-use super::pairs::fresh;
 use super::place::{self, Carried, OnPivot, Told};
 use super::raw::*;
 use super::{Cam, Follows, Pieces, Turning};
@@ -34,6 +33,8 @@ pub(super) struct Pending {
     follows: fn(PointId, f64) -> Follows,
     radius: f64,
     at: Option<String>,
+    /// Of a face: whether the cam lies left of it.
+    pub left: bool,
     pub circle: Option<(String, f64)>,
     pub disc: Option<(String, Turning)>,
     pub contact: Option<usize>,
@@ -43,85 +44,9 @@ pub(super) struct Pending {
     span: Span,
 }
 
-/// A cam whose link has one point and turns gets a second one on its base circle, from which its angle is told; so does a lever with a flat
-/// face whose motion a law gives. A face that does not say where it is passes through the pin of the guide in which its follower slides.
-pub(in crate::scene) fn marked(raw: &RawScene) -> RawScene {
-    let mut out = raw.clone();
-    (0..out.cams.len()).for_each(|i| slid(&mut out, i));
-    for (i, cam) in raw.cams.iter().enumerate() {
-        let radius = match &cam.profile {
-            RawProfile::Law { base, .. } => Some(base),
-            RawProfile::Parts(parts) => parts.iter().find_map(|p| match p {
-                RawPart::Circle { radius, .. } => Some(radius),
-                RawPart::Corner(_) | RawPart::Tangent(_) | RawPart::Flank(_) => None,
-            }),
-        };
-        // A driver that moves the lever needs a line of it; only a circle is exact everywhere without one.
-        let driven = match &cam.profile {
-            RawProfile::Law { .. } => true,
-            RawProfile::Parts(parts) => {
-                parts.len() > 1 && matches!(&cam.follows, RawFollows::Face(f) if f.line.is_none() && f.angle.is_none())
-            }
-        };
-        let lever =
-            driven && matches!(cam.follows, RawFollows::Face(_)) && !raw.guides.iter().any(|g| named(&g.slider, &cam.follower.text));
-        // One that slides has the direction of its guide.
-        let still = named(&raw.ground, &cam.cam.text) || raw.guides.iter().any(|g| named(&g.slider, &cam.cam.text));
-        for (link, proposed) in [(Some(&cam.cam).filter(|_| !still), "M"), (Some(&cam.follower).filter(|_| lever), "W")] {
-            let (Some(link), Some(radius)) = (link, radius) else { continue };
-            let name = fresh(&out, &[proposed]);
-            let Some(found) = out.links.iter_mut().find(|l| l.name.text == link.text && l.points.len() == 1) else { continue };
-            let pair = format!("{},{name}", found.points[0].text);
-            found.points.push(Word { text: name, span: cam.span });
-            out.lengths.push((Word { text: pair.clone(), span: cam.span }, radius.clone()));
-            if let (RawFollows::Face(face), RawProfile::Parts(_), "W") = (&mut out.cams[i].follows, &cam.profile, proposed) {
-                face.line = Some(Word { text: pair, span: cam.span });
-            }
-        }
-    }
-    out
-}
-
-/// Gives the face of a sliding follower its point: the pin of the follower's one guide. A guide without a pin gets one; its line may be anywhere, and is
-/// through the origin where nothing says where.
-fn slid(raw: &mut RawScene, index: usize) {
-    let cam = &raw.cams[index];
-    let RawFollows::Face(RawFace { through: None, .. }) = &cam.follows else { return };
-    let mine = |g: &RawGuide| named(&g.slider, &cam.follower.text);
-    let mut guides = raw.guides.iter().enumerate().filter(|(_, g)| mine(g));
-    let (Some((i, guide)), None) = (guides.next(), guides.next()) else { return };
-    let (span, follower) = (cam.span, cam.follower.clone());
-    let pin = guide.pin.clone().unwrap_or_else(|| Word { text: fresh(raw, &["F"]), span });
-    let guide = &mut raw.guides[i];
-    // A bare number has the unit of the scene's angles, which a sum with degrees would hide.
-    let unit = raw.units.iter().find(|(key, _)| key.text == "angle").map_or("", |(_, unit)| unit.text.as_str());
-    let square = guide.angle.as_ref().map(|q| {
-        let text = if q.bare { format!("({} {unit})+90 deg", q.text) } else { format!("({})+90 deg", q.text) };
-        RawQuantity { text, span, bare: false }
-    });
-    if guide.pin.is_none() {
-        guide.pin = Some(pin.clone());
-        let grounded = guide.on.as_ref().is_none_or(|on| raw.ground.as_ref().is_some_and(|g| g.text == on.text));
-        if guide.through.is_none() && guide.line.is_none() && grounded {
-            let zero = || RawQuantity { text: "0 m".into(), span, bare: false };
-            guide.through = Some(RawThrough::At([zero(), zero()], span));
-        }
-        match raw.links.iter_mut().find(|l| l.name.text == follower.text) {
-            Some(link) => link.points.push(pin.clone()),
-            None => raw.links.push(RawLink { name: follower, points: vec![pin.clone()] }),
-        }
-    }
-    if let RawFollows::Face(face) = &mut raw.cams[index].follows {
-        face.through = Some(RawThrough::Point(pin));
-        if face.line.is_none() && face.angle.is_none() {
-            face.angle = square;
-            face.left = face.left.or(face.angle.as_ref().map(|_| true));
-        }
-    }
-}
-
-fn named(word: &Option<Word>, text: &str) -> bool {
-    word.as_ref().is_some_and(|w| w.text == text)
+/// Whether a fault says that the pose does not tell the contact.
+fn of_the_pose(code: &str) -> bool {
+    matches!(code, "cam-pose" | "no-contact" | "cam-centres" | "joint")
 }
 
 /// Writes the pairs of all cams. `bare` is the scene without them.
@@ -177,6 +102,8 @@ impl One<'_> {
             None => None,
         };
         let (cam, follower) = (cam?, follower?);
+        let untold = raw.extent.is_of_pairs();
+        let point = point.or_else(|| self.any_point(follower).filter(|_| untold));
         let Some(point) = point else {
             if let RawFollows::Face(face) = &self.raw.follows
                 && self.raw.follows.pin().is_none()
@@ -222,6 +149,7 @@ impl One<'_> {
             },
             radius: end.as_ref().map_or(0.0, |r| r.value),
             at: self.raw.at.as_ref().map(|w| w.text.clone()),
+            left: true,
             circle: None,
             disc: None,
             contact: None,
@@ -229,16 +157,39 @@ impl One<'_> {
             rough: None,
             span: self.raw.span,
         };
+        let (before, known) = (untold.then(|| raw.clone()), faults.list.len());
         let placed = self.carried(cam, follower);
-        match &self.raw.profile {
-            RawProfile::Parts(parts) => self.by_parts(raw, parts, (cam, point), (end, placed), &mut pending, faults)?,
+        let told = match &self.raw.profile {
+            _ if self.raw.follows.lacks_radius() || self.no_point_of_face() => None,
+            RawProfile::Untold => None,
+            RawProfile::Parts(parts) => self.by_parts(raw, parts, (cam, follower, point), (end, placed), &mut pending, faults),
             RawProfile::Law { base, start, clockwise, stages } => {
-                let law =
-                    self.law(base, start, *clockwise, stages, !self.bare.guides.iter().any(|g| g.slider == Some(follower)), faults)?;
-                self.by_law(raw, law, point, (end, placed), &mut pending, faults)?;
+                let slides = self.bare.guides.iter().any(|g| g.slider == Some(follower));
+                let law = self.law(base, start, *clockwise, stages, !slides, faults);
+                law.and_then(|law| self.by_law(raw, law, point, (end, placed), &mut pending, faults))
             }
+        };
+        match (told, before) {
+            (Some(()), _) => {}
+            // Where the pose does not tell the contact, that there is one is enough for counting.
+            (None, Some(before)) if faults.list[known..].iter().all(|d| of_the_pose(d.code)) => {
+                faults.list.truncate(known);
+                *raw = before;
+                self.untold(raw, &mut pending);
+            }
+            (None, _) => return None,
         }
         Some(pending)
+    }
+
+    /// A face of which no point is named.
+    fn no_point_of_face(&self) -> bool {
+        matches!(self.raw.follows, RawFollows::Face(_)) && self.raw.follows.pin().is_none()
+    }
+
+    /// A point of a link, whichever.
+    fn any_point(&self, link: LinkId) -> Option<PointId> {
+        self.bare.links[link.0].points.first().copied()
     }
 
     /// The face of the follower: as it is written with what the cam's place adds, how far out it lies, and in which sense it goes out.
@@ -262,7 +213,7 @@ impl One<'_> {
         }
         if let Some(Carried::Guide { angle: guide, .. }) = carried {
             match &face.angle {
-                None if face.line.is_none() => {
+                None if face.line.is_none() && !face.square => {
                     face.angle = Some(RawQuantity { text: format!("({})+90 deg", guide.text), span: self.raw.span, bare: false });
                     face.left = Some(true);
                 }
@@ -334,8 +285,8 @@ impl One<'_> {
             ),
         );
         faults.push(d.at(self.raw.span).help(both!(
-            "let one link, the ground or another, carry the pivot of the cam and the guide (through the point that touches) or pivot of the follower, and give the cam a driver against it with \"angle\"; where different links carry them, give coordinates of the cam's first two points and of the point that touches (of a face its \"angle\")",
-            "请使同一构件（机架或其他构件）支承凸轮轴心和从动件（通过接触点）的导路或转轴，并给出凸轮相对于它的带 \"angle\" 的原动件；二者由不同构件支承时，请给出凸轮前两点和接触点的坐标（平底则给出 \"angle\"）"
+            "let one link, the ground or another, carry the pivot of the cam and the guide (through the point that touches) or pivot of the follower, and give the cam a driver against it with \"angle\"; where different links carry them, give the angles of their drivers, or coordinates of the cam's first two points and of the point that touches (of a face its \"angle\")",
+            "请使同一构件（机架或其他构件）支承凸轮轴心和从动件（通过接触点）的导路或转轴，并给出凸轮相对于它的带 \"angle\" 的原动件；二者由不同构件支承时，请给出各原动件的角度，或凸轮前两点和接触点的坐标（平底则给出 \"angle\"）"
         )));
         None
     }
@@ -403,6 +354,8 @@ impl Expanded {
                 cam: link(&p.cam)?,
                 follower: link(&p.follower)?,
                 follows: (p.follows)(point(&p.point)?, p.radius),
+                touch: p.at.as_deref().and_then(point).filter(|p| scene.carriers(*p).next().is_none()),
+                left: p.left,
                 at: p.at,
                 circle: p.circle.and_then(|(c, r)| Some((point(&c)?, r))),
                 disc,

@@ -8,7 +8,7 @@
 //! Right for velocity and acceleration at the instant, exact along circles and lines. Of a profile of several pieces the one that is touched in
 //! the pose is taken; at a joint of two, that which follows in the driver's sense.
 //!
-//! [`decode`] reads the section, [`carrier`] and [`place`] find where cam and follower are, [`expand`] writes the pairs in the words of the scene, so that
+//! [`decode`] reads the section, [`marked`] adds what is understood, [`carrier`] and [`place`] find where cam and follower are, [`reckoned`] where things are that different links carry, [`expand`] writes the pairs in the words of the scene, so that
 //! longer numbers read the same texts; [`motion`] carries them on beyond the instant.
 
 mod by_law;
@@ -18,13 +18,16 @@ mod carrier;
 pub(super) mod decode;
 pub(super) mod expand;
 mod law;
+pub(super) mod marked;
 mod motion;
 mod pairs;
 mod place;
 pub(super) mod raw;
+mod reckoned;
+mod untold;
 
 use super::model::{GuideId, LinkId, PointId, Scene};
-use crate::cam::{Disc, Segment, Side, Surveyed};
+use crate::cam::{Disc, Motion, Segment, Side, Surveyed};
 use crate::diag::Span;
 use crate::geom::{Point, Vec2};
 
@@ -70,6 +73,10 @@ pub struct Cam {
     pub follows: Follows,
     /// The name of the contact, if it has one.
     pub at: Option<String>,
+    /// The contact as a point of the scene, on no link, where a question names it.
+    pub touch: Option<PointId>,
+    /// Of a face: whether the cam lies left of it, looking along it.
+    pub left: bool,
     /// A profile that is one circle: its centre and radius (m). It needs no pose.
     pub circle: Option<(PointId, f64)>,
     /// The cam on a pivot of the link in which its follower slides or turns, of the ground or a moving one: what it does over a whole turn. `None` where
@@ -81,6 +88,22 @@ pub struct Cam {
     pub contact: Option<GuideId>,
     /// Where it is declared.
     pub span: Span,
+}
+
+impl Cam {
+    /// The radius of the arc that is touched in the pose (m), minus where it is hollow; nothing of a line, and of a law.
+    pub fn touched_radius(&self) -> Option<f64> {
+        let of = |segments: &[Segment], i: usize| match segments.get(i) {
+            Some(Segment::Arc { radius, .. }) => Some(*radius),
+            Some(Segment::Line { .. }) | None => None,
+        };
+        let of_disc = |t: &Turning| match &t.disc.motion {
+            Motion::Profile(segments) => of(segments, t.touched?),
+            Motion::Law { .. } => None,
+        };
+        let several = || self.posed.as_ref().and_then(|p| of(&p.segments, p.touched));
+        self.circle.map(|c| c.1).or_else(|| self.disc.as_ref().and_then(of_disc)).or_else(several)
+    }
 }
 
 /// A profile of several pieces on a link.

@@ -42,7 +42,7 @@ impl Scene {
                 let (led, span) = (turning.driver, c.span);
                 let zero = || Given { value: 0.0, radius: 0.0, text: "0".into(), span };
                 let index = scene.drivers.len();
-                scene.drivers.push(Driver { kind, rate: zero(), acceleration: Some(zero()), span });
+                scene.drivers.push(Driver { kind, rate: zero(), acceleration: Some(zero()), rate_told: true, span });
                 scene.cams[i].contact = None;
                 if let Some(t) = &mut scene.cams[i].disc {
                     t.by_law = Some(index);
@@ -86,7 +86,10 @@ impl Scene {
     fn face_line(&self, c: &Cam, pivot: PointId) -> Option<(PointId, PointId)> {
         match self.guides[c.contact?.0].path {
             GuidePath::Line { direction: Direction::Along(a, b, None), .. } => Some((a, b)).filter(|(a, _)| *a == pivot),
-            GuidePath::Line { direction: Direction::Along(_, _, Some(_)) | Direction::Own | Direction::Instant(_), .. }
+            GuidePath::Line {
+                direction: Direction::Along(_, _, Some(_)) | Direction::Own | Direction::Instant(_) | Direction::Slid(_),
+                ..
+            }
             | GuidePath::Arc { .. } => None,
         }
     }

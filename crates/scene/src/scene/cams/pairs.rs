@@ -40,18 +40,7 @@ impl Contact<'_> {
     }
 
     fn blank(&self) -> RawGuide {
-        RawGuide {
-            pin: None,
-            slider: None,
-            on: None,
-            line: None,
-            through: None,
-            angle: None,
-            offset: None,
-            centre: None,
-            radius: None,
-            span: self.span,
-        }
+        RawGuide { pin: None, on: None, ..guide(self.word(""), self.word(""), self.span) }
     }
 
     /// A round end against a circle.
@@ -85,7 +74,8 @@ impl Contact<'_> {
             on: Some(self.word(self.follower)),
             line: face.line.clone(),
             through: face.through.clone(),
-            angle: face.angle.clone(),
+            angle: if face.square { Some(self.quantity("90 deg".into())) } else { face.angle.clone() },
+            slid: face.square,
             offset: Some(self.quantity(text)),
             ..self.blank()
         }
@@ -135,6 +125,23 @@ impl Contact<'_> {
         };
         raw.guides.push(guide);
         Some(())
+    }
+}
+
+/// A slot on a link in which a pin runs, wherever it lies.
+pub(super) fn guide(pin: Word, on: Word, span: Span) -> RawGuide {
+    RawGuide {
+        pin: Some(pin),
+        slider: None,
+        on: Some(on),
+        line: None,
+        through: None,
+        angle: None,
+        slid: false,
+        offset: None,
+        centre: None,
+        radius: None,
+        span,
     }
 }
 

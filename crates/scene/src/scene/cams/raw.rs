@@ -17,8 +17,8 @@ pub(in crate::scene) struct RawCam {
 #[derive(Clone, Debug)]
 pub(in crate::scene) enum RawFollows {
     Edge(Word),
-    Roller { pin: Word, radius: RawQuantity },
-    Arc { pin: Word, radius: RawQuantity },
+    Roller { pin: Word, radius: Option<RawQuantity> },
+    Arc { pin: Word, radius: Option<RawQuantity> },
     Face(RawFace),
 }
 
@@ -33,6 +33,14 @@ impl RawFollows {
         }
     }
 
+    /// Whether a round end has no radius, as counting needs none.
+    pub fn lacks_radius(&self) -> bool {
+        match self {
+            RawFollows::Roller { radius, .. } | RawFollows::Arc { radius, .. } => radius.is_none(),
+            RawFollows::Edge(_) | RawFollows::Face(_) => false,
+        }
+    }
+
     /// The centre of a roller.
     pub fn roller(&self) -> Option<&Word> {
         match self {
@@ -43,7 +51,7 @@ impl RawFollows {
 
     pub fn radius(&self) -> Option<&RawQuantity> {
         match self {
-            RawFollows::Roller { radius, .. } | RawFollows::Arc { radius, .. } => Some(radius),
+            RawFollows::Roller { radius, .. } | RawFollows::Arc { radius, .. } => radius.as_ref(),
             RawFollows::Edge(_) | RawFollows::Face(_) => None,
         }
     }
@@ -55,6 +63,8 @@ pub(in crate::scene) struct RawFace {
     pub through: Option<RawThrough>,
     pub line: Option<Word>,
     pub angle: Option<RawQuantity>,
+    /// Whether it stands square to the guide of its follower on a moving link: its direction is turned from that of the guide by 90°.
+    pub square: bool,
     pub offset: Option<RawQuantity>,
     /// Whether the cam lies left of the face.
     pub left: Option<bool>,
@@ -63,7 +73,14 @@ pub(in crate::scene) struct RawFace {
 #[derive(Clone, Debug)]
 pub(in crate::scene) enum RawProfile {
     Parts(Vec<RawPart>),
-    Law { base: RawQuantity, start: Option<RawQuantity>, clockwise: bool, stages: Vec<RawStage> },
+    Law {
+        base: RawQuantity,
+        start: Option<RawQuantity>,
+        clockwise: bool,
+        stages: Vec<RawStage>,
+    },
+    /// Nothing is said of it, as counting needs nothing.
+    Untold,
 }
 
 #[derive(Clone, Debug)]

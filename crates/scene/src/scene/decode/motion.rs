@@ -55,6 +55,7 @@ pub(super) fn motion(node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Op
         line: None,
         through: None,
         angle: None,
+        slid: false,
         offset: None,
         centre: None,
         radius: None,

@@ -4,12 +4,12 @@ use super::super::keys;
 use super::super::raw::*;
 use super::super::rolling::RollingKind;
 use super::{flag, quantity, through, words};
-use crate::diag::{Diagnostic, Faults, both};
+use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::json::fields::{Fields, list, word};
 use crate::json::{Node, Word};
 
-/// A gear pair, or a gear and its rack.
-pub(super) fn gear(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
+/// A gear pair, or a gear and its rack; counting needs no sizes.
+pub(super) fn gear(node: &Node, extent: Extent, faults: &mut Faults) -> Option<RawRolling> {
     let f = Fields::open(node, both!("a gear pair", "齿轮副"), keys::GEAR, faults)?;
     let before = faults.list.len();
     let links = f.need("links", "[\"2\", \"4\"]", faults).map(|n| words(Some(n), "\"links\"", faults)).unwrap_or_default();
@@ -35,6 +35,7 @@ pub(super) fn gear(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
             fault(d.help(both!("keep \"radii\", or \"teeth\" and \"module\"", "请只保留 \"radii\"，或 \"teeth\" 与 \"module\"")));
             return None;
         }
+        (None, None, module) if extent.is_of_pairs() => some_teeth(&links, (&ring, &rack), module, node.span),
         (None, None, _) => {
             let d = Diagnostic::error("missing-key", both!("a gear pair has neither `radii` nor `teeth`", "齿轮副没有 `radii` 或 `teeth`"));
             fault(d.help(both!(
@@ -92,13 +93,17 @@ pub(super) fn gear(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
     Some(RawRolling { sides, sizes, kind: RollingKind::Gears, strand: None, line, through, angle, at, phase, flanks, span: node.span })
 }
 
-/// A wheel that rolls without slip on a straight or round track.
-pub(super) fn wheel(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
+/// A wheel that rolls without slip on a straight or round track; counting needs no radius.
+pub(super) fn wheel(node: &Node, extent: Extent, faults: &mut Faults) -> Option<RawRolling> {
     let f = Fields::open(node, both!("a rolling wheel", "滚轮"), keys::ROLLING, faults)?;
     let before = faults.list.len();
     let link = f.need("wheel", "\"4\"", faults).and_then(|n| word(n, "\"wheel\"", faults));
     let centre = f.need("centre", "\"B\"", faults).and_then(|n| word(n, "\"centre\"", faults));
-    let radius = f.need("radius", "\"0.2 m\"", faults).and_then(|n| quantity(n, "\"radius\"", faults));
+    let counted = extent.is_of_pairs().then(|| written("10 mm", node.span)).filter(|_| f.get("radius").is_none());
+    let radius = match counted {
+        Some(radius) => Some(radius),
+        None => f.need("radius", "\"0.2 m\"", faults).and_then(|n| quantity(n, "\"radius\"", faults)),
+    };
     let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
     let (on, line, track, at) = (name("on"), name("line"), name("track"), name("at"));
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
@@ -117,6 +122,7 @@ pub(super) fn wheel(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
     match (&track, track_radius, inside) {
         (Some(_), Some(r), _) => radii.insert(0, r),
         (None, None, None) => {}
+        (Some(_), None, _) if extent.is_of_pairs() => radii.insert(0, written("100 mm", node.span)),
         (Some(_), None, _) => {
             return fault(
                 both!("a round track has no `track_radius`", "圆形轨道没有 `track_radius`"),
@@ -148,6 +154,23 @@ pub(super) fn wheel(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
         flanks: RawFlanks::default(),
         span: node.span,
     })
+}
+
+/// Sizes for counting: which they are makes no difference, but that a ring is the larger one. Of a planet between equal sun and planet wheels the ring
+/// that these close has three times their teeth.
+fn some_teeth(links: &[Word], (ring, rack): (&Option<Word>, &Option<Word>), module: Option<RawQuantity>, span: Span) -> RawSizes {
+    let of = |link: &Word| match ring {
+        Some(ring) if ring.text == link.text => written("60", span),
+        Some(_) | None => written("20", span),
+    };
+    let geared = links.iter().filter(|l| rack.as_ref().is_none_or(|r| r.text != l.text));
+    let module = module.or_else(|| rack.as_ref().map(|_| written("1 mm", span)));
+    RawSizes::Teeth(geared.map(of).collect(), module)
+}
+
+/// A quantity that the file does not write.
+fn written(text: &str, span: Span) -> RawQuantity {
+    RawQuantity { text: text.to_owned(), span, bare: false }
 }
 
 pub(super) fn side(link: &Word, centre: Option<&Word>, hollow: bool) -> RawRollingSide {

@@ -26,6 +26,7 @@ mod seen;
 pub mod sliding;
 #[cfg(test)]
 mod tests;
+mod transmission;
 mod turning;
 mod value;
 
@@ -48,6 +49,7 @@ pub use roller::RollerSpin;
 pub use seen::Seen;
 pub use seen::split;
 pub use sliding::Sliding;
+pub use transmission::Transmission;
 pub use turning::Turning;
 pub use value::{Known, Value};
 
@@ -185,6 +187,8 @@ families! {
     Ratio,
     /// `spin_3`: the angular velocity of a roller.
     RollerSpin,
+    /// `gamma_C`: the transmission angle at a pin.
+    Transmission,
 }
 
 impl Asked {

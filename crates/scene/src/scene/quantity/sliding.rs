@@ -5,6 +5,7 @@ use super::joined::name;
 use super::{Entry, Form, Joined, Level, Meaning, Need, Of, Over, Quantity, Split, joined};
 use crate::diag::{Both, Diagnostic, both};
 use crate::scene::book::Kind;
+use crate::scene::cams::Cam;
 use crate::scene::model::{Find, Guide, OnLink, Scene};
 use crate::scene::resolve::Question;
 
@@ -75,8 +76,10 @@ impl Quantity for Sliding {
         Of::Points(self.of, self.to)
     }
 
-    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
+    fn meaning(&self, scene: &Scene) -> Option<Meaning> {
         let split = match self.part {
+            // At the contact of a cam all of the relative velocity is sliding.
+            Part::Velocity if self.at_a_cam(scene) => Split::Whole,
             Part::Velocity | Part::Acceleration => Split::Sliding,
             Part::Coriolis => Split::Coriolis,
         };
@@ -93,6 +96,9 @@ impl Quantity for Sliding {
     }
 
     fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
+        if self.part == Part::Velocity && self.at_a_cam(scene) {
+            return None;
+        }
         match joined(scene, &self.of, &self.to) {
             Some(Joined::Guide(_) | Joined::Cylinder(_)) => return None,
             Some(Joined::Link(_)) | None => {}
@@ -108,6 +114,16 @@ impl Quantity for Sliding {
             "请求 v_{a}{b} 或 a_{a}{b}，或写滑块与导路所在构件的重合点{}",
             example(scene)
         )))
+    }
+}
+
+impl Sliding {
+    /// Whether it is of a follower and its cam where they touch.
+    fn at_a_cam(&self, scene: &Scene) -> bool {
+        let of = [self.of.link, self.to.link];
+        let touch =
+            |c: &Cam| c.touch == Some(self.of.point) && [[c.cam, c.follower], [c.follower, c.cam]].iter().any(|l| l.map(Some) == of);
+        self.of.point == self.to.point && scene.cams.iter().any(touch)
     }
 }
 

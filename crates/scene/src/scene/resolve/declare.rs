@@ -14,6 +14,8 @@ pub(super) struct Declared {
     pub ground: Option<LinkId>,
     /// The places of contact of the rolling pairs, in their order.
     pub contacts: Vec<[PointId; 2]>,
+    /// The contacts of cams that questions name, each with its cam's place in the file.
+    pub touches: Vec<(PointId, usize)>,
 }
 
 /// Collects points and links while the sections are read in order.
@@ -62,7 +64,7 @@ pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
             if r.points.len() > MAX_POINTS {
                 let message = both!("there are more than {MAX_POINTS} points", "点超过 {MAX_POINTS} 个");
                 faults.push(Diagnostic::error("too-many", message).at(word.span));
-                return Declared { points: r.points, links: r.links, ground: None, contacts: Vec::new() };
+                return Declared { points: r.points, links: r.links, ground: None, contacts: Vec::new(), touches: Vec::new() };
             }
         }
         r.link(&link.name, points, faults);
@@ -112,7 +114,16 @@ pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
     }
     empty_links(raw, &r, ground, faults);
     let contacts = raw.rolling.iter().map(|pair| contacts(pair, &mut r, faults)).collect();
-    Declared { points: r.points, links: r.links, ground, contacts }
+    let touches = touches(raw, &mut r, faults);
+    Declared { points: r.points, links: r.links, ground, contacts, touches }
+}
+
+/// The contacts of cams that questions name: points on no link.
+fn touches(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Vec<(PointId, usize)> {
+    let asked: Vec<&str> = raw.find.iter().flatten().filter_map(|w| Some(w.text.split_once('_')?.1)).collect();
+    let named = |w: &&Word| asked.iter().any(|names| names.contains(&w.text)) && !r.by_point.contains_key(&w.text);
+    let new: Vec<(usize, &Word)> = raw.cams.iter().enumerate().filter_map(|(k, c)| Some((k, c.at.as_ref().filter(named)?))).collect();
+    new.into_iter().map(|(k, word)| (r.point(word, faults), k)).collect()
 }
 
 /// The place of contact of a rolling pair, or both ends of a strand, by the names that the file gives them or the first free ones of the

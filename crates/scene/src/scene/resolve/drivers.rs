@@ -13,7 +13,7 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resol
         };
         let rate = match &raw.rate {
             Some(q) => c.values.si(q, rate, faults),
-            None => c.raw.topology.then(|| zero(raw.span)),
+            None => c.raw.extent.is_at_rest().then(|| untold(raw, rate)),
         };
         let acceleration = match &raw.acceleration {
             Some(q) => c.values.si(q, acceleration, faults).map(Some),
@@ -33,9 +33,15 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resol
             faults.push(d.help(both!("keep one of the two", "请保留其中一个")));
             continue;
         }
-        out.push(Driver { kind, rate, acceleration, span: raw.span });
+        out.push(Driver { kind, rate, acceleration, rate_told: raw.rate.is_some(), span: raw.span });
     }
     out
+}
+
+/// The rate of a driver that tells none: one of its unit, so that figures show which way is plus.
+fn untold(raw: &RawDriver, rate: Wanted) -> Given {
+    let unit = if rate == Wanted::Omega { "rad/s" } else { "m/s" };
+    Given { value: 1.0, radius: 0.0, text: format!("1 {unit}"), span: raw.span }
 }
 
 fn same_motion(a: &DriverKind, b: &DriverKind) -> bool {
@@ -129,7 +135,7 @@ fn guided(
     faults: &mut Faults,
 ) -> Option<Option<Given<Angle>>> {
     // Where pairs alone are counted, a guide without a direction has any.
-    let stated = guides.iter().filter(|_| !c.raw.topology).find_map(|(g, _)| match &g.path {
+    let stated = guides.iter().filter(|_| !c.raw.extent.is_of_pairs()).find_map(|(g, _)| match &g.path {
         GuidePath::Line { direction: Direction::Instant(angle), .. } if g.on == link => Some(angle),
         GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
     });

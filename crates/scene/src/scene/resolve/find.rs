@@ -36,7 +36,9 @@ fn of_links(c: &Context, word: &Word, what: Asked) -> Result<Asked, Diagnostic> 
         |(pair, at): (&'_ RawRolling, &[PointId; 2])| [0, 1].map(|k| Some(pair.sides[k].clone()).filter(|_| at[k] == contact.point));
     let sides = c.raw.rolling.iter().zip(c.contacts).flat_map(there).flatten();
     let of = |side: RawRollingSide| c.names.run(name, side.link.as_ref().map_or(c.link_name(c.ground), |w| &w.text));
-    let names: Vec<Both> = sides.map(of).map(Both::same).collect();
+    let cams = c.touches.iter().filter(|(at, _)| *at == contact.point).map(|(_, k)| &c.raw.cams[*k]);
+    let of_cams = cams.flat_map(|cam| [&cam.cam, &cam.follower]).map(|w| c.names.run(name, &w.text));
+    let names: Vec<Both> = sides.map(of).chain(of_cams).map(Both::same).collect();
     Err(Diagnostic::error("find", message).at(word.span).help(both!(
         "name the link whose point is meant: {}",
         "请写明是哪个构件上的点：{}",
@@ -76,7 +78,9 @@ fn spelt(symbol: &str) -> &str {
     match symbol {
         "ω" => "omega",
         "α" => "alpha",
-        "φ" => "phi",
+        // Norton's and Uicker's letter.
+        "φ" | "theta" | "θ" => "phi",
+        "γ" => "gamma",
         other => other,
     }
 }

@@ -130,9 +130,10 @@ fn line(c: &Context, raw: &RawGuide, on: LinkId, pin: Option<PointId>, places: &
     let (ends, angle, offset, through) = (transpose(ends)?, transpose(angle)?, transpose(offset)?, transpose(through)?);
     let direction = match (ends, angle) {
         (Some((a, b)), turned) => Direction::Along(a, b, turned),
+        (None, Some(angle)) if raw.slid => Direction::Slid(angle),
         (None, Some(angle)) => Direction::Instant(angle),
         // Whatever it is, the pairs are the same.
-        (None, None) if c.raw.topology => {
+        (None, None) if c.raw.extent.is_of_pairs() => {
             Direction::Instant(Given { value: Angle::Deg(0.0), radius: 0.0, text: "0 deg".into(), span: raw.span })
         }
         (None, None) => own(c, raw, on, pin, &through, places, faults)?,

@@ -18,7 +18,7 @@ mod places;
 mod rolling;
 mod statement;
 
-use super::cams::expand;
+use super::cams::{expand, marked};
 use super::model::*;
 use super::names::Names;
 use super::raw::*;
@@ -36,6 +36,8 @@ struct Context<'a> {
     ground: LinkId,
     /// The places of contact of the rolling pairs.
     contacts: &'a [[PointId; 2]],
+    /// The contacts of cams that are points of the scene, each with its cam's place in the file.
+    touches: &'a [(PointId, usize)],
 }
 
 impl Context<'_> {
@@ -54,9 +56,9 @@ impl Context<'_> {
         None
     }
 
-    /// Whether a point is a place of contact.
+    /// Whether a point is the contact of a pair, on no link.
     fn is_contact(&self, point: PointId) -> bool {
-        self.contacts.iter().any(|at| at.contains(&point))
+        self.contacts.iter().any(|at| at.contains(&point)) || self.touches.iter().any(|(at, _)| *at == point)
     }
 
     /// Whether a link is a wheel, or what a wheel rolls on.
@@ -148,7 +150,7 @@ fn with_cams(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene>
     if raw.cams.is_empty() {
         return sections(raw, source, faults);
     }
-    let marked = expand::marked(raw);
+    let marked = marked::marked(raw);
     // What is wrong besides the cams is told when all is read.
     let Some(bare) = sections(&marked, source, &mut Faults::default()) else { return sections(&marked, source, faults) };
     let expanded = expand::expand(marked, source, &bare, faults);
@@ -170,8 +172,9 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
     let (values, parameters) = Values::new(source, &raw.units, &raw.parameters, faults);
     let declared = declare::declare(raw, faults);
     let scene = {
-        let declare::Declared { points, links, ground, contacts } = &declared;
-        let context = Context { raw, values: &values, names: Names::new(points, links), ground: ground.unwrap_or(LinkId(0)), contacts };
+        let declare::Declared { points, links, ground, contacts, touches } = &declared;
+        let (names, fixed) = (Names::new(points, links), ground.unwrap_or(LinkId(0)));
+        let context = Context { raw, values: &values, names, ground: fixed, contacts, touches };
         // Without a ground every guide and driver would be judged against the wrong link; the rest can still be read.
         let mut lengths = lengths::lengths(&context, faults);
         let mut places = places::places(&context, *ground, &lengths, faults);

@@ -191,6 +191,7 @@ fn straight(
     let direction = match (ends, angle) {
         (Some((a, b)), turned) => Direction::Along(a, b, turned),
         (None, Some(angle)) => Direction::Instant(angle),
+        (None, None) if c.raw.extent.is_of_pairs() => Direction::Instant(sliding_angle(c, on, raw.span)),
         (None, None) => {
             let d = Diagnostic::error(
                 "no-direction",
@@ -209,10 +210,17 @@ fn straight(
         // A wheel that coordinates place tells where its track is; else it is the line itself.
         None => match &direction {
             Direction::Along(from, _, None) if matches!(places[wheel.0], Place::Unknown) => (Through::Point(*from), Some(radius.clone())),
-            Direction::Along(..) | Direction::Instant(_) | Direction::Own => (Through::Pin, None),
+            Direction::Along(..) | Direction::Instant(_) | Direction::Own | Direction::Slid(_) => (Through::Pin, None),
         },
     };
     Some((Contours::Track { centre: wheel, radius }, GuidePath::Line { through, direction, offset }))
+}
+
+/// The direction of a track that nothing tells, for counting: that of the guide in which its link slides.
+fn sliding_angle(c: &Context, on: LinkId, span: Span) -> Given<Angle> {
+    let mine = |g: &&RawGuide| g.slider.as_ref().is_some_and(|w| w.text == c.link_name(on));
+    let told = c.raw.guides.iter().find(mine).and_then(|g| g.angle.as_ref()).and_then(|q| c.values.angle(q, &mut Faults::default()));
+    told.unwrap_or(Given { value: Angle::Deg(0.0), radius: 0.0, text: "0 deg".into(), span })
 }
 
 /// Two circles: the second centre runs on a circle about the first.

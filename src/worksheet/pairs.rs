@@ -1,0 +1,113 @@
+//! Links and pairs of a mechanism in words, where nothing tells its pose: all that counting freedoms needs.
+
+use crate::diag::{Both, both};
+use crate::paper::phrase::Phrase;
+use crate::plan::text::point_label;
+use crate::scene::{DriverKind, Follows, Guide, GuideId, Lang, LinkId, PointId, Rolling, RollingKind, Scene};
+
+/// One line for the links, one for each pair and each driver.
+pub(super) fn listed(scene: &Scene, lang: Lang) -> Vec<Phrase> {
+    let w = Words { scene };
+    let mut all = vec![w.links()];
+    all.extend((0..scene.points.len()).map(PointId).filter_map(|p| w.pin(p)));
+    let cam = |g: usize| scene.cams.iter().any(|c| c.contact == Some(GuideId(g)));
+    all.extend(scene.guides.iter().enumerate().filter(|(i, g)| g.rolling.is_none() && !cam(*i)).map(|(_, g)| w.guide(g)));
+    all.extend(scene.cams.iter().map(|c| w.cam(c.cam, c.follower, &c.follows)));
+    all.extend(scene.rolling.iter().map(|r| w.rolling(r)));
+    all.extend((0..scene.drivers.len()).filter(|d| !scene.is_led(*d)).map(|d| w.driver(&scene.drivers[d].kind)));
+    all.iter().map(|b| Phrase::new(if lang == Lang::En { &b.en } else { &b.zh })).collect()
+}
+
+struct Words<'a> {
+    scene: &'a Scene,
+}
+
+impl Words<'_> {
+    fn point(&self, p: PointId) -> String {
+        format!("${}$", point_label(self.scene.point_name(p)))
+    }
+
+    fn names(&self, links: &[LinkId]) -> Both {
+        let names: Vec<Both> = links.iter().map(|l| Both::same(self.scene.link_name(*l))).collect();
+        Both::join(&names, ", ", "、")
+    }
+
+    fn links(&self) -> Both {
+        let moving: Vec<LinkId> = (0..self.scene.links.len()).map(LinkId).filter(|l| *l != self.scene.ground).collect();
+        let ground = self.scene.link_name(self.scene.ground);
+        both!("moving links {}; link {ground} is fixed", "活动构件 {}；构件 {ground} 为机架", self.names(&moving))
+    }
+
+    /// A pin that joins links.
+    fn pin(&self, p: PointId) -> Option<Both> {
+        let links: Vec<LinkId> = self.scene.carriers(p).collect();
+        let point = self.point(p);
+        (links.len() > 1).then(|| both!("pin {point} joins links {}", "{point} 处构件 {} 铰接", self.names(&links)))
+    }
+
+    fn guide(&self, g: &Guide) -> Both {
+        let on = self.scene.link_name(g.on);
+        let pin = g.pin.map(|p| self.point(p));
+        match (g.slider.map(|s| self.scene.link_name(s)), pin) {
+            (Some(slider), Some(pin)) => both!("{slider} slides on {on} at {pin}", "构件 {slider} 与 {on} 在 {pin} 处组成移动副"),
+            (Some(slider), None) => both!("{slider} slides on {on}", "构件 {slider} 与 {on} 组成移动副"),
+            (None, Some(pin)) => both!("pin {pin} runs in a slot of {on}", "销 {pin} 在构件 {on} 的槽中移动（高副）"),
+            (None, None) => Both::default(),
+        }
+    }
+
+    fn cam(&self, cam: LinkId, follower: LinkId, follows: &Follows) -> Both {
+        let [cam, link] = [cam, follower].map(|l| self.scene.link_name(l));
+        match follows {
+            Follows::Edge(p) => {
+                both!("the edge {} of {link} touches cam {cam}", "从动件 {link} 的尖顶 {} 与凸轮 {cam} 接触", self.point(*p))
+            }
+            Follows::Roller(p, _) => self.roller(cam, link, *p, follower),
+            Follows::Arc(p, _) => {
+                both!(
+                    "the round end about {} of {link} touches cam {cam}",
+                    "从动件 {link} 以 {} 为圆心的曲面与凸轮 {cam} 接触",
+                    self.point(*p)
+                )
+            }
+            Follows::Face(_) => both!("the flat face of {link} touches cam {cam}", "从动件 {link} 的平底与凸轮 {cam} 接触"),
+        }
+    }
+
+    /// A roller is a link of its own where one hangs on its pin.
+    fn roller(&self, cam: &str, follower: &str, pin: PointId, link: LinkId) -> Both {
+        let own = self.scene.carriers(pin).find(|l| *l != link && self.scene.links[l.0].points.len() == 1);
+        let point = self.point(pin);
+        match own.map(|l| self.scene.link_name(l)) {
+            Some(roller) => both!(
+                "roller {roller} of {follower} about {point} touches cam {cam}",
+                "从动件 {follower} 的滚子 {roller}（轴 {point}）与凸轮 {cam} 接触"
+            ),
+            None => {
+                both!("the roller of {follower} about {point} touches cam {cam}", "从动件 {follower} 的滚子（轴 {point}）与凸轮 {cam} 接触")
+            }
+        }
+    }
+
+    fn rolling(&self, r: &Rolling) -> Both {
+        let [a, b] = r.links.map(|l| self.scene.link_name(l));
+        match r.kind {
+            RollingKind::Gears => both!("{a} and {b} mesh", "{a} 与 {b} 相啮合"),
+            RollingKind::Wheel => both!("wheel {b} rolls on {a} without slip", "轮 {b} 在 {a} 上纯滚动"),
+            RollingKind::Belt => both!("a belt runs round {a} and {b}", "带绕过带轮 {a} 与 {b}"),
+            RollingKind::Chain => both!("a chain runs round {a} and {b}", "链条绕过链轮 {a} 与 {b}"),
+        }
+    }
+
+    fn driver(&self, kind: &DriverKind) -> Both {
+        if let Some((link, _)) = kind.turned() {
+            return both!("{} is driven", "原动件为构件 {}", self.scene.link_name(link));
+        }
+        if let Some(g) = kind.guide().map(|g| &self.scene.guides[g.0]) {
+            let what = g.slider.map(|s| self.scene.link_name(s).to_owned()).or(g.pin.map(|p| self.point(p))).unwrap_or_default();
+            return both!("{what} is driven along its guide", "原动件为沿导路移动的 {what}");
+        }
+        let [a, b] = kind.ends().map(|ends| ends.map(|p| self.point(p))).unwrap_or_default();
+        both!("the cylinder from {a} to {b} is driven", "{a}、{b} 间的液压缸为原动件")
+    }
+}
