@@ -246,3 +246,95 @@ fn every_link_is_in_one_group() {
         }
     }
 }
+
+/// The bar of a trammel repeats the crank to its middle at every size; another rod, which drives that middle from a slot through the
+/// crank's pivot, has no part in it.
+#[test]
+fn a_trammel_is_known_by_equal_lengths() {
+    for unit in [1e-3, 0.1, 1.0, 1e3] {
+        let rod = |length: f64| {
+            // From (4, 3) to the line along (4, 3) through D: nearer to D than B, and not B's distance from it.
+            let (x, y) = (0.8 * length, 0.6 * length);
+            format!(
+                r#"{{"links":{{"1":["D"],"2":["A"],"4":["C"],"3":["A","B","C"],"5":["D","B"],"6":["B","E"]}},"ground":"1",
+                "points":{{"D":[0,0],"A":["8*{unit} m",0],"C":[0,"6*{unit} m"],"B":["4*{unit} m","3*{unit} m"],"E":["{x}*{unit} m","{y}*{unit} m"]}},
+                "guides":[{{"pin":"A","slider":"2","through":"D","angle":"0 deg"}},{{"pin":"C","slider":"4","through":"D","angle":"90 deg"}},
+                {{"pin":"E","on":"1","through":"D","angle":"atan(0.75)"}}],"driver":{{"slide":"E","velocity":"2 m/s"}},"find":["omega_3","v_A"]}}"#
+            )
+        };
+        for length in [2.0, -2.0, 9.0] {
+            let scene = read(&rod(length));
+            let m = Mechanism::new(&scene).unwrap().value;
+            let all = check(&scene, &m).unwrap_or_else(|f| panic!("{f}\n{}", rod(length)));
+            let [one] = &all[..] else { panic!("{:?}", m.redundant) };
+            let names = |ends: &[hodograph::scene::PointId; 2]| ends.map(|p| scene.point_name(p).to_owned());
+            let equal = match &one.reason {
+                Reason::SameCircle(ends, b, d) | Reason::SameLine(ends, b, d) => (names(ends), scene.point_name(*b), scene.point_name(*d)),
+                other => panic!("{other:?} in units of {unit} m\n{}", rod(length)),
+            };
+            assert_eq!(equal, (["A", "C"].map(str::to_owned), "B", "D"), "in units of {unit} m");
+        }
+    }
+}
+
+/// A planet repeats another planet, not the sun or the arm, in whatever order the links are written.
+#[test]
+fn repeated_planets_name_their_like() {
+    for order in [["1", "2", "3", "4", "5"], ["3", "5", "1", "4", "2"], ["5", "4", "3", "2", "1"], ["2", "1", "4", "3", "5"]] {
+        let points = |l: &str| match l {
+            "3" => r#"["O","P","Q"]"#,
+            "4" => r#"["P"]"#,
+            "5" => r#"["Q"]"#,
+            _ => r#"["O"]"#,
+        };
+        let links: Vec<String> = order.iter().map(|l| format!(r#""{l}": {}"#, points(l))).collect();
+        let text = format!(
+            r#"{{"units":{{"length":"mm"}},"links":{{{}}},"ground":"1","points":{{"O":[0,0],"P":[60,0],"Q":[-60,0]}},
+            "gears":[{{"links":["2","4"],"centres":["O","P"],"teeth":[40,20]}},{{"links":["4","1"],"centres":["P","O"],"teeth":[20,80],"ring":"1"}},
+            {{"links":["2","5"],"centres":["O","Q"],"teeth":[40,20]}},{{"links":["5","1"],"centres":["Q","O"],"teeth":[20,80],"ring":"1"}}],
+            "driver":{{"link":"2","omega":"3 rad/s"}},"find":["omega_3","omega_4","omega_5"]}}"#,
+            links.join(", ")
+        );
+        let scene = read(&text);
+        let m = Mechanism::new(&scene).unwrap().value;
+        let all = check(&scene, &m).unwrap_or_else(|f| panic!("{f}\n{text}"));
+        assert!(!all.is_empty(), "{text}");
+        for one in &all {
+            let Opened::Rolling(r) = m.redundant[one.index].opened else { panic!("{:?}\n{text}", m.redundant) };
+            let pair = scene.rolling[r.0].links.map(|l| scene.link_name(l).to_owned());
+            let Reason::RepeatedPlanets(like) = &one.reason else { panic!("{:?}\n{text}", one.reason) };
+            let own = if pair.contains(&"4".to_owned()) { "5" } else { "4" };
+            assert_eq!(like, own, "{pair:?}\n{text}");
+        }
+    }
+}
+
+/// A driver that cannot go far is moved as far as it can: half of the way, and half of that.
+#[test]
+fn a_repetition_is_looked_at_as_far_as_the_driver_goes() {
+    // A cylinder from G moves the crank AB of a parallelogram with a third crank EF; G, A and B are almost in line.
+    for (g, beside, verdict) in [(-150.0, 0.0, Verdict::Virtual), (-150.0, 1e-7, Verdict::Almost), (-90.0, 0.0, Verdict::Virtual)] {
+        let text = format!(
+            r#"{{"units":{{"length":"mm"}},"links":{{"1":["A","D","F","G"],"2":["A","B"],"3":["B","C","E"],"4":["C","D"],"5":["E","F"]}},"ground":"1",
+            "points":{{"A":[0,0],"B":[48,14],"C":[148,14],"D":[100,0],"E":[88,64],"F":["40 mm + {beside:?} mm",50],"G":[{g},0]}},
+            "driver":{{"cylinder":"GB","rate":"5 mm/s"}},"find":["omega_5"]}}"#
+        );
+        let scene = read(&text);
+        let m = Mechanism::new(&scene).unwrap().value;
+        let [one] = &check(&scene, &m).unwrap_or_else(|f| panic!("{f}\n{text}"))[..] else { panic!("{:?}", m.redundant) };
+        assert_eq!((one.verdict, one.positions), (verdict, 5), "{text}");
+        if verdict == Verdict::Almost {
+            assert!(one.moved != 0.0 && one.moved.abs() < 0.05, "{}\n{text}", one.moved);
+        }
+    }
+    // A driver that turns freely goes the whole way.
+    let mut r = Random(3);
+    for _ in 0..10 {
+        let l = Locomotive::random(&mut r);
+        let text = l.scene([1e-9 * l.b[0] as f64, 1e-9 * l.b[1] as f64]);
+        let scene = read(&text);
+        let m = Mechanism::new(&scene).unwrap().value;
+        let [one] = &check(&scene, &m).unwrap()[..] else { panic!("{:?}", m.redundant) };
+        assert!([0.8, 0.35].contains(&one.moved.abs()), "{}\n{text}", one.moved);
+    }
+}

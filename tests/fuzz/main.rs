@@ -161,7 +161,28 @@ const WORDS: &str = "draw lesson solve plan worksheet accuracy sweep batch curve
     --vary l_BC=200..300:3 l_BC=200...300:3 l_BC=..:3 x=1..2 --random 4 --seed 2 crank-rocker shaper --set l_AB=80 l_AB= l_AB=1e400 l_AB=(((( \
     --problem-only --solution --pick 2 --profile p.dxf --frames 3 --centrodes --link 4 --all --speed wish.json cam.json motion.json --help 曲 \u{1b}[31m \u{fffe} =x -- ''";
 
-/// Whatever the arguments are, the program ends by itself with one of its exit codes.
+/// What a word of a help text names, in the lines that hold options.
+fn options(help: &str) -> Vec<String> {
+    let words = help.split(|c: char| !(c.is_ascii_alphanumeric() || c == '-'));
+    let mut all: Vec<String> = words.filter(|w| w.starts_with("--") && w.len() > 2).map(str::to_owned).collect();
+    all.sort();
+    all.dedup();
+    all
+}
+
+/// The commands that the program tells of by itself, each with its options.
+fn commands() -> Vec<(String, Vec<String>)> {
+    let help = |command: &[&str]| {
+        let run = assert_cmd::Command::new(env!("CARGO_BIN_EXE_hodograph")).args(command).args(["--help", "--lang", "en"]).output().unwrap();
+        String::from_utf8(run.stdout).unwrap()
+    };
+    let all = help(&[]);
+    let listed = all.lines().skip_while(|l| !l.starts_with("Commands:")).skip(1).take_while(|l| !l.is_empty());
+    let names = listed.filter(|l| l.starts_with("  ") && !l.starts_with("   ")).filter_map(|l| l.split_whitespace().next());
+    names.filter(|n| *n != "help").map(|n| (n.to_owned(), options(&help(&[n])))).collect()
+}
+
+/// Whatever the arguments are, the program ends by itself with one of its exit codes. Every command is tried, with its own options.
 #[test]
 fn fuzz_arguments() {
     let words: Vec<&str> = WORDS.split_whitespace().collect();
@@ -187,7 +208,16 @@ fn fuzz_arguments() {
         "mobility scene.json",
         "readings scene.json --set l_AB=80",
         "solve motion.json --digits 12",
+        "accuracy scene.json --patience 1 -o a.svg",
+        "lesson scene.json --positions 8 -o a.html",
+        "templates --lang zh",
+        "schema --synthesis",
     ];
+    let commands = commands();
+    assert!(commands.len() > 20, "{commands:?}");
+    for (command, options) in &commands {
+        assert!(right.iter().any(|line| line.split(' ').next() == Some(command)), "no command line of `{command}` {options:?} is tried: add one");
+    }
     let seeds: Vec<String> = right.iter().map(|s| s.to_string()).collect();
     let folder = tempfile::tempdir().unwrap();
     fs::copy(root("templates/crank-rocker.json"), folder.path().join("scene.json")).unwrap();
@@ -198,10 +228,13 @@ fn fuzz_arguments() {
     let before = fs::read(folder.path().join("scene.json")).unwrap();
     fuzz("arguments", &seeds, 100, &|input, k| {
         let mut rng = Rng::new(k);
-        let mut line: Vec<String> = seeds[rng.below(seeds.len())].split(' ').map(str::to_owned).collect();
+        // Every command in its turn.
+        let mut line: Vec<String> = seeds[k as usize % seeds.len()].split(' ').map(str::to_owned).collect();
+        let own = commands.iter().find(|c| c.0 == line[0]).map_or(&[][..], |c| &c.1[..]);
         for _ in 0..1 + rng.below(3) * rng.below(2) {
             let at = 1 + rng.below(line.len() - 1);
-            match rng.below(4) {
+            match rng.below(5) {
+                4 if !own.is_empty() => line.insert(at, own[rng.below(own.len())].clone()),
                 0 => drop(line.remove(at)),
                 1 => line[at] = words[rng.below(words.len())].to_owned(),
                 2 => line[at] = String::from_utf8_lossy(&input[..input.len().min(40)]).replace(['\0', '/'], ""),

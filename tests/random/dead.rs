@@ -93,3 +93,29 @@ fn beside_the_line_everything_is_answered() {
         assert_eq!((done.unanswered.len(), done.results.len()), (0, scene.find.len()));
     }
 }
+
+/// All that holds a singular block is named, not the first bar beside its guide: a link on two bars and a guide, and on one bar and two guides.
+#[test]
+fn what_holds_a_dead_block_is_named_whole() {
+    // All normals of what holds link 3 go through (5, 0).
+    let scene = |legs: &str, guides: &str| {
+        format!(
+            r#"{{"links": {{"1": ["O", "A"], "2": ["A", "P"], "3": ["P", "Q", "R"]{legs}, "0": ["O", "G"]}}, "ground": "0", "units": {{"length": "m"}},
+            "points": {{"O": [3, 0], "A": [4.8, 1], "P": [4, 5], "Q": [7, 4], "R": [6, 7], "G": [5.5, 1]}}, "guides": [{guides}],
+            "driver": {{"link": "1", "omega": "1 rad/s"}}, "find": ["omega_2", "omega_3"]}}"#
+        )
+    };
+    let guide = |pin: &str, ratio: &str| format!(r#"{{"pin": "{pin}", "on": "0", "angle": "atan({ratio})"}}"#);
+    let (at_r, at_q) = (guide("R", "-1/7"), guide("Q", "-1/2"));
+    for (text, named) in [
+        (scene(r#", "4": ["G", "Q"]"#, &at_r), vec!["link 2 (AP)", "link 4 (GQ)", "the guide of R"]),
+        (scene("", &format!("{at_r}, {at_q}")), vec!["link 2 (AP)", "the guide of R", "the guide of Q"]),
+    ] {
+        let scene = scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+        let said = match work(&scene, Scope::Questions) {
+            Ok(done) => done.notes.iter().map(|d| d.message.en.clone()).collect::<Vec<_>>().join("\n"),
+            Err(faults) => faults.to_string(),
+        };
+        assert!(named.iter().all(|n| said.contains(n)) && !said.contains("square"), "{said}\n{text}");
+    }
+}

@@ -1,11 +1,12 @@
 //! A while later: the closed forms of a mechanism that has moved, rolling and all, against Newton's method; what a drawing keeps of
 //! pairs that repeat others; which assembly is meant where nothing is said.
 
+use hodograph::analytic::{Solution, solve, third};
 use hodograph::construct::conditions;
 use hodograph::geom::Point;
 use hodograph::mechanism::Level;
 use hodograph::position::{later, newton};
-use hodograph::scene::{self, templates};
+use hodograph::scene::{self, LinkId, templates};
 use hodograph::worked::{Scope, work};
 
 /// Wheels and racks whose pose is told by lengths and an angle, at every time.
@@ -149,4 +150,72 @@ fn an_assembly_that_falls_together_is_not_meant() {
             assert!(b.distance(Point::new(size * (1.0 + c), size * s)) < 1e-9 * size, "{size} m, {angle}°: B is at {b:?}");
         }
     }
+}
+
+/// Where nothing says which assembly is meant, the one that was taken and one that was not are told by a point and its two places.
+#[test]
+fn an_assembly_by_default_is_told_beside_another_one() {
+    let four_bar = r#"{"links": {"1": ["A", "B"], "2": ["B", "C"], "3": ["D", "C"], "0": ["A", "D"]}, "ground": "0", "units": {"length": "m"},
+        "lengths": {"AB": 1, "BC": 2.5, "CD": 2, "AD": 3}, "driver": {"link": "1", "angle": "60 deg", "omega": "1 rad/s"}, "find": ["x_C", "y_C"]}"#;
+    let slider = r#"{"links": {"1": ["A", "B"], "2": ["B", "C"], "0": ["A"]}, "ground": "0", "units": {"length": "m"}, "points": {"A": [0, 0]},
+        "lengths": {"AB": 1, "BC": 2.5}, "guides": [{"pin": "C", "slider": "3", "through": "A", "angle": "0 deg"}],
+        "driver": {"link": "1", "angle": "60 deg", "omega": "1 rad/s"}, "find": ["x_C", "y_C"]}"#;
+    let triad = r#"{"links": {"1": ["O", "A"], "2": ["A", "P"], "3": ["P", "Q", "R"], "4": ["G", "Q"], "5": ["H", "R"], "0": ["O", "G", "H"]}, "ground": "0",
+        "units": {"length": "m"}, "points": {"O": [0, 0], "G": [4, 0.3], "H": [8, 1]}, "lengths": {"OA": 1, "AP": 3, "PQ": 2, "QR": 2.2, "PR": 4, "GQ": 3, "HR": 4},
+        "driver": {"link": "1", "angle": "60 deg", "omega": "1 rad/s"}, "find": ["x_Q", "y_Q"]}"#;
+    for (name, text, ways) in [("four-bar", four_bar, 2), ("slider-crank", slider, 2), ("triad", triad, 3)] {
+        let scene = scene::read(text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+        let done = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}\n{text}"));
+        let notes: Vec<&str> = done.notes.iter().filter(|d| d.code == "assembly-by-default").map(|d| d.message.en.as_str()).collect();
+        let [said] = notes[..] else { panic!("{name}: {:?}", done.notes) };
+        let count: usize = said.split(" ways").next().unwrap().rsplit(' ').next().unwrap().parse().unwrap();
+        assert!(count >= ways, "{name}: {said}");
+        // "the one with C at (x, y) was taken, not the one with C at (x, y)".
+        let places: Vec<&str> = said.split(" at ").skip(1).map(|s| s.split(')').next().unwrap()).collect();
+        assert!(places.len() == 2 && places[0] != places[1], "{name}: {said}");
+    }
+}
+
+/// The third derivatives of all links are what their accelerations change by in time, at drivers of constant rate.
+#[test]
+fn third_derivatives_are_the_slopes_of_the_accelerations() {
+    let mut seen = 0;
+    for (name, text) in sources() {
+        let mut scene = scene::read(text).unwrap().value;
+        scene.drivers.iter_mut().for_each(|d| d.acceleration = None);
+        let Ok(w) = work(&scene, Scope::Figure) else { continue };
+        let w = w.value;
+        let rate = scene.drivers.iter().map(|d| d.rate.value.abs()).fold(0.0, f64::max);
+        if rate == 0.0 || w.demand.level < Level::Acceleration || !w.solution.singular.is_empty() {
+            continue;
+        }
+        let start = newton::driver_values(&scene, &w.configuration);
+        let step = 1e-4 / rate;
+        let beside = |time: f64| {
+            let mut drivers = start.clone();
+            drivers.0.iter_mut().zip(&scene.drivers).for_each(|(value, d)| *value += d.rate.value * time);
+            let at = newton::moved_to(&scene, &w.mechanism, &w.configuration, &drivers, 1e-15)
+                .or_else(|| newton::moved(&scene, &w.mechanism, &w.configuration, &drivers))?;
+            solve(&scene, &w.mechanism, &at, &w.demand).ok()
+        };
+        let (Some(after), Some(before)) = (beside(step), beside(-step)) else { continue };
+        for (l, link) in scene.links.iter().enumerate() {
+            for p in &link.points {
+                let Some(place) = w.configuration.points[p.0] else { continue };
+                let Some((jerk, turning)) = third(&scene, &w.mechanism, &w.configuration, &w.demand, &w.solution, place)[l] else { continue };
+                let rate_of = |s: &Solution| s.turning(Level::Acceleration, LinkId(l));
+                let of = |s: &Solution| s.vector(Level::Acceleration, *p, None);
+                if let (Some(a), Some(b)) = (rate_of(&after), rate_of(&before)) {
+                    let (slope, unit) = ((a - b) / (2.0 * step), rate.powi(3));
+                    assert!((slope - turning).abs() < 1e-4 * (turning.abs() + unit * 1e-2), "{name}, link {}: {turning}, slope {slope}", link.name);
+                }
+                if let (Some(a), Some(b)) = (of(&after), of(&before)) {
+                    let (slope, size) = ((a - b) * (0.5 / step), rate.powi(3) * w.configuration.extent());
+                    assert!((slope - jerk).norm() < 1e-4 * (jerk.norm() + size * 1e-2), "{name}, {} of link {}: {jerk:?}, slope {slope:?}", scene.point_name(*p), link.name);
+                    seen += 1;
+                }
+            }
+        }
+    }
+    assert!(seen > 100, "{seen}");
 }

@@ -28,4 +28,5 @@ mod regressions;
 mod rng;
 mod rolling;
 mod singular;
+mod speeds;
 mod told;

@@ -118,9 +118,9 @@ impl Pose<'_> {
     /// The motion through a singular pose, as far as there is one.
     pub fn singular(&self, system: &[Row], blocks: &Blocks, mut empty: Solution) -> Solution {
         empty.condition = f64::INFINITY;
-        // Drivers that start from rest: in t² instead of t their accelerations are what their rates are elsewhere. Only where
-        // that is a dead point (a driver at its own limit) velocities come into being at once.
-        let starts = system.iter().all(|r| r.relation.drive()[0] == 0.0) && system.iter().any(|r| r.relation.drive()[1] != 0.0);
+        // Drivers that start from rest, or stay there: in t² instead of t their accelerations are what their rates are elsewhere. Only
+        // where that is a dead point (a driver at its own limit) velocities come into being at once.
+        let starts = system.iter().all(|r| r.relation.drive()[0] == 0.0);
         if starts {
             let slow: Vec<Row> = system.iter().map(Row::started).collect();
             let slow = self.ways(&slow, blocks, &empty, true);

@@ -281,3 +281,42 @@ fn second(rows: &[Row], part: &Part, motion: &mut Motion, c: &DVector<f64>) -> D
     }
     left
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analytic::System;
+    use crate::analytic::rows::Layout;
+    use crate::mechanism::{Demand, Level, Mechanism};
+    use crate::position::configure;
+    use crate::scene;
+
+    /// What comes of a four-bar in line, whose C lies `off` beside the line, where poses are known to 1e-6.
+    fn carried(link: u8, d: f64, off: f64) -> Carried {
+        let text = format!(
+            r#"{{"links": {{"1": ["A", "B"], "2": ["B", "C"], "3": ["D", "C"], "0": ["A", "D"]}}, "ground": "0", "units": {{"length": "m"}},
+            "points": {{"A": [0, 0], "B": [1, 0], "C": [4, {off:e}], "D": [3, {d}]}}, "driver": {{"link": "{link}", "omega": "1 rad/s"}}, "find": ["omega_2"]}}"#
+        );
+        let scene = scene::read(&text).unwrap().value;
+        let m = Mechanism::new(&scene).unwrap().value;
+        let demand = Demand::of(&scene, &m);
+        let at = configure(&scene, &m, &demand).unwrap().value;
+        let layout = Layout::new(&scene, &m, &at, &demand, Level::Velocity);
+        let Ok(system) = System::new(&scene, &at, &layout) else { panic!("{text}") };
+        Blocks::new(&system.rows, layout.unknowns, 1e-15, |_| 1e-6).carry(&system.rows, 2, |_| 0)
+    }
+
+    /// A change point is one for a pose that is off by what is not known of it; a dead point is not.
+    #[test]
+    fn a_pose_that_is_known_roughly_is_passed_where_both_ways_lead_on() {
+        for off in [0.0, 1e-14, -1e-11, 1e-9, -1e-9, 4e-9] {
+            // A parallelogram: A, B, C and D in line.
+            let through = carried(1, 0.0, off);
+            assert!(through.refused.is_empty() && through.passed.len() == 1, "{off}: {:?}", through.refused.first().map(|r| r.why));
+            assert!(off == 0.0 || through.passed[0].off > 0.0, "{off}");
+            // The rocker's drive at its limit: only A, B and C in line.
+            let dead = carried(3, -2.0, off);
+            assert_eq!(dead.refused.iter().map(|r| r.why).collect::<Vec<_>>(), [Why::DeadPoint], "{off}");
+        }
+    }
+}

@@ -243,3 +243,24 @@ fn free_links(scene: &Scene, layout: &Layout, part: &Part) -> Both {
     let names: Vec<Both> = links.iter().map(|l| both!("link {}", "构件 {} ", scene.link_name(*l))).collect();
     if names.is_empty() { both!("the joints there", "该处的运动副") } else { Both::listed(&names) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::collinear;
+    use crate::geom::Point;
+
+    #[test]
+    fn places_in_line_are_two_at_least() {
+        let at = |all: &[(f64, f64)]| -> Vec<Point> { all.iter().map(|(x, y)| Point::new(*x, *y)).collect() };
+        for (places, in_line) in [
+            (vec![], false),
+            (at(&[(1.0, 2.0)]), false),
+            (at(&[(1.0, 2.0), (1.0, 2.0), (1.0, 2.0)]), false),
+            (at(&[(1.0, 2.0), (4.0, 6.0)]), true),
+            (at(&[(1.0, 2.0), (1.0, 2.0), (4.0, 6.0), (-2.0, -2.0)]), true),
+            (at(&[(1.0, 2.0), (4.0, 6.0), (2.0, 2.0)]), false),
+        ] {
+            assert_eq!(collinear(&places, 5.0), in_line, "{places:?}");
+        }
+    }
+}

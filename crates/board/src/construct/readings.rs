@@ -116,12 +116,11 @@ impl<N: Real> OnPaper<'_, N> {
     }
 
     fn turning(&self, level: Level, link: LinkId) -> Option<N> {
-        let body = self.body(link);
-        let still = |l: LinkId| self.m.never_turns[l.0];
-        if still(link) || matches!(body, Body::Link(l) if still(l)) {
+        // What turns as a link that never turns never turns itself.
+        if self.m.never_turns[link.0] {
             return Some(N::from_f64(0.0));
         }
-        self.paper.rate(level, body)
+        self.paper.rate(level, self.body(link))
     }
 }
 

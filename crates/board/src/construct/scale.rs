@@ -199,7 +199,9 @@ fn decimal(step: f64, e: i32) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mechanism::{Demand, Mechanism};
     use crate::number::{Ball, Dd};
+    use crate::position::configure;
 
     #[test]
     fn preferred_series() {
@@ -228,5 +230,30 @@ mod tests {
         assert_eq!(finer(1.0, 0.03, 1.0), 0.025);
         assert_eq!(finer(1.0, 1.0, 1e3), 0.001);
         assert_eq!([finer(0.5, 0.1, 2.0), coarser(0.5, 0.1, 2.0), choose_in(0.5, [0.3, 0.1], [1.0, 1.0])], [0.05, 0.25, 0.5]);
+    }
+
+    /// A hollow circle has room in the figure up to twice the size of all else, in any unit.
+    #[test]
+    fn a_ring_has_room_unless_it_dwarfs_all_else() {
+        for unit in [1e-3, 1.0, 1e3] {
+            // A planet of radius r on an arm of length 1, oblique, in a ring about O.
+            for (r, has_room) in [(0.02, false), (0.5, false), (1.5, true), (3.0, true)] {
+                let ring = 1.0 + r;
+                let text = format!(
+                    r#"{{"links": {{"1": ["O"], "3": ["O", "P"], "4": ["P"]}}, "ground": "1", "points": {{"O": [0, 0], "P": ["0.6*{unit} m", "0.8*{unit} m"]}},
+                    "gears": [{{"links": ["4", "1"], "centres": ["P", "O"], "radii": ["{} m", "{} m"], "ring": "1"}}],
+                    "driver": {{"link": "3", "omega": "1 rad/s"}}, "find": ["omega_4"]}}"#,
+                    r * unit,
+                    ring * unit
+                );
+                let scene = crate::scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+                let m = Mechanism::new(&scene).unwrap().value;
+                let at = configure(&scene, &m, &Demand::of(&scene, &m).with_all_positions()).unwrap().value;
+                let [w, h] = size(&scene, &at).map(|x| x / unit);
+                let wide = |c: f64| (c + r) - (c - r).min(0.0);
+                let expected = if has_room { [2.0 * ring, 2.0 * ring] } else { [wide(0.6), wide(0.8)] };
+                assert!((w - expected[0]).abs() < 1e-9 && (h - expected[1]).abs() < 1e-9, "{r} of {unit} m: {w} by {h}\n{text}");
+            }
+        }
     }
 }

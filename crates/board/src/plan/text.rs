@@ -333,8 +333,8 @@ impl Writer<'_> {
     /// left, then the others, each after an equals sign.
     pub fn columns(&self, level: Level, target: VertexId, chains: &[Chain]) -> Vec<Column> {
         let mut out: Vec<Column> = Vec::new();
-        let absolute_left =
-            !self.plan.vertex(chains[0].start).fixed || chains.len() == 1 && chains[0].known.len() + chains[0].unknown.len() > 1;
+        // A chain alone has nothing unknown.
+        let absolute_left = !self.plan.vertex(chains[0].start).fixed || chains.len() == 1 && chains[0].known.len() > 1;
         if absolute_left {
             out.push(Column {
                 joint: "",

@@ -317,6 +317,7 @@ mod tests {
             Form::OnPath { runner: Runner::Pin(_), guide, .. } if arc(guide) => "pin on an arc",
             Form::OnPath { runner: Runner::Pin(_), .. } => "pin on a line",
             Form::OnPath { runner: Runner::Link(_), .. } => "link on a line",
+            Form::AlongPath { guide, .. } if arc(guide) => "along an arc",
             Form::AlongPath { .. } => "along a line",
             Form::Distance { .. } => "distance",
             Form::Angles { driver: Some(_), .. } => "driven angle",
@@ -378,6 +379,17 @@ mod tests {
         "sketch": {"B": [0.1, 0.11], "C": [0.19, 0.1]}, "gears": [{"links": ["3", "5"], "centres": ["B", "C"], "teeth": [30, 45], "at": "K", "phase": "10 deg"}],
         "driver": {"link": "2", "angle": "60 deg", "omega": "10 rad/s"}, "find": ["omega_3", "omega_5"]}"#;
 
+    /// A pin that a driver moves along a fixed arc, and one along an arc of a link that turns.
+    const ALONG_ARCS: [&str; 2] = [
+        r#"{"links": {"0": ["K", "A"], "1": ["A", "B"], "2": ["B", "C"]}, "ground": "0", "units": {"length": "m"},
+        "points": {"K": [0, 0], "A": [5, 0]}, "lengths": {"AB": 2, "BC": 3.2}, "sketch": {"B": [5, 2]},
+        "guides": [{"pin": "C", "on": "0", "centre": "K", "radius": 3}],
+        "driver": {"slide": "C", "position": "3*atan(4/3)*1 m", "velocity": "1 m/s"}, "find": ["omega_1", "omega_2"]}"#,
+        r#"{"links": {"0": ["A", "D"], "1": ["A", "B"], "2": ["B", "C", "K"], "3": ["D", "P"]}, "ground": "0", "units": {"length": "m"},
+        "points": {"A": [0, 0], "D": [6, 0], "B": [0, 2], "C": [5, 3], "K": [3, 1], "P": [5, 3]}, "guides": [{"pin": "P", "on": "2", "centre": "K"}],
+        "driver": [{"link": "1", "omega": "1 rad/s"}, {"slide": "P", "velocity": "1 m/s"}], "find": ["omega_2", "omega_3"]}"#,
+    ];
+
     /// A root stays a root whatever the derivatives are, but what is proved of it does not.
     #[test]
     fn derivatives_are_the_slopes_of_the_equations() {
@@ -387,8 +399,19 @@ mod tests {
         }
         // Rolling is told at the instant by phases alone.
         check("five-bar with gears on its floating links", GEARED, &mut seen);
-        let all =
-            ["meet", "pin on an arc", "pin on a line", "link on a line", "along a line", "distance", "driven angle", "kept angle", "rolls"];
+        ALONG_ARCS.iter().for_each(|text| check("driven along an arc", text, &mut seen));
+        let all = [
+            "meet",
+            "pin on an arc",
+            "pin on a line",
+            "link on a line",
+            "along a line",
+            "along an arc",
+            "distance",
+            "driven angle",
+            "kept angle",
+            "rolls",
+        ];
         for kind in all {
             for aside in [false, true] {
                 assert!(seen.contains(&(kind, aside)), "no template has {kind}, aside {aside}: {seen:?}");

@@ -120,3 +120,59 @@ pub fn fold(
     }
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanism::Demand;
+    use crate::position::{configure, newton};
+    use crate::scene;
+
+    /// A crank-rocker (AB, BC, CD, AD) driven by its rocker, whose angle stands so far (rad) inside the limit at which crank and coupler are
+    /// stretched out (1) or fold (−1), so far from the origin (m); the fold that is found, and the limit by the cosine law.
+    fn found([a, b, c, d]: [f64; 4], sense: f64, inside: f64, off: f64) -> (Option<f64>, f64) {
+        let reach = b + sense * a;
+        let limit = std::f64::consts::PI - libm::acos((c * c + d * d - reach * reach) / (2.0 * c * d));
+        let angle = limit + sense * inside;
+        let text = format!(
+            r#"{{"links": {{"1": ["A", "B"], "2": ["B", "C"], "3": ["D", "C"], "0": ["A", "D"]}}, "ground": "0", "side": {{"B": "left of AC"}},
+            "points": {{"A": ["{off} m", "{off} m"], "D": ["{off} m + {d} m", "{off} m"]}}, "lengths": {{"AB": "{a} m", "BC": "{b} m", "CD": "{c} m"}},
+            "driver": {{"link": "3", "angle": "{angle:?} rad", "omega": "1 rad/s"}}, "find": ["omega_1"]}}"#
+        );
+        let scene = scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+        let m = Mechanism::new(&scene).unwrap().value;
+        let at = configure(&scene, &m, &Demand::of(&scene, &m).with_all_positions()).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+        let drivers = newton::driver_values(&scene, &at);
+        let fold = fold(&scene, &m, &at, &drivers, 0);
+        (fold.map(|(value, there)| {
+            let [p, q, r] = ["A", "B", "C"].map(|n| there.points[scene.points.iter().position(|p| p.name == n).unwrap()].unwrap());
+            assert!((q - p).cross(r - q).abs() < 1e-6 * a * b, "A, B, C are not in line\n{text}");
+            angle + (value - drivers.0[0])
+        }), limit)
+    }
+
+    /// Next to a limit the fold is found, to the rounding of the equations; from afar it is found or nothing is.
+    #[test]
+    fn the_fold_is_the_limit_by_the_cosine_law() {
+        let (mut near, mut far) = (0, 0);
+        for (size, off) in [(1e-3, 0.0), (1.0, 0.0), (1.0, 3e4), (1e3, 0.0), (1e3, 7e6)] {
+            for lengths in [[1.0, 2.5, 2.0, 3.0], [0.5, 3.0, 1.7, 3.1], [0.9, 1.4, 1.6, 1.5], [0.05, 2.0, 1.3, 2.2]] {
+                for sense in [1.0, -1.0] {
+                    for inside in [1e-9, 1e-6, 1e-4, 1e-3, 3e-3, 0.01, 0.03, 0.1, 0.2, 0.4] {
+                        // Half of the swing is as near to the other limit.
+                        if inside > 0.4 * lengths[0] {
+                            continue;
+                        }
+                        let (fold, limit) = found(lengths.map(|l| l * size), sense, inside, off);
+                        assert!(fold.is_some() || inside > 1e-3 * lengths[0], "{lengths:?} {sense}: none from {inside} rad");
+                        let Some(value) = fold else { continue };
+                        if inside > 1e-3 { far += 1 } else { near += 1 }
+                        let rounding = 1e-13 + 1e-15 * off / size;
+                        assert!((value - limit).abs() < rounding, "{lengths:?} {sense}, from {inside} rad, {off} m off: {value}, not {limit}");
+                    }
+                }
+            }
+        }
+        assert!(near > 50 && far > 10, "{near} {far}");
+    }
+}

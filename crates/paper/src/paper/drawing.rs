@@ -119,6 +119,11 @@ impl Drawing {
         self.obstacles.met_by(ink, air_mm)
     }
 
+    /// All that labels keep off so far.
+    pub fn obstacles(&self) -> &Obstacles {
+        &self.obstacles
+    }
+
     /// The box around what is drawn so far.
     pub fn bounds(&self) -> Rect {
         bounds(&self.items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN))

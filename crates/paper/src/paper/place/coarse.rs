@@ -8,110 +8,28 @@
 //! Greedy placement on a bitmap of what is occupied: I. Mote, *Fast point-feature label placement for dynamic visualizations*,
 //! Information Visualization 6 (2007), with a raster instead of his trellis.
 
-use crate::geom::Point;
 use crate::paper::extent::Rect;
 
 use super::candidate::{self, Candidate};
 use super::obstacle::Obstacles;
+use super::raster::{HEAVY, LINE, Raster};
 use super::search::LEAVE;
 use super::{Found, Habit, LabelRequest, Placement, Wanted, cost};
 
 /// More labels than this in one drawing are placed one after the other. The busiest textbook figure has some sixty.
 pub(super) const MANY: usize = 100;
 
-/// Side of a cell: a third of the smallest letter's height, a line's width and the air beside it.
-const CELL_MM: f64 = 0.5;
-/// On a large paper cells grow, so that there are no more of them than this along a side.
-const ACROSS: usize = 2000;
-/// A cell with a line in it.
-const LINE: u8 = 1;
-/// A cell with an arrowhead, a symbol or another label.
-const HEAVY: u8 = 2;
 /// A label on something heavy against one on a line.
 const HEAVIER: f64 = 3.0;
 /// Each square millimetre of what a label covers.
 const PER_MM2: f64 = 2.0;
 
-/// Which cells of the paper hold what.
-struct Raster {
-    corner: Point,
-    cell_mm: f64,
-    columns: usize,
-    rows: usize,
-    cells: Vec<u8>,
-    /// Cells that were looked at or filled.
-    touched: usize,
-}
-
-impl Raster {
-    fn new(paper: Rect) -> Raster {
-        let side = paper.width_mm().max(paper.height_mm());
-        let cell_mm = CELL_MM.max(side / ACROSS as f64);
-        let count = |mm: f64| (mm / cell_mm).ceil().clamp(1.0, ACROSS as f64 + 1.0) as usize;
-        let (columns, rows) = (count(paper.width_mm()), count(paper.height_mm()));
-        Raster { corner: paper.min, cell_mm, columns, rows, cells: vec![0; columns * rows], touched: 0 }
-    }
-
-    fn with(paper: Rect, obstacles: &Obstacles) -> Raster {
-        let mut raster = Raster::new(paper);
-        for bar in &obstacles.bars {
-            raster.fill_bar(bar.from, bar.to, bar.half_width_mm, LINE);
-        }
-        for head in &obstacles.heads {
-            raster.fill_bar(head.from, head.to, head.half_width_mm, HEAVY);
-        }
-        for disc in &obstacles.discs {
-            raster.fill(Rect::new(disc.centre, disc.centre).grown(disc.radius_mm), HEAVY);
-        }
-        for rect in &obstacles.rects {
-            raster.fill(*rect, HEAVY);
-        }
-        raster
-    }
-
-    /// The cells of a box, as far as they are on the paper: columns and rows, end exclusive.
-    fn range(&self, rect: Rect) -> [usize; 4] {
-        let index = |mm: f64, most: usize| (mm / self.cell_mm).floor().clamp(0.0, most as f64) as usize;
-        let [a, b] = [rect.min, rect.max].map(|p| p - self.corner);
-        let end = |mm: f64, most: usize| if mm < 0.0 { 0 } else { (index(mm, most) + 1).min(most) };
-        [index(a.x, self.columns), end(b.x, self.columns), index(a.y, self.rows), end(b.y, self.rows)]
-    }
-
-    fn fill(&mut self, rect: Rect, with: u8) {
-        let [from, to, low, high] = self.range(rect);
-        for row in low..high {
-            for cell in &mut self.cells[row * self.columns..][from.min(to)..to] {
-                *cell |= with;
-            }
-            self.touched += to.saturating_sub(from);
-        }
-    }
-
-    fn fill_bar(&mut self, from: Point, to: Point, half_width_mm: f64, with: u8) {
-        let paper =
-            Rect { min: self.corner, max: self.corner + crate::geom::Vec2::new(self.columns as f64, self.rows as f64) * self.cell_mm };
-        let Some((from, to)) = cost::clipped(from, to, paper) else { return };
-        let steps = (from.distance(to) / self.cell_mm).ceil().max(1.0);
-        for k in 0..=steps as usize {
-            let at = from + (to - from) * (k as f64 / steps);
-            self.fill(Rect::new(at, at).grown(half_width_mm), with);
-        }
-    }
-
-    /// What a place costs before anything is weighed against others.
-    fn cost(&mut self, place: &Candidate, paper: Rect) -> f64 {
-        let [from, to, low, high] = self.range(place.rect);
-        let (mut lines, mut heavy) = (0usize, 0usize);
-        for row in low..high {
-            for cell in &self.cells[row * self.columns..][from.min(to)..to] {
-                heavy += usize::from(cell & HEAVY != 0);
-                lines += usize::from(*cell == LINE);
-            }
-            self.touched += to.saturating_sub(from);
-        }
-        let covered = |cells: usize| if cells > 0 { cost::TOUCH + PER_MM2 * cells as f64 * self.cell_mm * self.cell_mm } else { 0.0 };
-        place.base + covered(lines) + HEAVIER * covered(heavy) + cost::outside(place.rect, paper)
-    }
+/// What a place costs before anything is weighed against others.
+fn cost_of(raster: &mut Raster, place: &Candidate, paper: Rect) -> f64 {
+    let (lines, heavy) = raster.covered(place.rect);
+    let area = raster.cell_mm() * raster.cell_mm();
+    let covered = |cells: usize| if cells > 0 { cost::TOUCH + PER_MM2 * cells as f64 * area } else { 0.0 };
+    place.base + covered(lines) + HEAVIER * covered(heavy) + cost::outside(place.rect, paper)
 }
 
 /// A place for each label, `None` for optional ones without a clear one, as [`super::place_or_leave`]; and how many cells were looked
@@ -122,7 +40,7 @@ pub(super) fn place(
     paper: Rect,
     before: &[Option<Habit>],
 ) -> (Vec<Option<Placement>>, usize) {
-    let mut raster = Raster::with(paper, obstacles);
+    let mut raster = Raster::of(obstacles, paper);
     let mut out = vec![None; requests.len()];
     // Names that may be left out take what the others leave.
     let (last, first): (Vec<usize>, Vec<usize>) = (0..requests.len()).partition(|i| requests[*i].optional);
@@ -142,7 +60,7 @@ pub(super) fn place(
         }
         out[i] = Some(wanted.placement(found));
     }
-    (out, raster.touched)
+    (out, raster.touched())
 }
 
 /// The cheapest of a label's places, the first of equals; those far off only where all near ones cover something.
@@ -153,7 +71,7 @@ fn best(raster: &mut Raster, wanted: &Wanted, paper: Rect, stood: Option<usize>,
     let mut look = |raster: &mut Raster, index: usize, place: Candidate| {
         let leave = if stood.is_some_and(|s| s != index) { LEAVE } else { 0.0 };
         if best.is_none_or(|(_, least)| place.base + leave < least) {
-            let cost = raster.cost(&place, paper);
+            let cost = cost_of(raster, &place, paper);
             if best.is_none_or(|(_, least)| cost + leave < least) {
                 best = Some(((place, cost, index), cost + leave));
             }
@@ -174,8 +92,9 @@ fn best(raster: &mut Raster, wanted: &Wanted, paper: Rect, stood: Option<usize>,
 
 #[cfg(test)]
 mod tests {
+    use super::super::raster::CELL_MM;
     use super::*;
-    use crate::geom::Vec2;
+    use crate::geom::{Point, Vec2};
     use crate::paper::label::Label;
 
     /// Points on a spiral, as densely as they come, with a line from each to the next.

@@ -13,9 +13,11 @@ mod coarse;
 mod cost;
 mod obstacle;
 mod offer;
+mod raster;
 mod search;
 
 pub use obstacle::{Bar, Disc, Obstacles};
+pub use raster::Raster;
 
 use std::f64::consts::PI;
 

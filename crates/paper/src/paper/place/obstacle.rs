@@ -60,6 +60,13 @@ impl Obstacles {
         all
     }
 
+    /// That of a turned label whose box has these corners, from the beginning of its lower edge on.
+    pub fn of_turned(corners: [Point; 4]) -> Obstacles {
+        let mut all = Obstacles::default();
+        all.turned(corners, None);
+        all
+    }
+
     /// Adds the obstacles that these items make, all of one owner.
     pub fn add(&mut self, items: &[Item], owner: Option<u32>) {
         items.iter().for_each(|item| self.add_item(item, owner));
@@ -126,14 +133,18 @@ impl Obstacles {
                 self.head(&arrow::bent(*centre, *radius_mm, *from_rad, *to_rad, *head).head, owner);
             }
             Shape::Turned { at, angle_rad, label, size_mm, .. } => {
-                // A bar as thick as the letters are high.
-                if let Some([a, b, c, d]) = turned_corners(*at, *angle_rad, label, *size_mm) {
-                    let middle = |p: Point, q: Point| p + (q - p) * 0.5;
-                    self.bar(middle(a, d), middle(b, c), a.distance(d) / 2.0, owner);
+                if let Some(corners) = turned_corners(*at, *angle_rad, label, *size_mm) {
+                    self.turned(corners, owner);
                 }
             }
             Shape::Label { .. } => self.rects.extend(item.bounds()),
         }
+    }
+
+    /// A bar as thick as the letters are high.
+    fn turned(&mut self, [a, b, c, d]: [Point; 4], owner: Option<u32>) {
+        let middle = |p: Point, q: Point| p + (q - p) * 0.5;
+        self.bar(middle(a, d), middle(b, c), a.distance(d) / 2.0, owner);
     }
 
     fn bar(&mut self, from: Point, to: Point, half_width_mm: f64, owner: Option<u32>) {

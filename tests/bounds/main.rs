@@ -4,10 +4,15 @@
 //! Times are not measured here. What once took minutes has a deadline that only a return of the old growth can miss; the growth itself
 //! is counted where it arises (`paper::place::coarse`, `sweep::changes`, `certified::apart`).
 
+mod scenes;
+#[cfg(target_os = "linux")]
+mod signals;
+
 use assert_cmd::Command;
+use scenes::{chain, points_on_a_link};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Longer than anything here takes on a busy machine in a debug build, shorter than what it took before.
 const DEADLINE: Duration = Duration::from_secs(240);
@@ -16,45 +21,6 @@ fn hodograph() -> Command {
     let mut command = Command::cargo_bin("hodograph").unwrap();
     command.timeout(DEADLINE);
     command
-}
-
-/// A crank and `n` dyads, each moved by the one before it: parallelograms side by side.
-fn chain(n: usize) -> Value {
-    let mut links = json!({"1": ["O0", "P0"]});
-    let mut points = json!({"O0": ["0 mm", "0 mm"]});
-    let mut lengths = json!({"O0,P0": "50 mm"});
-    let mut side = json!({});
-    for i in 1..=n {
-        let (before, pin, pivot) = (format!("P{}", i - 1), format!("P{i}"), format!("O{i}"));
-        links[format!("{}", 2 * i)] = json!([before, pin]);
-        links[format!("{}", 2 * i + 1)] = json!([pin, pivot]);
-        points[&pivot] = json!([format!("{} mm", 100 * i), "0 mm"]);
-        lengths[format!("{before},{pin}")] = json!("100 mm");
-        lengths[format!("{pin},{pivot}")] = json!("50 mm");
-        side[&pin] = json!(format!("left of {before},{pivot}"));
-    }
-    let ground = format!("{}", 2 * n + 2);
-    links[&ground] = (0..=n).map(|i| json!(format!("O{i}"))).collect();
-    json!({
-        "title": format!("{n} dyads"), "links": links, "ground": ground, "points": points, "lengths": lengths, "side": side,
-        "driver": {"link": "1", "angle": "60 deg", "omega": "10 rad/s"}
-    })
-}
-
-/// A crank-rocker with `n` further points on its coupler.
-fn points_on_a_link(n: usize) -> Value {
-    let mut coupler = json!(["B", "C"]);
-    let mut points = json!({});
-    for i in 0..n {
-        let (x, y) = (5.0 + 240.0 * i as f64 / n as f64, 20.0 + 60.0 * (0.7 * i as f64).sin());
-        coupler.as_array_mut().unwrap().push(json!(format!("P{i}")));
-        points[format!("P{i}")] = json!({"base": "BC", "x": format!("{x:.3} mm"), "y": format!("{y:.3} mm")});
-    }
-    json!({
-        "title": format!("{n} points"), "links": {"1": ["A", "B"], "2": coupler, "3": ["C", "D"], "4": ["A", "D"]}, "ground": "4",
-        "points": points, "lengths": {"AB": "100 mm", "BC": "250 mm", "CD": "200 mm", "AD": "300 mm"},
-        "driver": {"link": "1", "angle": "60 deg", "omega": "10 rad/s"}
-    })
 }
 
 fn written(folder: &Path, name: &str, scene: &Value) -> PathBuf {
@@ -190,43 +156,5 @@ fn long_texts_and_names_are_refused_and_not_echoed() {
     let scene = with(&|s| (s["title"], s["statement"]) = (json!("速".repeat(500)), json!("wide word ".repeat(1000))));
     for (arguments, output) in [(&["draw"][..], "o.svg"), (&["worksheet"], "o.pdf")] {
         assert_eq!(run(arguments, &scene, &folder.path().join(output)).0, Some(0), "{arguments:?}");
-    }
-}
-
-/// A computation that does not look up for many seconds ends all the same.
-#[cfg(unix)]
-#[test]
-fn a_signal_ends_a_long_computation() {
-    let folder = tempfile::tempdir().unwrap();
-    let scene = template(folder.path(), "class-iii-six-bar", &[]);
-    for (arguments, output) in [
-        (&["sweep", "--steps", "10000000"][..], "o.npy"),
-        (&["batch", "--steps", "100000", "--vary", "l_OA=80..80.001:1000"], "o.csv"),
-        (&["sweep", "--over", "l_OA", "--from", "80", "--to", "80.001", "--steps", "10000000"], "p.csv"),
-    ] {
-        for signal in ["-INT", "-TERM"] {
-            let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_hodograph"))
-                .arg(arguments[0])
-                .arg(&scene)
-                .args(&arguments[1..])
-                .arg("-o")
-                .arg(folder.path().join(output))
-                .stdout(std::process::Stdio::null())
-                .stderr(std::process::Stdio::null())
-                .spawn()
-                .unwrap();
-            // Until it writes, a signal ends it as any other program.
-            std::thread::sleep(Duration::from_secs(2));
-            assert!(child.try_wait().unwrap().is_none(), "{arguments:?} has ended by itself");
-            let kill = std::process::Command::new("kill").arg(signal).arg(child.id().to_string()).status().unwrap();
-            assert!(kill.success());
-            let asked = Instant::now();
-            while child.try_wait().unwrap().is_none() {
-                // A third of a second on a machine that is free.
-                assert!(asked.elapsed() < Duration::from_secs(20), "{arguments:?} does not heed {signal}");
-                std::thread::sleep(Duration::from_millis(20));
-            }
-            assert!(!folder.path().join(output).exists(), "{arguments:?} {signal}");
-        }
     }
 }

@@ -1,0 +1,218 @@
+//! What the drawing board's plan says and what is measured on it, in all templates and in scenes with every kind of term.
+
+use hodograph::construct::pencil::Blunt;
+use hodograph::construct::{Layout, by_hand};
+use hodograph::mechanism::Level;
+use hodograph::plan::notation::Notation;
+use hodograph::plan::text::Writer;
+use hodograph::plan::{Body, By, Spot, Step, Term, TermKind};
+use hodograph::scene::{self, Lang, Scene, templates};
+use hodograph::worked::{Scope, Worked, work};
+
+/// All templates, and these: a wheel on a turning track, a composite motion, a cylinder that stretches with an acceleration.
+const MORE: [&str; 3] = [
+    r#"{"units": {"length": "mm", "angle": "deg"}, "links": {"1": ["A","D","F"], "2": ["A","B"], "3": ["B","C"], "4": ["C","D"], "5": ["E"], "6": ["E","F"]},
+    "ground": "1", "points": {"A": [0,0], "D": [140,0], "F": [20,190]}, "lengths": {"AB": 60, "BC": 140, "CD": 95, "EF": 118},
+    "sketch": {"C": [160,90], "E": [74,120]}, "rolling": [{"wheel": "5", "centre": "E", "radius": 25, "on": "3", "line": "BC", "through": "B"}],
+    "driver": {"link": "2", "angle": "70 deg", "omega": "4 rad/s", "alpha": "5 rad/s^2"}, "find": ["omega_5", "alpha_5", "a_E"]}"#,
+    r#"{"units": {"length": "mm", "angle": "deg"}, "links": {"1": ["A","D"], "2": ["A","B"], "3": ["B","C","E"], "4": ["C","D"]}, "ground": "1",
+    "points": {"A": [0,0], "D": [300,0]}, "lengths": {"AB": 100, "BC": 250, "CD": 200, "BE": 150, "CE": 140}, "side": {"C": "left of BD", "E": "left of BC"},
+    "driver": {"link": "2", "angle": "60 deg", "omega": "10 rad/s"}, "find": ["ak_E/4", "ar_E/4", "ae_E/4", "a_E"]}"#,
+    r#"{"units": {"length": "m"}, "links": {"1": ["A","B"], "2": ["B","C"]}, "ground": "1", "points": {"A": [0,0], "B": [2,0], "C": [1.5,1]},
+    "driver": {"cylinder": "AC", "rate": "0.3 m/s", "acceleration": "1 m/s^2", "links": ["3", "4"]}, "find": ["omega_2", "alpha_2", "a_C"]}"#,
+];
+
+fn worked(text: &str) -> (Scene, Worked) {
+    let scene = scene::read(text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+    let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+    (scene, worked)
+}
+
+fn all() -> Vec<(String, Scene, Worked)> {
+    let texts = templates::list().into_iter().map(|t| (t.name.to_owned(), templates::get(t.name).unwrap()));
+    let texts = texts.chain(MORE.iter().enumerate().map(|(k, text)| (format!("scene {k}"), *text)));
+    texts
+        .map(|(name, text)| {
+            let (scene, worked) = worked(text);
+            (name, scene, worked)
+        })
+        .collect()
+}
+
+fn steps(worked: &Worked, level: Level) -> impl Iterator<Item = &Step> {
+    worked.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further))
+}
+
+/// A magnitude that is told is told by what it is made of: 2ωv of a Coriolis term, ω²l, ωl, αl.
+#[test]
+fn magnitudes_name_what_they_are_made_of() {
+    let mut seen = std::collections::BTreeSet::new();
+    for (name, scene, w) in all() {
+        let notation = Notation::of_language(Lang::En);
+        let writer = Writer { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
+        for level in Level::RATES {
+            for t in w.plan.terms(level).filter(|t| t.known && !w.plan.vanishes(&scene, level, t)) {
+                let said = writer.magnitude(level, &t);
+                let (begins, holds): (&str, &[&str]) = match (t.kind, t.by) {
+                    (TermKind::Coriolis, by) => {
+                        seen.insert(match by {
+                            By::Guide { .. } => "guide",
+                            By::Frame { .. } => "frame",
+                            By::Cylinder(_) => "cylinder",
+                            By::Turning(_) | By::Contact(_) | By::Apart => "another",
+                        });
+                        ("2\\omega_", &[" v"])
+                    }
+                    (TermKind::Relative, By::Turning(_)) => ("\\omega_", &[" l_"]),
+                    (TermKind::Normal, By::Turning(_)) => ("\\omega^2_", &[" l_"]),
+                    (TermKind::Tangential, By::Turning(_)) => ("\\alpha_", &[" l_"]),
+                    _ => continue,
+                };
+                assert!(said.starts_with(begins) && holds.iter().all(|h| said.contains(h)), "{name}: {t:?} is {said}");
+            }
+        }
+    }
+    assert_eq!(seen.into_iter().collect::<Vec<_>>(), ["cylinder", "frame", "guide"]);
+}
+
+/// What a contact adds has a mark of its own, unless it is the whole acceleration of a point that rolls on the ground.
+#[test]
+fn rolling_is_marked_where_it_is_a_part() {
+    let mut counts = [0; 2];
+    for (name, scene, w) in all() {
+        let notation = Notation::of_language(Lang::En);
+        let writer = Writer { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
+        for t in w.plan.terms(Level::Acceleration).filter(|t| t.kind == TermKind::Roll) {
+            let symbol = writer.symbol(Level::Acceleration, &t);
+            let on_ground = w.plan.vertex(t.to).fixed;
+            assert_eq!(symbol.contains("ro"), !on_ground, "{name}: {symbol}");
+            counts[usize::from(on_ground)] += 1;
+        }
+    }
+    assert!(counts.iter().all(|c| *c > 0), "{counts:?}");
+}
+
+/// An equation says which vector it is about: where a chain of several terms starts at a fixed point, the vector stands left of them.
+#[test]
+fn equations_name_their_vector() {
+    let (mut sums, mut single) = (0, 0);
+    for (name, scene, w) in all() {
+        let notation = Notation::of_language(Lang::En);
+        let writer = Writer { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
+        for level in Level::RATES {
+            for step in steps(&w, level) {
+                let Step::Equation { target, chains, .. } = step else { continue };
+                let columns = writer.columns(level, *target, chains);
+                let terms = chains[0].known.len();
+                assert!(chains.len() > 1 || chains[0].unknown.is_empty(), "{name}: {step:?}");
+                let (own, fixed) = (writer.vector(level, *target), w.plan.vertex(chains[0].start).fixed);
+                let said = || columns.iter().map(|c| format!("{} {}", c.joint, c.symbol)).collect::<Vec<_>>();
+                if chains.len() > 1 && fixed || columns.is_empty() {
+                    continue;
+                }
+                if terms > 1 || !fixed {
+                    assert_eq!((columns[0].joint, &columns[0].symbol, columns[1].joint), ("", &own, "="), "{name}: {:?}", said());
+                    sums += 1;
+                } else {
+                    assert_eq!(columns.len(), 1, "{name}: {:?}", said());
+                    single += 1;
+                }
+            }
+        }
+    }
+    assert!(sums > 30 && single > 30, "{sums} {single}");
+}
+
+/// Whether two rows of terms hold one behind the other, in either sense.
+fn shows(row: &[Term], wanted: &[Term]) -> bool {
+    let flip = |t: &Term| (t.kind, t.to, t.of);
+    let plain = |t: &Term| (t.kind, t.of, t.to);
+    row.windows(wanted.len()).any(|w| {
+        let same = |f: &dyn Fn(&Term) -> (TermKind, hodograph::plan::VertexId, hodograph::plan::VertexId)| w.iter().zip(wanted).all(|(a, b)| plain(a) == f(b));
+        same(&plain) || same(&flip)
+    })
+}
+
+/// A vector between two images is drawn where it is asked for and no edge shows it, and then once.
+#[test]
+fn no_vector_is_drawn_twice_and_each_that_is_asked_is_drawn() {
+    let mut between = 0;
+    for t in templates::list() {
+        let plain = scene::read(templates::get(t.name).unwrap()).unwrap().value;
+        // All relative motions of two points of a link.
+        let mut asked = Vec::new();
+        for link in plain.links.iter().filter(|l| l.points.len() > 1) {
+            for (i, p) in link.points.iter().enumerate() {
+                for q in &link.points[i + 1..] {
+                    let names = [plain.point_name(*p), plain.point_name(*q)];
+                    if names.iter().all(|n| n.len() == 1) {
+                        asked.extend(["v", "a", "an", "at"].map(|k| format!("{k}_{}{}", names[0], names[1])));
+                    }
+                }
+            }
+        }
+        let mut text: serde_json::Value = serde_json::from_str(templates::get(t.name).unwrap()).unwrap();
+        text["find"] = asked.clone().into();
+        let Ok(scene) = scene::read(&text.to_string()) else { continue };
+        let Ok(done) = work(&scene.value, Scope::Questions) else { continue };
+        let w = done.value;
+        for (r, find) in w.results.iter().map(|r| (r, &scene.value.find[r.find].text)) {
+            assert!(r.drawn.is_some(), "{}: {find} is not drawn", t.name);
+        }
+        for level in Level::RATES {
+            let groups = w.plan.steps(level);
+            for (g, group) in groups.iter().enumerate() {
+                for (k, b) in group.between.iter().enumerate() {
+                    between += 1;
+                    let wanted = b.terms();
+                    let earlier = groups[..g].iter().flat_map(|g| &g.between).chain(&group.between[..k]).any(|o| shows(&o.terms(), &wanted));
+                    let row = |s: &Step| {
+                        s.chains().iter().any(|c| {
+                            let alone = if c.unknown.len() == 1 { &c.unknown[..] } else { &[] };
+                            shows(&c.known.iter().chain(alone).copied().collect::<Vec<_>>(), &wanted)
+                        })
+                    };
+                    let all = |g: &hodograph::plan::GroupSteps| {
+                        !g.alternatives.is_empty() && g.alternatives.iter().all(|a| a.iter().any(row)) || g.further.iter().any(row)
+                    };
+                    assert!(!earlier && !groups.iter().any(all), "{}: {wanted:?} is drawn twice", t.name);
+                }
+            }
+        }
+    }
+    assert!(between > 50, "{between}");
+}
+
+/// By hand too an arm has the length that its body has: only its direction is taken from the drawing. And it is named by its ends.
+#[test]
+fn arms_are_as_long_as_their_bodies() {
+    let (mut arms, mut named) = (0, 0);
+    for (name, scene, w) in all() {
+        let layout = Layout::of(&w.construction);
+        for seed in 0..3 {
+            let Ok((drawn, _)) = by_hand(&scene, &w.mechanism, &w.configuration, &w.plan, &layout, &mut Blunt::new(0.5, seed)) else { continue };
+            for rate in &drawn.rates {
+                let Some(m) = &rate.measured else { continue };
+                let spots = [m.line.0, m.line.1].map(|v| w.plan.vertex(v).spot);
+                let [Spot::Point(p), Spot::Point(q)] = spots else { continue };
+                let on_body = match rate.body {
+                    Body::Link(l) => [p, q].iter().all(|x| scene.links[l.0].points.contains(x)),
+                    Body::Cylinder(_) => true,
+                };
+                if on_body {
+                    let given = w.configuration.point(p).distance(w.configuration.point(q));
+                    assert!((m.arm - given).abs() <= 1e-12 * given, "{name}: {:?} is {} long, its body {given}", m.line, m.arm);
+                    arms += 1;
+                }
+            }
+        }
+        for r in &w.results {
+            let Some(m) = r.drawn.as_ref().and_then(|d| d.measured.as_ref()) else { continue };
+            let (Some(arm), Some((p, q))) = (m.arm_m, m.arm_of) else { continue };
+            let given = w.configuration.point(p).distance(w.configuration.point(q));
+            assert!((arm - given).abs() <= 1e-9 * given, "{name}: {arm} {given}");
+            named += 1;
+        }
+    }
+    assert!(arms > 100 && named > 30, "{arms} {named}");
+}

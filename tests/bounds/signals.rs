@@ -1,0 +1,130 @@
+//! Whatever a command computes, a signal ends it: within half a second, as far as the processor is its own. Every command is tried, at sizes
+//! that take it seconds.
+//!
+//! Measured is the time of the processor that the program takes after the signal, which does not depend on what else the machine does.
+
+use crate::scenes::{chain, points_on_a_link};
+use crate::{hodograph, template, written};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// Half a second on each of two cores, and what a busy machine needs until the signal is seen.
+const MOST_S: f64 = 1.5;
+/// However busy the machine is.
+const DEADLINE: Duration = Duration::from_secs(60);
+/// What these do takes no time.
+const AT_ONCE: [&str; 3] = ["new", "templates", "schema"];
+
+/// Every command at a size that takes it seconds (or as long as it ever takes): its arguments, and the scene.
+const LONG: [(&str, &str); 24] = [
+    ("draw SCENE -o a.svg", "points-1900"),
+    ("draw SCENE --figure mechanism --dimensions -o b.svg", "points-1900"),
+    ("lesson SCENE --positions 360 -o c.html", "points-40"),
+    ("solve SCENE --steps --digits 30", "chain-200"),
+    ("plan SCENE --json --figure", "chain-200"),
+    ("worksheet SCENE -o d.pdf", "points-1900"),
+    ("accuracy SCENE --patience 10000 --toward-toggle", "six"),
+    ("sweep SCENE --steps 10000000 -o e.npy", "six"),
+    ("sweep SCENE --over l_OA --from 80 --to 80.001 --steps 10000000 -o f.csv", "six"),
+    ("batch SCENE --steps 100000 --vary l_OA=80..80.001:1000 -o g.csv", "six"),
+    ("curves SCENE --steps 100000 -o h.svg", "chain-200"),
+    ("path SCENE --point P7 --poses 72 -o i.svg", "chain-60"),
+    ("animate SCENE --frames 360 -o j.gif", "chain-60"),
+    ("cam SCENE --steps 100000 --profile k.csv -o k", "cam"),
+    ("limits SCENE", "chain-200"),
+    ("mobility SCENE -o l.svg", "chain-200"),
+    ("centres SCENE", "chain-30"),
+    ("inversions SCENE -o m", "chain-10"),
+    ("curvature SCENE --steps", "chain-60"),
+    ("composite SCENE", "chain-60"),
+    ("attempts SCENE --all", "chain-60"),
+    ("synth SCENE", "wish"),
+    ("readings SCENE", "chain-60"),
+    ("solve SCENE --digits 30", "pursuit"),
+];
+
+/// A search of a path through sixty places of a noisy ellipse.
+fn wish() -> String {
+    let place = |k: usize| {
+        let turn = std::f64::consts::TAU * k as f64 / 60.0;
+        let noise = 2.0 * libm::sin(17.0 * k as f64);
+        format!(r#"["{:.3} mm", "{:.3} mm"]"#, 100.0 + 60.0 * libm::cos(turn) + noise, 80.0 + 25.0 * libm::sin(turn))
+    };
+    let places: Vec<String> = (0..60).map(place).collect();
+    format!(r#"{{"synthesis": "path", "points": [{}]}}"#, places.join(", "))
+}
+
+fn scene(folder: &Path, name: &str) -> std::path::PathBuf {
+    let file = format!("{name}.json");
+    let number = |prefix: &str| name.strip_prefix(prefix).and_then(|n| n.parse::<usize>().ok());
+    let text = |text: &str| {
+        let path = folder.join(&file);
+        std::fs::write(&path, text).unwrap();
+        path
+    };
+    match (number("chain-"), number("points-"), name) {
+        (Some(n), ..) => written(folder, &file, &chain(n)),
+        (_, Some(n), _) => written(folder, &file, &points_on_a_link(n)),
+        (.., "cam") => template(folder, "cam-valve-train", &[]),
+        (.., "wish") => text(&wish()),
+        (.., "pursuit") => text(PURSUIT),
+        _ => template(folder, "class-iii-six-bar", &[]),
+    }
+}
+
+/// After a faster target on a circle: without an end.
+const PURSUIT: &str = r#"{"points": {"A": [0, 0]}, "motions": [
+    {"point": "B", "centre": [0, 0], "radius": "100 m", "s": "9 m/s*t"}, {"point": "A", "toward": "B", "speed": "5 m/s"}], "find": ["T_AB"]}"#;
+
+/// The time of the processor that a running program has taken (s): the 14th and 15th field of its `stat`, in hundredths.
+fn taken(child: &Child) -> Option<f64> {
+    let stat = std::fs::read_to_string(format!("/proc/{}/stat", child.id())).ok()?;
+    let fields: Vec<&str> = stat.rsplit(')').next()?.split_whitespace().collect();
+    Some((fields.get(11)?.parse::<f64>().ok()? + fields.get(12)?.parse::<f64>().ok()?) / 100.0)
+}
+
+/// Whether it was still there, and what it took after the signal.
+fn interrupted(folder: &Path, arguments: &[String], signal: &str, after: Duration) -> Option<f64> {
+    let mut run = Command::new(env!("CARGO_BIN_EXE_hodograph"));
+    let mut child = run.current_dir(folder).args(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+    std::thread::sleep(after);
+    let before = taken(&child)?;
+    if child.try_wait().unwrap().is_some() {
+        return None;
+    }
+    assert!(Command::new("kill").arg(signal).arg(child.id().to_string()).status().unwrap().success());
+    let (asked, mut last) = (Instant::now(), before);
+    while child.try_wait().unwrap().is_none() {
+        last = taken(&child).filter(|t| *t > 0.0).unwrap_or(last);
+        assert!(asked.elapsed() < DEADLINE, "{arguments:?} does not heed {signal}");
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    Some(last - before)
+}
+
+#[test]
+fn a_signal_ends_every_command() {
+    let help = hodograph().args(["--help", "--lang", "en"]).output().unwrap().stdout;
+    let help = String::from_utf8(help).unwrap();
+    let listed = help.lines().skip_while(|l| !l.starts_with("Commands:")).skip(1).take_while(|l| !l.is_empty());
+    for command in listed.filter(|l| !l.starts_with("   ")).filter_map(|l| l.split_whitespace().next()).filter(|c| *c != "help") {
+        let tried = AT_ONCE.contains(&command) || LONG.iter().any(|(line, _)| line.split(' ').next() == Some(command));
+        assert!(tried, "no signal is sent to `{command}`: add a command line that takes it seconds");
+    }
+    let mut ended = 0;
+    for (k, (line, name)) in LONG.iter().enumerate() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = scene(folder.path(), name);
+        let arguments: Vec<String> = line.split(' ').map(|w| if w == "SCENE" { path.display().to_string() } else { w.to_owned() }).collect();
+        let signal = if k % 2 == 0 { "-INT" } else { "-TERM" };
+        let Some(after) = interrupted(folder.path(), &arguments, signal, Duration::from_millis(800)) else { continue };
+        ended += 1;
+        assert!(after < MOST_S, "{line} of {name}: {after} s of the processor after {signal}");
+        // Nothing half-written has its name.
+        let left: Vec<_> = std::fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+        let named = |n: &&String| !n.ends_with(".json") && !n.starts_with('.') && !n.contains(".part") && n.contains('.');
+        assert!(!left.iter().any(|n| named(&n)), "{line} of {name} leaves {left:?}");
+    }
+    assert!(ended > 6, "only {ended} commands took long enough to be interrupted");
+}
