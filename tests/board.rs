@@ -128,7 +128,9 @@ fn shows(row: &[Term], wanted: &[Term]) -> bool {
     let flip = |t: &Term| (t.kind, t.to, t.of);
     let plain = |t: &Term| (t.kind, t.of, t.to);
     row.windows(wanted.len()).any(|w| {
-        let same = |f: &dyn Fn(&Term) -> (TermKind, hodograph::plan::VertexId, hodograph::plan::VertexId)| w.iter().zip(wanted).all(|(a, b)| plain(a) == f(b));
+        let same = |f: &dyn Fn(&Term) -> (TermKind, hodograph::plan::VertexId, hodograph::plan::VertexId)| {
+            w.iter().zip(wanted).all(|(a, b)| plain(a) == f(b))
+        };
         same(&plain) || same(&flip)
     })
 }
@@ -165,7 +167,8 @@ fn no_vector_is_drawn_twice_and_each_that_is_asked_is_drawn() {
                 for (k, b) in group.between.iter().enumerate() {
                     between += 1;
                     let wanted = b.terms();
-                    let earlier = groups[..g].iter().flat_map(|g| &g.between).chain(&group.between[..k]).any(|o| shows(&o.terms(), &wanted));
+                    let earlier =
+                        groups[..g].iter().flat_map(|g| &g.between).chain(&group.between[..k]).any(|o| shows(&o.terms(), &wanted));
                     let row = |s: &Step| {
                         s.chains().iter().any(|c| {
                             let alone = if c.unknown.len() == 1 { &c.unknown[..] } else { &[] };
@@ -190,7 +193,9 @@ fn arms_are_as_long_as_their_bodies() {
     for (name, scene, w) in all() {
         let layout = Layout::of(&w.construction);
         for seed in 0..3 {
-            let Ok((drawn, _)) = by_hand(&scene, &w.mechanism, &w.configuration, &w.plan, &layout, &mut Blunt::new(0.5, seed)) else { continue };
+            let Ok((drawn, _)) = by_hand(&scene, &w.mechanism, &w.configuration, &w.plan, &layout, &mut Blunt::new(0.5, seed)) else {
+                continue;
+            };
             for rate in &drawn.rates {
                 let Some(m) = &rate.measured else { continue };
                 let spots = [m.line.0, m.line.1].map(|v| w.plan.vertex(v).spot);

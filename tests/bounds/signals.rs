@@ -116,7 +116,8 @@ fn a_signal_ends_every_command() {
     for (k, (line, name)) in LONG.iter().enumerate() {
         let folder = tempfile::tempdir().unwrap();
         let path = scene(folder.path(), name);
-        let arguments: Vec<String> = line.split(' ').map(|w| if w == "SCENE" { path.display().to_string() } else { w.to_owned() }).collect();
+        let arguments: Vec<String> =
+            line.split(' ').map(|w| if w == "SCENE" { path.display().to_string() } else { w.to_owned() }).collect();
         let signal = if k % 2 == 0 { "-INT" } else { "-TERM" };
         let Some(after) = interrupted(folder.path(), &arguments, signal, Duration::from_millis(800)) else { continue };
         ended += 1;

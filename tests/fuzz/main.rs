@@ -173,7 +173,8 @@ fn options(help: &str) -> Vec<String> {
 /// The commands that the program tells of by itself, each with its options.
 fn commands() -> Vec<(String, Vec<String>)> {
     let help = |command: &[&str]| {
-        let run = assert_cmd::Command::new(env!("CARGO_BIN_EXE_hodograph")).args(command).args(["--help", "--lang", "en"]).output().unwrap();
+        let run =
+            assert_cmd::Command::new(env!("CARGO_BIN_EXE_hodograph")).args(command).args(["--help", "--lang", "en"]).output().unwrap();
         String::from_utf8(run.stdout).unwrap()
     };
     let all = help(&[]);
@@ -216,7 +217,10 @@ fn fuzz_arguments() {
     let commands = commands();
     assert!(commands.len() > 20, "{commands:?}");
     for (command, options) in &commands {
-        assert!(right.iter().any(|line| line.split(' ').next() == Some(command)), "no command line of `{command}` {options:?} is tried: add one");
+        assert!(
+            right.iter().any(|line| line.split(' ').next() == Some(command)),
+            "no command line of `{command}` {options:?} is tried: add one"
+        );
     }
     let seeds: Vec<String> = right.iter().map(|s| s.to_string()).collect();
     let folder = tempfile::tempdir().unwrap();

@@ -2,6 +2,7 @@
 //! pairs that repeat others; which assembly is meant where nothing is said.
 
 use hodograph::analytic::{Solution, solve, third};
+use hodograph::answer::Source;
 use hodograph::construct::conditions;
 use hodograph::geom::Point;
 use hodograph::mechanism::Level;
@@ -202,16 +203,27 @@ fn third_derivatives_are_the_slopes_of_the_accelerations() {
         for (l, link) in scene.links.iter().enumerate() {
             for p in &link.points {
                 let Some(place) = w.configuration.points[p.0] else { continue };
-                let Some((jerk, turning)) = third(&scene, &w.mechanism, &w.configuration, &w.demand, &w.solution, place)[l] else { continue };
+                let Some((jerk, turning)) = third(&scene, &w.mechanism, &w.configuration, &w.demand, &w.solution, place)[l] else {
+                    continue;
+                };
                 let rate_of = |s: &Solution| s.turning(Level::Acceleration, LinkId(l));
                 let of = |s: &Solution| s.vector(Level::Acceleration, *p, None);
                 if let (Some(a), Some(b)) = (rate_of(&after), rate_of(&before)) {
                     let (slope, unit) = ((a - b) / (2.0 * step), rate.powi(3));
-                    assert!((slope - turning).abs() < 1e-4 * (turning.abs() + unit * 1e-2), "{name}, link {}: {turning}, slope {slope}", link.name);
+                    assert!(
+                        (slope - turning).abs() < 1e-4 * (turning.abs() + unit * 1e-2),
+                        "{name}, link {}: {turning}, slope {slope}",
+                        link.name
+                    );
                 }
                 if let (Some(a), Some(b)) = (of(&after), of(&before)) {
                     let (slope, size) = ((a - b) * (0.5 / step), rate.powi(3) * w.configuration.extent());
-                    assert!((slope - jerk).norm() < 1e-4 * (jerk.norm() + size * 1e-2), "{name}, {} of link {}: {jerk:?}, slope {slope:?}", scene.point_name(*p), link.name);
+                    assert!(
+                        (slope - jerk).norm() < 1e-4 * (jerk.norm() + size * 1e-2),
+                        "{name}, {} of link {}: {jerk:?}, slope {slope:?}",
+                        scene.point_name(*p),
+                        link.name
+                    );
                     seen += 1;
                 }
             }

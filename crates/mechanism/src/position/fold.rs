@@ -144,11 +144,14 @@ mod tests {
         let at = configure(&scene, &m, &Demand::of(&scene, &m).with_all_positions()).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
         let drivers = newton::driver_values(&scene, &at);
         let fold = fold(&scene, &m, &at, &drivers, 0);
-        (fold.map(|(value, there)| {
-            let [p, q, r] = ["A", "B", "C"].map(|n| there.points[scene.points.iter().position(|p| p.name == n).unwrap()].unwrap());
-            assert!((q - p).cross(r - q).abs() < 1e-6 * a * b, "A, B, C are not in line\n{text}");
-            angle + (value - drivers.0[0])
-        }), limit)
+        (
+            fold.map(|(value, there)| {
+                let [p, q, r] = ["A", "B", "C"].map(|n| there.points[scene.points.iter().position(|p| p.name == n).unwrap()].unwrap());
+                assert!((q - p).cross(r - q).abs() < 1e-6 * a * b, "A, B, C are not in line\n{text}");
+                angle + (value - drivers.0[0])
+            }),
+            limit,
+        )
     }
 
     /// Next to a limit the fold is found, to the rounding of the equations; from afar it is found or nothing is.
@@ -166,9 +169,16 @@ mod tests {
                         let (fold, limit) = found(lengths.map(|l| l * size), sense, inside, off);
                         assert!(fold.is_some() || inside > 1e-3 * lengths[0], "{lengths:?} {sense}: none from {inside} rad");
                         let Some(value) = fold else { continue };
-                        if inside > 1e-3 { far += 1 } else { near += 1 }
+                        if inside > 1e-3 {
+                            far += 1
+                        } else {
+                            near += 1
+                        }
                         let rounding = 1e-13 + 1e-15 * off / size;
-                        assert!((value - limit).abs() < rounding, "{lengths:?} {sense}, from {inside} rad, {off} m off: {value}, not {limit}");
+                        assert!(
+                            (value - limit).abs() < rounding,
+                            "{lengths:?} {sense}, from {inside} rad, {off} m off: {value}, not {limit}"
+                        );
                     }
                 }
             }

@@ -412,7 +412,10 @@ mod tests {
             for (wrapped, rough) in [(0.3, 0.31), (3.1, -3.1), (-3.0, 3.2), (0.0, 0.0)] {
                 let near = rough + TAU * f64::from(turns);
                 let angle: f64 = whole(wrapped, near);
-                assert!((angle - near).abs() < 0.1 && ((angle - wrapped) / TAU - libm::round((angle - wrapped) / TAU)).abs() < 1e-12, "{near}: {angle}");
+                assert!(
+                    (angle - near).abs() < 0.1 && ((angle - wrapped) / TAU - libm::round((angle - wrapped) / TAU)).abs() < 1e-12,
+                    "{near}: {angle}"
+                );
             }
         }
     }
@@ -428,10 +431,20 @@ mod tests {
         };
         let (ab, ba) = ((r#""2", "3""#, r#""A", "B""#), (r#""3", "2""#, r#""B", "A""#));
         for (links, centres) in [ab, ba] {
-            for more in [r#""teeth": [20, 60]"#, r#""teeth": [60, 20]"#, r#""teeth": [30, 30]"#, r#""teeth": [90, 30], "ring": "2""#, r#""teeth": [30, 90], "ring": "3""#] {
+            for more in [
+                r#""teeth": [20, 60]"#,
+                r#""teeth": [60, 20]"#,
+                r#""teeth": [30, 30]"#,
+                r#""teeth": [90, 30], "ring": "2""#,
+                r#""teeth": [30, 90], "ring": "3""#,
+            ] {
                 // The ring is the larger one.
                 let (hollow, first) = (more.contains("ring"), links.starts_with("\"2"));
-                let more = if hollow && !first { more.replace("\"2\"", "\"x\"").replace("\"3\"", "\"2\"").replace("\"x\"", "\"3\"") } else { more.to_owned() };
+                let more = if hollow && !first {
+                    more.replace("\"2\"", "\"x\"").replace("\"3\"", "\"2\"").replace("\"x\"", "\"3\"")
+                } else {
+                    more.to_owned()
+                };
                 let text = pair(links, centres, &more);
                 let scene = scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
                 let m = Mechanism::new(&scene).unwrap().value;
