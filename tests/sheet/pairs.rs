@@ -2,7 +2,7 @@
 
 use hodograph::figure::mechanism::mechanism;
 use hodograph::geom::Point;
-use hodograph::paper::item::{Item, Shape};
+use hodograph::paper::item::{Dash, Item, Shape};
 use hodograph::paper::style::Style;
 use hodograph::plan::notation::Notation;
 use hodograph::scene::{self, Lang, templates};
@@ -97,4 +97,32 @@ fn oblique_guides_have_names_of_their_own() {
     different.sort_unstable();
     different.dedup();
     assert_eq!((names.len(), different.len()), (4, 4), "{names:?}");
+}
+
+/// A cam of constant breadth between two faces: both touch it, the one that only repeats the other dashed.
+#[test]
+fn a_yoke_has_two_faces() {
+    let yoke = r#"{"links": {"1": ["O"], "2": ["O", "B"]}, "ground": "1", "points": {"O": [0, 0]}, "lengths": {"OB": "20 mm"},
+        "guides": [{"pin": "F", "slider": "3", "on": "1", "through": "O", "angle": "90 deg"}],
+        "cams": [{"cam": "2", "follower": "3", "face": {}, "profile": {"centre": "B", "radius": "30 mm"}},
+                 {"cam": "2", "follower": "3", "face": {"through": "F", "angle": "0 deg", "offset": "-60 mm", "cam": "left"},
+                  "profile": {"centre": "B", "radius": "30 mm"}}],
+        "driver": {"link": "2", "angle": "50 deg", "omega": "2 rad/s"}, "find": ["v_F"]}"#;
+    let items = drawn(yoke);
+    let circle = items.iter().find_map(|i| match i.shape {
+        Shape::Arc { centre, radius_mm, .. } if i.class.ends_with("cam") => Some((centre, radius_mm)),
+        _ => None,
+    });
+    let (centre, radius) = circle.unwrap();
+    let faces: Vec<(f64, Dash)> = items
+        .iter()
+        .filter_map(|i| match i.shape {
+            Shape::Line { from, to, stroke } if i.id.contains("follower-3") && (from.y - to.y).abs() < 1e-9 => {
+                Some((from.y - centre.y, stroke.dash))
+            }
+            _ => None,
+        })
+        .collect();
+    assert!(faces.iter().all(|(off, _)| (off.abs() - radius).abs() < 1e-9), "{faces:?} {radius}");
+    assert!(faces.iter().any(|f| f.0 > 0.0 && f.1 == Dash::Solid) && faces.iter().any(|f| f.0 < 0.0 && f.1 == Dash::Dashed), "{faces:?}");
 }

@@ -9,7 +9,7 @@ use crate::figure::label::Label;
 use crate::figure::place::LabelRequest;
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
-use crate::mechanism::Level;
+use crate::mechanism::{Level, Opened};
 use crate::plan::names::name_label;
 use crate::position::Path;
 use crate::scene::{Asked, Cam, Direction, Follows, GuideId, GuidePath, LinkId, Pieces, PointId, Turning};
@@ -108,7 +108,7 @@ impl Draft<'_> {
             Segment::Arc { centre, radius, .. } => {
                 let k = at(centre);
                 let outward = match c.follows {
-                    Follows::Face(_) => self.face_normal(c, k)?,
+                    Follows::Face(_) => self.face_normal(c)?,
                     Follows::Edge(p) | Follows::Roller(p, _) | Follows::Arc(p, _) => {
                         (self.point(p)? - k).unit()? * if radius + end < 0.0 { -1.0 } else { 1.0 }
                     }
@@ -155,19 +155,16 @@ impl Draft<'_> {
         let Some((k, radius)) = c.circle else { return self.posed_contact(c) };
         let k = self.point(k)?;
         let toward = match c.follows {
-            Follows::Face(_) => self.face_normal(c, k)?,
+            Follows::Face(_) => self.face_normal(c)?,
             Follows::Edge(p) | Follows::Roller(p, _) | Follows::Arc(p, _) => (self.point(p)? - k).unit()?,
         };
         Some((k + toward * self.mm(radius), Some(k)))
     }
 
     /// From the centre of a circle toward a flat face, square to it.
-    fn face_normal(&self, c: &Cam, k: Point) -> Option<Vec2> {
+    fn face_normal(&self, c: &Cam) -> Option<Vec2> {
         let Some(Path::Line { direction, .. }) = self.guide(c.contact?) else { return None };
-        let n = direction.perp();
-        // The centre lies by the radius on the cam's side; the point of the face tells which that is.
-        let through = self.point(c.follows.point())?;
-        Some(if (through - k).dot(n) >= 0.0 { n } else { -n })
+        Some(if c.left { -direction.perp() } else { direction.perp() })
     }
 
     /// Profiles, behind the links.
@@ -273,9 +270,22 @@ impl Draft<'_> {
         let named = self.scene.links[c.follower.0].points.iter().filter(|p| self.on_face(**p)).filter_map(|p| self.point(*p));
         let farthest = named.filter(|p| (*p - foot).dot(n).abs() < super::SAME_MM).map(|p| (p - foot).dot(u)).fold(0.0, f64::max);
         let reach = (along.norm() + BEYOND_MM).max(farthest);
-        let from = if slides { foot - u * reach } else { foot };
-        let owner = self.d.draw(id, "", sym::link(self.style, &[from, foot + u * reach]));
-        if (foot - through).norm() > super::SAME_MM && !slides {
+        let apart = (foot - through).norm() > super::SAME_MM;
+        // A second face of a sliding follower is held by a frame round the cam.
+        let yoke = c.touched_radius().filter(|_| apart && slides).map(|r| u * (along.norm() + self.mm(r) + BEYOND_MM));
+        let [from, to] = match yoke {
+            Some(half) => [foot - half, foot + half],
+            None => [if slides { foot - u * reach } else { foot }, foot + u * reach],
+        };
+        let items = sym::link(self.style, &[from, to]);
+        let items = c.contact.map_or(items.clone(), |g| self.as_opened(Opened::Guide(g), items));
+        let owner = self.d.draw(id, "", items);
+        if let Some(half) = yoke {
+            for [from, to] in [[from, through - half], [through - half, through + half], [through + half, to]] {
+                self.d.draw(id, "", sym::link(self.style, &[from, to]));
+            }
+        }
+        if apart && !slides {
             self.d.draw(id, "", sym::link(self.style, &[through, foot]));
             self.d.draw(id, "", sym::weld(self.style, foot, through, contact));
         }

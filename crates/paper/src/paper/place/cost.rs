@@ -35,6 +35,8 @@ const NEARER_MAX: f64 = 4.0;
 /// A foreign place nearer than the own one, or a line as thick as the own one nearer than that: less than touching, but poor, so that a
 /// leader line is tried.
 pub(super) const STRAYS: f64 = 7.5;
+/// Of lines that lie over one another neither is nearer, whatever rounding says.
+const TIE_MM: f64 = 1e-6;
 /// Letters within this of one place are those of one mark.
 const ONE_MARK_MM: f64 = 0.15;
 /// A leader line across a line, or across a label.
@@ -93,13 +95,13 @@ impl<'a> Around<'a> {
         match self.wanted.target {
             Target::Point { at, .. } => {
                 let own = nearest(rect, at).distance(at);
-                self.rivals.iter().any(|p| nearest(rect, *p).distance(*p) < own)
+                self.rivals.iter().any(|p| nearest(rect, *p).distance(*p) < own - TIE_MM)
             }
             Target::Segment { clear_mm, .. } => {
                 let own = own_distance(rect, self.wanted.target);
                 let rival = |l: &&Line| !l.own && !l.meets && l.bar.half_width_mm >= clear_mm;
                 let near = |l: &Line| touch(rect.grown(own + l.bar.half_width_mm), l.bounds);
-                self.bars.iter().filter(rival).any(|l| near(l) && distance(rect, l.bar) - l.bar.half_width_mm < own)
+                self.bars.iter().filter(rival).any(|l| near(l) && distance(rect, l.bar) - l.bar.half_width_mm < own - TIE_MM)
             }
             Target::Arc { .. } => false,
         }
@@ -199,7 +201,8 @@ pub(super) fn strays(c: Rect, leader: bool, wanted: &Wanted, obstacles: &Obstacl
         let foreign = bar.owner.is_none() || bar.owner != wanted.owner;
         foreign && bar.half_width_mm >= clear_mm && touch(reach.grown(bar.half_width_mm), Rect::new(bar.from, bar.to))
     };
-    !leader && obstacles.bars.iter().any(|bar| rival(bar) && !meets(bar, wanted.target) && distance(c, bar) - bar.half_width_mm < own)
+    !leader
+        && obstacles.bars.iter().any(|bar| rival(bar) && !meets(bar, wanted.target) && distance(c, bar) - bar.half_width_mm < own - TIE_MM)
 }
 
 /// What it costs to leave the paper.
