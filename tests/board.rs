@@ -9,8 +9,18 @@ use hodograph::plan::{Body, By, Spot, Step, Term, TermKind};
 use hodograph::scene::{self, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 
-/// All templates, and these: a wheel on a turning track, a composite motion, a cylinder that stretches with an acceleration.
-const MORE: [&str; 3] = [
+/// All templates, and these: a wheel on a turning track, a composite motion, a cylinder that stretches with an acceleration, three links one
+/// after another on five legs, a five-bar with gears on its floating links.
+const MORE: [&str; 5] = [
+    r#"{"units": {"length": "m"}, "links": {"1": ["O","A"], "2": ["A","P"], "3": ["P","Q","S"], "4": ["S","R","T"], "5": ["T","U","V"], "6": ["Q","G"],
+    "7": ["R","H"], "8": ["U","K"], "9": ["V","L"], "0": ["O","G","H","K","L"]}, "ground": "0",
+    "points": {"O": [0,0], "A": [1,1], "P": [2,4], "Q": [3,5.5], "S": [5,4], "R": [6.5,6], "T": [8,4.2], "U": [10,6], "V": [11,4], "G": [1.5,8], "H": [7.5,9],
+    "K": [9,9], "L": [13,1]}, "driver": {"link": "1", "omega": "2 rad/s", "alpha": "1 rad/s^2"},
+    "find": ["v_S", "a_S", "v_V", "a_V", "omega_3", "omega_4", "alpha_5", "omega_9"]}"#,
+    r#"{"links": {"1": ["O", "D"], "2": ["O", "A"], "3": ["A", "B"], "4": ["B", "C"], "5": ["C", "D"]}, "ground": "1",
+    "units": {"length": "mm"}, "points": {"O": [0, 0], "D": [200, 0], "A": [25, 43], "B": [135, 95], "C": [225, 105]},
+    "gears": [{"links": ["3", "5"], "centres": ["B", "C"], "teeth": [30, 45], "at": "K"}],
+    "driver": {"link": "2", "omega": "10 rad/s"}, "find": ["v_B", "a_C", "omega_3", "omega_5", "alpha_4"]}"#,
     r#"{"units": {"length": "mm", "angle": "deg"}, "links": {"1": ["A","D","F"], "2": ["A","B"], "3": ["B","C"], "4": ["C","D"], "5": ["E"], "6": ["E","F"]},
     "ground": "1", "points": {"A": [0,0], "D": [140,0], "F": [20,190]}, "lengths": {"AB": 60, "BC": 140, "CD": 95, "EF": 118},
     "sketch": {"C": [160,90], "E": [74,120]}, "rolling": [{"wheel": "5", "centre": "E", "radius": 25, "on": "3", "line": "BC", "through": "B"}],
@@ -41,6 +51,19 @@ fn all() -> Vec<(String, Scene, Worked)> {
 
 fn steps(worked: &Worked, level: Level) -> impl Iterator<Item = &Step> {
     worked.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further))
+}
+
+/// What has a construction is drawn, and says what the loop equations say.
+#[test]
+fn what_can_be_drawn_is_drawn() {
+    for (name, scene, w) in all().into_iter().filter(|(name, ..)| name != "double-butterfly") {
+        // Centres of velocity are found on a drawing of their own.
+        for r in w.results.iter().filter(|r| !scene.find[r.find].text.starts_with("P_")) {
+            let find = &scene.find[r.find].text;
+            assert!(r.drawn.is_some(), "{name}: {find} is not drawn");
+            assert!(r.agreement.is_none_or(|a| a.holds()), "{name}: {find} {:?}", r.agreement);
+        }
+    }
 }
 
 /// A magnitude that is told is told by what it is made of: 2ωv of a Coriolis term, ω²l, ωl, αl.

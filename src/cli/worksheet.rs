@@ -51,6 +51,7 @@ pub fn run(a: args::Worksheet) -> Run {
     };
     let written = write(&document, stem(&a.output)).map_err(|f| input.failed(f))?;
     input.notes.extend(written.appear(&a.output)?);
+    input.notes.extend(document.remarks());
     input.say_notes();
     Ok(verdict(&worked))
 }

@@ -13,8 +13,14 @@ use crate::scene::front::Law;
 
 /// The code of what is said where the steps do not follow a course to its end.
 pub const LOST: &str = "pursuit-lost";
-/// More steps are not made.
+/// More steps are not made to an instant, or of a length that fails.
 const MOST_STEPS: usize = 4000;
+/// More steps are not made to a meeting: a pursuer that is faster by a hundredth needs some hundred.
+const MOST_TO_MEET: usize = 1200;
+/// As many of them with a target that is as fast or faster: it is met early, if it runs against the pursuer, or never.
+const MOST_SLOWER: usize = 800;
+/// A meeting that takes more steps is not sought in longer numbers, each step of which costs fifty times as much.
+pub const MOST_LONGER: usize = 200;
 /// No meeting within so many times the time that the pursuer would need to the first place of the target.
 const HORIZON: f64 = 1e4;
 /// Two that come nearer more slowly than this part of the pursuer's speed keep their distance for a step.
@@ -166,8 +172,9 @@ impl Chase<'_> {
         let mut wish: Option<f64> = None;
         // Steps that were too long, in all.
         let mut budget = MOST_STEPS;
+        let mut slower = 0;
         seen(&here);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..if until.is_some() { MOST_STEPS } else { MOST_TO_MEET } {
             let l = here.distance();
             let left = until.map_or(f64::INFINITY, |u| (u - here.t).approx());
             if l <= near * first || left <= 0.0 {
@@ -182,6 +189,10 @@ impl Chase<'_> {
             }
             if !(l.is_finite() && v.is_finite() && w.is_finite()) {
                 break;
+            }
+            slower += usize::from(until.is_none() && v <= w);
+            if slower > MOST_SLOWER {
+                return Ok((here, false));
             }
             if until.is_none() && here.t.approx() > HORIZON * first / v {
                 return Ok((here, false));
@@ -213,7 +224,11 @@ impl Chase<'_> {
             seen(&here);
         }
         let t = here.t.approx();
-        let message = both!("the pursuit cannot be followed beyond t = {t} s", "追踪运动在 t = {t} s 之后无法继续积分");
+        let message = both!(
+            "the pursuit is not followed beyond t = {t:.4e} s, where the two are {:.4e} m apart",
+            "追踪运动只积分到 t = {t:.4e} s，此时两点相距 {:.4e} m",
+            here.distance()
+        );
         let help = both!(
             "the steps of the integration become too small or too many; what holds at an earlier \"time\" can be asked",
             "积分步长过小或步数过多；可求较早 \"time\" 的结果"
@@ -226,7 +241,15 @@ impl Chase<'_> {
     /// # Errors
     /// As [`Chase::follow`].
     pub fn end<N: Real + Into<Dd>>(&self) -> Result<End, Diagnostic> {
-        let (last, met) = self.follow(self.start::<N>()?, None, &mut |_| {})?;
+        self.end_seen::<N>(&mut |_| {})
+    }
+
+    /// The same; every state on the way goes to `seen`.
+    ///
+    /// # Errors
+    /// As [`Chase::follow`].
+    pub fn end_seen<N: Real + Into<Dd>>(&self, seen: &mut dyn FnMut(&State<N>)) -> Result<End, Diagnostic> {
+        let (last, met) = self.follow(self.start::<N>()?, None, seen)?;
         if !met {
             return Ok(End::Apart { until: last.t.approx(), distance: last.distance() });
         }

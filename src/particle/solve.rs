@@ -121,10 +121,11 @@ fn answered(
 }
 
 /// How a pursuit ends, in the longest numbers that its laws have values in. Whether it has an end is found in `f64`: what goes round after a
-/// faster target for good is not followed in numbers that cost fifty times as much.
+/// faster target for good is not followed in numbers that cost fifty times as much, nor is what goes round for long before it meets.
 fn ended(chase: &Chase) -> Result<End, Diagnostic> {
-    match chase.end::<f64>()? {
-        End::Meet { .. } if longer(chase)? => chase.end::<Dd>(),
+    let mut steps = 0;
+    match chase.end_seen::<f64>(&mut |_| steps += 1)? {
+        End::Meet { .. } if longer(chase)? && steps <= pursuit::MOST_LONGER => chase.end::<Dd>(),
         end => Ok(end),
     }
 }

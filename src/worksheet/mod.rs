@@ -23,6 +23,7 @@ mod solution;
 pub mod typst;
 
 use crate::certified::{Certified, Steps, certify, steps};
+use crate::diag::Diagnostic;
 use crate::figure::font::own::Fonts;
 use crate::figure::item::Figure;
 use crate::figure::sheet;
@@ -78,6 +79,17 @@ pub struct Document {
     pub fonts: Fonts,
     /// What stands in it.
     pub blocks: Vec<Block>,
+}
+
+impl Document {
+    /// What its reader should know of how its drawings were made, each thing once: of the drawing with the most labels.
+    pub fn remarks(&self) -> Vec<Diagnostic> {
+        let figures = self.blocks.iter().filter_map(|block| match block {
+            Block::Figure { figure, .. } => Some(figure),
+            Block::Heading(..) | Block::Paragraph(_) | Block::List { .. } | Block::Table(_) | Block::Formula(_) => None,
+        });
+        figures.max_by_key(|f| f.remarks().len() * f.labels_placed()).map_or_else(Vec::new, |f| f.remarks())
+    }
 }
 
 /// A piece of a document.

@@ -63,6 +63,20 @@ fn large_mechanisms_are_drawn_and_coarse_labels_are_told() {
     }
 }
 
+/// The dimensions of a problem's figure are placed coarsely where they are many, which is told; all documents hold them.
+#[test]
+fn worksheets_over_many_points_are_written_and_told() {
+    let folder = tempfile::tempdir().unwrap();
+    for (n, coarse) in [(3, false), (60, true), (400, true)] {
+        let scene = written(folder.path(), "points.json", &points_on_a_link(n));
+        let output = folder.path().join(format!("{n}.md"));
+        let (code, said) = run(&["worksheet", "--problem-only"], &scene, &output);
+        assert_eq!((code, said.contains("coarse-labels")), (Some(0), coarse), "{n}: {said}");
+        let figure = std::fs::read_to_string(folder.path().join(format!("{n}-mechanism.svg"))).unwrap();
+        assert!(figure.matches("dimension-").count() > 5, "{n}");
+    }
+}
+
 /// A lesson places the labels of every position: what would take minutes is refused at once, what is accepted is made.
 #[test]
 fn lessons_have_a_limit() {

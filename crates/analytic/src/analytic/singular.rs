@@ -293,11 +293,14 @@ mod tests {
 
     /// What comes of a four-bar in line, whose C lies `off` beside the line, where poses are known to 1e-6.
     fn carried(link: u8, d: f64, off: f64) -> Carried {
-        let text = format!(
+        carried_in(&format!(
             r#"{{"links": {{"1": ["A", "B"], "2": ["B", "C"], "3": ["D", "C"], "0": ["A", "D"]}}, "ground": "0", "units": {{"length": "m"}},
             "points": {{"A": [0, 0], "B": [1, 0], "C": [4, {off:e}], "D": [3, {d}]}}, "driver": {{"link": "{link}", "omega": "1 rad/s"}}, "find": ["omega_2"]}}"#
-        );
-        let scene = scene::read(&text).unwrap().value;
+        ))
+    }
+
+    fn carried_in(text: &str) -> Carried {
+        let scene = scene::read(text).unwrap().value;
         let m = Mechanism::new(&scene).unwrap().value;
         let demand = Demand::of(&scene, &m);
         let at = configure(&scene, &m, &demand).unwrap().value;
@@ -317,6 +320,19 @@ mod tests {
             // The rocker's drive at its limit: only A, B and C in line.
             let dead = carried(3, -2.0, off);
             assert_eq!(dead.refused.iter().map(|r| r.why).collect::<Vec<_>>(), [Why::DeadPoint], "{off}");
+        }
+    }
+
+    /// Two sliders on parallel guides, joined by a rod that is square to them: both ways are one, and accelerations do not follow.
+    #[test]
+    fn two_ways_that_are_one_within_what_is_known() {
+        for off in [0.0, 1e-13, -1e-11, 1e-10, -1e-10, 1e-9] {
+            let one = carried_in(&format!(
+                r#"{{"links": {{"1": ["A", "B"], "0": ["O"]}}, "ground": "0", "units": {{"length": "m"}}, "points": {{"O": [-1, 0], "A": [0, 0], "B": [{off:e}, 3]}},
+                "guides": [{{"pin": "A", "on": "0", "angle": "0 deg"}}, {{"pin": "B", "on": "0", "angle": "0 deg"}}],
+                "driver": {{"slide": "A", "velocity": "1 m/s"}}, "find": ["v_B", "a_B"]}}"#
+            ));
+            assert_eq!((one.passed.len(), one.refused.iter().map(|r| r.why).collect::<Vec<_>>()), (1, vec![Why::NoAcceleration]), "{off}");
         }
     }
 }

@@ -45,9 +45,10 @@ pub(super) fn image_label(scene: &Scene, point: PointId, link: Option<&str>, pri
 /// their own.
 pub(super) fn small(scene: &Scene, point: PointId) -> String {
     let name = scene.point_name(point);
-    let lower = name.to_lowercase();
-    let shared = scene.points.iter().any(|p| p.name != name && p.name.to_lowercase() == lower);
-    if shared { name.to_owned() } else { lower }
+    // Most names differ in their first letters.
+    let alike = |other: &str| other.chars().flat_map(char::to_lowercase).eq(name.chars().flat_map(char::to_lowercase));
+    let shared = scene.points.iter().any(|p| p.name != name && alike(&p.name));
+    if shared { name.to_owned() } else { name.to_lowercase() }
 }
 
 /// The image of what bears this name, which is in the case of images.

@@ -201,7 +201,7 @@ impl Face {
             Slant::Upright => ROMAN_FIRST,
             Slant::Symbol => MATH_FIRST,
         };
-        fonts.face_of(c, slant).or_else(|| order.into_iter().find(|face| face.loaded().glyph(c).is_some()))
+        fonts.face_of(c, slant).or_else(|| order.into_iter().find(|face| face.known(c, |loaded| loaded.glyph(c).is_some())))
     }
 
     /// Shapes a run of characters (kerning included).
@@ -237,13 +237,13 @@ impl Face {
         out
     }
 
-    /// Whether the font has a character and can draw it.
-    fn draws(&self, c: char) -> bool {
+    /// What is found of a character once: of a bundled font whether it has it, of one of the author's whether it can draw it too.
+    fn known(&self, c: char, find: impl FnOnce(&Loaded) -> bool) -> bool {
         KNOWN.with_borrow_mut(|known| {
             if known.len() >= MOST_RUNS {
                 known.clear();
             }
-            *known.entry((self.key(), c)).or_insert_with(|| drawn(self.loaded(), c).is_some())
+            *known.entry((self.key(), c)).or_insert_with(|| find(self.loaded()))
         })
     }
 

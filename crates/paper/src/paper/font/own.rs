@@ -184,7 +184,7 @@ impl Fonts {
             Slant::Upright => Cut::Upright,
         };
         let face = Face::Own(chosen.cuts[cut as usize].clone()?);
-        if face.draws(c) {
+        if face.known(c, |loaded| super::drawn(loaded, c).is_some()) {
             return Some(face);
         }
         if !c.is_whitespace() {
