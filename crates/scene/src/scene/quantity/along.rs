@@ -27,8 +27,8 @@ fn turned<N: Real>(angle: &Given<Angle>) -> Option<Vec2<N>> {
     let number =
         |x: f64| if angle.radius == 0.0 { Some(N::from_f64(x)) } else { N::from_bounded(x, angle.radius + x.abs() * f64::EPSILON) };
     let (s, c) = match angle.value {
-        Angle::Deg(d) => number(d)?.sin_cos_degrees(),
-        Angle::Rad(r) => number(r)?.sin_cos(),
+        Angle::Deg(d) => N::sin_cos_degrees(number(d)?),
+        Angle::Rad(r) => N::sin_cos(number(r)?),
     };
     Some(Vec2 { x: c, y: s })
 }
