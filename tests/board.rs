@@ -178,7 +178,7 @@ fn no_vector_is_drawn_twice_and_each_that_is_asked_is_drawn() {
         }
         let mut text: serde_json::Value = serde_json::from_str(templates::get(t.name).unwrap()).unwrap();
         text["find"] = asked.clone().into();
-        let Ok(scene) = scene::read(&text.to_string()) else { continue };
+        let Ok(scene) = scene::read(text.to_string()) else { continue };
         let Ok(done) = work(&scene.value, Scope::Questions) else { continue };
         let w = done.value;
         for (r, find) in w.results.iter().map(|r| (r, &scene.value.find[r.find].text)) {

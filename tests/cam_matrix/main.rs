@@ -62,6 +62,9 @@ fn faults(s: &Setting) -> Vec<String> {
     if s.seat == Seat::Still {
         find.retain(|f| !f.contains("E2"));
     }
+    if matches!(s.end, End::Round(r) if r > 0.0) {
+        find.push("pressure_3".into());
+    }
     if swings {
         find.extend(["omega_3".into(), "alpha_3".into()]);
     }
@@ -93,6 +96,12 @@ fn faults(s: &Setting) -> Vec<String> {
     let a3 = a + arm.perp() * alpha3 - arm * (w3 * w3);
     let v2 = s.cam_velocity(now.held.contact);
     let beside = (spread[1] - spread[0]).norm().max(1e-3);
+    // The way of the end in its carrier, against the normal.
+    let way = match s.way(0.0) {
+        envelope::Way::Along { direction, .. } => direction,
+        envelope::Way::About { pivot, .. } => (now.point - pivot).perp(),
+    };
+    let pressure = arm.cross(way).abs().atan2(arm.dot(way).abs());
     for r in &worked.results {
         let text = scene.find[r.find].text.as_str();
         let (exact, tolerance) = match text {
@@ -102,6 +111,7 @@ fn faults(s: &Setting) -> Vec<String> {
             "v_E3" => ([v3.x, v3.y], 1e-6),
             "a_E3" => ([a3.x, a3.y], 2e-5),
             "vr_E3E2" => ([v3.x - v2.x, v3.y - v2.y], 1e-6),
+            "pressure_3" => ([pressure, 0.0], 1e-5),
             "omega_3" => ([w, 0.0], 1e-6),
             "alpha_3" => ([alpha, 0.0], 2e-5),
             f if f.starts_with("v_") => ([v.x, v.y], 1e-7),
@@ -109,7 +119,7 @@ fn faults(s: &Setting) -> Vec<String> {
         };
         let drawn = r.drawn.iter().map(|d| ("drawn", d.value));
         for (how, value) in drawn.chain([("computed", r.computed)]) {
-            let got = numbers(value);
+            let got = numbers(value).map(|x| if text == "pressure_3" { x.abs() } else { x });
             if (0..2).any(|k| (got[k] - exact[k]).abs() > tolerance) {
                 out.push(format!("{text} {how}: {got:?}, by brute force {exact:?}"));
             }
@@ -117,7 +127,7 @@ fn faults(s: &Setting) -> Vec<String> {
         if r.agreement.is_some_and(|a| !a.holds()) {
             out.push(format!("{text}: drawing and analysis disagree"));
         }
-        if r.drawn.is_none() && !text.starts_with(['x', 'y']) {
+        if r.drawn.is_none() && !text.starts_with(['x', 'y', 'p']) {
             out.push(format!("{text} is not drawn"));
         }
     }

@@ -49,3 +49,30 @@ fn the_scene_of_the_readme_is_solved() {
     let scene = readme.split("```json\n").nth(1).unwrap().split("```").next().unwrap().to_string();
     hodograph().args(["solve", "-"]).write_stdin(scene).assert().success();
 }
+
+/// Counting asks neither for rates nor for profiles; where the pose is told there are drawings, else links and pairs are listed.
+#[test]
+fn worksheets_on_mobility_need_no_rates() {
+    let folder = tempfile::tempdir().unwrap();
+    let posed = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1",
+        "points": {"A": [0, 0], "B": ["30 mm", "40 mm"], "C": ["120 mm", "60 mm"], "D": ["100 mm", 0]}, "driver": {"link": "2"}}"#;
+    let undriven = posed.replace(r#", "driver": {"link": "2"}"#, "");
+    let pairs = r#"{"links": {"1": ["O","P"], "2": ["O"], "3": ["P","B"], "4": ["B"]}, "ground": "1", "cams": [{"cam": "2", "follower": "3", "roller": {"pin": "B"}}]}"#;
+    for (scene, drawings) in [(posed, 2), (undriven.as_str(), 2), (pairs, 0)] {
+        for lang in ["en", "zh"] {
+            let out = folder.path().join("count.md");
+            let run = |args: &[&str]| hodograph().current_dir(folder.path()).args(args).write_stdin(scene.to_owned()).assert();
+            run(&["worksheet", "-", "--mobility", "--lang", lang, "-o", "count.md"]).success();
+            let text = std::fs::read_to_string(&out).unwrap();
+            assert_eq!(text.matches(".svg").count(), drawings, "{text}");
+            assert!(text.contains("=1$$"), "{text}");
+            assert!(!text.contains("rad/s"), "a rate that nothing tells: {text}");
+            let groups = run(&["mobility", "-", "-o", "groups.svg"]);
+            if drawings > 0 {
+                groups.success()
+            } else {
+                groups.code(2)
+            };
+        }
+    }
+}

@@ -166,6 +166,22 @@ fn circular_arc_cam_with_a_flat_face() {
     near((s.contact - s.pitch).norm(), 29.431_052_967_262_5, "contact from the axis");
 }
 
+/// A swinging face that lies beside its pivot is not pushed along its own normal: the pressure angle is that of the pivot's line to the contact.
+#[test]
+fn a_face_beside_its_pivot_has_a_pressure_angle() {
+    let parts = [Part::Circle(Vec2::new(12.0, 0.0), 30.0)];
+    for (lever, sense, cam) in [(8.0, 1.0, 1.0), (-6.0, 1.0, -1.0), (8.0, -1.0, 1.0), (0.0, 1.0, 1.0)] {
+        let follower = Follower::Oscillating { pivot: Vec2::new(90.0, 5.0), arm: 0.0, sense };
+        let disc = Disc { follower, touch: Touch::Flat { lever }, motion: Motion::Profile(segments(&parts).unwrap()), sense: cam };
+        for k in 0..12 {
+            let s = disc.station(deg(30.0 * k as f64 + 4.0), Side::After).unwrap();
+            // From the foot of the pivot on the face to the contact, and from the pivot to the face.
+            let along = (s.contact - s.pitch).norm();
+            near(s.pressure.abs(), (lever.abs() / along).atan(), "pressure angle");
+        }
+    }
+}
+
 /// Curvature and contact of the profile of arcs are those of the arcs: inversion finds the profile again.
 #[test]
 fn inversion_finds_the_profile_from_which_the_motion_was_made() {

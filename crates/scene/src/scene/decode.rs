@@ -26,9 +26,8 @@ const MAX_TITLE: usize = 500;
 /// Longest statement: some pages, broken into lines word by word.
 pub(super) const MAX_STATEMENT: usize = 10_000;
 
-/// Decodes a whole file. Faults are collected; what could be read is returned, so that later stages find theirs too.
-///
-/// `extent`: how much it has to tell.
+/// Decodes a whole file, which has to tell as much as `extent` says. Faults are collected; what could be read is returned, so that later stages
+/// find theirs too.
 pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<RawScene> {
     let f = Fields::open(root, both!("a scene", "机构文件"), keys::SCENE, faults)?;
     let mut raw = RawScene { extent, ..RawScene::default() };

@@ -1,14 +1,18 @@
 //! `s_3`, `psi_3`, `h_3`, `Psi_3`, `Phi_3`, `pressure_3`, `rho_2/3`, `rho_min_2`: of a disc cam and its follower.
 //!
-//! They follow from the geometry of the cam alone ([`crate::cam`]), in double precision: no more digits than those are vouched for.
+//! They follow from the geometry of the cam alone ([`crate::cam`]), in double precision: no more digits than those are vouched for. Where no one link
+//! carries cam and follower, the pressure angle and the radius of curvature are those of the pose: of a round end's way against the normal at the contact,
+//! and of the arc that is touched.
 
+use super::along::along;
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
 use crate::cam::Follower;
 use crate::diag::{Both, Diagnostic, both};
+use crate::geom::Vec2;
 use crate::number::Real;
 use crate::scene::book::Kind;
 use crate::scene::cams::{Cam, Turning};
-use crate::scene::model::{Find, LinkId, Scene};
+use crate::scene::model::{Find, GuideId, GuidePath, LinkId, PointId, Scene};
 use crate::scene::resolve::Question;
 
 /// Of a cam and its follower.
@@ -19,6 +23,8 @@ pub struct CamQuantity {
     link: LinkId,
     /// The follower of ρ.
     follower: Option<LinkId>,
+    /// The point of a round end.
+    end: Option<PointId>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,7 +63,7 @@ impl Quantity for CamQuantity {
         let names = question.names();
         if what == What::Rho {
             if let Some(cam) = names.strip_prefix("min_") {
-                return Ok(Some(CamQuantity { what: What::RhoMin, link: question.link(cam.trim())?, follower: None }));
+                return Ok(Some(CamQuantity { what: What::RhoMin, link: question.link(cam.trim())?, follower: None, end: None }));
             }
             let Some((cam, follower)) = names.split_once('/') else {
                 let d = question.fault(both!(
@@ -71,9 +77,11 @@ impl Quantity for CamQuantity {
                 )));
             };
             let (link, follower) = (question.link(cam.trim())?, question.link(follower.trim())?);
-            return Ok(Some(CamQuantity { what, link, follower: Some(follower) }));
+            return Ok(Some(CamQuantity { what, link, follower: Some(follower), end: None }));
         }
-        Ok(Some(CamQuantity { what, link: question.link(names)?, follower: None }))
+        let link = question.link(names)?;
+        let end = (what == What::Pressure).then(|| question.end_of(link)).flatten();
+        Ok(Some(CamQuantity { what, link, follower: None, end }))
     }
 
     fn entry(&self) -> &'static Entry {
@@ -103,11 +111,15 @@ impl Quantity for CamQuantity {
     }
 
     fn needs(&self) -> Vec<(Need, Level)> {
-        Vec::new()
+        // Where the geometry of the cam does not tell it, the places of what touches do.
+        self.end.map(|p| (Need::Point(p, None), Level::Position)).into_iter().collect()
     }
 
     fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
         let Some((cam, t)) = self.cam(scene) else {
+            if self.pair(scene).is_some_and(|c| self.of_the_pose(scene, c)) {
+                return None;
+            }
             let d = Diagnostic::error(
                 "no-cam",
                 both!(
@@ -146,7 +158,7 @@ impl Quantity for CamQuantity {
     }
 
     fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
-        let (_, t) = self.cam(known.scene())?;
+        let Some((_, t)) = self.cam(known.scene()) else { return self.posed(known) };
         let value = match self.what {
             What::Lift | What::Swing => t.disc.coordinate(t.phi, t.side)?.value() - t.survey.of(&t.disc).rest,
             What::Stroke | What::Angle => t.survey.of(&t.disc).stroke,
@@ -177,6 +189,38 @@ impl CamQuantity {
         Some((cam, cam.disc.as_ref()?))
     }
 
+    /// Whether it is of the pose, whatever carries the cam.
+    fn of_the_pose(&self, scene: &Scene, cam: &Cam) -> bool {
+        match self.what {
+            What::Rho => cam.touched_radius().is_some(),
+            What::Pressure => cam.follows.radius().is_some() && cam.contact.is_some() && way_of(scene, cam).is_some(),
+            What::Lift | What::Swing | What::Stroke | What::Angle | What::Rise | What::RhoMin => false,
+        }
+    }
+
+    /// Its value in the pose.
+    fn posed<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+        let scene = known.scene();
+        let cam = self.pair(scene)?;
+        let number = |x: f64| N::from_bounded(x, x.abs() * LOST);
+        if self.what == What::Rho {
+            return number(cam.touched_radius()?.abs()).map(Value::Scalar);
+        }
+        let end = known.point(cam.follows.point())?;
+        let guide = &scene.guides[cam.contact?.0];
+        let normal = match guide.path {
+            GuidePath::Arc { centre, .. } => end - known.point(centre)?,
+            GuidePath::Line { .. } => along(known, guide)?.perp(),
+        };
+        let way = match way_of(scene, cam)? {
+            Way::Guide(g) => along(known, &scene.guides[g.0])?,
+            Way::Pivot(p) => (end - known.point(p)?).perp(),
+        };
+        let magnitude = |x: N| if x.approx() < 0.0 { -x } else { x };
+        let (n, w) = (normal.unit()?, way.unit()?);
+        Some(Value::Scalar(Vec2 { x: magnitude(n.dot(w)), y: magnitude(n.cross(w)) }.angle()))
+    }
+
     /// The pair that is meant, wherever its cam turns.
     fn pair<'s>(&self, scene: &'s Scene) -> Option<&'s Cam> {
         let meant = |c: &&Cam| match (self.what, self.follower) {
@@ -186,4 +230,17 @@ impl CamQuantity {
         };
         scene.cams.iter().find(meant)
     }
+}
+
+/// On what a follower moves.
+enum Way {
+    Guide(GuideId),
+    Pivot(PointId),
+}
+
+/// The guide in which a follower slides, or the pivot about which it turns.
+fn way_of(scene: &Scene, cam: &Cam) -> Option<Way> {
+    let slides = scene.guides.iter().position(|g| g.slider == Some(cam.follower)).map(|g| Way::Guide(GuideId(g)));
+    let joint = |p: &PointId| *p != cam.follows.point() && scene.carriers(*p).any(|l| l != cam.follower);
+    slides.or_else(|| scene.links[cam.follower.0].points.iter().copied().find(joint).map(Way::Pivot))
 }

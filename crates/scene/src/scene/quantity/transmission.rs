@@ -1,12 +1,13 @@
 //! `gamma_C`: the transmission angle at a pin that joins a rod and the link that it moves: the acute angle of the two, of a slider that of the rod
 //! against the normal of its guide.
 
+use super::along::along;
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
 use crate::diag::{Both, Diagnostic, both};
 use crate::geom::Vec2;
 use crate::number::Real;
 use crate::scene::book::Kind;
-use crate::scene::model::{Find, GuidePath, LinkId, OnLink, PointId, Scene};
+use crate::scene::model::{Find, Guide, GuideId, GuidePath, LinkId, OnLink, PointId, Scene};
 use crate::scene::resolve::Question;
 
 /// A transmission angle.
@@ -22,7 +23,7 @@ enum Side {
     /// It is a bar to another joint.
     Bar(PointId),
     /// It slides in a straight guide.
-    Slider(LinkId),
+    Slider(GuideId),
 }
 
 impl Quantity for Transmission {
@@ -81,7 +82,7 @@ impl Quantity for Transmission {
         let direction = |side: Side| -> Option<Vec2<N>> {
             match side {
                 Side::Bar(end) => (known.point(end)? - known.point(self.at)?).unit(),
-                Side::Slider(link) => known.direction(link)?.unit().map(Vec2::perp),
+                Side::Slider(guide) => along(known, &known.scene().guides[guide.0]).map(Vec2::perp),
             }
         };
         let (a, b) = (direction(a)?, direction(b)?);
@@ -96,11 +97,12 @@ impl Transmission {
     fn sides(&self, scene: &Scene) -> Option<[Side; 2]> {
         let joint = |p: PointId| scene.carriers(p).count() > 1 || scene.guides.iter().any(|g| g.pin == Some(p));
         let straight = |l: LinkId| {
-            scene.guides.iter().any(|g| g.slider == Some(l) && g.pin == Some(self.at) && matches!(g.path, GuidePath::Line { .. }))
+            let runs = |g: &Guide| g.slider == Some(l) && g.pin == Some(self.at) && matches!(g.path, GuidePath::Line { .. });
+            scene.guides.iter().position(runs).map(GuideId)
         };
         let side = |l: LinkId| {
             let end = || scene.links[l.0].points.iter().copied().find(|p| *p != self.at && joint(*p));
-            if straight(l) { Some(Side::Slider(l)) } else { end().map(Side::Bar) }
+            straight(l).map(Side::Slider).or_else(|| end().map(Side::Bar))
         };
         let links: Vec<LinkId> = scene.carriers(self.at).collect();
         match links[..] {

@@ -1,6 +1,7 @@
 //! The section `find`: what is asked.
 
 use super::*;
+use crate::scene::cams::raw::RawFollows;
 use crate::scene::quantity::{self, Asked, Entry, Frame, Level, Of, PointMotion, Rate, Turning};
 
 pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
@@ -208,6 +209,13 @@ impl Question<'_> {
             let cam = self.c.names.link(&cam.cam).ok()?;
             Some((self.c.names.point(pin).ok()?, cam, self.first_point(cam)?))
         })
+    }
+
+    /// The point of a follower's round end that touches a cam.
+    pub fn end_of(&self, follower: LinkId) -> Option<PointId> {
+        let name = self.c.link_name(follower);
+        let cam = self.c.raw.cams.iter().find(|cam| cam.follower.text == name && !matches!(cam.follows, RawFollows::Face(_)))?;
+        self.c.names.point(cam.follows.pin()?).ok()
     }
 
     /// The first point of a link.
