@@ -121,7 +121,7 @@
 //! gears      geom
 //! trains     scene
 //! centres    diag geom scene mechanism position answer worked certified
-//! composite  diag geom scene mechanism answer worked
+//! composite  diag geom scene mechanism position answer worked
 //! attempts   diag digits geom scene mechanism position answer plan construct worked
 //! curvature  diag geom scene mechanism position answer analytic sweep worked centres
 //! inversions diag scene mechanism position sweep worked curvature

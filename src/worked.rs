@@ -3,6 +3,7 @@
 //! The arrows of the crate documentation as one call, for the command line, for tests and for callers who want it all. Each
 //! stage is public by itself as well.
 
+pub mod contact;
 mod far;
 mod higher;
 #[cfg(test)]

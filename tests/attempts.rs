@@ -2,7 +2,10 @@
 
 use hodograph::answer::Value;
 use hodograph::attempts::{Attempt, sites, wanted};
-use hodograph::scene::{self, Mistake, templates};
+use hodograph::composite::{Place, Staged};
+use hodograph::mechanism::Level;
+use hodograph::scene::quantity::composite::Part;
+use hodograph::scene::{self, Mistake, PointId, templates};
 use hodograph::worked::{Scope, Worked, work};
 use std::collections::BTreeSet;
 
@@ -134,5 +137,118 @@ fn a_mistake_that_cannot_be_made_is_refused() {
     {
         let faults = scene::read(with(wrong)).unwrap_err();
         assert!(faults.list.iter().all(|d| d.span.is_some()), "{faults}");
+    }
+}
+
+/// a_E2 = a_E3 + 2ω₃ × v_E2E3 + aʳ with aʳ along the face: the other equation that is printed, of E of the disc sliding on the face.
+#[test]
+fn the_contact_of_the_disc_seen_from_the_face() {
+    let text = templates::get("flat-face-mistake")
+        .unwrap()
+        .replace(r#""mistake": "contact-point", "#, r#""mistake": "contact-point", "link": "3", "#);
+    let (scene, worked) = worked(&text);
+    let all = wanted(&scene, &worked, false).unwrap();
+    let [_, wrong] = answer(&scene, &worked, &all[0], "alpha_3").map(scalar);
+    // A in the origin; E under 60 degrees on the rim about B, C 80 mm to the right; the normal out of the disc.
+    let (e, c, n) = ([0.035, 0.03 * 3_f64.sqrt() / 2.0], [0.08, 0.0], [0.5, 3_f64.sqrt() / 2.0]);
+    let dot = |p: [f64; 2], q: [f64; 2]| p[0] * q[0] + p[1] * q[1];
+    let ce = [e[0] - c[0], e[1] - c[1]];
+    let turned = |w: f64, p: [f64; 2]| [-w * p[1], w * p[0]];
+    let omega3 = dot(turned(10.0, e), n) / dot(turned(1.0, ce), n);
+    let slide = [0, 1].map(|i| turned(10.0, e)[i] - turned(omega3, ce)[i]);
+    let known = dot([-100.0 * e[0], -100.0 * e[1]], n) - dot(turned(2.0 * omega3, slide), n);
+    let alpha = (known + omega3 * omega3 * dot(ce, n)) / dot(turned(1.0, ce), n);
+    assert!((wrong - alpha).abs() < 1e-9 && (alpha - 128.3).abs() < 0.01, "{wrong} against {alpha}");
+}
+
+/// a_M = aⁿ_MN + aᵗ_MN with the right ω and α, as if N had no acceleration.
+#[test]
+fn the_rolling_point_as_base_of_another() {
+    let text = r#"{"links": {"1": ["O"], "2": ["O", "A"], "3": ["A", "B"], "4": ["B", "M"]}, "ground": "1",
+        "points": {"O": ["-0.6 m", "0.15 m"], "A": ["-0.6 m+0.2 m*cos(70 deg)", "0.15 m+0.2 m*sin(70 deg)"], "B": ["0.1427 m", "0.15 m"], "M": ["0.0463 m", "0.2649 m"]},
+        "rolling": [{"wheel": "4", "centre": "B", "radius": "0.15 m", "through": [0, 0], "angle": "0 deg", "at": "N"}],
+        "driver": {"link": "2", "omega": "3 rad/s"}, "find": ["a_M", "omega_4", "alpha_4"], "attempts": [{"mistake": "rolling-point-a-zero", "pair": "M"}]}"#;
+    let (scene, worked) = worked(text);
+    let all = wanted(&scene, &worked, false).unwrap();
+    let of = |k: usize| scalar(worked.results.iter().find(|r| r.find == k).unwrap().value());
+    let (omega, alpha, arm) = (of(1), of(2), [0.0463 - 0.1427, 0.2649]);
+    let [_, wrong] = answer(&scene, &worked, &all[0], "a_M");
+    let Value::Vector(wrong) = wrong else { panic!("{wrong:?} is no vector") };
+    let expected = [-omega * omega * arm[0] - alpha * arm[1], -omega * omega * arm[1] + alpha * arm[0]];
+    assert!((wrong.x - expected[0]).hypot(wrong.y - expected[1]) < 1e-9, "{wrong:?} against {expected:?}");
+}
+
+/// The flat face in three ways: the centre of the disc on the bar, the contact on the disc, the contact in axes that translate with the centre. The
+/// equation of each, projected on the normal with the parts known there, gives one α.
+#[test]
+fn three_right_ways_agree() {
+    for (name, alpha) in [("flat-face-mistake", 25.6600119639834), ("flat-face-mistake-2", 0.0)] {
+        let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
+        let staged = Staged::new(&scene);
+        let shown = staged.shown(&scene, 3);
+        assert_eq!(shown.len(), 3, "{name}");
+        let (worked, each) = staged.solved(&shown, Level::Acceleration).unwrap().value;
+        let place = |p: PointId| worked.configuration.points[p.0].unwrap();
+        let named = |n: &str| place(PointId(staged.scene.points.iter().position(|p| p.name == n).unwrap()));
+        let (b, c, e) = (named("B"), named("C"), named("E"));
+        let normal = (e - b).unit().unwrap();
+        for s in &each {
+            let told = s.turning.unwrap();
+            assert!((told.alpha.unwrap() - alpha).abs() < 1e-9, "{name}: {:?} gives {:?}", s.choice, told.alpha);
+            let part = |p: Part| s.acceleration.iter().find(|(q, _)| *q == Some(p)).map_or(0.0, |(_, v)| v.dot(normal));
+            let (transport, coriolis) = (part(Part::TransportNormal) + part(Part::TransportTangential), part(Part::Coriolis));
+            let arm = if s.slip.is_some() { e - c } else { b - c };
+            let (square, turned) = (-(arm * (told.omega * told.omega)).dot(normal), arm.perp().dot(normal));
+            let alone = match s.slip {
+                // a_E3 = a_e + a_k + a_rⁿ: only the parts of E3 are unknown.
+                Some(slip) => (transport + coriolis + slip.acceleration() - square) / turned,
+                // a_B = a_eⁿ + a_eᵗ + a_k, a_r along the face: only the parts of the bar's point are unknown.
+                None => (s.acceleration[0].1.dot(normal) - coriolis - square) / turned,
+            };
+            assert!((alone - alpha).abs() < 1e-9, "{name}: {:?} by itself gives {alone}", s.choice);
+        }
+    }
+}
+
+/// Along the normal of any contact the relative acceleration is what the formula makes of the velocities: flat faces and round ends, seen from the
+/// cam, from the follower, and from axes with the centre.
+#[test]
+fn relative_accelerations_at_contacts_follow_from_the_velocities() {
+    let flat = |k: i32| {
+        format!(
+            r#"{{"links": {{"1": ["A", "C"], "2": ["A", "B"], "3": ["C", "F"]}}, "ground": "1", "points": {{"A": [0, 0], "C": ["90 mm", "10 mm"]}},
+            "lengths": {{"AB": "20 mm", "CF": "100 mm"}}, "sketch": {{"F": [-7, 50]}},
+            "cams": [{{"cam": "2", "follower": "3", "face": {{"through": "C", "line": "CF", "cam": "left"}}, "profile": {{"centre": "B", "radius": "30 mm"}}, "at": "E"}}],
+            "driver": {{"link": "2", "angle": "{} deg", "omega": "7 rad/s", "alpha": "-11 rad/s^2"}}, "find": ["alpha_3"]}}"#,
+            37 * k
+        )
+    };
+    let round = |k: i32| {
+        format!(
+            r#"{{"links": {{"1": ["O"], "2": ["O", "C"], "3": ["K"]}}, "ground": "1", "points": {{"O": [0, 0]}}, "lengths": {{"OC": "15 mm"}},
+            "guides": [{{"pin": "K", "slider": "3", "on": "1", "through": ["5 mm", 0], "angle": "80 deg"}}], "sketch": {{"K": [5, 60]}},
+            "cams": [{{"cam": "2", "follower": "3", "arc": {{"pin": "K", "radius": "25 mm"}}, "profile": {{"centre": "C", "radius": "40 mm"}}}}],
+            "driver": {{"link": "2", "angle": "{} deg", "omega": "-9 rad/s", "alpha": "4 rad/s^2"}}, "find": ["a_K"]}}"#,
+            41 * k
+        )
+    };
+    for text in (0..9).flat_map(|k| [flat(k), round(k)]) {
+        let scene = scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+        let staged = Staged::new(&scene);
+        let contacts: Vec<_> = staged.choices(&scene).into_iter().filter(|c| matches!(c.place, Place::Cam(_))).collect();
+        assert_eq!(contacts.len(), 3, "{text}");
+        let (_, each) = staged.solved(&contacts, Level::Acceleration).unwrap().value;
+        assert_eq!(each.len(), 3, "{text}");
+        for s in &each {
+            let slip = s.slip.expect("it is a contact");
+            let part = |p: Part| s.acceleration.iter().find(|(q, _)| *q == Some(p)).map(|(_, v)| *v);
+            let real = part(Part::RelativeNormal).unwrap().dot(slip.normal);
+            let size = s.acceleration.iter().map(|a| a.1.norm()).fold(0.0, f64::max);
+            assert!((real - slip.acceleration()).abs() < 1e-9 * size, "{text}\n{:?}: {real} against {}", s.choice, slip.acceleration());
+            assert!(
+                s.velocity[2].dot(slip.normal).abs() < 1e-9 * s.velocity[0].norm().max(s.velocity[1].norm()),
+                "{text}: v_r leaves the tangent"
+            );
+        }
     }
 }

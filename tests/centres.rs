@@ -408,3 +408,31 @@ fn a_centre_at_infinity_is_a_direction() {
     let found = directions("offset-slider-crank", &["P_34"]);
     assert!((found[0].unwrap() - 90.0).abs() < 1e-9, "{found:?}");
 }
+
+/// "Find all centres of the mechanism shown": no driver and no rate; the same centres as with them, and questions that depend on neither.
+#[test]
+fn centres_need_no_driver() {
+    let bare = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1",
+        "points": {"A": [0, 0], "B": ["30 mm", "40 mm"], "C": ["110 mm", "60 mm"], "D": ["100 mm", 0]}}"#;
+    let slider = r#"{"links": {"1": [], "2": ["B", "C"], "3": ["B"], "4": ["C"]}, "ground": "1", "points": {"B": ["30 mm", 0], "C": [0, "40 mm"]},
+        "guides": [{"pin": "B", "slider": "3", "through": [0, 0], "angle": "0 deg"}, {"pin": "C", "slider": "4", "through": [0, 0], "angle": "90 deg"}]}"#;
+    for (text, name, at) in [(bare, "P13", [0.9 / 7.0, 1.2 / 7.0]), (bare, "P24", [-0.13, 0.0]), (slider, "P12", [0.03, 0.04])] {
+        assert!(hodograph::scene::read(text).is_err());
+        let scene = hodograph::scene::read(hodograph::scene::edit::with_rates(text).unwrap()).unwrap().value;
+        let all = hodograph::centres::centres(&scene).unwrap().value;
+        let json = hodograph::report::centres_json::json(&all, &[]);
+        let found = json["centres"].as_array().unwrap().iter().find(|c| c["name"] == name).unwrap();
+        let near = |k: usize| (found["at"][k].as_f64().unwrap() - at[k]).abs() < 1e-12;
+        assert!(near(0) && near(1), "{name}: {found}");
+    }
+    let asking = bare.replacen('{', r#"{"find": ["P_13", "i_24"], "#, 1);
+    let read = hodograph::scene::read_at_any_rate(&asking).unwrap();
+    assert!(!read.value.drivers[0].rate_told && read.notes.iter().any(|d| d.code == "free-rate"));
+    let worked = hodograph::worked::work(&read.value, hodograph::worked::Scope::Questions).unwrap().value;
+    // i_24 = P₁₄P₂₄ : P₁₂P₂₄.
+    let ratio = worked.results.iter().find(|r| r.find == 1).unwrap().value();
+    assert!(matches!(ratio, hodograph::answer::Value::Scalar(i) if (i - 230.0 / 130.0).abs() < 1e-12), "{ratio:?}");
+    // What depends on the rate has no answer without one.
+    let depends = bare.replacen('{', r#"{"find": ["P_13", "v_B"], "#, 1);
+    assert!(hodograph::scene::read_at_any_rate(depends).is_err());
+}

@@ -304,3 +304,25 @@ fn an_instant_can_be_moved() {
         }
     }
 }
+
+/// Answers and scales in the units of the file, digits as certain as before; JSON stays SI.
+#[test]
+fn answers_have_the_units_of_the_file() {
+    let text = |answers: &str| {
+        format!(
+            r#"{{{answers}"points": {{"A": [0, 0], "B": ["30 m", "40 m"]}}, "motions": [{{"point": "B", "angle": "0 deg", "s": "36 km/h*t"}},
+            {{"point": "A", "toward": "B", "speed": "54 km/h"}}], "find": ["v_A", "l_AB", "T_AB"]}}"#
+        )
+    };
+    let told = |text: String| {
+        let problem = hodograph::particle::read(&text).unwrap_or_else(|f| panic!("{f}")).value;
+        let solved = hodograph::particle::solve(&problem).unwrap();
+        let json = hodograph::report::particle::json(&problem, &solved, &[], 6, &[]);
+        (hodograph::report::particle::text(&problem, &solved, &[], 6, false, hodograph::scene::Lang::En), json["answers"].clone())
+    };
+    let (plain, si) = told(text(""));
+    let (booked, same) = told(text(r#""answers": {"velocity": "km/h", "length": "ft"}, "#));
+    assert!(plain.contains("v_A  = 15.0000 m/s (x 9.00000, y 12.0000)") && plain.contains("l_AB = 50.0000 m"), "{plain}");
+    assert!(booked.contains("v_A  = 54.0000 km/h (x 32.4000, y 43.2000)") && booked.contains("l_AB = 164.042 ft"), "{booked}");
+    assert_eq!(si, same);
+}

@@ -50,7 +50,7 @@ const PLATFORM_FUNCTIONS_ALLOWED: &[(&str, &str)] = &[
     ("src/effort/truth.rs", "differences in longer numbers"),
     ("src/certified/ladder.rs", "directions in intervals"),
     ("src/certified/steps.rs", "angles of crossings in intervals"),
-    ("src/synthesis/time_ratio/crank_rocker.rs", "transmission angles in double-double numbers"),
+    ("src/synthesis/time_ratio/crank_rocker/family.rs", "transmission angles in double-double numbers"),
     ("crates/sweep/src/sweep/reading.rs", "directions over lanes, by libm"),
     ("crates/sweep/src/sweep/turns.rs", "directions over lanes, by libm"),
 ];

@@ -27,14 +27,16 @@ use crate::worked::Worked;
 /// A mistake that the scene lets one make, with its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Site {
-    /// [`Mistake::ContactPoint`], of a cam (index into the scene's list).
-    ContactPoint(usize),
+    /// [`Mistake::ContactPoint`], of a cam (index into the scene's list), with the link in which the point is taken to slide.
+    ContactPoint(usize, LinkId),
     /// [`Mistake::NoCoriolis`], at the pin of a guide.
     NoCoriolis(GuideId),
     /// [`Mistake::CoriolisWrongOmega`], at the pin of a guide, with the turning of another link than that which carries the guide.
     CoriolisWrongOmega(GuideId, LinkId),
-    /// [`Mistake::RollingPointAZero`], at the contact of a rolling pair.
+    /// [`Mistake::RollingPointAZero`], at the contact of a rolling pair: the wheel's image hangs on it.
     RollingPointAZero(RollingId),
+    /// The same at a further point of the wheel, found from the contact with the right angular velocity and acceleration.
+    RollingPointAsBase(RollingId, PointId),
     /// [`Mistake::ImageAcrossLinks`], at a point of the first link, found by an image on points of the second.
     ImageAcrossLinks(PointId, LinkId, LinkId),
     /// [`Mistake::NoNormal`], in the motion of a link.
@@ -58,7 +60,7 @@ pub fn sites(scene: &Scene, worked: &Worked) -> Vec<Site> {
         Mistake::ContactPoint => contact_point::sites(&t),
         Mistake::NoCoriolis => coriolis::without(&t),
         Mistake::CoriolisWrongOmega => coriolis::by_another(&t),
-        Mistake::RollingPointAZero => rolling_point::sites(&t),
+        Mistake::RollingPointAZero => rolling_point::sites(&t).into_iter().chain(rolling_point::bases(&t)).collect(),
         Mistake::ImageAcrossLinks => image::sites(&t),
         Mistake::NoNormal => normal::sites(&t),
         Mistake::AccelerationByCentre => by_centre::sites(&t),
@@ -70,10 +72,10 @@ impl Site {
     /// The mistake.
     pub fn mistake(&self) -> Mistake {
         match self {
-            Site::ContactPoint(_) => Mistake::ContactPoint,
+            Site::ContactPoint(..) => Mistake::ContactPoint,
             Site::NoCoriolis(_) => Mistake::NoCoriolis,
             Site::CoriolisWrongOmega(..) => Mistake::CoriolisWrongOmega,
-            Site::RollingPointAZero(_) => Mistake::RollingPointAZero,
+            Site::RollingPointAZero(_) | Site::RollingPointAsBase(..) => Mistake::RollingPointAZero,
             Site::ImageAcrossLinks(..) => Mistake::ImageAcrossLinks,
             Site::NoNormal(_) => Mistake::NoNormal,
             Site::AccelerationByCentre(_) => Mistake::AccelerationByCentre,
@@ -87,7 +89,8 @@ impl Site {
             Site::NoCoriolis(g) | Site::CoriolisWrongOmega(g, _) => scene.guides[g.0].pin.map(name),
             Site::NoNormal(_) | Site::AccelerationByCentre(_) => None,
             Site::RollingPointAZero(r) => Some(name(scene.rolling[r.0].at[0])),
-            Site::ContactPoint(c) => Some(contact_point::name(scene, c)),
+            Site::RollingPointAsBase(_, p) => Some(name(p)),
+            Site::ContactPoint(c, _) => Some(crate::worked::contact::name(scene, c)),
             Site::ImageAcrossLinks(p, ..) => Some(name(p)),
         }
     }
@@ -96,9 +99,14 @@ impl Site {
     pub fn link(&self, scene: &Scene) -> Option<LinkId> {
         match *self {
             Site::NoCoriolis(g) => Some(scene.guides[g.0].on),
-            Site::CoriolisWrongOmega(_, l) | Site::NoNormal(l) | Site::AccelerationByCentre(l) | Site::ImageAcrossLinks(_, l, _) => Some(l),
-            Site::RollingPointAZero(r) => scene.rolling[r.0].links.into_iter().find(|l| *l != scene.ground),
-            Site::ContactPoint(c) => Some(scene.cams[c].follower),
+            Site::ContactPoint(_, l)
+            | Site::CoriolisWrongOmega(_, l)
+            | Site::NoNormal(l)
+            | Site::AccelerationByCentre(l)
+            | Site::ImageAcrossLinks(_, l, _) => Some(l),
+            Site::RollingPointAZero(r) | Site::RollingPointAsBase(r, _) => {
+                scene.rolling[r.0].links.into_iter().find(|l| *l != scene.ground)
+            }
         }
     }
 
@@ -107,6 +115,14 @@ impl Site {
         if let Site::CoriolisWrongOmega(g, l) = *self {
             let point = scene.guides[g.0].pin.map_or("", |p| scene.point_name(p));
             return both!("at {point}, with ω of link {}", "{point} 处，用构件 {} 的角速度", scene.link_name(l));
+        }
+        if let Site::ContactPoint(c, l) = *self {
+            let point = crate::worked::contact::name(scene, c);
+            return both!("at {point}, frame on link {}", "{point} 处，动系取在构件 {} 上", scene.link_name(l));
+        }
+        if let Site::RollingPointAsBase(r, p) = *self {
+            let (contact, point) = (scene.point_name(scene.rolling[r.0].at[0]), scene.point_name(p));
+            return both!("at {contact}, as the base of {point}", "以 {contact} 为基点求 {point}");
         }
         match self.point(scene) {
             Some(point) => both!("at {point}", "{point} 处"),
@@ -117,10 +133,10 @@ impl Site {
     /// Why it is wrong.
     pub fn why(&self, scene: &Scene) -> Both {
         match *self {
-            Site::ContactPoint(c) => contact_point::why(scene, c),
+            Site::ContactPoint(c, l) => contact_point::why(scene, c, l),
             Site::NoCoriolis(g) => coriolis::why_needed(scene, g),
             Site::CoriolisWrongOmega(g, l) => coriolis::why_of_carrier(scene, g, l),
-            Site::RollingPointAZero(r) => rolling_point::why(scene, r),
+            Site::RollingPointAZero(r) | Site::RollingPointAsBase(r, _) => rolling_point::why(scene, r),
             Site::ImageAcrossLinks(p, own, other) => image::why(scene, p, own, other),
             Site::NoNormal(l) => normal::why(scene, l),
             Site::AccelerationByCentre(l) => by_centre::why(scene, l),
@@ -143,6 +159,11 @@ pub fn named<'a>(scene: &'a Scene, all: &[Site]) -> (Vec<(Site, &'a Attempted)>,
         let fitting: Vec<Site> = offered.iter().filter(fits).copied().collect();
         match fitting[..] {
             [site] => found.push((site, attempt)),
+            // Two equations of one mistake: the first is meant where no link is named.
+            [site @ Site::ContactPoint(cam, _), Site::ContactPoint(other, _)] if cam == other => found.push((site, attempt)),
+            [site @ Site::RollingPointAZero(_), ref bases @ ..] if bases.iter().all(|s| matches!(s, Site::RollingPointAsBase(..))) => {
+                found.push((site, attempt));
+            }
             _ => faults.push(not_one(scene, attempt, &offered, fitting.len())),
         }
     }

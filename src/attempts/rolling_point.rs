@@ -1,11 +1,13 @@
-//! The touching point of a rolling wheel taken to have no acceleration against its track.
+//! The touching point of a rolling wheel taken to have no acceleration against its track: the wheel's image is hung on it, or a further point of the
+//! wheel is found from it with the right angular velocity and acceleration. Both are printed; their numbers differ.
 
-use super::rewrite::{crossing, replace_crossing};
-use super::{Shown, Side, Site, Topology};
+use super::rewrite::{crossing, replace_crossing, steps};
+use super::{Missing, Shown, Side, Site, Topology};
 use crate::diag::{Both, both};
 use crate::mechanism::Level;
-use crate::plan::{By, Chain, Method, Plan, Step, Term, TermKind, VertexId};
-use crate::scene::{RollingId, Scene};
+use crate::plan::names::name_label;
+use crate::plan::{Body, By, Chain, Method, Plan, Spot, Step, Term, TermKind, VertexId};
+use crate::scene::{Contours, LinkId, PointId, Rolling, RollingId, Scene};
 
 /// The crossing that finds the wheel's point at a contact, and the term along the normal in it.
 fn found(plan: &Plan, pair: RollingId) -> Option<(usize, (VertexId, Term))> {
@@ -34,11 +36,101 @@ pub fn as_track(plan: &Plan, pair: RollingId) -> Option<(Plan, Shown)> {
     Some((wrong, shown))
 }
 
+/// Each further point of a wheel on a fixed track that is found by the wheel's image.
+pub fn bases(t: &Topology) -> Vec<Site> {
+    let pairs = (0..t.scene.rolling.len()).map(RollingId);
+    let of = |r: RollingId| {
+        // Its angular velocity and acceleration must be found before its further points are.
+        let turns = |l: &LinkId| Level::RATES.into_iter().all(|level| is_turning_found(t.plan, level, *l));
+        let wheel = wheel_on_ground(t.scene, r).filter(turns);
+        let further = t.plan.acceleration.iter().flat_map(|g| &g.further);
+        let images = further.filter_map(move |step| imaged(t.plan, step, wheel?));
+        images.map(move |(p, _)| Site::RollingPointAsBase(r, p))
+    };
+    let mut all: Vec<Site> = Vec::new();
+    for site in pairs.flat_map(of) {
+        if !all.contains(&site) {
+            all.push(site);
+        }
+    }
+    all
+}
+
+/// The wheel of a pair whose other link is the ground.
+fn wheel_on_ground(scene: &Scene, r: RollingId) -> Option<LinkId> {
+    let Rolling { links: [a, b], contours, .. } = &scene.rolling[r.0];
+    // A strand has two ends, and neither is a base.
+    if matches!(contours, Contours::Belt { .. }) {
+        return None;
+    }
+    let (a, b) = (*a, *b);
+    match (a == scene.ground, b == scene.ground) {
+        (true, false) => Some(b),
+        (false, true) => Some(a),
+        (true, true) | (false, false) => None,
+    }
+}
+
+/// Whether a plan measures or is given the turning of a link.
+fn is_turning_found(plan: &Plan, level: Level, link: LinkId) -> bool {
+    plan.steps(level).iter().flat_map(|g| &g.rates).any(|(body, _)| *body == Body::Link(link))
+}
+
+/// The point that a step finds by the image of a link.
+fn imaged(plan: &Plan, step: &Step, wheel: LinkId) -> Option<(PointId, VertexId)> {
+    let Step::Image { link, target, .. } = *step else { return None };
+    let vertex = plan.vertex(target);
+    match vertex.spot {
+        Spot::Point(p) if link == wheel && vertex.on.is_none() => Some((p, target)),
+        Spot::Point(_) | Spot::Special(_) => None,
+    }
+}
+
+/// The plan in which a point of the wheel has, against the contact at rest, its normal and tangential parts.
+pub fn as_base(scene: &Scene, plan: &Plan, pair: RollingId, point: PointId) -> Option<(Plan, Shown)> {
+    let wheel = wheel_on_ground(scene, pair)?;
+    let at = scene.rolling[pair.0].at[0];
+    let contact = plan.find_vertex(scene, at, Some(wheel))?;
+    let track = plan.find_vertex(scene, at, Some(scene.ground))?;
+    let mut wrong = plan.clone();
+    let mut shown = None;
+    for group in steps(&mut wrong, Level::Acceleration) {
+        for step in &mut group.further {
+            let Some((_, target)) = imaged(plan, step, wheel).filter(|(p, _)| *p == point) else { continue };
+            let term = |kind| Term { kind, of: target, to: contact, by: By::Turning(Body::Link(wheel)), known: true };
+            let known = vec![term(TermKind::Normal), term(TermKind::Tangential)];
+            *step = Step::Equation { target, chains: vec![Chain { start: track, known, unknown: vec![] }], method: Method::SameLink };
+            let missing = Some(own_acceleration(scene, pair, wheel));
+            shown = Some(Shown { level: Level::Acceleration, step: step.clone(), side: Side::Wrong, framed: Vec::new(), missing });
+        }
+    }
+    Some((wrong, shown?))
+}
+
+/// What the contact really has: ω²r toward the centre of a wheel on a straight track, ω²δ on a round one.
+fn own_acceleration(scene: &Scene, pair: RollingId, wheel: LinkId) -> Missing {
+    let rolling = &scene.rolling[pair.0];
+    let (n, link) = (name_label(scene.point_name(rolling.at[0])), name_label(scene.link_name(wheel)));
+    let (centre, straight) = match &rolling.contours {
+        Contours::Track { centre, .. } => (*centre, true),
+        Contours::Circles { centres, .. } | Contours::Belt { centres, .. } => {
+            (if rolling.links[0] == wheel { centres[0] } else { centres[1] }, false)
+        }
+    };
+    let centre = name_label(scene.point_name(centre));
+    let size = if straight { format!("l_{{{centre}{n}}}") } else { "\\delta".to_owned() };
+    Missing {
+        symbol: format!("a_{{{n}{link}}}"),
+        direction: format!("{n} \\to {centre}"),
+        magnitude: format!("\\omega_{{{link}}}^2 {size}"),
+    }
+}
+
 /// Why it has one.
 pub fn why(scene: &Scene, r: RollingId) -> Both {
     let at = scene.point_name(scene.rolling[r.0].at[0]);
     both!(
-        "At {at} the velocities agree, and so do the tangential accelerations; along the normal the point of the wheel has $\\Omega^2 \\rho_1 \\rho_2/(\\rho_1+\\rho_2)$ toward the wheel's centre. No velocity does not mean no acceleration.",
-        "{at} 处两点速度相等，切向加速度也相等；但轮上接触点沿法线有指向轮心的加速度 $\\Omega^2 \\rho_1 \\rho_2/(\\rho_1+\\rho_2)$。速度为零并不意味着加速度为零。"
+        "At ${at}$ the velocities agree, and so do the tangential accelerations; along the normal the point of the wheel has $\\Omega^2 \\rho_1 \\rho_2/(\\rho_1+\\rho_2)$ toward the wheel's centre. No velocity does not mean no acceleration.",
+        "${at}$ 处两点速度相等，切向加速度也相等；但轮上接触点沿法线有指向轮心的加速度 $\\Omega^2 \\rho_1 \\rho_2/(\\rho_1+\\rho_2)$。速度为零并不意味着加速度为零。"
     )
 }

@@ -149,11 +149,12 @@ fn changed(scene: &Scene, worked: &Worked, site: &Site) -> Option<Changed> {
         Site::NoCoriolis(g) => coriolis::left_out(plan, g).map(of_plan),
         Site::CoriolisWrongOmega(g, l) => coriolis::turned_by(plan, g, l).map(of_plan),
         Site::RollingPointAZero(r) => rolling_point::as_track(plan, r).map(of_plan),
+        Site::RollingPointAsBase(r, p) => rolling_point::as_base(scene, plan, r, p).map(of_plan),
         Site::ImageAcrossLinks(p, ..) => image::on_points_of(scene, plan, p).map(of_plan),
         Site::NoNormal(l) => normal::left_out(plan, l).map(of_plan),
         Site::AccelerationByCentre(l) => by_centre::hung_on_pole(scene, plan, l).map(of_plan),
-        Site::ContactPoint(c) => {
-            let (right, wrong, shown) = contact_point::slid(scene, &worked.configuration, c)?;
+        Site::ContactPoint(c, frame) => {
+            let (right, wrong, shown) = contact_point::slid(scene, &worked.configuration, c, frame)?;
             Some(Changed::Mechanism(Box::new((right, wrong)), shown))
         }
     }

@@ -15,16 +15,17 @@ pub fn run(a: args::Composite) -> Run {
     let mut input = Input::read(&a.common)?;
     let (lang, _) = choices(&input.scene, &a.common);
     Mechanism::new(&input.scene).map_err(|f| input.failed(f))?;
-    let all = composite::choices(&input.scene);
-    let shown = composite::shown(&input.scene, MOST);
-    let Warned { value, notes } = composite::solved(&input.scene, &shown, composite::level(&input.scene)).map_err(|f| input.failed(f))?;
+    let staged = composite::Staged::new(&input.scene);
+    let all = staged.choices(&input.scene);
+    let shown = staged.shown(&input.scene, MOST);
+    let Warned { value, notes } = staged.solved(&shown, composite::level(&input.scene)).map_err(|f| input.failed(f))?;
     input.notes.extend(notes);
     let (_, solved) = value;
     if a.json {
-        files::print(&format!("{:#}\n", report::json(&input.scene, &all, &solved, &input.notes)))?;
+        files::print(&format!("{:#}\n", report::json(&staged, &all, &solved, &input.notes)))?;
         return Ok(ExitCode::SUCCESS);
     }
-    files::print(&report::text(&input.scene, &all, &solved, lang))?;
+    files::print(&report::text(&staged.scene, &all, &solved, lang))?;
     input.say_notes();
     Ok(ExitCode::SUCCESS)
 }

@@ -195,8 +195,9 @@ struct Input {
 }
 
 impl Input {
+    /// The scene that the command line names; one without a rate where nothing that it asks depends on it.
     fn read(common: &Common) -> Result<Input, Failure> {
-        Input::read_as(common, |text| Ok(text.to_owned()))
+        Input::read_by(common, |text| Ok(text.to_owned()), &|bytes| scene::read_at_any_rate(bytes))
     }
 
     /// The scene that the command line names, with its parameters, its text changed.

@@ -124,6 +124,14 @@ pub fn draw(a: &args::Draw, style: &Style) -> Run {
     let input = Input::read(&a.common)?;
     let mut figures: Vec<(String, Figure)> =
         figure::figures(&input.problem, &input.solved, &input.board, style, input.lang()).map_err(|d| input.failed(d))?;
+    if figures.is_empty() {
+        let message = both!(
+            "there is nothing to draw: no point pursues another one or moves on a plate",
+            "没有可画的图：没有追踪运动，也没有在平板上运动的点"
+        );
+        let help = both!("`hodograph solve` answers what is asked of laws alone", "仅由运动规律求得的量请用 `hodograph solve`");
+        return Err(input.failed(Diagnostic::error("no-figure", message).help(help)));
+    }
     if let Some(width_mm) = draw::width(a)? {
         figures = fit::placed(figures, fit::Room::Column(width_mm)).map_err(|f| input.failed(f))?;
     }

@@ -2,18 +2,22 @@
 //! the parts of the motion for one of them.
 //!
 //! Moving point M and frame belong to different bodies, M is the same material point for good, and its path in the frame is known: then
-//! v_r has a known direction, a_rⁿ a known size, and each equation is left with the unknowns of one crossing. Choices come from topology
-//! alone; the parts of one are found as questions of the scene are, by drawing and by analysis.
+//! v_r has a known direction, a_rⁿ a known size, and each equation is left with the unknowns of one crossing. The same holds of the momentary
+//! point at which a cam is touched ([`contact`]). Choices but those come from topology alone; the parts of one are found as questions of the scene
+//! are, by drawing and by analysis.
 
+pub mod contact;
 mod projection;
 mod solved;
 
+pub use contact::Staged;
 pub use projection::{Projection, projections};
-pub use solved::{Known, Solved, solved};
+use solved::solved;
+pub use solved::{Known, Solved, Turned};
 
 use crate::mechanism::Level;
 use crate::scene::quantity::{Frame, RelativePath, owns, relative_path};
-use crate::scene::{GuidePath, LinkId, OnLink, PointId, Scene};
+use crate::scene::{GuidePath, LinkId, Moving, OnLink, PointId, Scene};
 
 /// Whether a moving point and a frame serve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +45,8 @@ pub enum Place {
     Pin(PointId),
     /// The contact of a rolling pair.
     Contact(crate::scene::RollingId),
+    /// The contact of a cam, index into the scene's list.
+    Cam(usize),
 }
 
 /// A moving point and a frame.
@@ -86,11 +92,13 @@ fn momentary(scene: &Scene, of: OnLink) -> bool {
     under_pin || scene.rolling.iter().any(|r| r.at.contains(&of.point) && r.links.contains(&link))
 }
 
-/// All choices: those that the scene names, then those at each slide, pin and contact.
+/// All choices that topology offers: those that the scene names, then those at each slide, pin and contact of wheels.
 pub fn choices(scene: &Scene) -> Vec<Choice> {
     let mut list = List { scene, all: Vec::new() };
     for c in &scene.composite {
-        list.add(c.of, c.frame, Place::Named);
+        if let Moving::Point(of) = c.of {
+            list.add(of, c.frame, Place::Named);
+        }
     }
     for (g, guide) in scene.guides.iter().enumerate().filter(|(_, g)| g.rolling.is_none()) {
         list.guide(crate::scene::GuideId(g), guide);
@@ -122,16 +130,6 @@ pub fn name_of(scene: &Scene, p: &OnLink) -> String {
 /// How deep the parts of a motion go: to accelerations where a question of the scene asks for any, else to velocities.
 pub fn level(scene: &Scene) -> Level {
     scene.find.iter().map(|f| f.what.level()).max().map_or(Level::Velocity, |l| l.max(Level::Velocity))
-}
-
-/// The choices that a figure shows: those that the scene names, else the first that serve.
-pub fn shown(scene: &Scene, most: usize) -> Vec<Choice> {
-    let all = choices(scene);
-    let named: Vec<Choice> = all.iter().copied().filter(|c| c.place == Place::Named && usable(c)).collect();
-    if !named.is_empty() {
-        return named;
-    }
-    all.into_iter().filter(|c| c.verdict == Verdict::Serves).take(most).collect()
 }
 
 /// Whether there are parts at all.

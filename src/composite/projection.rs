@@ -16,17 +16,24 @@ pub struct Projection {
     pub level: Level,
     /// The direction of the line (unit vector), square to v_r.
     pub line: Vec2,
+    /// Whether the point is at rest in the frame at the instant.
+    pub rests: bool,
     /// The vectors that have a part on it, each with its angle from the line (rad, from 0 to π): that of the point first.
     pub terms: Vec<(Option<Part>, f64)>,
 }
 
-/// The projections of a choice; none where the path in the frame is not known, or the point rests in the frame.
+/// The projections of a choice; none where the path in the frame is not known, or the point rests in the frame for good.
 pub fn projections(s: &Solved) -> Vec<Projection> {
     let [absolute, transport, relative] = s.velocity;
-    let Some(along) = relative.unit().filter(|_| !matches!(s.choice.path, RelativePath::Unknown)) else { return Vec::new() };
+    let along = match s.slip {
+        Some(slip) => Some(slip.normal.perp()),
+        // A point at rest on a straight path tells its direction by its acceleration.
+        None => relative.unit().or_else(|| tangential(s)?.unit()).filter(|_| !matches!(s.choice.path, RelativePath::Unknown)),
+    };
+    let Some(along) = along else { return Vec::new() };
     // The sense in which the velocity of the point counts as positive.
     let line = along.perp();
-    let line = if absolute.dot(line) < 0.0 { -line } else { line };
+    let line = if absolute.dot(line) < -SQUARE * absolute.norm() { -line } else { line };
     let velocities = [(None, absolute), (Some(Part::TransportVelocity), transport)];
     let mut out = Vec::new();
     for (level, vectors) in [(Level::Velocity, velocities.to_vec()), (Level::Acceleration, s.acceleration.clone())] {
@@ -39,8 +46,13 @@ pub fn projections(s: &Solved) -> Vec<Projection> {
         };
         let terms: Vec<_> = vectors.iter().filter_map(on_line).collect();
         if terms.len() > 1 {
-            out.push(Projection { level, line, terms });
+            out.push(Projection { level, line, rests: relative.norm() <= SQUARE * absolute.norm(), terms });
         }
     }
     out
+}
+
+/// a_rᵗ.
+fn tangential(s: &Solved) -> Option<Vec2> {
+    s.acceleration.iter().find(|(part, _)| *part == Some(Part::RelativeTangential)).map(|(_, v)| *v)
 }

@@ -1,13 +1,14 @@
 //! The parts of a composite motion, found as questions of the scene are.
 
-use super::Choice;
+use super::contact::Slip;
+use super::{Choice, Staged};
 use crate::diag::{Faults, Warned};
 use crate::geom::Vec2;
 use crate::mechanism::Level;
 use crate::scene::quantity::composite::Part;
 use crate::scene::quantity::{Composite, Frame, PointMotion, Rate, RelativePath};
-use crate::scene::{Asked, Find, Scene};
-use crate::worked::{Outcome, Scope, Worked, work};
+use crate::scene::{Asked, Find, LinkId, PointId, Scene};
+use crate::worked::{Outcome, Worked};
 
 /// The parts of one choice.
 #[derive(Clone, Debug)]
@@ -18,8 +19,27 @@ pub struct Solved {
     pub velocity: [Vec2; 3],
     /// a_a and its parts in the order of [`Part`]; empty where the scene does not call for accelerations.
     pub acceleration: Vec<(Option<Part>, Vec2)>,
+    /// What is known of the relative motion, where the moving point is a momentary point of contact.
+    pub slip: Option<Slip>,
+    /// The turning that follows from the wanted motion.
+    pub turning: Option<Turned>,
     /// Whether v_a is known before v_e (the point is nearer to the driver than the frame).
     pub known: Known,
+}
+
+/// Turning about a fixed axis that follows from the motion of a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turned {
+    /// The link.
+    pub link: LinkId,
+    /// The fixed axis.
+    pub axis: PointId,
+    /// Whether the link is the frame, so that it follows from v_e and a_eᵗ; else from v_a and a_aᵗ.
+    pub of_frame: bool,
+    /// ω (rad/s).
+    pub omega: f64,
+    /// α (rad/s²), where accelerations are found.
+    pub alpha: Option<f64>,
 }
 
 /// What of v_a and v_e is known beforehand.
@@ -42,11 +62,12 @@ const PARTS: [Part; 5] = [Part::TransportNormal, Part::TransportTangential, Part
 ///
 /// # Errors
 /// Those of the scene: a dead centre has no motion to part.
-pub fn solved(scene: &Scene, choices: &[Choice], level: Level) -> Result<Warned<(Worked, Vec<Solved>)>, Faults> {
+pub(super) fn solved(staged: &Staged, choices: &[Choice], level: Level) -> Result<Warned<(Worked, Vec<Solved>)>, Faults> {
+    let scene = &staged.scene;
     let mut asking = scene.clone();
     asking.find = choices.iter().flat_map(|c| questions(scene, c, level)).collect();
-    let Warned { value: worked, notes } = work(&asking, Scope::Figure)?;
-    let each = choices.iter().filter_map(|c| parts(&asking, &worked, c, level)).collect();
+    let Warned { value: worked, notes } = staged.work(&asking)?;
+    let each = choices.iter().filter_map(|c| parts(staged, &asking, &worked, c, level)).collect();
     Ok(Warned { value: (worked, each), notes })
 }
 
@@ -95,7 +116,7 @@ fn questions(scene: &Scene, c: &Choice, level: Level) -> Vec<Find> {
     all.iter().map(|what| named(scene, what, c)).collect()
 }
 
-fn parts(scene: &Scene, worked: &Worked, c: &Choice, level: Level) -> Option<Solved> {
+fn parts(staged: &Staged, scene: &Scene, worked: &Worked, c: &Choice, level: Level) -> Option<Solved> {
     let value = |what: &Asked| {
         let of = |r: &&Outcome| scene.find[r.find].what == *what;
         match worked.results.iter().find(of)?.value() {
@@ -112,7 +133,58 @@ fn parts(scene: &Scene, worked: &Worked, c: &Choice, level: Level) -> Option<Sol
             acceleration.push((Some(*p), value(&part(c, *p))?));
         }
     }
-    Some(Solved { choice: *c, velocity, acceleration, known: known(scene, worked, c) })
+    let slip = staged.slip(c, worked, velocity[2]);
+    if let Some(slip) = slip {
+        parted(&mut acceleration, slip.normal);
+    }
+    let known = known(scene, worked, c);
+    let turning = turning(scene, worked, c, known, velocity, &acceleration);
+    Some(Solved { choice: *c, velocity, acceleration, slip, turning, known })
+}
+
+/// The frame's turning where its motion is wanted, that of the point's link where that is; none where it has no fixed axis at another place.
+fn turning(
+    scene: &Scene,
+    worked: &Worked,
+    c: &Choice,
+    known: Known,
+    [v_a, v_e, _]: [Vec2; 3],
+    acceleration: &[(Option<Part>, Vec2)],
+) -> Option<Turned> {
+    let of_frame = match known {
+        Known::Absolute => true,
+        Known::Transport => false,
+        Known::Both => return None,
+    };
+    let point = c.of.point;
+    let (link, axis) = if of_frame {
+        let Frame::Link(l) = c.frame else { return None };
+        (l, c.frame.axis(scene, c.of)?)
+    } else {
+        let own = c.of.link.map_or_else(|| scene.carriers(point).find(|l| *l != scene.ground), Some)?;
+        (own, Frame::Link(own).axis(scene, c.of)?)
+    };
+    let at = &worked.configuration.points;
+    let arm = at[point.0]? - at[axis.0]?;
+    let about = |v: Vec2| arm.cross(v) / arm.norm2();
+    let of = |wanted: &[Option<Part>]| acceleration.iter().filter(|(part, _)| wanted.contains(part)).map(|(_, v)| *v).reduce(|a, b| a + b);
+    let whole = if of_frame { of(&[Some(Part::TransportNormal), Some(Part::TransportTangential)]) } else { of(&[None]) };
+    let omega = about(if of_frame { v_e } else { v_a });
+    let above = |x: f64, size: f64| if x.abs() <= ROUNDING * size { 0.0 } else { x };
+    let alpha = whole.map(|a| above(about(a), a.norm() / arm.norm()));
+    (arm.norm() > 0.0).then_some(Turned { link, axis, of_frame, omega, alpha })
+}
+
+/// What is below this part of its size is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// a_r in its parts along a normal and square to it, a_k behind them as everywhere.
+fn parted(acceleration: &mut Vec<(Option<Part>, Vec2)>, normal: Vec2) {
+    let Some(k) = acceleration.iter().position(|(part, _)| *part == Some(Part::Relative)) else { return };
+    let whole = acceleration.remove(k).1;
+    let along = normal * normal.dot(whole);
+    let at = acceleration.iter().position(|(part, _)| *part == Some(Part::Coriolis)).unwrap_or(acceleration.len());
+    acceleration.splice(at..at, [(Some(Part::RelativeNormal), along), (Some(Part::RelativeTangential), whole - along)]);
 }
 
 /// Which of the two motions a plan knows first: that of the earlier group.

@@ -169,7 +169,12 @@ impl Rays {
         }
         let (m, k) = ((f * q.y - g * p.y) / det, (p.x * g - q.x * f) / det);
         // (1/d − 1/M) cos ψ = sin ψ / N.
-        let along = (t * k + n * (1.0 / d - m)).unit()?;
+        let cubic = t * k + n * (1.0 / d - m);
+        // In Cardan motion the inflection circle is part of the cubic: each of its points runs straight, and none is Ball's.
+        if cubic.norm() * d < FLAT {
+            return None;
+        }
+        let along = cubic.unit()?;
         Some(self.pole + along * along.dot(normal))
     }
 }

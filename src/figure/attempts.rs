@@ -5,7 +5,7 @@ use crate::attempts::{Attempt, wanted};
 use crate::certified::certify;
 use crate::construct::{Edge, Polygon};
 use crate::diag::{Faults, Warned};
-use crate::geom::Point;
+use crate::geom::{Point, Vec2};
 use crate::paper::phrase::{Phrase, Piece};
 use crate::plan::VertexId;
 use crate::report::attempts::{Words, gap_symbol};
@@ -21,6 +21,7 @@ use super::label::Label;
 use super::list::{Entry, Extras, Pages, Wanted};
 use super::place::LabelRequest;
 use super::polygon;
+use super::polygon::aside::lane;
 use super::sheet::{Maker, Options};
 use super::style::Style;
 use super::text::set;
@@ -87,8 +88,22 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
     let style = &w.options.style;
     let stroke = Stroke { dash: Dash::Dashed, colour: RED, ..style.vector };
     let mut lettered: Vec<Point> = right.images.iter().flatten().copied().chain([Point::ORIGIN]).collect();
-    let arrow = |d: &mut Drawing, (from, to): (Point, Point), symbol: &str| {
+    let whole = right.images.iter().flatten().map(|tip| (Point::ORIGIN, *tip));
+    let right_edges: Vec<(Point, Point)> = right.edges.iter().map(|e| (e.from.1, e.to.1)).chain(whole).collect();
+    // What lies over another vector is drawn beside it, joined to where it belongs.
+    let mut placed = right_edges.clone();
+    let mut beside = |d: &mut Drawing, name: &str, (from, to): (Point, Point), width_mm: f64| {
+        let by = lane((from, to), &placed, width_mm);
+        let moved = (from + by, to + by);
+        for (end, shifted) in [(from, moved.0), (to, moved.1)].into_iter().filter(|_| by != Vec2::ZERO) {
+            d.shape(&format!("aside-{name}"), "wrong", Shape::Line { from: end, to: shifted, stroke: style.thin.coloured(RED) });
+        }
+        placed.push(moved);
+        moved
+    };
+    let mut arrow = |d: &mut Drawing, ends: (Point, Point), symbol: &str| {
         let name = format!("wrong-{symbol}");
+        let (from, to) = beside(d, &name, ends, style.vector.width_mm);
         let owner = d.shape(&name, "wrong", Shape::Arrow { from, to, stroke, head: style.head });
         let request = LabelRequest::along(Label::math(format!("{symbol}*")), style.label_mm, from, to, stroke.width_mm / 2.0);
         d.label(&name, "wrong", request.owned(owner).optional(true));
@@ -98,8 +113,6 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
         let one = |a: Point, b: Point| a.distance(b) < SAME_MM;
         all.iter().any(|(a, b)| one(*a, from) && one(*b, to))
     };
-    let whole = right.images.iter().flatten().map(|tip| (Point::ORIGIN, *tip));
-    let right_edges: Vec<(Point, Point)> = right.edges.iter().map(|e| (e.from.1, e.to.1)).chain(whole).collect();
     for e in &wrong.edges {
         let (from, to) = (e.from.1, e.to.1);
         if from.distance(to) < SAME_MM || is_there(from, to, &right_edges) || is_there(from, to, &drawn) {
@@ -123,9 +136,10 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
         d.label(&name, "wrong", LabelRequest::at_point(label, style.label_mm, at, style.dot_radius_mm));
     }
     let gap = Stroke { width_mm: style.vector.width_mm * 1.6, colour: RED, ..style.vector };
-    let owner = d.shape("gap", "gap", Shape::Line { from: tips[0], to: tips[1], stroke: gap });
+    let (from, to) = beside(&mut d, "gap", (tips[0], tips[1]), gap.width_mm);
+    let owner = d.shape("gap", "gap", Shape::Line { from, to, stroke: gap });
     let label = Label::math(gap_symbol(&wrong_words, a));
-    d.label("gap", "gap", LabelRequest::along(label, style.label_mm, tips[0], tips[1], gap.width_mm / 2.0).owned(owner));
+    d.label("gap", "gap", LabelRequest::along(label, style.label_mm, from, to, gap.width_mm / 2.0).owned(owner));
     let caption = words.frame_of_drawing(a);
     Some(maker.titled(d.finish(), Label::text(caption), &of_level(&w.scene.book, level, right.mu), "attempt"))
 }

@@ -2,7 +2,7 @@
 //! whose diagonal is v_a, the parts of the acceleration at the point, their polygon, and the projections in words. Several solutions of one
 //! problem stand side by side, to one μ.
 
-use crate::composite::{Solved, level, shown, solved};
+use crate::composite::{Solved, Staged, level};
 use crate::construct::scale;
 use crate::diag::{Faults, Warned};
 use crate::geom::{Point, Vec2};
@@ -46,13 +46,14 @@ const TYPE_MM: f64 = 2.3;
 const SHORTEST_MM: f64 = mechanism::SHORTEST_MM;
 
 fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
-    let choices = shown(w.scene, MOST);
+    let staged = Staged::new(w.scene);
+    let choices = staged.shown(w.scene, MOST);
     if choices.is_empty() {
         return page(ENTRY.name, None);
     }
-    let level = level(w.scene);
-    let Warned { value: (worked, each), .. } = solved(w.scene, &choices, level)?;
-    page(ENTRY.name, (!each.is_empty()).then(|| figure(w, &worked, &each)))
+    let Warned { value: (worked, each), .. } = staged.solved(&choices, level(w.scene))?;
+    let staged = Wanted { scene: &staged.scene, ..*w };
+    page(ENTRY.name, (!each.is_empty()).then(|| figure(&staged, &worked, &each)))
 }
 
 /// The scales of all columns: SI per mm.
@@ -105,11 +106,20 @@ fn figure(w: &Wanted, worked: &Worked, each: &[Solved]) -> Figure {
 }
 
 /// One solution fills a page across: drawings in a row, the text below; in shorter rows where a long mechanism would make the type on the
-/// page too small. Several solutions stand side by side.
+/// page too small. Several solutions stand side by side; below one another where that would make the type too small.
 fn arrange(parts: &mut [Part], columns: &[Vec<usize>], type_mm: f64) {
     let [one] = columns else {
         let row = |k: usize| columns.iter().map(|column| column[k]).collect();
-        return stand(parts, &(0..columns[0].len()).map(row).collect::<Vec<_>>());
+        let beside: Vec<Vec<usize>> = (0..columns[0].len()).map(row).collect();
+        stand(parts, &beside);
+        let printed_mm = type_mm * printed(parts);
+        if printed_mm < TYPE_MM {
+            stand(parts, columns);
+            if type_mm * printed(parts) < printed_mm {
+                stand(parts, &beside);
+            }
+        }
+        return;
     };
     let in_rows_of = |n: usize| one.chunks(n).map(<[usize]>::to_vec).collect::<Vec<_>>();
     let mut best: (f64, usize) = (0.0, 1);

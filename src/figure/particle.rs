@@ -63,8 +63,8 @@ pub struct View {
 
 impl View {
     /// The scales in a line, in the label language.
-    pub fn scale(&self) -> String {
-        let told: Vec<String> = self.scales.iter().map(|(level, mu)| of_level(&Book::default(), *level, *mu)).collect();
+    pub fn scale(&self, book: &Book) -> String {
+        let told: Vec<String> = self.scales.iter().map(|(level, mu)| of_level(book, *level, *mu)).collect();
         told.join(",\\quad ")
     }
 }
@@ -179,7 +179,7 @@ impl Maker<'_> {
 
     /// A view with its caption, and its scales below.
     fn captioned(&self, view: View) -> Part {
-        let scale = view.scale();
+        let scale = view.scale(&self.problem.book);
         let part = view.part;
         let (x, y) = (part.bounds.centre().x, part.bounds.min.y - CAPTION_MM);
         let mut items = part.items;

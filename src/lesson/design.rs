@@ -23,7 +23,7 @@ use crate::render::svg::Elements;
 use crate::report::math::mathml;
 use crate::report::symbols::symbols;
 use crate::report::synthesis::{pose_of, value};
-use crate::scene::{self, Lang, Scene};
+use crate::scene::{self, Book, Lang, Scene};
 use crate::sweep::follow::{Follower, Pose};
 use crate::sweep::station::position_now;
 use crate::synthesis::board::Board;
@@ -116,7 +116,7 @@ pub fn lesson(task: &Task, candidate: &Candidate, options: &Options) -> Result<S
     let both_of = |b: &Both| json!([sentence(b, Lang::En), sentence(b, Lang::Zh)]);
     let steps: Vec<Value> = board.iter().flat_map(|b| &b.steps).map(|s| both_of(&s.text)).collect();
     let title = &task.heading.title;
-    let tables = [Lang::En, Lang::Zh].map(|lang| facts(candidate, board.as_ref(), lang));
+    let tables = [Lang::En, Lang::Zh].map(|lang| facts(&task.book, candidate, board.as_ref(), lang));
     let list = |lang: Lang| WORDS.iter().map(|(k, _)| ((*k).to_owned(), json!(word(k, lang)))).collect::<serde_json::Map<_, _>>();
     let data = json!({
         "lang": figure_words(options.lang).tag.split('-').next().unwrap_or("en"),
@@ -203,7 +203,7 @@ fn name(name: &str) -> String {
 }
 
 /// What is read off the paper beside the formula's numbers; else the numbers alone.
-fn facts(candidate: &Candidate, board: Option<&Board>, lang: Lang) -> String {
+fn facts(book: &Book, candidate: &Candidate, board: Option<&Board>, lang: Lang) -> String {
     let row = |cells: [String; 3], tag: &str| format!("<tr>{}</tr>", cells.map(|c| format!("<{tag}>{c}</{tag}>")).concat());
     let read = board.iter().flat_map(|b| b.readings.iter().map(move |r| (*b, r)));
     let rows: String = read
@@ -218,11 +218,11 @@ fn facts(candidate: &Candidate, board: Option<&Board>, lang: Lang) -> String {
                     significant(b.value(r) * 1e3, 5)
                 ),
             };
-            Some(row([name(&r.name), drawn, value(number)], "td"))
+            Some(row([name(&r.name), drawn, value(book, number)], "td"))
         })
         .collect();
     if rows.is_empty() {
-        let all = candidate.draft.numbers.iter().map(|n| row([name(&n.name), escaped(lang.of(&n.what)), value(n)], "td"));
+        let all = candidate.draft.numbers.iter().map(|n| row([name(&n.name), escaped(lang.of(&n.what)), value(book, n)], "td"));
         return format!("<table>{}</table>", all.collect::<String>());
     }
     format!("<table><tr><th colspan=\"3\">{}</th></tr>{rows}</table>", escaped(word("measured", lang)))

@@ -23,7 +23,7 @@ use crate::render::svg::Elements;
 use crate::report::answers::DIGITS;
 use crate::report::math::mathml;
 use crate::report::particle as report;
-use crate::scene::Lang;
+use crate::scene::{Book, Lang};
 use serde_json::{Value, json};
 
 const PAGE: &str = concat!(include_str!("player.html"), include_str!("motion.html"));
@@ -173,7 +173,9 @@ pub fn lesson(problem: &Problem, options: &Options) -> Result<String, Faults> {
         "drawings": drawings.iter().map(|d| json!(d.frames)).collect::<Vec<_>>(),
     });
     let half = drawings.len().div_ceil(2).min(if still.is_some() { 1 } else { 2 });
-    let put = |range: std::ops::Range<usize>| range.map(|k| drawings[k].markup(k, base, &views[base][k], options.lang)).collect::<String>();
+    let put = |range: std::ops::Range<usize>| {
+        range.map(|k| drawings[k].markup(k, base, &views[base][k], (options.lang, &problem.book))).collect::<String>()
+    };
     Ok(filled(
         PAGE,
         &[
@@ -256,7 +258,7 @@ fn told(f: &Frame, views: &[View]) -> Value {
         let lines = report::lines(&f.problem, &f.solved, DIGITS, lang);
         lines.iter().map(|l| format!("<li>{}</li>", html(l))).collect()
     });
-    let scales: Vec<String> = views.iter().map(|v| mathml(&Label::math(v.scale()))).collect();
+    let scales: Vec<String> = views.iter().map(|v| mathml(&Label::math(v.scale(&f.problem.book)))).collect();
     json!({"t": significant(f.problem.instant(), 5), "steps": steps, "answers": answers, "scales": scales})
 }
 
@@ -290,7 +292,7 @@ impl Sequence {
         Ok(Sequence { size_mm: [window.width_mm(), window.height_mm()], ground, frames })
     }
 
-    fn markup(&self, k: usize, base: usize, view: &View, lang: Lang) -> String {
+    fn markup(&self, k: usize, base: usize, view: &View, (lang, book): (Lang, &Book)) -> String {
         let [w, h] = self.size_mm.map(mm);
         format!(
             "<figure class=\"drawing\" id=\"drawing-{k}\" style=\"--w:{w}\">\n<svg viewBox=\"0 0 {w} {h}\" role=\"img\">\n<g class=\"ink\">\n{}</g>\n<g class=\"ink moving\">\n{}</g>\n</svg>\n\
@@ -298,7 +300,7 @@ impl Sequence {
             self.ground,
             self.frames[base],
             escaped(lang.of(&view.caption)),
-            mathml(&Label::math(view.scale())),
+            mathml(&Label::math(view.scale(book))),
         )
     }
 }

@@ -31,7 +31,7 @@ pub use solve::{Answer, Solved, Value, course, solve, solve_again};
 
 use crate::diag::{Both, Diagnostic};
 use crate::scene::front::Law;
-use crate::scene::{Lang, Localized, Paper};
+use crate::scene::{Book, Lang, Localized, Paper};
 use law::{Turning, Way};
 
 /// A file, read.
@@ -47,6 +47,8 @@ pub struct Problem {
     pub parameters: Vec<(String, String)>,
     /// Its sheet and scales.
     pub paper: Paper,
+    /// The units in which is printed.
+    pub book: Book,
     /// The instant.
     pub time: Law,
     /// The plates.

@@ -111,6 +111,7 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<Problem> {
         language: front.language,
         parameters: front.parameters(),
         paper: front.paper.clone(),
+        book: front.book.clone(),
         time,
         plates,
         motions,

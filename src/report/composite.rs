@@ -2,12 +2,13 @@
 //! of the motion, and the projection that leaves out the unwanted unknown. In the words of theoretical mechanics.
 
 use super::answers::diagnostic;
-use crate::composite::{Choice, Known, Place, Projection, Solved, Verdict, name_of, projections};
+use crate::composite::contact::Slip;
+use crate::composite::{Choice, Known, Place, Projection, Solved, Staged, Turned, Verdict, name_of, projections};
 use crate::diag::Diagnostic;
 use crate::digits::{direction_degrees, inked, significant};
 use crate::geom::Vec2;
 use crate::mechanism::Level;
-use crate::paper::phrase::{Phrase, tr};
+use crate::paper::phrase::{Phrase, sense, tr};
 use crate::plan::names::name_label;
 use crate::scene::quantity::composite::Part;
 use crate::scene::quantity::{Frame, RelativePath};
@@ -98,6 +99,7 @@ impl Words<'_> {
                 let name = guide.pin.map_or("", |p| self.scene.point_name(p));
                 format!("{} {name}", tr(lang, "slide", "移动副"))
             }
+            Place::Cam(_) => format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(c.of.point)),
             Place::Contact(r) => format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(self.scene.rolling[r.0].at[0])),
         }
     }
@@ -106,7 +108,7 @@ impl Words<'_> {
     pub fn verdict(&self, verdict: Verdict) -> &'static str {
         match verdict {
             Verdict::Serves => tr(self.lang, "serves", "可用"),
-            Verdict::PathUnknown => tr(self.lang, "velocities only", "仅速度"),
+            Verdict::PathUnknown => tr(self.lang, "path not known", "轨迹未知"),
             Verdict::PointChanges => tr(self.lang, "point changes", "动点变换"),
             Verdict::SameBody => tr(self.lang, "same body", "同一物体"),
             Verdict::FrameFixed => tr(self.lang, "frame stands still", "动系不动"),
@@ -117,6 +119,12 @@ impl Words<'_> {
     fn reason(&self, c: &Choice) -> String {
         let (scene, lang) = (self.scene, self.lang);
         match c.verdict {
+            Verdict::Serves if c.path == RelativePath::Unknown => tr(
+                lang,
+                "momentary contact: v_r along the tangent, a_r^n known from the velocities",
+                "瞬时接触点：v_r 沿公切线，a_r^n 由速度求得",
+            )
+            .to_owned(),
             Verdict::Serves => self.path(c),
             Verdict::PathUnknown => tr(
                 lang,
@@ -182,10 +190,10 @@ impl Words<'_> {
     /// The same below its heading, so many values to a line; in narrow columns of fewer than three a projection has two lines.
     pub fn body(&self, s: &Solved, per_line: usize) -> Vec<Phrase> {
         let lang = self.lang;
-        let mut out = vec![Phrase::of_words(&match s.choice.verdict {
-            Verdict::Serves => self.path(&s.choice),
-            Verdict::PathUnknown | Verdict::PointChanges | Verdict::SameBody | Verdict::FrameFixed => self.verdict(s.choice.verdict).into(),
-        })];
+        let mut out = match s.slip {
+            Some(slip) if !s.acceleration.is_empty() => self.contact(&slip, per_line),
+            Some(_) | None => vec![self.first(s)],
+        };
         out.push(Phrase::new(&format!("${} = {} + {}$", "v_{a}", "v_{e}", "v_{r}")));
         let [a, e, r] = s.velocity;
         out.extend(self.values(&[("v_{a}".into(), a), ("v_{e}".into(), e), ("v_{r}".into(), r)], Kind::Velocity, per_line));
@@ -204,7 +212,68 @@ impl Words<'_> {
             out.extend(self.values(&each, Kind::Acceleration, per_line));
             out.extend(projected(Level::Acceleration));
         }
+        out.extend(s.turning.as_ref().map(|t| self.turning(s, t)));
         out
+    }
+
+    /// Angular velocity and acceleration of the link that turns about a fixed axis with the wanted motion: `ω_3 = v_e/l_{CB} = ...`.
+    fn turning(&self, s: &Solved, t: &Turned) -> Phrase {
+        let (scene, lang) = (self.scene, self.lang);
+        let [axis, point] = [t.axis, s.choice.of.point].map(|p| name_label(scene.point_name(p)));
+        let whose = if t.of_frame { "e" } else { "a" };
+        let arm = format!("l_{{{axis}{point}}}");
+        let link = name_label(scene.link_name(t.link));
+        let value = |kind: Kind, si: f64| {
+            let number = inked(&significant(scene.book.value(kind, si.abs()), DIGITS));
+            let words = if si == 0.0 { "" } else { sense(lang, si) };
+            format!("{}$ {words}", scene.book.label(kind, &number)).trim_end().to_owned()
+        };
+        let mut out = format!("$\\omega_{{{link}}} = v_{{{whose}}}/{arm} = {}", value(Kind::Omega, t.omega));
+        if let Some(alpha) = t.alpha {
+            out += &format!("{}$\\alpha_{{{link}}} = a^{{t}}_{{{whose}}}/{arm} = {}", self.comma(), value(Kind::Alpha, alpha));
+        }
+        Phrase::new(&out)
+    }
+
+    /// What is known of the relative path before anything is drawn.
+    fn first(&self, s: &Solved) -> Phrase {
+        let lang = self.lang;
+        Phrase::new(&match s.choice.verdict {
+            Verdict::Serves if s.slip.is_some() => {
+                tr(lang, "momentary contact: $v_{r}$ along the common tangent", "瞬时接触点：$v_{r}$ 沿公切线").to_owned()
+            }
+            Verdict::Serves => self.path(&s.choice),
+            Verdict::PathUnknown if !s.acceleration.is_empty() => {
+                let words = tr(lang, "relative path not known: $a_{r}$ is the closing side", "相对轨迹未知：$a_{r}$ 由封闭边得出");
+                words.to_owned()
+            }
+            Verdict::PathUnknown | Verdict::PointChanges | Verdict::SameBody | Verdict::FrameFixed => self.verdict(s.choice.verdict).into(),
+        })
+    }
+
+    /// The normal part of a_r at a momentary contact: its formula and its numbers.
+    fn contact(&self, slip: &Slip, per_line: usize) -> Vec<Phrase> {
+        let (lang, book) = (self.lang, &self.scene.book);
+        let told = |kind: Kind, value: f64| {
+            let number = inked(&significant(book.value(kind, value) + 0.0, DIGITS));
+            book.label(kind, &number)
+        };
+        let formula = match slip.radii {
+            [Some(_), None] => "\\Omega^2\\rho + 2\\Omega v_{s}",
+            [None, Some(_)] => "\\Omega^2\\rho",
+            [Some(_), Some(_)] | [None, None] => "\\Omega^2\\rho_2 − (v_{s} − \\Omega\\rho_2)^2/(\\rho_1 + \\rho_2)",
+        };
+        let first = tr(lang, "momentary contact: $v_{r}$ along the common tangent", "瞬时接触点：$v_{r}$ 沿公切线");
+        let normal = tr(lang, "along the outward normal of the frame's contour:", "沿动系轮廓外法线：");
+        let equation = format!("$a^{{n}}_{{r}} = {formula} = {}$", told(Kind::Acceleration, slip.acceleration()));
+        let numbers =
+            format!("$\\Omega = {}${} $v_{{s}} = {}$", told(Kind::Omega, slip.omega), self.comma(), told(Kind::Velocity, slip.sliding));
+        let lines = if per_line < PER_LINE {
+            vec![first.to_owned(), normal.to_owned(), equation, numbers]
+        } else {
+            vec![first.to_owned(), format!("{normal} {equation}{}{numbers}", self.comma())]
+        };
+        lines.iter().map(|l| Phrase::new(l)).collect()
     }
 
     fn values(&self, vectors: &[(String, Vec2)], kind: Kind, per_line: usize) -> Vec<Phrase> {
@@ -248,6 +317,8 @@ impl Words<'_> {
         } else {
             symbol(Some(Part::RelativeTangential), p.level, lang)
         };
+        // A point at rest in its frame has no v_r to be square to.
+        let rests = p.level == Level::Velocity && p.rests;
         let wanted = match (known, p.level) {
             (Known::Transport, Level::Acceleration) => tr(lang, ", for $a_{a}$", "，求 $a_{a}$"),
             (Known::Transport, _) => tr(lang, ", for $v_{a}$", "，求 $v_{a}$"),
@@ -257,6 +328,8 @@ impl Words<'_> {
         };
         let equation = format!("{} = {}", side(&left), side(&right));
         let words = match lang {
+            Lang::En if rests => format!("projected square to the relative path (on ${degrees}$°){wanted}:"),
+            Lang::Zh if rests => format!("向垂直于相对轨迹的方向（${degrees}$°）投影{wanted}："),
             Lang::En => format!("projected square to ${unwanted}$ (on ${degrees}$°){wanted}:"),
             Lang::Zh => format!("向垂直于 ${unwanted}$ 的方向（${degrees}$°）投影{wanted}："),
         };
@@ -282,7 +355,8 @@ pub fn symbol(part: Option<Part>, level: Level, lang: Lang) -> String {
 }
 
 /// The choices for programs, in SI.
-pub fn json(scene: &Scene, all: &[Choice], solved: &[Solved], notes: &[Diagnostic]) -> Json {
+pub fn json(staged: &Staged, all: &[Choice], solved: &[Solved], notes: &[Diagnostic]) -> Json {
+    let scene = &staged.scene;
     let w = Words { scene, lang: Lang::En };
     let frame = |f: Frame| match f {
         Frame::Link(l) => json!({"link": scene.link_name(l)}),
@@ -291,6 +365,7 @@ pub fn json(scene: &Scene, all: &[Choice], solved: &[Solved], notes: &[Diagnosti
     let path = |c: &Choice| match c.path {
         RelativePath::Guide(g) => json!({"guide": g.0}),
         RelativePath::Circle(k) => json!({"circle_about": scene.point_name(k)}),
+        RelativePath::Unknown if c.verdict == Verdict::Serves => json!({"contact_at": scene.point_name(c.of.point)}),
         RelativePath::Unknown => Json::Null,
     };
     let vector = |v: Vec2| json!([v.x, v.y]);
@@ -304,6 +379,9 @@ pub fn json(scene: &Scene, all: &[Choice], solved: &[Solved], notes: &[Diagnosti
                 None => key,
             };
             out[key] = vector(*v);
+        }
+        if let Some(t) = &s.turning {
+            out["turning"] = json!({"link": scene.link_name(t.link), "omega": t.omega, "alpha": t.alpha});
         }
         out["projections"] = projections(s)
             .iter()

@@ -245,7 +245,11 @@ impl Tongue for Tex {
         text.to_owned()
     }
     fn words(&self, text: &str) -> String {
-        format!("\\text{{{}}}", tex_escaped(text))
+        // A bracket that closes what the words stand in is none of theirs.
+        match text.strip_suffix(')').filter(|inner| !inner.contains('(')) {
+            Some(inner) => format!("\\text{{{}}})", tex_escaped(inner)),
+            None => format!("\\text{{{}}}", tex_escaped(text)),
+        }
     }
     fn sign(&self, c: char, _: Role) -> String {
         named(c).map_or_else(|| tex_escaped(&c.to_string()), |(tex, _)| tex.to_owned())

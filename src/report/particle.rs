@@ -3,26 +3,45 @@
 use super::answers::diagnostic;
 use crate::diag::Diagnostic;
 use crate::digits::{plain, significant};
-use crate::number::decimal::Enclosure;
+use crate::mechanism::Level;
+use crate::number::Ball;
+use crate::number::decimal::{Certain, Enclosure};
 use crate::paper::phrase::{Phrase, tr};
 use crate::particle::board::Drawn;
 use crate::particle::plate::Part;
 use crate::particle::pursuit::End;
 use crate::particle::{Asked, Kind, Problem, Solved, Value};
-use crate::scene::Lang;
+use crate::report::amount::of_level;
+use crate::scene::{Book, Kind as Quantity, Lang};
 use serde_json::{Value as Json, json};
 
-/// The unit of an answer.
-pub fn unit(what: Asked) -> &'static str {
+/// The kind of an answer; a time has none.
+pub fn kind(what: Asked) -> Option<Quantity> {
     match what {
-        Asked::MeetingTime(_) => "s",
-        Asked::MeetingPlace(_) | Asked::Distance(_) | Asked::Place(_) | Asked::Curvature(_) => "m",
-        Asked::LineOmega(_) => "rad/s",
-        Asked::Velocity(_) => "m/s",
-        Asked::Acceleration(_) => "m/s²",
-        Asked::Part(_, part) if part.is_velocity() => "m/s",
-        Asked::Part(..) => "m/s²",
+        Asked::MeetingTime(_) => None,
+        Asked::MeetingPlace(_) | Asked::Distance(_) | Asked::Place(_) | Asked::Curvature(_) => Some(Quantity::Length),
+        Asked::LineOmega(_) => Some(Quantity::Omega),
+        Asked::Velocity(_) => Some(Quantity::Velocity),
+        Asked::Acceleration(_) => Some(Quantity::Acceleration),
+        Asked::Part(_, part) if part.is_velocity() => Some(Quantity::Velocity),
+        Asked::Part(..) => Some(Quantity::Acceleration),
     }
+}
+
+/// The unit of an answer: that of the file's `answers`, else SI.
+pub fn unit(book: &Book, what: Asked) -> &str {
+    kind(what).map_or("s", |k| book.name(k))
+}
+
+/// An SI value in that unit.
+pub fn in_unit(book: &Book, what: Asked, si: f64) -> f64 {
+    kind(what).map_or(si, |k| book.value(k, si))
+}
+
+/// An enclosure in that unit.
+fn enclosed(book: &Book, what: Asked, e: &Enclosure) -> Enclosure {
+    let chosen = kind(what).filter(|k| book.chosen(*k).is_some());
+    chosen.and_then(|k| book.in_chosen(k, Ball::new(e.approx, e.radius)).enclosure()).unwrap_or_else(|| e.clone())
 }
 
 /// A number to at most so many digits, all of them certain; zero where it is nothing beside `size`.
@@ -40,25 +59,26 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 /// The largest answer of the same kind: what is nothing beside it is printed as zero.
 pub fn largest(problem: &Problem, solved: &Solved, what: Asked) -> f64 {
     let of = |a: &crate::particle::Answer| match &a.value {
-        Value::Vector(_, size) if unit(problem.find[a.find].what) == unit(what) => size.approx,
+        Value::Vector(_, size) if kind(problem.find[a.find].what) == kind(what) => size.approx,
         Value::Vector(..) | Value::Scalar(_) | Value::None(_) => 0.0,
     };
     solved.answers.iter().map(of).fold(0.0, f64::max)
 }
 
-/// The value of an answer: components, and the magnitude; `size` is that of the largest of its kind.
-pub fn value(what: Asked, value: &Value, size: f64, digits: usize, lang: Lang) -> String {
-    let unit = unit(what);
+/// The value of an answer: components, and the magnitude; `size` is that of the largest of its kind (SI).
+pub fn value(book: &Book, what: Asked, value: &Value, size: f64, digits: usize, lang: Lang) -> String {
+    let unit = unit(book, what);
+    let told = |e: &Enclosure, size: f64| number(&enclosed(book, what, e), in_unit(book, what, size), digits);
     match value {
         Value::None(d) => format!("{} ({})", tr(lang, "none", "无"), lang.of(&d.message)),
-        Value::Scalar(e) => format!("{} {unit}", number(e, e.approx.abs().max(size), digits)),
+        Value::Scalar(e) => format!("{} {unit}", told(e, e.approx.abs().max(size))),
         Value::Vector(parts, whole) => {
             let size = whole.approx.max(size);
-            let each: Vec<String> = parts.iter().zip(AXES).map(|(e, axis)| format!("{axis} {}", number(e, size, digits))).collect();
+            let each: Vec<String> = parts.iter().zip(AXES).map(|(e, axis)| format!("{axis} {}", told(e, size))).collect();
             if what.is_place() {
                 format!("({}) {unit}", each.join(", "))
             } else {
-                format!("{} {unit} ({})", number(whole, size, digits), each.join(", "))
+                format!("{} {unit} ({})", told(whole, size), each.join(", "))
             }
         }
     }
@@ -97,7 +117,7 @@ pub fn text(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, 
     for answer in &solved.answers {
         let find = &problem.find[answer.find];
         let size = largest(problem, solved, find.what);
-        let told = value(find.what, &answer.value, size, digits, lang);
+        let told = value(&problem.book, find.what, &answer.value, size, digits, lang);
         let beside = drawn(board, find.what).and_then(|d| apart(&answer.value, d, size)).map_or(String::new(), |off| {
             let off = if off < 1e-14 { "0".to_owned() } else { format!("{off:.0e}") };
             format!("   {} {off}", tr(lang, "drawing differs by", "作图相差"))
@@ -109,19 +129,19 @@ pub fn text(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, 
     }
     if steps {
         for d in board {
-            out += &format!(
-                "\n{}: μ_l = {} m/mm, μ_v = {} (m/s)/mm, μ_a = {} (m/s²)/mm\n",
-                tr(lang, "Drawing", "作图"),
-                d.mu[0],
-                d.mu[1],
-                d.mu[2]
-            );
+            out += &format!("\n{}: {}\n", tr(lang, "Drawing", "作图"), Phrase::new(&scales(&problem.book, d.mu)).plain());
             for (k, s) in d.steps.iter().enumerate() {
                 out += &format!("{}. {}\n", k + 1, Phrase::new(lang.of(s)).plain());
             }
         }
     }
     out
+}
+
+/// The scales of a drawing in the label language.
+pub fn scales(book: &Book, [l, v, a]: [f64; 3]) -> String {
+    let all = [(Level::Position, l), (Level::Velocity, v), (Level::Acceleration, a)];
+    all.map(|(level, mu)| format!("${}$", of_level(book, level, mu))).join(", ")
 }
 
 /// The same for programs, in SI.
@@ -143,7 +163,7 @@ pub fn json(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, 
             };
             if let Some(object) = out.as_object_mut() {
                 object.insert("find".into(), json!(find.text));
-                object.insert("unit".into(), json!(unit(find.what)));
+                object.insert("unit".into(), json!(unit(&Book::default(), find.what)));
                 object.insert("drawn".into(), json!(drawn(board, find.what)));
             }
             out
@@ -217,7 +237,7 @@ pub fn lines(problem: &Problem, solved: &Solved, digits: usize, lang: Lang) -> V
             Phrase::new(&format!(
                 "${}$ = {}",
                 symbol(problem, what, lang),
-                inked_words(&value(what, &a.value, largest(problem, solved, what), digits, lang))
+                inked_words(&value(&problem.book, what, &a.value, largest(problem, solved, what), digits, lang))
             ))
         })
         .collect();

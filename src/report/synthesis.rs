@@ -7,7 +7,7 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Mechanism};
 use crate::paper::phrase::tr;
 use crate::position::{self, Configuration, Path};
-use crate::scene::{self, Guide, Kind, Lang, PointId, Scene};
+use crate::scene::{self, Book, Guide, Kind, Lang, PointId, Scene};
 use crate::sweep::station::position_now;
 use crate::sweep::{self, Placed, Stations, Width};
 use crate::synthesis::candidate::{Number, scene_text};
@@ -18,12 +18,12 @@ use std::f64::consts::TAU;
 /// The table of candidates.
 pub fn text(task: &Task, design: &Design, lang: Lang) -> String {
     let mut out = format!("{}\n", lang.of(&task.heading.title));
-    for line in design.numbers.iter().map(|n| format!("{} = {}", n.name, value(n))).collect::<Vec<_>>().chunks(4) {
+    for line in design.numbers.iter().map(|n| format!("{} = {}", n.name, value(&task.book, n))).collect::<Vec<_>>().chunks(4) {
         out += &format!("{}\n", line.join("   "));
     }
     for (k, c) in design.candidates.iter().enumerate() {
         out += &format!("\n{}. {}\n", k + 1, lang.of(&c.draft.which));
-        let numbers: Vec<String> = c.draft.numbers.iter().map(|n| format!("{} = {}", n.name, value(n))).collect();
+        let numbers: Vec<String> = c.draft.numbers.iter().map(|n| format!("{} = {}", n.name, value(&task.book, n))).collect();
         for line in numbers.chunks(6) {
             out += &format!("   {}\n", line.join("   "));
         }
@@ -71,8 +71,12 @@ fn turn(degrees: f64) -> f64 {
 }
 
 /// A number of a design with its unit.
-pub fn value(n: &Number) -> String {
+pub fn value(book: &Book, n: &Number) -> String {
     match n.kind {
+        // What the file asks for in a unit of its own.
+        Some(kind @ (Kind::Length | Kind::Angle)) if book.chosen(kind).is_some() => {
+            book.text(kind, &significant(book.value(kind, if n.value.abs() < 1e-12 { 0.0 } else { n.value }), 6))
+        }
         Some(Kind::Length) => metres_fine(n.value),
         Some(Kind::Angle) => format!("{}°", significant(if n.value.abs() < 1e-12 { 0.0 } else { n.value.to_degrees() }, 6)),
         // How many there are of something has no decimals.

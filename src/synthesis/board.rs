@@ -299,19 +299,24 @@ impl Board {
 
     /// The limit positions of a crank and its coupler: half the difference of AC₁ and AC₂ is the crank, halved with the compasses.
     pub fn halve(&mut self, a: Point, c: [Point; 2]) -> Option<()> {
+        self.halve_at(a, c, "F")
+    }
+
+    /// The same with another letter for the place where the difference begins, where F is taken.
+    pub fn halve_at(&mut self, a: Point, c: [Point; 2], letter: &str) -> Option<()> {
         let far = usize::from(a.distance(c[1]) > a.distance(c[0]));
         let (long, short) = (c[far], c[1 - far]);
         let reach = a.distance(short) + self.pricked(Point::ORIGIN).x;
         let ray = Line::through(a, long)?;
         let cut = ray.place(reach);
         self.step(both!(
-            "With AC{} as opening about A cut AC{} at F; halve FC{}: the half is the crank AB, the rest the coupler BC",
-            "以 A 为圆心、AC{} 为半径截 AC{} 于 F；平分 FC{}，其半为曲柄 AB，余长为连杆 BC",
+            "With AC{} as opening about A cut AC{} at {letter}; halve {letter}C{}: the half is the crank AB, the rest the coupler BC",
+            "以 A 为圆心、AC{} 为半径截 AC{} 于 {letter}；平分 {letter}C{}，其半为曲柄 AB，余长为连杆 BC",
             2 - far,
             far + 1,
             far + 1
         ));
-        self.arc(a, cut).arc(a, short).mark("F", cut);
+        self.arc(a, cut).arc(a, short).mark(letter, cut);
         let middle = self.middle(cut, long)?;
         self.mark("G", middle);
         self.read("AB", middle, long).read("BC", a, middle);

@@ -52,8 +52,10 @@ pub struct Wanted {
 pub enum Demand {
     /// The time ratio of an output, whichever stroke is the slow one.
     TimeRatio(f64),
-    /// The stroke of an output (rad or m).
+    /// The stroke of an output that slides (m).
     Stroke(f64),
+    /// The swing of an output that turns (rad).
+    Swing(f64),
     /// The driver turns fully.
     FullTurn,
 }

@@ -127,7 +127,14 @@ fn four_bar(scene: &Scene, at: &Configuration, point: Option<PointId>) -> Result
         let local = (at.points[e.0]? - b).divide_by((c - b).unit()?);
         Some((FourBar { a, b, c, d, e: Some(local) }, e))
     };
-    found().ok_or_else(|| none(scene))
+    found().ok_or_else(|| match point {
+        Some(p) if scene.links.len() == 4 && scene.guides.is_empty() && scene.carriers(p).count() > 1 => {
+            let name = scene.point_name(p);
+            let message = both!("`{name}` is a pin, not a free point of the coupler", "`{name}` 是转动副，不是连杆上的自由点");
+            Diagnostic::error("not-a-four-bar", message).help(both!("name a point that lies on the coupler alone", "请写只在连杆上的点"))
+        }
+        Some(_) | None => none(scene),
+    })
 }
 
 /// A position of the given linkage: crank, coupler, E.

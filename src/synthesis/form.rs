@@ -159,7 +159,12 @@ impl<'a> Form<'a> {
 
     /// One of several words.
     pub fn choice(&self, key: &str, known: &[&'static str]) -> Option<&'static str> {
-        let found = self.word(key)?;
+        self.choice_of(self.node(key)?, key, known)
+    }
+
+    /// One of several words, of any value.
+    pub fn choice_of(&self, node: &Node, key: &str, known: &[&'static str]) -> Option<&'static str> {
+        let found = word(node, &format!("\"{key}\""), &mut self.faults.borrow_mut())?;
         let one = known.iter().find(|k| **k == found.text).copied();
         if one.is_none() {
             let d = Diagnostic::error("unknown-word", both!("there is no {key} `{}`", "\"{key}\" 没有 `{}`", found.text)).at(found.span);
@@ -219,7 +224,11 @@ impl<'a> Form<'a> {
 
     /// An object inside, whose keys must be among these.
     pub fn inner(&self, key: &str, keys: &[&str]) -> Option<Form<'a>> {
-        let node = self.node(key)?;
+        self.object(self.node(key)?, key, keys)
+    }
+
+    /// Any value as an object, whose keys must be among these.
+    pub fn object(&self, node: &'a Node, key: &str, keys: &[&str]) -> Option<Form<'a>> {
         let fields = Fields::open(node, &format!("\"{key}\""), keys, &mut self.faults.borrow_mut())?;
         Some(Form::new(fields, self.front, self.faults))
     }

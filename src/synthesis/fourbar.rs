@@ -31,6 +31,8 @@ pub struct Heading {
     pub language: Option<&'static str>,
     /// The driver's rate (rad/s).
     pub omega: f64,
+    /// The units of answers: quantity and unit.
+    pub answers: Vec<(String, String)>,
 }
 
 impl FourBar {
@@ -96,6 +98,10 @@ pub fn headed(heading: &Heading) -> Map<String, Json> {
     scene.insert("title".into(), json!({"en": heading.title.en, "zh": heading.title.zh}));
     if let Some(language) = heading.language {
         scene.insert("language".into(), json!(language));
+    }
+    if !heading.answers.is_empty() {
+        let units: Map<String, Json> = heading.answers.iter().map(|(key, unit)| (key.clone(), json!(unit))).collect();
+        scene.insert("answers".into(), Json::Object(units));
     }
     scene
 }

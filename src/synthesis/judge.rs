@@ -70,6 +70,10 @@ pub fn judge(draft: Draft, gamma: f64) -> Result<Candidate, Faults> {
         let all: Vec<(usize, f64)> = draft.wanted.iter().enumerate().map(|(i, w)| (i, at(i, w.driver))).collect();
         judged.defects.extend(order::defect(&all, judged.rotates));
     }
+    // Of a function the driver's angles are given, not its places alone.
+    if !draft.course.is_empty() && !judged.rotates && judged.defects.is_empty() {
+        judged.defects.extend(turned_otherwise(&draft, &drivers));
+    }
     judged.transmission = if judged.rotates { least(&limits) } else { walk.transmission(&drivers) };
     if let Some((angle, _)) = judged.transmission.filter(|(angle, _)| *angle < gamma - 1e-9) {
         let message = both!(
@@ -89,8 +93,13 @@ fn demands(draft: &Draft, judged: &mut Judged) {
     for demand in &draft.demands {
         let missed = match *demand {
             Demand::FullTurn => (!judged.rotates).then(|| both!("the driver does not turn fully", "原动件不能整周转动")),
-            Demand::TimeRatio(k) => off(judged.time_ratio, k).then(|| told(judged.time_ratio, &both!("time ratio", "行程速度变化系数"), k)),
-            Demand::Stroke(h) => off(judged.stroke, h).then(|| told(judged.stroke, &both!("stroke", "行程"), h)),
+            Demand::TimeRatio(k) => off(judged.time_ratio, k)
+                .then(|| told(judged.time_ratio, &both!("time ratio", "行程速度变化系数"), k, |v| significant(v, 6))),
+            Demand::Stroke(h) => off(judged.stroke, h).then(|| told(judged.stroke, &both!("stroke", "行程"), h, metres)),
+            Demand::Swing(psi) => {
+                let degrees = |v: f64| format!("{}°", significant(v.to_degrees(), 6));
+                off(judged.stroke, psi).then(|| told(judged.stroke, &both!("swing", "摆角"), psi, degrees))
+            }
         };
         if let Some(message) = missed {
             let code = if *demand == Demand::FullTurn { "not-a-crank" } else { "defect-branch" };
@@ -104,9 +113,9 @@ fn off(real: Option<f64>, wanted: f64) -> bool {
     real.is_none_or(|r| (r - wanted).abs() > 1e-9 * wanted.abs().max(1e-3))
 }
 
-fn told(real: Option<f64>, what: &Both, wanted: f64) -> Both {
-    let real = real.map_or("—".to_owned(), |r| significant(r, 6));
-    both!("the whole motion has the {} {} instead of {}", "整个运动的{}为 {}，而不是 {}", what, real, significant(wanted, 6))
+fn told(real: Option<f64>, what: &Both, wanted: f64, written: impl Fn(f64) -> String) -> Both {
+    let real = real.map_or("—".to_owned(), &written);
+    both!("the whole motion has the {} {} instead of {}", "整个运动的{}为 {}，而不是 {}", what, real, written(wanted))
 }
 
 fn least(limits: &Limits) -> Option<(f64, f64)> {
@@ -126,13 +135,12 @@ fn positions(draft: &Draft, walk: &Walk, judged: &mut Judged) -> Vec<(usize, f64
             None => others[usize::from(walk.other_circuit(&draft.scene, draft.wanted.first(), wanted))].push(i),
         }
     }
-    let listed = |all: &[usize]| all.iter().map(|i| (i + 1).to_string()).collect::<Vec<_>>();
     let [branch, circuit] = others;
     if !branch.is_empty() {
         let message = both!(
             "position {} lies beyond a dead point of the driver, seen from position 1",
             "从位置 1 到位置 {} 原动件须越过死点",
-            listed(&branch).join(", ")
+            listed(&branch)
         );
         judged.defects.push(Diagnostic::warning("defect-branch", message));
     }
@@ -140,11 +148,42 @@ fn positions(draft: &Draft, walk: &Walk, judged: &mut Judged) -> Vec<(usize, f64
         let message = both!(
             "position {} lies on another circuit than position 1: no motion joins them",
             "位置 {} 与位置 1 不在同一运动回路上：不拆开便不能到达",
-            listed(&circuit).join(", ")
+            listed(&circuit)
         );
         judged.defects.push(Diagnostic::warning("defect-circuit", message));
     }
     reached
+}
+
+/// Positions by their numbers from 1: neighbours in a row as a range.
+fn listed(all: &[usize]) -> Both {
+    let mut rows: Vec<[usize; 2]> = Vec::new();
+    for i in all {
+        match rows.last_mut() {
+            Some(row) if row[1] + 1 == *i => row[1] = *i,
+            _ => rows.push([*i, *i]),
+        }
+    }
+    let told = |[from, to]: &[usize; 2]| match to - from {
+        0 => vec![format!("{}", from + 1)],
+        1 => vec![format!("{}", from + 1), format!("{}", to + 1)],
+        _ => vec![format!("{}–{}", from + 1, to + 1)],
+    };
+    let each: Vec<String> = rows.iter().flat_map(told).collect();
+    Both { en: each.join(", "), zh: each.join("、") }
+}
+
+/// Positions of a driver that only swings which are met by another turn than the wanted one: its angles count from position 1, whole turns too.
+fn turned_otherwise(draft: &Draft, drivers: &[(usize, f64)]) -> Option<Diagnostic> {
+    let start = drivers.iter().find(|d| d.0 == 0)?.1;
+    let turn = |i: usize| draft.wanted[i].driver - draft.wanted[0].driver;
+    let other: Vec<usize> = drivers.iter().filter(|(i, at)| (at - start - turn(*i)).abs() > REACHED).map(|d| d.0).collect();
+    let message = both!(
+        "the driver does not turn fully: it comes to position {} by another turn than the wanted one",
+        "原动件不能整周转动：到达位置 {} 的转角与要求不符",
+        listed(&other)
+    );
+    (!other.is_empty()).then(|| Diagnostic::warning("defect-order", message))
 }
 
 /// A scene that can be asked where its points are at a position of its driver.

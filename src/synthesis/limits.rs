@@ -1,10 +1,12 @@
-//! Given limit positions, `"synthesis": "limits"`: the press 压床, a crank-rocker whose rocker DCE drives a ram through EF.
+//! Given limit positions, `"synthesis": "limits"`: a crank-rocker or slider-crank by the limit places of C ([`two_places`]), and the press 压床, a
+//! crank-rocker whose rocker DCE drives a ram through EF.
 //!
-//! The rocker's limits ψ₁, ψ₂ count from the upward vertical, clockwise. From the ram's stroke H comes DE (H = 2 DE sin((ψ₂ − ψ₁)/2)
+//! Of the press the rocker's limits ψ₁, ψ₂ count from the upward vertical, clockwise. From the ram's stroke H comes DE (H = 2 DE sin((ψ₂ − ψ₁)/2)
 //! where the limits lie evenly about the horizontal; else by the secant method from there), from the ratios CE/CD and EF/DE the rest;
 //! crank and coupler are half the difference and half the sum of AC₁ and AC₂.
 
 mod explained;
+mod two_places;
 
 use super::board::{Board, Line, Weight};
 use super::candidate::{Demand, Draft, Number, Wanted, deg, mm, place};
@@ -21,8 +23,11 @@ use std::f64::consts::PI;
 /// The kind.
 pub const KIND: KindOfTask = KindOfTask {
     name: "limits",
-    what: ["linkages by the limit positions of their rocker: the press", "按摇杆极限位置设计：压床"],
-    keys: &["linkage", "x1", "x2", "y", "angles", "stroke", "CE/CD", "EF/DE"],
+    what: [
+        "linkages by the limit positions of their output: crank-rocker, slider-crank, press",
+        "按输出构件极限位置设计：曲柄摇杆、曲柄滑块、压床",
+    ],
+    keys: &["linkage", "rocker", "frame", "angles", "places", "x1", "x2", "y", "stroke", "CE/CD", "EF/DE"],
     read,
 };
 
@@ -38,9 +43,19 @@ struct Press {
     ef_de: f64,
 }
 
+/// What reads the wish for a linkage.
+type Reader = fn(&Form) -> Option<Box<dyn Wish>>;
+
+/// The linkages, each with what reads it.
+const LINKAGES: [(&str, Reader); 3] = [("crank-rocker", two_places::rocker), ("slider-crank", two_places::slider), ("press", press)];
+
 fn read(form: &Form) -> Option<Box<dyn Wish>> {
-    form.need("linkage", "\"press\"")?;
-    form.choice("linkage", &["press"])?;
+    form.need("linkage", "\"crank-rocker\"")?;
+    let name = form.choice("linkage", &LINKAGES.map(|l| l.0))?;
+    LINKAGES.iter().find(|l| l.0 == name).and_then(|(_, read)| read(form))
+}
+
+fn press(form: &Form) -> Option<Box<dyn Wish>> {
     let length = |key: &str| form.need(key, "\"50 mm\"").and_then(|n| form.length_of(n, key));
     let (x1, x2, y) = (length("x1"), length("x2"), length("y"));
     let stroke = form.need_size("stroke", "\"150 mm\"");
@@ -260,7 +275,8 @@ impl Wish for Press {
         let [c1, c2] = [e1, e2].map(|e| d + (e - d) * (1.0 / (1.0 + self.ce_cd)));
         board.step(both!("Divide DE by the given ratio: C1 and C2; mark A", "按给定比例分 DE 得 C1、C2；标出 A"));
         board.line(a, c1, Weight::Thin).line(a, c2, Weight::Thin).mark("C_1", c1).mark("C_2", c2).mark("A", a).read("CD", d, c1);
-        board.halve(a, [c1, c2])
+        // F is the ram.
+        board.halve_at(a, [c1, c2], "K")
     }
 
     fn statement(&self) -> Statement {

@@ -47,7 +47,7 @@ use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::json::fields::{Fields, suggest};
 use crate::json::{self, Kind as NodeKind, Node};
 use crate::scene::front::{self, Front, RawFront};
-use crate::scene::{Lang, Paper};
+use crate::scene::{Book, Lang, Paper};
 use form::Form;
 use std::cell::RefCell;
 use std::fmt::Debug;
@@ -120,6 +120,8 @@ pub struct Task {
     pub language: Option<Lang>,
     /// Its sheet and scales.
     pub paper: Paper,
+    /// The units in which is printed.
+    pub book: Book,
     /// The least transmission angle that is wanted (rad).
     pub transmission: f64,
     wish: Arc<dyn Wish>,
@@ -128,12 +130,12 @@ pub struct Task {
 impl Task {
     /// The task as a problem: what is given and wanted.
     pub fn statement(&self) -> Statement {
-        self.wish.statement()
+        self.wish.statement().written(&self.book)
     }
 
     /// The closed formula with the numbers of a design, the proof of its drawing.
     pub fn proof(&self, candidate: &Candidate) -> Vec<Proof> {
-        self.wish.proof(&candidate.draft)
+        self.wish.proof(&candidate.draft).iter().map(|p| p.written(&self.book)).collect()
     }
 }
 
@@ -194,8 +196,8 @@ fn of_kind(root: &Node, text: &str, faults: &RefCell<Faults>) -> Option<Task> {
     faults.borrow_mut().list.extend(idle);
     let title = front.title.as_ref().map_or_else(|| wish.title(), |t| Both { en: t.en.clone(), zh: t.zh.clone() });
     let language = front.language.map(|l| if l == Lang::Zh { "zh" } else { "en" });
-    let heading = Heading { title, language, omega };
-    Some(Task { kind: kind.name, heading, language: front.language, paper: front.paper, transmission, wish })
+    let heading = Heading { title, language, omega, answers: front.answers() };
+    Some(Task { kind: kind.name, heading, language: front.language, paper: front.paper, book: front.book, transmission, wish })
 }
 
 /// The kind that the file names.

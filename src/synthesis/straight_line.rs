@@ -278,7 +278,7 @@ impl Wish for Task {
         let Some(made) = self.made(scale, heading).filter(|_| scale.is_finite()) else {
             return Err(none().help(both!("take a smaller \"swing\"", "请减小 \"swing\"")).into());
         };
-        let measured = measure(&made)?;
+        let measured = measure(&made, self.length)?;
         let mut numbers = made.numbers;
         numbers.extend(measured.numbers());
         let which = if measured.deviation == 0.0 { both!("exact", "精确直线") } else { both!("nearly straight", "近似直线") };
@@ -302,6 +302,9 @@ impl Wish for Task {
 
 /// A deviation below this part of the length is rounding.
 const EXACT: f64 = 1e-11;
+
+/// The part of the length that the last [`SHORT`] of the driver before a dead point is worth: its square root, with room.
+const NEXT_TO_DEAD: f64 = 1e-6;
 
 /// What the finished scene does over its range.
 struct Measured {
@@ -340,7 +343,7 @@ impl Measured {
 }
 
 /// Sweeps the scene over the range and locates the extremes of E.
-fn measure(made: &Made) -> Result<Measured, Faults> {
+fn measure(made: &Made, wanted: f64) -> Result<Measured, Faults> {
     let scene = scene::read_asking(scene_text(&made.scene), "x_E, y_E")?.value;
     let mechanism = Mechanism::new(&scene)?.value;
     let placed = Placed::new(&scene, &mechanism)?;
@@ -364,5 +367,7 @@ fn measure(made: &Made) -> Result<Measured, Faults> {
     };
     let (length, deviation) = (b.1 - a.1, high.1 - low.1);
     let deviation = if deviation <= EXACT * length { 0.0 } else { deviation };
+    // A range that begins in a dead point is swept from next to it: the rest of the way is told by the wish.
+    let length = if (length - wanted).abs() <= NEXT_TO_DEAD * wanted { wanted } else { length };
     Ok(Measured { length, deviation, extremes: [low, high], range: made.range })
 }

@@ -1,12 +1,14 @@
 //! What a worksheet says of a task: what is given, what is wanted, and the closed formula with its numbers, the proof of the drawing.
 //!
 //! Sentences have formulas between dollar signs; formulas are in the label language, with `\frac{a}{b}` and `\sqrt{a}` on their top level.
-//! Decided here: the shapes, and how numbers stand in them. What is said is in the file of each kind.
+//! Lengths and angles stand in them in SI between ⦃ and ⦄ ([`length`], [`angle`], [`place`]) until [`Statement::written`] and [`Proof::written`] put them
+//! in the units of the file. Decided here: the shapes, and how numbers stand in them. What is said is in the file of each kind.
 
 use super::candidate::{Draft, Number};
 use crate::diag::{Both, both};
 use crate::digits::{inked, significant};
 use crate::geom::Point;
+use crate::scene::{Book, Kind};
 
 /// The task as a problem.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -35,6 +37,61 @@ impl Proof {
     pub fn new(what: Both, formulas: impl IntoIterator<Item = String>) -> Proof {
         Proof { what, formulas: formulas.into_iter().collect() }
     }
+
+    /// Its quantities in the units of a file.
+    #[must_use]
+    pub fn written(&self, book: &Book) -> Proof {
+        Proof { what: both_written(&self.what, book), formulas: self.formulas.iter().map(|f| written(f, book)).collect() }
+    }
+}
+
+impl Statement {
+    /// Its quantities in the units of a file.
+    #[must_use]
+    pub fn written(&self, book: &Book) -> Statement {
+        let all = |list: &[Both]| list.iter().map(|b| both_written(b, book)).collect();
+        Statement { task: both_written(&self.task, book), given: all(&self.given), wanted: all(&self.wanted), open_steps: self.open_steps }
+    }
+}
+
+/// Around a quantity in SI: `⦃0.05⦄` a length, `⦃a1.2⦄` an angle, `⦃b0.05⦄` a length without its unit, `⦃u⦄` the unit of lengths.
+const QUANTITY: [char; 2] = ['\u{2983}', '\u{2984}'];
+
+fn both_written(text: &Both, book: &Book) -> Both {
+    Both { en: written(&text.en, book), zh: written(&text.zh, book) }
+}
+
+/// A text with its quantities in the units of a file: millimetres and degrees, where it names none.
+fn written(text: &str, book: &Book) -> String {
+    let [open, close] = QUANTITY;
+    let mut out = String::with_capacity(text.len());
+    for (k, piece) in text.split(open).enumerate() {
+        match piece.split_once(close).filter(|_| k > 0) {
+            Some((quantity, rest)) => {
+                out += &quantity_written(quantity, book);
+                out += rest;
+            }
+            None => out += piece,
+        }
+    }
+    out
+}
+
+fn quantity_written(text: &str, book: &Book) -> String {
+    let chosen = book.chosen(Kind::Length).is_some();
+    let in_unit = |si: f64| number(if chosen { book.value(Kind::Length, si) } else { si * 1e3 });
+    let value = |digits: &str| digits.parse::<f64>().unwrap_or(f64::NAN);
+    if text == "u" {
+        return if chosen { book.name(Kind::Length).to_owned() } else { "mm".to_owned() };
+    }
+    if let Some(angle) = text.strip_prefix('a') {
+        return book.label(Kind::Angle, &number(book.value(Kind::Angle, value(angle))));
+    }
+    if let Some(bare) = text.strip_prefix('b') {
+        return in_unit(value(bare));
+    }
+    let told = in_unit(value(text));
+    if chosen { book.label(Kind::Length, &told) } else { format!("{told} mm") }
 }
 
 /// Digits of numbers in a proof.
@@ -53,12 +110,14 @@ pub fn number(value: f64) -> String {
 
 /// A length in the label language.
 pub fn length(value_m: f64) -> String {
-    format!("{} mm", number(value_m * 1e3))
+    let [open, close] = QUANTITY;
+    format!("{open}{value_m:e}{close}")
 }
 
 /// An angle in the label language.
 pub fn angle(value_rad: f64) -> String {
-    format!("{}\\degree", number(value_rad.to_degrees()))
+    let [open, close] = QUANTITY;
+    format!("{open}a{value_rad:e}{close}")
 }
 
 /// A number that stands behind a sign: in brackets where it has one of its own.
@@ -66,10 +125,11 @@ pub fn signed(value: f64) -> String {
     if value < 0.0 { format!("({})", number(value)) } else { number(value) }
 }
 
-/// A place in the label language (mm).
+/// A place in the label language.
 pub fn place(at: Point) -> String {
-    let mm = |v: f64| number(if v.abs() < 1e-15 { 0.0 } else { v * 1e3 });
-    format!("({},\\, {})\\,\\text{{mm}}", mm(at.x), mm(at.y))
+    let [open, close] = QUANTITY;
+    let bare = |v: f64| format!("{open}b{:e}{close}", if v.abs() < 1e-15 { 0.0 } else { v });
+    format!("({},\\, {})\\,\\text{{{open}u{close}}}", bare(at.x), bare(at.y))
 }
 
 /// The value of a number of a design by its name; NaN, which is printed as a dash, where it has none.

@@ -147,12 +147,22 @@ impl Maker<'_> {
         for (r, tolerance, formula) in read {
             let (measured, drawn, exact) = match r.angle {
                 true => (degrees(board.value(r), 4), degrees(board.value(r), 5), degrees(formula.abs(), 6)),
-                false => (mm(r.measured * 1e-3, 4), mm(board.value(r), 5), mm(formula.abs(), 6)),
+                false => (mm(r.measured * 1e-3, 4), self.length(board.value(r), 5), self.length(formula.abs(), 6)),
             };
-            let hand = tolerance.map_or("—".to_owned(), |t| format!("± {}", if r.angle { degrees(t, DIGITS) } else { mm(t, DIGITS) }));
+            let hand =
+                tolerance.map_or("—".to_owned(), |t| format!("± {}", if r.angle { degrees(t, DIGITS) } else { self.length(t, DIGITS) }));
             rows.push([quantity(&r.name), measured, drawn, exact, hand].iter().map(|c| Phrase::new(c)).collect());
         }
         blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
+    }
+
+    /// A length in the unit of the file.
+    fn length(&self, value_m: f64, digits: usize) -> String {
+        let book = &self.task.book;
+        match book.chosen(Kind::Length) {
+            Some(unit) => format!("${}$", unit.label(&inked(&significant(unit.of(value_m), digits)))),
+            None => mm(value_m, digits),
+        }
     }
 
     fn proof(&self, blocks: &mut Vec<Block>) {
@@ -224,7 +234,7 @@ impl Maker<'_> {
         let mut rows = vec![head];
         for (k, c) in self.design.candidates.iter().enumerate() {
             let mut row = vec![Phrase::new(&(k + 1).to_string()), Phrase::new(&symbols(self.lang().of(&c.draft.which)))];
-            row.extend(lengths.iter().map(|n| Phrase::new(&c.number(n).map_or("—".into(), |l| mm(l, 5)))));
+            row.extend(lengths.iter().map(|n| Phrase::new(&c.number(n).map_or("—".into(), |l| self.length(l, 5)))));
             row.push(Phrase::new(&c.judged.transmission.map_or("—".into(), |(angle, _)| degrees(angle, 4))));
             row.push(Phrase::new(&self.verdict(c)));
             rows.push(row);
@@ -239,7 +249,7 @@ impl Maker<'_> {
                 let colon = tr(self.lang(), ": ", "：");
                 let words = |text: String| Piece::Words(text);
                 let what = words(format!("{}{colon}", self.lang().of(&n.what)));
-                Phrase::of_pieces(vec![what, Piece::Formula(printed(&n.name)), words(format!(" = {}", inked(&value(n))))])
+                Phrase::of_pieces(vec![what, Piece::Formula(printed(&n.name)), words(format!(" = {}", inked(&value(&self.task.book, n))))])
             })
             .collect();
         if !told.is_empty() {

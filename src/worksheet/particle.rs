@@ -11,7 +11,7 @@ use crate::paper::phrase::{Phrase, tr};
 use crate::particle::board::Drawn;
 use crate::particle::{Kind, Problem, Solved};
 use crate::report::math::Math;
-use crate::report::particle::{drawn, integrated, largest, symbol, unit, value};
+use crate::report::particle::{drawn, in_unit, integrated, largest, symbol, unit, value};
 use crate::scene::Lang;
 
 /// Makes the worksheet.
@@ -91,13 +91,13 @@ fn answers(problem: &Problem, solved: &Solved, board: &[Drawn], options: &Option
                     [one] => *one,
                     _ => all.iter().fold(0.0, |s, x| s + x * x).sqrt(),
                 };
-                format!("{} {}", significant(size, 4), unit(what))
+                format!("{} {}", significant(in_unit(&problem.book, what, size), 4), unit(&problem.book, what))
             },
         );
         let cells = [
             format!("${}$", symbol(problem, what, lang)),
             printed(&read),
-            printed(&value(what, &a.value, largest(problem, solved, what), options.sheet.digits, lang)),
+            printed(&value(&problem.book, what, &a.value, largest(problem, solved, what), options.sheet.digits, lang)),
         ];
         rows.push(cells.iter().map(|c| Phrase::new(c)).collect());
     }

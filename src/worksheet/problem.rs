@@ -10,7 +10,7 @@ use crate::report::amount::symbol;
 use crate::report::given::Givens;
 use crate::report::statement::paragraphs;
 use crate::scene::quantity::{Frame, Meaning, Of};
-use crate::scene::{Asked, Find, Lang, OnLink, PointId};
+use crate::scene::{Asked, Find, Lang, LinkId, OnLink, PointId};
 use crate::worked::Worked;
 
 /// A drawing wider than this stands in the text, not beside it; one that is higher, too, leaves no room for the rest of the problem.
@@ -127,6 +127,16 @@ impl Maker<'_> {
             (Of::Points(a, b), Lang::Zh) => format!("{} 相对 {} 的{name}", spot(&a), spot(&b)),
             (Of::Link(l), Lang::En) => format!("{name} of link {}", self.link(l)),
             (Of::Link(l), Lang::Zh) => format!("构件 {} 的{name}", self.link(l)),
+            (Of::Links(a, b), lang) if what.entry().symbol == "P" => {
+                let fixed = |l: LinkId| l == self.scene.ground;
+                let moving = if fixed(a) { self.link(b) } else { self.link(a) };
+                match (fixed(a) || fixed(b), lang) {
+                    (true, Lang::En) => format!("absolute instantaneous centre of link {moving}"),
+                    (true, Lang::Zh) => format!("构件 {moving} 的绝对瞬心"),
+                    (false, Lang::En) => format!("relative instantaneous centre of links {} and {}", self.link(a), self.link(b)),
+                    (false, Lang::Zh) => format!("构件 {} 与构件 {} 的相对瞬心", self.link(a), self.link(b)),
+                }
+            }
             (Of::Links(a, b), Lang::En) => format!("{name} of link {} relative to link {}", self.link(a), self.link(b)),
             (Of::Links(a, b), Lang::Zh) => format!("构件 {} 相对构件 {} 的{name}", self.link(a), self.link(b)),
             (Of::Seen(p, frame), lang) => {

@@ -66,12 +66,13 @@ pub const DESIGNS: [(&str, &str); 7] = [
 ];
 
 /// Kinds of picture that no other list has: template, the figure's name (`dimensions`: the mechanism with them).
-pub const ASKED: [(&str, &str); 6] = [
+pub const ASKED: [(&str, &str); 7] = [
     ("class-iii-six-bar", "plates"),
     ("planetary-gear", "kutzbach"),
     ("planetary-gear", "gears"),
     ("turning-plate", "composite"),
     ("flat-face-mistake", "attempts"),
+    ("flat-face-mistake", "composite"),
     ("crank-rocker", "dimensions"),
 ];
 

@@ -54,11 +54,16 @@ pub(super) struct Slides {
     pub outward: Vec2,
 }
 
+/// The rate that the file gives; of one that it leaves free none.
+fn told_rate(driver: &Driver) -> f64 {
+    if driver.rate_told { driver.rate.value } else { 0.0 }
+}
+
 impl Draft<'_> {
     /// The arrows of ω and α.
     pub(super) fn rotations(&mut self, driver: &Driver, index: &str, t: Turns) {
         let name = name_label(index);
-        let given = [("rotation", "omega", driver.rate.value), ("angular-acceleration", "alpha", acceleration(driver))];
+        let given = [("rotation", "omega", told_rate(driver)), ("angular-acceleration", "alpha", acceleration(driver))];
         let mut first: Option<Vec<Item>> = None;
         for (thing, letter, value) in given.into_iter().filter(|g| g.2 != 0.0) {
             let [low, high] = sorted(t.angles);
@@ -96,7 +101,7 @@ impl Draft<'_> {
 
     /// The arrows of a velocity and an acceleration along a line, with their symbols.
     pub(super) fn translations(&mut self, driver: &Driver, symbols: &[String; 2], s: Slides) {
-        let (rate, acceleration) = (driver.rate.value, acceleration(driver));
+        let (rate, acceleration) = (told_rate(driver), acceleration(driver));
         if rate != 0.0 {
             self.straight_arrow(s.from, s.along * rate.signum(), &symbols[0]);
         }

@@ -31,17 +31,21 @@ impl Draft<'_> {
         order.sort_by(|&i, &j| rank(i).0.cmp(&rank(j).0).then(rank(i).1.total_cmp(&rank(j).1)));
         let mut placed: Vec<usize> = Vec::new();
         for k in order {
-            let at = |by: Vec2| (self.arrows[k].from + by, self.arrows[k].to + by);
-            let over = |by: Vec2| placed.iter().find_map(|&j| lies_over(at(by), self.arrows[j].drawn(), width_mm));
-            if let (Some(left_mm), Some(along)) = (over(Vec2::ZERO), (self.arrows[k].to - self.arrows[k].from).unit()) {
-                // To the side on which it lies already.
-                let side = along.perp() * if left_mm < -SAME_MM { -1.0 } else { 1.0 };
-                let lanes = (1..=LANES).flat_map(|n| [n, -n]).map(|n| side * (f64::from(n) * (width_mm + AIR_MM)));
-                self.arrows[k].aside = lanes.into_iter().find(|by| over(*by).is_none()).unwrap_or(Vec2::ZERO);
-            }
+            let others: Vec<Ends> = placed.iter().map(|&j| self.arrows[j].drawn()).collect();
+            self.arrows[k].aside = lane((self.arrows[k].from, self.arrows[k].to), &others, width_mm);
             placed.push(k);
         }
     }
+}
+
+/// How far a line is moved square to itself so that it lies over none of the others.
+pub(in crate::figure) fn lane(line: Ends, others: &[Ends], width_mm: f64) -> Vec2 {
+    let over = |by: Vec2| others.iter().find_map(|other| lies_over((line.0 + by, line.1 + by), *other, width_mm));
+    let (Some(left_mm), Some(along)) = (over(Vec2::ZERO), (line.1 - line.0).unit()) else { return Vec2::ZERO };
+    // To the side on which it lies already.
+    let side = along.perp() * if left_mm < -SAME_MM { -1.0 } else { 1.0 };
+    let mut lanes = (1..=LANES).flat_map(|n| [n, -n]).map(|n| side * (f64::from(n) * (width_mm + AIR_MM)));
+    lanes.find(|by| over(*by).is_none()).unwrap_or(Vec2::ZERO)
 }
 
 impl Arrow {

@@ -5,7 +5,7 @@
 //! those of the board. Every item carries the class `step-N`, the index of the action that draws it, so that a lesson
 //! can show the polygon as it grows.
 
-mod aside;
+pub(in crate::figure) mod aside;
 mod circles;
 mod inset;
 mod marks;

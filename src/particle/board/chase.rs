@@ -6,7 +6,7 @@ use super::super::pursuit::{Chase, End};
 use super::super::solve::course;
 use super::super::{Motion, Problem};
 use super::{Drawn, ROOM_MM, Told, Views, arrow, mm, most};
-use crate::construct::scale::choose;
+use crate::construct::scale::choose_in;
 use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::number::Real;
@@ -56,12 +56,12 @@ impl Whole {
         Some(Whole { places, until: *until, meets: *meets })
     }
 
-    /// m for a millimetre, with the two at the instant.
-    fn scale(&self, now: [Point; 2]) -> f64 {
+    /// m for a millimetre, with the two at the instant, round in a unit (m).
+    fn scale(&self, now: [Point; 2], unit: f64) -> f64 {
         let all = || self.places.iter().flatten().copied().chain(now);
         let most = |f: fn(Point) -> f64| all().map(f).fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], x| [l.min(x), h.max(x)]);
         let ([x0, x1], [y0, y1]) = (most(|p| p.x), most(|p| p.y));
-        choose([x1 - x0, y1 - y0], COURSE_MM)
+        choose_in(unit, [x1 - x0, y1 - y0], COURSE_MM)
     }
 }
 
@@ -75,10 +75,10 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
     let (b, v_b) = (Point::new(x[0], y[0]), Vec2::new(x[1], y[1]));
     let a = b - Vec2::new(here.d[0], here.d[1]);
     let run = known.and_then(Whole::again).map_or_else(|| Whole::of(&chase, t), Ok)?;
-    let mu_l = problem.paper.mu_l.unwrap_or_else(|| run.scale([a, b]));
+    let mu_l = problem.paper.mu_l.unwrap_or_else(|| run.scale([a, b], problem.paper.unit(0)));
     let (on_paper_a, on_paper_b) = ((a.to_vec2() * (1.0 / mu_l)).to_point(), (b.to_vec2() * (1.0 / mu_l)).to_point());
     let Some(along) = (on_paper_b - on_paper_a).unit() else { return Ok(None) };
-    let mu_v = problem.paper.mu_v.unwrap_or_else(|| choose(most(&[v_b, along * speed[0]]), ROOM_MM));
+    let mu_v = problem.paper.mu_v.unwrap_or_else(|| choose_in(problem.paper.unit(1), most(&[v_b, along * speed[0]]), ROOM_MM));
     let (tip_a, tip_b) = (along * (speed[0] / mu_v), v_b * (1.0 / mu_v));
     // The perpendicular from b on the line of v_A.
     let foot = along * along.dot(tip_b);
@@ -87,7 +87,7 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
     let omega = rate * mu_v / (arm * mu_l) * if along.cross(tip_b) < 0.0 { -1.0 } else { 1.0 };
     let (a_t, a_n) = (speed[1], tip_a.norm() * mu_v * omega);
     let whole = along * a_t + along.perp() * a_n;
-    let mu_a = problem.paper.mu_a.unwrap_or_else(|| choose(most(&[whole, along * a_t]), ROOM_MM));
+    let mu_a = problem.paper.mu_a.unwrap_or_else(|| choose_in(problem.paper.unit(2), most(&[whole, along * a_t]), ROOM_MM));
     let (tip_t, tip_n) = (along * (a_t / mu_a), along.perp() * (a_n / mu_a));
     let velocities =
         vec![arrow(&format!("v_{}", m.point), Point::ORIGIN, tip_a, true, 1), arrow(&format!("v_{target}"), Point::ORIGIN, tip_b, true, 1)];

@@ -10,6 +10,7 @@ mod drawing;
 mod explained;
 mod nearest;
 pub mod pose;
+mod positions;
 
 use super::board::Board;
 use super::candidate::{Draft, Number, Wanted};
@@ -67,7 +68,7 @@ fn method(count: usize) -> Method {
 }
 
 fn read(form: &Form) -> Option<Box<dyn Wish>> {
-    let positions = positions(form);
+    let positions = positions::read(form);
     let moving = form.places("moving", &["B", "C"]);
     let ground = form.places("ground", &["A", "D"]);
     let find = |all: &[(String, Point)], name: &str| all.iter().find(|(n, _)| n == name).map(|(_, p)| *p);
@@ -82,11 +83,18 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
         Some(found) => found,
         None => None,
     };
-    let moving = ["B", "C"].map(|n| find(&moving, n).map(Point::to_vec2));
+    let mut moving = ["B", "C"].map(|n| find(&moving, n).map(Point::to_vec2));
     let ground = ["A", "D"].map(|n| find(&ground, n));
     let among = among::read(form)?;
-    let positions = positions?;
+    let positions::Told { all: positions, pins } = positions?;
     let count = positions.len();
+    if let Some(pins) = pins.filter(|_| method(count) == Method::Bisectors) {
+        for side in 0..2 {
+            if ground[side].is_none() {
+                moving[side] = moving[side].or(Some(pins[side]));
+            }
+        }
+    }
     if among.is_some() && (line.is_some() || method(count) != Method::Curve) {
         let message = both!(
             "\"box\" and \"angles\" choose pivots of four positions, in the place of \"line\"",
@@ -100,47 +108,6 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
         return None;
     }
     Some(Box::new(Body { positions, moving, ground, line, among }))
-}
-
-fn positions(form: &Form) -> Option<Vec<Position>> {
-    let items = form.items("positions", "[[\"0 mm\", \"0 mm\", \"0 deg\"], ...]", 2)?;
-    if items.len() > 5 {
-        let d = Diagnostic::error(
-            "wrong-count",
-            both!(
-                "a four-bar guides a body through five positions at most, here are {}",
-                "四杆机构至多能实现五个位置，此处有 {} 个",
-                items.len()
-            ),
-        );
-        form.fault(d.at(form.span("positions")).help(both!(
-            "take the five that matter, or `\"synthesis\": \"path\"` for the path of a point",
-            "请取最重要的五个；若只要求点的轨迹可用 `\"synthesis\": \"path\"`"
-        )));
-        return None;
-    }
-    let one = |n| {
-        let [x, y, angle] = form.several::<3>(n, "positions", "[\"12 mm\", \"8 mm\", \"20 deg\"]")?;
-        let (x, y, angle) = (form.length_of(x, "positions"), form.length_of(y, "positions"), form.angle_of(angle, "positions"));
-        Some(Position { origin: Point::new(x?, y?), angle: angle? })
-    };
-    let found: Vec<Option<Position>> = items.iter().map(one).collect();
-    let found = found.into_iter().collect::<Option<Vec<_>>>()?;
-    for (j, q) in found.iter().enumerate() {
-        for (i, p) in found[..j].iter().enumerate() {
-            if p.origin.distance(q.origin) == 0.0 && libm::sin((p.angle - q.angle) / 2.0).abs() < 1e-12 {
-                let (i, j) = (i + 1, j + 1);
-                let d =
-                    Diagnostic::error("precision-points-coincide", both!("positions {i} and {j} are the same", "位置 {i} 与位置 {j} 相同"));
-                form.fault(
-                    d.at(items[j - 1].span)
-                        .help(both!("leave one of them out: fewer positions have more solutions", "请去掉其中一个：位置越少，解越多")),
-                );
-                return None;
-            }
-        }
-    }
-    Some(found)
 }
 
 /// Whether what is given fits the number of positions.

@@ -218,10 +218,16 @@ impl Body {
                         "within the box the centre-point curve has no two pivots of a linkage",
                         "方框内的圆心曲线上没有两个可用的固定铰链"
                     ),
-                    larger.unwrap_or(both!(
-                        "make the box larger: the curve passes through the poles P12, P23, P34, P14",
-                        "请放大方框：曲线经过转动极 P12、P23、P34、P14"
-                    )),
+                    larger.unwrap_or_else(|| match self.poles().is_empty() {
+                        true => both!(
+                            "the body does not turn, so its poles are infinitely far: a parallelogram moves it, or a slider",
+                            "连杆不转动，转动极在无穷远处：可用平行四边形机构或移动副实现"
+                        ),
+                        false => both!(
+                            "make the box larger: the curve passes through the poles P12, P23, P34, P14",
+                            "请放大方框：曲线经过转动极 P12、P23、P34、P14"
+                        ),
+                    }),
                 )
             }
             Among::Angles(angles) => {

@@ -196,7 +196,11 @@ fn of_curve(form: &Form) -> Option<Read> {
         form.fault(d.at(f.span("to")).help(both!("write \"to\": {}", "请写 \"to\": {}", from + 1.0)));
         return None;
     }
-    let hint = both!("where x is an angle, write the range so: \"from\": \"0 deg\"", "x 为角度时，请写 \"from\": \"0 deg\"");
+    let hint = if angle.is_some() || ["sin", "cos", "tan"].iter().any(|f| text.contains(f)) {
+        both!("where x is an angle, write the range so: \"from\": \"0 deg\"", "x 为角度时，请写 \"from\": \"0 deg\"")
+    } else {
+        both!("take a range on which the function has a value everywhere", "请取函数处处有值的范围")
+    };
     let value = |x: f64| {
         let faulty = |d: Diagnostic| form.fault(if d.help.is_none() { d.help(hint.clone()) } else { d }.at(f.span("y")));
         curve.at(x).map_err(faulty).ok()
@@ -268,6 +272,9 @@ fn of_pairs(form: &Form) -> Option<Read> {
 
 impl Wish for Function {
     fn title(&self) -> Both {
+        if matches!(self.target, Target::Pairs { .. }) {
+            return both!("Function generator for {} pairs of angles", "实现 {} 组对应角位置的函数机构", self.steps.len());
+        }
         both!("Function generator with {} precision points", "{} 个插值结点的函数机构", self.steps.len())
     }
 

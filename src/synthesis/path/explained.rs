@@ -1,6 +1,7 @@
 //! Path generation as a problem, and the formulas of its proof.
 
-use super::{Path, back_to_first};
+use super::Path;
+use super::inversion::{back_to_first, turned_back};
 use crate::diag::{Both, both};
 use crate::geom::Point;
 use crate::synthesis::candidate::Draft;
@@ -24,13 +25,10 @@ impl Path {
             out
         };
         match self {
-            Path::Three { points, a, d, crank, be, .. } => {
+            Path::Three { points, pivots: [a, d], lengths, .. } => {
                 let mut given = listed(points);
-                given.extend([
-                    both!("pivots $A = {}$, $D = {}$", "固定铰链 $A = {}$，$D = {}$", place(*a), place(*d)),
-                    both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(*crank)),
-                    both!("$l_{{BE}} = {}$ on the coupler", "连杆上 $l_{{BE}} = {}$", length(*be)),
-                ]);
+                given.push(pivots_told(*a, *d));
+                given.extend(lengths_told(*lengths));
                 Statement {
                     task: both!(
                         "Design a four-bar $ABCD$ whose coupler point $E$ passes through three given places.",
@@ -42,6 +40,50 @@ impl Path {
                         "连杆 $l_{{BC}}$、$l_{{CE}}$ 与从动连架杆 $l_{{CD}}$"
                     )],
                     open_steps: 1,
+                }
+            }
+            Path::Turned { points, pivots: [a, d], turns } => {
+                let mut given = listed(points);
+                given.push(pivots_told(*a, *d));
+                let [second, third] = [1, 2].map(|k| angle(turns[k] - turns[0]));
+                given.push(both!("turns of the crank from $E_1$: ${second} ,\\; {third}$", "曲柄自 $E_1$ 的转角：${second} ,\\; {third}$"));
+                Statement {
+                    task: both!(
+                        "Design a four-bar $ABCD$ whose coupler point $E$ passes through three given places at given turns of the crank.",
+                        "设计四杆机构 $ABCD$，使曲柄转过给定角度时连杆上的点 $E$ 通过三个预定位置。"
+                    ),
+                    given,
+                    wanted: vec![both!(
+                        "the crank $l_{{AB}}$, the coupler $l_{{BC}}$, $l_{{BE}}$, $l_{{CE}}$ and the follower $l_{{CD}}$",
+                        "曲柄 $l_{{AB}}$，连杆 $l_{{BC}}$、$l_{{BE}}$、$l_{{CE}}$ 与从动连架杆 $l_{{CD}}$"
+                    )],
+                    open_steps: 1,
+                }
+            }
+            Path::Several { points, a, lengths, line, .. } => {
+                let mut given = listed(points);
+                given.push(both!("pivot $A = {}$", "固定铰链 $A = {}$", place(*a)));
+                given.extend(lengths_told(*lengths));
+                given.extend(line.map(|(through, along)| {
+                    both!(
+                        "$D$ on the line through ${}$ under ${}$",
+                        "$D$ 在过 ${}$、倾角为 ${}$ 的直线上",
+                        place(through),
+                        angle(along.angle())
+                    )
+                }));
+                let count = points.len();
+                Statement {
+                    task: both!(
+                        "Design a four-bar $ABCD$ whose coupler point $E$ passes through {count} given places.",
+                        "设计四杆机构 $ABCD$，使连杆上的点 $E$ 通过 {count} 个预定位置。"
+                    ),
+                    given,
+                    wanted: vec![both!(
+                        "the pivot $D$, the coupler $l_{{BC}}$, $l_{{CE}}$ and the follower $l_{{CD}}$",
+                        "固定铰链 $D$，连杆 $l_{{BC}}$、$l_{{CE}}$ 与从动连架杆 $l_{{CD}}$"
+                    )],
+                    open_steps: 0,
                 }
             }
             Path::Many { points, timing: Some(turns), .. } => {
@@ -75,16 +117,92 @@ impl Path {
 
     pub(super) fn proved(&self, draft: &Draft) -> Vec<Proof> {
         match self {
-            Path::Three { points, d, .. } => three(points, *d, draft),
+            Path::Three { points, pivots, .. } => three(points, pivots[1], draft),
+            Path::Turned { points, pivots, turns } => {
+                let [_, second, third] = turned_back(points, pivots[0], turns);
+                let b1 = Point::new(of(draft, "B1_x"), of(draft, "B1_y"));
+                let mut out = vec![
+                    Proof::new(
+                        both!(
+                            "Turned back about $A$ with the crank, $\\delta_k$ its turn from place 1 to $k$, $E_k$ comes to",
+                            "随曲柄绕 $A$ 反转（$\\delta_k$ 为曲柄由位置 1 到 $k$ 的转角）："
+                        ),
+                        [
+                            "E_k' = A + R(−\\delta_k)\\,(E_k − A)".to_owned(),
+                            format!("E_2' = {} ,\\quad E_3' = {}", place(second), place(third)),
+                        ],
+                    ),
+                    centre_of_three(
+                        both!(
+                            "$B_1$ is as far from $E_1$ as from $E_2'$ and $E_3'$: the squares of the distances, subtracted, are linear equations (mm).",
+                            "$B_1$ 到 $E_1$、$E_2'$、$E_3'$ 等距：距离平方相减得线性方程（mm）。"
+                        ),
+                        [points[0], second, third],
+                        "B_1",
+                        b1,
+                    ),
+                ];
+                out.extend(three(points, pivots[1], draft));
+                out
+            }
+            Path::Several { points, .. } => several(points, draft),
             Path::Many { points, timing, .. } => many(points.len(), timing.is_some(), draft),
         }
     }
 }
 
+fn pivots_told(a: Point, d: Point) -> Both {
+    both!("pivots $A = {}$, $D = {}$", "固定铰链 $A = {}$，$D = {}$", place(a), place(d))
+}
+
+fn lengths_told([crank, be]: [f64; 2]) -> [Both; 2] {
+    [
+        both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(crank)),
+        both!("$l_{{BE}} = {}$ on the coupler", "连杆上 $l_{{BE}} = {}$", length(be)),
+    ]
+}
+
+/// B in all positions.
+fn pins(draft: &Draft) -> Vec<Point> {
+    draft.wanted.iter().flat_map(|w| &w.places).filter(|(n, _)| n == "B").map(|(_, p)| *p).collect()
+}
+
+/// Four or five places: D on the centre-point curve, checked by its places carried back.
+fn several(e: &[Point], draft: &Draft) -> Vec<Proof> {
+    let b = pins(draft);
+    if b.len() != e.len() {
+        return Vec::new();
+    }
+    let [d, c] = ["D", "C1"].map(|n| Point::new(of(draft, &format!("{n}_x")), of(draft, &format!("{n}_y"))));
+    let listed = |letter: &str, all: Vec<Point>, from: usize, dash: &str| {
+        let one = |(k, p): (usize, &Point)| format!("{letter}_{}{dash} = {}", k + from, place(*p));
+        all.iter().enumerate().map(one).collect::<Vec<_>>().join(" ,\\quad ")
+    };
+    let back: Vec<Point> = (1..e.len()).map(|k| back_to_first(d, &b, e, k)).collect();
+    let far: Vec<String> = back.iter().map(|p| length(p.distance(c))).collect();
+    vec![
+        Proof::new(
+            both!("$B_i$ lies on the crank's circle and at $l_{{BE}}$ from $E_i$:", "$B_i$ 在曲柄圆上，且到 $E_i$ 的距离为 $l_{{BE}}$："),
+            [listed("B", b.clone(), 1, "")],
+        ),
+        Proof::new(
+            both!(
+                "$D$ is a centre point of the positions of $BE$ (Burmester), $C_1$ its pin. Carried back with the coupler into position 1 all places of $D$ lie on a circle about $C_1$:",
+                "$D$ 是 $BE$ 各位置的圆心点（布尔梅斯特），$C_1$ 为其动铰链。$D$ 随连杆反转到位置 1 的各点在以 $C_1$ 为圆心的圆上："
+            ),
+            [
+                format!("D = {} ,\\quad C_1 = {}", place(d), place(c)),
+                listed("D", back, 2, "'"),
+                format!("l_{{CD}} = {} ,\\quad {}", length(of(draft, "CD")), far.join(" ,\\; ")),
+            ],
+        ),
+        Proof::new(both!("So", "于是"), [["BC", "CE", "CD"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n)))).join(" ,\\quad ")]),
+    ]
+}
+
 fn three(e: &[Point; 3], d: Point, draft: &Draft) -> Vec<Proof> {
-    let pins: Vec<Point> = draft.wanted.iter().flat_map(|w| &w.places).filter(|(n, _)| n == "B").map(|(_, p)| *p).collect();
-    let Ok(b) = <[Point; 3]>::try_from(pins) else { return Vec::new() };
-    let turned = [1, 2].map(|k| back_to_first(d, b, e, k));
+    let Ok(b) = <[Point; 3]>::try_from(pins(draft)) else { return Vec::new() };
+    let turned = [1, 2].map(|k| back_to_first(d, &b, e, k));
     let c1 = Point::new(of(draft, "C1_x"), of(draft, "C1_y"));
     let crank = |k: usize| format!("B_{} = {}", k + 1, place(b[k]));
     vec![

@@ -1,52 +1,46 @@
 //! Path generation 按预定轨迹, `"synthesis": "path"`: a point E of the coupler through given places.
 //!
-//! Three places with A, D, crank and BE given: B_i lies on the crank's circle at BE from E_i; D, carried back with the coupler B_iE_i into
-//! position 1, goes round C₁. More places, nothing else given: least squares of the distances ([`search`]), or at given turns of the crank
-//! ([`timed`]).
+//! Places met exactly, by [`inversion`]: three with A, D and either crank and BE or the crank's turns; four and five with A, crank and BE. Five places
+//! and more with nothing else given: least squares of the distances ([`search`]), or at given turns of the crank ([`timed`]).
 
 mod drawing;
 mod evolution;
 mod explained;
+mod inversion;
 pub mod search;
+mod sides;
 pub mod timed;
 
 use super::board::Board;
-use super::body::pose::centre;
 use super::candidate::{Draft, Number, Wanted};
 use super::form::Form;
-use super::fourbar::{FourBar, Heading, meet, named_lengths};
-use super::nearest::{number, told};
+use super::fourbar::{FourBar, Heading, named_lengths};
 use super::{Found, KindOfTask, Proof, Statement, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
-use crate::digits::{metres, significant};
+use crate::digits::significant;
 use crate::geom::{Point, Vec2};
 use search::Fit;
+use sides::Sides;
 use std::f64::consts::TAU;
 
 /// The kind.
 pub const KIND: KindOfTask = KindOfTask {
     name: "path",
     what: ["a coupler point through given places", "按连杆上一点的预定轨迹设计"],
-    keys: &["points", "ground", "crank", "BE", "side", "timing", "seed"],
+    keys: &["points", "ground", "crank", "BE", "side", "line", "timing", "seed"],
     read,
 };
 
 #[derive(Clone, Debug)]
 enum Path {
-    Three {
-        points: [Point; 3],
-        a: Point,
-        d: Point,
-        crank: f64,
-        be: f64,
-        left: Option<bool>,
-    },
-    /// The crank's angles at the places, where they are given (rad).
-    Many {
-        points: Vec<Point>,
-        timing: Option<Vec<f64>>,
-        seed: u64,
-    },
+    /// Three places, crank and BE given.
+    Three { points: [Point; 3], pivots: [Point; 2], lengths: [f64; 2], sides: Sides },
+    /// Three places at given angles of the crank (rad).
+    Turned { points: [Point; 3], pivots: [Point; 2], turns: [f64; 3] },
+    /// Four places with a line for D, or five; crank and BE given.
+    Several { points: Vec<Point>, a: Point, lengths: [f64; 2], sides: Sides, line: Option<(Point, Vec2)> },
+    /// Many, the crank's angles at them where these are given (rad).
+    Many { points: Vec<Point>, timing: Option<Vec<f64>>, seed: u64 },
 }
 
 fn read(form: &Form) -> Option<Box<dyn Wish>> {
@@ -62,30 +56,24 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
             return None;
         }
     }
-    let given: Vec<&str> = ["ground", "crank", "BE", "side"].into_iter().filter(|k| form.has(k)).collect();
+    let given: Vec<&str> = ["ground", "crank", "BE", "side", "line"].into_iter().filter(|k| form.has(k)).collect();
     match <[Point; 3]>::try_from(points) {
         Ok(points) => three(form, points),
-        Err(points) if given.is_empty() && points.len() >= 5 => {
+        Err(points) if points.len() == 4 || points.len() == 5 && !given.is_empty() => several(form, points),
+        Err(points) if given.is_empty() => {
             let seed = if form.has("seed") { form.count("seed", 0, 1_000_000_000)? } else { 1 };
             let timing = if form.has("timing") { Some(timing(form, points.len())?) } else { None };
             Some(Box::new(Path::Many { points, timing, seed: seed as u64 }))
         }
         Err(points) => {
-            let message = match given.first() {
-                Some(key) => both!(
-                    "`{key}` is given for three points; here are {}, through which all lengths are sought",
-                    "`{key}` 只用于三个点；此处有 {} 个点，全部杆长待求",
-                    points.len()
-                ),
-                None => both!(
-                    "{} points are too few for a search and too many for the construction",
-                    "{} 个点，用于搜索太少，用于作图又太多",
-                    points.len()
-                ),
-            };
+            let (key, count) = (given[0], points.len());
+            let message = both!(
+                "`{key}` is given for three to five points; here are {count}, through which all lengths are sought",
+                "`{key}` 只用于三至五个点；此处有 {count} 个点，全部杆长待求"
+            );
             let help = both!(
-                "give three points with ground, crank and BE, or five and more points alone",
-                "请给三个点及 ground、crank、BE，或只给五个以上的点"
+                "give five points at most with ground, crank and BE, or the points alone",
+                "请给至多五个点及 ground、crank、BE，或只给各点"
             );
             form.fault(Diagnostic::error("wrong-given", message).at(form.span("points")).help(help));
             None
@@ -131,30 +119,79 @@ fn timing(form: &Form, places: usize) -> Option<Vec<f64>> {
 /// How a timing is written.
 const TIMING: &str = "[\"0 deg\", \"20 deg\", ...]";
 
+/// Three places: A and D, with crank and BE or the crank's angles.
 fn three(form: &Form, points: [Point; 3]) -> Option<Box<dyn Wish>> {
-    if form.has("timing") {
-        let message = both!("`timing` is given for five and more points", "`timing` 只用于五个以上的点");
-        let help =
-            both!("three points are met at the crank angles that follow; leave `timing` out", "三点时曲柄转角由作图得出；请去掉 `timing`");
-        form.fault(Diagnostic::error("wrong-given", message).at(form.span("timing")).help(help));
-    }
-    let crank = form.need_size("crank", "\"30 mm\"");
-    let be = form.need_size("BE", "\"80 mm\"");
     form.need("ground", "{\"A\": [\"0 mm\", \"0 mm\"], \"D\": [\"100 mm\", \"0 mm\"]}")?;
     let inner = form.inner("ground", &["A", "D"])?;
     let pivot = |key: &str| inner.point_of(inner.need(key, "[\"0 mm\", \"0 mm\"]")?, key);
     let (a, d) = (pivot("A"), pivot("D"));
-    let left = match form.inner("side", &["B"]) {
-        Some(side) => Some(side.choice("B", &["left of AE", "right of AE"])? == "left of AE"),
-        None => None,
+    if form.has("timing") {
+        if let Some(key) = ["crank", "BE", "side"].into_iter().find(|k| form.has(k)) {
+            let message = both!("with `timing` three places fix `{key}` by themselves", "给出 `timing` 时三个位置已确定 `{key}`");
+            let help = both!("leave it out, or leave `timing` out", "请去掉它，或去掉 `timing`");
+            form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(help));
+            return None;
+        }
+        let turns = <[f64; 3]>::try_from(timing(form, 3)?).ok()?;
+        return Some(Box::new(Path::Turned { points, pivots: [a?, d?], turns }));
+    }
+    let lengths = lengths(form);
+    let sides = sides::read(form, 3);
+    Some(Box::new(Path::Three { points, pivots: [a?, d?], lengths: lengths?, sides: sides? }))
+}
+
+/// Four or five places: A, crank and BE; for four a line on which D lies.
+fn several(form: &Form, points: Vec<Point>) -> Option<Box<dyn Wish>> {
+    if let Some(key) = ["timing", "seed"].into_iter().find(|k| form.has(k)) {
+        let message = match key {
+            "timing" => {
+                both!("`timing` is given for three places, or for five and more alone", "`timing` 只用于三个点，或单独给出的五个以上的点")
+            }
+            _ => both!("`seed` belongs to a search; four and five places are met exactly", "`seed` 用于搜索；四、五个位置可精确实现"),
+        };
+        form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(both!("leave it out", "请去掉它")));
+        return None;
+    }
+    form.need("ground", "{\"A\": [\"0 mm\", \"0 mm\"]}")?;
+    let inner = form.inner("ground", &["A", "D"])?;
+    let a = inner.point_of(inner.need("A", "[\"0 mm\", \"0 mm\"]")?, "A");
+    if inner.has("D") {
+        let message = both!("with four or five places D follows: it lies on the centre-point curve", "四、五个位置时 D 由圆心曲线确定");
+        let help = both!("leave D out; for four places give the \"line\" on which it lies", "请去掉 D；四个位置时请给出 D 所在的 \"line\"");
+        form.fault(Diagnostic::error("wrong-given", message).at(inner.span("D")).help(help));
+        return None;
+    }
+    let lengths = lengths(form);
+    let sides = sides::read(form, points.len());
+    let line = match points.len() {
+        4 => {
+            form.need("line", "{\"through\": [\"100 mm\", \"0 mm\"], \"angle\": \"0 deg\"}")?;
+            let inner = form.inner("line", &["through", "angle"])?;
+            inner.need("through", "[\"100 mm\", \"0 mm\"]")?;
+            let angle = if inner.has("angle") { inner.angle("angle") } else { Some(0.0) };
+            let through = inner.point("through");
+            Some((through?, Vec2::from_angle(angle?)))
+        }
+        _ => None,
     };
-    Some(Box::new(Path::Three { points, a: a?, d: d?, crank: crank?, be: be?, left }))
+    Some(Box::new(Path::Several { points, a: a?, lengths: lengths?, sides: sides?, line }))
+}
+
+/// Crank and BE.
+fn lengths(form: &Form) -> Option<[f64; 2]> {
+    let (crank, be) = (form.need_size("crank", "\"30 mm\""), form.need_size("BE", "\"80 mm\""));
+    Some([crank?, be?])
 }
 
 impl Wish for Path {
     fn title(&self) -> Both {
         match self {
-            Path::Three { .. } => both!("Four-bar whose coupler point passes three places", "连杆点通过三个位置的四杆机构"),
+            Path::Three { .. } | Path::Turned { .. } => {
+                both!("Four-bar whose coupler point passes three places", "连杆点通过三个位置的四杆机构")
+            }
+            Path::Several { points, .. } => {
+                both!("Four-bar whose coupler point passes {} places", "连杆点通过 {} 个位置的四杆机构", points.len())
+            }
             Path::Many { points, .. } => {
                 both!("Four-bar whose coupler point passes near {} places", "连杆点逼近 {} 个位置的四杆机构", points.len())
             }
@@ -162,53 +199,34 @@ impl Wish for Path {
     }
 
     fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
-        match self {
-            Path::Three { points, a, d, crank, be, left } => {
-                let sides: &[bool] = match left {
-                    Some(true) => &[true],
-                    Some(false) => &[false],
-                    None => &[true, false],
-                };
-                let mut drafts = Vec::new();
-                let mut faults = Faults::default();
-                for left in sides {
-                    match by_inversion(points, [*a, *d], [*crank, *be], *left, heading) {
-                        Ok(draft) => drafts.push(draft),
-                        Err(message) => {
-                            let told = Diagnostic::error("no-real-solution", message);
-                            faults.push(told.help(nearest(points, [*a, *d], [*crank, *be], sides, heading)));
-                        }
-                    }
-                }
-                if drafts.is_empty() { Err(faults) } else { Ok(Found { drafts, ..Found::default() }) }
+        let drafts = match self {
+            Path::Three { points, pivots, lengths, sides } => of_three(points, *pivots, *lengths, sides, heading)?,
+            Path::Turned { points, pivots, turns } => {
+                let found = inversion::turned(points, *pivots, turns, heading);
+                vec![found.map_err(|message| Diagnostic::error("no-real-solution", message).help(unturned()))?]
             }
-            Path::Many { points, timing, seed } => {
-                let found = match timing {
-                    None => search::search(points, *seed),
-                    Some(turns) => timed::search(points, turns, *seed),
-                };
-                let mut drafts: Vec<Draft> = found.fits.iter().filter_map(|f| of_fit(points, f, heading)).collect();
-                if timing.is_some() {
-                    drafts.iter_mut().zip(&found.fits).for_each(|(d, f)| d.remarks.extend(timed::remark(f, points)));
-                }
-                let numbers = vec![
-                    Number::ratio("evaluations", both!("positions evaluated", "计算的位置数"), found.evaluations as f64),
-                    Number::ratio("restarts", both!("runs of the search", "搜索次数"), found.runs as f64),
-                ];
-                if drafts.is_empty() {
-                    let message = both!("the search found no crank-rocker near these places", "没有找到逼近这些点的曲柄摇杆机构");
-                    let help = both!("order the points along the path, or try another \"seed\"", "请按轨迹次序排列各点，或换一个 \"seed\"");
-                    return Err(Diagnostic::error("no-real-solution", message).help(help).into());
-                }
-                Ok(Found { drafts, numbers, notes: Vec::new() })
-            }
-        }
+            Path::Several { points, a, lengths, sides, line } => of_several(points, *a, *lengths, sides, *line, heading)?,
+            Path::Many { points, timing, seed } => return searched(points, timing.as_deref(), *seed, heading),
+        };
+        Ok(Found { drafts, ..Found::default() })
     }
 
     fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
-        let Path::Three { points, a, d, crank, be, .. } = self else { return None };
-        let way = |left: bool| move |board: &mut Board| drawing::three(board, points, [*a, *d], [*crank, *be], left);
-        board.meant(draft, &[&way(true), &way(false)])
+        let by_sides = |board: &mut Board, points: &[Point], pivots: [Point; 2], lengths: [f64; 2], sides: &Sides| {
+            let ways: Vec<_> = sides.all.iter().map(|s| move |b: &mut Board| drawing::by_lengths(b, points, pivots, lengths, s)).collect();
+            let ways: Vec<&super::board::Way> = ways.iter().map(|w| w as &super::board::Way).collect();
+            board.meant(draft, &ways)
+        };
+        match self {
+            Path::Three { points, pivots, lengths, sides } => by_sides(board, points, *pivots, *lengths, sides),
+            Path::Turned { points, pivots, turns } => drawing::by_turns(board, points, *pivots, turns),
+            Path::Several { points, a, lengths, sides, .. } => {
+                // D comes from the centre-point curve.
+                let d = Point::new(super::told::of(draft, "D_x"), super::told::of(draft, "D_y"));
+                by_sides(board, points, [*a, d], *lengths, sides)
+            }
+            Path::Many { .. } => None,
+        }
     }
 
     fn statement(&self) -> Statement {
@@ -220,77 +238,96 @@ impl Wish for Path {
     }
 }
 
-/// D carried back with the coupler from a position into the first; the coupler's direction is that of BE.
-fn back_to_first(d: Point, b: [Point; 3], e: &[Point; 3], k: usize) -> Point {
-    let local = (d - b[k]).divide_by(e[k] - b[k]);
-    b[0] + local.rotate_by(e[0] - b[0])
+/// Three places with crank and BE: a linkage for each choice of sides that reaches them.
+fn of_three(e: &[Point; 3], pivots: [Point; 2], lengths: [f64; 2], sides: &Sides, heading: &Heading) -> Result<Vec<Draft>, Faults> {
+    let mut drafts = Vec::new();
+    let mut told: Vec<Both> = Vec::new();
+    for s in &sides.all {
+        match inversion::three(e, pivots, lengths, s, heading) {
+            Ok(draft) => drafts.push(draft),
+            Err(message) if !told.contains(&message) => told.push(message),
+            Err(_) => {}
+        }
+    }
+    if !drafts.is_empty() {
+        return Ok(drafts);
+    }
+    let mut faults = Faults::default();
+    for message in told {
+        let help = inversion::nearest(e, pivots, lengths, sides, heading);
+        faults.push(Diagnostic::error("no-real-solution", message).help(help));
+    }
+    Err(faults)
 }
 
-/// The nearest BE, else the nearest crank, with which the places are reached.
-fn nearest(e: &[Point; 3], pivots: [Point; 2], [crank, be]: [f64; 2], sides: &[bool], heading: &Heading) -> Both {
-    let works = |lengths: [f64; 2]| {
-        // A pivot of C farther off than a hundred times the frame is none.
-        let near =
-            |draft: Draft| draft.numbers.iter().all(|n| n.name != "CD" || n.value < 100.0 * pivots[0].distance(pivots[1]).max(crank));
-        lengths.iter().all(|l| *l > 0.0) && sides.iter().any(|left| by_inversion(e, pivots, lengths, *left, heading).is_ok_and(near))
+/// Four or five places with crank and BE: a linkage for each pivot D that the positions of the coupler allow.
+fn of_several(
+    e: &[Point],
+    a: Point,
+    lengths: [f64; 2],
+    sides: &Sides,
+    line: Option<(Point, Vec2)>,
+    heading: &Heading,
+) -> Result<Vec<Draft>, Faults> {
+    let found = |lengths: [f64; 2]| -> Result<Vec<Draft>, Both> {
+        let mut drafts = Vec::new();
+        let mut unreached = None;
+        for s in &sides.all {
+            match inversion::pins(e, a, lengths, s) {
+                Ok(b) => {
+                    let pairs = inversion::followers(e, &b, a, line);
+                    let told = |k: usize| both!("{}, pivot {}", "{}，固定铰链 {}", sides::told(s), k + 1);
+                    drafts.extend(pairs.iter().enumerate().map(|(k, p)| inversion::draft(e, &b, [a, p.centre], p.pin, told(k), heading)));
+                }
+                Err(message) => unreached = Some(message),
+            }
+        }
+        match unreached {
+            Some(message) if drafts.is_empty() => Err(message),
+            _ => Ok(drafts),
+        }
     };
-    let scale = (pivots[0].distance(pivots[1]) + pivots[0].distance(e[0])) * 1e3;
-    if let Some(mm) = number(be * 1e3, scale, |mm| works([crank, mm * 1e-3])) {
-        return both!("\"BE\": \"{} mm\" does", "\"BE\": \"{} mm\" 时可以", told(mm));
-    }
-    if let Some(mm) = number(crank * 1e3, scale, |mm| works([mm * 1e-3, be])) {
-        return both!("\"crank\": \"{} mm\" does", "\"crank\": \"{} mm\" 时可以", told(mm));
-    }
-    // BE between the nearest and the farthest place lets the shortest crank reach all.
-    let far = e.map(|p| p.distance(pivots[0]) * 1e3);
-    let middle = libm::rint((far.iter().copied().fold(f64::INFINITY, f64::min) + far.iter().copied().fold(0.0, f64::max)) / 2.0);
-    match number(crank * 1e3, scale, |mm| works([mm * 1e-3, middle * 1e-3])) {
-        Some(mm) => both!(
-            "\"crank\": \"{} mm\" with \"BE\": \"{} mm\" does",
-            "\"crank\": \"{} mm\"、\"BE\": \"{} mm\" 时可以",
-            told(mm),
-            told(middle)
-        ),
-        None => both!("move the pivots: both crank and BE must reach all three places", "请移动固定铰链：曲柄与 BE 须能到达三个位置"),
-    }
+    let scale = a.distance(e[0]) * 1e3;
+    let works = |l: [f64; 2]| l.iter().all(|x| *x > 0.0) && found(l).is_ok_and(|all| !all.is_empty());
+    let message = match found(lengths) {
+        Ok(drafts) if !drafts.is_empty() => return Ok(drafts),
+        Ok(_) => match line {
+            Some(_) => {
+                both!("the line does not meet the centre-point curve of the coupler's positions", "直线与连杆各位置的圆心曲线不相交")
+            }
+            None => both!("the coupler's positions have no further Burmester point", "连杆各位置没有其他实布尔梅斯特点"),
+        },
+        Err(message) => message,
+    };
+    Err(Diagnostic::error("no-real-solution", message).help(inversion::nearest_lengths(e, a, lengths, scale, works)).into())
 }
 
-/// Three places by inversion.
-fn by_inversion(e: &[Point; 3], [a, d]: [Point; 2], [crank, be]: [f64; 2], left: bool, heading: &Heading) -> Result<Draft, Both> {
-    let mut b = [Point::ORIGIN; 3];
-    for (k, at) in e.iter().enumerate() {
-        b[k] = meet(a, crank, *at, be, left).ok_or_else(|| {
-            let far = metres(a.distance(*at));
-            both!("E{} is {} from A: crank and BE do not reach it", "E{} 距 A {}：曲柄与 BE 够不到", k + 1, far)
-        })?;
-    }
-    let direction = |k: usize| e[k] - b[k];
-    let [d1, d2, d3] = [d, back_to_first(d, b, e, 1), back_to_first(d, b, e, 2)];
-    let Some((c, _)) = centre(d1, d2, d3) else {
-        return Err(both!(
-            "D, carried back into position 1, lies in line: C would be infinitely far",
-            "D 反转到位置 1 后三点共线：C 在无穷远处"
-        ));
+fn unturned() -> Both {
+    both!("change one of the crank's angles, or move A", "请改变一个曲柄转角，或移动 A")
+}
+
+/// Many places: the best optima of a search.
+fn searched(points: &[Point], timing: Option<&[f64]>, seed: u64, heading: &Heading) -> Result<Found, Faults> {
+    let found = match timing {
+        None => search::search(points, seed),
+        Some(turns) => timed::search(points, turns, seed),
     };
-    let carried = |k: usize| b[k] + (c - b[0]).divide_by(direction(0)).rotate_by(direction(k));
-    let axis = (c - b[0]) * (1.0 / (c - b[0]).norm());
-    let local = direction(0);
-    let four = FourBar { a, b: b[0], c, d, e: Some(Vec2::new(axis.dot(local), axis.cross(local))) };
-    let wanted = (0..3)
-        .map(|k| Wanted { driver: (b[k] - a).angle(), places: vec![("B".into(), b[k]), ("C".into(), carried(k)), ("E".into(), e[k])] })
-        .collect();
-    let mut numbers = named_lengths(four.lengths());
-    numbers.push(Number::length("BE", both!("B to E", "B 到 E"), be));
-    numbers.push(Number::length("CE", both!("C to E", "C 到 E"), c.distance(e[0])));
-    for (name, at) in [("B1", b[0]), ("C1", c)] {
-        numbers.push(Number::length(&format!("{name}_x"), both!("place of {name}", "{name} 的位置"), at.x));
-        numbers.push(Number::length(&format!("{name}_y"), both!("place of {name}", "{name} 的位置"), at.y));
+    let told = |f: &Fit| {
+        let mut draft = of_fit(points, f, heading)?;
+        draft.remarks.extend(search::remarks(f, points));
+        Some(draft)
+    };
+    let drafts: Vec<Draft> = found.fits.iter().filter_map(told).collect();
+    let numbers = vec![
+        Number::ratio("evaluations", both!("positions evaluated", "计算的位置数"), found.evaluations as f64),
+        Number::ratio("restarts", both!("runs of the search", "搜索次数"), found.runs as f64),
+    ];
+    if drafts.is_empty() {
+        let message = both!("the search found no crank-rocker near these places", "没有找到逼近这些点的曲柄摇杆机构");
+        let help = both!("order the points along the path, or try another \"seed\"", "请按轨迹次序排列各点，或换一个 \"seed\"");
+        return Err(Diagnostic::error("no-real-solution", message).help(help).into());
     }
-    numbers.extend(
-        b.iter().enumerate().map(|(k, b)| Number::angle(&format!("crank_{}", k + 1), both!("crank angle", "曲柄转角"), (*b - a).angle())),
-    );
-    let which = if left { both!("B left of AE", "B 在 AE 左侧") } else { both!("B right of AE", "B 在 AE 右侧") };
-    Ok(Draft { ordered: true, ..Draft::new(which, four.scene(heading), numbers, wanted) })
+    Ok(Found { drafts, numbers, notes: Vec::new() })
 }
 
 /// A linkage of the search: what it really does is wanted of its scene, how far that is from the places is told.

@@ -8,6 +8,7 @@
 //! are libm's: the same bytes on any machine and number of threads.
 
 use super::evolution::{Population, Random, evolve};
+use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::synthesis::fourbar::meet;
 use nalgebra::{SMatrix, SVector};
@@ -27,6 +28,12 @@ const HITS: usize = 3;
 const WAVE: usize = 4;
 /// Optima that are told.
 const TOLD: usize = 3;
+/// No link is longer than so many times the path: what would grow on and on nears a slider-crank.
+pub(super) const LARGEST: f64 = 20.0;
+/// A link within this part of the bound has come to it.
+const AT_BOUND: f64 = 0.9;
+/// A crank-rocker whose Grashof sum is within this part of its lengths from equality is a change point for who builds it.
+const CHANGE: f64 = 1e-3;
 /// Of more places than these the runs look at so many, evenly taken; what they find is then refined for all. So the work of a search has a
 /// bound: nine unknowns, or ten, are told by sixteen places as well as by hundreds that lie between them.
 const PLACES: usize = 16;
@@ -100,6 +107,16 @@ impl Linkage {
         (short + positive) / (a.abs() + b.abs() + c.abs() + d.abs())
     }
 
+    /// Whether no length is beyond the bound for a path of this size (m).
+    pub(super) fn small(&self, size: f64) -> bool {
+        self.lengths.iter().chain([&self.e.norm()]).all(|l| *l <= LARGEST * size)
+    }
+
+    /// Whether a link has come to the bound.
+    pub(super) fn at_bound(&self, size: f64) -> bool {
+        self.lengths.iter().any(|l| *l > AT_BOUND * LARGEST * size)
+    }
+
     /// Its points at a crank angle (rad, in the plane); `None` where it does not close.
     pub fn place(&self, crank: f64) -> Option<Place> {
         let [a, bc, cd, _] = self.lengths;
@@ -164,8 +181,34 @@ pub fn search(points: &[Point], seed: u64) -> Search {
     }
     found.of_all(&same, |fit, evaluations| {
         let cranks = nearest(&fit.linkage, points, evaluations)?;
-        refine(fit.linkage, cranks, points, evaluations)
+        refine(fit.linkage, cranks, points, size, evaluations)
     })
+}
+
+/// What is to be said of an optimum: it is as large as the search allows, or at the border of what has a crank.
+pub fn remarks(fit: &Fit, points: &[Point]) -> Vec<Diagnostic> {
+    let linkage = &fit.linkage;
+    let grown = || {
+        let message = both!(
+            "a link has grown to the bound of {} times the path: the places call for a slider-crank, or lie on one arc",
+            "杆长已达轨迹尺寸的 {} 倍的上限：这些点宜用曲柄滑块机构，或近似在一段圆弧上",
+            LARGEST
+        );
+        let help = both!("spread the points over more of the path, or give more of them", "请把各点分布到更长的轨迹上，或给出更多的点");
+        Diagnostic::warning("pivot-far", message).help(help)
+    };
+    let at_border = || {
+        let message = both!(
+            "the best crank-rocker is all but a change point: shortest and longest link together are as long as the others",
+            "最优的曲柄摇杆机构几乎处于变点：最短与最长杆之和等于另两杆之和"
+        );
+        let help = both!("give more places, or take another of the candidates", "请给出更多的点，或取其他方案");
+        Diagnostic::warning("change-point", message).help(help)
+    };
+    let [a, b, c, d] = linkage.lengths;
+    let slack = a + b + c + d - 2.0 * (a + b.max(c).max(d));
+    let far = linkage.at_bound(extent(points).1).then(grown);
+    far.into_iter().chain((slack < CHANGE * (a + b + c + d)).then(at_border)).collect()
 }
 
 /// Those of many that the runs look at, the first among them.
@@ -236,7 +279,7 @@ fn alone(points: &[Point], middle: Point, size: f64, seed: u64) -> (Vec<Fit>, u6
     let fits = ranked.iter().filter_map(|genes| {
         let linkage = Linkage::of(genes);
         let cranks = nearest(&linkage, points, &mut evaluations)?;
-        refine(linkage, cranks, points, &mut evaluations)
+        refine(linkage, cranks, points, size, &mut evaluations)
     });
     let fits = fits.collect();
     (fits, evaluations)
@@ -302,7 +345,7 @@ fn nearest(linkage: &Linkage, points: &[Point], evaluations: &mut u64) -> Option
 }
 
 /// Gauss–Newton with Levenberg's damping; `None` where it leads away from crank-rockers.
-fn refine(mut linkage: Linkage, mut cranks: Vec<f64>, points: &[Point], evaluations: &mut u64) -> Option<Fit> {
+fn refine(mut linkage: Linkage, mut cranks: Vec<f64>, points: &[Point], size: f64, evaluations: &mut u64) -> Option<Fit> {
     let sum = |l: &Linkage, t: &[f64]| points.iter().zip(t).map(|(p, t)| Some((l.place(*t)?.e - *p).norm2())).sum::<Option<f64>>();
     let mut best = sum(&linkage, &cranks)?;
     let mut damping = 1e-3;
@@ -340,7 +383,7 @@ fn refine(mut linkage: Linkage, mut cranks: Vec<f64>, points: &[Point], evaluati
                 })
                 .collect();
             *evaluations += points.len() as u64;
-            if let Some(there) = sum(&next, &turned).filter(|s| *s <= best && next.fault() == 0.0) {
+            if let Some(there) = sum(&next, &turned).filter(|s| *s <= best && next.fault() == 0.0 && next.small(size)) {
                 let gain = best - there;
                 still = if gain <= 1e-13 * best { still + 1 } else { 0 };
                 (linkage, cranks, best, taken) = (next, turned, there, true);

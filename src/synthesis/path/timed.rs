@@ -7,7 +7,6 @@
 
 use super::evolution::{Population, Random, evolve};
 use super::search::{Fit, Linkage, Search, extent, few, stream, until_sure};
-use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use nalgebra::{SMatrix, SVector};
 use std::f64::consts::TAU;
@@ -17,12 +16,6 @@ const POPULATION: usize = 60;
 const GENERATIONS: usize = 120;
 /// Coupler, rocker and frame over the crank at the beginning: what course books draw.
 const RATIO: [f64; 2] = [1.1, 8.0];
-/// No link is longer than so many times the path: what would grow on and on nears a slider-crank, and where the linear part has no single
-/// answer lengths are without bounds.
-const LARGEST: f64 = 20.0;
-/// A link within this part of the bound has come to it.
-const AT_BOUND: f64 = 0.9;
-
 /// Searches; the same seed gives the same bytes. `turns` are the crank's angles at the places (rad); only their differences count.
 pub fn search(points: &[Point], turns: &[f64], seed: u64) -> Search {
     let (_, size) = extent(points);
@@ -39,8 +32,8 @@ pub fn search(points: &[Point], turns: &[f64], seed: u64) -> Search {
     // Of those that would grow beyond the bound one stands for all.
     let mut grown = 0;
     found.fits.retain(|f| {
-        grown += usize::from(at_bound(&f.linkage, size));
-        grown <= 1 || !at_bound(&f.linkage, size)
+        grown += usize::from(f.linkage.at_bound(size));
+        grown <= 1 || !f.linkage.at_bound(size)
     });
     // Along a flat valley steps end before its bottom: what lies beside a better one is that one.
     let near = |a: &Fit, b: &Fit| {
@@ -61,21 +54,6 @@ pub fn search(points: &[Point], turns: &[f64], seed: u64) -> Search {
         }
     }
     found
-}
-
-/// What is to be said of a linkage that is as large as the search allows: a larger one would come nearer.
-pub fn remark(fit: &Fit, points: &[Point]) -> Option<Diagnostic> {
-    let message = both!(
-        "a link has grown to the bound of {} times the path: the places call for a slider-crank, or lie on one arc",
-        "杆长已达轨迹尺寸的 {} 倍的上限：这些点宜用曲柄滑块机构，或近似在一段圆弧上",
-        LARGEST
-    );
-    let help = both!("spread the points over more of the path, or give more of them", "请把各点分布到更长的轨迹上，或给出更多的点");
-    at_bound(&fit.linkage, extent(points).1).then(|| Diagnostic::warning("pivot-far", message).help(help))
-}
-
-fn at_bound(linkage: &Linkage, size: f64) -> bool {
-    linkage.lengths.iter().any(|l| *l > AT_BOUND * LARGEST * size)
 }
 
 /// The cognate whose crank turns with the crank: its pivot F is similar to E, its coupler turns as the follower, its follower as the
@@ -163,11 +141,7 @@ impl Timed<'_> {
         let way = z1.unit()?;
         let a = Point::ORIGIN + mean[2] - mean[0].rotate_by(z1) - mean[1].rotate_by(z2);
         let linkage = Linkage { a, lengths: shape.lengths.map(|l| l * scale), phi: way.angle(), e: z2.divide_by(way), left: shape.left };
-        self.small(&linkage).then(|| ((linkage, start + way.angle()), sum))
-    }
-
-    fn small(&self, linkage: &Linkage) -> bool {
-        linkage.lengths.iter().chain([&linkage.e.norm()]).all(|l| *l <= LARGEST * self.size)
+        linkage.small(self.size).then(|| ((linkage, start + way.angle()), sum))
     }
 
     /// The crank's angles from its first.
@@ -208,7 +182,7 @@ impl Timed<'_> {
                 };
                 let (next, turned) = (linkage.moved(&step.fixed_rows::<9>(0).into()), start + step[9]);
                 *evaluations += self.points.len() as u64;
-                if let Some(there) = self.sum(&next, turned).filter(|s| *s <= best && next.fault() == 0.0 && self.small(&next)) {
+                if let Some(there) = self.sum(&next, turned).filter(|s| *s <= best && next.fault() == 0.0 && next.small(self.size)) {
                     still = if best - there <= 1e-13 * best { still + 1 } else { 0 };
                     (linkage, start, best, taken) = (next, turned, there, true);
                     damping = (damping * 0.1).max(1e-15);

@@ -9,12 +9,13 @@
 mod choice;
 mod drawing;
 mod explained;
+mod family;
 
 use super::Ratio;
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
-use crate::number::{Dd, Real};
+use crate::number::Real;
 use crate::synthesis::board::Board;
 use crate::synthesis::candidate::{Demand, Draft, Number, Wanted};
 use crate::synthesis::form::Form;
@@ -22,12 +23,15 @@ use crate::synthesis::fourbar::{FourBar, Heading, cross_circle, named_lengths};
 use crate::synthesis::judge::USUAL_GAMMA;
 use crate::synthesis::nearest::told;
 use crate::synthesis::{Found, Proof, Statement, Wish};
+use family::{Family, most_k};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 #[derive(Clone, Debug)]
 struct CrankRocker {
     ratio: Ratio,
+    /// The rocker; of one metre where another length says how large all is.
     rocker: f64,
+    size: Size,
     way: Way,
 }
 
@@ -44,16 +48,46 @@ enum Way {
     Line { swing: f64, line: [Point; 2] },
     /// The rocker's swing; the least transmission angle is made greatest.
     Best { swing: f64, chosen: bool },
+    /// The rocker's swing and the least transmission angle (rad).
+    Gamma { swing: f64, gamma: f64 },
+}
+
+/// Which length says how large the linkage is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Size {
+    /// The rocker's.
+    Rocker,
+    /// The frame's, where its place does not follow from it.
+    Frame(f64),
+    /// The crank's.
+    Crank(f64),
 }
 
 pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
     let ratio = Ratio::read(form);
-    let rocker = form.need_size("rocker", "\"75 mm\"");
+    // A shape chosen by its transmission angle has any of its lengths as its size.
+    let by_shape = form.has("swing") && (form.has("gamma") || form.has("best"));
+    let (rocker, size) = match (form.has("rocker"), by_shape) {
+        (false, true) if form.has("frame") => (Some(1.0), form.size("frame").map(Size::Frame)),
+        (false, true) if form.has("crank") => (Some(1.0), form.size("crank").map(Size::Crank)),
+        _ => (form.need_size("rocker", "\"75 mm\""), Some(Size::Rocker)),
+    };
     let best = form.has("best").then(|| form.choice("best", &["transmission"]));
     let way = match (form.has("limit"), form.has("swing")) {
         (true, false) => {
             let frame = form.need_size("frame", "\"100 mm\"");
             within(form, "limit").zip(frame).map(|(angle, frame)| Way::Limit { frame, angle })
+        }
+        (false, true) if form.has("gamma") => {
+            let gamma = form.angle("gamma").filter(|g| {
+                let inside = *g > 0.0 && *g < FRAC_PI_2;
+                if !inside {
+                    let d = Diagnostic::error("out-of-range", both!("`gamma` lies between 0° and 90°", "`gamma` 应在 0° 与 90° 之间"));
+                    form.fault(d.at(form.span("gamma")).help(both!("write \"gamma\": \"40 deg\"", "请写 \"gamma\": \"40 deg\"")));
+                }
+                inside
+            });
+            within(form, "swing").zip(gamma).map(|(swing, gamma)| Way::Gamma { swing, gamma })
         }
         (false, true) if form.has("line") && (form.has("frame") || best.is_some()) => {
             let message =
@@ -82,7 +116,7 @@ pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
             None
         }
     };
-    Some(Box::new(CrankRocker { ratio: ratio?, rocker: rocker?, way: way? }))
+    Some(Box::new(CrankRocker { ratio: ratio?, rocker: rocker?, size: size?, way: way? }))
 }
 
 /// An angle between 0 and 180°, neither included.
@@ -119,6 +153,7 @@ impl Wish for CrankRocker {
                 if !all.iter().any(|l| self.turns(l)) {
                     notes.push(self.no_crank_rocker());
                 }
+                notes.extend(self.whole_arc());
                 all
             }
             Way::Best { swing, chosen } => {
@@ -135,8 +170,9 @@ impl Wish for CrankRocker {
                 }
                 self.best(swing, &mut notes)?
             }
+            Way::Gamma { swing, gamma } => self.at_gamma(swing, gamma)?,
         };
-        let drafts = found.iter().map(|l| self.draft(l, heading)).collect();
+        let drafts = found.iter().map(|l| self.sized(l)).map(|(own, l)| own.draft(&l, heading)).collect();
         Ok(Found { drafts, notes, ..Found::default() })
     }
 
@@ -217,6 +253,24 @@ impl CrankRocker {
         found
     }
 
+    /// With ψ = 2θ the circle with the inscribed angle θ goes round D: a frame as long as the rocker leaves A free on it.
+    fn whole_arc(&self) -> Option<Diagnostic> {
+        let Way::Swing { swing, frame } = self.way else { return None };
+        let same = |p: f64, q: f64| (p - q).abs() <= 1e-9 * q;
+        if !(same(swing, 2.0 * self.ratio.theta) && same(frame, self.rocker)) {
+            return None;
+        }
+        let message = both!(
+            "with ψ = 2θ and a frame as long as the rocker A lies anywhere on the circle through C1 and C2: one of its places is taken",
+            "ψ = 2θ 且机架与摇杆等长时，A 可在过 C1、C2 的圆上任取：此处取其中一点"
+        );
+        let help = both!(
+            "fix it by \"crank\", or write \"best\": \"transmission\" in the place of \"frame\"",
+            "可给出 \"crank\"，或以 \"best\": \"transmission\" 代替 \"frame\""
+        );
+        Some(Diagnostic::note("free-choice", message).help(help))
+    }
+
     /// Turned and shifted so that A is the origin, D on the x axis, the rocker above.
     fn laid(&self, which: Both, a: Point, c: [Point; 2]) -> Limits {
         let frame = Point::ORIGIN - a;
@@ -278,6 +332,19 @@ impl CrankRocker {
         Ok(vec![self.laid(which, a, self.swung(swing))])
     }
 
+    /// The linkage as large as the length that is given makes it.
+    fn sized(&self, l: &Limits) -> (CrankRocker, Limits) {
+        let far = l.c.map(|c| c.to_vec2().norm());
+        let by = match self.size {
+            Size::Rocker => 1.0,
+            Size::Frame(frame) => frame / l.d.x,
+            Size::Crank(crank) => crank / ((far[0] - far[1]).abs() / 2.0),
+        };
+        let grown = |p: Point| (p.to_vec2() * by).to_point();
+        let own = CrankRocker { rocker: self.rocker * by, ..self.clone() };
+        (own, Limits { which: l.which.clone(), d: grown(l.d), c: l.c.map(grown) })
+    }
+
     fn draft(&self, l: &Limits, heading: &Heading) -> Draft {
         let far = l.c.map(|c| c.to_vec2().norm());
         let (ab, bc) = ((far[0] - far[1]).abs() / 2.0, (far[0] + far[1]) / 2.0);
@@ -301,109 +368,8 @@ impl CrankRocker {
         let beta = |from: Vec2, to: Vec2| libm::atan2(from.cross(to).abs(), from.dot(to));
         numbers.push(Number::angle("beta", both!("angle C1C2A", "角 C1C2A"), beta(l.c[0] - l.c[1], Point::ORIGIN - l.c[1])));
         numbers.push(Number::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k));
-        let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(swing)];
+        let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Swing(swing)];
         let remarks = vec![super::slow_stroke(limit(0).0, limit(1).0, heading.omega)];
         Draft { demands, remarks, ..Draft::new(l.which.clone(), four.scene(heading), numbers, wanted.into()) }
-    }
-}
-
-/// The linkages of given θ and swing, the rocker 1; β = ∠C₁C₂A tells them apart.
-struct Family {
-    theta: Dd,
-    swing: Dd,
-}
-
-/// The greatest K of a swing for which some linkage keeps the cosine of its transmission angle below a bound; by bisection of θ.
-fn most_k(swing: f64, bound: f64) -> f64 {
-    let (mut low, mut high) = (0.0, PI);
-    for _ in 0..30 {
-        let theta = (low + high) / 2.0;
-        let found = Family::of(theta, swing).scanned(120).is_some_and(|(worst, ..)| worst <= bound);
-        if found { low = theta } else { high = theta }
-    }
-    // Told to four digits: rounded down, it still works.
-    let k = (PI + low) / (PI - low);
-    (k * 1e3).floor() / 1e3
-}
-
-impl Family {
-    fn of(theta: f64, swing: f64) -> Family {
-        Family { theta: Dd::from_f64(theta), swing: Dd::from_f64(swing) }
-    }
-
-    /// The best of equally spaced linkages: the cosine of its least transmission angle, β, and on which side A lies.
-    fn scanned(&self, steps: usize) -> Option<(f64, f64, bool)> {
-        let to = PI - self.theta.approx();
-        let sides = [true, false].into_iter().flat_map(|side| (0..steps).map(move |i| (to * (i as f64 + 0.5) / steps as f64, side)));
-        let all = sides.filter_map(|(beta, side)| Some((self.worst(Dd::from_f64(beta), side)?.approx(), beta, side)));
-        all.min_by(|a, b| a.0.total_cmp(&b.0))
-    }
-
-    /// Whether C₁ and C₂ lie on one side of AD: else no motion joins them.
-    fn joined(&self, beta: f64, toward_d: bool) -> bool {
-        let (a, half) = (self.place(beta, toward_d, 1.0).to_vec2(), self.swing.approx() / 2.0);
-        let c = [-1.0, 1.0].map(|s| a.cross(Vec2::new(s * libm::sin(half), libm::cos(half))));
-        c[0] * c[1] > 0.0
-    }
-
-    /// a, b, d of one.
-    fn lengths(&self, beta: Dd, toward_d: bool) -> Option<[Dd; 3]> {
-        let two = Dd::from_f64(2.0);
-        let half = self.swing / two;
-        let (sin_half, cos_half) = half.sin_cos();
-        let chord = two * sin_half;
-        let (sin_theta, _) = self.theta.sin_cos();
-        let (sin_beta, cos_beta) = beta.sin_cos();
-        let (sin_sum, _) = (beta + self.theta).sin_cos();
-        let ac1 = chord * sin_beta / sin_theta;
-        let ac2 = chord * sin_sum / sin_theta;
-        let difference = (ac2 - ac1) / two;
-        let a = if difference.approx() < 0.0 { -difference } else { difference };
-        let b = (ac1 + ac2) / two;
-        // A in axes with C₂ at the origin and C₁ along x; D below or above the middle of the chord.
-        let (x, y) = (ac2 * cos_beta - chord / two, ac2 * sin_beta);
-        let down = if toward_d { y - cos_half } else { y + cos_half };
-        let d = (x * x + down * down).sqrt();
-        let crank = a.approx() < b.approx().min(1.0).min(d.approx()) && a.approx() > 1e-6 && self.joined(beta.approx(), toward_d);
-        let longest = b.approx().max(1.0).max(d.approx());
-        let rest = a.approx() + b.approx() + 1.0 + d.approx();
-        (crank && 2.0 * (a.approx() + longest) < rest).then_some([a, b, d])
-    }
-
-    /// The cosine of the least transmission angle.
-    fn worst(&self, beta: Dd, toward_d: bool) -> Option<Dd> {
-        let [a, b, d] = self.lengths(beta, toward_d)?;
-        let (one, two) = (Dd::from_f64(1.0), Dd::from_f64(2.0));
-        let cosine = |e: Dd| (b * b + one - e * e) / (two * b);
-        let size = |x: Dd| if x.approx() < 0.0 { -x } else { x };
-        let (near, far) = (size(cosine(d - a)), size(cosine(d + a)));
-        Some(if near.approx() > far.approx() { near } else { far })
-    }
-
-    /// Golden-section search for the least of [`Family::worst`]: in double-double numbers its flat bottom still tells 1e-15.
-    fn golden(&self, low: f64, high: f64, toward_d: bool) -> Dd {
-        let ratio = Dd::from_f64((5.0f64.sqrt() - 1.0) / 2.0);
-        let (mut low, mut high) = (Dd::from_f64(low), Dd::from_f64(high));
-        let value = |x: Dd| self.worst(x, toward_d);
-        for _ in 0..90 {
-            let (p, q) = (high - ratio * (high - low), low + ratio * (high - low));
-            let lower = match (value(p), value(q)) {
-                (Some(p), Some(q)) => (p - q).approx() < 0.0,
-                (p, _) => p.is_some(),
-            };
-            if lower { high = q } else { low = p }
-        }
-        (low + high) / Dd::from_f64(2.0)
-    }
-
-    /// A with D at the origin and the chord across the upward axis, for a rocker of a length.
-    fn place(&self, beta: f64, toward_d: bool, rocker: f64) -> Point {
-        let (theta, half) = (self.theta.approx(), self.swing.approx() / 2.0);
-        let chord = 2.0 * libm::sin(half);
-        let ac2 = chord * libm::sin(beta + theta) / libm::sin(theta);
-        // C₂ is the right end of the chord, C₁ the left.
-        let c2 = Vec2::new(libm::sin(half), libm::cos(half));
-        let y = ac2 * libm::sin(beta) * if toward_d { -1.0 } else { 1.0 };
-        ((c2 + Vec2::new(-ac2 * libm::cos(beta), y)) * rocker).to_point()
     }
 }

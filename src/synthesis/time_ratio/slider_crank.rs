@@ -43,6 +43,16 @@ pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
         ["crank"] => form.size("crank").map(Third::Crank),
         ["rod"] => form.size("rod").map(Third::Rod),
         [] if form.has("best") => form.choice("best", &["transmission"]).map(|_| Third::Best),
+        [_, second, ..] => {
+            let message = both!(
+                "`{}` are given, one of which follows from the others, K and the stroke",
+                "同时给出了 `{}`，而其中之一即可由 K 和行程确定其余",
+                given.join("`, `")
+            );
+            let help = both!("keep one of them", "请保留其中一个");
+            form.fault(Diagnostic::error("given-twice", message).at(form.span(second)).help(help));
+            None
+        }
         _ => {
             let message = both!(
                 "one of `offset`, `crank`, `rod` is given beside K and the stroke",

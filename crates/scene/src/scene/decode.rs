@@ -140,6 +140,9 @@ pub(super) fn front(root: &Node, faults: &mut Faults) -> RawScene {
     for (key, node) in entries(get("units"), "\"units\"", faults) {
         raw.units.extend(word(node, both!("unit of `{}`", "`{}` 的单位", key.text), faults).map(|w| (key.clone(), w)));
     }
+    for (key, node) in entries(get("answers"), "\"answers\"", faults) {
+        raw.answers.extend(word(node, &format!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)));
+    }
     if let Some(node) = get("paper") {
         raw.paper = paper(node, faults);
     }

@@ -47,7 +47,8 @@ pub fn with_parameters(text: &str, values: &[(&str, &str)]) -> Result<String, Fa
     super::templates::with_parameters(text, values, both!("the scene", "机构文件"))
 }
 
-/// The text of a scene whose drivers all have a rate: that of a driver which says none is 0. For what does not depend on it.
+/// The text of a scene whose drivers all have a rate: that of a driver which says none is 0. A scene without any gets one, at the first link that the
+/// ground carries. For what does not depend on it.
 ///
 /// # Errors
 /// A text that is no JSON object.
@@ -58,26 +59,72 @@ pub fn with_parameters(text: &str, values: &[(&str, &str)]) -> Result<String, Fa
 /// assert_eq!(new, r#"{"driver": {"omega": 0, "link": "1", "angle": "30 deg"}}"#);
 /// ```
 pub fn with_rates(text: &str) -> Result<String, Faults> {
+    Ok(rated(text, "0", "0")?.0)
+}
+
+/// The same with rates of one unit, and for each driver whether it had none.
+///
+/// # Errors
+/// A text that is no JSON object.
+pub fn with_unit_rates(text: &str) -> Result<(String, Vec<bool>), Faults> {
+    rated(text, "\"1 rad/s\"", "\"1 m/s\"")
+}
+
+fn rated(text: &str, turning: &str, sliding: &str) -> Result<(String, Vec<bool>), Faults> {
     let mut faults = Faults::default();
     let (source, root) = json::parse(text.as_bytes(), &mut faults)?;
     let Kind::Object(members) = &root.kind else {
         return Err(Diagnostic::error("not-a-scene", both!("a scene is a JSON object", "机构文件是一个 JSON 对象")).at(root.span).into());
     };
-    let drivers = members.iter().find(|(key, _)| key.text == "driver").map(|(_, node)| match &node.kind {
+    let mut out = source.to_owned();
+    let Some((_, node)) = members.iter().find(|(key, _)| key.text == "driver") else {
+        if let Some(driver) = a_driver(members, turning, sliding) {
+            out.insert_str(root.span.start + 1, &format!("\"driver\": {driver}, "));
+        }
+        return Ok((out, vec![true]));
+    };
+    let drivers = match &node.kind {
         Kind::Array(list) => list.as_slice(),
         _ => std::slice::from_ref(node),
-    });
-    let mut out = source.to_owned();
+    };
+    let mut without = vec![false; drivers.len()];
     // From the end, so that the earlier places stay true.
-    for driver in drivers.unwrap_or_default().iter().rev() {
+    for (k, driver) in drivers.iter().enumerate().rev() {
         let Kind::Object(members) = &driver.kind else { continue };
         let has = |key: &str| members.iter().any(|(k, _)| k.text == key);
-        let kinds = [("link", "omega"), ("slide", "velocity"), ("cylinder", "rate")];
-        if let Some((_, rate)) = kinds.into_iter().find(|(mark, rate)| has(mark) && !has(rate)) {
-            out.insert_str(driver.span.start + 1, &format!("\"{rate}\": 0, "));
+        let kinds = [("link", "omega", turning), ("slide", "velocity", sliding), ("cylinder", "rate", sliding)];
+        if let Some((_, rate, one)) = kinds.into_iter().find(|(mark, rate, _)| has(mark) && !has(rate)) {
+            out.insert_str(driver.span.start + 1, &format!("\"{rate}\": {one}, "));
+            without[k] = true;
         }
     }
-    Ok(out)
+    Ok((out, without))
+}
+
+/// A driver for a scene that has none: the first link with a pin on the ground, else the first slider on it.
+fn a_driver(members: &[(json::Word, json::Node)], turning: &str, sliding: &str) -> Option<String> {
+    let value = |key: &str| members.iter().find(|(k, _)| k.text == key).map(|(_, node)| node);
+    let word = |node: &json::Node| if let Kind::Text(text) = &node.kind { Some(text.clone()) } else { None };
+    let member = |node: &json::Node, key: &str| match &node.kind {
+        Kind::Object(members) => members.iter().find(|(k, _)| k.text == key).and_then(|(_, n)| word(n)),
+        _ => None,
+    };
+    let ground = word(value("ground")?)?;
+    let Kind::Object(links) = &value("links")?.kind else { return None };
+    let points = |node: &json::Node| match &node.kind {
+        Kind::Array(list) => list.iter().filter_map(word).collect::<Vec<String>>(),
+        _ => Vec::new(),
+    };
+    let fixed = links.iter().find(|(k, _)| k.text == ground).map(|(_, node)| points(node)).unwrap_or_default();
+    let pinned = links.iter().filter(|(k, _)| k.text != ground).find(|(_, node)| points(node).iter().any(|p| fixed.contains(p)));
+    let quoted = |text: &str| serde_json::json!(text).to_string();
+    if let Some((link, _)) = pinned {
+        return Some(format!("{{\"link\": {}, \"omega\": {turning}}}", quoted(&link.text)));
+    }
+    let Kind::Array(guides) = &value("guides")?.kind else { return None };
+    let slides = guides.iter().filter(|g| member(g, "on").is_none_or(|on| on == ground));
+    let slide = slides.filter_map(|g| member(g, "pin").or_else(|| member(g, "slider"))).next()?;
+    Some(format!("{{\"slide\": {}, \"velocity\": {sliding}}}", quoted(&slide)))
 }
 
 /// An angle as the scene would write it, such as `30 deg` or `pi/6`; a bare number counts degrees. Of more turns than an `f64`

@@ -1,8 +1,9 @@
-//! What other files have in common with scenes: title, units, parameters, paper and language, and quantities read alike.
+//! What other files have in common with scenes: title, units, parameters, units of answers, paper and language, and quantities read alike.
 //!
 //! Decided here: nothing of its own. A synthesis file is no scene, yet `"2*r"` means the same in both, a bare number takes the unit of
 //! the same table, and a fault is told with its place in the same words.
 
+use super::book::Book;
 use super::decode;
 use super::eval::{NoValue, Value, evaluate};
 use super::expr::{Expr, ExprKind};
@@ -17,7 +18,7 @@ use crate::json::fields::What;
 use crate::number::{Jet, Real};
 
 /// The keys of a front.
-pub const KEYS: [&str; 6] = ["title", "parameters", "units", "paper", "language", "notation"];
+pub const KEYS: [&str; 7] = ["title", "parameters", "units", "answers", "paper", "language", "notation"];
 
 /// The front of a file as written.
 pub struct RawFront(RawScene);
@@ -39,6 +40,8 @@ pub struct Front<'a> {
     pub language: Option<Lang>,
     /// Its sheet and scales.
     pub paper: Paper,
+    /// The units in which is printed.
+    pub book: Book,
 }
 
 impl<'a> Front<'a> {
@@ -46,8 +49,8 @@ impl<'a> Front<'a> {
     pub fn new(raw: &'a RawFront, source: &'a str, faults: &mut Faults) -> Front<'a> {
         let raw = &raw.0;
         let (values, _) = Values::new(source, &raw.units, &raw.parameters, faults);
-        let (title, language, paper) = resolve::front(raw, &values, faults);
-        Front { raw, values, title, language, paper }
+        let resolve::Opening { title, language, paper, book } = resolve::front(raw, &values, faults);
+        Front { raw, values, title, language, paper, book }
     }
 
     /// A quantity in SI.
@@ -100,6 +103,11 @@ impl<'a> Front<'a> {
     /// The parameters as written: name and value.
     pub fn parameters(&self) -> Vec<(String, String)> {
         self.raw.parameters.iter().map(|(name, q)| (name.text.clone(), q.text.clone())).collect()
+    }
+
+    /// The units of answers as written: quantity and unit.
+    pub fn answers(&self) -> Vec<(String, String)> {
+        self.raw.answers.iter().map(|(key, unit)| (key.text.clone(), unit.text.clone())).collect()
     }
 
     /// Warnings about parameters that nothing uses; to be asked when everything has been read.

@@ -45,7 +45,7 @@ pub use rolling::{Contours, Flanks, Rolling, RollingId, RollingKind, Sizes};
 pub use write::write;
 pub use written::Told;
 
-use crate::diag::{Faults, Severity, Span, Warned};
+use crate::diag::{Diagnostic, Faults, Severity, Span, Warned, both};
 use crate::json;
 use raw::Extent;
 
@@ -159,6 +159,37 @@ pub fn read_topology(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> 
 /// ```
 pub fn read_pose(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
     read_as(source.as_ref(), None, Extent::Pose)
+}
+
+/// Reads a scene that says no rate, or no driver: one unit of the rate is taken where nothing that it asks depends on it, and a note says so.
+///
+/// # Errors
+/// As [`read`]; a question that depends on the rate, or no question at all, leaves the scene without a rate.
+///
+/// ```
+/// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1",
+///     "points": {"A": [0, 0], "B": ["30 mm", "40 mm"], "C": ["110 mm", "60 mm"], "D": ["100 mm", 0]}, "find": ["P_13", "i_24"]}"#;
+/// assert!(!hodograph::scene::read_at_any_rate(text).unwrap().value.drivers[0].rate_told);
+/// ```
+pub fn read_at_any_rate(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
+    let read = read_as(source.as_ref(), None, Extent::Motion);
+    let Err(faults) = read else { return read };
+    let Some((text, without)) = std::str::from_utf8(source.as_ref()).ok().and_then(|text| edit::with_unit_rates(text).ok()) else {
+        return Err(faults);
+    };
+    let asks_no_rate = |f: &Find| matches!(f.what.kind(), Kind::Length | Kind::Angle | Kind::Number);
+    match read_as(text.as_bytes(), None, Extent::Motion) {
+        Ok(Warned { mut value, mut notes }) if text.contains("\"find\"") && value.find.iter().all(asks_no_rate) => {
+            value.drivers.iter_mut().zip(without).for_each(|(driver, without)| driver.rate_told = !without);
+            let message = both!(
+                "no rate is given, and nothing asked depends on it: one unit of it is taken",
+                "未给出原动件的速度，所求各量与之无关：取单位速度"
+            );
+            notes.push(Diagnostic::note("free-rate", message));
+            Ok(Warned { value, notes })
+        }
+        _ => Err(faults),
+    }
 }
 
 fn read_with(source: &[u8], questions: Option<&str>) -> Result<Warned<Scene>, Faults> {

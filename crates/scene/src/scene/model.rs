@@ -272,11 +272,25 @@ pub struct Find {
     pub span: Span,
 }
 
+/// What moves in a composite motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moving {
+    /// A point of the scene.
+    Point(OnLink),
+    /// The point of a link, the cam or its follower, at which the two touch at the instant.
+    Contact {
+        /// Index into [`Scene::cams`].
+        cam: usize,
+        /// The link whose point it is.
+        on: LinkId,
+    },
+}
+
 /// A moving point, and the frame from which its motion is seen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Seen {
     /// The moving point.
-    pub of: OnLink,
+    pub of: Moving,
     /// The frame.
     pub frame: Frame,
     /// Where it is said.

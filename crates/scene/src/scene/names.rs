@@ -223,8 +223,12 @@ impl<'a> Names<'a> {
 
     /// A moving point, and the frame from which it is seen: a link, else a point. Both are parts of `word`.
     pub fn seen_from(&self, point: &str, frame: &str, word: &Word) -> Result<(OnLink, Frame), Diagnostic> {
-        let of = self.one_on_link(point, word)?;
-        let frame = match self.find_link(frame) {
+        Ok((self.one_on_link(point, word)?, self.frame(frame, word)?))
+    }
+
+    /// A frame: a link or a point.
+    pub fn frame(&self, frame: &str, word: &Word) -> Result<Frame, Diagnostic> {
+        Ok(match self.find_link(frame) {
             Some(link) => Frame::Link(link),
             None if self.singles(frame).is_empty() => {
                 let message = both!("the frame `{frame}` is neither a link nor a point", "动系 `{frame}` 既不是构件也不是点");
@@ -233,8 +237,7 @@ impl<'a> Names<'a> {
                 return Err(d.help(suggest(frame, all, both!("there are", "有"))));
             }
             None => Frame::Point(self.one_on_link(frame, word)?),
-        };
-        Ok((of, frame))
+        })
     }
 
     /// One point, perhaps with a link.

@@ -1,5 +1,6 @@
 //! Where A is fixed on the circle with the inscribed angle θ by a line, and what the nearest wish is where a wish has no crank-rocker.
 
+use super::family::Family;
 use super::{CrankRocker, Limits, Way};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
@@ -76,8 +77,51 @@ impl CrankRocker {
             Way::Swing { swing, frame } => self.by_frame(swing, frame),
             Way::Crank { swing, crank } => self.by_crank(swing, crank),
             Way::Line { swing, line } => self.by_line(swing, line),
-            Way::Best { .. } => Vec::new(),
+            Way::Best { .. } | Way::Gamma { .. } => Vec::new(),
         }
+    }
+
+    /// The linkages of the family whose least transmission angle is the wanted one.
+    pub(super) fn at_gamma(&self, swing: f64, gamma: f64) -> Result<Vec<Limits>, Faults> {
+        let family = Family::of(self.ratio.theta, swing);
+        let found = if self.ratio.theta > 0.0 { family.at(libm::cos(gamma), 1440) } else { Vec::new() };
+        if found.is_empty() {
+            let (k, psi, wanted) = (self.ratio.k, swing.to_degrees(), gamma.to_degrees());
+            let [k, psi, wanted] = [k, psi, wanted].map(|v| significant(v, 4));
+            let message = both!(
+                "no crank-rocker of K = {k} and a swing of {psi}° has the least transmission angle {wanted}°",
+                "没有 K = {k}、摆角为 {psi}° 且最小传动角为 {wanted}° 的曲柄摇杆机构"
+            );
+            let help = match family.scanned(1440).filter(|_| self.ratio.theta > 0.0) {
+                Some((cosine, ..)) => both!(
+                    "the greatest is {}°; \"best\": \"transmission\" takes it",
+                    "最大可为 {}°；\"best\": \"transmission\" 取此值",
+                    significant(libm::acos(cosine).to_degrees(), 4)
+                ),
+                None => both!("take a smaller swing or K", "请减小摆角或 K"),
+            };
+            return Err(Diagnostic::error("no-real-solution", message).help(help).into());
+        }
+        let told = |(beta, toward_d): (f64, bool)| {
+            let which = match toward_d {
+                true => both!("A on the side of D, β = {}°", "A 在 D 一侧，β = {}°", significant(beta.to_degrees(), 4)),
+                false => both!("A beyond C1C2, β = {}°", "A 在 C1C2 之外，β = {}°", significant(beta.to_degrees(), 4)),
+            };
+            self.laid(which, family.place(beta, toward_d, self.rocker), self.swung(swing))
+        };
+        // A beyond the axis of symmetry is the mirror image of one on this side of it.
+        let mut all: Vec<Limits> = Vec::new();
+        for l in found.into_iter().map(told) {
+            let reach = |l: &Limits| {
+                let far = l.c.map(|c| c.to_vec2().norm());
+                [far[0].min(far[1]), far[0].max(far[1]), l.d.x]
+            };
+            let same = |m: &Limits| reach(m).iter().zip(reach(&l)).all(|(p, q)| (p - q).abs() <= 1e-9 * q);
+            if !all.iter().any(same) {
+                all.push(l);
+            }
+        }
+        Ok(all)
     }
 
     /// Whether a linkage by its limits is a crank-rocker, both limits of one assembly.
@@ -94,7 +138,7 @@ impl CrankRocker {
 
     fn works(&self, way: Way, k: f64) -> bool {
         let ratio = super::Ratio { k, theta: PI * (k - 1.0) / (k + 1.0), turned: false };
-        let other = CrankRocker { ratio, rocker: self.rocker, way };
+        let other = CrankRocker { ratio, rocker: self.rocker, size: self.size, way };
         k >= 1.0 && other.all().iter().any(|l| other.turns(l))
     }
 
@@ -114,7 +158,7 @@ impl CrankRocker {
             }
             Way::Crank { swing, crank } => {
                 let works = |mm: f64| mm > 0.0 && self.works(Way::Crank { swing, crank: mm * 1e-3 }, own);
-                let said = |mm: f64| both!("\"crank\": \"{} mm\" has one", "\"crank\": \"{} mm\" 时有解", told(mm));
+                let said = |mm: f64| both!("with \"crank\": \"{} mm\"", "取 \"crank\": \"{} mm\"", told(mm));
                 (Way::Crank { swing, crank }, number(crank * 1e3, crank * 1e3, works).map(said))
             }
             Way::Line { swing, line } => {
@@ -134,16 +178,16 @@ impl CrankRocker {
                 };
                 let best = [0, 1].into_iter().filter_map(moved).min_by(|a, b| a.0.total_cmp(&b.0));
                 let said = |(_, [x, y]): (f64, [f64; 2])| {
-                    both!("\"through\": [\"{} mm\", \"{} mm\"] has one", "\"through\": [\"{} mm\", \"{} mm\"] 时有解", told(x), told(y))
+                    both!("with \"through\": [\"{} mm\", \"{} mm\"]", "取 \"through\": [\"{} mm\", \"{} mm\"]", told(x), told(y))
                 };
                 (Way::Line { swing, line }, best.map(said))
             }
-            Way::Best { .. } => return Both::default(),
+            Way::Best { .. } | Way::Gamma { .. } => return Both::default(),
         };
-        let k = number(own, own, |k| self.works(way.clone(), k)).map(|k| both!("K = {} has one", "K = {} 时有解", told(k)));
+        let k = number(own, own, |k| self.works(way.clone(), k)).map(|k| both!("with \"K\": {}", "取 \"K\": {}", told(k)));
         match (other, k) {
-            (Some(one), Some(two)) => both!("{}; with all else as given, {}", "{}；或其余不变：{}", one, two),
-            (Some(one), None) | (None, Some(one)) => one,
+            (Some(one), Some(two)) => both!("there is one {}; or, all else as given, {}", "{}时有解；或其余不变，{}时有解", one, two),
+            (Some(one), None) | (None, Some(one)) => both!("there is one {}", "{}时有解", one),
             (None, None) => both!(
                 "leave \"frame\", \"limit\" and \"line\" out and give \"swing\" alone: the linkage with the best transmission angle is taken",
                 "请去掉 \"frame\"、\"limit\"、\"line\"，只给 \"swing\"，将取传动角最好的机构"
@@ -173,7 +217,7 @@ impl CrankRocker {
                 "the line does not cross the circle with the inscribed angle θ = {theta}° where A has a crank",
                 "直线与圆周角为 θ = {theta}° 的圆没有使曲柄存在的交点"
             ),
-            Way::Best { .. } => Both::default(),
+            Way::Best { .. } | Way::Gamma { .. } => Both::default(),
         };
         Diagnostic::error("no-real-solution", message).help(self.nearest()).into()
     }
@@ -189,7 +233,7 @@ impl CrankRocker {
 }
 
 fn frame_told(mm: f64) -> Both {
-    both!("\"frame\": \"{} mm\" has one", "\"frame\": \"{} mm\" 时有解", told(mm))
+    both!("with \"frame\": \"{} mm\"", "取 \"frame\": \"{} mm\"", told(mm))
 }
 
 /// A place and a direction of the file as two places.

@@ -29,7 +29,7 @@ impl CrankRocker {
             Way::Swing { swing, frame } => self.on_arc(draft, board, swing, Fixed::Frame(frame)),
             Way::Crank { swing, crank } => self.on_arc(draft, board, swing, Fixed::Crank(crank)),
             Way::Line { swing, line } => self.on_arc(draft, board, swing, Fixed::Line(line)),
-            Way::Best { swing, .. } => self.on_arc(draft, board, swing, Fixed::Beta(of(draft, "beta"))),
+            Way::Best { swing, .. } | Way::Gamma { swing, .. } => self.on_arc(draft, board, swing, Fixed::Beta(of(draft, "beta"))),
         }
     }
 
@@ -64,7 +64,8 @@ impl CrankRocker {
 
     /// A on the circle over C₁C₂ with the inscribed angle θ: at the frame's length from D, or under the chosen angle β.
     fn on_arc(&self, draft: &Draft, board: &mut Board, swing: f64, fixed: Fixed) -> Option<()> {
-        let (d, radius) = (Point::ORIGIN, board.mm(self.rocker));
+        // Where another length says how large all is, the rocker follows from the shape.
+        let (d, radius) = (Point::ORIGIN, board.mm(of(draft, "CD")));
         let [c1, c2] = [1.0, -1.0].map(|s| Line::ray(d, FRAC_PI_2 + s * swing / 2.0).place(radius));
         board.step(both!("Lay off the rocker in its limits DC1 and DC2 under the swing ψ", "按摆角 ψ 作摇杆的两极限位置 DC1、DC2"));
         board.line(d, c1, Weight::Given).line(d, c2, Weight::Given).mark("D", d).mark("C_1", c1).mark("C_2", c2);
@@ -140,9 +141,14 @@ impl CrankRocker {
                 let side = if beyond { -1.0 } else { 1.0 };
                 let ray = Line::ray(c2, (c1 - c2).angle() + side * beta);
                 let text = significant(beta.to_degrees(), 5);
+                let why = match self.way {
+                    Way::Gamma { .. } => both!("the wanted transmission angle", "给定的传动角"),
+                    _ => both!("the best transmission angle", "传动角最好"),
+                };
                 board.step(both!(
-                    "On the ray under β = {text}° from C2C1 (the best transmission angle) lies A",
-                    "由 C2C1 作 β = {text}° 的射线（传动角最好）与圆交于 A"
+                    "On the ray under β = {text}° from C2C1 ({}) lies A",
+                    "由 C2C1 作 β = {text}° 的射线（{}）与圆交于 A",
+                    why
                 ));
                 let crossings = board.cut(&ray, centre, radius)?;
                 let far = crossings.into_iter().max_by(|p, q| p.distance(c2).total_cmp(&q.distance(c2)))?;

@@ -1,6 +1,6 @@
 //! The crank-rocker as a problem, and the formulas of its proof.
 
-use super::{CrankRocker, Way};
+use super::{CrankRocker, Size, Way};
 use crate::diag::both;
 use crate::geom::Point;
 use crate::synthesis::candidate::Draft;
@@ -11,7 +11,11 @@ impl CrankRocker {
     pub(super) fn stated(&self) -> Statement {
         let mut given = vec![
             both!("time ratio $K = {}$", "行程速度变化系数 $K = {}$", number(self.ratio.k)),
-            both!("rocker $l_{{CD}} = {}$", "摇杆 $l_{{CD}} = {}$", length(self.rocker)),
+            match self.size {
+                Size::Rocker => both!("rocker $l_{{CD}} = {}$", "摇杆 $l_{{CD}} = {}$", length(self.rocker)),
+                Size::Frame(frame) => both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame)),
+                Size::Crank(crank) => both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(crank)),
+            },
         ];
         match self.way {
             Way::Limit { frame, angle: limit } => {
@@ -39,6 +43,14 @@ impl CrankRocker {
                     angle((end - through).angle())
                 ));
             }
+            Way::Gamma { swing, gamma } => {
+                given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
+                given.push(both!(
+                    "least transmission angle $\\gamma_{{\\text{{min}}}} = {}$",
+                    "最小传动角 $\\gamma_{{\\text{{min}}}} = {}$",
+                    angle(gamma)
+                ));
+            }
             Way::Best { swing, .. } => {
                 given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
                 given.push(both!(
@@ -47,15 +59,22 @@ impl CrankRocker {
                 ));
             }
         }
-        let mut wanted = vec![if matches!(self.way, Way::Crank { .. }) {
+        let crank_given = matches!(self.way, Way::Crank { .. }) || matches!(self.size, Size::Crank(_));
+        let mut wanted = vec![if crank_given {
             both!("the length of the coupler $l_{{BC}}$", "连杆 $l_{{BC}}$ 的长度")
         } else {
             both!("the lengths of crank $l_{{AB}}$ and coupler $l_{{BC}}$", "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度")
         }];
-        if matches!(self.way, Way::Best { .. } | Way::Line { .. } | Way::Crank { .. }) {
+        if self.size != Size::Rocker {
+            wanted.push(both!("the rocker $l_{{CD}}$", "摇杆 $l_{{CD}}$ 的长度"));
+        }
+        let framed = matches!(self.way, Way::Limit { .. } | Way::Swing { .. }) || matches!(self.size, Size::Frame(_));
+        if !framed {
             wanted.push(both!("the frame $l_{{AD}}$", "机架 $l_{{AD}}$ 的长度"));
         }
-        wanted.push(both!("the least transmission angle $\\gamma_{{\\text{{min}}}}$", "最小传动角 $\\gamma_{{\\text{{min}}}}$"));
+        if !matches!(self.way, Way::Gamma { .. }) {
+            wanted.push(both!("the least transmission angle $\\gamma_{{\\text{{min}}}}$", "最小传动角 $\\gamma_{{\\text{{min}}}}$"));
+        }
         let task = both!(
             "Design a crank-rocker $ABCD$ with a quick return: crank $AB$, coupler $BC$, rocker $CD$, frame $AD$.",
             "设计具有急回特性的曲柄摇杆机构 $ABCD$：曲柄 $AB$，连杆 $BC$，摇杆 $CD$，机架 $AD$。"
@@ -71,6 +90,15 @@ impl CrankRocker {
         let ac = [c1, c2].map(|c| c.to_vec2().norm());
         out.push(self.second_limit(draft, ac));
         out.push(half_difference(ac, of(draft, "AB"), of(draft, "BC")));
+        if let Way::Gamma { gamma, .. } = self.way {
+            out.push(Proof::new(
+                both!(
+                    "At the greatest and the least $l_{{BD}}$ the transmission angle is extreme; along $\\beta$ its least value is the wanted one where",
+                    "$l_{{BD}}$ 最大和最小时传动角取极值；随 $\\beta$ 变化，最小传动角在下处等于给定值"
+                ),
+                [format!("\\gamma_{{\\text{{min}}}} = {} ,\\quad \\beta = {}", angle(gamma), angle(of(draft, "beta")))],
+            ));
+        }
         if matches!(self.way, Way::Best { .. }) {
             out.push(Proof::new(
                 both!(
@@ -97,7 +125,7 @@ impl CrankRocker {
                 ],
             ),
             Way::Crank { .. } => {
-                let chord = 2.0 * self.rocker * libm::sin(of(draft, "psi") / 2.0);
+                let chord = 2.0 * of(draft, "CD") * libm::sin(of(draft, "psi") / 2.0);
                 Proof::new(
                     both!(
                         "With $l_{{AC}} = l_{{BC}} \\pm l_{{AB}}$ in the two limit positions the law of cosines in $AC_1C_2$ gives the coupler",
@@ -113,8 +141,8 @@ impl CrankRocker {
                     ],
                 )
             }
-            Way::Swing { .. } | Way::Line { .. } | Way::Best { .. } => {
-                let chord = 2.0 * self.rocker * libm::sin(of(draft, "psi") / 2.0);
+            Way::Swing { .. } | Way::Line { .. } | Way::Best { .. } | Way::Gamma { .. } => {
+                let chord = 2.0 * of(draft, "CD") * libm::sin(of(draft, "psi") / 2.0);
                 Proof::new(
                     both!(
                         "$A$ lies on the circle over $C_1C_2$ with the inscribed angle $\\theta$; with $\\beta = \\angle C_1C_2A$ the law of sines gives",

@@ -103,8 +103,8 @@ fn ram(board: &mut Board, c: Point, b: Point, stroke: f64) -> Option<()> {
     let top = Line::ray(c, FRAC_PI_2).place(c.distance(d1));
     let foot = Point::new(c.x, d1.y);
     board.step(both!(
-        "D's arc about C; halve its rise over the chord D1D2: through the middle runs the ram's guide",
-        "以 C 为圆心作 D 的圆弧；平分其拱高，过中点作滑枕导路"
+        "D's arc about C; halve its rise over the chord D1D2: through the middle, y over C, runs the ram's guide",
+        "以 C 为圆心作 D 的圆弧；平分其拱高，过中点（距 C 为 y）作滑枕导路"
     ));
     board.circle(c, c.distance(d1), Weight::Thin);
     let middle = board.middle(foot, top)?;

@@ -18,6 +18,7 @@ mod places;
 mod rolling;
 mod statement;
 
+use super::book::Book;
 use super::cams::{expand, marked};
 use super::model::*;
 use super::names::Names;
@@ -125,11 +126,20 @@ fn zero(span: Span) -> Given {
     Given { value: 0.0, radius: 0.0, text: "0".to_owned(), span }
 }
 
-/// Title, language and paper of a file that is no scene.
-pub(super) fn front(raw: &RawScene, values: &Values, faults: &mut Faults) -> (Option<Localized>, Option<Lang>, Paper) {
-    let paper = paper::paper(raw, values, &Default::default(), faults);
+/// What a file that is no scene has in common with one.
+pub(super) struct Opening {
+    pub title: Option<Localized>,
+    pub language: Option<Lang>,
+    pub paper: Paper,
+    pub book: Book,
+}
+
+/// Title, language, paper and units of a file that is no scene.
+pub(super) fn front(raw: &RawScene, values: &Values, faults: &mut Faults) -> Opening {
+    let book = answers::book(raw, faults);
+    let paper = paper::paper(raw, values, &book, faults);
     paper::notation(raw, faults);
-    (localized(&raw.title), paper::language(raw, faults), paper)
+    Opening { title: localized(&raw.title), language: paper::language(raw, faults), paper, book }
 }
 
 /// Resolves a whole scene. The result means something only where no error has been added to `faults`.

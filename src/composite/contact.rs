@@ -1,0 +1,195 @@
+//! The point of contact of a cam and its follower as moving point.
+//!
+//! At the instant the point of one touches the contour of the other: v_r lies along the common tangent, and although the path of the point is not the
+//! contour, the normal part of a_r is known from the velocities. With Ω the angular velocity of the point's body against the frame, v_s its sliding
+//! along t (the normal out of the frame's contour turned by −90°) and ρ₁, ρ₂ the radii of the contours of frame and body,
+//! a_rⁿ = Ω²ρ₂ − (v_s − Ωρ₂)²/(ρ₁ + ρ₂) along the normal; Ω²ρ₁ + 2Ωv_s for a flat body, Ω²ρ₂ for a flat frame. So it serves, from the cam, from the
+//! follower, and from axes that translate with the centre of the cam's circle, in which that circle stands still.
+//!
+//! The point is another one at the next instant: it is added to the scene in its pose ([`crate::worked::contact`]).
+
+use super::{Choice, Place, Solved, Verdict, choices, judge, solved, usable};
+use crate::answer::Source;
+use crate::diag::{Diagnostic, Faults, Warned};
+use crate::geom::Vec2;
+use crate::mechanism::{Demand, Level, Mechanism};
+use crate::position::{self, Configuration};
+use crate::scene::quantity::{Frame, RelativePath, owns};
+use crate::scene::{Follows, LinkId, Moving, OnLink, PointId, Scene};
+use crate::worked::contact::{touch, with_contact, work_at};
+use crate::worked::{Scope, Worked, work};
+
+/// A point of contact of the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// Index into the scene's cams.
+    pub cam: usize,
+    /// The links: the cam, its follower.
+    pub links: [LinkId; 2],
+    /// The point.
+    pub point: PointId,
+    /// The centre of the cam's circle.
+    pub centre: PointId,
+    /// Radii of curvature of cam and follower (m); none of a face.
+    pub radii: [Option<f64>; 2],
+    /// Unit normal, out of the cam.
+    pub normal: Vec2,
+}
+
+/// What is known of the relative motion at a contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slip {
+    /// Radii of curvature (m) of the frame's contour and of the body's; none of a face.
+    pub radii: [Option<f64>; 2],
+    /// Angular velocity of the point's body against the frame (rad/s).
+    pub omega: f64,
+    /// Sliding along t (m/s).
+    pub sliding: f64,
+    /// Unit normal, out of the frame's contour.
+    pub normal: Vec2,
+}
+
+impl Slip {
+    /// a_rⁿ along the normal (m/s²), by the formula.
+    pub fn acceleration(&self) -> f64 {
+        let (omega, v) = (self.omega, self.sliding);
+        match self.radii {
+            [_, None] if self.radii[0].is_none() => 0.0,
+            [Some(r), None] => omega * omega * r + 2.0 * omega * v,
+            [None, Some(r)] => omega * omega * r,
+            [Some(p), Some(q)] => omega * omega * q - (v - omega * q) * (v - omega * q) / (p + q),
+            [None, None] => 0.0,
+        }
+    }
+}
+
+/// A scene with the points at which its cams are touched, and its pose.
+#[derive(Clone, Debug)]
+pub struct Staged {
+    /// The scene, the points of contact among its points.
+    pub scene: Scene,
+    /// The points of contact.
+    pub contacts: Vec<Contact>,
+    at: Option<Configuration>,
+}
+
+impl Staged {
+    /// A scene as it stands in its pose; one that cannot be placed has no contacts.
+    pub fn new(scene: &Scene) -> Staged {
+        let bare = || Staged { scene: scene.clone(), contacts: Vec::new(), at: None };
+        let offers = |c: &crate::scene::Cam| matches!(c.follows, Follows::Face(_) | Follows::Arc(..)) && c.circle.is_some();
+        if !scene.cams.iter().any(offers) {
+            return bare();
+        }
+        let placed = || {
+            let mechanism = Mechanism::new(scene).ok()?.value;
+            let demand = Demand::of(scene, &mechanism).with_all_positions();
+            position::configure(scene, &mechanism, &demand).ok().map(|w| w.value)
+        };
+        let Some(mut at) = placed() else { return bare() };
+        let (mut out, mut contacts) = (scene.clone(), Vec::new());
+        for (index, cam) in scene.cams.iter().enumerate().filter(|(_, c)| offers(c)) {
+            let Some((centre, radius)) = cam.circle else { continue };
+            let Some(touched) = touch(scene, &at, cam) else { continue };
+            let Some((with, pose, point)) = with_contact(&out, &at, index, cam.follower, touched.at) else { continue };
+            (out, at) = (with, pose);
+            let radii = [Some(radius), cam.follows.radius()];
+            contacts.push(Contact { cam: index, links: [cam.cam, cam.follower], point, centre, radii, normal: touched.normal });
+        }
+        Staged { scene: out, contacts, at: Some(at) }
+    }
+
+    /// All choices: those that the scene names, those at slides, pins and contacts of wheels, then those at its cams.
+    pub fn choices(&self, scene: &Scene) -> Vec<Choice> {
+        let mut all: Vec<Choice> = self.named(scene);
+        let more = choices(scene).into_iter().chain(self.contacts.iter().flat_map(|c| self.at_contact(c)));
+        for c in more {
+            if !all.iter().any(|a| a.of == c.of && a.frame == c.frame) {
+                all.push(c);
+            }
+        }
+        all
+    }
+
+    /// The choices that are shown: those that the scene names, else the first that serve.
+    pub fn shown(&self, scene: &Scene, most: usize) -> Vec<Choice> {
+        let named: Vec<Choice> = self.named(scene).into_iter().filter(usable).collect();
+        if !named.is_empty() {
+            return named;
+        }
+        self.choices(scene).into_iter().filter(|c| c.verdict == Verdict::Serves).take(most).collect()
+    }
+
+    /// The parts of these choices.
+    ///
+    /// # Errors
+    /// Those of the scene: a dead centre has no motion to part.
+    pub fn solved(&self, choices: &[Choice], level: Level) -> Result<Warned<(Worked, Vec<Solved>)>, Faults> {
+        solved(self, choices, level)
+    }
+
+    /// Works the scene through with other questions.
+    pub(super) fn work(&self, asking: &Scene) -> Result<Warned<Worked>, Faults> {
+        match &self.at {
+            Some(at) if !self.contacts.is_empty() => match work_at(asking, at.clone()) {
+                Some(value) => Ok(Warned { value, notes: Vec::<Diagnostic>::new() }),
+                None => work(asking, Scope::Figure),
+            },
+            _ => work(asking, Scope::Figure),
+        }
+    }
+
+    fn named(&self, scene: &Scene) -> Vec<Choice> {
+        let one = |s: &crate::scene::Seen| match s.of {
+            Moving::Point(of) => Some(judge(&self.scene, of, s.frame, Place::Named)),
+            Moving::Contact { cam, on } => {
+                let contact = self.contacts.iter().find(|c| c.cam == cam)?;
+                Some(self.choice(contact, on, s.frame, Place::Named))
+            }
+        };
+        scene.composite.iter().filter_map(one).collect()
+    }
+
+    /// The choices at a contact: each body's point from the other, and the follower's from axes that translate with the centre.
+    fn at_contact(&self, c: &Contact) -> Vec<Choice> {
+        let [cam, follower] = c.links;
+        let centre = Frame::Point(OnLink { point: c.centre, link: None });
+        let place = Place::Cam(c.cam);
+        let all = [(follower, Frame::Link(cam)), (cam, Frame::Link(follower)), (follower, centre)];
+        let moves = |(on, frame): &(LinkId, Frame)| *on != self.scene.ground && !frame.is_fixed(&self.scene);
+        all.into_iter().filter(moves).map(|(on, frame)| self.choice(c, on, frame, place)).collect()
+    }
+
+    fn choice(&self, c: &Contact, on: LinkId, frame: Frame, place: Place) -> Choice {
+        let of = OnLink { point: c.point, link: (on != c.links[1]).then_some(on) };
+        let other = if on == c.links[0] { c.links[1] } else { c.links[0] };
+        let serves = match frame {
+            Frame::Link(l) => l == other,
+            Frame::Point(p) => p.point == c.centre && on == c.links[1],
+        };
+        let path = RelativePath::Unknown;
+        if serves && !frame.is_fixed(&self.scene) {
+            return Choice { of, frame, place, verdict: Verdict::Serves, path };
+        }
+        let judged = judge(&self.scene, of, frame, place);
+        // Whatever the pairs say of points that last, this one does not.
+        let verdict = if judged.verdict == Verdict::Serves { Verdict::PointChanges } else { judged.verdict };
+        Choice { verdict, path, ..judged }
+    }
+
+    /// What is known at the contact of a choice; none where its moving point is not one.
+    pub fn slip(&self, choice: &Choice, worked: &Worked, relative: Vec2) -> Option<Slip> {
+        let c = self.contacts.iter().find(|c| c.point == choice.of.point && choice.verdict == Verdict::Serves)?;
+        let [cam, follower] = c.links;
+        let on_cam = choice.of.link == Some(cam);
+        let rate = |l: LinkId| if l == self.scene.ground { 0.0 } else { worked.solution.turning(Level::Velocity, l).unwrap_or(0.0) };
+        let own = rate(if on_cam { cam } else { follower });
+        let carried = match choice.frame {
+            Frame::Link(l) => rate(l),
+            Frame::Point(_) => 0.0,
+        };
+        let (normal, radii) = if on_cam { (-c.normal, [c.radii[1], c.radii[0]]) } else { (c.normal, c.radii) };
+        debug_assert!(owns(&self.scene, follower, &OnLink { point: c.point, link: None }));
+        Some(Slip { radii, omega: own - carried, sliding: relative.dot(-normal.perp()), normal })
+    }
+}

@@ -1,0 +1,74 @@
+//! The point of contact of a cam and its follower as a point of one of them, at the instant.
+//!
+//! In the next instant another point is touched, so it is no point of the scene; in a solved pose it can be added to it, its place in the link
+//! known, and what moves there be asked as of any other point.
+
+use crate::geom::{Point, Vec2};
+use crate::mechanism::{Demand, Mechanism};
+use crate::position::{Configuration, Path};
+use crate::scene::{Cam, GuideId, GuidePath, LinkId, Place, PointId, Scene};
+use crate::worked::{Worked, work_placed};
+
+/// Where two contours touch.
+#[derive(Clone, Copy, Debug)]
+pub struct Touch {
+    /// The guide that stands for the contact.
+    pub guide: GuideId,
+    /// The place.
+    pub at: Point,
+    /// Unit normal, out of the cam.
+    pub normal: Vec2,
+}
+
+/// The name of the point of contact: that of the scene, or E, or the next letter that is free.
+pub fn name(scene: &Scene, cam: usize) -> String {
+    // The point that stands for the contact in questions has its name by right.
+    let own = |i: usize| scene.cams[cam].touch == Some(PointId(i));
+    let taken = |n: &str| scene.points.iter().enumerate().any(|(i, p)| p.name == n && !own(i));
+    let own = scene.cams[cam].at.clone().filter(|n| !taken(n));
+    let free = || ["E", "K", "T", "U", "W"].into_iter().find(|n| !taken(n)).unwrap_or("E_").to_owned();
+    own.unwrap_or_else(free)
+}
+
+/// The contact of a cam that is one circle with a flat face or a round end.
+pub fn touch(scene: &Scene, at: &Configuration, cam: &Cam) -> Option<Touch> {
+    let ((centre, radius), guide) = (cam.circle?, cam.contact?);
+    let b = at.points[centre.0]?;
+    let normal = match (&scene.guides[guide.0].path, at.guides[guide.0]?) {
+        // The centre runs on a parallel to the face, `offset` to the left of it.
+        (GuidePath::Line { offset: Some(offset), .. }, Path::Line { direction, .. }) => direction.perp() * -offset.value.signum(),
+        (GuidePath::Arc { .. }, Path::Arc { centre: k, .. }) => (at.points[scene.guides[guide.0].pin?.0]? - k).unit()?,
+        (GuidePath::Line { .. } | GuidePath::Arc { .. }, _) => return None,
+    };
+    Some(Touch { guide, at: b + normal * radius, normal })
+}
+
+/// The scene with the point of contact of a cam as a point of one of its links, and its pose; the number of the new point.
+pub fn with_contact(
+    scene: &Scene,
+    at: &Configuration,
+    index: usize,
+    owner: LinkId,
+    place: Point,
+) -> Option<(Scene, Configuration, PointId)> {
+    let (mut scene, mut at) = (scene.clone(), at.clone());
+    let own = PointId(scene.points.len());
+    let pose = at.poses[owner.0]?;
+    // It stands for the contact that questions may name.
+    if let Some(asked) = scene.cams[index].touch {
+        at.points[asked.0] = None;
+    }
+    let (name, span) = (name(&scene, index), scene.cams[index].span);
+    scene.points.push(crate::scene::Point { name, place: Place::Unknown, sketch: None, span });
+    scene.links[owner.0].points.push(own);
+    at.points.push(Some(place));
+    at.shapes.points[owner.0].push((own, pose.to_local(place)));
+    Some((scene, at, own))
+}
+
+/// Works a scene through in a pose that is known.
+pub fn work_at(scene: &Scene, at: Configuration) -> Option<Worked> {
+    let mechanism = Mechanism::new(scene).ok()?.value;
+    let demand = Demand::of(scene, &mechanism).with_all_positions();
+    work_placed(scene, mechanism, demand, at).ok().map(|w| w.value)
+}
