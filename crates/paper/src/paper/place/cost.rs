@@ -190,6 +190,9 @@ pub(super) fn hides(rect: Rect, wanted: &Wanted, obstacles: &Obstacles) -> bool 
         || obstacles.rects.iter().any(|r| r.overlap_mm2(rect) > 0.0)
 }
 
+/// A line that lies on the label's own is as near, to the rounding of places: it is no nearer (mm).
+const AS_NEAR_MM: f64 = 1e-6;
+
 /// Whether a label there would be read as the name of another line: one as thick as its own is nearer. A leader line tells.
 pub(super) fn strays(c: Rect, leader: bool, wanted: &Wanted, obstacles: &Obstacles) -> bool {
     let Target::Segment { clear_mm, .. } = wanted.target else { return false };
@@ -199,7 +202,11 @@ pub(super) fn strays(c: Rect, leader: bool, wanted: &Wanted, obstacles: &Obstacl
         let foreign = bar.owner.is_none() || bar.owner != wanted.owner;
         foreign && bar.half_width_mm >= clear_mm && touch(reach.grown(bar.half_width_mm), Rect::new(bar.from, bar.to))
     };
-    !leader && obstacles.bars.iter().any(|bar| rival(bar) && !meets(bar, wanted.target) && distance(c, bar) - bar.half_width_mm < own)
+    !leader
+        && obstacles
+            .bars
+            .iter()
+            .any(|bar| rival(bar) && !meets(bar, wanted.target) && distance(c, bar) - bar.half_width_mm < own - AS_NEAR_MM)
 }
 
 /// What it costs to leave the paper.
