@@ -5,7 +5,7 @@ pub mod answers;
 pub mod attempts;
 pub mod cam;
 pub mod centres;
-pub(crate) mod centres_json;
+pub mod centres_json;
 pub mod composite;
 pub mod construction;
 pub mod curvature;

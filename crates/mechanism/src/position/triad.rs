@@ -105,7 +105,8 @@ pub(super) fn assemblies(legs: &[TriadLeg; 3], sketched: Option<(Point, Vec2)>) 
             let places = meet(legs[a].locus(axis), legs[b].locus(axis)).unwrap_or_default();
             let near = places.into_iter().filter(|p| p.is_finite() && legs[c].miss(*p, axis).abs() < ROUGH * scale);
             for hit in near.filter_map(|origin| polished(legs, (origin, axis), scale, POLISH)) {
-                keep(&mut found, hit, scale);
+                // Once more from the root: the last step ended where it was small, not where it is none.
+                keep(&mut found, polished(legs, hit, scale, POLISH).unwrap_or(hit), scale);
             }
         }
     }
