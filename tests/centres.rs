@@ -420,10 +420,9 @@ fn centres_need_no_driver() {
         assert!(hodograph::scene::read(text).is_err());
         let scene = hodograph::scene::read(hodograph::scene::edit::with_rates(text).unwrap()).unwrap().value;
         let all = hodograph::centres::centres(&scene).unwrap().value;
-        let json = hodograph::report::centres_json::json(&all, &[]);
-        let found = json["centres"].as_array().unwrap().iter().find(|c| c["name"] == name).unwrap();
-        let near = |k: usize| (found["at"][k].as_f64().unwrap() - at[k]).abs() < 1e-12;
-        assert!(near(0) && near(1), "{name}: {found}");
+        let [i, j] = [&name[1..2], &name[2..3]].map(|n| link(&scene, n));
+        let Some(Place::At(p)) = all.of(i, j).unwrap().place else { panic!("{name} has no place") };
+        assert!((p.x - at[0]).abs() < 1e-12 && (p.y - at[1]).abs() < 1e-12, "{name}: {p:?}");
     }
     let asking = bare.replacen('{', r#"{"find": ["P_13", "i_24"], "#, 1);
     let read = hodograph::scene::read_at_any_rate(&asking).unwrap();
