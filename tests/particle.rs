@@ -4,7 +4,6 @@
 use hodograph::figure::particle::figures;
 use hodograph::paper::style::Style;
 use hodograph::particle::plate::Part;
-use hodograph::particle::pursuit::End;
 use hodograph::particle::{Asked, Solved, board, read, solve, solve_again, templates};
 use hodograph::report::particle as report;
 use hodograph::scene::Lang;
@@ -256,24 +255,6 @@ fn pursuits_of_nearly_equal_speed_are_followed() {
     assert!((solved.answers[1].value.scalar().unwrap() - 50.0).abs() < 1e-12);
     let told = report::text(&problem, &solved, &[], 6, false, Lang::En);
     assert!(told.contains("does not catch") && told.contains("4.0000e1 m"), "{told}");
-}
-
-/// Round a circle after a target that is as fast, faster, or hardly slower: there is an end, or it is told how far the two have been followed,
-/// after a bounded number of steps.
-#[test]
-fn a_pursuit_without_an_end_is_told_soon() {
-    for (speed, meets) in [(5.0, false), (8.99, false), (9.0, false), (12.0, true)] {
-        let text = format!(
-            r#"{{"points": {{"A": [0, 0]}}, "motions": [{{"point": "B", "centre": [0, 0], "radius": "100 m", "s": "9 m/s*t"}},
-            {{"point": "A", "toward": "B", "speed": "{speed} m/s"}}], "find": ["T_AB", "l_AB"]}}"#
-        );
-        let (problem, _) = solved(&text);
-        let (chase, _) = problem.motions.iter().find_map(|m| problem.chase(m)).unwrap();
-        let mut steps = 0;
-        let end = chase.end_seen::<f64>(&mut |_| steps += 1);
-        assert!(steps < 1300, "{speed} m/s: {steps} steps");
-        assert_eq!(matches!(end, Ok(End::Meet { .. })), meets, "{speed} m/s: {end:?}");
-    }
 }
 
 /// Shape, names and questions are told in one list.

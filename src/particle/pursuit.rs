@@ -274,3 +274,27 @@ fn closing<N: Real>(v: f64, w: f64, d: [N; 2], b: [N; 2]) -> f64 {
     let (x, y, l) = (d[0].approx(), d[1].approx(), d[0].hypot(d[1]).approx());
     0.5 * (v - (b[0].approx() * x + b[1].approx() * y) / l).abs()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::particle::read;
+
+    /// Round a circle after a target that is faster, as fast, or slower: there is a meeting, or it is told how far the two have been
+    /// followed, after a bounded number of steps.
+    #[test]
+    fn a_pursuit_without_an_end_is_told_soon() {
+        for (speed, meets) in [(5.0, false), (8.99, false), (9.0, false), (12.0, true)] {
+            let text = format!(
+                r#"{{"points": {{"A": [0, 0]}}, "motions": [{{"point": "B", "centre": [0, 0], "radius": "100 m", "s": "9 m/s*t"}},
+                {{"point": "A", "toward": "B", "speed": "{speed} m/s"}}], "find": ["T_AB", "l_AB"]}}"#
+            );
+            let problem = read(&text).unwrap_or_else(|f| panic!("{f}")).value;
+            let (chase, _) = problem.motions.iter().find_map(|m| problem.chase(m)).unwrap();
+            let mut steps = 0;
+            let end = chase.end_seen::<f64>(&mut |_| steps += 1);
+            assert!(steps <= MOST_TO_MEET + 1, "{speed} m/s: {steps} steps");
+            assert_eq!(matches!(end, Ok(End::Meet { .. })), meets, "{speed} m/s: {end:?}");
+        }
+    }
+}
