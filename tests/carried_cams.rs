@@ -1,6 +1,9 @@
 //! Cams whose pivot and follower are carried by a moving link, and cams that are the ground itself with a carrier driven round them: against the same
 //! cam on the ground, against differences of positions, and over a sweep; and what is said where a law has no meaning.
 
+#[path = "cams/matrix/mod.rs"]
+mod matrix;
+
 use hodograph::answer::Value;
 use hodograph::mechanism::Mechanism;
 use hodograph::scene::{self, Angle, Scene};

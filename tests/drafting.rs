@@ -1,5 +1,8 @@
 //! Drawing by hand: tolerances against simulation, scales for 1 %, bad angles and what helps.
 
+#[path = "drafting/board.rs"]
+mod board;
+
 use hodograph::accuracy::{self, Drawn, drafting, simulate};
 use hodograph::construct::pencil::{Exact, Single};
 use hodograph::construct::{Layout, by_hand};

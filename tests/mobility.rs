@@ -1,5 +1,8 @@
 //! Freedoms: counts against brute force, and pairs that only repeat what others fix, in mechanisms made at random.
 
+#[path = "mobility/books.rs"]
+mod books;
+
 use hodograph::answer::Value;
 use hodograph::diag::{Diagnostic, Faults, Severity};
 use hodograph::mechanism::{Mechanism, Opened, Survey};

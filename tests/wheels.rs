@@ -1,6 +1,9 @@
 //! Wheels that only repeat what others do 虚约束: further planets, further wheels of a cart, two gear pairs of one ratio; and those that nearly do, that
 //! hold in one pose only, and that lock. And the phase of wheels neither of which is known before the other.
 
+#[path = "wheels/belts.rs"]
+mod belts;
+
 use hodograph::answer::Value;
 use hodograph::certified::ladder::certify;
 use hodograph::diag::{Diagnostic, Faults, Severity};

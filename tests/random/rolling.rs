@@ -362,7 +362,7 @@ fn contacts_roll() {
             let delta = match pair.contours {
                 Contours::Circles { .. } => r1 * r2 / (r1 + r2),
                 Contours::Track { .. } => r2,
-                // Its ends are two places: see tests/belts.rs.
+                // Its ends are two places: see tests/wheels/belts.rs.
                 Contours::Belt { .. } => continue,
             };
             let n = w.configuration.normal(scene, hodograph::scene::RollingId(r)).unwrap();
