@@ -89,7 +89,7 @@ const LARGER: f64 = 1.6;
 /// The page of a candidate of a synthesis task.
 ///
 /// ```
-/// use hodograph::{figure::style::Style, lesson::design, scene::Lang, synthesis};
+/// use hodograph::{paper::style::Style, lesson::design, scene::Lang, synthesis};
 /// let task = synthesis::read(synthesis::templates::get("body").unwrap())?.value;
 /// let found = synthesis::solve(&task)?;
 /// let page = design::lesson(&task, &found.candidates[0], &design::Options { lang: Lang::En, style: Style::default() })?;

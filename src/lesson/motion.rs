@@ -129,7 +129,7 @@ fn nothing(which: usize) -> Diagnostic {
 /// The page of one motion of a file.
 ///
 /// ```
-/// use hodograph::{figure::style::Style, lesson::motion, particle, scene::Lang};
+/// use hodograph::{paper::style::Style, lesson::motion, particle, scene::Lang};
 /// let problem = particle::read(particle::templates::get("plate-in-space").unwrap())?.value;
 /// let options = motion::Options { lang: Lang::En, style: Style::default(), positions: 8, motion: 0 };
 /// assert!(motion::lesson(&problem, &options)?.starts_with("<!DOCTYPE html>"));

@@ -25,7 +25,7 @@ pub mod cognates;
 pub(crate) mod form;
 pub(crate) mod fourbar;
 pub mod function;
-pub(crate) mod grashof;
+pub mod grashof;
 pub(crate) mod judge;
 pub(crate) mod limits;
 pub(crate) mod nearest;

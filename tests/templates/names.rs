@@ -82,7 +82,7 @@ struct Renamed {
 
 impl Renamed {
     fn point(&self, name: &str) -> String {
-        self.points[name].clone()
+        self.points.get(name).unwrap_or_else(|| panic!("{name} is a point")).clone()
     }
 
     fn link(&self, name: &str) -> String {
@@ -141,12 +141,11 @@ impl Renamed {
         for (key, value) in object.iter_mut() {
             let Some(text) = value.as_str().map(str::to_owned) else { continue };
             *value = match key.as_str() {
-                "point" => self.point(&text),
                 "on" | "link" => self.link(&text),
                 "frame" => self.frame(&text),
                 "line" => self.pair(&text),
                 // The contact of a cam is no point of the scene.
-                "pair" => self.points.get(&text).cloned().unwrap_or(text),
+                "point" | "pair" => self.points.get(&text).cloned().unwrap_or(text),
                 _ => text,
             }
             .into();
@@ -157,15 +156,15 @@ impl Renamed {
         }
     }
 
-    /// A guide, a pair of gears, a wheel or a driver.
+    /// A guide, a pair of gears, a wheel, a belt or a driver.
     fn part(&self, object: &mut Map<String, Value>) {
         for (key, value) in object.iter_mut() {
             let Some(text) = value.as_str().map(str::to_owned) else {
                 let list =
                     |new: &dyn Fn(&str) -> String| value.as_array().unwrap().iter().map(|v| json!(new(v.as_str().unwrap()))).collect();
                 match key.as_str() {
-                    "links" => *value = list(&|l| self.link(l)),
-                    "centres" => *value = list(&|p| self.point(p)),
+                    "links" | "pulleys" | "sprockets" | "reversed" => *value = list(&|l| self.link(l)),
+                    "centres" | "at" => *value = list(&|p| self.point(p)),
                     _ => {}
                 }
                 continue;
@@ -230,7 +229,7 @@ impl Renamed {
                 }
                 "sketch" => keys(value, &|p| self.point(p)),
                 "lengths" => keys(value, &|ends| self.pair(ends)),
-                "guides" | "gears" | "rolling" => {
+                "guides" | "gears" | "rolling" | "belts" | "chains" => {
                     value.as_array_mut().unwrap().iter_mut().for_each(|g| self.part(g.as_object_mut().unwrap()))
                 }
                 "cams" => self.cam(value),
