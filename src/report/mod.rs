@@ -9,7 +9,7 @@ pub mod centres_json;
 pub mod composite;
 pub mod construction;
 pub mod curvature;
-pub(crate) mod curvature_json;
+pub mod curvature_json;
 mod curvature_legend;
 mod curvature_steps;
 pub mod diagnostics;
@@ -25,7 +25,7 @@ pub mod plan;
 pub mod plan_json;
 pub mod price;
 pub mod readings;
-pub(crate) mod statement;
+pub mod statement;
 pub(crate) mod symbols;
 pub mod synthesis;
 #[cfg(feature = "tables")]
