@@ -28,6 +28,9 @@ fn caption(until: f64, meets: bool) -> Both {
     }
 }
 
+/// Nearer to a letter's point than this a number would stand at the letter.
+const BESIDE_MM: f64 = 3.0;
+
 impl Maker<'_> {
     /// The course of pursuer and target from the start to the meeting, with lines of sight at equal times; the two at the instant, if wanted (in a
     /// lesson they move: [`Maker::pair`]).
@@ -36,7 +39,7 @@ impl Maker<'_> {
         let Views::Chase { course, until, meets, places, .. } = &drawn.views else { return None };
         let (_, target) = self.problem.chase(motion)?;
         let mut d = Drawing::new("course", self.style.clone());
-        self.sights(&mut d, course);
+        self.sights(&mut d, course, if with_now { places } else { &[] });
         if with_now {
             self.line(&mut d, &format!("line {}", step(0)), places.to_vec(), self.style.outline);
         }
@@ -83,8 +86,8 @@ impl Maker<'_> {
         d.finish()
     }
 
-    /// The two paths, lines of sight and numbers at equal times.
-    fn sights(&self, d: &mut Drawing, course: &[[Point; 2]]) {
+    /// The two paths, lines of sight and numbers at equal times: beside a letter none, which would be read as its exponent.
+    fn sights(&self, d: &mut Drawing, course: &[[Point; 2]], lettered: &[Point]) {
         let style = self.style;
         for [a, b] in course.iter().step_by(FINE).copied() {
             if a.distance(b) > 1.0 {
@@ -96,6 +99,9 @@ impl Maker<'_> {
         for (k, pair) in course.iter().step_by(FINE).enumerate().take(SIGHTS).skip(1) {
             for at in *pair {
                 d.draw("tick", "position", sym::dot(style, at));
+                if lettered.iter().any(|p| p.distance(at) < BESIDE_MM) {
+                    continue;
+                }
                 let number = LabelRequest::at_point(Label::math(k.to_string()), style.small_mm * 0.85, at, style.dot_radius_mm);
                 d.label("tick", "position", number.optional(true));
             }
