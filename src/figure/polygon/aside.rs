@@ -29,11 +29,10 @@ impl Draft<'_> {
         let mut order: Vec<usize> = (0..self.arrows.len()).collect();
         let rank = |k: usize| (!is_one(self.arrows[k].from, Point::ORIGIN), -length(&self.arrows[k]));
         order.sort_by(|&i, &j| rank(i).0.cmp(&rank(j).0).then(rank(i).1.total_cmp(&rank(j).1)));
-        let mut placed: Vec<usize> = Vec::new();
+        let mut placed: Vec<Ends> = Vec::new();
         for k in order {
-            let others: Vec<Ends> = placed.iter().map(|&j| self.arrows[j].drawn()).collect();
-            self.arrows[k].aside = lane((self.arrows[k].from, self.arrows[k].to), &others, width_mm);
-            placed.push(k);
+            self.arrows[k].aside = lane((self.arrows[k].from, self.arrows[k].to), &placed, width_mm);
+            placed.push(self.arrows[k].drawn());
         }
     }
 }

@@ -67,6 +67,8 @@ struct Draft<'a> {
     zeros: Vec<(Point, String, usize)>,
     lines: Vec<(Point, Point, usize)>,
     copies: Vec<([VertexId; 3], usize)>,
+    /// What no two numbers of this polygon differ by for another reason than rounding.
+    rounding_mm: f64,
 }
 
 /// More arrows than this, and vectors from the pole that nothing asks for are left out; the names become smaller.
@@ -101,7 +103,8 @@ pub fn is_full(w: &Writer, p: &Polygon) -> bool {
 impl<'a> Draft<'a> {
     /// A polygon's things.
     fn of(w: &'a Writer<'a>, p: &'a Polygon) -> Draft<'a> {
-        let mut draft = Draft { w, p, arrows: vec![], letters: vec![], zeros: vec![], lines: vec![], copies: vec![] };
+        let rounding_mm = ROUNDING * p.largest() / p.mu;
+        let mut draft = Draft { w, p, arrows: vec![], letters: vec![], zeros: vec![], lines: vec![], copies: vec![], rounding_mm };
         draft.letter(Point::ORIGIN, w.pole(p.level), 0);
         draft.follow();
         draft
@@ -211,7 +214,7 @@ impl Draft<'_> {
     }
 
     fn arrow(&mut self, (from, to): (Point, Point), symbol: String, class: &'static str, step: usize, link: Option<usize>) {
-        let rounding = self.rounding_mm();
+        let rounding = self.rounding_mm;
         let same = |a: &&mut Arrow| is_one(a.from, from) && is_one(a.to, to);
         match self.arrows.iter_mut().find(same) {
             Some(a) => {
@@ -260,12 +263,7 @@ impl Draft<'_> {
 
     /// Whether a vector too short to be drawn is nothing but rounding, or merely small.
     fn zero_sign(&self, length_mm: f64) -> &'static str {
-        if length_mm <= self.rounding_mm() { "=" } else { "\\approx" }
-    }
-
-    /// What no two numbers of this polygon differ by for another reason than rounding.
-    fn rounding_mm(&self) -> f64 {
-        ROUNDING * self.p.largest() / self.p.mu
+        if length_mm <= self.rounding_mm { "=" } else { "\\approx" }
     }
 
     /// Draws everything; for each arrow the name of its label. What is named in an inset is not named in the polygon.

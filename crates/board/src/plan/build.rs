@@ -1,6 +1,7 @@
 //! Walks the groups and writes their equations.
 
 use super::between::body_of;
+use super::names::small_letters;
 use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Special, Spot, Step, Vertex, VertexId, canonical, effects};
 use crate::mechanism::{Demand, Level, Mechanism, Need, Opened};
 use crate::scene::{Guide, GuideId, LinkId, PointId, Scene};
@@ -49,6 +50,7 @@ pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &
         acceleration: b.acceleration,
         still: m.never_turns.clone(),
         rest: Rest::of(scene, m),
+        letters: small_letters(scene),
         level: demand.level,
         effects: Vec::new(),
         undrawable: b.undrawable,

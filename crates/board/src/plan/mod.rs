@@ -367,6 +367,8 @@ pub struct Plan {
     pub still: Vec<bool>,
     /// What stands still because a driver does.
     pub rest: Rest,
+    /// For each point, the letters of its image.
+    letters: Vec<String>,
     /// How far the questions go.
     pub level: Level,
     /// Effects considered: what, in or out, why.

@@ -4,6 +4,8 @@
 //! and a prime stands on what precedes it. Every name that is put into a label goes through this file.
 
 use super::{Plan, Spot};
+use std::collections::HashMap;
+
 use crate::scene::{PointId, Scene};
 
 /// A name, or several run together (`O2B`, `3/2`), as it stands among other signs: `B_1` → `B\_1`.
@@ -37,18 +39,19 @@ pub fn point_label(name: &str) -> String {
 }
 
 /// The image of a point in a polygon: `B` → `b`, `O2` → `o_{2}`, the point of link 3 at B → `b_{3}`, each with `prime`.
-pub(super) fn image_label(scene: &Scene, point: PointId, link: Option<&str>, prime: &str) -> String {
-    image_of(&small(scene, point), link, prime)
+pub(super) fn image_label(letters: &[String], point: PointId, link: Option<&str>, prime: &str) -> String {
+    image_of(&letters[point.0], link, prime)
 }
 
-/// A point's name in the small letters that images bear, unless another point has the same name in another case: then both keep
-/// their own.
-pub(super) fn small(scene: &Scene, point: PointId) -> String {
-    let name = scene.point_name(point);
-    // Most names differ in their first letters.
-    let alike = |other: &str| other.chars().flat_map(char::to_lowercase).eq(name.chars().flat_map(char::to_lowercase));
-    let shared = scene.points.iter().any(|p| p.name != name && alike(&p.name));
-    if shared { name.to_owned() } else { name.to_lowercase() }
+/// The names of all points in the small letters that images bear. A point that has the name of another in another case keeps its own, as
+/// that one does.
+pub(super) fn small_letters(scene: &Scene) -> Vec<String> {
+    let lower: Vec<String> = scene.points.iter().map(|p| p.name.to_lowercase()).collect();
+    let mut of: HashMap<&str, usize> = HashMap::new();
+    for name in &lower {
+        *of.entry(name).or_default() += 1;
+    }
+    scene.points.iter().zip(&lower).map(|(p, l)| if of[l.as_str()] > 1 { p.name.clone() } else { l.clone() }).collect()
 }
 
 /// The image of what bears this name, which is in the case of images.

@@ -3,7 +3,7 @@
 //! A vector that starts at a fixed point is written as an absolute one (v_C, not v_CD), as every textbook does.
 
 pub use super::names::point_label;
-use super::names::{image_label, image_of, is_image, name_label, numbered, pole_letter, small, special_name};
+use super::names::{image_label, image_of, is_image, name_label, numbered, pole_letter, special_name};
 use super::notation::Notation;
 use super::{Body, By, Chain, Plan, Spot, Step, Term, TermKind, VertexId};
 use crate::diag::{Both, both};
@@ -154,7 +154,7 @@ impl Writer<'_> {
     fn small(&self, v: VertexId) -> String {
         let vertex = self.plan.vertex(v);
         let name = match vertex.spot {
-            Spot::Point(p) => small(self.scene, p),
+            Spot::Point(p) => self.plan.letters[p.0].clone(),
             Spot::Special(k) => special_name(self.scene, self.plan, k).to_lowercase(),
         };
         name_label(&numbered(self.scene, name, vertex.number.map(|n| self.scene.link_name(n))))
@@ -214,7 +214,7 @@ impl Writer<'_> {
         }
         let link = vertex.number.map(|l| self.scene.link_name(l));
         match vertex.spot {
-            Spot::Point(p) => image_label(self.scene, p, link, prime(level)),
+            Spot::Point(p) => image_label(&self.plan.letters, p, link, prime(level)),
             Spot::Special(k) => image_of(&special_name(self.scene, self.plan, k).to_lowercase(), link, prime(level)),
         }
     }
