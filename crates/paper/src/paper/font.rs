@@ -114,7 +114,8 @@ impl Loaded {
         sound.then_some(Outline { segments: sink.segments, ink: sink.ink })
     }
 
-    fn shape(&self, run: &str) -> Run {
+    /// A run of characters as glyphs; `ink_of` tells what each of them covers, for it may be known already.
+    fn shape(&self, run: &str, ink_of: impl Fn(u32) -> Ink) -> Run {
         let em = self.em;
         let mut buffer = UnicodeBuffer::new();
         buffer.push_str(run);
@@ -130,8 +131,7 @@ impl Loaded {
                 before.text.end = start;
             }
             let offset_em = [f64::from(pos.x_offset) / em, f64::from(pos.y_offset) / em];
-            let own = self.outline(info.glyph_id).map_or(Ink::NONE, |o| o.ink);
-            ink = ink.union(own.placed(1.0, pen + offset_em[0], offset_em[1]));
+            ink = ink.union(ink_of(info.glyph_id).placed(1.0, pen + offset_em[0], offset_em[1]));
             let advance_em = f64::from(pos.x_advance) / em;
             glyphs.push(Glyph { id: info.glyph_id, advance_em, offset_em, text: start..run.len() });
             pen += advance_em;
@@ -222,14 +222,16 @@ impl Face {
     }
 
     fn shape(&self, run: &str) -> Run {
-        let whole = self.loaded().shape(run);
+        // Outlines are kept: what a letter covers is read from its font once.
+        let ink_of = |glyph| self.outline(glyph).ink;
+        let whole = self.loaded().shape(run, ink_of);
         if !matches!(self, Face::Own(_)) || sound(&whole, run) {
             return whole;
         }
         // A damaged font: what goes wrong between letters does not where each stands alone.
         let mut out = Run { ink: Ink::NONE, advance_em: 0.0, glyphs: Vec::new() };
         for (at, c) in run.char_indices() {
-            let one = self.loaded().shape(c.encode_utf8(&mut [0; 4]));
+            let one = self.loaded().shape(c.encode_utf8(&mut [0; 4]), ink_of);
             out.ink = out.ink.union(one.ink.placed(1.0, out.advance_em, 0.0));
             out.advance_em += one.advance_em;
             out.glyphs.extend(one.glyphs.into_iter().map(|g| Glyph { text: at..at + c.len_utf8(), ..g }));
@@ -267,7 +269,7 @@ impl Face {
 fn drawn(loaded: &Loaded, c: char) -> Option<Outline> {
     let glyph = loaded.glyph(c)?;
     let text = String::from(c);
-    let run = loaded.shape(&text);
+    let run = loaded.shape(&text, |g| loaded.outline(g).map_or(Ink::NONE, |o| o.ink));
     let all = sound(&run, &text) && run.glyphs.iter().all(|g| loaded.outline(g.id).is_some());
     let outline = loaded.outline(glyph.to_u32()).filter(|_| all)?;
     // A letter without ink is a hole in the sentence.
