@@ -307,3 +307,15 @@ fn answers_have_the_units_of_the_file() {
     assert!(booked.contains("v_A  = 54.0000 km/h (x 32.4000, y 43.2000)") && booked.contains("l_AB = 164.042 ft"), "{booked}");
     assert_eq!(si, same);
 }
+
+/// A circle without a radius has no path to run on.
+#[test]
+fn a_radius_of_nothing_is_refused() {
+    let text = templates::get("ring-in-space").unwrap();
+    for radius in ["0.0 m", "-200 mm"] {
+        let mut file: Json = serde_json::from_str(text).unwrap();
+        file["parameters"]["R"] = radius.into();
+        let faults = read(&file.to_string()).unwrap_err();
+        assert!(faults.list.iter().any(|d| d.code == "not-positive"), "{radius}: {faults}");
+    }
+}

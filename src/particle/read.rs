@@ -1,7 +1,7 @@
 //! The file: its keys, and what belongs together.
 
 use super::ask;
-use super::law::{Turning, Way};
+use super::law::{Turning, Way, jet};
 use super::{Axis, Kind, Motion, Plate, Problem};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::json::fields::{Fields, list, object, suggest, word};
@@ -141,6 +141,17 @@ fn usual_title(motions: &[Motion]) -> Both {
 impl Reader<'_> {
     fn fault(&mut self, code: &'static str, at: Span, message: Both, help: Both) {
         self.faults.push(Diagnostic::error(code, message).at(at).help(help));
+    }
+
+    /// The radius of a circle: a length that is more than nothing at the instant.
+    fn radius(&mut self, f: &Fields) -> Option<Law> {
+        let law = self.need(f, "radius", Wanted::Length, "\"200 mm\"")?;
+        // What has no value is told where it is worked out.
+        let Some(value) = jet(&law, self.now).ok().map(|r| r.0[0]).filter(|r| *r <= 0.0) else { return Some(law) };
+        let at = f.get("radius").map_or(f.span(), |n| n.span);
+        let message = both!("the radius `{}` is {value} m", "半径 `{}` 为 {value} m", law.text);
+        self.fault("not-positive", at, message, both!("give a length greater than 0", "请给出大于 0 的长度"));
+        None
     }
 
     fn law(&mut self, node: &Node, wanted: Wanted, key: &str) -> Option<Law> {
@@ -370,7 +381,7 @@ impl Reader<'_> {
         if has("centre") {
             self.none_of(f, &["to_axis", "from"], &both!("a motion on a circle", "圆周运动"));
             let centre = f.get("centre").and_then(|n| self.two(n, "centre"));
-            let radius = self.need(f, "radius", Wanted::Length, "\"200 mm\"");
+            let radius = self.radius(f);
             let angle = self.may(f, "angle", Wanted::Angle);
             return Some(Way::Circle { centre: centre?, radius: radius?, angle, s: s? });
         }
