@@ -315,7 +315,7 @@ fn a_radius_of_nothing_is_refused() {
     for radius in ["0.0 m", "-200 mm"] {
         let mut file: Json = serde_json::from_str(text).unwrap();
         file["parameters"]["R"] = radius.into();
-        let faults = read(&file.to_string()).unwrap_err();
+        let faults = read(file.to_string()).unwrap_err();
         assert!(faults.list.iter().any(|d| d.code == "not-positive"), "{radius}: {faults}");
     }
 }
