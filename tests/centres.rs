@@ -418,7 +418,7 @@ fn centres_need_no_driver() {
         "guides": [{"pin": "B", "slider": "3", "through": [0, 0], "angle": "0 deg"}, {"pin": "C", "slider": "4", "through": [0, 0], "angle": "90 deg"}]}"#;
     for (text, name, at) in [(bare, "P13", [0.9 / 7.0, 1.2 / 7.0]), (bare, "P24", [-0.13, 0.0]), (slider, "P12", [0.03, 0.04])] {
         assert!(hodograph::scene::read(text).is_err());
-        let scene = hodograph::scene::read(hodograph::scene::edit::with_rates(text).unwrap()).unwrap().value;
+        let scene = hodograph::scene::read_at_rest(text).unwrap().value;
         let all = hodograph::centres::centres(&scene).unwrap().value;
         let [i, j] = [&name[1..2], &name[2..3]].map(|n| link(&scene, n));
         let Some(Place::At(p)) = all.of(i, j).unwrap().place else { panic!("{name} has no place") };

@@ -4,13 +4,12 @@ use super::{Input, Run, args, choices, files};
 use crate::centres;
 use crate::diag::Warned;
 use crate::report::{centres as report, centres_json};
-use crate::scene::edit;
 use std::process::ExitCode;
 
 /// Runs the command.
 pub fn run(a: args::Centres) -> Run {
     // A centre does not depend on how fast the driver goes.
-    let mut input = Input::read_as(&a.common, edit::with_rates)?;
+    let mut input = Input::read_at_rest(&a.common)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let Warned { value, notes } = centres::centres(&input.scene).map_err(|f| input.failed(f))?;
     input.notes.extend(notes);

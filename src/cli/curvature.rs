@@ -6,13 +6,13 @@ use crate::curvature::{Asked, centrodes, couplers, curvature};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::json::fields::suggest;
 use crate::report::{curvature as report, curvature_json};
-use crate::scene::{LinkId, Scene, edit};
+use crate::scene::{LinkId, Scene};
 use std::process::ExitCode;
 
 /// Runs the command.
 pub fn run(a: args::Curvature) -> Run {
     // Where a path bends does not depend on how fast the driver goes.
-    let mut input = Input::read_as(&a.common, edit::with_rates)?;
+    let mut input = Input::read_at_rest(&a.common)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let asked = asked(&input.scene, &a)?;
     let Warned { value, notes } = curvature(&input.scene, &asked).map_err(|f| input.failed(f))?;

@@ -15,7 +15,7 @@ use crate::figure::style::{self, Style};
 use crate::json::fields::suggest;
 use crate::mechanism::Level;
 use crate::render::pdf;
-use crate::scene::{self, PointId, Scene, edit};
+use crate::scene::{self, PointId, Scene};
 use crate::worked::{Scope, Worked};
 use std::path::{Path, PathBuf};
 
@@ -31,7 +31,7 @@ pub fn run(a: args::Draw) -> Run {
     if super::particle::is_problem(&a.common.scene) {
         return super::particle::draw(&a, &style);
     }
-    let mut input = if needs_no_rate(&a) { Input::read_as(&a.common, edit::with_rates) } else { Input::read(&a.common) }?.drawn_in(&style);
+    let mut input = if needs_no_rate(&a) { Input::read_at_rest(&a.common) } else { Input::read(&a.common) }?.drawn_in(&style);
     let drafting = input.pencil(a.drafting.as_deref())?;
     if a.poses > 0 || !a.path.is_empty() {
         input.over_a_turn();

@@ -6,14 +6,13 @@ use crate::diag::{Diagnostic, Warned, both};
 use crate::inversions::inversions;
 use crate::json::fields::suggest;
 use crate::report::inversions as report;
-use crate::scene::edit;
 use std::path::Path;
 use std::process::ExitCode;
 
 /// Runs the command.
 pub fn run(a: args::Inversions) -> Run {
     // How far links turn does not depend on how fast.
-    let mut input = Input::read_as(&a.common, edit::with_rates)?;
+    let mut input = Input::read_at_rest(&a.common)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let Warned { value: all, notes } = inversions(&input.scene).map_err(|f| input.failed(f))?;
     input.notes.extend(notes);

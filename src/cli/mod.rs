@@ -197,20 +197,21 @@ struct Input {
 impl Input {
     /// The scene that the command line names; one without a rate where nothing that it asks depends on it.
     fn read(common: &Common) -> Result<Input, Failure> {
-        Input::read_by(common, |text| Ok(text.to_owned()), &|bytes| scene::read_at_any_rate(bytes))
+        Input::read_by(common, &|bytes| scene::read_at_any_rate(bytes))
     }
 
-    /// The scene that the command line names, with its parameters, its text changed.
-    fn read_as(common: &Common, change: impl Fn(&str) -> Result<String, Faults>) -> Result<Input, Failure> {
-        Input::read_by(common, change, &|bytes| scene::read(bytes))
+    /// The same for what does not depend on rates.
+    fn read_at_rest(common: &Common) -> Result<Input, Failure> {
+        Input::read_by(common, &|bytes| scene::read_at_rest(bytes))
     }
 
     /// Its links and pairs; the rest may be missing.
     fn read_topology(common: &Common) -> Result<Input, Failure> {
-        Input::read_by(common, |text| Ok(text.to_owned()), &|bytes| scene::read_topology(bytes))
+        Input::read_by(common, &|bytes| scene::read_topology(bytes))
     }
 
-    fn read_by(common: &Common, change: impl Fn(&str) -> Result<String, Faults>, read: Reader) -> Result<Input, Failure> {
+    /// The scene that the command line names, with its parameters.
+    fn read_by(common: &Common, read: Reader) -> Result<Input, Failure> {
         let path = common.scene.as_str();
         let (name, mut bytes) = files::scene(path).map_err(|d| Failure::input(d, path, ""))?;
         // A text that cannot be changed has a fault, which the reader tells with its place.
@@ -218,9 +219,6 @@ impl Input {
             && edit::with_parameters(text, &[]).is_ok()
         {
             bytes = values::with_values(&common.set, |values| edit::with_parameters(text, values))?.into_bytes();
-        }
-        if let Some(changed) = std::str::from_utf8(&bytes).ok().and_then(|text| change(text).ok()) {
-            bytes = changed.into_bytes();
         }
         let source = String::from_utf8_lossy(&bytes).into_owned();
         scene::language_of(&bytes).into_iter().for_each(lang::take);

@@ -58,7 +58,7 @@ fn write(sweep: &mut dyn Pieces, title: &str, path: Option<&str>) -> Result<Vec<
 /// The command `limits`: what the motion as a whole comes to.
 pub fn limits(a: Limits) -> Run {
     // How far it goes does not depend on how fast.
-    let mut input = Input::read_as(&a.common, edit::with_rates)?;
+    let mut input = Input::read_at_rest(&a.common)?;
     input.over_a_turn();
     let (lang, _) = choices(&input.scene, &a.common);
     let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;

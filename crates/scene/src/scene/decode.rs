@@ -95,6 +95,7 @@ pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<
             }
         }
         Some(node) => raw.drivers.extend(driver::driver(node, extent, faults)),
+        None if extent.is_driven() => raw.drivers.extend(driver::added(&raw)),
         None => {}
     }
     for node in items(f.get("motions"), "\"motions\"", faults) {

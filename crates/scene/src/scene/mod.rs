@@ -161,10 +161,25 @@ pub fn read_pose(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
     read_as(source.as_ref(), None, Extent::Pose)
 }
 
+/// Reads a scene for what does not depend on rates: those that are not told are zero, and where no driver is named the first link that can be driven
+/// is.
+///
+/// # Errors
+/// As [`read`].
+///
+/// ```
+/// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1",
+///     "points": {"A": [0, 0], "B": ["30 mm", "40 mm"], "C": ["120 mm", "60 mm"], "D": ["100 mm", 0]}}"#;
+/// assert_eq!(hodograph::scene::read_at_rest(text).unwrap().value.drivers[0].rate.value, 0.0);
+/// ```
+pub fn read_at_rest(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
+    read_as(source.as_ref(), None, Extent::Rest)
+}
+
 /// Reads a scene that says no rate, or no driver: one unit of the rate is taken where nothing that it asks depends on it, and a note says so.
 ///
 /// # Errors
-/// As [`read`]; a question that depends on the rate, or no question at all, leaves the scene without a rate.
+/// As [`read`]; a question that depends on the rate leaves the scene without one.
 ///
 /// ```
 /// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1",
@@ -172,24 +187,17 @@ pub fn read_pose(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
 /// assert!(!hodograph::scene::read_at_any_rate(text).unwrap().value.drivers[0].rate_told);
 /// ```
 pub fn read_at_any_rate(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
-    let read = read_as(source.as_ref(), None, Extent::Motion);
-    let Err(faults) = read else { return read };
-    let Some((text, without)) = std::str::from_utf8(source.as_ref()).ok().and_then(|text| edit::with_unit_rates(text).ok()) else {
-        return Err(faults);
-    };
+    let told = read_as(source.as_ref(), None, Extent::Motion);
+    let Err(faults) = told else { return told };
     let asks_no_rate = |f: &Find| matches!(f.what.kind(), Kind::Length | Kind::Angle | Kind::Number);
-    match read_as(text.as_bytes(), None, Extent::Motion) {
-        Ok(Warned { mut value, mut notes }) if text.contains("\"find\"") && value.find.iter().all(asks_no_rate) => {
-            value.drivers.iter_mut().zip(without).for_each(|(driver, without)| driver.rate_told = !without);
-            let message = both!(
-                "no rate is given, and nothing asked depends on it: one unit of it is taken",
-                "未给出原动件的速度，所求各量与之无关：取单位速度"
-            );
-            notes.push(Diagnostic::note("free-rate", message));
-            Ok(Warned { value, notes })
-        }
-        _ => Err(faults),
-    }
+    let free = read_as(source.as_ref(), None, Extent::AnyRate).ok().filter(|read| read.value.find.iter().all(asks_no_rate));
+    let mut read = free.ok_or(faults)?;
+    let message = both!(
+        "no rate is given, and nothing asked depends on it: one unit of it is taken",
+        "未给出原动件的速度，所求各量与之无关：取单位速度"
+    );
+    read.notes.push(Diagnostic::note("free-rate", message));
+    Ok(read)
 }
 
 fn read_with(source: &[u8], questions: Option<&str>) -> Result<Warned<Scene>, Faults> {

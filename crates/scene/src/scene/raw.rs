@@ -177,6 +177,10 @@ pub(super) enum Extent {
     Pairs,
     /// Its pose besides: only drivers and their rates may be missing.
     Pose,
+    /// The same for what does not depend on rates: a driver that is missing is added, rates that are not told are zero.
+    Rest,
+    /// The same with rates of one unit.
+    AnyRate,
     /// Its motion.
     #[default]
     Motion,
@@ -191,6 +195,19 @@ impl Extent {
     /// Whether drivers and their rates may be missing.
     pub fn is_at_rest(self) -> bool {
         self != Extent::Motion
+    }
+
+    /// Whether a driver is added where there is none.
+    pub fn is_driven(self) -> bool {
+        matches!(self, Extent::Rest | Extent::AnyRate)
+    }
+
+    /// The rate of a driver that tells none, in its unit. One where it shows, so that figures say which way is plus.
+    pub fn rate(self) -> f64 {
+        match self {
+            Extent::Rest => 0.0,
+            Extent::Pairs | Extent::Pose | Extent::AnyRate | Extent::Motion => 1.0,
+        }
     }
 }
 

@@ -99,3 +99,21 @@ pub(super) fn driver(node: &Node, extent: Extent, faults: &mut Faults) -> Option
     (faults.list.len() == before).then_some(())?;
     Some(RawDriver { kind, rate, acceleration, span: f.span() })
 }
+
+/// A driver for a scene that has none: the first link with a pin on the ground, else the first that slides on it.
+pub(super) fn added(raw: &RawScene) -> Option<RawDriver> {
+    let ground = raw.ground.as_ref()?;
+    let fixed: Vec<&str> =
+        raw.links.iter().filter(|l| l.name.text == ground.text).flat_map(|l| &l.points).map(|p| p.text.as_str()).collect();
+    let pinned =
+        raw.links.iter().filter(|l| l.name.text != ground.text).find(|l| l.points.iter().any(|p| fixed.contains(&p.text.as_str())));
+    let slides = || {
+        let on_ground = raw.guides.iter().filter(|g| g.on.as_ref().is_none_or(|on| on.text == ground.text));
+        on_ground.filter_map(|g| g.pin.as_ref().or(g.slider.as_ref())).next()
+    };
+    let kind = match pinned {
+        Some(link) => RawDriverKind::Turn { link: link.name.clone(), against: None, line: None, against_line: None, angle: None },
+        None => RawDriverKind::Slide { slide: slides()?.clone(), position: None },
+    };
+    Some(RawDriver { kind, rate: None, acceleration: None, span: ground.span })
+}

@@ -13,7 +13,7 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resol
         };
         let rate = match &raw.rate {
             Some(q) => c.values.si(q, rate, faults),
-            None => c.raw.extent.is_at_rest().then(|| untold(raw, rate)),
+            None => c.raw.extent.is_at_rest().then(|| untold(raw, rate, c.raw.extent.rate())),
         };
         let acceleration = match &raw.acceleration {
             Some(q) => c.values.si(q, acceleration, faults).map(Some),
@@ -38,10 +38,10 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resol
     out
 }
 
-/// The rate of a driver that tells none: one of its unit, so that figures show which way is plus.
-fn untold(raw: &RawDriver, rate: Wanted) -> Given {
+/// The rate of a driver that tells none.
+fn untold(raw: &RawDriver, rate: Wanted, value: f64) -> Given {
     let unit = if rate == Wanted::Omega { "rad/s" } else { "m/s" };
-    Given { value: 1.0, radius: 0.0, text: format!("1 {unit}"), span: raw.span }
+    Given { value, radius: 0.0, text: format!("{value} {unit}"), span: raw.span }
 }
 
 fn same_motion(a: &DriverKind, b: &DriverKind) -> bool {
