@@ -6,11 +6,13 @@
 pub mod contact;
 mod far;
 mod higher;
+mod sizes;
 #[cfg(test)]
 mod tests;
 
 pub use far::{Far, NoAnswer, Unanswered};
 
+use self::sizes::Sizes;
 use crate::accuracy::Rung;
 use crate::accuracy::{
     Agreement, BadAngle, Drafting, Drawn, Kept, Regular, Ways, bad_angles, compare, drafting, estimated, groups_of_question, kept, regular,
@@ -239,7 +241,8 @@ fn stages(
     let (mut plan, mut construction, mut drawn) = draw(&singular)?;
     let mut near: Option<Kept> = None;
     if digits != Digits::Estimated && (written.is_some() || !solution.near.is_empty()) {
-        let scale = |level, value: &Value| scale_of(scene, &construction, &configuration, level, value);
+        let sizes = Sizes::of(scene, &construction, &configuration);
+        let scale = |level, value: &Value| sizes.against(level, value);
         let read: Vec<Option<Value>> = drawn.iter().map(|a| a.as_ref().map(|a| a.value)).collect();
         let ways = Ways { solution: &solution, drawn: &read, scale };
         near = kept(scene, (&mechanism, &demand), &configuration, &ways, written.clone());
@@ -270,7 +273,8 @@ fn stages(
         }
         if !more.is_empty() {
             // What is left is judged by what is left on the paper.
-            let scale = |level, value: &Value| scale_of(scene, &construction, &configuration, level, value);
+            let sizes = Sizes::of(scene, &construction, &configuration);
+            let scale = |level, value: &Value| sizes.against(level, value);
             let read: Vec<Option<Value>> = drawn.iter().map(|a| a.as_ref().map(|a| a.value)).collect();
             let ways = Ways { solution: &solution, drawn: &read, scale };
             near = kept(scene, (&mechanism, &demand), &configuration, &ways, written.clone());
@@ -283,6 +287,7 @@ fn stages(
     notes.extend(solution.notes.iter().cloned());
     notes.extend(higher::notes(scene, &mechanism, &plan));
     let blur = blur_of(&solution);
+    let sizes = Sizes::of(scene, &construction, &configuration);
     let (mut results, mut unanswered, mut at_infinity) = (Vec::new(), Vec::new(), Vec::new());
     // The loop equations hold a driven pin by the links that it carries; where those have no motion its own group still has one.
     let beside = |find: &Find| {
@@ -298,7 +303,7 @@ fn stages(
             Some(written) => written.values[i],
             None => solution.answer(scene, &configuration, &find.what).or_else(|| beside(find)),
         };
-        let Some(computed) = computed.filter(|c| !far::is_nowhere(&find.what, c, configuration.extent())) else {
+        let Some(computed) = computed.filter(|c| !far::is_nowhere(&find.what, c, sizes.extent)) else {
             let asked = Demand::of_questions(scene, &mechanism, [find]);
             let rests_on = |r: &&Refused| groups_of(&mechanism, &r.links, &r.pins).iter().any(|g| asked.groups[*g].is_some());
             if let Some(refused) = solution.refused.iter().find(rests_on) {
@@ -314,8 +319,8 @@ fn stages(
         };
         let level = find.what.level();
         let scale = match level {
-            Level::Position => configuration.extent(),
-            _ => scale_of(scene, &construction, &configuration, level, &computed),
+            Level::Position => sizes.extent,
+            _ => sizes.against(level, &computed),
         };
         let agreement = match (&drawn, level) {
             (_, Level::Position) | (None, _) => None,
@@ -330,7 +335,7 @@ fn stages(
             }
         };
         let noise_of = |of: &Solution, value: &Value| match value {
-            Value::Point(_) => blur * configuration.extent(),
+            Value::Point(_) => blur * sizes.extent,
             Value::Vector(_) | Value::Scalar(_) => blur * of.largest(level, matches!(value, Value::Scalar(_))),
         };
         let noise = match (level, agreement) {
@@ -411,34 +416,4 @@ fn singular_groups(m: &Mechanism, solution: &Solution) -> Vec<usize> {
 
 fn groups_of(m: &Mechanism, links: &[LinkId], pins: &[PointId]) -> Vec<usize> {
     links.iter().filter_map(|l| m.group_of_link[l.0]).chain(pins.iter().filter_map(|p| m.group_of_pin[p.0])).collect()
-}
-
-/// The size against which a small answer of a level is judged: the longest vector of its polygon, or what the drivers
-/// would make at the size of the mechanism where all vectors vanish; for a turning rate the largest rate, or what that
-/// vector makes on the shortest arm on which a rate was measured (ω of a short link is a small difference of vectors
-/// divided by a small length, and α may vanish where ω² l does not).
-fn scale_of(scene: &Scene, paper: &Construction, at: &Configuration, level: Level, value: &Value) -> f64 {
-    let extent = at.extent();
-    // A driver that starts from rest has no speed yet; what it would have after turning by a radian measures it.
-    let driven = |d: &crate::scene::Driver| {
-        let (rate, a) = (d.rate.value.abs(), d.acceleration.as_ref().map_or(0.0, |a| a.value.abs()));
-        if d.kind.turns() { rate.max(a.sqrt()) * extent } else { rate.max((a * extent).sqrt()) }
-    };
-    let largest = |level| paper.polygon(level).map_or(0.0, construct::Polygon::largest);
-    let speed = scene.drivers.iter().map(driven).fold(largest(Level::Velocity), f64::max);
-    let vector = match level {
-        Level::Acceleration if extent > 0.0 => largest(level).max(speed * speed / extent),
-        Level::Acceleration => largest(level),
-        _ => speed,
-    };
-    match value {
-        Value::Point(_) => extent,
-        Value::Vector(_) => vector,
-        Value::Scalar(_) => {
-            let rates = paper.rates.iter().filter(|r| r.level == level);
-            let largest = rates.clone().map(|r| r.value.abs()).fold(0.0, f64::max);
-            let arm = rates.filter_map(|r| r.measured).map(|m| m.arm).fold(extent, f64::min);
-            if arm > 0.0 { largest.max(vector / arm) } else { largest }
-        }
-    }
 }

@@ -63,6 +63,12 @@ impl Arrow {
 /// How far to the left of one line another lies over it; `None` where both are seen. One that begins where a longer one begins, and goes
 /// the same way, is seen by its head.
 fn lies_over(one: Ends, other: Ends, width_mm: f64) -> Option<f64> {
+    let near = width_mm + CLOSED_MM;
+    // Most are far apart, which is seen without a root.
+    let apart = |a: f64, b: f64, c: f64, d: f64| a.max(b) + near < c.min(d) || c.max(d) + near < a.min(b);
+    if apart(one.0.x, one.1.x, other.0.x, other.1.x) || apart(one.0.y, one.1.y, other.0.y, other.1.y) {
+        return None;
+    }
     let u = (other.1 - other.0).unit()?;
     let reach = [other.0.distance(other.1), one.0.distance(one.1)];
     let (short, long) = if reach[1] < reach[0] { (one, other) } else { (other, one) };
@@ -80,7 +86,6 @@ fn lies_over(one: Ends, other: Ends, width_mm: f64) -> Option<f64> {
     }
     // How far it is off is linear along the other one.
     let slope = (q.1 - p.1) / (q.0 - p.0);
-    let near = width_mm + CLOSED_MM;
     let (mut lo, mut hi) = (from, to);
     if slope == 0.0 {
         hi = if p.1.abs() < near { hi } else { lo };

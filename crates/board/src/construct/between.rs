@@ -6,16 +6,14 @@ use super::{Action, Edge, Polygon};
 use crate::diag::Faults;
 use crate::mechanism::Level;
 use crate::number::Real;
-use crate::plan::{Between, Body, By, GroupSteps, Term, TermKind};
+use crate::plan::{Between, Body, By, Rate, Term, TermKind};
 
 impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
-    /// What is drawn between images, as far as they are there, and the turnings measured from what is drawn: those of the groups so far,
-    /// for a block is measured on points that a later group may bring.
-    pub(super) fn read_off(&mut self, p: &mut Polygon<N>, so_far: &[GroupSteps], open: &mut Vec<&Between>) -> Result<(), Faults> {
+    /// What is drawn between images, as far as they are there, and the turnings measured from what is drawn. What cannot be read yet stays
+    /// in `unread`, for a block is measured on points that a later group may bring.
+    pub(super) fn read_off(&mut self, p: &mut Polygon<N>, unread: &mut Vec<(Body, Rate)>, open: &mut Vec<&Between>) -> Result<(), Faults> {
         loop {
-            for (body, rate) in so_far.iter().flat_map(|s| &s.rates) {
-                self.turning(p, *body, *rate);
-            }
+            unread.retain(|(body, rate)| !self.turning(p, *body, *rate));
             let there = |b: &&Between| {
                 let (of, to) = b.ends();
                 p.images[of.0].is_some() && p.images[to.0].is_some() && self.knows_turnings(b)

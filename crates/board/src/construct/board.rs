@@ -7,7 +7,7 @@ use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::{Level, Mechanism};
 use crate::number::Real;
-use crate::plan::{Between, By, Chain, Plan, Rate, Spot, Step, Term, VertexId};
+use crate::plan::{Between, Body, By, Chain, Plan, Rate, Spot, Step, Term, VertexId};
 use crate::position::Configuration;
 use crate::scene::Scene;
 use crate::scene::exact::Inputs;
@@ -150,9 +150,8 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         let mut polygon = Polygon { level, mu, images: fixed, edges: Vec::new(), actions: Vec::new() };
         let plan = self.plan;
         // What waits for an image of a later group: vectors between images, and rates measured on such images.
-        let mut open: Vec<&Between> = Vec::new();
-        for (k, steps) in plan.steps(level).iter().enumerate() {
-            let so_far = &plan.steps(level)[..=k];
+        let (mut open, mut unread): (Vec<&Between>, Vec<(Body, Rate)>) = (Vec::new(), Vec::new());
+        for steps in plan.steps(level) {
             // Given rates serve the group's own points; measured ones come from them.
             for (body, rate) in steps.rates.iter().filter(|(_, r)| !matches!(r, Rate::Measured { .. })) {
                 self.turning(&mut polygon, *body, *rate);
@@ -162,11 +161,12 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
                 self.step(&mut polygon, step)?;
             }
             open.extend(&steps.between);
-            self.read_off(&mut polygon, so_far, &mut open)?;
+            unread.extend(&steps.rates);
+            self.read_off(&mut polygon, &mut unread, &mut open)?;
             for step in &steps.further {
                 self.step(&mut polygon, step)?;
                 // A block on a curved guide is measured from the guide's centre, which is one of the further points.
-                self.read_off(&mut polygon, so_far, &mut open)?;
+                self.read_off(&mut polygon, &mut unread, &mut open)?;
             }
         }
         Ok(polygon)

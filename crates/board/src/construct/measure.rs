@@ -23,11 +23,11 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         self.done.rate(level, body).expect("the plan finds a turning rate before it uses it")
     }
 
-    /// Finds the turning of a body; needed ones that come earlier in the list are there already.
-    pub(super) fn turning(&mut self, p: &mut Polygon<N>, body: Body, rate: Rate) {
+    /// Finds the turning of a body; needed ones that come earlier in the list are there already. Whether it is known now.
+    pub(super) fn turning(&mut self, p: &mut Polygon<N>, body: Body, rate: Rate) -> bool {
         let level = p.level;
         if self.done.rate(level, body).is_some() {
-            return;
+            return true;
         }
         let zero = N::from_f64(0.0);
         let known = |value| RateReading { level, body, value, measured: None };
@@ -43,7 +43,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
                 known(self.rate(level, Body::Link(against)) + own)
             }
             Rate::Measured { of, to } => {
-                let Some([from, end]) = self.measured_between(p, body, of, to) else { return };
+                let Some([from, end]) = self.measured_between(p, body, of, to) else { return false };
                 let mu: N = scale::number(p.mu);
                 let r = self.arm_of(body, of, to);
                 let l = r.norm();
@@ -61,6 +61,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         };
         self.done.rates.push(reading);
         p.actions.push(Action::Rate(self.done.rates.len() - 1));
+        true
     }
 
     /// The two marks from whose distance a turning is measured: the images of two points of a link; for accelerations, and for the line of

@@ -331,6 +331,7 @@ impl<N: Real> Construction<N> {
 
     /// A turning rate.
     pub fn rate(&self, level: Level, body: Body) -> Option<N> {
-        self.rates.iter().find(|r| r.level == level && r.body == body).map(|r| r.value)
+        // Mostly one that was read last is wanted.
+        self.rates.iter().rev().find(|r| r.level == level && r.body == body).map(|r| r.value)
     }
 }

@@ -1,0 +1,58 @@
+//! The sizes against which small answers are judged.
+//!
+//! Decided here: what counts as large in a pose. They are found once for a construction, as a sheet may ask for thousands of answers.
+
+use crate::answer::Value;
+use crate::construct::{self, Construction};
+use crate::mechanism::Level;
+use crate::position::Configuration;
+use crate::scene::{Driver, Scene};
+
+/// The sizes of a pose and of its polygons.
+pub(super) struct Sizes {
+    /// Of the mechanism, in m.
+    pub extent: f64,
+    velocity: Size,
+    acceleration: Size,
+}
+
+/// The sizes of a level, in SI.
+struct Size {
+    vector: f64,
+    turning: f64,
+}
+
+impl Sizes {
+    /// Of a vector, the longest one of its polygon, or what the drivers would make at the size of the mechanism where all vectors vanish. Of
+    /// a turning rate the largest rate, or what that vector makes on the shortest arm on which a rate was measured (ω of a short link is a
+    /// small difference of vectors divided by a small length, and α may vanish where ω² l does not).
+    pub fn of(scene: &Scene, paper: &Construction, at: &Configuration) -> Sizes {
+        let extent = at.extent();
+        // A driver that starts from rest has no speed yet; what it would have after turning by a radian measures it.
+        let driven = |d: &Driver| {
+            let (rate, a) = (d.rate.value.abs(), d.acceleration.as_ref().map_or(0.0, |a| a.value.abs()));
+            if d.kind.turns() { rate.max(a.sqrt()) * extent } else { rate.max((a * extent).sqrt()) }
+        };
+        let largest = |level| paper.polygon(level).map_or(0.0, construct::Polygon::largest);
+        let speed = scene.drivers.iter().map(driven).fold(largest(Level::Velocity), f64::max);
+        let acceleration = largest(Level::Acceleration);
+        let acceleration = if extent > 0.0 { acceleration.max(speed * speed / extent) } else { acceleration };
+        let size = |level, vector: f64| {
+            let rates = paper.rates.iter().filter(|r| r.level == level);
+            let largest = rates.clone().map(|r| r.value.abs()).fold(0.0, f64::max);
+            let arm = rates.filter_map(|r| r.measured).map(|m| m.arm).fold(extent, f64::min);
+            Size { vector, turning: if arm > 0.0 { largest.max(vector / arm) } else { largest } }
+        };
+        Sizes { extent, velocity: size(Level::Velocity, speed), acceleration: size(Level::Acceleration, acceleration) }
+    }
+
+    /// What an answer of a level is measured against.
+    pub fn against(&self, level: Level, value: &Value) -> f64 {
+        let size = if level == Level::Acceleration { &self.acceleration } else { &self.velocity };
+        match value {
+            Value::Point(_) => self.extent,
+            Value::Vector(_) => size.vector,
+            Value::Scalar(_) => size.turning,
+        }
+    }
+}
