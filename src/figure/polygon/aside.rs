@@ -69,10 +69,16 @@ fn lies_over(one: Ends, other: Ends, width_mm: f64) -> Option<f64> {
     if apart(one.0.x, one.1.x, other.0.x, other.1.x) || apart(one.0.y, one.1.y, other.0.y, other.1.y) {
         return None;
     }
-    let u = (other.1 - other.0).unit()?;
-    let reach = [other.0.distance(other.1), one.0.distance(one.1)];
+    // At an angle θ they are near to one another along 2 · near/sin θ at most.
+    let (a, b) = (other.1 - other.0, one.1 - one.0);
+    let enough2 = (OVER_MM * OVER_MM).max(OVER_PART * OVER_PART * a.norm2().min(b.norm2()));
+    if a.cross(b) * a.cross(b) * enough2 > 4.0 * near * near * a.norm2() * b.norm2() {
+        return None;
+    }
+    let u = a.unit()?;
+    let reach = [a.norm(), b.norm()];
     let (short, long) = if reach[1] < reach[0] { (one, other) } else { (other, one) };
-    let ways = (one.1 - one.0).dot(u);
+    let ways = b.dot(u);
     if ways > 0.0 && is_one(one.0, other.0) && covers(long, short.1) && short.1.distance(long.1) > LABEL_ROOM_MM {
         return None;
     }
