@@ -362,6 +362,10 @@ fn covers((a, b): (Point, Point), p: Point) -> bool {
         return false;
     }
     let d = b - a;
+    let off = d.cross(p - a);
+    if off * off > SAME_MM * SAME_MM * d.norm2() {
+        return false;
+    }
     let t = ((p - a).dot(d) / d.norm2()).clamp(0.0, 1.0);
     p.distance(a + d * t) < SAME_MM
 }

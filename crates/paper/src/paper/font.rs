@@ -17,8 +17,10 @@ use skrifa::raw::TableProvider;
 use skrifa::{FontRef, GlyphId, MetadataProvider};
 
 pub mod own;
+mod plans;
 
 use own::{Fonts, Own};
+use plans::Plans;
 
 /// The file of a font; copies share it.
 pub type Bytes = Arc<dyn AsRef<[u8]> + Send + Sync>;
@@ -78,6 +80,7 @@ const MATH_FIRST: [Face; 4] = [Face::Math, Face::Roman, Face::Song, Face::Italic
 struct Loaded {
     bytes: Bytes,
     shaper: ShaperData,
+    plans: Plans,
     /// Units of the font.
     em: f64,
 }
@@ -90,7 +93,7 @@ impl Loaded {
     fn try_new(bytes: Bytes) -> Option<Loaded> {
         let font = FontRef::from_index((*bytes).as_ref(), 0).ok()?;
         let (shaper, em) = (ShaperData::new(&font), f64::from(font.head().ok()?.units_per_em().max(1)));
-        Some(Loaded { bytes, shaper, em })
+        Some(Loaded { bytes, shaper, plans: Plans::default(), em })
     }
 
     /// The font: a view of its file, whose directory of tables is all that is read here.
@@ -120,7 +123,10 @@ impl Loaded {
         let mut buffer = UnicodeBuffer::new();
         buffer.push_str(run);
         buffer.guess_segment_properties();
-        let buffer = self.shaper.shaper(&self.font()).build().shape(buffer, ShapeOptions::new());
+        let font = self.font();
+        let shaper = self.shaper.shaper(&font).build();
+        let plan = self.plans.of(&shaper, &buffer);
+        let buffer = shaper.shape(buffer, ShapeOptions::new().plan(Some(&plan)));
         let mut glyphs: Vec<Glyph> = Vec::new();
         let mut ink = Ink::NONE;
         let mut pen = 0.0;
