@@ -11,13 +11,14 @@ use std::rc::Rc;
 use std::sync::{Arc, LazyLock};
 
 use harfrust::{ShapeOptions, ShaperData, UnicodeBuffer};
-use skrifa::outline::{DrawSettings, OutlinePen};
-use skrifa::prelude::{LocationRef, Size};
 use skrifa::raw::TableProvider;
 use skrifa::{FontRef, GlyphId, MetadataProvider};
 
+mod outline;
 pub mod own;
 mod plans;
+
+pub use outline::{Ink, Outline, Segment};
 
 use own::{Fonts, Own};
 use plans::Plans;
@@ -108,13 +109,7 @@ impl Loaded {
 
     /// The outline of a glyph; `None` where it is damaged.
     fn outline(&self, glyph: u32) -> Option<Outline> {
-        let mut sink = Sink { segments: Vec::new(), ink: Ink::NONE, em: self.em };
-        if let Some(outline) = self.font().outline_glyphs().get(GlyphId::new(glyph)) {
-            outline.draw(DrawSettings::unhinted(Size::unscaled(), LocationRef::default()), &mut sink).ok()?;
-        }
-        let reach = sink.ink.min.iter().chain(&sink.ink.max).fold(0.0_f64, |most, v| most.max(v.abs()));
-        let sound = sink.segments.len() <= MOST_SEGMENTS && (!sink.ink.any() || reach <= MOST_EM);
-        sound.then_some(Outline { segments: sink.segments, ink: sink.ink })
+        Outline::of(&self.font(), GlyphId::new(glyph), self.em)
     }
 
     /// A run of characters as glyphs; `ink_of` tells what each of them covers, for it may be known already.
@@ -153,8 +148,7 @@ static SONG: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Song));
 
 /// Runs kept: a few sheets' worth, about a megabyte; a batch of thousands of sheets must not grow without bound.
 const MOST_RUNS: usize = 2048;
-/// A damaged font may tell outlines without end: no letter has so many pieces, nor reaches so far (em).
-const MOST_SEGMENTS: usize = 20_000;
+/// No letter of a sound font reaches so far (em).
 const MOST_EM: f64 = 8.0;
 /// Glyphs kept, of about a kilobyte each: more than two languages' sheets ever use at once.
 const MOST_OUTLINES: usize = 2048;
@@ -292,74 +286,6 @@ fn sound(run: &Run, text: &str) -> bool {
     run.glyphs.len() <= 4 * text.len() + 4 && run.glyphs.iter().all(glyph) && run.advance_em >= 0.0
 }
 
-/// The contours of a glyph.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Outline {
-    /// In em, y up, its origin at 0. Filled by the non-zero rule.
-    pub segments: Vec<Segment<f64>>,
-    /// The box around them.
-    pub ink: Ink,
-}
-
-/// A box around ink, in em: that of the control points, which the curves of the fonts at hand touch at their extremes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ink {
-    /// Left and lower edge.
-    pub min: [f64; 2],
-    /// Right and upper edge; smaller than `min` where there is no ink.
-    pub max: [f64; 2],
-}
-
-impl Ink {
-    /// No ink.
-    pub const NONE: Ink = Ink { min: [f64::INFINITY; 2], max: [f64::NEG_INFINITY; 2] };
-
-    /// Whether there is any.
-    pub fn any(&self) -> bool {
-        self.min[0] <= self.max[0]
-    }
-
-    /// The box around both.
-    pub fn union(self, other: Ink) -> Ink {
-        let each = |a: [f64; 2], b: [f64; 2], f: fn(f64, f64) -> f64| [f(a[0], b[0]), f(a[1], b[1])];
-        Ink { min: each(self.min, other.min, f64::min), max: each(self.max, other.max, f64::max) }
-    }
-
-    /// The same scaled, then moved.
-    pub fn placed(self, scale: f64, dx: f64, dy: f64) -> Ink {
-        let at = |[x, y]: [f64; 2]| [dx + x * scale, dy + y * scale];
-        Ink { min: at(self.min), max: at(self.max) }
-    }
-}
-
-/// One piece of a glyph's outline, in em, y up.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Segment<T> {
-    /// Starts a contour.
-    Move([T; 2]),
-    /// A straight line.
-    Line([T; 2]),
-    /// A quadratic curve: control point, end.
-    Quad([T; 2], [T; 2]),
-    /// A cubic curve: two control points, end.
-    Cubic([T; 2], [T; 2], [T; 2]),
-    /// Closes the contour.
-    Close,
-}
-
-impl<T: Copy> Segment<T> {
-    /// The same segment with each of its points mapped.
-    pub fn map<U>(self, mut f: impl FnMut([T; 2]) -> [U; 2]) -> Segment<U> {
-        match self {
-            Segment::Move(a) => Segment::Move(f(a)),
-            Segment::Line(a) => Segment::Line(f(a)),
-            Segment::Quad(a, b) => Segment::Quad(f(a), f(b)),
-            Segment::Cubic(a, b, c) => Segment::Cubic(f(a), f(b), f(c)),
-            Segment::Close => Segment::Close,
-        }
-    }
-}
-
 /// A shaped run of one font.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
@@ -382,48 +308,6 @@ pub struct Glyph {
     pub offset_em: [f64; 2],
     /// The bytes of the run's text that it stands for: more than one character for a ligature.
     pub text: std::ops::Range<usize>,
-}
-
-struct Sink {
-    segments: Vec<Segment<f64>>,
-    ink: Ink,
-    em: f64,
-}
-
-impl Sink {
-    fn at(&mut self, x: f32, y: f32) -> [f64; 2] {
-        let p = [f64::from(x) / self.em, f64::from(y) / self.em];
-        self.ink = self.ink.union(Ink { min: p, max: p });
-        p
-    }
-
-    fn push(&mut self, segment: Segment<f64>) {
-        if self.segments.len() <= MOST_SEGMENTS {
-            self.segments.push(segment);
-        }
-    }
-}
-
-impl OutlinePen for Sink {
-    fn move_to(&mut self, x: f32, y: f32) {
-        let to = self.at(x, y);
-        self.push(Segment::Move(to));
-    }
-    fn line_to(&mut self, x: f32, y: f32) {
-        let to = self.at(x, y);
-        self.push(Segment::Line(to));
-    }
-    fn quad_to(&mut self, cx0: f32, cy0: f32, x: f32, y: f32) {
-        let (control, to) = (self.at(cx0, cy0), self.at(x, y));
-        self.push(Segment::Quad(control, to));
-    }
-    fn curve_to(&mut self, cx0: f32, cy0: f32, cx1: f32, cy1: f32, x: f32, y: f32) {
-        let (one, other, to) = (self.at(cx0, cy0), self.at(cx1, cy1), self.at(x, y));
-        self.push(Segment::Cubic(one, other, to));
-    }
-    fn close(&mut self) {
-        self.push(Segment::Close);
-    }
 }
 
 #[cfg(test)]
