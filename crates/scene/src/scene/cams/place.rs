@@ -63,8 +63,10 @@ pub(super) struct OnPivot {
     pub pivot: PointId,
     pub spot: Spot,
     pub driver: usize,
-    /// +1 where the cam turns in the carrying link as its driver grows; −1 where the driver turns the carrying link.
+    /// By how much the cam turns in the carrying link as the driver turns by one.
     pub way: f64,
+    /// The angle of the cam as the driver stands at 0 (rad).
+    pub from: f64,
     /// The angle of the cam's first two points.
     pub angle: Told,
     pub rate: f64,
