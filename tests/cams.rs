@@ -10,6 +10,7 @@ use hodograph::worked::{Scope, work};
 
 mod cams {
     pub mod compiled;
+    pub mod geared;
 }
 
 const OMEGA: f64 = 3.0;

@@ -14,6 +14,9 @@ use super::place::{OnPivot, Told, direction, spot};
 use crate::diag::{Diagnostic, Faults, both};
 use std::f64::consts::{PI, TAU};
 
+/// What is nearer to minus half a turn counts as half a turn (rad), as it does where wheels are placed.
+const EDGE: f64 = 1e-9;
+
 /// The driver that turns a link in the carrying one.
 #[derive(Clone, Debug)]
 pub(super) struct Turned {
@@ -155,8 +158,12 @@ impl One<'_> {
         let written = frame == self.bare.ground && self.turned_by(mesh.other, frame).is_some_and(|(d, _)| self.stated(d).is_some());
         let value = stands.value - mesh.line.value;
         let text = format!("({})-({})", stands.text, mesh.line.text);
-        let turns = if written { 0.0 } else { libm::ceil((value - PI) / TAU - 1e-9) };
-        Some(if turns == 0.0 { Told { value, text } } else { Told { value: value - turns * TAU, text: format!("{text}-({turns}*360 deg)") } })
+        let turns = if written { 0.0 } else { libm::ceil((value - PI - EDGE) / TAU) };
+        Some(if turns == 0.0 {
+            Told { value, text }
+        } else {
+            Told { value: value - turns * TAU, text: format!("{text}-({turns}*360 deg)") }
+        })
     }
 
     /// What a cam behind wheels adds to the scene: the angle that it says itself becomes the phase of the pair next to it. Nothing where that has
@@ -179,7 +186,10 @@ impl One<'_> {
             return None;
         };
         if self.bare.rolling[pair].phase.is_some() || self.line_of(cam).is_some() {
-            wrong(both!("the phase of its wheel, or coordinates, say already how cam `{name}` stands", "凸轮 `{name}` 的位置已由 `phase` 或坐标给出"));
+            wrong(both!(
+                "the phase of its wheel, or coordinates, say already how cam `{name}` stands",
+                "凸轮 `{name}` 的位置已由 `phase` 或坐标给出"
+            ));
             return None;
         }
         let angle = self.told(q, Wanted::Angle, faults)?;
@@ -205,9 +215,7 @@ impl One<'_> {
     /// The angle at which a driver stands, as it is written.
     pub(super) fn stated(&self, driver: usize) -> Option<Told> {
         match &self.bare.drivers[driver].kind {
-            DriverKind::Turn { angle, .. } => {
-                angle.as_ref().map(|a| Told::angle(&Given { text: self.values.text_of(a), ..a.clone() }))
-            }
+            DriverKind::Turn { angle, .. } => angle.as_ref().map(|a| Told::angle(&Given { text: self.values.text_of(a), ..a.clone() })),
             DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
         }
     }
@@ -232,7 +240,10 @@ impl One<'_> {
             };
         }
         Lacking {
-            what: both!("wheels turn cam `{name}`, and nothing says at which angle it stands", "凸轮 `{name}` 由轮系带动，没有说明它所在的角度"),
+            what: both!(
+                "wheels turn cam `{name}`, and nothing says at which angle it stands",
+                "凸轮 `{name}` 由轮系带动，没有说明它所在的角度"
+            ),
             help: both!(
                 "add \"angle\": \"30 deg\" to the cam, the angle of its first two points (of a cam with one point the one from which its law counts), or \"phase\" to the pair",
                 "请给凸轮加上 \"angle\": \"30 deg\"（其前两点连线的角度；只有一点的凸轮即运动规律所计的转角），或在该轮副中给出 \"phase\""

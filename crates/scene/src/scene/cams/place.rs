@@ -103,7 +103,12 @@ pub(super) fn direction(from: &Spot, to: &Spot) -> String {
     if way.y == 0.0 {
         return if way.x < 0.0 { "180 deg" } else { "0 deg" }.to_owned();
     }
-    let turned = if way.x < 0.0 { "+180 deg" } else { "" };
+    // The same turn as the number that is computed from it.
+    let turned = match (way.x < 0.0, way.y < 0.0) {
+        (true, true) => "-180 deg",
+        (true, false) => "+180 deg",
+        (false, _) => "",
+    };
     format!("atan({y}/{x}){turned}")
 }
 
