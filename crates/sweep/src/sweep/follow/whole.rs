@@ -119,7 +119,9 @@ impl<'a> Whole<'a> {
 pub(in crate::sweep) fn event(m: &Mechanism, value: f64, at: &Configuration) -> Event {
     // A group without a closed form, or on three legs of which one rolls, holds the driver, unless legs are told that hold one another.
     let followed = || m.groups.iter().find(|g| g.core == Core::Higher || g.class() == Some("III"));
-    let toggle = Toggle::at(m, at).or_else(|| followed().map(|g| Toggle::Open(g.links.clone())));
+    // Where no joint is seen to lock, the last that the driver moves does: something is named in any case.
+    let last = || m.groups.iter().rev().find(|g| g.class().is_some());
+    let toggle = Toggle::at(m, at).or_else(|| followed().or_else(last).map(|g| Toggle::Open(g.links.clone())));
     let links = toggle.as_ref().map_or_else(Vec::new, Toggle::links);
     Event { value, kind: Kind::Limit, links, pin: None, joint: None, toggle }
 }
