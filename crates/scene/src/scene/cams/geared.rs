@@ -136,7 +136,7 @@ impl One<'_> {
         let by_phase = path.iter().find_map(|i| {
             let mesh = self.mesh(*i, link, frame).filter(|m| !beyond.contains(&m.other))?;
             let phase = Told::angle(self.bare.rolling[*i].phase.as_ref()?);
-            let others = self.from_line(&mesh, frame, turned, beyond)?;
+            let others = self.against_line(&mesh, frame, turned, beyond)?;
             let (line, ratio) = (&mesh.line, &mesh.ratio);
             Some(if mesh.second {
                 let value = line.value + phase.value + others.value * ratio.value;
@@ -153,7 +153,7 @@ impl One<'_> {
 
     /// The angle of the wheel on which one rolls, from the line of centres, as the position of wheels counts it: with its whole turns where
     /// a driver of its own writes it, within half a turn otherwise.
-    fn from_line(&self, mesh: &Mesh, frame: LinkId, turned: &Turned, beyond: &mut Vec<LinkId>) -> Option<Told> {
+    fn against_line(&self, mesh: &Mesh, frame: LinkId, turned: &Turned, beyond: &mut Vec<LinkId>) -> Option<Told> {
         let stands = self.stands(mesh.other, frame, turned, beyond)?;
         let written = frame == self.bare.ground && self.turned_by(mesh.other, frame).is_some_and(|(d, _)| self.stated(d).is_some());
         let value = stands.value - mesh.line.value;
@@ -194,7 +194,7 @@ impl One<'_> {
         }
         let angle = self.told(q, Wanted::Angle, faults)?;
         let mesh = self.mesh(pair, cam, frame)?;
-        let others = self.from_line(&mesh, frame, &turned, &mut vec![cam])?.text;
+        let others = self.against_line(&mesh, frame, &turned, &mut vec![cam])?.text;
         let (line, ratio) = (&mesh.line.text, &mesh.ratio.text);
         let text = if mesh.second {
             format!("({})-({line})-({others})*({ratio})", angle.text)
