@@ -159,20 +159,21 @@ fn meshes(scene: &Scene) -> Vec<Mesh> {
     let mut seen: Vec<(LinkId, f64)> = Vec::new();
     let mut out = Vec::new();
     for (k, pair) in scene.rolling.iter().enumerate() {
-        // A belt and a wheel on its track are no mesh.
-        let centres = match &pair.contours {
-            Contours::Circles { centres, .. } => centres,
-            Contours::Belt { .. } | Contours::Track { .. } => continue,
+        // A wheel on its track is no mesh; a belt or chain turns its wheels as an idler between them would.
+        let (centres, toothed) = match &pair.contours {
+            Contours::Circles { centres, .. } => (centres, pair.flanks.as_ref().map(|f| f.teeth)),
+            Contours::Belt { centres, teeth, .. } => (centres, teeth.map(|z| z.map(Some))),
+            Contours::Track { .. } => continue,
         };
         let carries = |l: usize| centres.iter().all(|c| scene.links[l].points.contains(c));
         let Some(arm) = (0..scene.links.len()).find(|l| carries(*l)).map(LinkId) else { continue };
         if pair.links.contains(&arm) && arm != scene.ground {
             continue;
         }
-        let letter = if pair.flanks.is_some() { 'z' } else { 'r' };
+        let letter = if toothed.is_some() { 'z' } else { 'r' };
         let values = pair.sizes(&inputs);
         let mut symbol = |i: usize| {
-            let (link, size) = (pair.links[i], pair.flanks.as_ref().and_then(|f| f.teeth[i]).map_or(values[i].abs(), f64::from));
+            let (link, size) = (pair.links[i], toothed.and_then(|z| z[i]).map_or(values[i].abs(), f64::from));
             if !seen.contains(&(link, size)) {
                 seen.push((link, size));
             }

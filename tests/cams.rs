@@ -10,6 +10,8 @@ use hodograph::worked::{Scope, work};
 
 mod cams {
     pub mod compiled;
+    pub mod geared;
+    pub mod touch;
 }
 
 const OMEGA: f64 = 3.0;

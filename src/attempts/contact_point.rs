@@ -14,7 +14,7 @@ use crate::position::{Configuration, Path};
 use crate::scene::quantity::{Meaning, PointMotion, Rate};
 use crate::scene::{Angle, Cam, Direction, Find, Follows, Given, Guide, GuidePath, Kind, LinkId, OnLink, PointId, Scene, Through};
 use crate::worked::Worked;
-use crate::worked::contact::{name, touch, with_contact, work_at};
+use crate::worked::contact::{name, with_contact, work_at};
 
 /// Digits of the missing part in the table.
 const DIGITS: usize = 4;
@@ -38,7 +38,7 @@ fn asked_as_well(scene: &Scene, f: &Find) -> bool {
 /// taken to slide.
 pub fn slid(scene: &Scene, at: &Configuration, index: usize, frame: LinkId) -> Option<(Stage, Stage, Shown)> {
     let cam = &scene.cams[index];
-    let touched = touch(scene, at, cam)?;
+    let touched = at.touch(scene, cam)?;
     let owner = if frame == cam.cam { cam.follower } else { cam.cam };
     let (mut right, right_at, own) = with_contact(scene, at, index, owner, touched.at)?;
     let span = cam.span;
@@ -57,7 +57,7 @@ pub fn slid(scene: &Scene, at: &Configuration, index: usize, frame: LinkId) -> O
     let tangent = touched.normal.perp();
     let angle = Given { value: Angle::Rad(tangent.angle()), radius: f64::EPSILON, text: format!("{} rad", tangent.angle()), span };
     let path = GuidePath::Line { through: Through::Pin, direction: Direction::Instant(angle), offset: None };
-    let guide = touched.guide.0;
+    let guide = cam.contact?.0;
     wrong.guides[guide] = Guide { pin: Some(own), slider: None, on: frame, path, rolling: None, span };
     let pose = at.poses[frame.0]?;
     wrong_at.guides[guide] = Some(Path::Line { through: touched.at, direction: tangent });

@@ -123,6 +123,11 @@ impl Board<'_> {
         match primary {
             Primary::Pin(p) => at.points[p.0].map(Place::At),
             Primary::Contact(r) => at.points[self.scene.rolling[r.0].at[0].0].map(Place::At),
+            Primary::Strand(r) => {
+                let [a, b] = self.scene.rolling[r.0].round()?.map(|p| at.points[p.0]);
+                let ((a, b), [r1, r2]) = ((a?, b?), at.shapes.rolling[r.0]);
+                if r1 + r2 == 0.0 { Place::infinity(b - a) } else { Some(Place::At(a + (b - a) * (r1 / (r1 + r2)))) }
+            }
             Primary::Slide(g) => match at.guides[g.0]? {
                 Path::Line { direction, .. } => Place::infinity(direction.perp()),
                 Path::Arc { centre, .. } => Some(Place::At(centre)),

@@ -3,6 +3,7 @@
 //! This is the one place where a kind of pair says what it gives. A pair that rolls or meshes gives its contact as a [`Primary`] of its
 //! own; one that only touches gives its common normal as a [`Normal`].
 
+use crate::scene::exact::Inputs;
 use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
 
 /// A centre that needs no line.
@@ -16,6 +17,9 @@ pub enum Primary {
     Cylinder(usize),
     /// One rolls on the other: the place of contact, the pitch point of gears.
     Contact(RollingId),
+    /// A belt or chain runs round both: where the strand crosses the line of centres, for it divides that as a pitch point does; at infinity along
+    /// the line where an open one joins equal wheels.
+    Strand(RollingId),
 }
 
 /// A bare pin in a slot: the centre of the two links lies on the normal of the slot at the pin.
@@ -78,8 +82,15 @@ pub(super) fn given(scene: &Scene) -> Given {
             slides.push((barrel, rod));
         }
     }
-    for (r, rolling) in scene.rolling.iter().enumerate().filter(|(_, r)| r.contact().is_some()) {
-        add(rolling.links[0], rolling.links[1], Primary::Contact(RollingId(r)));
+    let inputs = Inputs::<f64>::of(scene);
+    for (r, rolling) in scene.rolling.iter().enumerate() {
+        let [a, b] = rolling.links;
+        let what = if rolling.contact().is_some() { Primary::Contact } else { Primary::Strand };
+        add(a, b, what(RollingId(r)));
+        // Equal wheels of an open belt turn alike whatever carries them.
+        if rolling.contact().is_none() && rolling.sizes(&inputs).iter().sum::<f64>() == 0.0 {
+            slides.push((a, b));
+        }
     }
     let normals = scene.guides.iter().enumerate().filter(|(_, guide)| guide.slider.is_none()).flat_map(|(g, guide)| {
         let on = guide.pin.into_iter().flat_map(|p| around(scene, p).into_iter().map(move |l| (l, p)));

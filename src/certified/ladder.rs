@@ -117,6 +117,8 @@ pub enum Why {
     NextOrder(usize),
     /// It has no value in this pose.
     NoValue,
+    /// It has one in `f64` only: what the profile of a cam says.
+    Double,
     /// The position solver's own words.
     Refused(Diagnostic),
 }
@@ -135,6 +137,8 @@ impl Why {
             (Why::NextOrder(_), Lang::Zh) => "奇异位置，由高一阶回路方程求得".into(),
             (Why::NoValue, Lang::En) => "it has no value in this pose".into(),
             (Why::NoValue, Lang::Zh) => "该位置无确定值".into(),
+            (Why::Double, Lang::En) => "it is computed in double precision only".into(),
+            (Why::Double, Lang::Zh) => "仅按双精度计算".into(),
             (Why::Refused(d), Lang::En) => d.message.en.clone(),
             (Why::Refused(d), Lang::Zh) => format!("按所给数值未能证明：{}", d.message.zh),
         }
@@ -268,7 +272,7 @@ impl Climb for Look<'_> {
                         let names: Vec<_> = m.groups[g].links.iter().map(|l| scene.link_name(*l)).collect();
                         Why::Singular(names.join(", "))
                     }
-                    None => Why::NoValue,
+                    None => Why::Double,
                 }),
             }
         };

@@ -10,13 +10,13 @@
 
 use super::{Choice, Place, Solved, Verdict, choices, judge, solved, usable};
 use crate::answer::Source;
-use crate::diag::{Diagnostic, Faults, Warned};
+use crate::diag::{Faults, Warned};
 use crate::geom::Vec2;
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::position::{self, Configuration};
-use crate::scene::quantity::{Frame, RelativePath, owns};
+use crate::scene::quantity::{Frame, RelativePath};
 use crate::scene::{Follows, LinkId, Moving, OnLink, PointId, Scene};
-use crate::worked::contact::{touch, with_contact, work_at};
+use crate::worked::contact::{with_contact, work_at};
 use crate::worked::{Scope, Worked, work};
 
 /// A point of contact of the scene.
@@ -54,10 +54,10 @@ impl Slip {
     pub fn acceleration(&self) -> f64 {
         let (omega, v) = (self.omega, self.sliding);
         match self.radii {
-            [_, None] if self.radii[0].is_none() => 0.0,
             [Some(r), None] => omega * omega * r + 2.0 * omega * v,
             [None, Some(r)] => omega * omega * r,
             [Some(p), Some(q)] => omega * omega * q - (v - omega * q) * (v - omega * q) / (p + q),
+            // Two faces never touch in a point.
             [None, None] => 0.0,
         }
     }
@@ -90,7 +90,7 @@ impl Staged {
         let (mut out, mut contacts) = (scene.clone(), Vec::new());
         for (index, cam) in scene.cams.iter().enumerate().filter(|(_, c)| offers(c)) {
             let Some((centre, radius)) = cam.circle else { continue };
-            let Some(touched) = touch(scene, &at, cam) else { continue };
+            let Some(touched) = at.touch(scene, cam) else { continue };
             let Some((with, pose, point)) = with_contact(&out, &at, index, cam.follower, touched.at) else { continue };
             (out, at) = (with, pose);
             let radii = [Some(radius), cam.follows.radius()];
@@ -130,13 +130,8 @@ impl Staged {
 
     /// Works the scene through with other questions.
     pub(super) fn work(&self, asking: &Scene) -> Result<Warned<Worked>, Faults> {
-        match &self.at {
-            Some(at) if !self.contacts.is_empty() => match work_at(asking, at.clone()) {
-                Some(value) => Ok(Warned { value, notes: Vec::<Diagnostic>::new() }),
-                None => work(asking, Scope::Figure),
-            },
-            _ => work(asking, Scope::Figure),
-        }
+        let posed = self.at.clone().filter(|_| !self.contacts.is_empty()).and_then(|at| work_at(asking, at));
+        posed.map_or_else(|| work(asking, Scope::Figure), |value| Ok(Warned { value, notes: Vec::new() }))
     }
 
     fn named(&self, scene: &Scene) -> Vec<Choice> {
@@ -189,7 +184,6 @@ impl Staged {
             Frame::Point(_) => 0.0,
         };
         let (normal, radii) = if on_cam { (-c.normal, [c.radii[1], c.radii[0]]) } else { (c.normal, c.radii) };
-        debug_assert!(owns(&self.scene, follower, &OnLink { point: c.point, link: None }));
         Some(Slip { radii, omega: own - carried, sliding: relative.dot(-normal.perp()), normal })
     }
 }

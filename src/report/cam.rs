@@ -35,7 +35,7 @@ impl Report<'_> {
 
     /// How fast the cam turns, without sense (rad/s).
     pub fn omega(&self) -> f64 {
-        self.scene.drivers[self.turning.driver].rate.value.abs()
+        self.turning.rates(self.scene)[0].abs()
     }
 
     fn length(&self, value_m: f64) -> String {

@@ -5,7 +5,7 @@ use crate::centres::{By, Centre, Centres, How, Line, Motion, Origin, Pair, Place
 use crate::digits::{direction_degrees, significant};
 use crate::paper::phrase::{Phrase, fill, tr};
 use crate::plan::names::name_label;
-use crate::scene::{GuidePath, Kind, Lang, LinkId, RollingKind, Scene};
+use crate::scene::{Contours, GuidePath, Kind, Lang, LinkId, RollingKind, Scene};
 use unicode_width::UnicodeWidthStr;
 
 /// Significant digits of the table.
@@ -189,6 +189,17 @@ impl<'a> Words<'a> {
                     tr(self.lang, "rolls at", "滚动接触点")
                 };
                 format!("{words} {}", self.scene.point_name(rolling.at[0]))
+            }
+            Primary::Strand(r) => {
+                let [a, b] = self.scene.rolling[r.0].centres().map(|p| p.map_or("", |p| self.scene.point_name(p)));
+                let inner = matches!(self.scene.rolling[r.0].contours, Contours::Belt { crossed: true, .. });
+                let words = match (self.lang, inner) {
+                    (Lang::En, true) => "inner tangent × line of centres",
+                    (Lang::En, false) => "outer tangent × line of centres",
+                    (Lang::Zh, true) => "内公切线 × 连心线",
+                    (Lang::Zh, false) => "外公切线 × 连心线",
+                };
+                format!("{words} {a}{b}")
             }
             Primary::Cylinder(_) => tr(self.lang, "square to the cylinder", "垂直于液压缸").to_owned(),
         }

@@ -120,11 +120,14 @@ pub fn text(scene: &Scene, worked: &Worked, lang: Lang) -> String {
 
 fn of_train(scene: &Scene, worked: &Worked, train: &Train, t: Turns, lang: Lang) -> String {
     let arm = scene.link_name(train.arm);
+    let strands = train.meshes.iter().all(|m| scene.rolling[m.0].contact().is_none());
+    let en = if strands { "belt or chain drive" } else { "gear train" };
+    let zh = if strands { "带（链）传动，" } else { "" };
     let mut lines = vec![match (lang, train.arm == scene.ground) {
-        (Lang::En, true) => "gear train with fixed axes, by Willis' table:".to_owned(),
-        (Lang::En, false) => format!("gear train with arm {arm}, by Willis' table:"),
-        (Lang::Zh, true) => "定轴轮系（列表法）：".to_owned(),
-        (Lang::Zh, false) => format!("周转轮系，系杆 {arm}（列表法）："),
+        (Lang::En, true) => format!("{en} with fixed axes, by Willis' table:"),
+        (Lang::En, false) => format!("{en} with arm {arm}, by Willis' table:"),
+        (Lang::Zh, true) => format!("{zh}定轴轮系（列表法）："),
+        (Lang::Zh, false) => format!("{zh}周转轮系，系杆 {arm}（列表法）："),
     }];
     let table = table(scene, train, t, lang, DIGITS);
     let cells = |words: &str, cells: &[String]| std::iter::once(words.to_owned()).chain(cells.iter().map(|c| formula(c))).collect();

@@ -3,22 +3,11 @@
 //! In the next instant another point is touched, so it is no point of the scene; in a solved pose it can be added to it, its place in the link
 //! known, and what moves there be asked as of any other point.
 
-use crate::geom::{Point, Vec2};
+use crate::geom::Point;
 use crate::mechanism::{Demand, Mechanism};
-use crate::position::{Configuration, Path};
-use crate::scene::{Cam, GuideId, GuidePath, LinkId, Place, PointId, Scene};
+use crate::position::Configuration;
+use crate::scene::{LinkId, Place, PointId, Scene};
 use crate::worked::{Worked, work_placed};
-
-/// Where two contours touch.
-#[derive(Clone, Copy, Debug)]
-pub struct Touch {
-    /// The guide that stands for the contact.
-    pub guide: GuideId,
-    /// The place.
-    pub at: Point,
-    /// Unit normal, out of the cam.
-    pub normal: Vec2,
-}
 
 /// The name of the point of contact: that of the scene, or E, or the next letter that is free.
 pub fn name(scene: &Scene, cam: usize) -> String {
@@ -28,19 +17,6 @@ pub fn name(scene: &Scene, cam: usize) -> String {
     let own = scene.cams[cam].at.clone().filter(|n| !taken(n));
     let free = || ["E", "K", "T", "U", "W"].into_iter().find(|n| !taken(n)).unwrap_or("E_").to_owned();
     own.unwrap_or_else(free)
-}
-
-/// The contact of a cam that is one circle with a flat face or a round end.
-pub fn touch(scene: &Scene, at: &Configuration, cam: &Cam) -> Option<Touch> {
-    let ((centre, radius), guide) = (cam.circle?, cam.contact?);
-    let b = at.points[centre.0]?;
-    let normal = match (&scene.guides[guide.0].path, at.guides[guide.0]?) {
-        // The centre runs on a parallel to the face, `offset` to the left of it.
-        (GuidePath::Line { offset: Some(offset), .. }, Path::Line { direction, .. }) => direction.perp() * -offset.value.signum(),
-        (GuidePath::Arc { .. }, Path::Arc { centre: k, .. }) => (at.points[scene.guides[guide.0].pin?.0]? - k).unit()?,
-        (GuidePath::Line { .. } | GuidePath::Arc { .. }, _) => return None,
-    };
-    Some(Touch { guide, at: b + normal * radius, normal })
 }
 
 /// The scene with the point of contact of a cam as a point of one of its links, and its pose; the number of the new point.

@@ -5,8 +5,11 @@
 
 use hodograph::answer::Value;
 use hodograph::centres::{Place, centres};
+use hodograph::mechanism::Mechanism;
 use hodograph::report::mobility;
 use hodograph::scene::{self, Kind, templates};
+use hodograph::sweep::station::angle_per_value;
+use hodograph::sweep::{self, Placed, Stations, Width};
 use hodograph::worked::{Scope, work};
 use serde_json::Value as Json;
 use std::f64::consts::TAU;
@@ -234,5 +237,46 @@ fn the_order_of_entries_decides_nothing() {
         }
     }
     assert!(compared > 120, "only {compared} scenes");
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// A sweep begun where a driver stands says there what the pose says.
+#[test]
+fn sweeps_of_further_problems_begin_with_their_poses() {
+    let (mut faults, mut compared) = (Vec::new(), 0);
+    for problem in problems("motion") {
+        let id = name(&problem);
+        let scene = scene::read(problem["scene"].to_string()).unwrap_or_else(|f| panic!("{id}: {f}")).value.over_a_turn();
+        let mechanism = Mechanism::new(&scene).unwrap().value;
+        let (Some(now), Ok(placed)) = (scene::driver_position(&scene, 0), Placed::new(&scene, &mechanism)) else { continue };
+        let stations = Stations::of_values(vec![now], angle_per_value(&scene, &placed.at, 0));
+        let table = match sweep::run(&placed, 0, &stations, Width::Widest) {
+            Ok(table) if table.rows() == 1 => table,
+            other => {
+                faults.push(format!("{id}: {other:?}"));
+                continue;
+            }
+        };
+        let value = |name: String| table.columns[1..].iter().find(|c| c.name == name).map(|c| c.values[0]);
+        let expect = problem["expect"].as_object().unwrap();
+        let of = |e: &Json| e.as_f64().map_or_else(|| e[0].as_f64().unwrap().hypot(e[1].as_f64().unwrap()), f64::abs);
+        let largest = expect.values().map(of).fold(0.0, f64::max);
+        for (find, expected) in expect {
+            let off = match expected.as_f64() {
+                Some(e) => value(find.clone()).map(|x| if find.starts_with("phi") { ((x - e) / 2.0).sin() } else { x - e }),
+                None => value(format!("{find}.x"))
+                    .zip(value(format!("{find}.y")))
+                    .map(|(x, y)| (x - expected[0].as_f64().unwrap()).hypot(y - expected[1].as_f64().unwrap())),
+            };
+            // Some are named as the drawing names them.
+            let Some(off) = off else { continue };
+            compared += 1;
+            if off.is_nan() || off.abs() > 10.0 * ALLOWED * of(expected).max(1e-3 * largest) {
+                faults.push(format!("{id}: {find} is off by {off:e} of {expected} in a sweep"));
+            }
+        }
+    }
+    println!("{compared} answers");
+    assert!(compared > 300, "only {compared} answers");
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }

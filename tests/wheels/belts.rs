@@ -2,12 +2,14 @@
 //! count it, inversions, and what is said of belts that cannot be.
 
 use hodograph::answer::Value;
+use hodograph::centres::{Place, centres};
 use hodograph::diag::{Faults, Severity};
 use hodograph::geom::{Point, Vec2};
 use hodograph::mechanism::Mechanism;
 use hodograph::scene::build::{Belt, Builder, Driver, deg, mm, rad_per_s};
 use hodograph::scene::{self, Scene, templates};
 use hodograph::sweep::{self, Placed, Stations, Width, extreme, station};
+use hodograph::trains::{given, trains};
 use hodograph::worked::{Scope, Worked, work};
 use std::f64::consts::TAU;
 
@@ -247,4 +249,47 @@ fn belts_that_cannot_be_are_told() {
     let turned = work(&read(&three(r#""pulleys": ["2", "3", "4"], "centres": ["O", "A", "B"]"#)), Scope::Questions);
     assert_eq!(errors(&turned.unwrap_err()), ["belt-order"]);
     assert!(work(&read(&three(r#""pulleys": ["2", "4", "3"], "centres": ["O", "B", "A"]"#)), Scope::Questions).is_ok());
+}
+
+/// The strand crosses the line of centres in the centre of its two wheels, at infinity where an open belt joins equal ones; Willis' table has belts
+/// and chains beside gears.
+#[test]
+fn belts_have_centres_and_stand_in_the_table() {
+    let text = |of: &str| {
+        format!(
+            r#"{{"units": {{"length": "mm"}}, "links": {{"1": ["O"], "2": ["O"], "3": ["O", "A"], "4": ["A"]}}, "ground": "1",
+            "points": {{"O": [10, 20], "A": [170, 140]}}, {of},
+            "driver": [{{"link": "3", "omega": "2 rad/s"}}, {{"link": "2", "omega": "-5 rad/s"}}], "find": ["omega_4"]}}"#
+        )
+    };
+    let belt = |radii: &str, more: &str| format!(r#""belts": [{{"pulleys": ["2", "4"], "centres": ["O", "A"], "radii": {radii}{more}}}]"#);
+    let chain = r#""chains": [{"sprockets": ["2", "4"], "centres": ["O", "A"], "teeth": [19, 38], "pitch": "12 mm"}]"#;
+    for (of, ratio, formula) in [
+        (belt("[30, 45]", ""), 30.0 / 45.0, "r_{2}/r_{4}"),
+        (belt("[30, 45]", r#", "crossed": true"#), -30.0 / 45.0, "−r_{2}/r_{4}"),
+        (belt("[40, 40]", ""), 1.0, "r_{2}/r_{4}"),
+        (chain.to_owned(), 0.5, "z_{2}/z_{4}"),
+    ] {
+        let scene = read(&text(&of));
+        let wanted = 2.0 + ratio * (-5.0 - 2.0);
+        near(scalar(&scene, &solved(&scene), "omega_4"), wanted, &of);
+        let train = trains(&scene).remove(0);
+        let gear = train.gears.iter().position(|g| scene.link_name(g.link) == "4").unwrap();
+        let turns = train.turns(|l| given(&scene, l)).unwrap();
+        near(train.rate(gear, turns), wanted, &of);
+        assert_eq!(train.gears[gear].ratio.formula(), formula);
+        let found = centres(&scene).unwrap_or_else(|f| panic!("{of}: {f}")).value;
+        let centre = found.list.iter().find(|c| c.step.pair.name(&scene) == "P24").unwrap();
+        assert_eq!(centre.round, 0, "{of}: {centre:?}");
+        match centre.place.unwrap() {
+            // ω₂ OP = ω₄ AP, seen from the arm.
+            Place::At(p) => {
+                let way = (p - Point::new(0.01, 0.02)).dot(Vec2::new(0.8, 0.6));
+                near(way, 0.2 * ratio / (ratio - 1.0), &of);
+                assert!((p - Point::new(0.01, 0.02)).cross(Vec2::new(0.8, 0.6)).abs() < 1e-12);
+            }
+            Place::Infinity(u) => assert!(ratio == 1.0 && u.cross(Vec2::new(0.8, 0.6)).abs() < 1e-12, "{of}: {u:?}"),
+        }
+        assert!(found.list.iter().all(|c| c.residual.is_none_or(|r| r.abs() < 1e-9)), "{of}: {:?}", found.list);
+    }
 }

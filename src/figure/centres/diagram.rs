@@ -228,6 +228,7 @@ impl Over<'_, '_> {
                 a? + (b? - a?) * 0.5
             }
             How::Primary(Primary::Pin(p)) => configuration.points[p.0]?,
+            How::Primary(Primary::Strand(r)) => configuration.points[self.w.scene.rolling[r.0].round()?[0].0]?,
             How::Primary(Primary::Contact(r)) => configuration.points[self.w.scene.rolling[r.0].at[0].0]?,
             How::Lines(_) | How::Velocities => return None,
         };

@@ -100,28 +100,6 @@ impl Draft<'_> {
         Some(move |v: Vec2| from + v.rotate_by(axis) * (1.0 / mu))
     }
 
-    /// The contact and the centre of curvature on a piece that the pose tells.
-    fn posed_contact(&self, c: &Cam) -> Option<(Point, Option<Point>)> {
-        let pieces = c.posed.as_ref()?;
-        let (at, end) = (self.of_pieces(pieces)?, c.follows.radius().unwrap_or(0.0));
-        match pieces.segments[pieces.touched] {
-            Segment::Arc { centre, radius, .. } => {
-                let k = at(centre);
-                let outward = match c.follows {
-                    Follows::Face(_) => self.face_normal(c)?,
-                    Follows::Edge(p) | Follows::Roller(p, _) | Follows::Arc(p, _) => {
-                        (self.point(p)? - k).unit()? * if radius + end < 0.0 { -1.0 } else { 1.0 }
-                    }
-                };
-                Some((k + outward * self.mm(radius), Some(k).filter(|_| self.mm(radius.abs()) < FAR_MM)))
-            }
-            Segment::Line { normal, .. } => {
-                let n = (at(Vec2::from_angle(normal)) - at(Vec2::ZERO)).unit()?;
-                Some((self.point(c.follows.point())? - n * self.mm(end), None))
-            }
-        }
-    }
-
     /// From the frame of a cam to paper, the cam as it stands at the instant.
     fn of_cam(&self, c: &Cam) -> Option<impl Fn(Vec2) -> Point + use<'_>> {
         let t = c.disc.as_ref()?;
@@ -147,24 +125,24 @@ impl Draft<'_> {
 
     /// The contact and the centre of curvature of the profile, on paper.
     fn contact(&self, c: &Cam) -> Option<(Point, Option<Point>)> {
-        if let (Some(s), Some(at)) = (self.station(c), self.of_cam(c)) {
-            let k = s.centre();
-            let near = k.is_finite() && self.mm((k - s.contact).norm()) < FAR_MM;
-            return Some((at(s.contact), near.then(|| at(k))));
-        }
-        let Some((k, radius)) = c.circle else { return self.posed_contact(c) };
-        let k = self.point(k)?;
-        let toward = match c.follows {
-            Follows::Face(_) => self.face_normal(c)?,
-            Follows::Edge(p) | Follows::Roller(p, _) | Follows::Arc(p, _) => (self.point(p)? - k).unit()?,
-        };
-        Some((k + toward * self.mm(radius), Some(k)))
+        let touch = self.worked.configuration.touch(self.scene, c)?;
+        Some((self.paper(touch.at), self.centre(c)))
     }
 
-    /// From the centre of a circle toward a flat face, square to it.
-    fn face_normal(&self, c: &Cam) -> Option<Vec2> {
-        let Some(Path::Line { direction, .. }) = self.guide(c.contact?) else { return None };
-        Some(if c.left { -direction.perp() } else { direction.perp() })
+    /// The centre of curvature of the profile where it is touched, on paper; `None` of what is nearly straight there.
+    fn centre(&self, c: &Cam) -> Option<Point> {
+        if let (Some(s), Some(at)) = (self.station(c), self.of_cam(c)) {
+            let k = s.centre();
+            return (k.is_finite() && self.mm((k - s.contact).norm()) < FAR_MM).then(|| at(k));
+        }
+        if let Some((k, _)) = c.circle {
+            return self.point(k);
+        }
+        let pieces = c.posed.as_ref()?;
+        match pieces.segments[pieces.touched] {
+            Segment::Arc { centre, radius, .. } => self.of_pieces(pieces).filter(|_| self.mm(radius.abs()) < FAR_MM).map(|at| at(centre)),
+            Segment::Line { .. } => None,
+        }
     }
 
     /// Profiles, behind the links.
@@ -256,12 +234,8 @@ impl Draft<'_> {
 
     /// A flat face from level with its point to beyond the contact, and the arm that holds it.
     fn face(&mut self, c: &Cam, p: PointId, id: &str) {
-        let (Some(through), Some((contact, k))) = (self.point(p), self.contact(c)) else { return };
-        let normal = match k {
-            Some(k) => (contact - k).unit(),
-            None => self.station(c).zip(c.disc.as_ref()).and_then(|(s, t)| Some(s.normal.rotate_by(self.turned(t)?))),
-        };
-        let Some(n) = normal else { return };
+        let (Some(through), Some(touch)) = (self.point(p), self.worked.configuration.touch(self.scene, c)) else { return };
+        let (contact, n) = (self.paper(touch.at), touch.normal);
         let foot = through - n * (through - contact).dot(n);
         let along = contact - foot;
         let u = along.unit().unwrap_or(n.perp());

@@ -307,7 +307,7 @@ pub(super) fn complete<N: Real>(
         }
     }
     for (cam, at) in scene.cams.iter().filter_map(|c| Some((c, c.touch?))) {
-        points[at.0] = touch::place(scene, cam, &points, &guides);
+        points[at.0] = touch::touch(scene, cam, &points, &guides).map(|t| t.at);
     }
     for (l, passive) in m.passive.iter().enumerate() {
         poses[l] = match *passive {

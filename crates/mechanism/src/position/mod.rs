@@ -33,6 +33,7 @@ pub mod triad;
 pub use assemble::{later, recompute};
 pub use configure::configure;
 pub use rolling::Rolled;
+pub use touch::Touch;
 
 use crate::geom::{Point, Vec2};
 use crate::number::Real;

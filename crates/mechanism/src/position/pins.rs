@@ -4,7 +4,7 @@ use super::Path;
 use super::assemble::Assembly;
 use super::kernel::{self, Locus, Miss};
 use crate::diag::{Both, Diagnostic, both};
-use crate::geom::Point;
+use crate::geom::{Point, Vec2};
 use crate::mechanism::{Entry, Hold, Leg, Strut};
 use crate::number::Real;
 use crate::scene::{GuideId, LinkId, PointId};
@@ -83,8 +83,12 @@ impl<N: Real> Assembly<'_, N> {
 
     /// The place in the plane at which a driver holds a slider on its guide.
     pub(super) fn driven_place(&self, guide: GuideId, driver: usize) -> Result<Point<N>, Diagnostic> {
-        let path = self.need_guide(guide)?;
-        Ok(path.point_at(self.way_along(driver)?))
+        let (path, s) = (self.need_guide(guide)?, self.way_along(driver)?);
+        Ok(match (path, self.poses[self.scene.guides[guide.0].on.0]) {
+            // An arc is counted from the direction of the link that carries it.
+            (Path::Arc { centre, radius }, Some(pose)) => centre + Vec2::from_angle(s / radius).rotate_by(pose.axis) * radius,
+            (path, _) => path.point_at(s),
+        })
     }
 
     fn cannot_meet(&self, pin: PointId, a: &Hold, b: &Hold, miss: Miss) -> Diagnostic {

@@ -15,7 +15,10 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::{Group, Hold};
 use crate::number::Real;
 use crate::scene::{Contours, Driver, GuideId, LinkId, PointId, Rolling, RollingId, RollingKind, Scene, Sizes};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
+
+/// What is nearer to minus half a turn counts as half a turn (rad).
+const EDGE: f64 = 1e-9;
 
 impl<N: Real> Configuration<N> {
     /// The unit normal n at a contact, from the first link's contour to the second's: the centres of curvature are Q − ρ₁n and Q + ρ₂n.
@@ -265,11 +268,15 @@ impl<N: Real> Assembly<'_, N> {
             return then.poses[link.0]?.axis.rotate_by(Vec2::from_angle(rolled)).unit();
         }
         // ρ₁(φ₁ − β) + ρ₂(φ₂ − β) = ρ₂·phase, with the angles of the links' lines.
-        let (s, c) = self.inputs.sin_cos(pair.phase.as_ref()?);
-        let phase = Vec2::new(c, s).angle();
+        let written = pair.phase.as_ref()?;
+        let (s, c) = self.inputs.sin_cos(written);
+        // Its whole turns are none of the first link's.
+        let phase = whole(Vec2::new(c, s).angle(), written.value.radians());
         let line = line.unit()?;
         let others = self.mark(other)?.rotate_by(other_axis).divide_by(line).angle();
-        let others = whole(others, self.written(other).map_or(others.approx(), |angle| angle - line.angle().approx()));
+        // Of the two ends of a half turn, between which rounding would choose, the first is taken.
+        let near = if others.approx() < EDGE - PI { PI } else { others.approx() };
+        let others = whole(others, self.written(other).map_or(near, |angle| angle - line.angle().approx()));
         let angle = (if own == 1 { phase } else { phase * (r2 / r1) }) - others * (its / mine);
         line.rotate_by(Vec2::from_angle(angle)).divide_by(self.mark(link)?).unit()
     }

@@ -2,42 +2,62 @@
 //!
 //! Radii are kept in double precision, so that no more digits of the place are vouched for than those.
 
-use super::Path;
+use super::{Configuration, Path};
 use crate::geom::{Point, Vec2};
 use crate::number::Real;
-use crate::scene::{Cam, GuideId, PointId, Scene};
+use crate::scene::{Cam, GuideId, Scene};
 
 /// What double precision keeps of a length that is computed from given ones, relative to it.
 const LOST: f64 = 1e-12;
 
-/// The place of contact.
-pub(super) fn place<N: Real>(scene: &Scene, cam: &Cam, points: &[Option<Point<N>>], guides: &[Option<Path<N>>]) -> Option<Point<N>> {
+/// Where two contours touch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touch<N = f64> {
+    /// The place.
+    pub at: Point<N>,
+    /// Unit normal, out of the cam.
+    pub normal: Vec2<N>,
+}
+
+impl<N: Real> Configuration<N> {
+    /// Where a cam and its follower touch in this pose; `None` where they are not placed.
+    pub fn touch(&self, scene: &Scene, cam: &Cam) -> Option<Touch<N>> {
+        touch(scene, cam, &self.points, &self.guides)
+    }
+}
+
+/// The contact by what is placed.
+pub(super) fn touch<N: Real>(scene: &Scene, cam: &Cam, points: &[Option<Point<N>>], guides: &[Option<Path<N>>]) -> Option<Touch<N>> {
     match cam.contact {
         Some(guide) => by_pair(scene, cam, guide, points, guides),
         None => by_station(scene, cam, points),
     }
 }
 
-fn by_pair<N: Real>(scene: &Scene, cam: &Cam, guide: GuideId, points: &[Option<Point<N>>], guides: &[Option<Path<N>>]) -> Option<Point<N>> {
+fn by_pair<N: Real>(scene: &Scene, cam: &Cam, guide: GuideId, points: &[Option<Point<N>>], guides: &[Option<Path<N>>]) -> Option<Touch<N>> {
     let pin = points[scene.guides[guide.0].pin?.0]?;
     match (guides[guide.0]?, cam.follows.radius()) {
         // The end's centre runs about that of the arc: outside it, in a hollow between it and the arc.
         (Path::Arc { centre, .. }, Some(end)) => {
-            let hollow = cam.touched_radius()? < 0.0;
-            Some(pin + (pin - centre).unit()? * number(if hollow { end } else { -end })?)
+            let away = (pin - centre).unit()?;
+            let normal = if cam.touched_radius()? < 0.0 { -away } else { away };
+            Some(Touch { at: pin - normal * number(end)?, normal })
         }
         // Lines of a profile run counter-clockwise round the cam, which lies to their left.
-        (Path::Line { direction, .. }, Some(end)) => Some(pin + direction.perp() * number(end)?),
-        // The arc's centre runs beside the face.
+        (Path::Line { direction, .. }, Some(end)) => {
+            let normal = -direction.perp();
+            Some(Touch { at: pin - normal * number(end)?, normal })
+        }
+        // The arc's centre runs beside the face, behind which the cam lies.
         (Path::Line { direction, .. }, None) => {
-            let radius = cam.touched_radius()?;
-            Some(pin + direction.perp() * number(if cam.left { -radius } else { radius })?)
+            let normal = if cam.left { -direction.perp() } else { direction.perp() };
+            Some(Touch { at: pin + normal * number(cam.touched_radius()?)?, normal })
         }
         (Path::Arc { .. }, None) => None,
     }
 }
 
-fn by_station<N: Real>(scene: &Scene, cam: &Cam, points: &[Option<Point<N>>]) -> Option<Point<N>> {
+fn by_station<N: Real>(scene: &Scene, cam: &Cam, points: &[Option<Point<N>>]) -> Option<Touch<N>> {
     let turning = cam.disc.as_ref()?;
     let station = turning.disc.station(turning.phi, turning.side)?;
     let in_plane = |v: Vec2| -> Option<Vec2<N>> {
@@ -48,12 +68,13 @@ fn by_station<N: Real>(scene: &Scene, cam: &Cam, points: &[Option<Point<N>>]) ->
             None => v,
         })
     };
-    let at = |p: PointId| points[p.0];
-    match cam.follows.radius() {
-        Some(0.0) => at(cam.follows.point()),
-        Some(end) => Some(at(cam.follows.point())? + in_plane(station.normal * -end)?),
-        None => Some(at(turning.pivot)? + in_plane(station.contact)?),
-    }
+    let normal = in_plane(station.normal)?;
+    let at = match cam.follows.radius() {
+        Some(0.0) => points[cam.follows.point().0]?,
+        Some(end) => points[cam.follows.point().0]? - normal * number(end)?,
+        None => points[turning.pivot.0]? + in_plane(station.contact)?,
+    };
+    Some(Touch { at, normal })
 }
 
 fn number<N: Real>(x: f64) -> Option<N> {

@@ -335,6 +335,29 @@ mod tests {
         }
     }
 
+    /// Minutes and seconds of arc, as books and keyboards write them.
+    #[test]
+    fn minutes_and_seconds_of_arc() {
+        let degrees = |text: &str| {
+            let value: Value<f64> = evaluate(&parse(text, &["a"]).unwrap_or_else(|d| panic!("{text}: {d}")), &|_| None).unwrap();
+            assert!(value.degrees && value.dim == Dim::ANGLE, "{text}");
+            value.number
+        };
+        for text in ["20°30'", "20 deg 30'", "20° 30′", "20deg 30’", "20°29'60\"".replace("60", "59.9999999999999").as_str()] {
+            assert!((degrees(text) - 20.5).abs() < 1e-12, "{text}");
+        }
+        for text in ["20°30′15″", "20 deg 30' 15''", "20°30'15\"", "20 ° 30 ′ 15 ″"] {
+            assert_eq!(degrees(text), 20.0 + 30.0 / 60.0 + 15.0 / 3600.0, "{text}");
+        }
+        assert_eq!(degrees("-14°2'10\""), -(14.0 + 2.0 / 60.0 + 10.0 / 3600.0));
+        assert_eq!(degrees("90° - 14°2'"), 90.0 - (14.0 + 2.0 / 60.0));
+        assert_eq!(degrees("2*14°15′"), 28.5);
+        assert_eq!(degrees("5°12″"), 5.0 + 12.0 / 3600.0);
+        for text in ["30'", "20°60'", "20°30'75″", "20°30", "20°30″15′", "20 rad 30'", "(20°)30'"] {
+            assert!(parse(text, &[]).is_err(), "{text}");
+        }
+    }
+
     #[test]
     fn degrees_stay_degrees() {
         for (text, angle) in [

@@ -101,6 +101,12 @@ const fn degrees(name: &'static str, dim: Dim, numerator: f64) -> Unit {
     Unit { name, dim, numerator, denominator: 1.0, degrees: true }
 }
 
+/// A minute and a second of arc, which stand only behind degrees: `20°30′15″`.
+pub static OF_ARC: [Unit; 2] = [
+    Unit { name: "′", dim: Dim::ANGLE, numerator: 1.0, denominator: 60.0, degrees: true },
+    Unit { name: "″", dim: Dim::ANGLE, numerator: 1.0, denominator: 3600.0, degrees: true },
+];
+
 const LENGTH: Dim = Dim::new(1, 0, 0);
 const TIME: Dim = Dim::new(0, 1, 0);
 const RATE: Dim = Dim::new(0, -1, 1);

@@ -16,7 +16,7 @@ use std::f64::consts::{FRAC_1_PI, TAU};
 pub struct Phase {
     /// Where the driver stands, of [`super::turns::Quarters`].
     pub quarters: Pair,
-    /// +1 where the angle grows with the driver, else −1.
+    /// By how much the angle grows with the driver: ±1, or the ratio of the wheels between the two.
     pub sense: f64,
     /// The angle at which the first stretch begins (rad), less what is seen from one side of joints.
     pub start: f64,
@@ -31,7 +31,8 @@ impl Kernel<2, 1> for Phase {
     #[inline(always)]
     fn eval<N: Lane>(&self, [k, r]: [N; 2]) -> [N; 1] {
         let Phase { sense, start, .. } = *self;
-        let m = k + (k * 0.25).nearest() * -4.0;
+        // Behind wheels a turn of the driver is none of the cam.
+        let m = if sense.abs() == 1.0 { k + (k * 0.25).nearest() * -4.0 } else { k };
         let x = m * (sense * QUARTER[0]) + (m * (sense * QUARTER[1]) + (r * sense + -start));
         [x + (x * (0.5 * FRAC_1_PI) + -0.5).nearest() * -TAU]
     }

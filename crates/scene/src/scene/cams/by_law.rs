@@ -171,6 +171,7 @@ impl One<'_> {
             phi,
             driver: on.driver,
             way: on.way,
+            from: on.from,
             by_law,
             start,
             origin,

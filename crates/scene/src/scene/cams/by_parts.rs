@@ -87,6 +87,7 @@ impl One<'_> {
                 phi,
                 driver: on.driver,
                 way: on.way,
+                from: on.from,
                 by_law: None,
                 start: 0.0,
                 origin,

@@ -62,69 +62,22 @@ impl One<'_> {
         std::iter::once(scene.ground).chain(others).filter_map(one).collect()
     }
 
-    /// The driver that turns the cam in the link that carries it, and whether it turns that link instead (−1).
-    fn turned_by(&self, cam: LinkId, frame: LinkId) -> Option<(usize, f64)> {
-        let scene = self.bare;
-        let plain = |link: LinkId, line: &Option<(PointId, PointId)>| match (line, scene.links[link.0].points.as_slice()) {
-            (None, _) => true,
-            (Some(line), [first, second, ..]) => link != scene.ground && *line == (*first, *second),
-            (Some(_), _) => false,
-        };
-        scene.drivers.iter().enumerate().find_map(|(i, d)| match &d.kind {
-            DriverKind::Turn { link, against, line, against_line, .. } if plain(*link, line) && plain(*against, against_line) => {
-                match (*link, *against) {
-                    (l, a) if (l, a) == (cam, frame) => Some((i, 1.0)),
-                    (l, a) if (l, a) == (frame, cam) => Some((i, -1.0)),
-                    _ => None,
-                }
-            }
-            DriverKind::Turn { .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
-        })
-    }
-
-    /// The direction of a link's first two points in the plane; the ground's is the x axis.
-    fn line_of(&self, link: LinkId) -> Option<Told> {
-        if link == self.bare.ground {
-            return Some(Told { value: 0.0, text: "0 deg".into() });
-        }
-        let [a, b, ..] = self.bare.links[link.0].points.as_slice() else { return None };
-        let (a, b) = (spot(self.bare, *a)?, spot(self.bare, *b)?);
-        Some(Told { value: (b.at() - a.at()).angle(), text: direction(&a, &b) })
-    }
-
     fn on_pivot(&self, cam: LinkId, frame: LinkId, pivot: PointId) -> Result<OnPivot, Lacking> {
         let scene = self.bare;
         let (cam_name, frame_name) = (scene.link_name(cam), scene.link_name(frame));
-        let Some((driver, way)) = self.turned_by(cam, frame) else {
-            return Err(Lacking {
-                what: both!(
-                    "no driver turns cam `{cam_name}` against link `{frame_name}`, which carries it and its follower",
-                    "没有原动件使凸轮 `{cam_name}` 相对于支承它和从动件的构件 `{frame_name}` 转动"
-                ),
-                help: both!(
-                    "give {{\"link\": \"{cam_name}\", \"against\": \"{frame_name}\", \"angle\": \"30 deg\", \"omega\": ...}} as its driver: the angle between the first two points of the one and of the other",
-                    "请给出原动件 {{\"link\": \"{cam_name}\", \"against\": \"{frame_name}\", \"angle\": \"30 deg\", \"omega\": ...}}，角度为两构件各自前两点连线的夹角"
-                ),
-            });
-        };
-        let d = &scene.drivers[driver];
-        let stated = match &d.kind {
-            DriverKind::Turn { angle, .. } => angle.as_ref().map(|a| Told::angle(&Given { text: self.values.text_of(a), ..a.clone() })),
-            DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
-        };
-        let turned = |t: Told| if way < 0.0 { Told { value: -t.value, text: negative(&t.text, t.value) } } else { t };
-        let by_places = || {
-            let (of, from) = (self.line_of(cam)?, self.line_of(frame)?);
-            let text = if frame == scene.ground { of.text } else { format!("({})-({})", of.text, from.text) };
-            Some(Told { value: of.value - from.value, text })
-        };
         let lacking = |what: Both, help: Both| Lacking { what, help };
-        let angle = stated.map(turned).or_else(by_places).ok_or_else(|| {
-            lacking(
-                both!("the driver of cam `{cam_name}` has no angle", "凸轮 `{cam_name}` 的原动件没有给出角度"),
-                both!("add \"angle\" to it", "请给原动件加上 \"angle\""),
-            )
-        })?;
+        let turned = self.turns(cam, frame).ok_or_else(|| lacking(
+            both!(
+                "no driver turns cam `{cam_name}` against link `{frame_name}`, which carries it and its follower, nor a wheel that meshes with it",
+                "没有原动件使凸轮 `{cam_name}` 相对于支承它和从动件的构件 `{frame_name}` 转动，也没有与之啮合的主动轮"
+            ),
+            both!(
+                "give {{\"link\": \"{cam_name}\", \"against\": \"{frame_name}\", \"angle\": \"30 deg\", \"omega\": ...}} as its driver: the angle between the first two points of the one and of the other",
+                "请给出原动件 {{\"link\": \"{cam_name}\", \"against\": \"{frame_name}\", \"angle\": \"30 deg\", \"omega\": ...}}，角度为两构件各自前两点连线的夹角"
+            ),
+        ))?;
+        let own = self.raw.angle.as_ref().filter(|_| !turned.direct()).and_then(|q| self.told(q, Wanted::Angle, &mut Faults::default()));
+        let angle = own.or_else(|| self.stands(cam, frame, &turned, &mut Vec::new())).ok_or_else(|| self.no_angle(cam, &turned))?;
         let unplaced = |p: PointId| self.unplaced(p, frame);
         let spot = self.spot_in(frame, pivot).ok_or_else(|| unplaced(pivot))?;
         // In the plane the cam's axes lie at its own angle only where the ground carries it.
@@ -135,17 +88,21 @@ impl One<'_> {
                 both!("give their distances in \"lengths\", or their coordinates", "请在 \"lengths\" 中给出各点距离，或给出坐标"),
             )
         })?;
+        let d = &scene.drivers[turned.driver];
         let rate = |given: &Given, unit: &str| {
             let text = if given.value == 0.0 { format!("0 {unit}") } else { given.text.clone() };
-            if way < 0.0 { negative(&text, given.value) } else { text }
+            if given.value == 0.0 { text } else { turned.text(&text) }
         };
         let a = d.acceleration.as_ref();
+        let way = turned.ratio;
+        let from = if turned.direct() { 0.0 } else { angle.value - way * self.stated(turned.driver).map_or(0.0, |t| t.value) };
         Ok(OnPivot {
             frame,
             pivot,
             spot,
-            driver,
+            driver: turned.driver,
             way,
+            from,
             angle,
             rate: way * d.rate.value,
             rate_text: rate(&d.rate, "rad/s"),
@@ -215,7 +172,7 @@ impl One<'_> {
     }
 
     /// Where a point of the carrying link is in it; on the ground in the plane.
-    fn spot_in(&self, frame: LinkId, p: PointId) -> Option<Spot> {
+    pub(super) fn spot_in(&self, frame: LinkId, p: PointId) -> Option<Spot> {
         if frame == self.bare.ground {
             return spot(self.bare, p);
         }
@@ -264,9 +221,4 @@ impl One<'_> {
             }
         }
     }
-}
-
-/// The text of the opposite of a number; a written zero stays.
-fn negative(text: &str, value: f64) -> String {
-    if value == 0.0 { text.to_owned() } else { format!("-({text})") }
 }

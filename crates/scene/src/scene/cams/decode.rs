@@ -25,8 +25,9 @@ pub(in crate::scene) fn cam(node: &Node, extent: Extent, faults: &mut Faults) ->
         None => counted.then_some(RawProfile::Untold),
     };
     let at = f.get("at").and_then(|n| word(n, "\"at\"", faults));
+    let angle = f.get("angle").and_then(|n| quantity(n, "\"angle\"", faults));
     let whole = faults.list.len() == before;
-    let cam = RawCam { cam: cam?, follower: follower?, follows: follows?, profile: profile?, at, span: node.span };
+    let cam = RawCam { cam: cam?, follower: follower?, follows: follows?, profile: profile?, at, angle, span: node.span };
     whole.then_some(cam)
 }
 

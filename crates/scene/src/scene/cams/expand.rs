@@ -159,6 +159,7 @@ impl One<'_> {
         };
         let (before, known) = (untold.then(|| raw.clone()), faults.list.len());
         let placed = self.carried(cam, follower);
+        self.behind_wheels(raw, cam, placed.as_ref().ok().map(|p| &p.0), faults)?;
         let told = match &self.raw.profile {
             _ if self.raw.follows.lacks_radius() || self.no_point_of_face() => None,
             RawProfile::Untold => None,

@@ -17,6 +17,7 @@ mod by_pose;
 mod carrier;
 pub(super) mod decode;
 pub(super) mod expand;
+mod geared;
 mod law;
 pub(super) mod marked;
 mod motion;
@@ -132,8 +133,11 @@ pub struct Turning {
     pub phi: f64,
     /// The driver that turns the cam, index into the scene's list.
     pub driver: usize,
-    /// +1 where the cam turns in the carrying link as its driver grows; −1 where the driver turns the carrying link about the cam.
+    /// By how much the cam turns in the carrying link as the driver turns by one: +1; −1 where the driver turns the carrying link about the cam;
+    /// the ratio of the wheels between the two.
     pub way: f64,
+    /// The angle of the cam in the carrying link (rad) as the driver stands at 0: 0 but behind wheels.
+    pub from: f64,
     /// For a law: the driver that stands for the contact.
     pub by_law: Option<usize>,
     /// The angle of the cam in the carrying link (rad) at φ = 0.
@@ -151,6 +155,11 @@ pub struct Turning {
 }
 
 impl Turning {
+    /// Whether gears, a belt or a chain stand between the cam and its driver.
+    pub fn is_behind_wheels(&self) -> bool {
+        self.way.abs() != 1.0 || self.from != 0.0
+    }
+
     /// Where its rough place is in the plane, the carrier's points standing where `at` says.
     pub fn rough_in_plane(&self, scene: &Scene, of: PointId, at: &dyn Fn(PointId) -> Option<Point>) -> Option<Point> {
         let (_, place) = self.rough.filter(|(p, _)| *p == of)?;

@@ -125,12 +125,12 @@ impl Scene {
             let (Some(t), span) = (&mut c.disc, c.span) else { continue };
             let (true, Some(k), Some(at)) = (t.driver == driver, t.by_law, value.or(stated)) else { continue };
             let sense = t.disc.sense * t.way;
-            t.phi = t.disc.sense * (t.way * at - t.start);
+            t.phi = t.disc.sense * (t.way * at + t.from - t.start);
             t.side = if rate * sense < 0.0 { Side::Before } else { Side::After };
             let Some(q) = t.disc.coordinate(t.phi, t.side) else { continue };
             let Jet([q, dq, ddq, _]) = q;
             let (place, out) = (t.origin + t.outward * q, t.outward);
-            let (v, a) = (out * dq * sense * rate, out * (ddq * rate * rate + dq * sense * acceleration));
+            let (v, a) = (out * dq * sense * rate, out * (ddq * (sense * rate) * (sense * rate) + dq * sense * acceleration));
             let d = &mut self.drivers[k];
             let turns = matches!(d.kind, DriverKind::Turn { .. });
             match &mut d.kind {

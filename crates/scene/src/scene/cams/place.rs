@@ -63,8 +63,10 @@ pub(super) struct OnPivot {
     pub pivot: PointId,
     pub spot: Spot,
     pub driver: usize,
-    /// +1 where the cam turns in the carrying link as its driver grows; −1 where the driver turns the carrying link.
+    /// By how much the cam turns in the carrying link as the driver turns by one.
     pub way: f64,
+    /// The angle of the cam as the driver stands at 0 (rad).
+    pub from: f64,
     /// The angle of the cam's first two points.
     pub angle: Told,
     pub rate: f64,
@@ -101,7 +103,12 @@ pub(super) fn direction(from: &Spot, to: &Spot) -> String {
     if way.y == 0.0 {
         return if way.x < 0.0 { "180 deg" } else { "0 deg" }.to_owned();
     }
-    let turned = if way.x < 0.0 { "+180 deg" } else { "" };
+    // The same turn as the number that is computed from it.
+    let turned = match (way.x < 0.0, way.y < 0.0) {
+        (true, true) => "-180 deg",
+        (true, false) => "+180 deg",
+        (false, _) => "",
+    };
     format!("atan({y}/{x}){turned}")
 }
 

@@ -11,6 +11,8 @@ pub(in crate::scene) struct RawCam {
     pub follows: RawFollows,
     pub profile: RawProfile,
     pub at: Option<Word>,
+    /// How the cam stands in the link that carries it, where wheels turn it and not its driver.
+    pub angle: Option<RawQuantity>,
     pub span: Span,
 }
 

@@ -8,7 +8,8 @@
 //! signed   = ("+" | "-")* power
 //! power    = atom raised?
 //! raised   = "^" ("+" | "-")* (number | pi | call | group | name) | "⁻"? ("⁰" | ... | "⁹")+
-//! atom     = (number pi? | pi | group) tail? | call | name | "°"
+//! atom     = arc | (number pi? | pi | group) tail? | call | name | "°"
+//! arc      = number ("°" | "deg") (number "′" (number "″")? | number "″")
 //! tail     = (group | unit) raised?
 //! call     = name "(" sum ")"
 //! group    = "(" sum ")"
@@ -17,14 +18,14 @@
 //! pi       = "pi" | "π"
 //! name     = letter (letter | digit | "_" | "'")*
 //! ```
-//! The minus sign − and the dots and crosses · ⋅ × of products are read as `-` and `*`.
+//! Minutes of arc may be written ' or ’, seconds '' or " or ”. The minus sign − and the dots and crosses · ⋅ × of products are read as `-` and `*`.
 //! The first token of a rule tells which one it is, and what follows may not fail without failing the whole (`cut_err`): a fault is where the
 //! input stands.
 
 use super::{Expr, ExprKind, FUNCTIONS, Function, Op};
 use crate::diag::{Both, Diagnostic, Span, both};
 use crate::json::fields::suggest;
-use crate::scene::units::{UNITS, unit_named};
+use crate::scene::units::{OF_ARC, UNITS, Unit, unit_named};
 use winnow::ascii::{digit0, digit1};
 use winnow::combinator::{alt, cut_err, eof, not, opt, peek, preceded, repeat, terminated};
 use winnow::error::{EmptyError, ErrMode};
@@ -83,6 +84,13 @@ fn unreadable(text: &str, at: usize) -> Diagnostic {
             }
             if turns(&["counter", "anti", "ccw", "逆时针"]) {
                 return d.help(both!("counter-clockwise is positive: \"{}\"", "逆时针为正：\"{}\"", text[..at].trim()));
+            }
+            let before = text[..at].trim_end();
+            if ["deg", "°"].iter().any(|d| before.ends_with(d)) && c.is_ascii_digit() {
+                return d.help(both!(
+                    "minutes and seconds of arc: \"20°30′15″\", \"20 deg 30' 15''\"",
+                    "角度的分和秒：\"20°30′15″\"、\"20 deg 30' 15''\""
+                ));
             }
             d.help(both!(
                 "an expression is made of numbers, units, parameters, + - * / ^ ( ) and functions, such as \"2*r + 5 mm\"",
@@ -179,8 +187,34 @@ fn atom(i: &mut Input) -> Read<Expr> {
         Some(tail) => binary(Op::Mul, value, tail),
         None => value,
     });
-    let (atom, _) = token(alt((value, call, name, unit))).parse_next(i)?;
+    let (atom, _) = token(alt((arc, value, call, name, unit))).parse_next(i)?;
     Ok(atom)
+}
+
+/// Degrees with minutes, seconds, or both.
+fn arc(i: &mut Input) -> Read<Expr> {
+    let degrees =
+        (number, terminated(unit, peek(number))).verify(|(_, u)| matches!(&u.kind, ExprKind::Unit(u) if ["°", "deg"].contains(&u.name)));
+    let minutes = |i: &mut Input| part(i, &OF_ARC[0], &["′", "'", "’"]);
+    let seconds = |i: &mut Input| part(i, &OF_ARC[1], &["″", "\"", "”", "''", "′′", "’’"]);
+    let ((whole, unit), smaller) =
+        (degrees, alt(((seconds, "").map(|(s, _)| [Some(s), None]), (minutes, opt(seconds)).map(|(m, s)| [Some(m), s])))).parse_next(i)?;
+    Ok(smaller.into_iter().flatten().fold(binary(Op::Mul, whole, unit), |sum, part| binary(Op::Add, sum, part)))
+}
+
+/// So many sixtieths of a degree or of a minute, by one of their marks.
+fn part(i: &mut Input, unit: &'static Unit, marks: &[&'static str]) -> Read<Expr> {
+    let count = number(i)?;
+    let mark =
+        repeat(1.., one_of(['′', '\'', '’', '″', '"', '”'])).fold(|| (), |(), _| ()).take().verify(|mark: &str| marks.contains(&mark));
+    let (_, at) = token(mark).parse_next(i)?;
+    let most = matches!(&count.kind, ExprKind::Number(n) if n.parse().is_ok_and(|n: f64| n >= 60.0));
+    if most {
+        let message = both!("a degree has 60 minutes and a minute 60 seconds of arc", "1 度为 60 分，1 分为 60 秒");
+        let help = both!("write less than 60, and the rest before it", "请写小于 60 的数，余下部分并入前一级");
+        i.state.unknown.get_or_insert(Diagnostic::error("expression", message).at(Span::new(count.span.start, at.end)).help(help));
+    }
+    Ok(binary(Op::Mul, count, Expr { kind: ExprKind::Unit(unit), span: at }))
 }
 
 /// What binds to a value without a sign.

@@ -8,7 +8,7 @@ use crate::position::Configuration;
 use crate::position::fold::fold;
 use crate::position::newton::{self, DriverValues};
 use crate::position::toggle::Toggle;
-use crate::scene::with_driver_at;
+use crate::scene::{driver_position, with_driver_at};
 use crate::sweep::Placed;
 use crate::sweep::chunks::Rows;
 use crate::sweep::compile::ask;
@@ -70,6 +70,14 @@ impl<'a> Whole<'a> {
     fn holding(&self, value: f64) -> DriverValues {
         let mut drivers = self.drivers.clone();
         drivers.0[self.driver] += value - self.now;
+        let here = self.placed.scene;
+        if here.has_laws(self.driver) {
+            let there = with_driver_at(here, self.driver, value);
+            for led in (0..here.drivers.len()).filter(|d| here.is_led(*d)) {
+                let gone = driver_position(&there, led).zip(driver_position(here, led));
+                drivers.0[led] += gone.map_or(0.0, |(there, here)| there - here);
+            }
+        }
         drivers
     }
 
@@ -111,7 +119,9 @@ impl<'a> Whole<'a> {
 pub(in crate::sweep) fn event(m: &Mechanism, value: f64, at: &Configuration) -> Event {
     // A group without a closed form, or on three legs of which one rolls, holds the driver, unless legs are told that hold one another.
     let followed = || m.groups.iter().find(|g| g.core == Core::Higher || g.class() == Some("III"));
-    let toggle = Toggle::at(m, at).or_else(|| followed().map(|g| Toggle::Open(g.links.clone())));
+    // Where no joint is seen to lock, the last that the driver moves does: something is named in any case.
+    let last = || m.groups.iter().rev().find(|g| g.class().is_some());
+    let toggle = Toggle::at(m, at).or_else(|| followed().or_else(last).map(|g| Toggle::Open(g.links.clone())));
     let links = toggle.as_ref().map_or_else(Vec::new, Toggle::links);
     Event { value, kind: Kind::Limit, links, pin: None, joint: None, toggle }
 }
