@@ -8,7 +8,8 @@ use crate::digits::{inked, shortest, significant};
 use crate::mechanism::Level;
 use crate::paper::phrase::{Phrase, formula, sense, tr};
 use crate::plan::text::Writer;
-use crate::plan::{Term, VertexId};
+use crate::plan::names::name_label;
+use crate::plan::{Body, Rate, Term, VertexId};
 use crate::report::amount::of_level;
 use crate::scene::{Book, Kind, Lang};
 
@@ -220,9 +221,28 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
                     Lang::En => format!("The link does not turn: ${symbol}$ = 0."),
                     Lang::Zh => format!("构件作平动：${symbol}$ = 0。"),
                 },
-                None => format!("{given}${symbol}$ {is} ${value}${sense}{stop}"),
+                None => match sum(w, level, r.body) {
+                    Some(sum) => format!("{verb}${symbol} = {sum}$ = ${value}${sense}{stop}"),
+                    None => format!("{given}${symbol}$ {is} ${value}${sense}{stop}"),
+                },
             }
         }
+    }
+}
+
+/// Of a rate that is neither measured nor given against the ground: the others of which it is the sum.
+fn sum(w: &Writer, level: Level, body: Body) -> Option<String> {
+    let rates = w.plan.steps(level).iter().flat_map(|g| &g.rates);
+    match rates.clone().find(|(b, _)| *b == body)?.1 {
+        Rate::Same(other) => Some(w.turning(level, Body::Link(other))),
+        Rate::Given { driver, against } if against != w.scene.ground => {
+            let (link, of) = w.scene.drivers[driver].kind.turned()?;
+            let sign = if Body::Link(link) == body { "+" } else { "-" };
+            let pair = [link, of].map(|l| name_label(w.scene.link_name(l))).join("/");
+            let letter = if level == Level::Acceleration { "\\alpha" } else { "\\omega" };
+            Some(format!("{} {sign} {letter}_{{{pair}}}", w.turning(level, Body::Link(against))))
+        }
+        Rate::Given { .. } | Rate::Measured { .. } | Rate::Zero => None,
     }
 }
 

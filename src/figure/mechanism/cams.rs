@@ -29,6 +29,12 @@ const FAR_MM: f64 = 120.0;
 const SPIN_OFF_MM: f64 = 2.0;
 const SPIN_RAD: f64 = 0.8;
 
+/// Pieces of a rim beside which its number may stand, counted from here: below the middle, at the left.
+const PLACES: usize = 12;
+const NUMBER_FROM_RAD: f64 = 3.6;
+/// Farther than this from all joints one piece is as good as another.
+const FAR_ENOUGH_MM: f64 = 22.0;
+
 impl Draft<'_> {
     /// Whether a guide only stands for the contact of a cam.
     pub(super) fn is_contact(&self, g: GuideId) -> bool {
@@ -157,6 +163,18 @@ impl Draft<'_> {
         scene.cams.iter().for_each(|c| self.end(c));
     }
 
+    /// Of pieces of a rim the one whose number is farthest from joints and their supports, beside which it would be read as theirs; up to
+    /// a distance that is far enough for all, the first.
+    fn freest(&self, pieces: impl Iterator<Item = [Point; 2]>) -> [Point; 2] {
+        let joints = (0..self.scene.points.len()).map(PointId).filter_map(|p| Some((p, self.point(p)?)));
+        let busy: Vec<Point> = joints.flat_map(|(p, at)| [at, at + self.support_side(p) * self.style.pivot_height_mm]).collect();
+        let free = |[a, b]: &[Point; 2]| {
+            let middle = *a + (*b - *a) * 0.5;
+            busy.iter().map(|p| p.distance(middle)).fold(FAR_ENOUGH_MM, f64::min)
+        };
+        pieces.reduce(|a, b| if free(&b) > free(&a) { b } else { a }).unwrap_or([Point::ORIGIN; 2])
+    }
+
     fn profile(&mut self, c: &Cam) {
         let id = format!("cam-{}", self.scene.link_name(c.cam));
         self.d.of_link(Some(c.cam.0));
@@ -165,7 +183,8 @@ impl Draft<'_> {
             let Some(centre) = self.point(k) else { return self.d.of_link(None) };
             let radius_mm = self.mm(radius);
             let owner = self.d.shape(&id, "cam", Shape::Arc { centre, radius_mm, from_rad: 0.0, to_rad: TAU, stroke });
-            (owner, [3.6, 4.4].map(|a| centre + Vec2::from_angle(a) * radius_mm))
+            let piece = |k: usize| [k as f64, k as f64 + 1.5].map(|a| centre + Vec2::from_angle(NUMBER_FROM_RAD + a * TAU / PLACES as f64) * radius_mm);
+            (owner, self.freest((0..PLACES).map(piece)))
         } else {
             let of_disc = || Some(c.disc.as_ref()?.disc.outline(STEPS).into_iter().map(self.of_cam(c)?).collect());
             let of_pieces = || {
@@ -174,7 +193,8 @@ impl Draft<'_> {
             };
             let Some(points) = of_disc().or_else(of_pieces) else { return self.d.of_link(None) };
             let points: Vec<Point> = points;
-            let ends = [points[0], points[points.len() / 12]];
+            let n = points.len();
+            let ends = self.freest((0..PLACES).map(|k| [points[k * n / PLACES], points[(k * n / PLACES + n / 12) % n]]));
             (self.d.shape(&id, "cam", Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None }), ends)
         };
         self.d.of_link(None);

@@ -19,6 +19,8 @@ pub(super) enum NumberPlace {
     Wide(Point, Point, f64, u32),
 }
 
+/// The right end of the ground's hatching is its number's, unless the left one is so much farther from all arrows.
+const NO_NEARER_MM: f64 = 2.0;
 /// Directions that cancel to less than this leave no side to prefer.
 const NO_SIDE: f64 = 0.2;
 
@@ -87,13 +89,18 @@ impl Draft<'_> {
     fn ground_number(&mut self, id: &str, name: &str) {
         let all: Vec<Point> = (0..self.scene.points.len()).filter_map(|p| self.point(PointId(p))).collect();
         let alone = |p: Point| all.iter().map(|q| p.distance(*q)).filter(|d| *d > super::SAME_MM).fold(f64::INFINITY, f64::min);
-        // The support with most air around it; of equals the first.
+        let driven = |p: Point| self.turned_at.iter().any(|(centre, _)| centre.distance(p) < super::SAME_MM);
+        // A support without arrows, the one with most air around it; of equals the first.
         let pivots = (0..self.scene.points.len()).map(PointId).filter(|p| self.is_fixed_pivot(*p));
         let places = pivots.filter_map(|p| Some((self.point(p)?, self.support_side(p)))).rev();
-        if let Some((at, down)) = places.max_by(|a, b| alone(a.0).total_cmp(&alone(b.0))) {
-            // At an end of the ground line, or below its hatching.
+        let order = |a: Point, b: Point| driven(b).cmp(&driven(a)).then(alone(a).total_cmp(&alone(b)));
+        if let Some((at, down)) = places.max_by(|a, b| order(a.0, b.0)) {
+            // At that end of the hatching from which the arrows are farther: behind the name of a rate it would be read as a factor.
             let foot = at + down * (self.style.pivot_height_mm + self.style.hatch_depth_mm / 2.0);
-            self.d.label_at(id, "number", &name_label(name), foot, self.style.ground_half_mm, Some(down.perp()));
+            let end = |side: f64| foot + down.perp() * (side * self.style.ground_half_mm);
+            let free = |p: Point| self.turned_at.iter().map(|(_, arrow)| p.distance(*arrow)).fold(f64::INFINITY, f64::min);
+            let side = if free(end(-1.0)) > free(end(1.0)) + NO_NEARER_MM { -1.0 } else { 1.0 };
+            self.d.label_at(id, "number", &name_label(name), end(side), self.style.hatch_depth_mm / 2.0, Some(down.perp() * side));
         } else {
             let guide = (0..self.scene.guides.len()).filter(|g| self.scene.guides[*g].on == self.scene.ground);
             let at = guide.filter_map(|g| self.runner(crate::scene::GuideId(g))).next();
@@ -117,7 +124,9 @@ impl Draft<'_> {
             if !shown {
                 continue;
             }
-            let clear = if self.block_at(p).is_some() {
+            let clear = if self.in_cross(p) {
+                super::crosses::ARM_MM
+            } else if self.block_at(p).is_some() {
                 self.style.block_width_mm / 2.0
             } else if self.in_fixed_slot(p) {
                 self.style.slot_width_mm / 2.0 + self.style.hatch_depth_mm

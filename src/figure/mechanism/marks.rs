@@ -78,7 +78,7 @@ impl Draft<'_> {
             _ => None,
         };
         let ends = line.or_else(|| first_two(link)).and_then(|(a, b)| Some((self.point(a)?, self.point(b)?)));
-        let ends = ends.or_else(|| self.lever(link));
+        let ends = ends.or_else(|| self.lever(link)).or_else(|| self.turned_block(link));
         // The arrow of a wheel without a line of its own stands outside its rim.
         let wheel = self.free_side(link).filter(|_| ends.is_none());
         let Some((at, to)) = ends.or_else(|| wheel.map(|(c, u, r)| (c, c + u * r))) else { return };
@@ -131,6 +131,14 @@ impl Draft<'_> {
         let g = (0..self.scene.guides.len()).map(GuideId).find(slot)?;
         let (from, (runner, along)) = (self.point(pivot)?, self.runner(g)?);
         (from.distance(runner) > super::SAME_MM && (runner - from).cross(along).abs() < super::SAME_MM).then_some((from, runner))
+    }
+
+    /// Of a block that turns about its joint: the joint, and an end of the block.
+    fn turned_block(&self, l: LinkId) -> Option<(Point, Point)> {
+        let [joint] = self.scene.links[l.0].points[..] else { return None };
+        let own = |g: &GuideId| self.scene.guides[g.0].slider == Some(l) && self.scene.guides[g.0].pin == Some(joint);
+        let (at, along) = (0..self.scene.guides.len()).map(GuideId).find(own).and_then(|g| self.runner(g))?;
+        Some((at, at + along * self.style.block_length_mm))
     }
 
     pub(super) fn arc_label(&mut self, symbol: &str, class: &str, centre: Point, radius: f64, angles: [f64; 2], owner: u32) {

@@ -1,7 +1,7 @@
 //! The kinematic diagram to scale μ_l, from topology and positions alone.
 //!
 //! Decided here: the order of drawing and the names. [`form`] says what each link looks like, [`parted`] which bars are moved aside, [`slides`] draws guides,
-//! blocks and cylinders, [`wheels`] what rolls, [`marks`] the drivers' angles, [`rates`] their arrows, [`special`] the special points of triads, [`supports`] the side of a pivot's support, [`swings`] swinging blocks, [`dimensions`] the given lengths, [`directions`] guides
+//! blocks and cylinders, [`wheels`] what rolls, [`marks`] the drivers' angles, [`rates`] their arrows, [`special`] the special points of triads, [`supports`] the side of a pivot's support, [`swings`] swinging blocks, [`crosses`] blocks in two slots, [`dimensions`] the given lengths, [`directions`] guides
 //! that tables call t, [`letters`] numbers and letters, [`overlay`] what is drawn over and behind it, [`composed`] the vectors of a composite motion.
 //! Links and points without a place are left out.
 
@@ -9,6 +9,7 @@ mod apart;
 mod belts;
 mod cams;
 mod composed;
+mod crosses;
 pub(crate) mod dimensions;
 mod directions;
 mod form;
@@ -123,6 +124,8 @@ struct Draft<'a> {
     number_at: Vec<Option<letters::NumberPlace>>,
     /// For each guide on the ground with hatching at one side, that side.
     hatched: Vec<Option<Vec2>>,
+    /// The arrows of rates that turn: their centres, and where their names belong.
+    turned_at: Vec<(Point, Point)>,
     /// What is the same in a whole series.
     course: &'a Course,
     /// Whether it belongs to a construction: links are numbered, special points and directions named.
@@ -150,6 +153,7 @@ impl<'a> Draft<'a> {
             supports: Vec::new(),
             number_at,
             hatched,
+            turned_at: Vec::new(),
             course,
             constructed: true,
             dimensioned: false,
@@ -373,7 +377,7 @@ impl<'a> Draft<'a> {
                 self.d.draw(&format!("pivot-{name}"), "", items);
             } else if let Some(away) = self.knife_edge(p) {
                 self.d.draw(&format!("edge-{name}"), "knife-edge", vec![sym::wedge(self.style, at, away)]);
-            } else if self.is_pin(p) {
+            } else if self.is_pin(p) && !self.in_cross(p) {
                 self.d.draw(&format!("pin-{name}"), "", sym::pin(self.style, at));
             } else if self.is_reference(p) || self.scene.carriers(p).any(|l| self.forms[l.0].is_some()) {
                 self.d.draw(&format!("point-{name}"), "point", sym::dot(self.style, at));

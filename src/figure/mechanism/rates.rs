@@ -3,6 +3,7 @@
 
 use std::f64::consts::TAU;
 
+use crate::figure::extent::on_circle;
 use crate::figure::item::{Item, Shape};
 use crate::figure::place::Obstacles;
 use crate::figure::symbols as sym;
@@ -73,6 +74,7 @@ impl Draft<'_> {
             let (radius, [from, to]) = self.clear_arc(t.centre, t.radius, ends, first.as_deref());
             let arrow = sym::rotation(self.style, t.centre, radius, from, to);
             let owner = self.d.draw(&format!("{thing}-{index}"), "driver", arrow.clone());
+            self.turned_at.push((t.centre, on_circle(t.centre, radius, (from + to) / 2.0)));
             self.arc_label(&format!("\\{letter}_{{{name}}}"), "rotation", t.centre, radius, [from, to], owner);
             first.get_or_insert(arrow);
         }

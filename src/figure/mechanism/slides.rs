@@ -211,6 +211,10 @@ impl Draft<'_> {
             if !self.shows(slider) || self.is_bore(g) {
                 continue;
             }
+            if let Some(other) = self.crossing(g) {
+                self.cross(g, other);
+                continue;
+            }
             let through = guide.on != self.scene.ground && matches!(guide.path, GuidePath::Line { .. });
             let Some((pin, tangent)) = self.runner(g) else { continue };
             let at = pin + self.raised(g, tangent);

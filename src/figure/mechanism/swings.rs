@@ -36,7 +36,7 @@ impl Draft<'_> {
         let alone = self.scene.guides.iter().filter(|o| o.on == guide.on || o.slider == Some(guide.on)).count() == 1;
         let plain =
             |l: LinkId| self.scene.guides.iter().all(|o| o.on != l) && self.scene.links[l.0].points.iter().all(|p| Some(*p) == guide.pin);
-        let rod = guide.slider.is_some_and(plain);
+        let rod = guide.slider.is_some_and(plain) && self.crossing(g).is_none();
         let turned = self.scene.drivers.iter().any(|d| d.kind.turns_link(guide.on));
         let hangs = guide.pin.is_some_and(|p| p != joint) && guide.on != self.scene.ground && self.is_pin(joint);
         if !(straight && alone && rod && hangs) || turned {

@@ -1,8 +1,13 @@
 //! Names of the lines along which guides run: BC, x, t–t, t₃.
 
+use std::f64::consts::PI;
+
 use super::names::{name_label, point_label};
 use super::text::Writer;
-use crate::scene::{Angle, Direction, GuideId, GuidePath, PointId, Through};
+use crate::scene::{Angle, Direction, Guide, GuideId, GuidePath, PointId, Through};
+
+/// Directions nearer than this are one.
+const PARALLEL_RAD: f64 = 1e-9;
 
 impl Writer<'_> {
     /// The name of a guide's direction where it runs along no line of two points and no axis: t–t, that of link 3 t₃.
@@ -15,8 +20,32 @@ impl Writer<'_> {
             Own if offset.is_none() && matches!(through, Through::Point(_)) => None,
             Instant(_) if guide.on == self.scene.ground => self.axis(g).is_none().then(|| self.oblique(g)),
             Instant(_) if self.axis(g).is_some() => None,
-            Along(..) | Own | Instant(_) | Slid(_) => Some(format!("t_{{{}}}", name_label(self.scene.link_name(guide.on)))),
+            Along(..) | Own | Instant(_) | Slid(_) => Some(self.carried(g)),
         }
+    }
+
+    /// A guide of link 3: t₃, and where the link has others in other directions, with what runs in it.
+    fn carried(&self, g: GuideId) -> String {
+        let guide = &self.scene.guides[g.0];
+        let link = name_label(self.scene.link_name(guide.on));
+        let crosses = |o: &Guide| o.on == guide.on && o.rolling.is_none() && !self.parallel(guide, o);
+        let runner = guide.pin.filter(|_| self.scene.guides.iter().any(crosses)).map(|p| point_label(self.scene.point_name(p)));
+        format!("t_{{{link}{}}}", runner.unwrap_or_default())
+    }
+
+    /// Whether the scene says of two guides of one link that they are parallel; arcs have no direction.
+    fn parallel(&self, a: &Guide, b: &Guide) -> bool {
+        let (GuidePath::Line { direction: a, .. }, GuidePath::Line { direction: b, .. }) = (&a.path, &b.path) else { return true };
+        // From what each angle is counted, and the angle.
+        let said = |d: &Direction| match d {
+            Direction::Instant(angle) => (0, None, angle.value.radians()),
+            Direction::Along(p, q, angle) => (1, Some((*p, *q)), angle.as_ref().map_or(0.0, |a| a.value.radians())),
+            Direction::Own => (2, None, 0.0),
+            Direction::Slid(angle) => (3, None, angle.value.radians()),
+        };
+        let ((a, of_a, x), (b, of_b, y)) = (said(a), said(b));
+        let apart = (x - y).rem_euclid(PI);
+        (a, of_a) == (b, of_b) && apart.min(PI - apart) < PARALLEL_RAD
     }
 
     /// An oblique guide of the ground: t–t, and where there are several, each by what runs in it.

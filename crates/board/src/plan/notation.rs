@@ -19,6 +19,14 @@ pub struct Notation {
     pub known: String,
     /// The sign for "unknown".
     pub unknown: String,
+    /// The end of a normal part where a point is called N, so that n′ is its image. In italics ν is read as v: η is not.
+    pub normal_end: String,
+    /// The same for the Coriolis part and a point K.
+    pub coriolis_end: String,
+    /// For a tangential part and a point T.
+    pub tangential_end: String,
+    /// For a sliding part and a point R.
+    pub sliding_end: String,
     /// Which row of an equation table comes first: `magnitude` or `direction`.
     pub first_row: String,
 }

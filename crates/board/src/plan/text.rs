@@ -220,25 +220,26 @@ impl Writer<'_> {
     }
 
     /// The end of a part of the acceleration of a point: `n'_B`, `k'`, written with the image letter of the point in
-    /// the subscript, as n_b′. The Greek letter stands where the image of a point is n or k already.
+    /// the subscript, as n_b′. A letter of the notation profile (η, κ) stands where the image of a point is n or k already.
     pub fn part(&self, level: Level, t: &Term) -> String {
-        let (letter, other) = Self::part_letters(t.kind);
+        let (letter, other) = self.part_letters(t.kind);
         // Two parts of one point, such as aⁿ_C and aⁿ_CB, are told apart by the point from which the second is seen.
-        let shared = self.plan.terms(level).any(|u| Self::part_letters(u.kind).0 == letter && u.of == t.of && u.to != t.to);
+        let shared = self.plan.terms(level).any(|u| self.part_letters(u.kind).0 == letter && u.of == t.of && u.to != t.to);
         let to = if shared && !self.is_absolute(level, t) { self.small(t.to) } else { String::new() };
         // Over one pin in two slots of a link there are two parts of one name; the second has a prime more.
-        let twin = |u: &Term| Self::part_letters(u.kind).0 == letter && (u.of, u.to) == (t.of, t.to);
+        let twin = |u: &Term| self.part_letters(u.kind).0 == letter && (u.of, u.to) == (t.of, t.to);
         let before = self.plan.terms(level).filter(twin).take_while(|u| u.is_same(t).is_none()).count();
         let letter = if is_image(self.scene, self.plan, letter) { other } else { letter };
         format!("{letter}{}{}_{{{}{to}}}", prime(level), "'".repeat(before), self.small(t.of))
     }
 
-    fn part_letters(kind: TermKind) -> (&'static str, &'static str) {
+    fn part_letters(&self, kind: TermKind) -> (&'static str, &str) {
+        let n = self.notation;
         match kind {
-            TermKind::Normal | TermKind::SlideNormal => ("n", "\\nu"),
-            TermKind::Coriolis => ("k", "\\kappa"),
-            TermKind::Tangential => ("t", "\\tau"),
-            TermKind::Relative | TermKind::Slide | TermKind::Extension | TermKind::Roll => ("r", "\\rho"),
+            TermKind::Normal | TermKind::SlideNormal => ("n", &n.normal_end),
+            TermKind::Coriolis => ("k", &n.coriolis_end),
+            TermKind::Tangential => ("t", &n.tangential_end),
+            TermKind::Relative | TermKind::Slide | TermKind::Extension | TermKind::Roll => ("r", &n.sliding_end),
         }
     }
 

@@ -134,10 +134,16 @@ impl Drawing {
         let before = self.items.len();
         draw(self);
         let added = self.items.split_off(before);
-        let mut areas = Vec::new();
-        for item in self.items.iter_mut().filter(|i| i.class.split(' ').any(|word| word == "plate")) {
+        // An area without its edge is one that went behind before.
+        let edgeless = |i: &Item| matches!(i.shape, Shape::Polyline { stroke: None, fill: Some(_), .. });
+        let plate = |i: &Item| i.class.split(' ').any(|word| word == "plate");
+        let (mut areas, kept): (Vec<Item>, Vec<Item>) = std::mem::take(&mut self.items).into_iter().partition(|i| plate(i) && edgeless(i));
+        self.items = kept;
+        for item in self.items.iter_mut().filter(|i| plate(i)) {
             let mut area = item.clone();
-            if let (Shape::Polyline { stroke, .. }, Shape::Polyline { fill, .. }) = (&mut area.shape, &mut item.shape) {
+            if let (Shape::Polyline { stroke, .. }, Shape::Polyline { fill, .. }) = (&mut area.shape, &mut item.shape)
+                && fill.is_some()
+            {
                 (*stroke, *fill) = (None, None);
                 area.id = format!("{}-area", area.id);
                 areas.push(area);
@@ -285,6 +291,24 @@ mod tests {
         assert_eq!(names.len(), part.items.len());
         assert!(part.items.iter().all(|i| i.class.starts_with("mechanism ")), "{:?}", part.items);
         assert_eq!(part.placements.len(), 1);
+    }
+
+    #[test]
+    fn a_plate_has_one_area_however_often_things_go_behind_it() {
+        use crate::paper::item::Stroke;
+        let mut d = Drawing::new("mechanism", Style::default());
+        let corners = [(0.0, 0.0), (9.0, 0.0), (0.0, 9.0)].map(|(x, y)| Point::new(x, y));
+        d.draw("link-2", "", sym::plate(&Style::default(), &corners));
+        for k in 0..5 {
+            let shape = Shape::Line { from: Point::ORIGIN, to: Point::new(9.0, f64::from(k)), stroke: Stroke::new(0.2) };
+            d.behind(|d| {
+                d.shape("ray", "ray", shape.clone());
+            });
+        }
+        let part = d.finish();
+        let filled = |i: &Item| matches!(i.shape, Shape::Polyline { fill: Some(_), .. });
+        assert_eq!(part.items.iter().filter(|i| filled(i)).count(), 1);
+        assert!(filled(&part.items[0]), "the area is behind all rays");
     }
 
     #[test]

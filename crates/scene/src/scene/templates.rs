@@ -23,6 +23,7 @@ const FILES: &[(&str, &str)] = &[
     ("oscillating-cylinder", include_str!("../../../../templates/oscillating-cylinder.json")),
     ("scotch-yoke", include_str!("../../../../templates/scotch-yoke.json")),
     ("elliptic-trammel", include_str!("../../../../templates/elliptic-trammel.json")),
+    ("oldham-coupling", include_str!("../../../../templates/oldham-coupling.json")),
     ("curved-slot", include_str!("../../../../templates/curved-slot.json")),
     ("two-slots", include_str!("../../../../templates/two-slots.json")),
     ("shaper", include_str!("../../../../templates/shaper.json")),

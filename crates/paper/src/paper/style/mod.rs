@@ -78,6 +78,10 @@ pub struct Marks {
     pub known: Option<String>,
     /// The sign for "unknown".
     pub unknown: Option<String>,
+    /// The end of a normal part where n′ is the image of a point N.
+    pub normal_end: Option<String>,
+    /// The end of a Coriolis part where k′ is the image of a point K.
+    pub coriolis_end: Option<String>,
 }
 
 impl Marks {
@@ -90,6 +94,8 @@ impl Marks {
             sliding: or(&self.sliding, &profile.sliding),
             known: or(&self.known, &profile.known),
             unknown: or(&self.unknown, &profile.unknown),
+            normal_end: or(&self.normal_end, &profile.normal_end),
+            coriolis_end: or(&self.coriolis_end, &profile.coriolis_end),
             ..profile.clone()
         }
     }

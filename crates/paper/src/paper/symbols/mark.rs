@@ -13,9 +13,10 @@ pub fn rotation(style: &Style, centre: Point, radius_mm: f64, from_rad: f64, to_
 /// An angle at `centre` from a reference line, drawn, to a line that is there; the head is at the latter.
 pub fn angle(style: &Style, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<Item> {
     // The reference line goes on a third beyond the arc, as the eye needs a crossing to read an angle.
-    let to = centre + Vec2::from_angle(from_rad) * (radius_mm * 4.0 / 3.0);
+    let along = Vec2::from_angle(from_rad);
+    let (from, to) = (centre + along * style.pin_radius_mm, centre + along * (radius_mm * 4.0 / 3.0));
     vec![
-        Item::new("angle reference", Shape::Line { from: centre, to, stroke: style.thin }),
+        Item::new("angle reference", Shape::Line { from, to, stroke: style.thin }),
         Item::new("angle", Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke: style.thin, head: style.thin_head }),
     ]
 }
