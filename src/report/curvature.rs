@@ -103,6 +103,22 @@ impl Words<'_> {
         format!("P_{{{}}}", name_label(&names.join(comma)))
     }
 
+    /// The helping point of Euler and Savary's construction: H, unless a joint has that letter.
+    pub fn helper(&self) -> &'static str {
+        self.free_letter(["H", "S", "V", "X", "Y"])
+    }
+
+    /// The place on the collineation axis: Q, with Q₁ and Q₂, unless a joint has that letter.
+    pub fn on_axis(&self) -> &'static str {
+        self.free_letter(["Q", "R", "W", "Z", "L"])
+    }
+
+    /// The first of some letters that no point has, with a number or without; the first one where all are taken.
+    fn free_letter(&self, letters: [&'static str; 5]) -> &'static str {
+        let begins = |letter: &str| self.scene().points.iter().any(|p| p.name.trim_end_matches(|c: char| c.is_ascii_digit()) == letter);
+        letters.into_iter().find(|l| !begins(l)).unwrap_or(letters[0])
+    }
+
     /// A point alone: `B`, `O_{2}`.
     pub fn point(&self, p: PointId) -> String {
         point_label(self.scene().point_name(p))

@@ -47,7 +47,7 @@ impl Words<'_> {
             add(found.join(", "), "centre of curvature of a point's path", "点轨迹的曲率中心");
         }
         if bent.iter().any(|p| p.drawn.is_some() && !on_ray(p.point)) && !pole.stands() {
-            add("H".into(), "helping point of the construction (Euler-Savary)", "作图辅助点（欧拉–萨瓦里）");
+            add(self.helper().into(), "helping point of the construction (Euler-Savary)", "作图辅助点（欧拉–萨瓦里）");
         }
         let separate = match self.lang {
             Lang::En => "; ",
@@ -73,7 +73,7 @@ impl Words<'_> {
             add(straight.join(", "), "points of the rays whose paths are straight", "射线与拐点圆的交点");
         }
         if rays.collineation.is_some() {
-            add("Q".into(), "on the collineation axis (Bobillier)", "共线轴上的点（博比利尔）");
+            add(self.on_axis().into(), "on the collineation axis (Bobillier)", "共线轴上的点（博比利尔）");
         }
     }
 }

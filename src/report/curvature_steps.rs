@@ -99,12 +99,13 @@ impl Words<'_> {
             } else {
                 ""
             };
+            let q = self.on_axis();
             out.push(match lang {
                 Lang::En => format!(
-                    "${}{}$ and ${}{}$ cross in $Q${at}; ${pole}Q$ is the collineation axis (Bobillier)",
+                    "${}{}$ and ${}{}$ cross in ${q}${at}; ${pole}{q}$ is the collineation axis (Bobillier)",
                     moving.0, moving.1, fixed.0, fixed.1
                 ),
-                Lang::Zh => format!("${}{}$ 与 ${}{}$ 交于 $Q${at}；${pole}Q$ 为共线轴（博比利尔）", moving.0, moving.1, fixed.0, fixed.1),
+                Lang::Zh => format!("${}{}$ 与 ${}{}$ 交于 ${q}${at}；${pole}{q}$ 为共线轴（博比利尔）", moving.0, moving.1, fixed.0, fixed.1),
             });
         }
         for k in [1, 0] {
@@ -118,7 +119,7 @@ impl Words<'_> {
                 }
                 (How::Collineation(End::Infinity(_)), Lang::Zh) => format!("过 ${o}$ 作共线轴的平行线，交 ${m}$ 的射线于 ${j}$"),
                 (How::Collineation(End::At(_)), _) => {
-                    let (q, a) = (format!("Q_{{{}}}", 2 - k), self.fixed(other));
+                    let (q, a) = (format!("{}_{{{}}}", self.on_axis(), 2 - k), self.fixed(other));
                     match lang {
                         Lang::En => format!(
                             "the parallel to the ray of ${m}$ through ${a}$ meets the axis in ${q}$; ${q}{o}$ meets the ray in ${j}$"
@@ -158,7 +159,7 @@ impl Words<'_> {
     }
 
     fn of_point(&self, of: &OfLink, p: &OfPoint) -> Option<String> {
-        let drawn = p.drawn?;
+        let (drawn, h) = (p.drawn?, self.helper());
         let (pole, j, e, centre, lang) = (self.pole(of), self.letter("J", of), self.point(p.point), self.centre(p.point), self.lang);
         let given = match &of.drawing {
             Drawing::Rays(r) => r.known.iter().any(|k| k.why.moving() == Some(p.point)),
@@ -171,10 +172,10 @@ impl Words<'_> {
             (End::Infinity(_), Lang::En) => format!("${e}$ lies on the inflection circle: its path is straight"),
             (End::Infinity(_), Lang::Zh) => format!("${e}$ 在拐点圆上：其轨迹为直"),
             (End::At(_), Lang::En) => format!(
-                "perpendicular to ${pole}{e}$ in ${pole}$, to ${e}{j}$ in $H$; the parallel to ${pole}{j}$ through $H$ meets ${pole}{e}$ in ${centre}$, the centre of the path of ${e}$"
+                "perpendicular to ${pole}{e}$ in ${pole}$, to ${e}{j}$ in ${h}$; the parallel to ${pole}{j}$ through ${h}$ meets ${pole}{e}$ in ${centre}$, the centre of the path of ${e}$"
             ),
             (End::At(_), Lang::Zh) => format!(
-                "过 ${pole}$ 作 ${pole}{e}$ 的垂线，交 ${e}{j}$ 于 $H$；过 $H$ 作 ${pole}{j}$ 的平行线，交 ${pole}{e}$ 于 ${centre}$，即 ${e}$ 轨迹的曲率中心"
+                "过 ${pole}$ 作 ${pole}{e}$ 的垂线，交 ${e}{j}$ 于 ${h}$；过 ${h}$ 作 ${pole}{j}$ 的平行线，交 ${pole}{e}$ 于 ${centre}$，即 ${e}$ 轨迹的曲率中心"
             ),
         })
     }

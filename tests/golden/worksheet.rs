@@ -9,7 +9,7 @@ use hodograph::paper::extent::{Rect, bounds};
 use hodograph::paper::item::{Item, Shape};
 use hodograph::render::pages::{Kind, Page};
 use hodograph::render::pdf;
-use hodograph::scene::{self, Lang, Scene, templates};
+use hodograph::scene::{self, Direction, GuidePath, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 use hodograph::worksheet::{Block, Document, Options, Sides, html, markdown, pages, typst, worksheet};
 
@@ -76,6 +76,12 @@ fn the_problem_side_tells_no_answer() {
         for driver in &scene.drivers {
             for value in [Some(&driver.rate), driver.acceleration.as_ref()].into_iter().flatten() {
                 given += &format!(" {}", significant(value.value.abs(), 4));
+            }
+        }
+        // So is the angle of a guide that the file makes of a parameter.
+        for guide in &scene.guides {
+            if let GuidePath::Line { direction: Direction::Instant(angle), .. } = &guide.path {
+                given += &format!(" {}", significant(angle.value.radians().to_degrees(), 4));
             }
         }
         for (lang, suffix) in LANGS {

@@ -8,7 +8,7 @@ use crate::curvature::known::Known;
 use crate::curvature::motion::{Bend, State};
 use crate::curvature::plane::End;
 use crate::curvature::{Curvature, OfLink};
-use crate::figure::drawing::Part;
+use crate::figure::drawing::{Drawing, Part};
 use crate::figure::extent::Rect;
 use crate::figure::grid::{self, Cell, Row};
 use crate::figure::item::{Anchor, Colour, Dash, Figure, Shape, Stroke};
@@ -22,7 +22,7 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::paper::phrase::Phrase;
 use crate::report::curvature::Words;
-use crate::scene::PointId;
+use crate::scene::{Link, PointId};
 
 use super::board::Board;
 
@@ -30,6 +30,10 @@ use super::board::Board;
 const REACH_MM: f64 = 80.0;
 /// Paper around the outermost place.
 const EDGE_MM: f64 = 7.0;
+/// Places of a construction nearer than this (m) to a joint are the joint.
+const SAME_M: f64 = 1e-9;
+/// Mechanisms with more links have names only where the construction speaks of them.
+const LINKS_NAMED: usize = 7;
 /// How far lines stand back.
 const LINES: Colour = Colour::grey(120);
 /// How far a line goes on behind its last place.
@@ -85,7 +89,10 @@ fn text(w: &Wanted, words: &Words, of: &OfLink) -> Part {
 fn part(w: &Wanted, words: &Words, of: &OfLink) -> Part {
     let diagram = &w.worked.construction.diagram;
     let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu_l)).to_point();
-    let d = mechanism::numbered(&w.options.style, w.scene, w.worked, &w.options.notation);
+    let mut d = mechanism::numbered(&w.options.style, w.scene, w.worked, &w.options.notation);
+    if w.scene.links.len() > LINKS_NAMED {
+        only_named_what_is_used(w, of, &mut d);
+    }
     let lines = d.bounds();
     let reach = lines.grown(REACH_MM);
     let near = places(of)
@@ -97,6 +104,28 @@ fn part(w: &Wanted, words: &Words, of: &OfLink) -> Part {
     let mut over = Over { w, words, of, to_paper: &to_paper, board, thin: w.options.style.thin.coloured(LINES) };
     over.everything();
     over.board.d.finish()
+}
+
+/// Of a large mechanism only what the construction speaks of has names: the link, its joints, and what holds them.
+fn only_named_what_is_used(w: &Wanted, of: &OfLink, d: &mut Drawing) {
+    let scene = w.scene;
+    let rays = match &of.drawing {
+        Ruler::Rays(rays) => rays.known.to_vec(),
+        Ruler::Parallel(known) | Ruler::OneLine(known) => known.to_vec(),
+        Ruler::Rolling(_) | Ruler::Hinge(_) | Ruler::NoRays => Vec::new(),
+    };
+    let places: Vec<Point> = rays.iter().flat_map(|k| [k.moving, k.fixed]).filter_map(End::at).collect();
+    let placed = |p: PointId| w.worked.configuration.points[p.0].is_some_and(|at| places.iter().any(|q| q.distance(at) < SAME_M));
+    let on_link = |p: &PointId| scene.links[of.link.0].points.contains(p);
+    let points: Vec<PointId> = (0..scene.points.len()).map(PointId).filter(|p| on_link(p) || placed(*p)).collect();
+    let holds = |l: &Link| l.points.iter().any(|p| on_link(p) && points.contains(p)) && l.points.iter().any(|p| placed(*p) && !on_link(p));
+    let named = |k: usize, l: &Link| k == of.link.0 || k == scene.ground.0 || holds(l);
+    let links: Vec<String> = scene.links.iter().enumerate().filter(|(k, l)| named(*k, l)).map(|(_, l)| l.name.clone()).collect();
+    let letters: Vec<&str> = points.iter().map(|p| scene.point_name(*p)).collect();
+    d.only_named(|name| match name.strip_prefix("number-") {
+        Some(link) => links.iter().any(|l| l == link),
+        None => letters.contains(&name) || scene.points.iter().all(|p| p.name != name),
+    });
 }
 
 /// The places that the paper should hold.
@@ -203,7 +232,7 @@ impl Over<'_, '_> {
                 let on: Vec<Point> = pair.into_iter().filter_map(End::at).map(|p| self.at(p)).chain([q]).collect();
                 self.chain("collineation", &on);
             }
-            self.spot("Q", q);
+            self.spot(self.words.on_axis(), q);
         }
         let helpers: Vec<Point> =
             rays.how.iter().filter_map(|h| if let How::Collineation(End::At(q)) = h { Some(self.at(*q)) } else { None }).collect();
@@ -225,7 +254,7 @@ impl Over<'_, '_> {
             if let End::At(b) = other.moving {
                 self.chain("join", &[self.at(b), helper, self.at(rays.straight[k])]);
             }
-            self.spot(&format!("Q_{{{}}}", 2 - k), helper);
+            self.spot(&format!("{}_{{{}}}", self.words.on_axis(), 2 - k), helper);
         }
     }
 
@@ -336,7 +365,7 @@ impl Over<'_, '_> {
                     self.board.line("helper", "curvature line", toward, self.thin.dashed(Dash::Dashed));
                     self.chain("helper", &[e, h]);
                     self.chain("helper", &[h, centre]);
-                    self.spot("H", h);
+                    self.spot(self.words.helper(), h);
                 }
             }
             let symbol = self.words.centre(q.point);

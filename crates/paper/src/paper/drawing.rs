@@ -131,8 +131,9 @@ impl Drawing {
 
     /// What is drawn by this lies behind all that is there but the areas of plates, in which it shows.
     pub fn behind(&mut self, draw: impl FnOnce(&mut Drawing)) {
-        let before = self.items.len();
+        let (before, bars) = (self.items.len(), self.obstacles.bars.len());
         draw(self);
+        self.obstacles.bars[bars..].iter_mut().for_each(|bar| bar.faint = true);
         let added = self.items.split_off(before);
         // An area without its edge is one that went behind before.
         let edgeless = |i: &Item| matches!(i.shape, Shape::Polyline { stroke: None, fill: Some(_), .. });
@@ -183,6 +184,12 @@ impl Drawing {
     pub fn letters_only(&mut self) {
         let is_letter = |w: &Wanted| w.request.point().is_some() && w.class.split(' ').any(|word| matches!(word, "point" | "pole"));
         self.wanted.retain(is_letter);
+    }
+
+    /// Only the labels stay whose name, as it was asked for, is among these.
+    pub fn only_named(&mut self, among: impl Fn(&str) -> bool) {
+        let prefix = format!("{}-label-", self.kind);
+        self.wanted.retain(|w| w.id.strip_prefix(&prefix).is_none_or(&among));
     }
 
     /// A label at a point.

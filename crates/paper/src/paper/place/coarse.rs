@@ -102,7 +102,7 @@ mod tests {
         let at = |k: usize| Point::ORIGIN + Vec2::from_angle(2.4 * k as f64) * (0.5 * side_mm * (k as f64 / n as f64).sqrt());
         let mut obstacles = Obstacles::default();
         for k in 0..n {
-            obstacles.bars.push(super::super::Bar { from: at(k), to: at(k + 1), half_width_mm: 0.2, owner: None });
+            obstacles.bars.push(super::super::Bar { from: at(k), to: at(k + 1), half_width_mm: 0.2, owner: None, faint: false });
             obstacles.discs.push(super::super::Disc { centre: at(k), radius_mm: 0.6 });
         }
         let requests =

@@ -18,6 +18,8 @@ const PER_MM: f64 = 1.0;
 const THICK_FACTOR: f64 = 1.5;
 /// Half the width from which a line is one of those.
 const THICK_HALF_MM: f64 = 0.165;
+/// A thin line that stands back is better crossed than led across.
+const FAINT_FACTOR: f64 = 0.5;
 /// An arrowhead is what the reader looks for: it counts as this many lines.
 const HEAD_FACTOR: f64 = 2.0;
 /// The label's own line through its letters does not mislead, and is no easier to read.
@@ -123,6 +125,7 @@ impl<'a> Around<'a> {
                 let factor = match (*own, bar.half_width_mm >= THICK_HALF_MM) {
                     (true, _) => OWN_FACTOR,
                     (false, true) => THICK_FACTOR,
+                    (false, false) if bar.faint => FAINT_FACTOR,
                     (false, false) => 1.0,
                 };
                 cost += (TOUCH + PER_MM * covered) * factor;
@@ -259,7 +262,7 @@ fn meets(bar: &Bar, target: Target) -> bool {
 fn own_distance(rect: Rect, target: Target) -> f64 {
     match target {
         Target::Point { at, clear_mm } => (nearest(rect, at).distance(at) - clear_mm).max(0.0),
-        Target::Segment { from, to, clear_mm } => (distance(rect, &Bar { from, to, half_width_mm: 0.0, owner: None }) - clear_mm).max(0.0),
+        Target::Segment { from, to, clear_mm } => (distance(rect, &Bar { from, to, half_width_mm: 0.0, owner: None, faint: false }) - clear_mm).max(0.0),
         Target::Arc { centre, radius_mm, clear_mm, .. } => {
             let (near, mid) = (nearest(rect, centre).distance(centre), rect.centre().distance(centre));
             // Outside the circle the near side counts, inside the far one, which lies half a diagonal beyond the middle.

@@ -16,6 +16,8 @@ pub struct Bar {
     pub half_width_mm: f64,
     /// To whom it belongs.
     pub owner: Option<u32>,
+    /// Whether it stands back behind all else, as construction lines do: a letter on it is read.
+    pub faint: bool,
 }
 
 /// A round piece of ink.
@@ -148,7 +150,7 @@ impl Obstacles {
     }
 
     fn bar(&mut self, from: Point, to: Point, half_width_mm: f64, owner: Option<u32>) {
-        self.bars.push(Bar { from, to, half_width_mm, owner });
+        self.bars.push(Bar { from, to, half_width_mm, owner, faint: false });
     }
 
     fn arc(&mut self, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64, half_width_mm: f64, owner: Option<u32>) {
@@ -161,7 +163,7 @@ impl Obstacles {
 
     fn head(&mut self, corners: &[Point], owner: Option<u32>) {
         if let &[tip, left, notch, right] = corners {
-            self.heads.push(Bar { from: notch, to: tip, half_width_mm: left.distance(right) / 2.0, owner });
+            self.heads.push(Bar { from: notch, to: tip, half_width_mm: left.distance(right) / 2.0, owner, faint: false });
         }
     }
 }

@@ -44,7 +44,7 @@ fn sheet() -> (Vec<LabelRequest>, Obstacles) {
     }
     for k in 0..36 {
         let from = Point::new(10.0 + 4.5 * k as f64, 15.0);
-        obstacles.bars.push(Bar { from, to: from + Vec2::new(-2.0, -2.0), half_width_mm: 0.1, owner: None });
+        obstacles.bars.push(Bar { from, to: from + Vec2::new(-2.0, -2.0), half_width_mm: 0.1, owner: None, faint: false });
     }
     (requests, obstacles)
 }
@@ -103,7 +103,7 @@ fn a_walled_in_point_gets_a_leader() {
     let mut obstacles = Obstacles::default();
     for k in 0..24 {
         let u = Vec2::from_angle(k as f64 * std::f64::consts::TAU / 24.0);
-        obstacles.bars.push(Bar { from: at + u * 1.0, to: at + u * 7.0, half_width_mm: 0.2, owner: None });
+        obstacles.bars.push(Bar { from: at + u * 1.0, to: at + u * 7.0, half_width_mm: 0.2, owner: None, faint: false });
     }
     let p = place(&[LabelRequest::at_point(Label::math("B_2"), 4.5, at, 0.8)], &obstacles, PAPER)[0];
     let (from, to) = p.leader.expect("no room near the point");
