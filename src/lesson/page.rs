@@ -67,7 +67,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
     };
     let (drawings, (steps, answers, equations, marks, mut formulas)) = rayon::join(|| scenery(frames, notation, &options.style), written);
     let drawings = drawings?;
-    let told: Vec<Vec<Told>> = drawings.iter().map(|d| d.layouts.iter().map(|l| l.track.told()).collect()).collect();
+    let told: Vec<Vec<Told>> = drawings.iter().map(|d| d.layouts.iter().enumerate().map(|(k, l)| l.track.told(k == 0)).collect()).collect();
     let mut figures = drawings.iter().zip(&told).map(|(d, told)| figure(d, told, frames, options.lang));
     let mechanism = figures.next().unwrap_or_default();
     let polygons: String = figures.collect();

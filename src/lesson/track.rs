@@ -110,24 +110,27 @@ impl Track {
         })
     }
 
-    /// The drawing for the page.
-    pub fn told(&self) -> Told {
+    /// The drawing for the page. `at_once`: whether it is seen before the script runs; else the numbers that move are told once, with what
+    /// moves, and not in the markup too.
+    pub fn told(&self, at_once: bool) -> Told {
         let mut told = Told { markup: String::new(), moving: Vec::new() };
         // Where one vector ends another begins, and a bar ends in its joint: what moves alike is told once.
         let mut columns_told: HashMap<(Vec<usize>, Vec<i64>), usize> = HashMap::new();
         for (place, element) in self.order.iter().map(|e| &self.elements[*e]).enumerate() {
-            if element.at_base {
-                told.markup.push_str(&element.markup);
-            } else {
-                told.markup.push_str(&hidden(&element.markup));
-            }
-            told.markup.push('\n');
             let seen: Vec<&Vec<i64>> = element.frames.iter().flatten().collect();
             let changing: Vec<usize> = (0..seen[0].len()).filter(|n| seen.iter().any(|f| f[*n] != seen[0][*n])).collect();
+            let arrow = element.head.filter(|_| !changing.is_empty());
+            let markup = if element.at_base && at_once {
+                element.markup.clone()
+            } else {
+                let all: Vec<usize> = (0..seen[0].len()).collect();
+                without(&element.markup, if arrow.is_some() { &all } else { &changing })
+            };
+            told.markup.push_str(&if element.at_base { markup } else { hidden(&markup) });
+            told.markup.push('\n');
             if changing.is_empty() && seen.len() == element.frames.len() {
                 continue;
             }
-            let arrow = element.head.filter(|_| !changing.is_empty());
             let changing = if arrow.is_some() { ENDS.to_vec() } else { changing };
             let runs = runs(element.frames.iter().map(Option::is_some));
             let mut columns = String::new();
@@ -273,6 +276,26 @@ fn taken_apart(markup: &str) -> (String, Vec<i64>) {
     (form, numbers)
 }
 
+/// Markup with a zero for each of these numbers.
+fn without(markup: &str, numbers: &[usize]) -> String {
+    let mut out = String::with_capacity(markup.len());
+    let (mut done, mut n) = (0, 0);
+    for a in attributes(markup).iter().filter(|a| GEOMETRY.contains(&a.name)) {
+        let from = a.value.as_ptr() as usize - markup.as_ptr() as usize;
+        for (start, end) in numerals(a.value) {
+            if numbers.contains(&n) {
+                out.push_str(&markup[done..from + start]);
+                // A sign alone may have parted two numbers.
+                out.push_str(if out.ends_with(|c: char| c.is_ascii_digit()) { " 0" } else { "0" });
+                done = from + end;
+            }
+            n += 1;
+        }
+    }
+    out.push_str(&markup[done..]);
+    out
+}
+
 /// Where the changing numbers stand: `part attribute numeral …`, one string for each attribute.
 fn places(markup: &str, changing: &[usize]) -> Vec<String> {
     let mut list: Vec<String> = Vec::new();
@@ -302,6 +325,14 @@ mod tests {
     }
 
     #[test]
+    fn numbers_that_are_told_elsewhere_are_left_out() {
+        let markup = "<g id=\"v3\"><line x1=\"-1.5\" y1=\"2\"/><path d=\"M0 1A3 3 0 0 1 4-5.25Z\"/></g>";
+        let left = without(markup, &[0, 6, 7]);
+        assert_eq!(left, "<g id=\"v3\"><line x1=\"0\" y1=\"2\"/><path d=\"M0 1A3 3 0 0 1 0 0Z\"/></g>");
+        assert_eq!(taken_apart(&left).1.len(), taken_apart(markup).1.len());
+    }
+
+    #[test]
     fn an_element_that_comes_and_goes() {
         let line = |id: &str, x: f64| {
             Item::new("link", Shape::Line { from: Point::ORIGIN, to: Point::new(x, 3.0), stroke: Stroke::new(0.5) }).with_id(id)
@@ -310,7 +341,7 @@ mod tests {
         track.add(0, &[line("a", 1.0), line("c", 1.0)], &[]).unwrap();
         track.add(1, &[line("a", 2.0), line("b", 5.0), line("c", 1.0)], &[]).unwrap();
         track.add(2, &[line("a", 3.0), line("c", 1.0)], &[]).unwrap();
-        let told = track.told();
+        let told = track.told(true);
         let ids: Vec<usize> = ["\"a\"", "\"b\"", "\"c\""].iter().map(|id| told.markup.find(id).unwrap()).collect();
         assert!(ids.is_sorted() && told.markup.contains("<line display=\"none\""), "{}", told.markup);
         assert_eq!(told.moving.len(), 2);
