@@ -65,7 +65,7 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
 /// The page of one wrong solution.
 fn figure(w: &Wanted, words: &Words, a: &Attempt) -> Figure {
     let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
-    let mut parts = vec![text(w, &[Phrase::of_words(&words.heading(a))], "heading", w.options.style.caption_mm)];
+    let mut parts = vec![text(w, &[words.heading_set(a)], "heading", w.options.style.caption_mm)];
     if let Some(part) = overlay(w, &maker, words, a) {
         parts.push(part);
     }

@@ -9,6 +9,7 @@ mod plate;
 use crate::diag::{Both, Diagnostic};
 use crate::geom::Point;
 use crate::mechanism::Level;
+use crate::paper::phrase::Phrase;
 use crate::particle::board::{Arrow, Drawn, Views};
 use crate::particle::{Problem, Solved};
 use crate::report::amount::of_level;
@@ -183,7 +184,7 @@ impl Maker<'_> {
         let part = view.part;
         let (x, y) = (part.bounds.centre().x, part.bounds.min.y - CAPTION_MM);
         let mut items = part.items;
-        items.push(self.words("caption", Point::new(x, y), Label::text(self.lang.of(&view.caption)), self.style.caption_mm));
+        items.push(self.words("caption", Point::new(x, y), Phrase::new(self.lang.of(&view.caption)).label(), self.style.caption_mm));
         items.push(self.words("scale", Point::new(x, y - SCALE_MM), Label::math(scale), self.style.small_mm));
         Part::of(items)
     }

@@ -15,6 +15,7 @@ use crate::figure::particle::{ALONE, Maker, View};
 use crate::figure::style::Style;
 use crate::figure::words::words as figure_words;
 use crate::geom::Point;
+use crate::paper::phrase::Phrase;
 use crate::particle::board::{Drawn, Views, draw, draw_again};
 use crate::particle::{Problem, Solved, solve, solve_again};
 use crate::render::escaped;
@@ -157,7 +158,7 @@ pub fn lesson(problem: &Problem, options: &Options) -> Result<String, Faults> {
         drawings.push(Sequence::of(&parts, ground, &mut elements)?);
     }
     let told: Vec<Value> = frames.iter().zip(&views).map(|(f, v)| told(f, v)).collect();
-    let pairs = |v: &View| LANGS.map(|lang| escaped(lang.of(&v.caption)));
+    let pairs = |v: &View| LANGS.map(|lang| escaped(&Phrase::new(lang.of(&v.caption)).plain()));
     let list = |lang: Lang| {
         WORDS.iter().map(|(k, said)| ((*k).to_owned(), json!(said[usize::from(lang == Lang::Zh)]))).collect::<serde_json::Map<_, _>>()
     };
@@ -253,7 +254,7 @@ fn seen(maker: &Maker, drawn: &Drawn, still: Option<&View>) -> Result<Vec<View>,
 /// What is said at an instant: its time, the sentences of the steps, the answers, the scales of the drawings.
 fn told(f: &Frame, views: &[View]) -> Value {
     let both_of = |say: &dyn Fn(Lang) -> String| json!(LANGS.map(say));
-    let steps: Vec<Value> = f.drawn.steps.iter().map(|s| both_of(&|lang| html(&crate::paper::phrase::Phrase::new(lang.of(s))))).collect();
+    let steps: Vec<Value> = f.drawn.steps.iter().map(|s| both_of(&|lang| html(&Phrase::new(lang.of(s))))).collect();
     let answers = both_of(&|lang| {
         let lines = report::lines(&f.problem, &f.solved, DIGITS, lang);
         lines.iter().map(|l| format!("<li>{}</li>", html(l))).collect()
@@ -299,7 +300,7 @@ impl Sequence {
              <figcaption><span class=\"caption\">{}</span> <span class=\"scale\">{}</span></figcaption>\n</figure>\n",
             self.ground,
             self.frames[base],
-            escaped(lang.of(&view.caption)),
+            escaped(&Phrase::new(lang.of(&view.caption)).plain()),
             mathml(&Label::math(view.scale(book))),
         )
     }

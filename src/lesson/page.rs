@@ -18,7 +18,7 @@ use crate::report::amount::of_level;
 use crate::report::math::mathml;
 use crate::report::statement::paragraphs;
 use crate::scene::driver_position;
-use crate::scene::{Book, DriverKind, Lang, Scene};
+use crate::scene::{Book, DriverKind, Lang, PointId, Scene};
 
 use super::bank::{self, Formulas};
 use super::equations::equations;
@@ -31,6 +31,8 @@ use super::words::{table, word};
 use super::{Options, pack};
 use crate::sweep::follow::Sweep;
 
+/// How far (mm of the diagram) from its pivot a link is gripped that has neither another point nor a slot nor a rim.
+const ARM_MM: f64 = 20.0;
 /// The buttons of a drawing.
 const ZOOMS: &str = "<div class=\"zooms\"><button type=\"button\" class=\"whole\" data-title=\"whole\">⤢</button>\
     <button type=\"button\" class=\"farther\" data-title=\"farther\">−</button><button type=\"button\" class=\"nearer\" data-title=\"nearer\">+</button></div>\n";
@@ -273,7 +275,8 @@ fn limits(scene: &Scene, sweep: &Sweep, frames: &Frames) -> Value {
 /// The point by which the driver is dragged, over the frames: two packed columns ([`UNIT`]) in mm of the mechanism's paper, from its
 /// origin, y up.
 fn handle(frames: &Frames, driver: usize) -> Value {
-    let places: Vec<Point> = frames.list.iter().map(|f| grip(f, driver).unwrap_or(Point::ORIGIN) + stray(frames, f)).collect();
+    let arm = arm(frames, driver);
+    let places: Vec<Point> = frames.list.iter().map(|f| grip(f, driver, arm).unwrap_or(Point::ORIGIN) + stray(frames, f)).collect();
     let mut packed = String::new();
     let whole = |v: f64| (v * UNIT).round() as i64;
     pack::column(&places.iter().map(|p| whole(p.x)).collect::<Vec<_>>(), &mut packed);
@@ -281,19 +284,38 @@ fn handle(frames: &Frames, driver: usize) -> Value {
     json!(packed)
 }
 
-/// The driver's grip on the diagram (mm from its origin): the farthest point of a turning link, the slider, the rod's joint.
-fn grip(frame: &Frame, driver: usize) -> Option<Point> {
+/// How far (m) from its pivot a link without another point is gripped: where a pin of its slot comes at most, where it rolls on another
+/// link, else far enough to be turned.
+fn arm(frames: &Frames, driver: usize) -> f64 {
+    let Some((link, _)) = frames.list[frames.base].scene.drivers[driver].kind.turned() else { return 0.0 };
+    let reaches = frames.list.iter().flat_map(|f| {
+        let (scene, at) = (&f.scene, &f.worked.configuration.points);
+        let centre = scene.links[link.0].points.first().and_then(|p| at[p.0]);
+        let pins = scene.guides.iter().filter(|g| g.on == link && g.rolling.is_none()).filter_map(|g| g.pin);
+        let contacts = scene.rolling.iter().filter(|r| r.links.contains(&link)).map(|r| r.at_of(link));
+        let far = |p: PointId| Some(at[p.0]?.distance(centre?));
+        pins.chain(contacts).filter_map(far).collect::<Vec<f64>>()
+    });
+    let farthest = reaches.fold(0.0, f64::max);
+    let least = ARM_MM * frames.list[frames.base].worked.construction.diagram.mu_l;
+    if farthest > 0.0 { farthest } else { least }
+}
+
+/// The driver's grip on the diagram (mm from its origin): the farthest point of a turning link, or a place of it so far from its pivot; the
+/// slider; the rod's joint.
+fn grip(frame: &Frame, driver: usize, arm: f64) -> Option<Point> {
     let (scene, at) = (&frame.scene, &frame.worked.configuration);
     let diagram = &frame.worked.construction.diagram;
     let place = match &scene.drivers[driver].kind {
         DriverKind::Turn { link, against, line, .. } => {
-            let shared = |p: &&crate::scene::PointId| scene.links[against.0].points.contains(p);
+            let shared = |p: &&PointId| scene.links[against.0].points.contains(p);
             let points = &scene.links[link.0].points;
             let centre = points.iter().find(shared).and_then(|p| at.points[p.0]);
             let of_line = line.and_then(|(a, b)| Some((at.points[a.0]?, at.points[b.0]?)));
             match (of_line, centre) {
                 (Some((a, b)), Some(c)) => Some(if a.distance(c) > b.distance(c) { a } else { b }),
                 (Some((_, b)), None) => Some(b),
+                (None, Some(c)) if points.len() == 1 => Some(at.poses[link.0].map_or(c, |pose| c + pose.axis * arm)),
                 (None, Some(c)) => points.iter().filter_map(|p| at.points[p.0]).max_by(|a, b| a.distance(c).total_cmp(&b.distance(c))),
                 (None, None) => points.iter().find_map(|p| at.points[p.0]),
             }

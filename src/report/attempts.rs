@@ -11,6 +11,7 @@ use crate::mechanism::Level;
 use crate::paper::phrase::{Phrase, sense, tr};
 use crate::paper::words::words;
 use crate::plan::Step;
+use crate::plan::names::name_label;
 use crate::plan::notation::Notation;
 use crate::plan::text::{Column, Writer};
 use crate::report::amount::{amount, number, sense as certified_sense, symbol};
@@ -62,6 +63,42 @@ impl Words<'_> {
             Lang::En => format!("{title}, {}", place.en),
             Lang::Zh => format!("{title}（{}）", place.zh),
         }
+    }
+
+    /// The same with its points set as points.
+    pub fn heading_set(&self, a: &Attempt) -> Phrase {
+        let (title, place) = (a.site.mistake().title(self.lang), a.site.place(self.scene));
+        let place = self.points_set(self.lang.of(&place));
+        Phrase::new(&match self.lang {
+            Lang::En => format!("{title}, {place}"),
+            Lang::Zh => format!("{title}（{place}）"),
+        })
+    }
+
+    /// Words in which every name of a point, and ω, is a formula.
+    fn points_set(&self, words: &str) -> String {
+        let mut out = String::new();
+        let mut name = String::new();
+        let set = |name: &mut String, out: &mut String| {
+            let point = self.scene.points.iter().any(|p| p.name == *name);
+            if point {
+                out.push_str(&format!("${}$", name_label(name)));
+            } else {
+                out.push_str(if name == "ω" { "$\\omega$" } else { name });
+            }
+            name.clear();
+        };
+        for c in words.chars() {
+            // Chinese words stand at a letter without a space.
+            if c.is_alphanumeric() && !('\u{2e80}'..).contains(&c) || c == '\'' || c == '_' {
+                name.push(c);
+            } else {
+                set(&mut name, &mut out);
+                out.push(c);
+            }
+        }
+        set(&mut name, &mut out);
+        out
     }
 
     /// Writers for the right and the wrong equations.

@@ -71,6 +71,20 @@ impl Words<'_> {
         if points.is_empty() { scene.link_name(link).to_owned() } else { format!("{} ({points})", scene.link_name(link)) }
     }
 
+    /// The heading with the link's points set as points.
+    pub fn heading_set(&self, of: &OfLink) -> Phrase {
+        Phrase::new(&match self.heading(of).split_once('(').map(|(before, rest)| (before, rest.split_once(')'))) {
+            Some((before, Some((points, after)))) => {
+                let [open, close] = match self.lang {
+                    Lang::En => ["(", ")"],
+                    Lang::Zh => ["（", "）"],
+                };
+                format!("{}{open}${points}${close}{after}", if self.lang == Lang::Zh { before.trim_end() } else { before })
+            }
+            Some((_, None)) | None => self.heading(of),
+        })
+    }
+
     /// `link 2 (BCE), seen from link 3`.
     pub fn heading(&self, of: &OfLink) -> String {
         let against = self.scene().link_name(self.found.against);

@@ -105,7 +105,9 @@ impl Words<'_> {
                     "${}{}$ and ${}{}$ cross in ${q}${at}; ${pole}{q}$ is the collineation axis (Bobillier)",
                     moving.0, moving.1, fixed.0, fixed.1
                 ),
-                Lang::Zh => format!("${}{}$ 与 ${}{}$ 交于 ${q}${at}；${pole}{q}$ 为共线轴（博比利尔）", moving.0, moving.1, fixed.0, fixed.1),
+                Lang::Zh => {
+                    format!("${}{}$ 与 ${}{}$ 交于 ${q}${at}；${pole}{q}$ 为共线轴（博比利尔）", moving.0, moving.1, fixed.0, fixed.1)
+                }
             });
         }
         for k in [1, 0] {

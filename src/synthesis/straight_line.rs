@@ -135,15 +135,13 @@ struct Made {
 impl Task {
     /// The name of the linkage.
     fn name(&self) -> Both {
-        let en = NAMES.iter().find(|n| n.1 == self.linkage).map_or("", |n| n.0);
-        let zh = match self.linkage {
-            Linkage::Watt => "瓦特",
-            Linkage::Chebyshev => "切比雪夫",
-            Linkage::Hoeken => "霍肯",
-            Linkage::ScottRussell => "斯科特-罗素",
-            Linkage::Peaucellier => "波塞利耶",
-        };
-        Both { en: en.into(), zh: zh.into() }
+        match self.linkage {
+            Linkage::Watt => both!("Watt", "瓦特"),
+            Linkage::Chebyshev => both!("Chebyshev", "切比雪夫"),
+            Linkage::Hoeken => both!("Hoeken", "霍肯"),
+            Linkage::ScottRussell => both!("Scott Russell", "斯科特-罗素"),
+            Linkage::Peaucellier => both!("Peaucellier", "波塞利耶"),
+        }
     }
 
     /// The length along the line at scale 1.
@@ -269,7 +267,7 @@ fn peaucellier(k: f64, angle: f64, heading: &Heading) -> Option<Json> {
 
 impl Wish for Task {
     fn title(&self) -> Both {
-        both!("Straight-line linkage ({}), {} long", "{}直线机构，直线段长 {}", self.name(), metres(self.length))
+        both!("{}'s straight-line linkage, {} long", "{}直线机构，直线段长 {}", self.name(), metres(self.length))
     }
 
     fn solve(&self, heading: &Heading) -> Result<Found, Faults> {

@@ -27,7 +27,7 @@ pub fn find_the_mistake(scene: &Scene, worked: &Worked, attempt: &Attempt, optio
     }
     if options.sides != Sides::Problem {
         blocks.push(maker.heading(1, "The mistake", "错误所在"));
-        blocks.push(Block::Paragraph(Phrase::of_words(&words.heading(attempt))));
+        blocks.push(Block::Paragraph(words.heading_set(attempt)));
         blocks.push(Block::Figure { name: "mistake", figure: Box::new(page_of(scene, worked, &options.sheet, attempt)) });
         maker.solution(&mut blocks, options.sides == Sides::Solution);
     }

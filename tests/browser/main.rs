@@ -410,14 +410,14 @@ fn a_dragged_slider_follows_along_its_line() {
     assert_quiet(&b, "slider");
 }
 
-/// Every template gets a lesson, no larger than a photograph on a page (250 KiB); what is no mechanism gets none.
+/// Every template gets a lesson, no larger than a photograph on a page (240 KiB); what is no mechanism gets none.
 #[test]
 fn every_template_has_a_lesson_of_some_size() {
     let mut sizes = Vec::new();
     for t in templates::list() {
         let scene = template(t.name);
         let bytes = lesson(&scene, &Options::of_language(Lang::Zh)).unwrap_or_else(|f| panic!("{}: {f}", t.name)).value.len();
-        assert!(bytes < 250 * 1024, "{}: {bytes} bytes for {} links", t.name, scene.links.len());
+        assert!(bytes < 240 * 1024, "{}: {bytes} bytes for {} links", t.name, scene.links.len());
         sizes.push(bytes);
     }
     eprintln!("lessons of {} to {} bytes", sizes.iter().min().unwrap(), sizes.iter().max().unwrap());

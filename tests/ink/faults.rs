@@ -14,13 +14,16 @@ const NEARER_MM: f64 = 0.15;
 /// Nearer than this two places are one: an inset is some ten times as large at most.
 const ONE_MM: f64 = 0.02;
 
+/// Two letters' widths: a number farther off is no factor.
+const FACTOR_MM: f64 = 4.0;
+
 #[derive(Default)]
 pub struct Faults {
-    pub counts: [usize; 8],
+    pub counts: [usize; 10],
     pub list: Vec<String>,
 }
 
-const NAMES: [&str; 8] = [
+const NAMES: [&str; 10] = [
     "label on label",
     "label under a thick line",
     "arrow in hatching",
@@ -29,11 +32,13 @@ const NAMES: [&str; 8] = [
     "nearer to another line",
     "nearer to another mark",
     "label crossed by a thin line",
+    "number behind the name of a rate",
+    "angle or leader in hatching",
 ];
 /// Kinds of which there is none.
 const FORBIDDEN: [usize; 4] = [0, 2, 3, 4];
 /// Kinds of which there is one in so many sheets at most: where vectors are many and short there is no place without them.
-const RARE: [usize; 3] = [1, 5, 6];
+const RARE: [usize; 5] = [1, 5, 6, 8, 9];
 const ONE_IN: usize = 20;
 
 impl Faults {
@@ -82,6 +87,7 @@ pub fn of(ink: &Ink) -> Faults {
         }
     }
     hatchings(ink, &mut f);
+    factors(ink, &mut f);
     nearest(ink, &mut f);
     f
 }
@@ -104,11 +110,12 @@ fn has(class: &str, word: &str) -> bool {
 
 fn hatchings(ink: &Ink, f: &mut Faults) {
     let hatches: Vec<&Line> = ink.lines.iter().filter(|l| has(&l.class, "hatch")).collect();
-    let arrows = ink.lines.iter().filter(|l| has(&l.class, "rotation") || has(&l.class, "driver") && !has(&l.class, "angle"));
+    let arrows = ink.lines.iter().filter(|l| has(&l.class, "rotation") || has(&l.class, "driver") && !has(&l.class, "reference"));
     for arrow in arrows {
         for h in &hatches {
             if h.pieces.iter().any(|a| arrow.pieces.iter().any(|b| cross(*a, *b))) {
-                f.note(2, format!("{} in {}", arrow.id, h.id));
+                let points_out = has(&arrow.class, "angle") || has(&arrow.class, "leader");
+                f.note(if points_out { 9 } else { 2 }, format!("{} in {}", arrow.id, h.id));
             }
         }
     }
@@ -117,6 +124,21 @@ fn hatchings(ink: &Ink, f: &mut Faults) {
             if a.pieces.iter().any(|p| b.pieces.iter().any(|q| cross(*p, *q))) {
                 f.note(3, format!("{} on {}", a.id, b.id));
             }
+        }
+    }
+}
+
+/// A link's number on one line with the name of a rate, and close behind it, is read as its factor.
+fn factors(ink: &Ink, f: &mut Faults) {
+    let numbers = ink.texts.iter().filter(|t| has(&t.class, "number"));
+    for number in numbers {
+        let beside = |rate: &&Text| {
+            let [a, b] = [number.ink, rate.ink];
+            let level = (a.hi[1].min(b.hi[1]) - a.lo[1].max(b.lo[1])) > 0.5 * (a.hi[1] - a.lo[1]);
+            level && a.lo[0] > b.hi[0] && a.lo[0] - b.hi[0] < FACTOR_MM
+        };
+        for rate in ink.texts.iter().filter(|t| has(&t.class, "driver")).filter(beside) {
+            f.note(8, format!("{} behind {}", number.id, rate.id));
         }
     }
 }

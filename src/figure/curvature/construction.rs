@@ -53,8 +53,8 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Figure {
     let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let words = Words { found, lang: w.options.lang };
     let (_, mu) = maker.caption(Level::Position);
-    let caption = format!("{} – {}", maker.words().curvature, words.heading(of));
-    let mut drawing = maker.titled(part(w, &words, of), Label::text(caption), &mu, "curvature");
+    let caption = Label::text(format!("{} – ", maker.words().curvature)).then(words.heading_set(of).label());
+    let mut drawing = maker.titled(part(w, &words, of), caption, &mu, "curvature");
     let mut below = text(w, &words, of);
     drawing.stand_at(Point::ORIGIN);
     below.stand_at(Point::new((drawing.bounds.width_mm() - below.bounds.width_mm()).max(0.0) / 2.0, drawing.bounds.min.y - GAP_MM));

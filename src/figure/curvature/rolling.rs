@@ -18,6 +18,7 @@ use crate::figure::sheet::Maker;
 use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::Level;
 use crate::report::curvature::Words;
+use crate::scene::Lang;
 
 use super::board::Board;
 use std::f64::consts::TAU;
@@ -93,9 +94,15 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
     }
     board.spots();
     let (_, mu) = maker.caption(Level::Position);
-    let caption = format!("{} – {} ({})", maker.words().centrodes, words.heading(of), maker.words().fixed_moving);
+    let [open, close] = match w.options.lang {
+        Lang::En => [" (", ")"],
+        Lang::Zh => ["（", "）"],
+    };
+    let caption = Label::text(format!("{} – ", maker.words().centrodes))
+        .then(words.heading_set(of).label())
+        .then(Label::text(format!("{open}{}{close}", maker.words().fixed_moving)));
     let under = format!("{},\\quad {mu}", words.centrode_legend(of));
-    let part = maker.titled(board.d.finish(), Label::text(caption), &under, "centrodes");
+    let part = maker.titled(board.d.finish(), caption, &under, "centrodes");
     let mut figure = maker.alone(part);
     figure.desc = format!("{} – {}", maker.words().centrodes, words.heading(of));
     Ok(figure)

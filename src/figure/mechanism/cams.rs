@@ -183,7 +183,9 @@ impl Draft<'_> {
             let Some(centre) = self.point(k) else { return self.d.of_link(None) };
             let radius_mm = self.mm(radius);
             let owner = self.d.shape(&id, "cam", Shape::Arc { centre, radius_mm, from_rad: 0.0, to_rad: TAU, stroke });
-            let piece = |k: usize| [k as f64, k as f64 + 1.5].map(|a| centre + Vec2::from_angle(NUMBER_FROM_RAD + a * TAU / PLACES as f64) * radius_mm);
+            let piece = |k: usize| {
+                [k as f64, k as f64 + 1.5].map(|a| centre + Vec2::from_angle(NUMBER_FROM_RAD + a * TAU / PLACES as f64) * radius_mm)
+            };
             (owner, self.freest((0..PLACES).map(piece)))
         } else {
             let of_disc = || Some(c.disc.as_ref()?.disc.outline(STEPS).into_iter().map(self.of_cam(c)?).collect());

@@ -37,7 +37,9 @@ impl Draft<'_> {
 
     /// The block, once for its two slots.
     pub(super) fn cross(&mut self, g: GuideId, other: GuideId) {
-        let (Some((at, u)), Some((_, v)), Some(slider)) = (self.runner(g), self.runner(other), self.scene.guides[g.0].slider) else { return };
+        let (Some((at, u)), Some((_, v)), Some(slider)) = (self.runner(g), self.runner(other), self.scene.guides[g.0].slider) else {
+            return;
+        };
         if other < g {
             return;
         }

@@ -63,8 +63,8 @@ pub(super) fn inside(p: Point, corners: &[Point]) -> bool {
 pub(super) fn sweeps(from: f64, sweep: f64, angle: f64) -> bool {
     use std::f64::consts::TAU;
     let turned = ((angle - from) * sweep.signum()).rem_euclid(TAU);
-    // The support's half base seen from the joint.
-    let half = 0.6;
+    // Half of the support's hatching seen from the joint.
+    let half = 0.95;
     turned < sweep.abs() + half || turned > TAU - half
 }
 

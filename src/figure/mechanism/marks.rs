@@ -10,8 +10,8 @@ use crate::plan::names::name_label;
 use crate::report::given::Givens;
 use crate::scene::{Driver, DriverKind, GuideId, Lang, LinkId, PointId};
 
-use super::Draft;
 use super::rates::{ARROW_MM, Slides, Turns};
+use super::{Draft, form};
 
 /// Radius of a given angle's arc: part of the crank, within what can be read and does not hide the mechanism.
 const ANGLE_PART: f64 = 0.5;
@@ -27,6 +27,8 @@ const ROTATION_MM: [f64; 2] = [7.0, 9.5];
 const ROTATION_RAD: [f64; 2] = [0.45, 1.9];
 /// How much farther out a second driver's arrows are: its label fits between.
 pub(super) const NEXT_MM: f64 = 6.0;
+/// Between a support's hatching and the arc of an angle round it.
+const HATCHING_AIR_MM: f64 = 0.8;
 /// A given angle smaller than this has no room for its arrow.
 const ANGLE_LEAST_RAD: f64 = 0.12;
 /// How far outside its rim the arrow of a wheel stands, and half its length.
@@ -97,6 +99,11 @@ impl Draft<'_> {
             let radius = (ANGLE_PART * crank).clamp(ANGLE_MM[0], ANGLE_MM[1]);
             // A small angle is measured farther out, where its arc has room for a head.
             let radius = radius.max((ANGLE_ARC_MM / sweep.abs()).min(SMALL_ANGLE_PART * crank).min(SMALL_ANGLE_MM)) + wider_mm;
+            // Round a support's hatching, not through it, if the link is long enough.
+            let round = self.hatching_mm() + HATCHING_AIR_MM;
+            let held = self.scene.links[link.0].points.iter().find(|p| self.is_fixed_pivot(**p) && self.point(**p) == Some(at));
+            let passes = |p: &PointId| form::sweeps(0.0, sweep, self.support_side(*p).angle());
+            let radius = if grounded && round < crank && held.is_some_and(passes) { radius.max(round) } else { radius };
             let reference = match against_line.or_else(|| first_two(against)) {
                 Some((a, b)) if !grounded || against_line.is_some() => {
                     self.point(a).zip(self.point(b)).map_or(0.0, |(a, b)| (b - a).angle())
@@ -122,6 +129,12 @@ impl Draft<'_> {
         self.d.of_link(Some(link.0));
         self.rotations(driver, &index, Turns { centre, radius, angles, mirror: outward.angle() });
         self.d.of_link(None);
+    }
+
+    /// From a fixed pivot to the farthest corner of its support's hatching.
+    fn hatching_mm(&self) -> f64 {
+        let style = self.style;
+        libm::hypot(style.ground_half_mm + style.hatch_depth_mm, style.pivot_height_mm + style.hatch_depth_mm)
     }
 
     /// Of a link that is its pivot and a slot through it: the pivot, and a place of the slot.

@@ -17,13 +17,13 @@ fn caption(until: f64, meets: bool) -> Both {
     let last = significant(until, if meets { 5 } else { 3 });
     if meets {
         both!(
-            "Courses from t = 0 to the meeting P at {last} s, lines of sight at equal times",
-            "自 t = 0 至 {last} s 相遇于 P 的轨迹，视线间隔时间相等"
+            "Courses from $t = 0$ to the meeting $P$ at {last} s, lines of sight at equal times",
+            "自 $t = 0$ 至 {last} s 相遇于 $P$ 的轨迹，视线间隔时间相等"
         )
     } else {
         both!(
-            "Courses from t = 0 to {last} s, lines of sight at equal times; no meeting",
-            "自 t = 0 至 {last} s 的轨迹，视线间隔时间相等；不相遇"
+            "Courses from $t = 0$ to {last} s, lines of sight at equal times; no meeting",
+            "自 $t = 0$ 至 {last} s 的轨迹，视线间隔时间相等；不相遇"
         )
     }
 }
@@ -70,7 +70,7 @@ impl Maker<'_> {
         self.line(&mut d, "line", vec![a, b], self.style.thin);
         self.named(&mut d, &motion.point, a);
         self.named(&mut d, target, b);
-        let caption = both!("At the start, t = 0, with the path of {target}", "t = 0 时的起始位置及 {target} 的轨迹");
+        let caption = both!("At the start, $t = 0$, with the path of ${target}$", "$t = 0$ 时的起始位置及 ${target}$ 的轨迹");
         Some(View { part: d.finish(), caption, scales: vec![(Level::Position, drawn.mu[0])] })
     }
 

@@ -141,7 +141,7 @@ impl Maker<'_> {
         let caption = match level {
             Level::Position => both!("View along the axis", "沿轴视图"),
             Level::Velocity | Level::Acceleration => {
-                both!("View along the axis (v′, a′ as they are seen there)", "沿轴视图（v′、a′ 为其投影）")
+                both!("View along the axis ($v'$, $a'$ as they are seen there)", "沿轴视图（$v'$、$a'$ 为其投影）")
             }
         };
         View { part: d.finish(), caption, scales: self.scales(drawn, level) }

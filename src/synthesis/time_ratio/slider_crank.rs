@@ -135,7 +135,11 @@ impl SliderCrank {
         board.mark("O", centre);
         let level = Line::ray(Point::new(0.0, -board.mm(offset)), 0.0);
         let a = board.cut(&level, centre, radius)?[k];
-        board.step(both!("The parallel to the guide at the offset e meets the circle in A", "在偏距 e 处作导路的平行线，与圆交于 A"));
+        board.step(both!(
+            "The parallel to the guide at the offset {} meets the circle in A",
+            "在偏距 {} 处作导路的平行线，与圆交于 A",
+            metres(offset)
+        ));
         board.line(level.place(a.x.min(0.0)), level.place(a.x.max(0.0)), Weight::Thin).mark("A", a);
         board.line(a, c1, Weight::Thin).line(a, c2, Weight::Thin);
         board.halve(a, [c1, c2])

@@ -262,7 +262,9 @@ fn meets(bar: &Bar, target: Target) -> bool {
 fn own_distance(rect: Rect, target: Target) -> f64 {
     match target {
         Target::Point { at, clear_mm } => (nearest(rect, at).distance(at) - clear_mm).max(0.0),
-        Target::Segment { from, to, clear_mm } => (distance(rect, &Bar { from, to, half_width_mm: 0.0, owner: None, faint: false }) - clear_mm).max(0.0),
+        Target::Segment { from, to, clear_mm } => {
+            (distance(rect, &Bar { from, to, half_width_mm: 0.0, owner: None, faint: false }) - clear_mm).max(0.0)
+        }
         Target::Arc { centre, radius_mm, clear_mm, .. } => {
             let (near, mid) = (nearest(rect, centre).distance(centre), rect.centre().distance(centre));
             // Outside the circle the near side counts, inside the far one, which lies half a diagonal beyond the middle.
