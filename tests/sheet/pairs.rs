@@ -2,6 +2,7 @@
 
 use hodograph::figure::mechanism::mechanism;
 use hodograph::geom::Point;
+use hodograph::paper::extent::Rect;
 use hodograph::paper::item::{Dash, Item, Shape};
 use hodograph::paper::style::Style;
 use hodograph::plan::notation::Notation;
@@ -125,4 +126,60 @@ fn a_yoke_has_two_faces() {
         .collect();
     assert!(faces.iter().all(|(off, _)| (off.abs() - radius).abs() < 1e-9), "{faces:?} {radius}");
     assert!(faces.iter().any(|f| f.0 > 0.0 && f.1 == Dash::Solid) && faces.iter().any(|f| f.0 < 0.0 && f.1 == Dash::Dashed), "{faces:?}");
+}
+
+/// The disc of Oldham's coupling is one body with an arm in each slot: no joint where they meet, no block on the second shaft.
+#[test]
+fn a_block_in_two_slots_is_a_cross() {
+    let items = drawn(templates::get("oldham-coupling").unwrap());
+    assert_eq!(blocks(&items), ["link-3"]);
+    let corners = items.iter().find_map(|i| match &i.shape {
+        Shape::Polyline { points, closed: true, .. } if i.class.ends_with("slider") => Some(points.len()),
+        _ => None,
+    });
+    assert_eq!(corners, Some(12));
+    assert!(items.iter().all(|i| !i.id.ends_with("pin-C")), "nothing is joined at C");
+    let bars = |link: usize| items.iter().filter(|i| i.link == Some(link) && i.class.ends_with("link")).count();
+    assert_eq!([bars(1), bars(3)], [1, 1], "levers 2 and 4");
+}
+
+/// The same coupling as two blocks that turn about the shafts, through which the arms of 3 slide.
+const TURNED_BLOCKS: &str = r#"{"links": {"1": ["A", "D"], "2": ["A"], "3": ["C"], "4": ["D"]}, "ground": "1", "lengths": {"AD": "40 mm"},
+    "points": {"C": ["40 mm*cos(50 deg)^2", "40 mm*cos(50 deg)*sin(50 deg)"]},
+    "guides": [{"pin": "A", "slider": "2", "on": "3", "through": "C", "angle": "50 deg"},
+               {"pin": "D", "slider": "4", "on": "3", "through": "C", "angle": "140 deg"}],
+    "driver": {"link": "2", "omega": "20 rad/s"}, "find": ["omega_4", "v_C"]}"#;
+
+#[test]
+fn a_driven_block_has_its_arrow_and_two_guides_of_a_link_two_names() {
+    let items = drawn(TURNED_BLOCKS);
+    let written = written(&items);
+    assert!(written.contains(&"\\omega_{2}"), "{written:?}");
+    assert!(["t_{3A}", "t_{3D}"].iter().all(|t| written.contains(t)), "{written:?}");
+}
+
+/// The number of the ground stands at a hatching, on every template that has a fixed pivot.
+#[test]
+fn the_number_of_the_ground_is_at_its_hatching() {
+    let mut seen = 0;
+    for template in templates::list() {
+        let text = templates::get(template.name).unwrap();
+        let ground = scene::read(text).unwrap().value;
+        let name = ground.link_name(ground.ground).to_owned();
+        let items = drawn(text);
+        let hatched: Vec<Rect> =
+            items.iter().filter(|i| i.class.ends_with("hatch") && i.id.contains("pivot")).filter_map(Item::bounds).collect();
+        let number = items.iter().find(|i| i.id == format!("mechanism-label-number-{name}")).and_then(Item::bounds);
+        let (Some(number), false) = (number, hatched.is_empty()) else { continue };
+        let off = hatched.iter().map(|h| gap_mm(number, *h)).fold(f64::INFINITY, f64::min);
+        assert!(off < 4.0, "{}: {off} mm from the nearest hatching", template.name);
+        seen += 1;
+    }
+    assert!(seen > 30, "{seen}");
+}
+
+fn gap_mm(a: Rect, b: Rect) -> f64 {
+    let x = (a.min.x - b.max.x).max(b.min.x - a.max.x).max(0.0);
+    let y = (a.min.y - b.max.y).max(b.min.y - a.max.y).max(0.0);
+    x.hypot(y)
 }

@@ -174,6 +174,8 @@
     let least = Infinity;
     for (let k = here - reach; k <= here + reach; k++) {
       if (!inside(k)) continue;
+      // Of several turns the one in which the hand is.
+      if (data.turns > 1 && Math.abs(time(k) - time(here)) > Math.PI) continue;
       const [gx, gy] = gripAt({ k: frame(k), s: 0 });
       const d = (gx - x) ** 2 + (gy - y) ** 2;
       if (d < least) [least, best] = [d, k];
