@@ -2,6 +2,12 @@
 
 use super::*;
 
+/// Lets go of the grip and waits until it has come to rest.
+pub fn let_go(b: &mut Browser, at: [f64; 2]) {
+    b.mouse("mouseReleased", at);
+    b.eval("new Promise((done) => setTimeout(done, 400))");
+}
+
 /// The grip's middle and the pivot's, in the window.
 const GRIP: &str = "(() => { const r = document.querySelector('.grip .ring').getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()";
 

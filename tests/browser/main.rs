@@ -14,6 +14,7 @@ mod stage;
 mod touch;
 
 use chromium::Browser;
+use grip::let_go;
 use hodograph::figure::{mechanism, polygon};
 use hodograph::lesson::{Options, lesson};
 use hodograph::mechanism::Level;
@@ -139,12 +140,6 @@ fn in_window(b: &mut Browser, [x, y]: [f64; 2]) -> [f64; 2] {
 
 fn travel(b: &mut Browser) -> f64 {
     b.eval("document.querySelector('.grip').dataset.travel").as_str().unwrap().parse().unwrap()
-}
-
-/// Lets go of the grip and waits until it has come to rest.
-fn let_go(b: &mut Browser, at: [f64; 2]) {
-    b.mouse("mouseReleased", at);
-    b.eval("new Promise((done) => setTimeout(done, 400))");
 }
 
 /// The crank's joint, in m from the diagram's origin, and its length.
