@@ -5,6 +5,7 @@ use crate::paper::phrase::Phrase;
 use crate::particle::law::{Turning, Way};
 use crate::particle::plate::Part;
 use crate::particle::{Asked, Kind, Motion, Plate, Problem};
+use crate::report::given::law::printed;
 use crate::report::particle::symbol;
 use crate::scene::Lang;
 use crate::scene::front::Law;
@@ -12,10 +13,6 @@ use crate::scene::front::Law;
 /// An expression as it is printed.
 fn told(law: &Law) -> String {
     printed(&law.text)
-}
-
-fn printed(text: &str) -> String {
-    text.replace("^2", "²").replace("^3", "³").replace('*', "·").replace('-', "−")
 }
 
 /// Parameters, plates, motions and the instant, a line each.
