@@ -1,11 +1,13 @@
 //! Path generation 按预定轨迹, `"synthesis": "path"`: a point E of the coupler through given places.
 //!
-//! Places met exactly, by [`inversion`]: three with A, D and either crank and BE or the crank's turns; four and five with A, crank and BE. Five places
+//! Places met exactly, by [`inversion`]: three with A, D and either crank and BE or the crank's turns; four and five with A, crank and BE; four at given
+//! turns of the crank with lines for A and D ([`four_turned`]). Five places
 //! and more with nothing else given: least squares of the distances ([`search`]), or at given turns of the crank ([`timed`]).
 
 mod drawing;
 mod evolution;
 mod explained;
+mod four_turned;
 mod inversion;
 pub mod search;
 mod sides;
@@ -19,6 +21,7 @@ use super::{Found, KindOfTask, Proof, Statement, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
 use crate::geom::{Point, Vec2};
+use four_turned::FourTurned;
 use search::Fit;
 use sides::Sides;
 use std::f64::consts::TAU;
@@ -27,7 +30,7 @@ use std::f64::consts::TAU;
 pub const KIND: KindOfTask = KindOfTask {
     name: "path",
     what: ["a coupler point through given places", "按连杆上一点的预定轨迹设计"],
-    keys: &["points", "ground", "crank", "BE", "side", "line", "timing", "seed"],
+    keys: &["points", "ground", "crank", "BE", "side", "line", "line_A", "timing", "seed"],
     read,
 };
 
@@ -37,6 +40,8 @@ enum Path {
     Three { points: [Point; 3], pivots: [Point; 2], lengths: [f64; 2], sides: Sides },
     /// Three places at given angles of the crank (rad).
     Turned { points: [Point; 3], pivots: [Point; 2], turns: [f64; 3] },
+    /// Four places at given angles of the crank.
+    FourTurned(FourTurned),
     /// Four places with a line for D, or five; crank and BE given.
     Several { points: Vec<Point>, a: Point, lengths: [f64; 2], sides: Sides, line: Option<(Point, Vec2)> },
     /// Many, the crank's angles at them where these are given (rad).
@@ -56,9 +61,10 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
             return None;
         }
     }
-    let given: Vec<&str> = ["ground", "crank", "BE", "side", "line"].into_iter().filter(|k| form.has(k)).collect();
+    let given: Vec<&str> = ["ground", "crank", "BE", "side", "line", "line_A"].into_iter().filter(|k| form.has(k)).collect();
     match <[Point; 3]>::try_from(points) {
         Ok(points) => three(form, points),
+        Err(points) if points.len() == 4 && form.has("timing") => Some(Box::new(Path::FourTurned(four_turned::read(form, points)?))),
         Err(points) if points.len() == 4 || points.len() == 5 && !given.is_empty() => several(form, points),
         Err(points) if given.is_empty() => {
             let seed = if form.has("seed") { form.count("seed", 0, 1_000_000_000)? } else { 1 };
@@ -144,9 +150,10 @@ fn three(form: &Form, points: [Point; 3]) -> Option<Box<dyn Wish>> {
 fn several(form: &Form, points: Vec<Point>) -> Option<Box<dyn Wish>> {
     if let Some(key) = ["timing", "seed"].into_iter().find(|k| form.has(k)) {
         let message = match key {
-            "timing" => {
-                both!("`timing` is given for three places, or for five and more alone", "`timing` 只用于三个点，或单独给出的五个以上的点")
-            }
+            "timing" => both!(
+                "`timing` is given for three or four places, or for five and more alone",
+                "`timing` 只用于三、四个点，或单独给出的五个以上的点"
+            ),
             _ => both!("`seed` belongs to a search; four and five places are met exactly", "`seed` 用于搜索；四、五个位置可精确实现"),
         };
         form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(both!("leave it out", "请去掉它")));
@@ -164,14 +171,7 @@ fn several(form: &Form, points: Vec<Point>) -> Option<Box<dyn Wish>> {
     let lengths = lengths(form);
     let sides = sides::read(form, points.len());
     let line = match points.len() {
-        4 => {
-            form.need("line", "{\"through\": [\"100 mm\", \"0 mm\"], \"angle\": \"0 deg\"}")?;
-            let inner = form.inner("line", &["through", "angle"])?;
-            inner.need("through", "[\"100 mm\", \"0 mm\"]")?;
-            let angle = if inner.has("angle") { inner.angle("angle") } else { Some(0.0) };
-            let through = inner.point("through");
-            Some((through?, Vec2::from_angle(angle?)))
-        }
+        4 => Some(four_turned::ray(form, "line")?),
         _ => None,
     };
     Some(Box::new(Path::Several { points, a: a?, lengths: lengths?, sides: sides?, line }))
@@ -189,7 +189,7 @@ impl Wish for Path {
             Path::Three { .. } | Path::Turned { .. } => {
                 both!("Four-bar whose coupler point passes three places", "连杆点通过三个位置的四杆机构")
             }
-            Path::Several { points, .. } => {
+            Path::FourTurned(FourTurned { points, .. }) | Path::Several { points, .. } => {
                 both!("Four-bar whose coupler point passes {} places", "连杆点通过 {} 个位置的四杆机构", points.len())
             }
             Path::Many { points, .. } => {
@@ -205,6 +205,7 @@ impl Wish for Path {
                 let found = inversion::turned(points, *pivots, turns, heading);
                 vec![found.map_err(|message| Diagnostic::error("no-real-solution", message).help(unturned()))?]
             }
+            Path::FourTurned(wish) => wish.solve(heading)?,
             Path::Several { points, a, lengths, sides, line } => of_several(points, *a, *lengths, sides, *line, heading)?,
             Path::Many { points, timing, seed } => return searched(points, timing.as_deref(), *seed, heading),
         };
@@ -212,6 +213,8 @@ impl Wish for Path {
     }
 
     fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+        // D, and A where it is not given, come from centre-point curves.
+        let found = |letter: &str| Point::new(super::told::of(draft, &format!("{letter}_x")), super::told::of(draft, &format!("{letter}_y")));
         let by_sides = |board: &mut Board, points: &[Point], pivots: [Point; 2], lengths: [f64; 2], sides: &Sides| {
             let ways: Vec<_> = sides.all.iter().map(|s| move |b: &mut Board| drawing::by_lengths(b, points, pivots, lengths, s)).collect();
             let ways: Vec<&super::board::Way> = ways.iter().map(|w| w as &super::board::Way).collect();
@@ -220,11 +223,8 @@ impl Wish for Path {
         match self {
             Path::Three { points, pivots, lengths, sides } => by_sides(board, points, *pivots, *lengths, sides),
             Path::Turned { points, pivots, turns } => drawing::by_turns(board, points, *pivots, turns),
-            Path::Several { points, a, lengths, sides, .. } => {
-                // D comes from the centre-point curve.
-                let d = Point::new(super::told::of(draft, "D_x"), super::told::of(draft, "D_y"));
-                by_sides(board, points, [*a, d], *lengths, sides)
-            }
+            Path::FourTurned(wish) => drawing::by_turns(board, &wish.points, [found("A"), found("D")], &wish.turns),
+            Path::Several { points, a, lengths, sides, .. } => by_sides(board, points, [*a, found("D")], *lengths, sides),
             Path::Many { .. } => None,
         }
     }
