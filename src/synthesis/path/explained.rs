@@ -1,7 +1,7 @@
 //! Path generation as a problem, and the formulas of its proof.
 
 use super::Path;
-use super::four_turned::{FourTurned, Ray};
+use super::prescribed::{Prescribed, Ray};
 use super::inversion::{back_to_first, turned_back};
 use crate::diag::{Both, both};
 use crate::geom::Point;
@@ -60,10 +60,10 @@ impl Path {
                     open_steps: 1,
                 }
             }
-            Path::FourTurned(FourTurned { points, turns, lines: [of_a, of_d] }) => {
+            Path::Prescribed(Prescribed { points, turns, lines }) => {
                 let mut given = listed(points);
                 given.push(turns_told(turns));
-                given.extend([on_line("A", *of_a), on_line("D", *of_d)]);
+                given.extend(lines.iter().flat_map(|[a, d]| [on_line("A", *a), on_line("D", *d)]));
                 Statement {
                     task: both!(
                         "Design a four-bar $ABCD$ whose coupler point $E$ passes through four given places at given turns of the crank.",
@@ -131,24 +131,25 @@ impl Path {
                 out.extend(three(points, pivots[1], draft));
                 out
             }
-            Path::FourTurned(wish) => {
-                let a = Point::new(of(draft, "A_x"), of(draft, "A_y"));
-                let centre = Proof::new(
-                    both!(
-                        "$A$ is a centre point (Burmester) of the positions of a plane that has its origin in $E_k$ and turns with the crank:",
-                        "以 $E_k$ 为原点并随曲柄转动的平面的四个位置，其圆心点（布尔梅斯特）即为 $A$："
-                    ),
-                    [format!("A = {}", place(a))],
-                );
-                let mut out = vec![centre];
-                out.extend(first_pin(&wish.points, a, &wish.turns, draft));
-                out.extend(several(&wish.points, draft));
-                out
-            }
+            Path::Prescribed(wish) => by_burmester(&wish.points, &wish.turns, draft),
+            Path::Many { points, timing: Some(turns), .. } if super::is_met(draft) => by_burmester(points, turns, draft),
             Path::Several { points, .. } => several(points, draft),
             Path::Many { points, timing, .. } => many(points.len(), timing.is_some(), draft),
         }
     }
+}
+
+/// A from the positions of a plane that turns with the crank, B₁ from the places turned back, D and C₁ from those of the coupler.
+fn by_burmester(e: &[Point], turns: &[f64], draft: &Draft) -> Vec<Proof> {
+    let a = Point::new(of(draft, "A_x"), of(draft, "A_y"));
+    let centre = Proof::new(
+        both!(
+            "$A$ is a centre point (Burmester) of the positions of a plane that has its origin in $E_k$ and turns with the crank:",
+            "以 $E_k$ 为原点并随曲柄转动的平面的各位置，其圆心点（布尔梅斯特）即为 $A$："
+        ),
+        [format!("A = {}", place(a))],
+    );
+    [vec![centre], first_pin(e, a, turns, draft), several(e, draft)].concat()
 }
 
 /// B₁ from the places turned back with the crank.
