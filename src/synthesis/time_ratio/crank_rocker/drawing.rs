@@ -1,5 +1,6 @@
 //! The crank-rocker drawn: the second limit on a turned ray, or A on the circle with the inscribed angle; then the halving.
 
+use super::bar::Bar;
 use super::{CrankRocker, Way};
 use crate::diag::both;
 use crate::digits::significant;
@@ -13,7 +14,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 #[derive(Clone, Copy)]
 enum Fixed {
     Frame(f64),
-    Crank(f64),
+    Bar(Bar),
     Line([Point; 2]),
     Beta(f64),
 }
@@ -27,7 +28,7 @@ impl CrankRocker {
                 board.meant(draft, &[&a, &b, &c, &d])
             }
             Way::Swing { swing, frame } => self.on_arc(draft, board, swing, Fixed::Frame(frame)),
-            Way::Crank { swing, crank } => self.on_arc(draft, board, swing, Fixed::Crank(crank)),
+            Way::Bar { swing, bar } => self.on_arc(draft, board, swing, Fixed::Bar(bar)),
             Way::Line { swing, line } => self.on_arc(draft, board, swing, Fixed::Line(line)),
             Way::Best { swing, .. } | Way::Gamma { swing, .. } => self.on_arc(draft, board, swing, Fixed::Beta(of(draft, "beta"))),
         }
@@ -97,7 +98,7 @@ impl CrankRocker {
                     a
                 }
                 // Any A on the line serves: the crank is half the chord.
-                Fixed::Beta(_) | Fixed::Crank(_) => return None,
+                Fixed::Beta(_) | Fixed::Bar(_) => return None,
             };
             board.line(c1, a, Weight::Thin).mark("A", a);
             return board.halve(a, [c1, c2]);
@@ -116,18 +117,25 @@ impl CrankRocker {
                 board.circle(d, opening, Weight::Thin);
                 board.circles(d, opening, centre, radius)?[k]
             }
-            Fixed::Crank(crank) => {
-                let half = significant(90.0 + theta.to_degrees() / 2.0, 5);
-                board.step(both!(
-                    "AH = AC2 on AC1 leaves C1H = 2AB, and C1C2 is seen from H under 90° + θ/2 = {half}°: the circle with that inscribed angle, cut by the opening 2AB about C1, gives H",
-                    "在 AC1 上取 AH = AC2，则 C1H = 2AB，且 ∠C1HC2 = 90° + θ/2 = {half}°：作以该角为圆周角的圆，以 C1 为圆心、2AB 为半径截得 H"
-                ));
-                let (other, wide) = board.inscribed(c1, c2, FRAC_PI_2 + theta / 2.0, beyond)?;
-                let opening = board.mm(2.0 * crank);
+            Fixed::Bar(bar) => {
+                let (letter, seen) = bar.seen(theta);
+                let told = significant(seen.to_degrees(), 5);
+                board.step(match bar {
+                    Bar::Crank(_) => both!(
+                        "AH = AC2 on AC1 leaves C1H = 2AB, and C1C2 is seen from H under 90° + θ/2 = {told}°: the circle with that inscribed angle, cut by the opening 2AB about C1, gives H",
+                        "在 AC1 上取 AH = AC2，则 C1H = 2AB，且 ∠C1HC2 = 90° + θ/2 = {told}°：作以该角为圆周角的圆，以 C1 为圆心、2AB 为半径截得 H"
+                    ),
+                    Bar::Coupler(_) => both!(
+                        "AG = AC2 beyond A on C1A makes C1G = 2BC, and C1C2 is seen from G under θ/2 = {told}°: the circle with that inscribed angle, cut by the opening 2BC about C1, gives G",
+                        "在 C1A 的延长线上取 AG = AC2，则 C1G = 2BC，且 ∠C1GC2 = θ/2 = {told}°：作以该角为圆周角的圆，以 C1 为圆心、2BC 为半径截得 G"
+                    ),
+                });
+                let (other, wide) = board.inscribed(c1, c2, seen, beyond)?;
+                let opening = board.mm(2.0 * bar.length());
                 board.circle(c1, opening, Weight::Thin);
                 let h = board.circles(c1, opening, other, wide)?[k];
-                board.mark("H", h);
-                board.step(both!("The line C1H meets the circle again in A", "C1H 的延长线与圆再交于 A"));
+                board.mark(letter, h);
+                board.step(both!("The line C1{} meets the first circle again in A", "直线 C1{} 与第一个圆再交于 A", letter));
                 let crossings = board.cut(&Line::through(c1, h)?, centre, radius)?;
                 crossings.into_iter().max_by(|p, q| p.distance(c1).total_cmp(&q.distance(c1)))?
             }
