@@ -11,7 +11,9 @@ pub fn printed(text: &str) -> String {
     let letter = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
     let mut out = String::new();
     for (at, c) in plain.char_indices() {
-        let pi = plain[at..].starts_with("pi") && !out.ends_with(|c: char| letter(Some(c)) && !c.is_ascii_digit()) && !letter(plain[at + 2..].chars().next());
+        let pi = plain[at..].starts_with("pi")
+            && !out.ends_with(|c: char| letter(Some(c)) && !c.is_ascii_digit())
+            && !letter(plain[at + 2..].chars().next());
         match c {
             'p' if pi => out.push('π'),
             'i' if out.ends_with('π') && plain[..at].ends_with('p') => {}

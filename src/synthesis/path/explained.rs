@@ -1,8 +1,8 @@
 //! Path generation as a problem, and the formulas of its proof.
 
 use super::Path;
-use super::prescribed::{Prescribed, Ray};
 use super::inversion::{back_to_first, turned_back};
+use super::prescribed::{Prescribed, Ray};
 use crate::diag::{Both, both};
 use crate::geom::Point;
 use crate::synthesis::candidate::Draft;

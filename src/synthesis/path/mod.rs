@@ -7,8 +7,8 @@
 mod drawing;
 mod evolution;
 mod explained;
-mod prescribed;
 mod inversion;
+mod prescribed;
 pub mod search;
 mod sides;
 pub mod timed;
@@ -217,7 +217,8 @@ impl Wish for Path {
 
     fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
         // D, and A where it is not given, come from centre-point curves.
-        let found = |letter: &str| Point::new(super::told::of(draft, &format!("{letter}_x")), super::told::of(draft, &format!("{letter}_y")));
+        let found =
+            |letter: &str| Point::new(super::told::of(draft, &format!("{letter}_x")), super::told::of(draft, &format!("{letter}_y")));
         let by_sides = |board: &mut Board, points: &[Point], pivots: [Point; 2], lengths: [f64; 2], sides: &Sides| {
             let ways: Vec<_> = sides.all.iter().map(|s| move |b: &mut Board| drawing::by_lengths(b, points, pivots, lengths, s)).collect();
             let ways: Vec<&super::board::Way> = ways.iter().map(|w| w as &super::board::Way).collect();

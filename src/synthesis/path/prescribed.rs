@@ -101,7 +101,10 @@ impl Prescribed {
             return Ok(drafts);
         }
         let message = if self.cranks().is_empty() {
-            both!("the line of A does not meet the curve of the pivots at which the crank has these turns", "A 的直线与满足各转角的固定铰链曲线不相交")
+            both!(
+                "the line of A does not meet the curve of the pivots at which the crank has these turns",
+                "A 的直线与满足各转角的固定铰链曲线不相交"
+            )
         } else {
             both!("the line of D does not meet the centre-point curve of the coupler's positions", "D 的直线与连杆各位置的圆心曲线不相交")
         };

@@ -17,7 +17,8 @@ pub const KIND: KindOfTask = KindOfTask {
     name: "time-ratio",
     what: ["linkages with a quick return, from the time ratio K", "按行程速度变化系数 K 设计"],
     keys: &[
-        "linkage", "K", "theta", "rocker", "frame", "limit", "swing", "gamma", "best", "line", "stroke", "offset", "crank", "coupler", "rod", "link",
+        "linkage", "K", "theta", "rocker", "frame", "limit", "swing", "gamma", "best", "line", "stroke", "offset", "crank", "coupler",
+        "rod", "link",
     ],
     read,
 };

@@ -80,7 +80,8 @@ pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<
         raw.rolling.extend(rolling::wheel(node, extent, faults));
     }
     belts::belts(&f, &mut raw, faults);
-    let drivers = match extent.is_at_rest() {
+    // Points that move by laws of time drive what there is.
+    let drivers = match extent.is_at_rest() || f.get("motions").is_some() {
         true => f.get("driver"),
         false => f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults),
     };

@@ -87,7 +87,8 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
         // A position that is a law of time tells the rates, unless the file does.
         Some(q) => {
             if let Some(node) = f.get(second) {
-                let message = both!("the position is a law of time, which says `{second}` already", "位置是时间的函数，`{second}` 由它给出");
+                let message =
+                    both!("the position is a law of time, which says `{second}` already", "位置是时间的函数，`{second}` 由它给出");
                 let help = both!("leave `{second}` out, or add `{key}`", "请去掉 `{second}`，或写出 `{key}`");
                 faults.push(Diagnostic::error("given-twice", message).at(node.span).help(help));
             }
