@@ -137,7 +137,8 @@ fn types_follow_grashofs_rule() {
 
 #[test]
 fn what_cannot_be_inverted_is_told() {
-    for (name, code, told) in [("cam-valve-train", "inversion-pairs", "touched piece"), ("cam-offset-roller", "inversion-pairs", "touched piece")]
+    for (name, code, told) in
+        [("cam-valve-train", "inversion-pairs", "touched piece"), ("cam-offset-roller", "inversion-pairs", "touched piece")]
     {
         let faults = inversions(&template(name, &[])).map(|_| ()).unwrap_err();
         let one = faults.list.iter().find(|d| d.code == code && d.help.is_some()).unwrap_or_else(|| panic!("{name}: {faults}"));

@@ -135,13 +135,12 @@ struct Made {
 impl Task {
     /// The name of the linkage.
     fn name(&self) -> Both {
-        let en = NAMES.iter().find(|n| n.1 == self.linkage).map_or("", |n| n.0);
-        let zh = match self.linkage {
-            Linkage::Watt => "瓦特",
-            Linkage::Chebyshev => "切比雪夫",
-            Linkage::Hoeken => "霍肯",
-            Linkage::ScottRussell => "斯科特-罗素",
-            Linkage::Peaucellier => "波塞利耶",
+        let [en, zh] = match self.linkage {
+            Linkage::Watt => ["Watt's", "瓦特"],
+            Linkage::Chebyshev => ["Chebyshev's", "切比雪夫"],
+            Linkage::Hoeken => ["Hoeken's", "霍肯"],
+            Linkage::ScottRussell => ["Scott Russell's", "斯科特-罗素"],
+            Linkage::Peaucellier => ["Peaucellier's", "波塞利耶"],
         };
         Both { en: en.into(), zh: zh.into() }
     }
@@ -269,7 +268,7 @@ fn peaucellier(k: f64, angle: f64, heading: &Heading) -> Option<Json> {
 
 impl Wish for Task {
     fn title(&self) -> Both {
-        both!("Straight-line linkage ({}), {} long", "{}直线机构，直线段长 {}", self.name(), metres(self.length))
+        both!("{} straight-line linkage, {} long", "{}直线机构，直线段长 {}", self.name(), metres(self.length))
     }
 
     fn solve(&self, heading: &Heading) -> Result<Found, Faults> {

@@ -6,13 +6,13 @@
 //! angle θ, and one thing is free along it: fixed by the frame's length, the crank's or the coupler's, or the least transmission angle is made greatest
 //! (*Source*: VDI 2130, Alt's problem; the optimum by golden-section search in double-double numbers).
 
-mod bar;
 mod choice;
 mod drawing;
 mod explained;
 mod family;
 
 use super::Ratio;
+use super::bar::Bar;
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
@@ -24,7 +24,6 @@ use crate::synthesis::fourbar::{FourBar, Heading, cross_circle, named_lengths};
 use crate::synthesis::judge::USUAL_GAMMA;
 use crate::synthesis::nearest::told;
 use crate::synthesis::{Found, Proof, Statement, Wish};
-use bar::Bar;
 use family::{Family, most_k};
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -2,6 +2,7 @@
 //!
 //! θ = 180°(K − 1)/(K + 1) is the crank angle between the limit positions 极位夹角. A file for each linkage.
 
+mod bar;
 mod crank_rocker;
 mod slider_crank;
 mod slotted;

@@ -1,11 +1,12 @@
 //! Where A is fixed on the circle with the inscribed angle θ by a line, and what the nearest wish is where a wish has no crank-rocker.
 
-use super::bar::Bar;
+use super::super::bar::Bar;
 use super::family::Family;
 use super::{CrankRocker, Limits, Way};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
 use crate::geom::{Point, Vec2};
+use crate::synthesis::board::cross_circles;
 use crate::synthesis::fourbar::cross_circle;
 use crate::synthesis::nearest::{number, told};
 use std::f64::consts::PI;
@@ -44,6 +45,23 @@ impl CrankRocker {
             self.laid(which, *a, c)
         };
         places.iter().enumerate().map(named).collect()
+    }
+
+    /// A where AC₁ and AC₂ are sum and difference of the two bars.
+    pub(super) fn by_bar(&self, swing: f64, bar: Bar) -> Vec<Limits> {
+        let c = self.swung(swing);
+        let Some([crank, coupler]) = bar.both(c[0].distance(c[1]), libm::cos(self.ratio.theta)) else { return Vec::new() };
+        let Some(both_sides) = cross_circles(c[0], coupler + crank, c[1], coupler - crank) else { return Vec::new() };
+        let middle = self.rocker * libm::cos(swing / 2.0);
+        let named = |a: Point| {
+            let which = if a.y > middle {
+                both!("A on the arc beyond C1C2", "A 在 C1C2 之外的圆弧上")
+            } else {
+                both!("A on the arc on the side of D", "A 在 D 一侧的圆弧上")
+            };
+            self.laid(which, a, c)
+        };
+        both_sides.into_iter().map(named).collect()
     }
 
     /// What a wish has: crank-rockers, and linkages that are none.

@@ -1,6 +1,6 @@
 //! The crank-rocker drawn: the second limit on a turned ray, or A on the circle with the inscribed angle; then the halving.
 
-use super::bar::Bar;
+use super::super::bar::Bar;
 use super::{CrankRocker, Way};
 use crate::diag::both;
 use crate::digits::significant;
@@ -117,28 +117,7 @@ impl CrankRocker {
                 board.circle(d, opening, Weight::Thin);
                 board.circles(d, opening, centre, radius)?[k]
             }
-            Fixed::Bar(bar) => {
-                let (letter, seen) = bar.seen(theta);
-                let told = significant(seen.to_degrees(), 5);
-                board.step(match bar {
-                    Bar::Crank(_) => both!(
-                        "AH = AC2 on AC1 leaves C1H = 2AB, and C1C2 is seen from H under 90° + θ/2 = {told}°: the circle with that inscribed angle, cut by the opening 2AB about C1, gives H",
-                        "在 AC1 上取 AH = AC2，则 C1H = 2AB，且 ∠C1HC2 = 90° + θ/2 = {told}°：作以该角为圆周角的圆，以 C1 为圆心、2AB 为半径截得 H"
-                    ),
-                    Bar::Coupler(_) => both!(
-                        "AG = AC2 beyond A on C1A makes C1G = 2BC, and C1C2 is seen from G under θ/2 = {told}°: the circle with that inscribed angle, cut by the opening 2BC about C1, gives G",
-                        "在 C1A 的延长线上取 AG = AC2，则 C1G = 2BC，且 ∠C1GC2 = θ/2 = {told}°：作以该角为圆周角的圆，以 C1 为圆心、2BC 为半径截得 G"
-                    ),
-                });
-                let (other, wide) = board.inscribed(c1, c2, seen, beyond)?;
-                let opening = board.mm(2.0 * bar.length());
-                board.circle(c1, opening, Weight::Thin);
-                let h = board.circles(c1, opening, other, wide)?[k];
-                board.mark(letter, h);
-                board.step(both!("The line C1{} meets the first circle again in A", "直线 C1{} 与第一个圆再交于 A", letter));
-                let crossings = board.cut(&Line::through(c1, h)?, centre, radius)?;
-                crossings.into_iter().max_by(|p, q| p.distance(c1).total_cmp(&q.distance(c1)))?
-            }
+            Fixed::Bar(bar) => bar.place(board, [c1, c2], (theta, beyond), (centre, radius), k)?,
             Fixed::Line(given) => {
                 board.step(both!("The given line cuts the circle: A", "给定直线与该圆交于 A"));
                 let a = board.cut(&through(board, given)?, centre, radius)?[k];

@@ -1,6 +1,6 @@
 //! The crank-rocker as a problem, and the formulas of its proof.
 
-use super::bar::Bar;
+use super::super::bar::Bar;
 use super::{CrankRocker, Size, Way};
 use crate::diag::both;
 use crate::geom::Point;
