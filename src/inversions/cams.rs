@@ -3,7 +3,6 @@
 
 use super::pairs::metres;
 use crate::diag::{Diagnostic, Faults, both};
-use crate::geom::Point;
 use crate::position::{Configuration, Path};
 use crate::scene::cams::{Cam, Follows};
 use crate::scene::{Guide, PointId, Scene};
@@ -61,7 +60,7 @@ fn entry(scene: &Scene, at: &Configuration, c: &Cam) -> Option<Json> {
 /// A face by its direction in the pose, and how far it lies from its point: the centre of the profile runs on a parallel to it.
 fn face(scene: &Scene, at: &Configuration, c: &Cam, p: PointId, radius: f64) -> Option<Json> {
     let Some(Path::Line { through, direction }) = at.guides[c.contact?.0] else { return None };
-    let own: Point = at.points[p.0]?;
+    let own = at.points[p.0]?;
     let side = if c.left { 1.0 } else { -1.0 };
     let offset = direction.cross(through - own) - side * radius;
     let mut out = json!({"through": scene.point_name(p), "angle": format!("{:?} rad", direction.angle()), "cam": if c.left { "left" } else { "right" }});

@@ -3,7 +3,7 @@
 use super::Givens;
 use crate::paper::phrase::Phrase;
 use crate::plan::names::name_label;
-use crate::scene::{DriverKind, Kind, TimeLaw};
+use crate::scene::{Kind, Position, TimeLaw};
 
 /// An expression as it is printed.
 pub fn printed(text: &str) -> String {
@@ -47,10 +47,10 @@ impl Givens<'_> {
     fn differentiated(&self, d: usize) -> String {
         let driver = &self.scene.drivers[d];
         let Symbols { position, rates } = self.symbols(d);
-        let at = match &driver.kind {
-            DriverKind::Turn { angle, .. } => angle.as_ref().map(|a| self.angle(a)),
-            DriverKind::Slide { position: s, .. } | DriverKind::Cylinder { length: s, .. } => s.as_ref().map(|s| self.length(s)),
-        };
+        let at = driver.kind.position().map(|at| match at {
+            Position::Angle(angle) => self.angle(angle),
+            Position::Length(length) => self.length(length),
+        });
         let kinds = if driver.kind.turns() { [Kind::Omega, Kind::Alpha] } else { [Kind::Velocity, Kind::Acceleration] };
         let amount = |value: f64, kind: Kind| self.scene.book.label(kind, &super::inked(self.scene.book.value(kind, value)));
         let mut all: Vec<String> = at.map(|at| format!("${position} = {at}$")).into_iter().collect();
@@ -66,18 +66,17 @@ impl Givens<'_> {
 
     fn symbols(&self, d: usize) -> Symbols {
         let length = |letter: &str, name: &str| Symbols { position: format!("{letter}_{{{}}}", name_label(name)), rates: None };
-        match &self.scene.drivers[d].kind {
-            DriverKind::Turn { link, against, .. } => {
-                let name = self.link(*link).to_owned();
-                let number = if *against == self.scene.ground { name } else { format!("{name}/{}", self.link(*against)) };
-                let [position, rate, second] = ["\\varphi", "\\omega", "\\alpha"].map(|s| format!("{s}_{{{}}}", name_label(&number)));
-                Symbols { position, rates: Some([rate, second]) }
-            }
-            DriverKind::Slide { guide, .. } => {
-                let g = &self.scene.guides[guide.0];
-                length("s", g.pin.map(|p| self.name(p)).or(g.slider.map(|s| self.link(s))).unwrap_or_default())
-            }
-            DriverKind::Cylinder { a, b, .. } => length("l", &format!("{}{}", self.name(*a), self.name(*b))),
+        let kind = &self.scene.drivers[d].kind;
+        if let Some((link, against)) = kind.turned() {
+            let name = self.link(link).to_owned();
+            let number = if against == self.scene.ground { name } else { format!("{name}/{}", self.link(against)) };
+            let [position, rate, second] = ["\\varphi", "\\omega", "\\alpha"].map(|s| format!("{s}_{{{}}}", name_label(&number)));
+            return Symbols { position, rates: Some([rate, second]) };
         }
+        if let Some(guide) = kind.guide() {
+            let g = &self.scene.guides[guide.0];
+            return length("s", g.pin.map(|p| self.name(p)).or(g.slider.map(|s| self.link(s))).unwrap_or_default());
+        }
+        length("l", &kind.ends().into_iter().flatten().map(|p| self.name(p)).collect::<String>())
     }
 }
