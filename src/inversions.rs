@@ -3,7 +3,8 @@
 //! The relative motion of the links is the same in all of them. Decided here: how an inversion is written, from the places of the pose, so
 //! that all stand as in the scene; which link drives (one on the new ground that turns fully, else the first that moves it); what its
 //! motion as a whole is ([`extreme::limits`]). Gears and wheels keep their pitch circles. Chains with several drivers or with cylinders keep
-//! those, since a driver is a motion of two links against one another. Cams are refused: where they touch follows from the driver's angle.
+//! those, since a driver is a motion of two links against one another. A cam
+//! whose profile is one circle is kept; others are refused, where what they touch follows from the driver's angle.
 //!
 //! ```
 //! use hodograph::{inversions, scene};
@@ -21,6 +22,7 @@ use crate::worked::{Scope, Worked, work};
 use serde_json::{Map, Value as Json, json};
 
 mod belts;
+mod cams;
 mod pairs;
 
 /// Scenes with more links are refused: each link makes a figure.
@@ -48,7 +50,7 @@ pub struct Inversion {
 /// All inversions of a scene, in the order of its links.
 ///
 /// # Errors
-/// `inversion-pairs` for each cam of the chain, `inversion-drivers` where nothing drives, `too-many-links`, and the faults of the scene itself.
+/// `inversion-pairs` for each cam whose profile is not one circle, `inversion-drivers` where nothing drives, `too-many-links`, and the faults of the scene itself.
 /// An inversion that cannot be driven is a note.
 pub fn inversions(scene: &Scene) -> Result<Warned<Vec<Inversion>>, Faults> {
     refused(scene)?;
@@ -71,7 +73,7 @@ pub fn inversions(scene: &Scene) -> Result<Warned<Vec<Inversion>>, Faults> {
 /// What cannot be inverted, and why; all at once.
 fn refused(scene: &Scene) -> Result<(), Faults> {
     let mut faults = Faults::default();
-    cams(scene, &mut faults);
+    cams::refused(scene, &mut faults);
     if scene.drivers.is_empty() {
         let message = both!("nothing drives the chain, which is inverted as it moves", "没有原动件，无法倒置其运动");
         faults.push(Diagnostic::error("inversion-drivers", message).help(both!("give the scene a driver", "请给一个原动件")));
@@ -81,21 +83,6 @@ fn refused(scene: &Scene) -> Result<(), Faults> {
         faults.push(Diagnostic::error("too-many-links", message).help(both!("take a part of the mechanism", "请只取一部分机构")));
     }
     if faults.list.is_empty() { Ok(()) } else { Err(faults) }
-}
-
-/// Every cam, and why it is not inverted.
-fn cams(scene: &Scene, faults: &mut Faults) {
-    let name = |l: LinkId| scene.link_name(l);
-    for c in &scene.cams {
-        let (cam, follower) = (name(c.cam), name(c.follower));
-        let message = both!(
-            "cam {cam} drives follower {follower} by a higher pair, whose place on the profile is found from the angle that a driver gives the cam",
-            "凸轮 {cam} 与从动件 {follower} 组成高副，其接触位置由原动件给出的凸轮转角确定"
-        );
-        let help =
-            both!("replace it by a lower pair at the instant (the centre of curvature as a pin)", "请先高副低代（以曲率中心为铰链）");
-        faults.push(Diagnostic::error("inversion-pairs", message).at(c.span).help(help));
-    }
 }
 
 /// The chain with another ground, driven by what moves it best.
@@ -138,9 +125,13 @@ fn points(scene: &Scene, link: LinkId) -> Vec<PointId> {
     crate::curvature::points(scene, link)
 }
 
-/// The guides of the file: those of rolling pairs come with the pairs.
+/// The guides of the file: those of rolling pairs and of cams come with the pairs.
 fn own_guides(scene: &Scene) -> impl Iterator<Item = &scene::Guide> {
-    scene.guides.iter().filter(|g| g.rolling.is_none())
+    scene.guides.iter().filter(|g| is_own(scene, g))
+}
+
+fn is_own(scene: &Scene, guide: &scene::Guide) -> bool {
+    guide.rolling.is_none() && !cams::is_contact(scene, guide)
 }
 
 /// What may drive: links pinned to the ground, as the scene lists them (its own driver first), then slides.
@@ -185,11 +176,11 @@ fn written(scene: &Scene, at: &Configuration, ground: LinkId, driver: Json) -> S
     if let Some(pin) = pairs::pin_of_part(scene, ground) {
         links.insert(scene.link_name(ground).to_owned(), json!([pin]));
     }
-    let contact = |p: &PointId| scene.rolling.iter().any(|r| r.at.contains(p));
+    let contact = |p: &PointId| scene.rolling.iter().any(|r| r.at.contains(p)) || cams::is_touch(scene, *p);
     let points: Map<String, Json> = (0..scene.points.len()).map(PointId).filter(|p| !contact(p)).filter_map(place).collect();
-    let own = scene.guides.iter().zip(&at.guides).filter(|(g, _)| g.rolling.is_none());
+    let own = scene.guides.iter().zip(&at.guides).filter(|(g, _)| is_own(scene, g));
     let guides: Vec<Json> =
-        own.filter_map(|(g, path)| guide(scene, g, (*path)?, ground)).chain(pairs::cylinder(scene, at, ground)).collect();
+        own.filter_map(|(g, path)| guide(scene, g, (*path)?, (ground, &driver))).chain(pairs::cylinder(scene, at, ground)).collect();
     let title = |text: &str, fixed: String| if text.is_empty() { fixed } else { format!("{text} – {fixed}") };
     let fixed = scene.link_name(ground);
     let mut out = json!({
@@ -200,6 +191,10 @@ fn written(scene: &Scene, at: &Configuration, ground: LinkId, driver: Json) -> S
     });
     if !guides.is_empty() {
         out["guides"] = Json::Array(guides);
+    }
+    let cams = cams::section(scene, at);
+    if !cams.is_empty() {
+        out["cams"] = Json::Array(cams);
     }
     for (key, pairs) in ["gears", "rolling", "belts", "chains"].into_iter().zip(pairs::rolling(scene, at)) {
         if !pairs.is_empty() {
@@ -217,14 +212,19 @@ fn lines(scene: &Json) -> String {
     format!("{{\n{}\n}}\n", all.join(",\n"))
 }
 
-/// A guide as it is written with another ground. A block that has become the ground carries it: what was its guide slides.
-fn guide(scene: &Scene, g: &scene::Guide, path: Path, ground: LinkId) -> Option<Json> {
+/// A guide as it is written with another ground. A block that has become the ground carries it: what was its guide slides, with a pin of its own where it
+/// drives, so that the places tell how far it is.
+fn guide(scene: &Scene, g: &scene::Guide, path: Path, (ground, driver): (LinkId, &Json)) -> Option<Json> {
     let link = |l: LinkId| scene.link_name(l).to_owned();
+    let drives = |l: LinkId| driver["slide"].as_str() == Some(scene.link_name(l));
     Some(match (path, &g.path) {
         (Path::Line { direction, .. }, _) => {
             let angle = format!("{:?} rad", direction.angle());
             match (g.slider, g.pin) {
-                (Some(s), _) if s == ground => json!({"slider": link(g.on), "on": link(s), "angle": angle}),
+                (Some(s), _) if s == ground => match scene.links[g.on.0].points.first().filter(|_| drives(g.on)) {
+                    Some(pin) => json!({"pin": scene.point_name(*pin), "slider": link(g.on), "on": link(s), "angle": angle}),
+                    None => json!({"slider": link(g.on), "on": link(s), "angle": angle}),
+                },
                 (Some(s), Some(p)) => json!({"pin": scene.point_name(p), "slider": link(s), "on": link(g.on), "angle": angle}),
                 (Some(s), None) => json!({"slider": link(s), "on": link(g.on), "angle": angle}),
                 (None, Some(p)) => json!({"pin": scene.point_name(p), "on": link(g.on), "angle": angle}),

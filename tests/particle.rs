@@ -319,3 +319,41 @@ fn a_radius_of_nothing_is_refused() {
         assert!(faults.list.iter().any(|d| d.code == "not-positive"), "{radius}: {faults}");
     }
 }
+
+/// Two points by laws: distance, turning of their line, relative motion, against differences of their places; so for a pursuer and another than its
+/// target, and for polar coordinates against x and y.
+#[test]
+fn two_points_are_seen_from_one_another() {
+    let text = |t: f64| {
+        format!(
+            r#"{{"time": "{t} s", "points": {{"A": ["-200 m", "30 m"], "D": [0, 0], "P": ["3 m", "-2 m"]}}, "motions": [
+            {{"point": "A", "angle": "20 deg", "s": "5 m/s*t + 0.05 m/s^2*t^2"}}, {{"point": "B", "centre": [0, 0], "radius": "150 m", "s": "3 m/s*t"}},
+            {{"point": "D", "toward": "A", "speed": "9 m/s"}}, {{"point": "P", "r": "2 m + 1 m/s*t", "phi": "0.3 rad/s^2*t^2"}},
+            {{"point": "Q", "x": "3 m + (2 m + 1 m/s*t)*cos(0.3 rad/s^2*t^2)", "y": "-2 m + (2 m + 1 m/s*t)*sin(0.3 rad/s^2*t^2)"}}],
+            "find": ["l_AB", "omega_AB", "vr_A/B", "ar_A/B", "l_DB", "vr_D/B", "r_P", "r_Q", "a_P", "a_Q", "l_PQ", "r_A", "r_B", "r_D"]}}"#
+        )
+    };
+    let (t, h) = (4.0, 1e-3);
+    let at = |t: f64| {
+        let (problem, solved) = solved(&text(t));
+        let value = |find: &str| &solved.answers[problem.find.iter().position(|f| f.text == find).unwrap()].value;
+        let vector = |find: &str| value(find).vector().unwrap();
+        let scalar = |find: &str| value(find).scalar().unwrap_or(0.0);
+        let off = |a: &str, b: &str| [0, 1].map(|k| vector(a)[k] - vector(b)[k]);
+        let all = ["vr_A/B", "ar_A/B", "vr_D/B", "r_P", "r_Q", "a_P", "a_Q"].map(vector);
+        ([off("r_A", "r_B"), off("r_D", "r_B")], ["l_AB", "omega_AB", "l_DB", "l_PQ"].map(scalar), all)
+    };
+    let ([before, ..], ([d, e], [l, omega, far, none], [v, a, w, p, q, pp, qq]), [after, ..]) = ([at(t - h).0], at(t), [at(t + h).0]);
+    let near = |a: f64, b: f64, off: f64| assert!((a - b).abs() < off, "{a} {b}");
+    near(l, d[0].hypot(d[1]), 1e-12);
+    near(far, e[0].hypot(e[1]), 1e-9);
+    near(none, 0.0, 1e-12);
+    near(omega, (after[0][1].atan2(after[0][0]) - before[0][1].atan2(before[0][0])) / (2.0 * h), 1e-8);
+    for k in 0..2 {
+        near(v[k], (after[0][k] - before[0][k]) / (2.0 * h), 1e-6);
+        near(a[k], (after[0][k] - 2.0 * d[k] + before[0][k]) / (h * h), 1e-5);
+        near(w[k], (after[1][k] - before[1][k]) / (2.0 * h), 1e-5);
+        near(p[k], q[k], 1e-13);
+        near(pp[k], qq[k], 1e-12);
+    }
+}

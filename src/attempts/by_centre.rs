@@ -71,7 +71,7 @@ pub fn hung_on_pole(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(Plan, S
 pub fn why(scene: &Scene, l: LinkId) -> Both {
     let l = scene.link_name(l);
     both!(
-        "The instantaneous centre of link {l} has no velocity at the instant, but another point of the link takes its place at the next: its acceleration is not zero, and accelerations are not square to the lines from it.",
-        "构件 {l} 的速度瞬心该瞬时速度为零，但下一瞬时瞬心已是构件上的另一点，其加速度不为零，因此不能用它求加速度。"
+        "The instantaneous centre of link {l} has zero velocity at this instant, but its acceleration is not zero: the accelerations are not those of a rotation about it.",
+        "构件 {l} 的速度瞬心在该瞬时速度为零，但其加速度一般不为零，因此求加速度时不能把构件看作绕该点作定轴转动。"
     )
 }

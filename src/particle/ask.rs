@@ -35,6 +35,34 @@ pub enum Asked {
     Curvature(usize),
     /// `ve_M` and the like, of a point on a plate.
     Part(usize, Part),
+    /// `l_AB` and the like, of two points of which neither pursues the other.
+    Between([usize; 2], Mutual),
+}
+
+/// What two points of the plane have to do with one another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mutual {
+    /// `l_AB`: their distance.
+    Distance,
+    /// `omega_AB`: the rate of turning of their line.
+    Turning,
+    /// `vr_A/B`: the velocity of A seen from axes that translate with B.
+    Velocity,
+    /// `ar_A/B`: the acceleration seen so.
+    Acceleration,
+}
+
+impl Mutual {
+    const ALL: [Mutual; 4] = [Mutual::Distance, Mutual::Turning, Mutual::Velocity, Mutual::Acceleration];
+
+    fn text(self, [a, b]: [&str; 2]) -> String {
+        match self {
+            Mutual::Distance => format!("l_{a}{b}"),
+            Mutual::Turning => format!("omega_{a}{b}"),
+            Mutual::Velocity => format!("vr_{a}/{b}"),
+            Mutual::Acceleration => format!("ar_{a}/{b}"),
+        }
+    }
 }
 
 impl Asked {
@@ -48,7 +76,8 @@ impl Asked {
             | Asked::Velocity(_)
             | Asked::Acceleration(_)
             | Asked::Curvature(_)
-            | Asked::Part(..) => false,
+            | Asked::Part(..)
+            | Asked::Between(..) => false,
         }
     }
 }
@@ -76,12 +105,25 @@ pub fn all(problem: &Problem) -> Vec<Find> {
         }
         add(format!("rho_{name}"), Asked::Curvature(k));
     }
+    let by_law = |k: usize| matches!(problem.motions[k].kind, Kind::Fixed(_));
+    out.extend(between(problem).into_iter().filter(|([a, b], _)| a < b && by_law(*a) && by_law(*b)).map(|(_, find)| find));
     out
+}
+
+/// All that can be asked of two points, the pursuer and its target left out, each with the two.
+fn between(problem: &Problem) -> Vec<([usize; 2], Find)> {
+    let plane = |k: &usize| !matches!(problem.motions[*k].kind, Kind::OnPlate(..));
+    let all: Vec<usize> = (0..problem.motions.len()).filter(plane).collect();
+    let name = |k: usize| problem.motions[k].point.as_str();
+    let pairs = all.iter().flat_map(|a| all.iter().map(|b| [*a, *b])).filter(|[a, b]| a != b);
+    pairs.flat_map(|two| Mutual::ALL.map(|m| (two, Find { text: m.text(two.map(name)), what: Asked::Between(two, m) }))).collect()
 }
 
 /// The meaning of a question; a stroke and the number of the plate may stand behind a part (`ak_M/2`).
 pub fn meaning(problem: &Problem, text: &str, span: Span) -> Result<Find, Diagnostic> {
-    let known = all(problem);
+    let mut known = all(problem);
+    let more = between(problem).into_iter().map(|(_, find)| find).filter(|f| known.iter().all(|k| k.text != f.text)).collect::<Vec<_>>();
+    known.extend(more);
     let plain = |f: &&Find| f.text == text || f.text.strip_prefix("T_").is_some_and(|pair| text == "T" && !pair.is_empty());
     let framed = |f: &&Find| {
         let Asked::Part(k, _) = f.what else { return false };

@@ -179,7 +179,7 @@ fn on_plate(way: &Way, told: &Told) -> Result<OnPlate, Diagnostic> {
             let along = -inward.perp();
             OnPlate { place, velocity: along * s[1], normal: inward * (s[1] * s[1] / radius), tangential: along * s[2] }
         }
-        Way::Free(_) => {
+        Way::Polar { .. } | Way::Free(_) => {
             let (velocity, a) = (Vec2::new(r[1], z[1]), Vec2::new(r[2], z[2]));
             let tangential = velocity.unit().map_or(a, |e| e * e.dot(a));
             OnPlate { place, velocity, normal: a - tangential, tangential }

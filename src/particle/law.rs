@@ -36,6 +36,15 @@ pub enum Way {
         /// The law.
         s: Law,
     },
+    /// Distance from a pole and direction, each by a law.
+    Polar {
+        /// The pole.
+        pole: [Law; 2],
+        /// The distance.
+        r: Law,
+        /// The angle from the first coordinate's direction to the second's.
+        phi: Law,
+    },
     /// Coordinates, each by a law of its own.
     Free([Law; 2]),
 }
@@ -81,6 +90,10 @@ impl Way {
                 };
                 Ok([x + r * (cosine * c0 - sine * s0), y + r * (sine * c0 + cosine * s0)])
             }
+            Way::Polar { pole, r, phi } => {
+                let ([x, y], r, (sine, cosine)) = (pair(pole, t)?, jet(r, t)?, sine_cosine(phi, t)?);
+                Ok([x + r * cosine, y + r * sine])
+            }
             Way::Free(laws) => pair(laws, t),
         }
     }
@@ -95,6 +108,7 @@ impl Way {
                 all.push(("s", s));
                 all
             }
+            Way::Polar { r, phi, .. } => vec![("r", r), ("phi", phi)],
             Way::Free([x, y]) => vec![("x", x), ("y", y)],
         }
     }

@@ -25,7 +25,7 @@ pub mod schema;
 mod solve;
 pub mod templates;
 
-pub use ask::{Asked, Find};
+pub use ask::{Asked, Find, Mutual};
 pub use read::{is_problem, read};
 pub use solve::{Answer, Solved, Value, course, solve, solve_again};
 

@@ -13,7 +13,8 @@ use crate::scene::units::Wanted;
 /// The keys beside those of the front.
 pub(super) const KEYS: [&str; 6] = ["statement", "time", "points", "plates", "motions", "find"];
 /// The keys of a motion.
-pub(super) const MOTION: [&str; 12] = ["point", "on", "angle", "to_axis", "centre", "radius", "s", "x", "y", "toward", "speed", "from"];
+pub(super) const MOTION: [&str; 14] =
+    ["point", "on", "angle", "to_axis", "centre", "radius", "s", "x", "y", "r", "phi", "toward", "speed", "from"];
 /// The keys of a plate.
 pub(super) const PLATE: [&str; 6] = ["link", "axis", "angle", "omega", "alpha", "offset"];
 /// More points are not taken.
@@ -134,8 +135,14 @@ fn filled(text: Localized, parameters: &[(String, String)]) -> Localized {
 }
 
 fn usual_title(motions: &[Motion]) -> Both {
-    let chased = motions.iter().any(|m| matches!(m.kind, Kind::Toward { .. }));
-    if chased { both!("Pursuit", "追踪问题") } else { both!("A point on a turning plate", "转动平板上的点") }
+    let any = |is: fn(&Kind) -> bool| motions.iter().any(|m| is(&m.kind));
+    if any(|k| matches!(k, Kind::Toward { .. })) {
+        both!("Pursuit", "追踪问题")
+    } else if any(|k| matches!(k, Kind::OnPlate(..))) {
+        both!("A point on a turning plate", "转动平板上的点")
+    } else {
+        both!("Motion by laws of time", "按给定规律的运动")
+    }
 }
 
 impl Reader<'_> {
@@ -319,7 +326,7 @@ impl Reader<'_> {
         let f = Fields::open(node, both!("a motion", "运动"), &MOTION, self.faults)?;
         let point = self.word(&f, "point", "\"A\"")?;
         if f.get("toward").is_some() || f.get("speed").is_some() {
-            let wrong = ["on", "angle", "to_axis", "centre", "radius", "s", "x", "y"];
+            let wrong = ["on", "angle", "to_axis", "centre", "radius", "s", "x", "y", "r", "phi"];
             self.none_of(&f, &wrong, &both!("a point that runs toward another one", "追踪运动"));
             let target = self.word(&f, "toward", "\"B\"");
             let speed = self.need(&f, "speed", Wanted::Velocity, "\"5 m/s\"");
@@ -372,6 +379,13 @@ impl Reader<'_> {
 
     fn way(&mut self, f: &Fields, point: &Word, on_plate: bool) -> Option<Way> {
         let has = |key: &str| f.get(key).is_some();
+        if has("r") || has("phi") {
+            let wrong = ["angle", "to_axis", "centre", "radius", "s", "x", "y"];
+            self.none_of(f, &wrong, &both!("a motion by polar coordinates", "以极坐标给出的运动"));
+            let (r, phi) = (self.need(f, "r", Wanted::Length, "\"4 m/s*t\""), self.need(f, "phi", Wanted::Angle, "\"2 rad/s*t\""));
+            let pole = self.from(f, point, false);
+            return Some(Way::Polar { pole: pole?, r: r?, phi: phi? });
+        }
         if has("x") || has("y") {
             self.none_of(f, &["angle", "to_axis", "centre", "radius", "s", "from"], &both!("a motion by coordinates", "以坐标给出的运动"));
             let (x, y) = (self.need(f, "x", Wanted::Length, "\"4 m/s*t\""), self.need(f, "y", Wanted::Length, "\"3 km\""));

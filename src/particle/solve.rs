@@ -3,7 +3,7 @@
 //! What follows from laws alone is evaluated in balls of `f64`, and of 256 bits where those leave fewer digits than are wanted. What rests on a pursuit
 //! starts from the integrated place with the bound of its error.
 
-use super::ask::Asked;
+use super::ask::{Asked, Mutual};
 use super::plate::State;
 use super::pursuit::{self, Chase, End};
 use super::{Kind, Motion, Problem};
@@ -114,6 +114,7 @@ fn answered(
                 Kind::Fixed(_) | Kind::OnPlate(..) => by_law(problem, k, question.what)?,
             },
             Asked::Part(k, _) => by_law(problem, k, question.what)?,
+            Asked::Between(two, m) => between(problem, two, m, chases)?,
         };
         Ok(Answer { find, value })
     };
@@ -220,12 +221,21 @@ fn cross<N: Real>(a: [N; 2], b: [N; 2]) -> N {
     a[0] * b[1] - a[1] * b[0]
 }
 
+/// A pursuer at the instant.
+struct Pursuer<N> {
+    /// The length of the line to the target, and its rate of turning.
+    line: [N; 2],
+    /// Place, velocity, acceleration.
+    state: [[N; 2]; 3],
+    speed: N,
+}
+
 /// What the way from pursuer to target tells at the instant: v along it, ω of it, a = v′ along it and vω square to it.
-fn of_chase(problem: &Problem, k: usize, chases: &[(usize, Line)], what: Asked) -> Result<Value, Diagnostic> {
+fn pursuer(problem: &Problem, k: usize, chases: &[(usize, Line)]) -> Result<Option<Pursuer<Ball<Dd>>>, Diagnostic> {
     type N = Ball<Dd>;
     let m = &problem.motions[k];
     let (Some((chase, _)), Some((_, d))) = (problem.chase(m), chases.iter().find(|c| c.0 == k)) else {
-        return Ok(Value::None(undecided()));
+        return Ok(None);
     };
     let t = problem.time.at(N::from_f64(0.0))?.number.0[0];
     // Where the longer numbers do not tell the laws, f64 with its bound does.
@@ -242,16 +252,70 @@ fn of_chase(problem: &Problem, k: usize, chases: &[(usize, Line)], what: Asked) 
     let square = [-e[1], e[0]];
     let omega = cross(e, [x[1], y[1]]) / l;
     let across = speed[0] * omega;
+    let place = [x[0] - d[0], y[0] - d[1]];
+    let (v, a) = (e.map(|c| c * speed[0]), [0, 1].map(|c| e[c] * speed[1] + square[c] * across));
+    Ok(Some(Pursuer { line: [l, omega], state: [place, v, a], speed: speed[0] }))
+}
+
+fn of_chase(problem: &Problem, k: usize, chases: &[(usize, Line)], what: Asked) -> Result<Value, Diagnostic> {
+    let Some(Pursuer { line: [l, omega], state: [place, v, a], speed }) = pursuer(problem, k, chases)? else {
+        return Ok(Value::None(undecided()));
+    };
     Ok(match what {
         Asked::Distance(_) => scalar(l),
         Asked::LineOmega(_) => scalar(omega),
-        Asked::Place(_) => vector(&[x[0] - d[0], y[0] - d[1]]),
-        Asked::Velocity(_) => vector(&e.map(|c| c * speed[0])),
-        Asked::Acceleration(_) => vector(&[0, 1].map(|c| e[c] * speed[1] + square[c] * across)),
-        Asked::Curvature(_) if omega.contains_zero() => Value::None(straight(&m.point)),
-        Asked::Curvature(_) => scalar(if omega.approx() < 0.0 { -(speed[0] / omega) } else { speed[0] / omega }),
-        Asked::MeetingTime(_) | Asked::MeetingPlace(_) | Asked::Part(..) => Value::None(undecided()),
+        Asked::Place(_) => vector(&place),
+        Asked::Velocity(_) => vector(&v),
+        Asked::Acceleration(_) => vector(&a),
+        Asked::Curvature(_) if omega.contains_zero() => Value::None(straight(&problem.motions[k].point)),
+        Asked::Curvature(_) => scalar(if omega.approx() < 0.0 { -(speed / omega) } else { speed / omega }),
+        Asked::MeetingTime(_) | Asked::MeetingPlace(_) | Asked::Part(..) | Asked::Between(..) => Value::None(undecided()),
     })
+}
+
+/// What two points have to do with one another: by their laws in long numbers, beside a pursuer in those of its course.
+fn between(problem: &Problem, two: [usize; 2], m: Mutual, chases: &[(usize, Line)]) -> Result<Value, Diagnostic> {
+    let pursues = |k: usize| matches!(problem.motions[k].kind, Kind::Toward { .. });
+    if two.into_iter().any(pursues) {
+        let mut states = Vec::new();
+        for k in two {
+            let found = if pursues(k) { pursuer(problem, k, chases)?.map(|p| p.state) } else { by_way::<Ball<Dd>>(problem, k)? };
+            states.extend(found);
+        }
+        return Ok(<[_; 2]>::try_from(states).map_or_else(|_| Value::None(undecided()), |[a, b]| mutual(a, b, m)));
+    }
+    let fine = within(BITS, || mutual_by_laws::<Ball<Big>>(problem, two, m))?;
+    match fine {
+        Value::None(d) if d.code == "undecided" => mutual_by_laws::<Ball<f64>>(problem, two, m),
+        other => Ok(other),
+    }
+}
+
+fn mutual_by_laws<N: Certain>(problem: &Problem, [a, b]: [usize; 2], m: Mutual) -> Result<Value, Diagnostic> {
+    let (Some(a), Some(b)) = (by_way::<N>(problem, a)?, by_way::<N>(problem, b)?) else { return Ok(Value::None(undecided())) };
+    Ok(mutual(a, b, m))
+}
+
+/// Place, velocity and acceleration of a point that moves in the plane by a law.
+fn by_way<N: Real>(problem: &Problem, k: usize) -> Result<Option<[[N; 2]; 3]>, Diagnostic> {
+    let Kind::Fixed(way) = &problem.motions[k].kind else { return Ok(None) };
+    let [x, y] = way.at(problem.time.at(N::from_f64(0.0))?.number.0[0])?;
+    Ok(Some([0, 1, 2].map(|order| [x.0[order], y.0[order]])))
+}
+
+fn mutual<N: Certain>(a: [[N; 2]; 3], b: [[N; 2]; 3], m: Mutual) -> Value {
+    let off = |order: usize| [0, 1].map(|c| a[order][c] - b[order][c]);
+    let d = off(0);
+    let square = d[0] * d[0] + d[1] * d[1];
+    match m {
+        Mutual::Distance | Mutual::Turning if square.approx() == 0.0 => {
+            Value::None(Diagnostic::error("straight", both!("the two points are in one place", "两点重合")))
+        }
+        Mutual::Distance => scalar(square.sqrt()),
+        Mutual::Turning => scalar(cross(d, off(1)) / square),
+        Mutual::Velocity => vector(&off(1)),
+        Mutual::Acceleration => vector(&off(2)),
+    }
 }
 
 fn straight(point: &str) -> Diagnostic {
@@ -289,9 +353,12 @@ fn in_numbers<N: Certain>(problem: &Problem, k: usize, what: Asked) -> Result<Va
         Asked::Velocity(_) => vector(&v),
         Asked::Acceleration(_) => vector(&a),
         Asked::Curvature(_) => curvature(&m.point, &v, &a),
-        Asked::MeetingTime(_) | Asked::MeetingPlace(_) | Asked::Distance(_) | Asked::LineOmega(_) | Asked::Part(..) => {
-            Value::None(undecided())
-        }
+        Asked::MeetingTime(_)
+        | Asked::MeetingPlace(_)
+        | Asked::Distance(_)
+        | Asked::LineOmega(_)
+        | Asked::Part(..)
+        | Asked::Between(..) => Value::None(undecided()),
     })
 }
 

@@ -143,10 +143,10 @@ impl Words<'_> {
     pub fn frame(&self, a: &Attempt) -> &'static str {
         let missing = matches!((&a.shown.missing, a.shown.side), (Some(_), _) | (None, Side::Right));
         match (missing, printed(a)) {
-            (true, true) => self.tr("framed: missing as printed", "框内：原解漏掉的项"),
-            (false, true) => self.tr("framed: wrong as printed", "框内：原解中错误的部分"),
-            (true, false) => self.tr("framed: what is often left out", "框内：常被漏掉的项"),
-            (false, false) => self.tr("framed: what is often taken wrong", "框内：常被取错的部分"),
+            (true, true) => self.tr("framed: left out in print", "框内：原解漏掉的项"),
+            (false, true) => self.tr("framed: wrong in print", "框内：原解中错误的部分"),
+            (true, false) => self.tr("framed: often left out", "框内：常被漏掉的项"),
+            (false, false) => self.tr("framed: often taken wrongly", "框内：常被取错的部分"),
         }
     }
 
@@ -200,7 +200,21 @@ impl Words<'_> {
 
     /// A question: printed, by that equation, true.
     pub fn row(&self, row: &Row) -> Phrase {
-        let find = &self.scene.find[self.worked.results[row.result].find];
+        let symbol = symbol(self.asked(row), self.notation);
+        Phrase::new(&format!("${symbol}${}{}", self.tr(": ", "："), self.told(row)))
+    }
+
+    /// The same where there are no formulas: the quantity as it is asked for in `find`.
+    fn plain_row(&self, row: &Row) -> String {
+        format!("{}{}{}", self.asked(row).text, self.tr(": ", "："), Phrase::new(&self.told(row)).plain())
+    }
+
+    fn asked(&self, row: &Row) -> &Find {
+        &self.scene.find[self.worked.results[row.result].find]
+    }
+
+    fn told(&self, row: &Row) -> String {
+        let find = self.asked(row);
         let mut parts = Vec::new();
         parts.extend(row.printed.as_ref().map(|p| format!("{} {}", self.tr("printed", "原书"), self.printed(find, p))));
         match row.wrong {
@@ -211,13 +225,12 @@ impl Words<'_> {
         if !reproduced(row) {
             parts.push(self.tr("the printed number does not come from this mistake", "原书数值并非由此错误得出").to_owned());
         }
-        let colon = self.tr(": ", "：");
-        Phrase::new(&format!("${}${colon}{}", symbol(find, self.notation), parts.join(self.tr(" · ", " · "))))
+        parts.join(" · ")
     }
 
     /// What the wrong solution claims: what was printed, else what its equation gives.
     pub fn claimed(&self, row: &Row) -> Option<Phrase> {
-        let find = &self.scene.find[self.worked.results[row.result].find];
+        let find = self.asked(row);
         let value = match (&row.printed, row.wrong) {
             (Some(p), _) => self.printed(find, p),
             (None, Some(v)) => self.plain(find, v),
@@ -309,10 +322,12 @@ pub fn text(words: &Words, all: &[Attempt]) -> String {
                 if f.column.joint.is_empty() { symbol } else { format!("{} {symbol}", f.column.joint) }
             };
             let formula = columns.iter().map(part).collect::<Vec<_>>().join(" ");
-            lines.push(format!("    {formula}    ({})", words.frame(a)));
+            let frame = words.frame(a);
+            lines.push(format!("    {formula}    {}", if words.lang == Lang::Zh { format!("（{frame}）") } else { format!("({frame})") }));
         }
         lines.extend(words.statement(a).map(|p| format!("    {}", p.plain())));
-        lines.extend(words.lines(a).iter().map(|p| format!("    {}", p.plain())));
+        lines.extend(a.rows.iter().map(|r| format!("    {}", words.plain_row(r))));
+        lines.extend([words.gap(a), words.why(a)].iter().map(|p| format!("    {}", p.plain())));
     }
     lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
 }

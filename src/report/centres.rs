@@ -35,7 +35,7 @@ pub fn text(found: &Centres, lang: Lang) -> String {
     lines.push(String::new());
     lines.push(w.proof());
     lines.push(String::new());
-    lines.push(tr(lang, "speeds by centres:", "用瞬心求速度：").into());
+    lines.push(tr(lang, "velocities by centres:", "用瞬心求速度：").into());
     lines.extend(w.steps().into_iter().map(|s| format!("  {s}")));
     lines.push(String::new());
     lines.extend(columns(&w.ways(), 1));
@@ -175,18 +175,18 @@ impl<'a> Words<'a> {
 
     fn primary(&self, primary: Primary) -> String {
         match primary {
-            Primary::Pin(p) => format!("{} {}", tr(self.lang, "turns about", "转动副"), self.scene.point_name(p)),
+            Primary::Pin(p) => format!("{} {}", tr(self.lang, "pin", "转动副"), self.scene.point_name(p)),
             Primary::Slide(g) => {
                 let guide = &self.scene.guides[g.0];
                 let at = guide.pin.map_or(String::new(), |p| format!(" {}", self.scene.point_name(p)));
-                format!("{}{at}", tr(self.lang, "square to the guide", "垂直于导路"))
+                format!("{}{at}", tr(self.lang, "perpendicular to the guide", "垂直于导路"))
             }
             Primary::Contact(r) => {
                 let rolling = &self.scene.rolling[r.0];
                 let words = if rolling.kind == RollingKind::Gears {
                     tr(self.lang, "pitch point", "节点")
                 } else {
-                    tr(self.lang, "rolls at", "滚动接触点")
+                    tr(self.lang, "rolling contact", "滚动接触点")
                 };
                 format!("{words} {}", self.scene.point_name(rolling.at[0]))
             }
@@ -201,7 +201,7 @@ impl<'a> Words<'a> {
                 };
                 format!("{words} {a}{b}")
             }
-            Primary::Cylinder(_) => tr(self.lang, "square to the cylinder", "垂直于液压缸").to_owned(),
+            Primary::Cylinder(_) => tr(self.lang, "perpendicular to the cylinder", "垂直于液压缸").to_owned(),
         }
     }
 
@@ -217,7 +217,7 @@ impl<'a> Words<'a> {
                 // Along a circle of a cam the normal of the contact and the radius through it are one line.
                 if let Some(cam) = self.scene.cams.iter().find(|c| c.contact == Some(g)) {
                     let at = cam.at.as_deref().map(|at| format!(" {at}")).unwrap_or_default();
-                    return fill(tr(self.lang, "common normal at the contact{}", "接触点{}处的公法线"), &[("", &at)]);
+                    return fill(tr(self.lang, "common normal at the contact{}", "接触点{} 处的公法线"), &[("", &at)]);
                 }
                 match (&guide.path, self.lang) {
                     (GuidePath::Line { .. }, Lang::En) => format!("normal of the slot at {pin}"),
@@ -243,7 +243,7 @@ impl<'a> Words<'a> {
                 tr(self.lang, "the loop equations have no motion in this pose to check them by", "该位置回路方程无解，不能校核").to_owned()
             }
             Lang::En => format!(
-                "checked by the loop equations: each centre has one velocity on both links, {residual}; the centres of any three links lie in line, {triple}"
+                "checked by the loop equations: each centre has the same velocity on both links ({residual}); the three centres of any three links are collinear ({triple})"
             ),
             Lang::Zh => {
                 format!("用回路方程校核：各瞬心在两构件上的速度相同（{residual}），任意三个构件的三个瞬心共线（{triple}）")
@@ -349,9 +349,9 @@ impl<'a> Words<'a> {
                     (Lang::Zh, _) => format!("；{x} 在 {c}{o} 之间：转向相反"),
                 };
                 let ratio = significant(if rate == 0.0 { 0.0 } else { of_other / arm }, DIGITS);
-                let (over, then) = if frame == self.scene.ground { ("/", tr(lang, ";", "；")) } else { (" : ", tr(lang, ";", "；")) };
+                let (over, then) = if frame == self.scene.ground { ("/", tr(lang, "; ", "；")) } else { (" : ", tr(lang, "; ", "；")) };
                 let (near, far) = (self.length(of_other), self.length(arm));
-                format!("{own}{over}{m} = {c}{x}/{o}{x} = {near} / {far} = {ratio}{sense}{then} {own} = {rate_words}")
+                format!("{own}{over}{m} = {c}{x}/{o}{x} = {near} / {far} = {ratio}{sense}{then}{own} = {rate_words}")
             }
             By::Together(m) => match lang {
                 Lang::En => format!("{} lies at infinity: {own} = {} = {rate_words}", self.name(t.link, m), self.symbol(m)),

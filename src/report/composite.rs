@@ -92,12 +92,12 @@ impl Words<'_> {
     fn place(&self, c: &Choice) -> String {
         let lang = self.lang;
         match c.place {
-            Place::Named => tr(lang, "the scene", "机构文件").to_owned(),
+            Place::Named => tr(lang, "as asked", "按题意").to_owned(),
             Place::Pin(p) => format!("{} {}", tr(lang, "pin", "转动副"), self.scene.point_name(p)),
             Place::Guide(g) => {
                 let guide = &self.scene.guides[g.0];
                 let name = guide.pin.map_or("", |p| self.scene.point_name(p));
-                format!("{} {name}", tr(lang, "slide", "移动副"))
+                format!("{} {name}", tr(lang, "guide at", "移动副"))
             }
             Place::Cam(_) => format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(c.of.point)),
             Place::Contact(r) => format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(self.scene.rolling[r.0].at[0])),
@@ -173,11 +173,16 @@ impl Words<'_> {
     pub fn heading(&self, c: &Choice) -> String {
         let (point, frame) = (name_of(self.scene, &c.of), self.frame(c.frame));
         match (c.frame, self.lang) {
-            (Frame::Link(_), Lang::En) => format!("moving point {point}, frame on {frame}"),
+            (Frame::Link(_), Lang::En) => format!("moving point {point}, frame fixed to {frame}"),
             (Frame::Point(_), Lang::En) => format!("moving point {point}, frame {frame}"),
             (Frame::Link(_), Lang::Zh) => format!("动点 {point}，动系固连于{frame}"),
             (Frame::Point(_), Lang::Zh) => format!("动点 {point}，动系{frame}"),
         }
+    }
+
+    /// A projection in a line.
+    fn projected(&self, words: &str, equation: &str) -> String {
+        format!("{words}{}${equation}$", tr(self.lang, " ", ""))
     }
 
     /// All that is told of a choice: heading, path, equations with values, projections.
@@ -201,7 +206,7 @@ impl Words<'_> {
         let projected = |level| -> Vec<Phrase> {
             let Some(p) = projections.iter().find(|p| p.level == level) else { return Vec::new() };
             let (words, equation) = self.projection(p, s.known);
-            let lines = if per_line < PER_LINE { vec![words, format!("${equation}$")] } else { vec![format!("{words} ${equation}$")] };
+            let lines = if per_line < PER_LINE { vec![words, format!("${equation}$")] } else { vec![self.projected(&words, &equation)] };
             lines.iter().map(|l| Phrase::new(l)).collect()
         };
         out.extend(projected(Level::Velocity));
@@ -320,17 +325,17 @@ impl Words<'_> {
         // A point at rest in its frame has no v_r to be square to.
         let rests = p.level == Level::Velocity && p.rests;
         let wanted = match (known, p.level) {
-            (Known::Transport, Level::Acceleration) => tr(lang, ", for $a_{a}$", "，求 $a_{a}$"),
-            (Known::Transport, _) => tr(lang, ", for $v_{a}$", "，求 $v_{a}$"),
-            (Known::Absolute, Level::Acceleration) => tr(lang, ", for the transport part", "，求牵连加速度"),
-            (Known::Absolute, _) => tr(lang, ", for $v_{e}$", "，求 $v_{e}$"),
+            (Known::Transport, Level::Acceleration) => tr(lang, " for $a_{a}$", "，求 $a_{a}$"),
+            (Known::Transport, _) => tr(lang, " for $v_{a}$", "，求 $v_{a}$"),
+            (Known::Absolute, Level::Acceleration) => tr(lang, " for the transport part", "，求牵连加速度"),
+            (Known::Absolute, _) => tr(lang, " for $v_{e}$", "，求 $v_{e}$"),
             (Known::Both, _) => "",
         };
         let equation = format!("{} = {}", side(&left), side(&right));
         let words = match lang {
-            Lang::En if rests => format!("projected square to the relative path (on ${degrees}$°){wanted}:"),
+            Lang::En if rests => format!("projected on the perpendicular to the relative path (${degrees}$°){wanted}:"),
             Lang::Zh if rests => format!("向垂直于相对轨迹的方向（${degrees}$°）投影{wanted}："),
-            Lang::En => format!("projected square to ${unwanted}$ (on ${degrees}$°){wanted}:"),
+            Lang::En => format!("projected on the perpendicular to ${unwanted}$ (${degrees}$°){wanted}:"),
             Lang::Zh => format!("向垂直于 ${unwanted}$ 的方向（${degrees}$°）投影{wanted}："),
         };
         (words, equation)
@@ -387,7 +392,7 @@ pub fn json(staged: &Staged, all: &[Choice], solved: &[Solved], notes: &[Diagnos
             .iter()
             .map(|p| {
                 let (words, equation) = w.projection(p, s.known);
-                json!(Phrase::new(&format!("{words} ${equation}$")).plain())
+                json!(Phrase::new(&w.projected(&words, &equation)).plain())
             })
             .collect();
         out

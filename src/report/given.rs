@@ -1,8 +1,9 @@
-//! What is given, as a list: lengths, fixed points, guides ([`guide`]), gears and wheels ([`rolling`]), belts and chains ([`belts`]), cams ([`cams`]), drivers. Numbers as the scene writes them.
+//! What is given, as a list: lengths, fixed points, guides ([`guide`]), gears and wheels ([`rolling`]), belts and chains ([`belts`]), cams ([`cams`]), drivers, laws of time ([`law`]). Numbers as the scene writes them.
 
 mod belts;
 mod cams;
 mod guide;
+pub mod law;
 mod rolling;
 
 use super::amount::{number, scale};
@@ -148,6 +149,9 @@ impl Givens<'_> {
                     format!("{name}/{}", self.link(*against))
                 };
                 let number = name_label(&number);
+                if let Some(law) = &driver.law {
+                    return out + &self.by_law(d, law);
+                }
                 if let Some(a) = given {
                     out += &format!("{comma}$\\varphi_{{{number}}} = {}$", self.angle(a));
                 }
@@ -161,6 +165,9 @@ impl Givens<'_> {
                     Lang::En => format!("driver: {what} along its guide"),
                     Lang::Zh => format!("原动件：{what} 沿导路移动"),
                 };
+                if let Some(law) = &driver.law {
+                    return out + &self.by_law(d, law);
+                }
                 if let Some(s) = position {
                     out += &format!("{comma}$s = {}$", self.length(s));
                 }
@@ -172,6 +179,9 @@ impl Givens<'_> {
                     Lang::En => format!("driver: cylinder ${ends}$"),
                     Lang::Zh => format!("原动件：液压缸 ${ends}$"),
                 };
+                if let Some(law) = &driver.law {
+                    return out + &self.by_law(d, law);
+                }
                 if let Some(l) = given {
                     out += &format!("{comma}$l_{{{ends}}} = {}$", self.length(l));
                 }

@@ -10,7 +10,7 @@ use crate::paper::phrase::{Phrase, tr};
 use crate::particle::board::Drawn;
 use crate::particle::plate::Part;
 use crate::particle::pursuit::End;
-use crate::particle::{Asked, Kind, Problem, Solved, Value};
+use crate::particle::{Asked, Kind, Mutual, Problem, Solved, Value};
 use crate::report::amount::of_level;
 use crate::scene::{Book, Kind as Quantity, Lang};
 use serde_json::{Value as Json, json};
@@ -19,10 +19,12 @@ use serde_json::{Value as Json, json};
 pub fn kind(what: Asked) -> Option<Quantity> {
     match what {
         Asked::MeetingTime(_) => None,
-        Asked::MeetingPlace(_) | Asked::Distance(_) | Asked::Place(_) | Asked::Curvature(_) => Some(Quantity::Length),
-        Asked::LineOmega(_) => Some(Quantity::Omega),
-        Asked::Velocity(_) => Some(Quantity::Velocity),
-        Asked::Acceleration(_) => Some(Quantity::Acceleration),
+        Asked::MeetingPlace(_) | Asked::Distance(_) | Asked::Place(_) | Asked::Curvature(_) | Asked::Between(_, Mutual::Distance) => {
+            Some(Quantity::Length)
+        }
+        Asked::LineOmega(_) | Asked::Between(_, Mutual::Turning) => Some(Quantity::Omega),
+        Asked::Velocity(_) | Asked::Between(_, Mutual::Velocity) => Some(Quantity::Velocity),
+        Asked::Acceleration(_) | Asked::Between(_, Mutual::Acceleration) => Some(Quantity::Acceleration),
         Asked::Part(_, part) if part.is_velocity() => Some(Quantity::Velocity),
         Asked::Part(..) => Some(Quantity::Acceleration),
     }
@@ -210,6 +212,15 @@ pub fn symbol(problem: &Problem, what: Asked, lang: Lang) -> String {
         Asked::Acceleration(k) => format!("a_{{{}}}", name(k)),
         Asked::Curvature(k) => format!("\\rho_{{{}}}", name(k)),
         Asked::Part(_, part) => part_symbol(part, lang),
+        Asked::Between([a, b], m) => {
+            let letter = match m {
+                Mutual::Distance => "l",
+                Mutual::Turning => "\\omega",
+                Mutual::Velocity => "v",
+                Mutual::Acceleration => "a",
+            };
+            format!("{letter}_{{{}{}}}", name(a), name(b))
+        }
     }
 }
 

@@ -18,12 +18,12 @@ use std::f64::consts::TAU;
 /// The table of candidates.
 pub fn text(task: &Task, design: &Design, lang: Lang) -> String {
     let mut out = format!("{}\n", lang.of(&task.heading.title));
-    for line in design.numbers.iter().map(|n| format!("{} = {}", n.name, value(&task.book, n))).collect::<Vec<_>>().chunks(4) {
+    for line in design.numbers.iter().map(|n| format!("{} = {}", printed(&n.name), value(&task.book, n))).collect::<Vec<_>>().chunks(4) {
         out += &format!("{}\n", line.join("   "));
     }
     for (k, c) in design.candidates.iter().enumerate() {
         out += &format!("\n{}. {}\n", k + 1, lang.of(&c.draft.which));
-        let numbers: Vec<String> = c.draft.numbers.iter().map(|n| format!("{} = {}", n.name, value(&task.book, n))).collect();
+        let numbers: Vec<String> = c.draft.numbers.iter().map(|n| format!("{} = {}", printed(&n.name), value(&task.book, n))).collect();
         for line in numbers.chunks(6) {
             out += &format!("   {}\n", line.join("   "));
         }
@@ -33,6 +33,39 @@ pub fn text(task: &Task, design: &Design, lang: Lang) -> String {
         }
     }
     out + &format!("\n{}\n", taken(design, lang))
+}
+
+/// A number's name in a text: Greek letters and signs for what programs write in words.
+fn printed(name: &str) -> String {
+    const NAMES: [(&str, &str); 14] = [
+        ("alpha", "α"),
+        ("beta", "β"),
+        ("gamma", "γ"),
+        ("theta", "θ"),
+        ("psi", "ψ"),
+        ("phi", "φ"),
+        ("max_error", "Δψ_max"),
+        ("x_max", "x(Δψ_max)"),
+        ("error", "Δψ"),
+        ("deviation", "δ"),
+        ("at_least", "φ(y_min)"),
+        ("at_greatest", "φ(y_max)"),
+        ("least", "y_min"),
+        ("greatest", "y_max"),
+    ];
+    let (letters, index) = match name.find(|c: char| c.is_ascii_digit()) {
+        Some(at) if at > 0 => name.split_at(at),
+        Some(_) | None => (name, ""),
+    };
+    let said = |word: &str| NAMES.iter().find(|n| n.0 == word).map(|n| n.1);
+    let (stem, joint) = letters.strip_suffix('_').map_or((letters, ""), |stem| (stem, "_"));
+    if let Some(sign) = said(name) {
+        return sign.to_owned();
+    }
+    // A word before an underscore: alpha_max.
+    let first = stem.split_once('_').map(|(word, rest)| said(word).map(|sign| format!("{sign}_{rest}")));
+    let stem = said(stem).map(str::to_owned).or(first.flatten()).unwrap_or_else(|| stem.to_owned());
+    format!("{stem}{joint}{index}")
 }
 
 /// What the finished scene does, in a line.

@@ -71,6 +71,8 @@ pub struct Board {
 
 /// Circles whose lines are nearer than this are seen to touch (mm).
 const LINE_MM: f64 = 0.5;
+/// Two places nearer than this are one (a pencil that misses apart).
+const SAME_MM: f64 = 1e-3;
 
 /// A way to draw a task.
 pub type Way<'a> = dyn Fn(&mut Board) -> Option<()> + 'a;
@@ -214,7 +216,11 @@ impl Board {
 
     /// Names a place.
     pub fn mark(&mut self, name: &str, at: Point) -> &mut Board {
-        self.last().marks.push((name.to_owned(), at));
+        // A point that is found again in another way has its name.
+        let there = |(n, p): &(String, Point)| n == name && p.distance(at) < SAME_MM;
+        if !self.steps.iter().any(|s| s.marks.iter().any(there)) {
+            self.last().marks.push((name.to_owned(), at));
+        }
         self
     }
 

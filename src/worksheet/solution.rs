@@ -34,6 +34,7 @@ impl Maker<'_> {
             .iter()
             .enumerate()
             .any(|(v, vertex)| matches!(vertex.spot, Spot::Special(_)) && self.worked.construction.diagram.spots[v].is_some());
+        self.laws(blocks);
         self.freedom(blocks);
         if alone || special {
             blocks.extend(self.figure("construction", Level::Position));
@@ -47,6 +48,15 @@ impl Maker<'_> {
 
     fn figure(&self, name: &'static str, level: Level) -> Option<Block> {
         drawing(self.scene, self.worked, self.options, level).map(|f| Block::Figure { name, figure: Box::new(f) })
+    }
+
+    /// What laws of time give at the instant.
+    fn laws(&self, blocks: &mut Vec<Block>) {
+        let members = self.givens().laws();
+        if !members.is_empty() {
+            blocks.push(self.heading(2, "Laws of time at the instant", "该瞬时的运动规律"));
+            blocks.push(Block::List { numbered: false, members });
+        }
     }
 
     fn freedom(&self, blocks: &mut Vec<Block>) {

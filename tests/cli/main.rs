@@ -342,7 +342,7 @@ fn curvature_and_inversions_are_told() {
     for line in ["gear train with fixed axes", "= −0.5", "= 1.5", "= 3"] {
         assert!(said.contains(line), "{line} is not in\n{said}");
     }
-    hodograph().args(["inversions", &templates_path("cam-eccentric")]).assert().code(2);
+    hodograph().args(["inversions", &templates_path("cam-offset-roller")]).assert().code(2);
 }
 
 #[test]

@@ -5,7 +5,7 @@ mod places;
 mod timed;
 mod wishes;
 
-use hodograph::synthesis::{Candidate, Design, read, solve};
+use hodograph::synthesis::{Candidate, Design, construct, read, solve};
 use serde_json::{Value as Json, json};
 use std::f64::consts::PI;
 
@@ -77,6 +77,16 @@ fn crank_rockers_are_found_from_their_time_ratio() {
         let by_swing = json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": ratio, "rocker": mm(c), "frame": mm(d),
             "swing": format!("{swing} rad")});
         found(&by_swing, &lengths);
+        for (key, bar) in [("crank", a), ("coupler", b)] {
+            let mut by_bar =
+                json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": ratio, "rocker": mm(c), "swing": format!("{swing} rad")});
+            by_bar[key] = mm(bar);
+            let read = read(by_bar.to_string()).unwrap().value;
+            let design = solve(&read).unwrap();
+            let own = design.candidates.iter().find(|c| is(c, &lengths)).unwrap_or_else(|| panic!("{by_bar}"));
+            let board = construct(&read, own, 0.002).unwrap().expect("it is drawn");
+            assert!(board.readings.iter().all(|m| (board.value(m) - own.number(&m.name).unwrap()).abs() < 1e-9), "{by_bar}");
+        }
     }
 }
 
@@ -105,6 +115,13 @@ fn slider_cranks_and_slotted_levers_are_found_from_their_time_ratio() {
         let task =
             json!({"synthesis": "time-ratio", "linkage": "whitworth", "K": 2.0 * PI / quick - 1.0, "crank": mm(a), "stroke": "100 mm"});
         found(&task, &[("AB", a), ("AC", inner)]);
+        // What is left to the program: the slider's stroke and link, the link to the ram.
+        found(
+            &json!({"synthesis": "time-ratio", "linkage": "whitworth", "K": 2.0 * PI / quick - 1.0, "frame": mm(inner)}),
+            &[("AB", a), ("H", 2.0 * a)],
+        );
+        let task = json!({"synthesis": "time-ratio", "linkage": "shaper", "K": ratio, "frame": mm(frame), "stroke": mm(a)});
+        found(&task, &[("AB", a), ("CD", a / (2.0 * (theta / 2.0).sin()))]);
     }
 }
 

@@ -2,7 +2,7 @@
 //! of the coupler. The linkage is among the candidates.
 
 use crate::{Mixed, angle, at, crank_rocker, design, found, is, mm};
-use hodograph::synthesis::{read, solve};
+use hodograph::synthesis::{construct, read, solve};
 use serde_json::{Value as Json, json};
 use std::f64::consts::PI;
 
@@ -52,6 +52,34 @@ fn linkages_are_found_from_three_places_at_given_turns() {
         let task = json!({"synthesis": "path", "points": cranks.map(|t| coupler_point(l, t, e)),
             "timing": cranks.map(|t| format!("{} rad", t - start + 0.7)), "ground": {"A": [mm(0.0), mm(0.0)], "D": [mm(l[3]), mm(0.0)]}});
         found(&task, &[("AB", l[0]), ("BC", l[1]), ("CD", l[2]), ("BE", e[0].hypot(e[1]))]);
+    }
+}
+
+/// Of four places at given turns of the crank lines for A and D are given, of five nothing more; all that is found does what is wanted, and its
+/// construction measures what the formula says.
+#[test]
+fn linkages_are_found_from_four_and_five_places_at_given_turns() {
+    let mut r = Mixed(64);
+    for _ in 0..8 {
+        let (l, e, start) = (crank_rocker(&mut r), [r.between(20.0, 100.0), r.between(20.0, 80.0)], r.between(0.0, 6.0));
+        let turns = [0.0, r.between(0.4, 0.9), r.between(1.3, 2.0), r.between(2.6, 3.4), r.between(4.0, 5.2)];
+        let task = |count: usize| {
+            json!({"synthesis": "path", "points": turns[..count].iter().map(|t| coupler_point(l, start + t, e)).collect::<Vec<_>>(),
+                "timing": turns[..count].iter().map(|t| format!("{t} rad")).collect::<Vec<_>>()})
+        };
+        let wanted = [("AB", l[0]), ("BC", l[1]), ("CD", l[2]), ("AD", l[3]), ("BE", e[0].hypot(e[1]))];
+        found(&task(5), &wanted);
+        let mut four = task(4);
+        four["line"] = json!({"through": [mm(l[3]), mm(0.0)], "angle": "70 deg"});
+        four["line_A"] = json!({"through": [mm(0.0), mm(0.0)], "angle": "-20 deg"});
+        found(&four, &wanted);
+        for task in [task(5), four] {
+            let read = read(task.to_string()).unwrap().value;
+            let best = &solve(&read).unwrap().candidates[0];
+            let board = construct(&read, best, 0.002).unwrap().expect("what is met is constructed");
+            let off = board.readings.iter().map(|m| (board.value(m) - best.number(&m.name).unwrap()).abs());
+            assert!(board.readings.len() >= 5 && off.fold(0.0, f64::max) < 1e-9, "{task}");
+        }
     }
 }
 
@@ -127,6 +155,11 @@ fn limits_and_places_that_cannot_be_are_told() {
         (json!({"synthesis": "path", "points": places, "ground": {"A": zero}, "crank": mm(30.0), "BE": mm(60.0)}), "missing-key"),
         (
             json!({"synthesis": "path", "points": places, "ground": {"A": zero, "D": [mm(90.0), mm(0.0)]}, "crank": mm(30.0), "BE": mm(60.0)}),
+            "wrong-given",
+        ),
+        (
+            json!({"synthesis": "path", "points": [places[0], places[1], places[2], places[3]], "timing": ["0 deg", "30 deg", "60 deg", "90 deg"],
+            "crank": mm(30.0), "line": {"through": zero}}),
             "wrong-given",
         ),
         (

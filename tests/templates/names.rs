@@ -144,6 +144,7 @@ impl Renamed {
                 "on" | "link" => self.link(&text),
                 "frame" => self.frame(&text),
                 "line" => self.pair(&text),
+                "centre" => self.point(&text),
                 // The contact of a cam is no point of the scene.
                 "point" | "pair" => self.points.get(&text).cloned().unwrap_or(text),
                 _ => text,

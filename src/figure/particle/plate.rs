@@ -71,7 +71,7 @@ impl Maker<'_> {
                 let arm = now - centre;
                 (0..=120).map(|k| centre + arm.rotate_by(Vec2::from_angle(std::f64::consts::TAU * f64::from(k) / 120.0))).collect()
             }
-            Way::Free(_) => {
+            Way::Polar { .. } | Way::Free(_) => {
                 let span = if t > 0.0 { 2.0 * t } else { 1.0 };
                 (0..=60).filter_map(|k| place(span * f64::from(k) / 60.0).ok()).collect()
             }

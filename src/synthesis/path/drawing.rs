@@ -26,24 +26,29 @@ pub fn by_lengths(board: &mut Board, e: &[Point], [a, d]: [Point; 2], [crank, be
 }
 
 /// The crank's turns given: E turned back about A, B₁ the centre of its places.
-pub fn by_turns(board: &mut Board, e: &[Point; 3], [a, d]: [Point; 2], turns: &[f64; 3]) -> Option<()> {
-    let (a, e) = (board.at(a), e.map(|p| board.at(p)));
+pub fn by_turns(board: &mut Board, e: &[Point], [a, d]: [Point; 2], turns: &[f64]) -> Option<()> {
+    let (a, e) = (board.at(a), e.iter().map(|p| board.at(*p)).collect::<Vec<Point>>());
     board.step(both!("Lay off A, D and the places of E", "作出 A、D 及 E 的各位置"));
     let d = laid(board, a, d, &e);
-    let [second, third] = [1, 2].map(|k| significant((turns[k] - turns[0]).to_degrees(), 5));
+    let by: Vec<String> = turns[1..].iter().map(|t| format!("{}°", significant((t - turns[0]).to_degrees(), 5))).collect();
+    let by = Both { en: by.join(", "), zh: by.join("、") };
+    let (places, back) = (numbered("E", "", 2..=e.len()), numbered("E", "'", 2..=e.len()));
+    board.step(both!("Turn {} about A back with the crank, by {}: {}", "{} 随曲柄绕 A 分别反转 {}，得 {}", places, by, back));
+    let turned: Vec<Point> = (1..e.len()).map(|k| a + (e[k] - a).rotate_by(Vec2::from_angle(turns[0] - turns[k]))).collect();
+    for (k, at) in turned.iter().enumerate() {
+        board.arc(a, *at).mark(&format!("E_{}'", k + 2), *at);
+    }
+    let pins = numbered("B", "", 2..=e.len());
     board.step(both!(
-        "Turn E2 and E3 about A back with the crank, by {second}° and {third}°: E2', E3'",
-        "E2、E3 随曲柄绕 A 分别反转 {second}°、{third}°，得 E2'、E3'"
+        "The bisectors of E1, E2', E3' meet in B1; {} on the crank's circle",
+        "E1、E2'、E3' 的中垂线交于 B1；在曲柄圆上得 {}",
+        pins
     ));
-    let back = |k: usize| a + (e[k] - a).rotate_by(Vec2::from_angle(turns[0] - turns[k]));
-    let (two, three) = (back(1), back(2));
-    board.arc(a, two).arc(a, three).mark("E_2'", two).mark("E_3'", three);
-    board.step(both!(
-        "The bisectors of E1, E2', E3' meet in B1; B2, B3 on the crank's circle",
-        "E1、E2'、E3' 的中垂线交于 B1；在曲柄圆上得 B2、B3"
-    ));
-    let first = board.centre(e[0], two, three)?;
-    let b: Vec<Point> = (0..3).map(|k| a + (first - a).rotate_by(Vec2::from_angle(turns[k] - turns[0]))).collect();
+    let first = board.centre(e[0], turned[0], turned[1])?;
+    for further in turned.iter().skip(2) {
+        board.read("BE", first, *further);
+    }
+    let b: Vec<Point> = turns.iter().map(|t| a + (first - a).rotate_by(Vec2::from_angle(t - turns[0]))).collect();
     board.circle(a, a.distance(first), Weight::Thin).read("BE", first, e[0]);
     for (k, pin) in b.iter().enumerate() {
         board.line(*pin, e[k], Weight::Given).mark(&format!("B_{}", k + 1), *pin);

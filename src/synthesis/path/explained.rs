@@ -2,6 +2,7 @@
 
 use super::Path;
 use super::inversion::{back_to_first, turned_back};
+use super::prescribed::{Prescribed, Ray};
 use crate::diag::{Both, both};
 use crate::geom::Point;
 use crate::synthesis::candidate::Draft;
@@ -45,8 +46,7 @@ impl Path {
             Path::Turned { points, pivots: [a, d], turns } => {
                 let mut given = listed(points);
                 given.push(pivots_told(*a, *d));
-                let [second, third] = [1, 2].map(|k| angle(turns[k] - turns[0]));
-                given.push(both!("turns of the crank from $E_1$: ${second} ,\\; {third}$", "曲柄自 $E_1$ 的转角：${second} ,\\; {third}$"));
+                given.push(turns_told(turns));
                 Statement {
                     task: both!(
                         "Design a four-bar $ABCD$ whose coupler point $E$ passes through three given places at given turns of the crank.",
@@ -60,18 +60,28 @@ impl Path {
                     open_steps: 1,
                 }
             }
+            Path::Prescribed(Prescribed { points, turns, lines }) => {
+                let mut given = listed(points);
+                given.push(turns_told(turns));
+                given.extend(lines.iter().flat_map(|[a, d]| [on_line("A", *a), on_line("D", *d)]));
+                Statement {
+                    task: both!(
+                        "Design a four-bar $ABCD$ whose coupler point $E$ passes through four given places at given turns of the crank.",
+                        "设计四杆机构 $ABCD$，使曲柄转过给定角度时连杆上的点 $E$ 通过四个预定位置。"
+                    ),
+                    given,
+                    wanted: vec![both!(
+                        "the pivots $A$, $D$, the crank $l_{{AB}}$, the coupler $l_{{BC}}$, $l_{{BE}}$, $l_{{CE}}$ and the follower $l_{{CD}}$",
+                        "固定铰链 $A$、$D$，曲柄 $l_{{AB}}$，连杆 $l_{{BC}}$、$l_{{BE}}$、$l_{{CE}}$ 与从动连架杆 $l_{{CD}}$"
+                    )],
+                    open_steps: 0,
+                }
+            }
             Path::Several { points, a, lengths, line, .. } => {
                 let mut given = listed(points);
                 given.push(both!("pivot $A = {}$", "固定铰链 $A = {}$", place(*a)));
                 given.extend(lengths_told(*lengths));
-                given.extend(line.map(|(through, along)| {
-                    both!(
-                        "$D$ on the line through ${}$ under ${}$",
-                        "$D$ 在过 ${}$、倾角为 ${}$ 的直线上",
-                        place(through),
-                        angle(along.angle())
-                    )
-                }));
+                given.extend(line.map(|line| on_line("D", line)));
                 let count = points.len();
                 Statement {
                     task: both!(
@@ -88,9 +98,7 @@ impl Path {
             }
             Path::Many { points, timing: Some(turns), .. } => {
                 let mut given = listed(points);
-                let turned: Vec<String> = turns.iter().skip(1).take(TOLD - 1).map(|t| angle(t - turns[0])).collect();
-                let more = if turns.len() > TOLD { ", ..." } else { "" };
-                given.push(both!("turns of the crank from $E_1$: ${}{more}$", "曲柄自 $E_1$ 的转角：${}{more}$", turned.join(" ,\\; ")));
+                given.push(turns_told(turns));
                 Statement {
                     task: both!(
                         "Design a crank-rocker $ABCD$ whose coupler point $E$ is as near as possible to {} given places, at given turns of the crank.",
@@ -119,36 +127,67 @@ impl Path {
         match self {
             Path::Three { points, pivots, .. } => three(points, pivots[1], draft),
             Path::Turned { points, pivots, turns } => {
-                let [_, second, third] = turned_back(points, pivots[0], turns);
-                let b1 = Point::new(of(draft, "B1_x"), of(draft, "B1_y"));
-                let mut out = vec![
-                    Proof::new(
-                        both!(
-                            "Turned back about $A$ with the crank, $\\delta_k$ its turn from place 1 to $k$, $E_k$ comes to",
-                            "随曲柄绕 $A$ 反转（$\\delta_k$ 为曲柄由位置 1 到 $k$ 的转角）："
-                        ),
-                        [
-                            "E_k' = A + R(−\\delta_k)\\,(E_k − A)".to_owned(),
-                            format!("E_2' = {} ,\\quad E_3' = {}", place(second), place(third)),
-                        ],
-                    ),
-                    centre_of_three(
-                        both!(
-                            "$B_1$ is as far from $E_1$ as from $E_2'$ and $E_3'$: the squares of the distances, subtracted, are linear equations (mm).",
-                            "$B_1$ 到 $E_1$、$E_2'$、$E_3'$ 等距：距离平方相减得线性方程（mm）。"
-                        ),
-                        [points[0], second, third],
-                        "B_1",
-                        b1,
-                    ),
-                ];
+                let mut out = first_pin(points, pivots[0], turns, draft);
                 out.extend(three(points, pivots[1], draft));
                 out
             }
+            Path::Prescribed(wish) => by_burmester(&wish.points, &wish.turns, draft),
+            Path::Many { points, timing: Some(turns), .. } if super::is_met(draft) => by_burmester(points, turns, draft),
             Path::Several { points, .. } => several(points, draft),
             Path::Many { points, timing, .. } => many(points.len(), timing.is_some(), draft),
         }
     }
+}
+
+/// A from the positions of a plane that turns with the crank, B₁ from the places turned back, D and C₁ from those of the coupler.
+fn by_burmester(e: &[Point], turns: &[f64], draft: &Draft) -> Vec<Proof> {
+    let a = Point::new(of(draft, "A_x"), of(draft, "A_y"));
+    let centre = Proof::new(
+        both!(
+            "$A$ is a centre point (Burmester) of the positions of a plane that has its origin in $E_k$ and turns with the crank:",
+            "以 $E_k$ 为原点并随曲柄转动的平面的各位置，其圆心点（布尔梅斯特）即为 $A$："
+        ),
+        [format!("A = {}", place(a))],
+    );
+    [vec![centre], first_pin(e, a, turns, draft), several(e, draft)].concat()
+}
+
+/// B₁ from the places turned back with the crank.
+fn first_pin(e: &[Point], a: Point, turns: &[f64], draft: &Draft) -> Vec<Proof> {
+    let back = turned_back(e, a, turns);
+    let [Some(second), Some(third)] = [1, 2].map(|k| back.get(k).copied()) else { return Vec::new() };
+    let b1 = Point::new(of(draft, "B1_x"), of(draft, "B1_y"));
+    let places: Vec<String> = back.iter().enumerate().skip(1).map(|(k, p)| format!("E_{}' = {}", k + 1, place(*p))).collect();
+    vec![
+        Proof::new(
+            both!(
+                "Turned back about $A$ with the crank, $\\delta_k$ its turn from place 1 to $k$, $E_k$ comes to",
+                "随曲柄绕 $A$ 反转（$\\delta_k$ 为曲柄由位置 1 到 $k$ 的转角）："
+            ),
+            ["E_k' = A + R(−\\delta_k)\\,(E_k − A)".to_owned(), places.join(" ,\\quad ")],
+        ),
+        centre_of_three(
+            both!(
+                "$B_1$ is as far from $E_1$ as from $E_2'$ and $E_3'$: the squares of the distances, subtracted, are linear equations (mm).",
+                "$B_1$ 到 $E_1$、$E_2'$、$E_3'$ 等距：距离平方相减得线性方程（mm）。"
+            ),
+            [e[0], second, third],
+            "B_1",
+            b1,
+        ),
+    ]
+}
+
+/// The crank's turns from the first place; of many the first.
+fn turns_told(turns: &[f64]) -> Both {
+    let turned: Vec<String> = turns.iter().skip(1).take(TOLD - 1).map(|t| angle(t - turns[0])).collect();
+    let more = if turns.len() > TOLD { ", ..." } else { "" };
+    both!("turns of the crank from $E_1$: ${}{more}$", "曲柄自 $E_1$ 的转角：${}{more}$", turned.join(" ,\\quad "))
+}
+
+fn on_line(letter: &str, (through, along): Ray) -> Both {
+    let (at, angle) = (place(through), angle(along.angle()));
+    both!("${letter}$ on the line through ${at}$ under ${angle}$", "${letter}$ 在过 ${at}$、倾角为 ${angle}$ 的直线上")
 }
 
 fn pivots_told(a: Point, d: Point) -> Both {
@@ -193,7 +232,7 @@ fn several(e: &[Point], draft: &Draft) -> Vec<Proof> {
             [
                 format!("D = {} ,\\quad C_1 = {}", place(d), place(c)),
                 listed("D", back, 2, "'"),
-                format!("l_{{CD}} = {} ,\\quad {}", length(of(draft, "CD")), far.join(" ,\\; ")),
+                format!("l_{{CD}} = {} ,\\quad {}", length(of(draft, "CD")), far.join(" ,\\quad ")),
             ],
         ),
         Proof::new(both!("So", "于是"), [["BC", "CE", "CD"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n)))).join(" ,\\quad ")]),

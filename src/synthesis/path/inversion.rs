@@ -30,14 +30,14 @@ pub(super) fn pins(e: &[Point], a: Point, [crank, be]: [f64; 2], sides: &[bool])
 }
 
 /// E carried back to the first position of the crank, which turns about A.
-pub(super) fn turned_back(e: &[Point; 3], a: Point, turns: &[f64; 3]) -> [Point; 3] {
-    [0, 1, 2].map(|k| a + (e[k] - a).rotate_by(Vec2::from_angle(turns[0] - turns[k])))
+pub(super) fn turned_back(e: &[Point], a: Point, turns: &[f64]) -> Vec<Point> {
+    e.iter().zip(turns).map(|(e, t)| a + (*e - a).rotate_by(Vec2::from_angle(turns[0] - t))).collect()
 }
 
 /// B at three places that the crank meets at given turns.
 pub(super) fn turned_pins(e: &[Point; 3], a: Point, turns: &[f64; 3]) -> Result<Vec<Point>, Both> {
-    let [p, q, r] = turned_back(e, a, turns);
-    let Some((b, _)) = centre(p, q, r) else {
+    let back = turned_back(e, a, turns);
+    let Some((b, _)) = centre(back[0], back[1], back[2]) else {
         return Err(both!(
             "E2 and E3, turned back with the crank, lie in line with E1: B would be infinitely far",
             "E2、E3 随曲柄反转后与 E1 共线：B 在无穷远处"

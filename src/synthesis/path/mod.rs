@@ -1,12 +1,14 @@
 //! Path generation 按预定轨迹, `"synthesis": "path"`: a point E of the coupler through given places.
 //!
-//! Places met exactly, by [`inversion`]: three with A, D and either crank and BE or the crank's turns; four and five with A, crank and BE. Five places
+//! Places met exactly, by [`inversion`]: three with A, D and either crank and BE or the crank's turns; four and five with A, crank and BE; four at given
+//! turns of the crank with lines for A and D ([`prescribed`]). Five places
 //! and more with nothing else given: least squares of the distances ([`search`]), or at given turns of the crank ([`timed`]).
 
 mod drawing;
 mod evolution;
 mod explained;
 mod inversion;
+mod prescribed;
 pub mod search;
 mod sides;
 pub mod timed;
@@ -19,6 +21,7 @@ use super::{Found, KindOfTask, Proof, Statement, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
 use crate::geom::{Point, Vec2};
+use prescribed::Prescribed;
 use search::Fit;
 use sides::Sides;
 use std::f64::consts::TAU;
@@ -27,7 +30,7 @@ use std::f64::consts::TAU;
 pub const KIND: KindOfTask = KindOfTask {
     name: "path",
     what: ["a coupler point through given places", "按连杆上一点的预定轨迹设计"],
-    keys: &["points", "ground", "crank", "BE", "side", "line", "timing", "seed"],
+    keys: &["points", "ground", "crank", "BE", "side", "line", "line_A", "timing", "seed"],
     read,
 };
 
@@ -37,6 +40,8 @@ enum Path {
     Three { points: [Point; 3], pivots: [Point; 2], lengths: [f64; 2], sides: Sides },
     /// Three places at given angles of the crank (rad).
     Turned { points: [Point; 3], pivots: [Point; 2], turns: [f64; 3] },
+    /// Four places at given angles of the crank.
+    Prescribed(Prescribed),
     /// Four places with a line for D, or five; crank and BE given.
     Several { points: Vec<Point>, a: Point, lengths: [f64; 2], sides: Sides, line: Option<(Point, Vec2)> },
     /// Many, the crank's angles at them where these are given (rad).
@@ -56,9 +61,10 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
             return None;
         }
     }
-    let given: Vec<&str> = ["ground", "crank", "BE", "side", "line"].into_iter().filter(|k| form.has(k)).collect();
+    let given: Vec<&str> = ["ground", "crank", "BE", "side", "line", "line_A"].into_iter().filter(|k| form.has(k)).collect();
     match <[Point; 3]>::try_from(points) {
         Ok(points) => three(form, points),
+        Err(points) if points.len() == 4 && form.has("timing") => Some(Box::new(Path::Prescribed(prescribed::read(form, points)?))),
         Err(points) if points.len() == 4 || points.len() == 5 && !given.is_empty() => several(form, points),
         Err(points) if given.is_empty() => {
             let seed = if form.has("seed") { form.count("seed", 0, 1_000_000_000)? } else { 1 };
@@ -116,6 +122,9 @@ fn timing(form: &Form, places: usize) -> Option<Vec<f64>> {
     Some(angles)
 }
 
+/// A search that comes so near (parts of the path) has found what meets the places.
+const MET: f64 = 1e-9;
+
 /// How a timing is written.
 const TIMING: &str = "[\"0 deg\", \"20 deg\", ...]";
 
@@ -144,9 +153,10 @@ fn three(form: &Form, points: [Point; 3]) -> Option<Box<dyn Wish>> {
 fn several(form: &Form, points: Vec<Point>) -> Option<Box<dyn Wish>> {
     if let Some(key) = ["timing", "seed"].into_iter().find(|k| form.has(k)) {
         let message = match key {
-            "timing" => {
-                both!("`timing` is given for three places, or for five and more alone", "`timing` 只用于三个点，或单独给出的五个以上的点")
-            }
+            "timing" => both!(
+                "`timing` is given for three or four places, or for five and more alone",
+                "`timing` 只用于三、四个点，或单独给出的五个以上的点"
+            ),
             _ => both!("`seed` belongs to a search; four and five places are met exactly", "`seed` 用于搜索；四、五个位置可精确实现"),
         };
         form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(both!("leave it out", "请去掉它")));
@@ -164,14 +174,7 @@ fn several(form: &Form, points: Vec<Point>) -> Option<Box<dyn Wish>> {
     let lengths = lengths(form);
     let sides = sides::read(form, points.len());
     let line = match points.len() {
-        4 => {
-            form.need("line", "{\"through\": [\"100 mm\", \"0 mm\"], \"angle\": \"0 deg\"}")?;
-            let inner = form.inner("line", &["through", "angle"])?;
-            inner.need("through", "[\"100 mm\", \"0 mm\"]")?;
-            let angle = if inner.has("angle") { inner.angle("angle") } else { Some(0.0) };
-            let through = inner.point("through");
-            Some((through?, Vec2::from_angle(angle?)))
-        }
+        4 => Some(prescribed::ray(form, "line")?),
         _ => None,
     };
     Some(Box::new(Path::Several { points, a: a?, lengths: lengths?, sides: sides?, line }))
@@ -189,7 +192,7 @@ impl Wish for Path {
             Path::Three { .. } | Path::Turned { .. } => {
                 both!("Four-bar whose coupler point passes three places", "连杆点通过三个位置的四杆机构")
             }
-            Path::Several { points, .. } => {
+            Path::Prescribed(Prescribed { points, .. }) | Path::Several { points, .. } => {
                 both!("Four-bar whose coupler point passes {} places", "连杆点通过 {} 个位置的四杆机构", points.len())
             }
             Path::Many { points, .. } => {
@@ -205,6 +208,7 @@ impl Wish for Path {
                 let found = inversion::turned(points, *pivots, turns, heading);
                 vec![found.map_err(|message| Diagnostic::error("no-real-solution", message).help(unturned()))?]
             }
+            Path::Prescribed(wish) => wish.solve(heading)?,
             Path::Several { points, a, lengths, sides, line } => of_several(points, *a, *lengths, sides, *line, heading)?,
             Path::Many { points, timing, seed } => return searched(points, timing.as_deref(), *seed, heading),
         };
@@ -212,6 +216,9 @@ impl Wish for Path {
     }
 
     fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+        // D, and A where it is not given, come from centre-point curves.
+        let found =
+            |letter: &str| Point::new(super::told::of(draft, &format!("{letter}_x")), super::told::of(draft, &format!("{letter}_y")));
         let by_sides = |board: &mut Board, points: &[Point], pivots: [Point; 2], lengths: [f64; 2], sides: &Sides| {
             let ways: Vec<_> = sides.all.iter().map(|s| move |b: &mut Board| drawing::by_lengths(b, points, pivots, lengths, s)).collect();
             let ways: Vec<&super::board::Way> = ways.iter().map(|w| w as &super::board::Way).collect();
@@ -220,10 +227,10 @@ impl Wish for Path {
         match self {
             Path::Three { points, pivots, lengths, sides } => by_sides(board, points, *pivots, *lengths, sides),
             Path::Turned { points, pivots, turns } => drawing::by_turns(board, points, *pivots, turns),
-            Path::Several { points, a, lengths, sides, .. } => {
-                // D comes from the centre-point curve.
-                let d = Point::new(super::told::of(draft, "D_x"), super::told::of(draft, "D_y"));
-                by_sides(board, points, [*a, d], *lengths, sides)
+            Path::Prescribed(wish) => drawing::by_turns(board, &wish.points, [found("A"), found("D")], &wish.turns),
+            Path::Several { points, a, lengths, sides, .. } => by_sides(board, points, [*a, found("D")], *lengths, sides),
+            Path::Many { points, timing: Some(turns), .. } if is_met(draft) => {
+                drawing::by_turns(board, points, [found("A"), found("D")], turns)
             }
             Path::Many { .. } => None,
         }
@@ -236,6 +243,11 @@ impl Wish for Path {
     fn proof(&self, draft: &Draft) -> Vec<Proof> {
         self.proved(draft)
     }
+}
+
+/// Whether a linkage meets its places, and is none of a search.
+fn is_met(draft: &Draft) -> bool {
+    draft.targets.is_empty()
 }
 
 /// Three places with crank and BE: a linkage for each choice of sides that reaches them.
@@ -312,12 +324,23 @@ fn searched(points: &[Point], timing: Option<&[f64]>, seed: u64, heading: &Headi
         None => search::search(points, seed),
         Some(turns) => timed::search(points, turns, seed),
     };
+    let (_, extent) = search::extent(points);
     let told = |f: &Fit| {
         let mut draft = of_fit(points, f, heading)?;
         draft.remarks.extend(search::remarks(f, points));
         Some(draft)
     };
-    let drafts: Vec<Draft> = found.fits.iter().filter_map(told).collect();
+    // Five places at given turns fix ten unknowns: what meets them is found without a search.
+    let met = match timing {
+        Some(turns) if points.len() == 5 => {
+            let wish = Prescribed { points: points.to_vec(), turns: turns.to_vec(), lines: None };
+            let longest = |d: &Draft| ["AB", "BC", "CD", "AD", "BE"].map(|n| super::told::of(d, n)).into_iter().fold(0.0, f64::max);
+            wish.linkages(heading).into_iter().filter(|d| longest(d) <= search::LARGEST * extent).collect()
+        }
+        Some(_) | None => Vec::new(),
+    };
+    let near = found.fits.iter().filter(|f| met.is_empty() || f.rms > MET * extent).filter_map(told);
+    let drafts: Vec<Draft> = met.iter().cloned().chain(near).collect();
     let numbers = vec![
         Number::ratio("evaluations", both!("positions evaluated", "计算的位置数"), found.evaluations as f64),
         Number::ratio("restarts", both!("runs of the search", "搜索次数"), found.runs as f64),

@@ -17,7 +17,7 @@ impl Task {
         }
         Statement {
             task: both!(
-                "Design {}'s linkage, whose point $E$ is to run straight over a given length.",
+                "Design {}'s straight-line linkage, whose point $E$ runs straight over a given length.",
                 "设计{}直线机构，使其点 $E$ 在给定长度上作直线运动。",
                 self.name()
             ),

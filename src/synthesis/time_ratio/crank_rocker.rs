@@ -3,7 +3,7 @@
 //! In its limit positions crank and coupler lie in line: AC₁ = BC + AB or BC − AB, AC₂ the other, and ∠C₁AC₂ = θ. So AB is half the
 //! difference of AC₁ and AC₂, BC half the sum. Either one limit is given (rocker, frame, the rocker's angle with the frame): C₂ is
 //! where the ray AC₁, turned by ±θ, meets the rocker's circle. Or the swing ψ: A lies on the circle through C₁, C₂ with the inscribed
-//! angle θ, and one thing is free along it: fixed by the frame's length or the crank's, or the least transmission angle is made greatest
+//! angle θ, and one thing is free along it: fixed by the frame's length, the crank's or the coupler's, or the least transmission angle is made greatest
 //! (*Source*: VDI 2130, Alt's problem; the optimum by golden-section search in double-double numbers).
 
 mod choice;
@@ -12,6 +12,7 @@ mod explained;
 mod family;
 
 use super::Ratio;
+use super::bar::Bar;
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
@@ -42,8 +43,8 @@ enum Way {
     Limit { frame: f64, angle: f64 },
     /// The rocker's swing and the frame.
     Swing { swing: f64, frame: f64 },
-    /// The rocker's swing and the crank.
-    Crank { swing: f64, crank: f64 },
+    /// The rocker's swing, and crank or coupler.
+    Bar { swing: f64, bar: Bar },
     /// The rocker's swing, and a line on which A lies, by two of its places: D is the origin, the swing even about the upward axis.
     Line { swing: f64, line: [Point; 2] },
     /// The rocker's swing; the least transmission angle is made greatest.
@@ -100,7 +101,10 @@ pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
             within(form, "swing").zip(form.size("frame")).map(|(swing, frame)| Way::Swing { swing, frame })
         }
         (false, true) if form.has("crank") && best.is_none() => {
-            within(form, "swing").zip(form.size("crank")).map(|(swing, crank)| Way::Crank { swing, crank })
+            within(form, "swing").zip(form.size("crank")).map(|(swing, crank)| Way::Bar { swing, bar: Bar::Crank(crank) })
+        }
+        (false, true) if form.has("coupler") && best.is_none() => {
+            within(form, "swing").zip(form.size("coupler")).map(|(swing, coupler)| Way::Bar { swing, bar: Bar::Coupler(coupler) })
         }
         (false, true) => within(form, "swing").map(|swing| Way::Best { swing, chosen: best.is_none() }),
         (both_given, _) => {
@@ -145,7 +149,7 @@ impl Wish for CrankRocker {
     fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
         let mut notes = self.ratio.notes();
         let found = match self.way {
-            Way::Limit { .. } | Way::Swing { .. } | Way::Crank { .. } | Way::Line { .. } => {
+            Way::Limit { .. } | Way::Swing { .. } | Way::Bar { .. } | Way::Line { .. } => {
                 let all = self.all();
                 if all.is_empty() {
                     return Err(self.none());

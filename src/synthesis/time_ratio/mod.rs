@@ -2,6 +2,7 @@
 //!
 //! θ = 180°(K − 1)/(K + 1) is the crank angle between the limit positions 极位夹角. A file for each linkage.
 
+mod bar;
 mod crank_rocker;
 mod slider_crank;
 mod slotted;
@@ -17,7 +18,8 @@ pub const KIND: KindOfTask = KindOfTask {
     name: "time-ratio",
     what: ["linkages with a quick return, from the time ratio K", "按行程速度变化系数 K 设计"],
     keys: &[
-        "linkage", "K", "theta", "rocker", "frame", "limit", "swing", "gamma", "best", "line", "stroke", "offset", "crank", "rod", "link",
+        "linkage", "K", "theta", "rocker", "frame", "limit", "swing", "gamma", "best", "line", "stroke", "offset", "crank", "coupler",
+        "rod", "link",
     ],
     read,
 };

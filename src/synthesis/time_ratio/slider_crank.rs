@@ -7,6 +7,7 @@
 mod explained;
 
 use super::Ratio;
+use super::bar::Bar;
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::Point;
@@ -133,14 +134,30 @@ impl SliderCrank {
         ));
         let (centre, radius) = board.inscribed(c2, c1, self.ratio.theta, false)?;
         board.mark("O", centre);
-        let level = Line::ray(Point::new(0.0, -board.mm(offset)), 0.0);
-        let a = board.cut(&level, centre, radius)?[k];
-        board.step(both!(
-            "The parallel to the guide at the offset {} meets the circle in A",
-            "在偏距 {} 处作导路的平行线，与圆交于 A",
-            metres(offset)
-        ));
-        board.line(level.place(a.x.min(0.0)), level.place(a.x.max(0.0)), Weight::Thin).mark("A", a);
+        let bar = match self.third {
+            Third::Crank(l) => Some(Bar::Crank(l)),
+            Third::Rod(l) => Some(Bar::Coupler(l)),
+            Third::Offset(_) | Third::Best => None,
+        };
+        let a = match bar {
+            Some(bar) => {
+                let a = bar.place(board, [c1, c2], (self.ratio.theta, true), (centre, radius), k)?;
+                let foot = Point::new(a.x, 0.0);
+                board.line(a, foot, Weight::Thin).mark("A", a).read("e", a, foot);
+                a
+            }
+            None => {
+                let level = Line::ray(Point::new(0.0, -board.mm(offset)), 0.0);
+                let a = board.cut(&level, centre, radius)?[k];
+                board.step(both!(
+                    "The parallel to the guide at the offset {} meets the circle in A",
+                    "在偏距 {} 处作导路的平行线，与圆交于 A",
+                    metres(offset)
+                ));
+                board.line(level.place(a.x.min(0.0)), level.place(a.x.max(0.0)), Weight::Thin).mark("A", a);
+                a
+            }
+        };
         board.line(a, c1, Weight::Thin).line(a, c2, Weight::Thin);
         board.halve(a, [c1, c2])
     }

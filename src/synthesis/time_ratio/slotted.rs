@@ -44,47 +44,91 @@ enum Kind {
     Whitworth { stroke: f64, link: f64 },
 }
 
+/// What was chosen for the author beside a kind.
+type Chosen = (Kind, Vec<Diagnostic>);
+
+/// Crank and frame, the crank angle between the limits.
+struct Sizes {
+    crank: f64,
+    theta: f64,
+}
+
 /// Reads the lever alone.
 pub(super) fn lever(form: &Form) -> Option<Box<dyn Wish>> {
     let lever = if form.has("rocker") { form.size("rocker").map(Some) } else { Some(None) };
-    read(form, lever.map(|lever| Kind::Lever { lever }), Vec::new())
+    read(form, swings, |_| Some((Kind::Lever { lever: lever? }, Vec::new())))
 }
 
 /// Reads the shaper.
 pub(super) fn shaper(form: &Form) -> Option<Box<dyn Wish>> {
-    let given = stroke(form).zip(form.need_size("link", "\"100 mm\""));
-    read(form, given.map(|(stroke, link)| Kind::Shaper { stroke, link }), Vec::new())
+    let stroke = form.need_size("stroke", STROKE);
+    let link = sized(form, "link");
+    read(form, swings, |own| {
+        let (stroke, link, mut notes) = (stroke?, link?, Vec::new());
+        let link = link.unwrap_or_else(|| short_link(stroke, own.theta / 2.0, &mut notes));
+        Some((Kind::Shaper { stroke, link }, notes))
+    })
 }
 
 /// Reads Whitworth's linkage.
 pub(super) fn whitworth(form: &Form) -> Option<Box<dyn Wish>> {
-    let mut notes = Vec::new();
-    let stroke = stroke(form);
-    let link = if form.has("link") { form.size("link") } else { stroke.map(|h| chosen_link(h, &mut notes)) };
-    read(form, stroke.zip(link).map(|(stroke, link)| Kind::Whitworth { stroke, link }), notes)
+    let (stroke, link) = (sized(form, "stroke"), sized(form, "link"));
+    let share = |ratio: Ratio| 1.0 / libm::cos(PI / (ratio.k + 1.0));
+    read(form, share, |own| {
+        let (stroke, link, mut notes) = (stroke?, link?, Vec::new());
+        let stroke = stroke.unwrap_or_else(|| chosen_stroke(own.crank, &mut notes));
+        let link = link.unwrap_or_else(|| chosen_link(stroke, &mut notes));
+        Some((Kind::Whitworth { stroke, link }, notes))
+    })
 }
 
-fn stroke(form: &Form) -> Option<f64> {
-    form.need_size("stroke", "\"300 mm\"")
+/// How a stroke is written.
+const STROKE: &str = "\"300 mm\"";
+
+/// A length that may be left out; the outer `None` where it has a fault.
+fn sized(form: &Form, key: &'static str) -> Option<Option<f64>> {
+    if form.has(key) { form.size(key).map(Some) } else { Some(None) }
 }
 
-/// What all three have; `kind` is none where its own keys have a fault.
-fn read(form: &Form, kind: Option<Kind>, mut notes: Vec<Diagnostic>) -> Option<Box<dyn Wish>> {
+/// AB/AC of a lever that swings.
+fn swings(ratio: Ratio) -> f64 {
+    libm::sin(ratio.theta / 2.0)
+}
+
+/// What all three have: the time ratio, and crank or frame by their share; `kind` is none where its own keys have a fault.
+fn read(form: &Form, share: impl Fn(Ratio) -> f64, kind: impl FnOnce(&Sizes) -> Option<Chosen>) -> Option<Box<dyn Wish>> {
     let ratio = Ratio::read(form);
     let one = one_of(form, ["crank", "frame"]);
-    let (ratio, (key, size), kind) = (ratio?, one?, kind?);
+    let (ratio, (key, size)) = (ratio?, one?);
     if ratio.theta == 0.0 {
-        let d = Diagnostic::error("no-real-solution", both!("with K = 1 a slotted lever has no swing", "K = 1 时导杆没有摆角"));
+        let d = Diagnostic::error("no-real-solution", both!("with K = 1 a slotted lever has no quick return", "K = 1 时导杆机构没有急回"));
         form.fault(d.at(form.span("K")).help(both!("K is greater than one", "K 应大于 1")));
         return None;
     }
-    let share = match kind {
-        Kind::Lever { .. } | Kind::Shaper { .. } => libm::sin(ratio.theta / 2.0),
-        Kind::Whitworth { .. } => 1.0 / libm::cos(PI / (ratio.k + 1.0)),
-    };
+    let share = share(ratio);
     let (crank, frame) = if key == "crank" { (size, size / share) } else { (size * share, size) };
+    let (kind, mut notes) = kind(&Sizes { crank, theta: ratio.theta })?;
     notes.extend(ratio.notes());
     Some(Box::new(Slotted { ratio, crank, frame, by_crank: key == "crank", kind, notes }))
+}
+
+/// A link of a shaper's ram: three tenths of the lever, and no less than what keeps its pressure angle under 12°.
+fn short_link(stroke: f64, half: f64, notes: &mut Vec<Diagnostic>) -> f64 {
+    let lever = stroke / (2.0 * libm::sin(half));
+    let rise = lever * (1.0 - libm::cos(half)) / 2.0;
+    let link = (0.3 * lever).max(5.0 * rise);
+    let message = both!("the link to the ram is free: {} is taken", "连接滑枕的连杆长可任取：取 {}", metres(link));
+    let help = both!("give \"link\", longer than {}", "可给出大于 {} 的 \"link\"", metres(rise));
+    notes.push(Diagnostic::note("free-choice", message).help(help));
+    link
+}
+
+/// A stroke of Whitworth's slider: the crank's circle across.
+fn chosen_stroke(crank: f64, notes: &mut Vec<Diagnostic>) -> f64 {
+    let stroke = 2.0 * crank;
+    let message = both!("the stroke of the slider is free: {} is taken", "滑块行程可任取：取 {}", metres(stroke));
+    notes.push(Diagnostic::note("free-choice", message).help(both!("give \"stroke\"", "可给出 \"stroke\"")));
+    stroke
 }
 
 /// A long link of Whitworth's slider: three times the lever's arm.

@@ -4,7 +4,8 @@ use crate::diag::{Both, both};
 use crate::paper::phrase::Phrase;
 use crate::particle::law::{Turning, Way};
 use crate::particle::plate::Part;
-use crate::particle::{Asked, Kind, Motion, Plate, Problem};
+use crate::particle::{Asked, Kind, Motion, Mutual, Plate, Problem};
+use crate::report::given::law::printed;
 use crate::report::particle::symbol;
 use crate::scene::Lang;
 use crate::scene::front::Law;
@@ -12,10 +13,6 @@ use crate::scene::front::Law;
 /// An expression as it is printed.
 fn told(law: &Law) -> String {
     printed(&law.text)
-}
-
-fn printed(text: &str) -> String {
-    text.replace("^2", "²").replace("^3", "³").replace('*', "·").replace('-', "−")
 }
 
 /// Parameters, plates, motions and the instant, a line each.
@@ -95,6 +92,14 @@ fn path(point: &str, moves: &Both, way: &Way, measured: &Both) -> Both {
             told(s),
             angle.as_ref().map_or_else(|| "0°".to_owned(), told)
         ),
+        Way::Polar { pole, r, phi } => both!(
+            "${point}$ {} about {}, r = {}, φ = {} (polar coordinates)",
+            "${point}$ {}极点 {}，极坐标 r = {}，φ = {}",
+            moves,
+            at(pole),
+            told(r),
+            told(phi)
+        ),
         Way::Free([x, y]) => both!("${point}$ {} by x = {}, y = {}", "${point}$ {}x = {}，y = {}", moves, told(x), told(y)),
     }
 }
@@ -122,6 +127,15 @@ fn asked(problem: &Problem, what: Asked) -> Both {
         Asked::Acceleration(k) => both!("acceleration of ${}$", "${}$ 的加速度", point(k)),
         Asked::Curvature(k) => both!("radius of curvature of the path of ${}$", "${}$ 的轨迹的曲率半径", point(k)),
         Asked::Part(k, part) => both!("{} of ${}$", "${1}$ 的{0}", named(part), point(k)),
+        Asked::Between([a, b], m) => {
+            let (a, b) = (point(a), point(b));
+            match m {
+                Mutual::Distance => both!("distance of ${a}$ and ${b}$", "${a}$ 与 ${b}$ 的距离"),
+                Mutual::Turning => both!("angular velocity of the line ${a}{b}$", "连线 ${a}{b}$ 的角速度"),
+                Mutual::Velocity => both!("velocity of ${a}$ relative to ${b}$", "${a}$ 相对 ${b}$ 的速度"),
+                Mutual::Acceleration => both!("acceleration of ${a}$ relative to ${b}$", "${a}$ 相对 ${b}$ 的加速度"),
+            }
+        }
     }
 }
 

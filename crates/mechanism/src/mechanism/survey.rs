@@ -201,7 +201,7 @@ fn possible(scene: &Scene) -> Vec<Driver> {
     let on_ground = |p: &PointId| scene.links[scene.ground.0].points.contains(p);
     let span = scene.links[scene.ground.0].span;
     let rate = Given { value: 0.0, radius: 0.0, text: "0".into(), span };
-    let drive = |kind| Driver { kind, rate: rate.clone(), acceleration: None, rate_told: false, span };
+    let drive = |kind| Driver { kind, rate: rate.clone(), acceleration: None, rate_told: false, law: None, span };
     let cranks = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground && scene.links[l.0].points.iter().any(on_ground));
     let turns = cranks.map(|link| DriverKind::Turn { link, against: scene.ground, line: None, against_line: None, angle: None });
     let guides =

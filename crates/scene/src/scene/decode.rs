@@ -4,6 +4,7 @@ mod attempts;
 mod belts;
 mod composite;
 mod driver;
+mod law;
 mod motion;
 mod rolling;
 
@@ -41,6 +42,7 @@ pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<
         raw.parameters.extend(quantity(node, both!("parameter `{}`", "参数 `{}`", key.text), faults).map(|q| (key.clone(), q)));
     }
     if let Some(node) = f.get("time") {
+        raw.is_timed = true;
         raw.parameters.extend(motion::time(node, faults));
     }
     for (key, node) in entries(f.get("units"), "\"units\"", faults) {
@@ -78,7 +80,8 @@ pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<
         raw.rolling.extend(rolling::wheel(node, extent, faults));
     }
     belts::belts(&f, &mut raw, faults);
-    let drivers = match extent.is_at_rest() {
+    // Points that move by laws of time drive what there is.
+    let drivers = match extent.is_at_rest() || f.get("motions").is_some() {
         true => f.get("driver"),
         false => f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults),
     };
@@ -91,10 +94,10 @@ pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<
         }
         Some(Node { kind: Kind::Array(_), .. }) => {
             for node in items(drivers, "\"driver\"", faults) {
-                raw.drivers.extend(driver::driver(node, extent, faults));
+                raw.drivers.extend(driver::driver(node, &raw, faults));
             }
         }
-        Some(node) => raw.drivers.extend(driver::driver(node, extent, faults)),
+        Some(node) => raw.drivers.extend(driver::driver(node, &raw, faults)),
         None if extent.is_driven() => raw.drivers.extend(driver::added(&raw)),
         None => {}
     }

@@ -23,6 +23,18 @@ pub struct Expr {
     pub span: Span,
 }
 
+impl Expr {
+    /// The parameters that it names, one for each place.
+    pub fn parameters(&self) -> Vec<&str> {
+        match &self.kind {
+            ExprKind::Number(_) | ExprKind::Pi | ExprKind::Unit(_) => Vec::new(),
+            ExprKind::Parameter(name) => vec![name],
+            ExprKind::Neg(u) | ExprKind::Call(_, u) => u.parameters(),
+            ExprKind::Binary(_, a, b) => [a.parameters(), b.parameters()].concat(),
+        }
+    }
+}
+
 /// The kinds of expression.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {

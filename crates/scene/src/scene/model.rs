@@ -186,8 +186,19 @@ pub struct Driver {
     pub acceleration: Option<Given>,
     /// Whether its rate is told; where only the pose is read it may count as one.
     pub rate_told: bool,
+    /// The law of time that gives its position, rate and acceleration at the instant.
+    pub law: Option<TimeLaw>,
     /// Where it is declared.
     pub span: Span,
+}
+
+/// A law of time, as it is written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TimeLaw {
+    /// The expression in t.
+    pub text: String,
+    /// The parameters in it with their texts; the last is t, the instant.
+    pub parameters: Vec<(String, String)>,
 }
 
 /// The kinds of driver.

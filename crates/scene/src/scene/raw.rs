@@ -1,6 +1,7 @@
 //! The scene file as written: the same words, each with its place, nothing interpreted yet.
 
 use super::cams::raw::RawCam;
+use super::model::TimeLaw;
 use super::rolling::RollingKind;
 use crate::diag::Span;
 use crate::json::Word;
@@ -124,6 +125,8 @@ pub(super) struct RawDriver {
     /// Missing where that has been reported.
     pub rate: Option<RawQuantity>,
     pub acceleration: Option<RawQuantity>,
+    /// The law of time that gave rate and acceleration.
+    pub law: Option<TimeLaw>,
     pub span: Span,
 }
 
@@ -219,6 +222,8 @@ pub(super) struct RawScene {
     pub title: Option<RawLocalized>,
     pub statement: Option<RawLocalized>,
     pub parameters: Vec<(Word, RawQuantity)>,
+    /// Whether the last of them is the instant.
+    pub is_timed: bool,
     pub units: Vec<(Word, Word)>,
     pub answers: Vec<(Word, Word)>,
     pub links: Vec<RawLink>,

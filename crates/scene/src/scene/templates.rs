@@ -56,6 +56,8 @@ const FILES: &[(&str, &str)] = &[
     ("cam-on-arm", include_str!("../../../../templates/cam-on-arm.json")),
     ("eccentric-three-ways", include_str!("../../../../templates/eccentric-three-ways.json")),
     ("turning-plate", include_str!("../../../../templates/turning-plate.json")),
+    ("plate-by-law", include_str!("../../../../templates/plate-by-law.json")),
+    ("cart-by-law", include_str!("../../../../templates/cart-by-law.json")),
     ("disc-on-rod", include_str!("../../../../templates/disc-on-rod.json")),
     ("lathe", include_str!("../../../../templates/lathe.json")),
     ("ships", include_str!("../../../../templates/ships.json")),

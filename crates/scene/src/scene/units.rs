@@ -1,5 +1,7 @@
 //! Units and dimensions: which units there are, what they are worth, and what each quantity of a scene must be made of.
 
+use super::expr::Expr;
+use super::front::mentions;
 use crate::diag::{Both, both};
 
 /// Exponents of length, time and plane angle. The angle counts as a dimension of its own, so that `60 deg` is not
@@ -201,6 +203,20 @@ impl Wanted {
             Wanted::ScaleOfVelocities => both!("a scale of velocities", "速度比例尺"),
             Wanted::ScaleOfAccelerations => both!("a scale of accelerations", "加速度比例尺"),
         }
+    }
+
+    /// What is to be done with an expression of another dimension: a law of time in which the seconds of t stand alone lacks a factor.
+    pub fn missing(self, dim: Dim, expr: &Expr) -> Both {
+        let wanted = self.dim();
+        let lacking = [("m", wanted.length - dim.length), ("rad", wanted.angle - dim.angle)];
+        let seconds = dim.time - wanted.time;
+        if seconds < 1 || !mentions(expr) || lacking.iter().any(|(_, n)| !(0..=1).contains(n)) {
+            return both!("write it in {}", "请以 {} 为单位", self.usual_unit());
+        }
+        let below = if seconds == 1 { "s".to_owned() } else { format!("s^{seconds}") };
+        let above = lacking.iter().find(|(_, n)| *n == 1);
+        let factor = above.map_or(format!("1/(1 {below})"), |(unit, _)| format!("1 {unit}/{below}"));
+        both!("t counts in seconds: multiply by {factor}", "t 以秒计：请乘以 {factor}")
     }
 
     /// A unit to propose for a bare number.

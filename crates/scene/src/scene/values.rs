@@ -171,7 +171,7 @@ impl<'a> Values<'a> {
         }
         let text = &quantity.text;
         let message = both!("{} is wanted here, `{text}` is {}", "此处需要{}，`{text}` 是{}", wanted.describe(), value.dim.describe());
-        let d = Diagnostic::error("dimension", message).help(both!("write it in {}", "请以 {} 为单位", wanted.usual_unit()));
+        let d = Diagnostic::error("dimension", message).help(wanted.missing(value.dim, &law.expr));
         Err(vec![d.at(quantity.span)])
     }
 
@@ -331,7 +331,7 @@ impl<'a> Values<'a> {
                     "a unit binds to the number before it and not to the quotient: write \"{meant}\"",
                     "单位只属于它前面的数，不属于整个商：请写 \"{meant}\""
                 )),
-                None => d.help(both!("write it in {}", "请以 {} 为单位", wanted.usual_unit())),
+                None => d.help(wanted.missing(value.dim, expr)),
             });
         }
         if value.number == 0.0 {

@@ -1,5 +1,6 @@
 //! Where A is fixed on the circle with the inscribed angle θ by a line, and what the nearest wish is where a wish has no crank-rocker.
 
+use super::super::bar::Bar;
 use super::family::Family;
 use super::{CrankRocker, Limits, Way};
 use crate::diag::{Both, Diagnostic, Faults, both};
@@ -46,17 +47,10 @@ impl CrankRocker {
         places.iter().enumerate().map(named).collect()
     }
 
-    /// A where AC₁ and AC₂ differ by twice the crank: by the law of cosines L² = AC₁² + AC₂² − 2 AC₁ AC₂ cos θ with AC = BC ± AB,
-    /// BC² = (L² − 2 AB² (1 + cos θ)) / (2 (1 − cos θ)).
-    pub(super) fn by_crank(&self, swing: f64, crank: f64) -> Vec<Limits> {
+    /// A where AC₁ and AC₂ are sum and difference of the two bars.
+    pub(super) fn by_bar(&self, swing: f64, bar: Bar) -> Vec<Limits> {
         let c = self.swung(swing);
-        let (chord, cosine) = (c[0].distance(c[1]), libm::cos(self.ratio.theta));
-        let square = (chord * chord - 2.0 * crank * crank * (1.0 + cosine)) / (2.0 * (1.0 - cosine));
-        // With θ = 0 the crank is half the chord, whatever the coupler.
-        if !(square.is_finite() && square > crank * crank) {
-            return Vec::new();
-        }
-        let coupler = square.sqrt();
+        let Some([crank, coupler]) = bar.both(c[0].distance(c[1]), libm::cos(self.ratio.theta)) else { return Vec::new() };
         let Some(both_sides) = cross_circles(c[0], coupler + crank, c[1], coupler - crank) else { return Vec::new() };
         let middle = self.rocker * libm::cos(swing / 2.0);
         let named = |a: Point| {
@@ -75,7 +69,7 @@ impl CrankRocker {
         match self.way {
             Way::Limit { frame, angle } => self.by_limit(frame, angle),
             Way::Swing { swing, frame } => self.by_frame(swing, frame),
-            Way::Crank { swing, crank } => self.by_crank(swing, crank),
+            Way::Bar { swing, bar } => self.by_bar(swing, bar),
             Way::Line { swing, line } => self.by_line(swing, line),
             Way::Best { .. } | Way::Gamma { .. } => Vec::new(),
         }
@@ -156,10 +150,10 @@ impl CrankRocker {
                 let best = || self.best(swing, &mut Vec::new()).ok()?.first().map(|l| l.d.x * 1e3);
                 (Way::Swing { swing, frame }, number(frame * 1e3, frame * 1e3, works).or_else(best).map(frame_told))
             }
-            Way::Crank { swing, crank } => {
-                let works = |mm: f64| mm > 0.0 && self.works(Way::Crank { swing, crank: mm * 1e-3 }, own);
-                let said = |mm: f64| both!("with \"crank\": \"{} mm\"", "取 \"crank\": \"{} mm\"", told(mm));
-                (Way::Crank { swing, crank }, number(crank * 1e3, crank * 1e3, works).map(said))
+            Way::Bar { swing, bar } => {
+                let works = |mm: f64| mm > 0.0 && self.works(Way::Bar { swing, bar: bar.with(mm) }, own);
+                let said = |mm: f64| both!("with \"{}\": \"{} mm\"", "取 \"{}\": \"{} mm\"", bar.key(), told(mm));
+                (Way::Bar { swing, bar }, number(bar.length() * 1e3, bar.length() * 1e3, works).map(said))
             }
             Way::Line { swing, line } => {
                 let place = |[x, y]: [f64; 2]| Point::new(x * 1e-3, y * 1e-3);
@@ -208,10 +202,15 @@ impl CrankRocker {
                 "圆周角为 θ = {theta}° 的圆上没有距 D 为 {} 的点",
                 crate::digits::metres(frame)
             ),
-            Way::Crank { crank, .. } => both!(
+            Way::Bar { bar: Bar::Crank(crank), .. } => both!(
                 "no coupler closes both limit positions with a crank of {} under θ = {theta}°",
                 "曲柄长 {}、θ = {theta}° 时，没有连杆使两极限位置均成立",
                 crate::digits::metres(crank)
+            ),
+            Way::Bar { bar: Bar::Coupler(coupler), .. } => both!(
+                "no crank closes both limit positions with a coupler of {} under θ = {theta}°",
+                "连杆长 {}、θ = {theta}° 时，没有曲柄使两极限位置均成立",
+                crate::digits::metres(coupler)
             ),
             Way::Line { .. } => both!(
                 "the line does not cross the circle with the inscribed angle θ = {theta}° where A has a crank",

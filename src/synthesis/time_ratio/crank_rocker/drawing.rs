@@ -1,5 +1,6 @@
 //! The crank-rocker drawn: the second limit on a turned ray, or A on the circle with the inscribed angle; then the halving.
 
+use super::super::bar::Bar;
 use super::{CrankRocker, Way};
 use crate::diag::both;
 use crate::digits::significant;
@@ -13,7 +14,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 #[derive(Clone, Copy)]
 enum Fixed {
     Frame(f64),
-    Crank(f64),
+    Bar(Bar),
     Line([Point; 2]),
     Beta(f64),
 }
@@ -27,7 +28,7 @@ impl CrankRocker {
                 board.meant(draft, &[&a, &b, &c, &d])
             }
             Way::Swing { swing, frame } => self.on_arc(draft, board, swing, Fixed::Frame(frame)),
-            Way::Crank { swing, crank } => self.on_arc(draft, board, swing, Fixed::Crank(crank)),
+            Way::Bar { swing, bar } => self.on_arc(draft, board, swing, Fixed::Bar(bar)),
             Way::Line { swing, line } => self.on_arc(draft, board, swing, Fixed::Line(line)),
             Way::Best { swing, .. } | Way::Gamma { swing, .. } => self.on_arc(draft, board, swing, Fixed::Beta(of(draft, "beta"))),
         }
@@ -97,7 +98,7 @@ impl CrankRocker {
                     a
                 }
                 // Any A on the line serves: the crank is half the chord.
-                Fixed::Beta(_) | Fixed::Crank(_) => return None,
+                Fixed::Beta(_) | Fixed::Bar(_) => return None,
             };
             board.line(c1, a, Weight::Thin).mark("A", a);
             return board.halve(a, [c1, c2]);
@@ -116,21 +117,7 @@ impl CrankRocker {
                 board.circle(d, opening, Weight::Thin);
                 board.circles(d, opening, centre, radius)?[k]
             }
-            Fixed::Crank(crank) => {
-                let half = significant(90.0 + theta.to_degrees() / 2.0, 5);
-                board.step(both!(
-                    "AH = AC2 on AC1 leaves C1H = 2AB, and C1C2 is seen from H under 90° + θ/2 = {half}°: the circle with that inscribed angle, cut by the opening 2AB about C1, gives H",
-                    "在 AC1 上取 AH = AC2，则 C1H = 2AB，且 ∠C1HC2 = 90° + θ/2 = {half}°：作以该角为圆周角的圆，以 C1 为圆心、2AB 为半径截得 H"
-                ));
-                let (other, wide) = board.inscribed(c1, c2, FRAC_PI_2 + theta / 2.0, beyond)?;
-                let opening = board.mm(2.0 * crank);
-                board.circle(c1, opening, Weight::Thin);
-                let h = board.circles(c1, opening, other, wide)?[k];
-                board.mark("H", h);
-                board.step(both!("The line C1H meets the circle again in A", "C1H 的延长线与圆再交于 A"));
-                let crossings = board.cut(&Line::through(c1, h)?, centre, radius)?;
-                crossings.into_iter().max_by(|p, q| p.distance(c1).total_cmp(&q.distance(c1)))?
-            }
+            Fixed::Bar(bar) => bar.place(board, [c1, c2], (theta, beyond), (centre, radius), k)?,
             Fixed::Line(given) => {
                 board.step(both!("The given line cuts the circle: A", "给定直线与该圆交于 A"));
                 let a = board.cut(&through(board, given)?, centre, radius)?[k];

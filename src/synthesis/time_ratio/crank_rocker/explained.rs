@@ -1,5 +1,6 @@
 //! The crank-rocker as a problem, and the formulas of its proof.
 
+use super::super::bar::Bar;
 use super::{CrankRocker, Size, Way};
 use crate::diag::both;
 use crate::geom::Point;
@@ -30,9 +31,9 @@ impl CrankRocker {
                 given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
                 given.push(both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame)));
             }
-            Way::Crank { swing, crank } => {
+            Way::Bar { swing, bar } => {
                 given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
-                given.push(both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(crank)));
+                given.push(bar.told());
             }
             Way::Line { swing, line: [through, end] } => {
                 given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
@@ -59,8 +60,10 @@ impl CrankRocker {
                 ));
             }
         }
-        let crank_given = matches!(self.way, Way::Crank { .. }) || matches!(self.size, Size::Crank(_));
-        let mut wanted = vec![if crank_given {
+        let crank_given = matches!(self.way, Way::Bar { bar: Bar::Crank(_), .. }) || matches!(self.size, Size::Crank(_));
+        let mut wanted = vec![if let Way::Bar { bar: Bar::Coupler(_), .. } = self.way {
+            both!("the length of the crank $l_{{AB}}$", "曲柄 $l_{{AB}}$ 的长度")
+        } else if crank_given {
             both!("the length of the coupler $l_{{BC}}$", "连杆 $l_{{BC}}$ 的长度")
         } else {
             both!("the lengths of crank $l_{{AB}}$ and coupler $l_{{BC}}$", "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度")
@@ -124,19 +127,17 @@ impl CrankRocker {
                     format!("l_{{AC_1}} = {} ,\\quad l_{{AC_2}} = {}", length(ac1), length(ac2)),
                 ],
             ),
-            Way::Crank { .. } => {
+            Way::Bar { bar, .. } => {
+                let [other, formula] = bar.formula();
                 let chord = 2.0 * of(draft, "CD") * libm::sin(of(draft, "psi") / 2.0);
                 Proof::new(
                     both!(
-                        "With $l_{{AC}} = l_{{BC}} \\pm l_{{AB}}$ in the two limit positions the law of cosines in $AC_1C_2$ gives the coupler",
-                        "两极限位置 $l_{{AC}} = l_{{BC}} \\pm l_{{AB}}$，在 $AC_1C_2$ 中由余弦定理得连杆长"
+                        "With $l_{{AC}} = l_{{BC}} \\pm l_{{AB}}$ in the two limit positions the law of cosines in $AC_1C_2$ gives the other bar",
+                        "两极限位置 $l_{{AC}} = l_{{BC}} \\pm l_{{AB}}$，在 $AC_1C_2$ 中由余弦定理得另一杆长"
                     ),
                     [
                         format!("l_{{C_1C_2}} = 2\\,l_{{CD}}\\sin\\frac{{\\psi}}{{2}} = {}", length(chord)),
-                        format!(
-                            "l_{{BC}}^2 = \\frac{{l_{{C_1C_2}}^2 − 2\\,l_{{AB}}^2(1 + \\cos\\theta)}}{{2(1 − \\cos\\theta)}} ,\\quad l_{{BC}} = {}",
-                            length(of(draft, "BC"))
-                        ),
+                        format!("{formula} ,\\quad l_{{{other}}} = {}", length(of(draft, other))),
                         format!("l_{{AC_1}} = {} ,\\quad l_{{AC_2}} = {}", length(ac1), length(ac2)),
                     ],
                 )

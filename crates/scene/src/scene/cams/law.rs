@@ -146,6 +146,6 @@ pub(super) fn driver(at: &At, disc: &Disc, program: &Program, law: &LawText, (ph
             }
         }
     };
-    let driver = RawDriver { kind, rate: Some(quantity(rate)), acceleration: Some(quantity(acceleration)), span: at.span };
+    let driver = RawDriver { kind, rate: Some(quantity(rate)), acceleration: Some(quantity(acceleration)), law: None, span: at.span };
     Some(Written { parameters, driver })
 }

@@ -42,7 +42,7 @@ impl Scene {
                 let (led, span) = (turning.driver, c.span);
                 let zero = || Given { value: 0.0, radius: 0.0, text: "0".into(), span };
                 let index = scene.drivers.len();
-                scene.drivers.push(Driver { kind, rate: zero(), acceleration: Some(zero()), rate_told: true, span });
+                scene.drivers.push(Driver { kind, rate: zero(), acceleration: Some(zero()), rate_told: true, law: None, span });
                 scene.cams[i].contact = None;
                 if let Some(t) = &mut scene.cams[i].disc {
                     t.by_law = Some(index);

@@ -2,6 +2,7 @@
 
 use super::super::keys;
 use super::super::raw::*;
+use super::law::differentiated;
 use super::{quantity, words};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::json::Node;
@@ -18,7 +19,8 @@ fn words_of([en, zh]: [&str; 2]) -> Both {
     Both { en: en.to_owned(), zh: zh.to_owned() }
 }
 
-pub(super) fn driver(node: &Node, extent: Extent, faults: &mut Faults) -> Option<RawDriver> {
+pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option<RawDriver> {
+    let extent = raw.extent;
     let members = object(node, both!("a driver", "原动件"), faults)?;
     let present: Vec<_> = KINDS.iter().filter(|(mark, ..)| members.iter().any(|(k, _)| k.text == *mark)).collect();
     let (mark, what, known) = match present.as_slice() {
@@ -76,11 +78,29 @@ pub(super) fn driver(node: &Node, extent: Extent, faults: &mut Faults) -> Option
         "slide" => ("velocity", "\"2 m/s\""),
         _ => ("rate", "\"50 mm/s\""),
     };
-    let rate = if extent.is_at_rest() { f.get(key) } else { f.need(key, example, faults) };
-    let rate = rate.and_then(|n| quantity(n, both!("the rate of a driver", "原动件的速度"), faults));
-    let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
-    let acceleration = value(if mark == "link" { "alpha" } else { "acceleration" });
-    let (angle, position, length) = (value("angle"), value("position"), value("length"));
+    let value = |key: &str, faults: &mut Faults| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
+    let second = if mark == "link" { "alpha" } else { "acceleration" };
+    let mut acceleration = value(second, faults);
+    let [angle, position, length] = ["angle", "position", "length"].map(|key| value(key, faults));
+    let position_told = [&angle, &position, &length].into_iter().flatten().next();
+    let (rate, law) = match position_told.filter(|q| f.get(key).is_none() && raw.moves_by(q)) {
+        // A position that is a law of time tells the rates, unless the file does.
+        Some(q) => {
+            if let Some(node) = f.get(second) {
+                let message =
+                    both!("the position is a law of time, which says `{second}` already", "位置是时间的函数，`{second}` 由它给出");
+                let help = both!("leave `{second}` out, or add `{key}`", "请去掉 `{second}`，或写出 `{key}`");
+                faults.push(Diagnostic::error("given-twice", message).at(node.span).help(help));
+            }
+            let (rate, of_law, law) = differentiated(q, raw, faults)?.of_driver(if mark == "link" { "rad/s" } else { "m/s" }, f.span());
+            acceleration = of_law;
+            (rate, law)
+        }
+        None => {
+            let rate = if extent.is_at_rest() { f.get(key) } else { f.need(key, example, faults) };
+            (rate.and_then(|n| quantity(n, both!("the rate of a driver", "原动件的速度"), faults)), None)
+        }
+    };
     // A name that could not be read must not be judged as absent.
     let before = faults.list.len();
     let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
@@ -97,7 +117,7 @@ pub(super) fn driver(node: &Node, extent: Extent, faults: &mut Faults) -> Option
         },
     };
     (faults.list.len() == before).then_some(())?;
-    Some(RawDriver { kind, rate, acceleration, span: f.span() })
+    Some(RawDriver { kind, rate, acceleration, law, span: f.span() })
 }
 
 /// A driver for a scene that has none: the first link with a pin on the ground, else the first that slides on it.
@@ -115,5 +135,5 @@ pub(super) fn added(raw: &RawScene) -> Option<RawDriver> {
         Some(link) => RawDriverKind::Turn { link: link.name.clone(), against: None, line: None, against_line: None, angle: None },
         None => RawDriverKind::Slide { slide: slides()?.clone(), position: None },
     };
-    Some(RawDriver { kind, rate: None, acceleration: None, span: ground.span })
+    Some(RawDriver { kind, rate: None, acceleration: None, law: None, span: ground.span })
 }

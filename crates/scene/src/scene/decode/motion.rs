@@ -1,9 +1,9 @@
 //! The sections `time` and `motions`: a point that moves on a link by a law of time becomes a guide and what drives its pin at the instant.
 
-use super::super::expr;
 use super::super::keys;
-use super::super::law::{NoDerivative, TIME, derivative};
+use super::super::law::TIME;
 use super::super::raw::*;
+use super::law::differentiated;
 use super::quantity;
 use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::json::fields::{Fields, word};
@@ -28,25 +28,7 @@ pub(super) fn motion(node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Op
         faults.push(Diagnostic::error("missing-key", message).at(node.span).help(both!("add \"time\": \"1 s\"", "请加 \"time\": \"1 s\"")));
         return None;
     }
-    let by_time = |law: &str, faults: &mut Faults| -> Option<Option<String>> {
-        let tree = expr::parse(law, &names).map_err(|d| faults.push(d.at(s.span))).ok()?;
-        match derivative(&tree) {
-            Ok(d) => Some(d),
-            Err(why) => {
-                let message = match why {
-                    NoDerivative::Corner => both!("`{}`: abs has a corner, and no derivative there", "`{}`：abs 有尖点，不可导", s.text),
-                    NoDerivative::Exponent => both!("`{}`: the exponent depends on time", "`{}`：指数随时间变化", s.text),
-                };
-                faults.push(Diagnostic::error("law", message).at(s.span));
-                None
-            }
-        }
-    };
-    let rate = by_time(&s.text, faults)?;
-    let second = match &rate {
-        Some(rate) => by_time(rate, faults)?,
-        None => None,
-    };
+    let (rate, acceleration, law) = differentiated(&s, raw, faults)?.of_driver("m/s", node.span);
     let given = |text: String| RawQuantity { text, span: s.span, bare: false };
     let blank = RawGuide {
         pin: Some(point.clone()),
@@ -78,8 +60,9 @@ pub(super) fn motion(node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Op
     raw.guides.push(guide);
     raw.drivers.push(RawDriver {
         kind: RawDriverKind::Slide { slide: point, position: Some(position) },
-        rate: Some(given(rate.unwrap_or_else(|| "0 m/s".to_owned()))),
-        acceleration: second.map(given),
+        rate,
+        acceleration,
+        law,
         span: node.span,
     });
     Some(())

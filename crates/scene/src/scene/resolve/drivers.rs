@@ -11,6 +11,17 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resol
             RawDriverKind::Turn { .. } => (Wanted::Omega, Wanted::Alpha),
             _ => (Wanted::Velocity, Wanted::Acceleration),
         };
+        let kind = match &raw.kind {
+            RawDriverKind::Turn { link, against, line, against_line, angle } => {
+                turn(c, raw, guides, (link, against), [line, against_line], angle, faults)
+            }
+            RawDriverKind::Slide { slide, position } => self::slide(c, (guides, rolling), slide, position, faults),
+            RawDriverKind::Cylinder { ends, length, links } => cylinder(c, ends, length, links, faults),
+        };
+        // What is wrong with a law is told of the position alone.
+        if raw.law.is_some() && kind.is_none() {
+            continue;
+        }
         let rate = match &raw.rate {
             Some(q) => c.values.si(q, rate, faults),
             None => c.raw.extent.is_at_rest().then(|| untold(raw, rate, c.raw.extent.rate())),
@@ -19,13 +30,6 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resol
             Some(q) => c.values.si(q, acceleration, faults).map(Some),
             None => Some(None),
         };
-        let kind = match &raw.kind {
-            RawDriverKind::Turn { link, against, line, against_line, angle } => {
-                turn(c, raw, guides, (link, against), [line, against_line], angle, faults)
-            }
-            RawDriverKind::Slide { slide, position } => self::slide(c, (guides, rolling), slide, position, faults),
-            RawDriverKind::Cylinder { ends, length, links } => cylinder(c, ends, length, links, faults),
-        };
         let (Some(kind), Some(rate), Some(acceleration)) = (kind, rate, acceleration) else { continue };
         if out.iter().any(|d| same_motion(&d.kind, &kind)) {
             let d = Diagnostic::error("given-twice", both!("this motion is already given by another driver", "另一原动件已给定这一运动"))
@@ -33,7 +37,7 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resol
             faults.push(d.help(both!("keep one of the two", "请保留其中一个")));
             continue;
         }
-        out.push(Driver { kind, rate, acceleration, rate_told: raw.rate.is_some(), span: raw.span });
+        out.push(Driver { kind, rate, acceleration, rate_told: raw.rate.is_some(), law: raw.law.clone(), span: raw.span });
     }
     out
 }

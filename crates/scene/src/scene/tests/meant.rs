@@ -150,3 +150,40 @@ fn a_loose_pin_in_two_slots_and_a_height_called_h() {
     let on = |link: Option<usize>| OnLink { point: PointId(3), link: link.map(LinkId) };
     assert_eq!(written(&scene.find[1].what), ("vr", Of::Points(on(None), on(Some(0)))));
 }
+
+/// A position by a law of time tells rate and acceleration, of drivers as of motions; a rate that is written counts.
+#[test]
+fn drivers_by_laws_of_time() {
+    let text = |time: &str, driver: &str| {
+        let k = if driver.contains('k') { r#""parameters": {"k": "0.5 rad/s^2"},"# } else { "" };
+        format!(
+            r#"{{{k} "links": {{"1": ["O"], "2": ["O", "A"]}}, "ground": "1", "points": {{"O": [0, 0]}}, "lengths": {{"OA": "1 m"}},
+ {time} "driver": {{"link": "2", {driver}}}, "find": ["v_A"]}}"#
+        )
+    };
+    let at = r#""time": "3 s","#;
+    let rates = |driver: &str| {
+        let d = good(&text(at, driver)).drivers.remove(0);
+        (d.rate.value, d.acceleration.map(|a| a.value), d.law.map(|l| l.parameters))
+    };
+    let told = Some(vec![("k".to_owned(), "0.5 rad/s^2".to_owned()), ("t".to_owned(), "3 s".to_owned())]);
+    assert_eq!(rates(r#""angle": "k*t^2""#), (3.0, Some(1.0), told));
+    let (rate, second, law) = rates(r#""angle": "30 deg + 2 rad/s*t""#);
+    assert_eq!((rate, second), (2.0, None));
+    assert!(law.is_some());
+    let both = rates(r#""angle": "k*t^2", "omega": "7 rad/s""#);
+    assert_eq!(both, (7.0, None, None));
+    let bare = crate::scene::read(text(at, r#""angle": "t^2""#)).unwrap_err();
+    assert_eq!(bare.list.len(), 1, "{bare}");
+    assert_eq!(bare.list[0].help.as_ref().unwrap().en, "t counts in seconds: multiply by 1 rad/s^2");
+    for (time, driver, code) in [
+        (at, r#""angle": "k*t^2", "alpha": "1 rad/s^2""#, "given-twice"),
+        (at, r#""angle": "1 rad*abs(t/(1 s))""#, "law"),
+        (at, r#""angle": "30 deg""#, "missing-key"),
+        ("", r#""angle": "30 deg""#, "missing-key"),
+        (at, r#""angle": "1 m*t""#, "dimension"),
+    ] {
+        let found = crate::scene::read(text(time, driver)).unwrap_err();
+        assert!(found.list.iter().any(|d| d.code == code), "{driver}: {found}");
+    }
+}
