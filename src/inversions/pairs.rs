@@ -19,7 +19,7 @@ pub(super) fn rolling(scene: &Scene, at: &Configuration) -> [Vec<Json>; 4] {
     let (mut gears, mut wheels) = (Vec::new(), Vec::new());
     let [belts, chains] = belts::sections(scene);
     for pair in &scene.rolling {
-        let direction = pair.guide.and_then(|g| match at.guides[g.0] {
+        let direction = pair.guide().and_then(|g| match at.guides[g.0] {
             Some(Path::Line { direction, .. }) => Some(format!("{:?} rad", direction.angle())),
             Some(Path::Arc { .. }) | None => None,
         });
@@ -37,7 +37,7 @@ fn gear(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json
     let [a, b] = pair.links.map(|l| scene.link_name(l));
     let at = scene.point_name(pair.contact()?);
     let mut out = match &pair.contours {
-        Contours::Circles { centres, sizes, hollow } => {
+        Contours::Circles { centres, sizes, hollow, .. } => {
             let mut out = json!({"links": [a, b], "centres": centres.map(|p| scene.point_name(p)), "at": at});
             match sizes {
                 Sizes::Radii(radii) => out["radii"] = radii.iter().map(|r| metres(r.value)).collect(),
@@ -48,7 +48,7 @@ fn gear(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json
             }
             out
         }
-        Contours::Track { centre, radius } => {
+        Contours::Track { centre, radius, .. } => {
             json!({"links": [b, a], "centres": [scene.point_name(*centre)], "radii": [metres(radius.value)], "rack": a, "angle": direction, "at": at})
         }
         Contours::Belt { .. } => return None,
@@ -84,7 +84,7 @@ fn wheel(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Jso
                 "track": scene.point_name(*track), "track_radius": metres(size), "inside": hollow.is_some(), "at": at,
             })
         }
-        Contours::Track { centre, radius } => {
+        Contours::Track { centre, radius, .. } => {
             json!({"wheel": wheel, "centre": scene.point_name(*centre), "radius": metres(radius.value), "on": on, "angle": direction, "at": at})
         }
         Contours::Belt { .. } => return None,

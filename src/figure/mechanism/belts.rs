@@ -16,13 +16,9 @@ impl Draft<'_> {
     /// The strands of all belts and chains, where their wheels are shown.
     pub(super) fn belts(&mut self) {
         let scene = self.scene;
-        let of = |pair: &Rolling| match pair.contours {
-            Contours::Belt { belt, .. } => Some(belt),
-            Contours::Circles { .. } | Contours::Track { .. } => None,
-        };
-        let mut strands: Vec<&Rolling> = scene.rolling.iter().filter(|p| of(p).is_some()).collect();
+        let mut strands: Vec<&Rolling> = scene.rolling.iter().filter(|p| p.belt().is_some()).collect();
         while let Some(first) = strands.first().copied() {
-            let own: Vec<&Rolling> = strands.extract_if(.., |p| of(p) == of(first)).collect();
+            let own: Vec<&Rolling> = strands.extract_if(.., |p| p.belt() == first.belt()).collect();
             let stroke = match first.kind {
                 RollingKind::Chain => self.style.outline.dashed(Dash::DashDot),
                 RollingKind::Belt | RollingKind::Gears | RollingKind::Wheel => self.style.outline,

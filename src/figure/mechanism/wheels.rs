@@ -11,7 +11,7 @@ use crate::figure::label::Label;
 use crate::figure::place::LabelRequest;
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
-use crate::scene::{Contours, GuideId, LinkId, PointId, Rolling, RollingKind};
+use crate::scene::{GuideId, LinkId, Normal, PointId, Rolling, RollingKind, Touch};
 
 use super::Draft;
 use super::letters::NumberPlace;
@@ -44,13 +44,9 @@ impl Draft<'_> {
     /// The round contours of a pair.
     fn rounds(&self, pair: &Rolling) -> Vec<Round> {
         let teeth = pair.flanks.as_ref().map(|f| f.teeth);
-        let hollow = match pair.contours {
-            Contours::Circles { hollow, .. } => hollow,
-            Contours::Track { .. } | Contours::Belt { .. } => None,
-        };
         let round = |i: usize| {
             let (centre, contact) = (self.point(pair.centres()[i]?)?, self.point(pair.at[i])?);
-            let (radius_mm, hollow) = (centre.distance(contact), hollow == Some(i));
+            let (radius_mm, hollow) = (centre.distance(contact), pair.hollow() == Some(i));
             Some(Round { link: pair.links[i], centre, radius_mm, hollow, teeth: teeth.and_then(|z| z[i]) })
         };
         [0, 1].into_iter().filter_map(round).collect()
@@ -100,7 +96,7 @@ impl Draft<'_> {
                     self.hatched_rim(pair, &round);
                 }
             }
-            if let (Contours::Track { .. }, Some(guide)) = (&pair.contours, pair.guide)
+            if let Touch::Point(Normal::Square { guide, .. }) = pair.touch()
                 && self.shows(pair.links[0])
             {
                 self.track(pair, guide);

@@ -72,7 +72,7 @@ impl Givens<'_> {
 
     /// How a straight track lies.
     fn track(&self, pair: &Rolling) -> Lay {
-        let path = pair.guide.map(|g| &self.scene.guides[g.0].path);
+        let path = pair.guide().map(|g| &self.scene.guides[g.0].path);
         match path {
             Some(path @ GuidePath::Line { direction: Direction::Along(..) | Direction::Instant(_), .. }) => self.lay(path),
             Some(GuidePath::Line { direction: Direction::Own | Direction::Slid(_), .. } | GuidePath::Arc { .. }) | None => {

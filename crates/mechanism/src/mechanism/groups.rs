@@ -265,7 +265,7 @@ fn legs_of_pin(links: &[LinkId], pin: PointId, cs: &[Form]) -> Option<Vec<Leg>> 
             }
             // Those of bars and rams are counted with them, a driver along a guide with its guide; the others are no leg of a pin, and
             // what is left uncounted makes this no dyad of one pin.
-            Form::Meet { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Angles { .. } | Form::Rolls { .. } => {}
+            Form::Meet { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Angles { .. } | Form::Related { .. } => {}
         }
     }
     let freedoms: usize = legs.iter().map(Leg::freedoms).sum();
@@ -320,7 +320,7 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
                 legs.push(Leg::Angle { of: known(of, against)?, driver });
                 used += 1;
             }
-            Form::Rolls { pair, .. } => {
+            Form::Related { pair, .. } => {
                 let rolling = &scene.rolling[pair.0];
                 let other = rolling.other(core).filter(|l| !links.contains(l))?;
                 legs.push(Leg::Rolls { pair, other, at: rolling.at_of(core) });

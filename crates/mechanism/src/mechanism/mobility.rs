@@ -3,7 +3,7 @@
 
 use super::{Constraint, Item, Node, Passive};
 use crate::diag::{Both, Diagnostic, Faults, both};
-use crate::scene::{LinkId, PointId, RollingKind, Scene};
+use crate::scene::{LinkId, PointId, Scene};
 use std::collections::BTreeSet;
 
 /// Mobility F = 3n − 2P_L − P_H with its counts.
@@ -336,11 +336,11 @@ pub(super) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
         }
     }
     for pair in &scene.rolling {
-        let own = pair.guide.filter(|g| constraints.iter().any(|c| c.item() == Item::Guide(*g)));
-        match pair.kind {
-            RollingKind::Wheel => lower += 1,
-            RollingKind::Gears => higher += 1 + usize::from(own.is_some()),
-            RollingKind::Belt | RollingKind::Chain => higher += 1,
+        let own = pair.guide().filter(|g| constraints.iter().any(|c| c.item() == Item::Guide(*g)));
+        match pair.kind.is_lower() {
+            // Its touching is part of it.
+            true => lower += 1,
+            false => higher += 1 + usize::from(own.is_some()),
         }
     }
     for g in scene.guides.iter().filter(|g| g.rolling.is_none()) {

@@ -19,7 +19,7 @@ pub use demand::nodes_of;
 pub use groups::{Core, Group};
 pub use leg::{ConstraintLine, Entry, Gives, Hold, Leg, Strut};
 pub use mobility::Mobility;
-pub use pair::{Constraint, Form, Item, Runner, constraints_of, moved_words, mover_words};
+pub use pair::{Constraint, Form, Item, Runner, constraints_of, moved_words, mover_words, words_of};
 pub use redundant::{Opened, Redundant};
 pub use survey::{Counts, ForDrivers, Local, Survey};
 
@@ -28,7 +28,7 @@ use redundant::Opening;
 pub use crate::scene::quantity::{Joined, Level, Need, joined};
 
 use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::scene::{Guide, GuideId, GuidePath, LinkId, PointId, RollingId, RollingKind, Scene, quantity};
+use crate::scene::{Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene, quantity};
 
 /// A thing whose place is to be found: a link (three freedoms) or a pin (two).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -303,7 +303,7 @@ fn find_constraints(scene: &Scene, opening: &Opening, pins: &[PointId]) -> Vec<C
 /// Whether a guide keeps two gears in touch that other pairs may keep in touch already: their teeth touch on both sides, but the distance
 /// of their centres is, if anything holds it, not theirs.
 fn is_optional(scene: &Scene, guide: &Guide) -> bool {
-    guide.rolling.is_some_and(|r| scene.rolling[r.0].kind == RollingKind::Gears)
+    guide.rolling.is_some_and(|r| scene.rolling[r.0].kind.meshes())
 }
 
 /// The guides between gears that may have to keep them in touch.

@@ -12,7 +12,7 @@
 use super::mobility::Matched;
 use super::{Constraint, Core, Item, Mechanism, Passive, find_constraints, find_pins, touching};
 use crate::diag::Span;
-use crate::scene::{Contours, Guide, GuideId, LinkId, PointId, Rolling, RollingId, RollingKind, Scene, Sizes};
+use crate::scene::{Guide, GuideId, LinkId, Normal, PointId, Rolling, RollingId, Scene, Touch};
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
@@ -200,7 +200,7 @@ fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidat
     let mut all: Vec<Candidate> = links.filter_map(|l| as_follower(scene, pins, l)).collect();
     let driven = |g: usize| scene.drivers.iter().any(|d| d.kind.guide() == Some(GuideId(g)));
     // Teeth keep a distance only where nothing else does; a wheel on its track may touch it because its axle keeps it there.
-    let toothed = |guide: &Guide| guide.rolling.is_some_and(|r| scene.rolling[r.0].kind == RollingKind::Gears);
+    let toothed = |guide: &Guide| guide.rolling.is_some_and(|r| scene.rolling[r.0].kind.meshes());
     for (g, guide) in scene.guides.iter().enumerate().filter(|(g, guide)| !driven(*g) && !toothed(guide)) {
         let block = guide.slider.is_some_and(|s| closed.passive[s.0] == Some(Passive::Block(GuideId(g))));
         let equations = match (guide.slider.filter(|_| !block), guide.pin) {
@@ -253,13 +253,11 @@ fn carries(scene: &Scene, arm: LinkId, wheel: LinkId) -> bool {
 
 /// The other wheel of a pair of circles, which of the two is hollow as this one sees it, and the ratio of their sizes.
 fn ratio(pair: &Rolling, wheel: LinkId) -> Option<(LinkId, Option<usize>, f64)> {
-    let (hollow, [a, b]) = match &pair.contours {
-        Contours::Circles { sizes: Sizes::Radii([a, b]), hollow, .. } => (*hollow, [a.value, b.value]),
-        Contours::Circles { sizes: Sizes::Teeth([a, b]), hollow, .. } => (*hollow, [f64::from(*a), f64::from(*b)]),
-        Contours::Belt { .. } | Contours::Track { .. } => return None,
-    };
+    let Touch::Point(Normal::Centres(_)) = pair.touch() else { return None };
+    let radii = || pair.radii().map(|radii| radii.map(|r| r.value));
+    let [a, b] = pair.teeth().map(|teeth| teeth.map(f64::from)).or_else(radii)?;
     let own = pair.links.iter().position(|l| *l == wheel)?;
-    Some((pair.links[1 - own], hollow.map(|h| h ^ own), if own == 0 { a / b } else { b / a }))
+    Some((pair.links[1 - own], pair.hollow().map(|h| h ^ own), if own == 0 { a / b } else { b / a }))
 }
 
 /// A link that may be left to follow two of its pins: nothing but pins holds it, and nothing drives it.

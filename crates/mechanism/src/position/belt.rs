@@ -4,7 +4,7 @@ use super::Configuration;
 use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::number::Real;
-use crate::scene::{Contours, Given, PointId, Rolling, RollingKind, Scene};
+use crate::scene::{Given, PointId, Rolling, RollingKind, Scene};
 
 /// The normal m of the strand left of the line of centres, away from the first of them, as cosine and sine of its angle from that line: the strand
 /// lies at the radius from either centre, so that (B − A)·m = ρ₁ + ρ₂ with the signed sizes of [`Rolling::sizes`]. `None` for wheels that lie
@@ -27,11 +27,7 @@ pub(super) fn strand<N: Real>(sizes: [N; 2], right: bool, a: Point<N>, b: Point<
 /// What is wrong with three wheels or more that are named counter-clockwise: the strand left of each line of centres would run inside. It is said
 /// of the last one.
 fn misordered(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option<Diagnostic> {
-    let belt_of = |r: &Rolling| match r.contours {
-        Contours::Belt { belt, .. } => Some(belt),
-        Contours::Circles { .. } | Contours::Track { .. } => None,
-    };
-    let strands: Vec<&Rolling> = scene.rolling.iter().filter(|r| belt_of(r) == belt_of(pair)).collect();
+    let strands: Vec<&Rolling> = scene.rolling.iter().filter(|r| r.belt() == pair.belt()).collect();
     let ends = strands.iter().filter_map(|r| c.points[r.round()?[1].0]);
     let centres: Vec<Point> = c.points[strands.first()?.round()?[0].0].into_iter().chain(ends).collect();
     if strands.len() < 2 || !strands.last().is_some_and(|last| std::ptr::eq(*last, pair)) {
@@ -44,7 +40,7 @@ fn misordered(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option<Diagno
 }
 
 /// What is wrong with wheels that overlap, or are not named as the belt runs.
-pub(super) fn misfit(scene: &Scene, pair: &Rolling, [p, q]: [PointId; 2], [a, b]: &[Given; 2], c: &Configuration) -> Option<Diagnostic> {
+pub(super) fn misfit(scene: &Scene, pair: &Rolling, [p, q]: [PointId; 2], [a, b]: [&Given; 2], c: &Configuration) -> Option<Diagnostic> {
     if let Some(fault) = misordered(scene, pair, c) {
         return Some(fault);
     }

@@ -4,8 +4,8 @@ use super::redundant::{Checked, Verdict};
 use super::{Configuration, Path};
 use crate::diag::{Both, Diagnostic, Span, both};
 use crate::digits::significant;
-use crate::mechanism::{Mechanism, Opened};
-use crate::scene::{Cam, Direction, GuideId, GuidePath, LinkId, PointId, RollingId, RollingKind, Scene};
+use crate::mechanism::{Item, Mechanism, Opened, words_of};
+use crate::scene::{Cam, Direction, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
 
 /// Why a pair repeats what the others fix.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -256,17 +256,7 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
             let runner = runner.unwrap_or_default();
             (both!("the guide of {runner} on link {on}", "构件 {on} 上 {runner} 的导路"), guide.span)
         }
-        Opened::Rolling(r) => {
-            let pair = &scene.rolling[r.0];
-            let [a, b] = pair.links.map(|l| scene.link_name(l));
-            let words = match pair.kind {
-                RollingKind::Gears => both!("the gear pair of links {a} and {b}", "构件 {a} 与 {b} 的齿轮副"),
-                RollingKind::Wheel => both!("the rolling of link {b} on link {a}", "构件 {b} 在构件 {a} 上的滚动"),
-                RollingKind::Belt => both!("the belt between links {a} and {b}", "构件 {a} 与 {b} 之间的带传动"),
-                RollingKind::Chain => both!("the chain between links {a} and {b}", "构件 {a} 与 {b} 之间的链传动"),
-            };
-            (words, pair.span)
-        }
+        Opened::Rolling(r) => (words_of(scene, Item::Rolling(*r)), scene.rolling[r.0].span),
         Opened::Pin(p, l) => {
             (both!("pin {} on link {}", "构件 {1} 上的销 {0}", scene.point_name(*p), scene.link_name(*l)), scene.links[l.0].span)
         }

@@ -6,11 +6,11 @@ use crate::diag::both;
 use crate::scene::RollingKind;
 
 pub(super) const BELT: Kind = Kind {
-    form: Demands::Rolling(|pair, p| (p.kind == RollingKind::Belt).then_some(Form::Rolls { pair, links: p.links })),
+    form: Demands::Rolling(|pair, p| (p.kind == RollingKind::Belt).then_some(Form::Related { pair, links: p.links })),
     words: |scene, a, b| both!("the belt between links {} and {}", "构件 {} 与 {} 之间的带传动", a.name(scene), b.name(scene)),
 };
 
 pub(super) const CHAIN: Kind = Kind {
-    form: Demands::Rolling(|pair, p| (p.kind == RollingKind::Chain).then_some(Form::Rolls { pair, links: p.links })),
+    form: Demands::Rolling(|pair, p| (p.kind == RollingKind::Chain).then_some(Form::Related { pair, links: p.links })),
     words: |scene, a, b| both!("the chain between links {} and {}", "构件 {} 与 {} 之间的链传动", a.name(scene), b.name(scene)),
 };

@@ -92,6 +92,11 @@ pub fn constraints_of(scene: &Scene, item: Item) -> impl Iterator<Item = Constra
     KINDS.iter().enumerate().filter_map(move |(kind, k)| Some(Constraint { kind, item, form: demanded(k)? }))
 }
 
+/// What an item of one constraint is called.
+pub fn words_of(scene: &Scene, item: Item) -> Both {
+    constraints_of(scene, item).next().map_or_else(|| Both::same(""), |c| c.words(scene))
+}
+
 /// How a driver is named as what moves something.
 pub fn mover_words(scene: &Scene, driver: usize) -> Both {
     driver_words(scene, driver, |d| d.mover)

@@ -84,34 +84,26 @@ fn pair(
             .push(d.help(both!("leave the phase away, or what says how one of them stands", "请去掉 phase，或去掉确定其中一轮位置的数据")));
         return None;
     }
-    let id = RollingId(out.rolling.len());
     let wheel = b.centre?;
-    let (contours, path) = match (a.centre, &raw.strand) {
-        (None, _) => straight(c, raw, a.link, (wheel, places), faults)?,
-        (Some(centre), None) => round(c, raw, [centre, wheel], faults)?,
-        (Some(centre), Some(strand)) => {
-            let contours = belts::round(c, raw, strand, [a.link, b.link], [centre, wheel], faults)?;
-            return Some(Rolling {
-                links: [a.link, b.link],
-                contours,
-                at,
-                kind: raw.kind,
-                guide: None,
-                phase,
-                flanks: None,
-                span: raw.span,
-            });
-        }
-    };
     let common = a.centre.is_some_and(|p| (0..c.names.links.len()).any(|l| c.carries(LinkId(l), p) && c.carries(LinkId(l), wheel)));
-    if let (Contours::Circles { centres, sizes: Sizes::Radii([p, q]), hollow }, true) = (&contours, common) {
-        out.lengths.extend(distance(c, *centres, [p, q], *hollow, (places, lengths)));
-    }
-    let guide = (!common).then(|| {
-        out.guides.push(Guide { pin: Some(wheel), slider: None, on: a.link, path, rolling: Some(id), span: raw.span });
-        GuideId(first_guide + out.guides.len() - 1)
-    });
-    Some(Rolling { links: [a.link, b.link], contours, at, kind: raw.kind, guide, phase, flanks: flanks?, span: raw.span })
+    let guide = GuideId(first_guide + out.guides.len());
+    let (contours, flanks, path) = match (a.centre, &raw.strand) {
+        (None, _) => {
+            let (contours, path) = straight(c, raw, a.link, (wheel, places, guide), faults)?;
+            (contours, flanks?, Some(path))
+        }
+        (Some(centre), None) => {
+            let (contours, radius) = round(c, raw, [centre, wheel], (!common).then_some(guide), faults)?;
+            if let (Contours::Circles { centres, sizes: Sizes::Radii([p, q]), hollow, .. }, true) = (&contours, common) {
+                out.lengths.extend(distance(c, *centres, [p, q], *hollow, (places, lengths)));
+            }
+            (contours, flanks?, (!common).then_some(GuidePath::Arc { centre, radius }))
+        }
+        (Some(centre), Some(strand)) => (belts::round(c, raw, strand, [a.link, b.link], [centre, wheel], faults)?, None, None),
+    };
+    let id = RollingId(out.rolling.len());
+    out.guides.extend(path.map(|path| Guide { pin: Some(wheel), slider: None, on: a.link, path, rolling: Some(id), span: raw.span }));
+    Some(Rolling { links: [a.link, b.link], contours, at, kind: raw.kind, phase, flanks, span: raw.span })
 }
 
 /// Whether something other than the phase says how a link stands: it is fixed, coordinates give two of its points, or a driver its angle.
@@ -141,7 +133,7 @@ fn straight(
     c: &Context,
     raw: &RawRolling,
     on: LinkId,
-    (wheel, places): (PointId, &[Place]),
+    (wheel, places, guide): (PointId, &[Place], GuideId),
     faults: &mut Faults,
 ) -> Option<(Contours, GuidePath)> {
     let ends = raw.line.as_ref().map(|word| note(c.line_on(word, on), faults));
@@ -213,7 +205,7 @@ fn straight(
             Direction::Along(..) | Direction::Instant(_) | Direction::Own | Direction::Slid(_) => (Through::Pin, None),
         },
     };
-    Some((Contours::Track { centre: wheel, radius }, GuidePath::Line { through, direction, offset }))
+    Some((Contours::Track { centre: wheel, radius, guide }, GuidePath::Line { through, direction, offset }))
 }
 
 /// The direction of a track that nothing tells, for counting: that of the guide in which its link slides.
@@ -223,8 +215,14 @@ fn sliding_angle(c: &Context, on: LinkId, span: Span) -> Given<Angle> {
     told.unwrap_or(Given { value: Angle::Deg(0.0), radius: 0.0, text: "0 deg".into(), span })
 }
 
-/// Two circles: the second centre runs on a circle about the first.
-fn round(c: &Context, raw: &RawRolling, centres: [PointId; 2], faults: &mut Faults) -> Option<(Contours, GuidePath)> {
+/// Two circles, and the radius of that about the first centre on which the second runs, where the sizes tell it.
+fn round(
+    c: &Context,
+    raw: &RawRolling,
+    centres: [PointId; 2],
+    guide: Option<GuideId>,
+    faults: &mut Faults,
+) -> Option<(Contours, Option<Given>)> {
     let through = raw.through.as_ref().map(|t| match t {
         RawThrough::At(_, span) => *span,
         RawThrough::Point(word) => word.span,
@@ -283,7 +281,7 @@ fn round(c: &Context, raw: &RawRolling, centres: [PointId; 2], faults: &mut Faul
             }
         }
     };
-    Some((Contours::Circles { centres, sizes, hollow }, GuidePath::Arc { centre: centres[0], radius }))
+    Some((Contours::Circles { centres, sizes, hollow, guide }, radius))
 }
 
 /// A hollow circle is the larger one.
