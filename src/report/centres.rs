@@ -5,7 +5,7 @@ use crate::centres::{By, Centre, Centres, How, Line, Motion, Origin, Pair, Place
 use crate::digits::{direction_degrees, significant};
 use crate::paper::phrase::{Phrase, fill, tr};
 use crate::plan::names::name_label;
-use crate::scene::{Contours, GuidePath, Kind, Lang, LinkId, RollingKind, Scene};
+use crate::scene::{GuidePath, Kind, Lang, LinkId, Scene, Touch};
 use unicode_width::UnicodeWidthStr;
 
 /// Significant digits of the table.
@@ -183,7 +183,7 @@ impl<'a> Words<'a> {
             }
             Primary::Contact(r) => {
                 let rolling = &self.scene.rolling[r.0];
-                let words = if rolling.kind == RollingKind::Gears {
+                let words = if rolling.kind.meshes() {
                     tr(self.lang, "pitch point", "节点")
                 } else {
                     tr(self.lang, "rolls at", "滚动接触点")

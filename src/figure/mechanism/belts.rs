@@ -1,10 +1,10 @@
 //! Belts and chains: the strands, tangents from each wheel to the next. The wheels are circles as those of other pairs are ([`super::wheels`]).
 
 use super::Draft;
-use crate::figure::item::{Dash, Shape};
+use crate::figure::item::Shape;
 use crate::geom::{Point, Vec2};
 use crate::position::belt;
-use crate::scene::{Contours, Rolling, RollingKind};
+use crate::scene::{Contours, Rolling};
 
 /// A wheel in its belt, on paper: its radius is negative where the belt runs round it counter-clockwise.
 struct Wheel {
@@ -19,10 +19,7 @@ impl Draft<'_> {
         let mut strands: Vec<&Rolling> = scene.rolling.iter().filter(|p| p.belt().is_some()).collect();
         while let Some(first) = strands.first().copied() {
             let own: Vec<&Rolling> = strands.extract_if(.., |p| p.belt() == first.belt()).collect();
-            let stroke = match first.kind {
-                RollingKind::Chain => self.style.outline.dashed(Dash::DashDot),
-                RollingKind::Belt | RollingKind::Gears | RollingKind::Wheel => self.style.outline,
-            };
+            let stroke = self.contour_stroke(first);
             let all_shown = own.iter().flat_map(|p| p.links).all(|l| l == scene.ground || self.shows(l));
             let Some(wheels) = self.wheels_of(&own).filter(|_| all_shown) else { continue };
             let id = format!("belt-{}", scene.point_name(first.at[0]));

@@ -4,7 +4,7 @@ use super::Configuration;
 use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::number::Real;
-use crate::scene::{Given, PointId, Rolling, RollingKind, Scene};
+use crate::scene::{Given, PointId, Rolling, Scene};
 
 /// The normal m of the strand left of the line of centres, away from the first of them, as cosine and sine of its angle from that line: the strand
 /// lies at the radius from either centre, so that (B − A)·m = ρ₁ + ρ₂ with the signed sizes of [`Rolling::sizes`]. `None` for wheels that lie
@@ -50,11 +50,7 @@ pub(super) fn misfit(scene: &Scene, pair: &Rolling, [p, q]: [PointId; 2], [a, b]
     }
     let (p, q) = (scene.point_name(p), scene.point_name(q));
     let (distance, radii) = (scene.length_words(distance), scene.length_words(radii));
-    let wheels = match pair.kind {
-        RollingKind::Chain => both!("sprockets", "链轮"),
-        RollingKind::Belt => both!("pulleys", "带轮"),
-        RollingKind::Gears | RollingKind::Wheel => both!("wheels", "轮"),
-    };
+    let wheels = if pair.kind.is_toothed() { both!("sprockets", "链轮") } else { both!("pulleys", "带轮") };
     let message = both!(
         "the {0} about {p} and {q} overlap: {p}{q} is {distance}, and their radii make {radii}",
         "绕 {p} 与 {q} 的两{0}重叠：{p}{q} 为 {distance}，两半径之和为 {radii}",

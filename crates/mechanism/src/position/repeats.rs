@@ -257,9 +257,7 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
             (both!("the guide of {runner} on link {on}", "构件 {on} 上 {runner} 的导路"), guide.span)
         }
         Opened::Rolling(r) => (words_of(scene, Item::Rolling(*r)), scene.rolling[r.0].span),
-        Opened::Pin(p, l) => {
-            (both!("pin {} on link {}", "构件 {1} 上的销 {0}", scene.point_name(*p), scene.link_name(*l)), scene.links[l.0].span)
-        }
+        Opened::Pin(p, l) => (words_of(scene, Item::Pin(*p, *l)), scene.links[l.0].span),
     }
 }
 

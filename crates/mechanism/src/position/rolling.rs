@@ -14,7 +14,7 @@ use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Group, Hold};
 use crate::number::Real;
-use crate::scene::{Driver, GuideId, LinkId, Normal, PointId, Relation, Rolling, RollingId, RollingKind, Scene, Touch};
+use crate::scene::{Driver, GuideId, LinkId, Normal, PointId, Relation, Rolling, RollingId, Scene, Touch};
 use std::f64::consts::{PI, TAU};
 
 /// What is nearer to minus half a turn counts as half a turn (rad).
@@ -386,15 +386,15 @@ pub(super) fn misfit(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option
             },
         )
         .at(pair.span)
-        .help(if pair.kind == RollingKind::Wheel {
+        .help(if pair.kind.meshes() {
             both!(
-                "correct a radius or a centre; \"inside\": true lets a wheel roll inside its track",
-                "请改正半径或圆心；轮在圆形轨道内侧滚动时写 \"inside\": true"
+                "correct a radius or a centre; \"teeth\" without \"module\" divide whatever distance there is; \"ring\" names an internal gear",
+                "请改正半径或圆心；只给 \"teeth\" 而不给 \"module\" 时按实际中心距分配；内齿轮用 \"ring\" 写明"
             )
         } else {
             both!(
-            "correct a radius or a centre; \"teeth\" without \"module\" divide whatever distance there is; \"ring\" names an internal gear",
-            "请改正半径或圆心；只给 \"teeth\" 而不给 \"module\" 时按实际中心距分配；内齿轮用 \"ring\" 写明"
+                "correct a radius or a centre; \"inside\": true lets a wheel roll inside its track",
+                "请改正半径或圆心；轮在圆形轨道内侧滚动时写 \"inside\": true"
             )
         }),
     )

@@ -171,6 +171,14 @@ impl RollingKind {
         }
     }
 
+    /// Whether it has teeth: what rolls are pitch circles and pitch lines.
+    pub fn is_toothed(self) -> bool {
+        match self {
+            RollingKind::Gears | RollingKind::Chain => true,
+            RollingKind::Wheel | RollingKind::Belt => false,
+        }
+    }
+
     /// Whether its links touch with teeth on both sides: they keep the distance of the centres only where nothing else does.
     pub fn meshes(self) -> bool {
         match self {
