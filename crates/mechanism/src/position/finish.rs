@@ -102,7 +102,7 @@ impl Assembly<'_, f64> {
                 let (a, b) = (self.scene.point_name(*a), self.scene.point_name(*b));
                 self.degenerate(g, both!("{a} and {b} coincide", "{a} 与 {b} 重合"))
             }
-            _ => match self.need_guide(g) {
+            GuidePath::Line { .. } | GuidePath::Arc { .. } => match self.need_guide(g) {
                 Err(d) => d,
                 Ok(_) => return,
             },
@@ -156,33 +156,23 @@ impl Assembly<'_, f64> {
             for (p, local) in shape.points.iter().filter(|(p, _)| !opened(*p)) {
                 let Some(at) = c.points[p.0] else { continue };
                 let off = at.distance(pose.to_world(*local));
+                let message = || {
+                    both!(
+                        "{} lies {} from where the data of link {} put it",
+                        "{} 与按构件 {2} 的数据所得位置相差 {1}",
+                        self.scene.point_name(*p),
+                        self.scene.length_words(off),
+                        self.scene.links[l].name
+                    )
+                };
                 if off > same_place(extent, at) {
-                    self.faults.push(
-                        Diagnostic::error(
-                            "pin-off-link",
-                            both!(
-                                "{} lies {} from where the data of link {} put it",
-                                "{} 与按构件 {2} 的数据所得位置相差 {1}",
-                                self.scene.point_name(*p),
-                                self.scene.length_words(off),
-                                self.scene.links[l].name
-                            ),
-                        )
-                        .at(self.scene.points[p.0].span)
-                        .help(both!(
-                            "coordinates and lengths contradict each other: leave one out, or move rough coordinates to \"sketch\"",
-                            "坐标与长度相矛盾：请去掉其一，或把粗略坐标移到 \"sketch\""
-                        )),
-                    );
+                    self.faults.push(Diagnostic::error("pin-off-link", message()).at(self.scene.points[p.0].span).help(both!(
+                        "coordinates and lengths contradict each other: leave one out, or move rough coordinates to \"sketch\"",
+                        "坐标与长度相矛盾：请去掉其一，或把粗略坐标移到 \"sketch\""
+                    )));
                 } else if off > told_apart(extent, at) {
                     self.notes.push(given_twice(
-                        both!(
-                            "{} lies {} from where the data of link {} put it",
-                            "{} 与按构件 {2} 的数据所得位置相差 {1}",
-                            self.scene.point_name(*p),
-                            self.scene.length_words(off),
-                            self.scene.links[l].name
-                        ),
+                        message(),
                         both!("the lengths are what they make them", "长度由坐标确定"),
                         self.scene.points[p.0].span,
                     ));

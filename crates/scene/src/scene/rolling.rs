@@ -251,6 +251,14 @@ impl Rolling {
         }
     }
 
+    /// Whether it is a strand that crosses the line of centres.
+    pub fn is_crossed(&self) -> bool {
+        match self.contours {
+            Contours::Belt { crossed, .. } => crossed,
+            Contours::Circles { .. } | Contours::Track { .. } => false,
+        }
+    }
+
     /// The radii of the two circles, where the scene gives both (m).
     pub fn radii(&self) -> Option<[&Given; 2]> {
         match &self.contours {
