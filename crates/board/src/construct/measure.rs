@@ -153,7 +153,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         let d = &self.scene.drivers[driver];
         match level {
             Level::Acceleration => d.acceleration.as_ref().map_or(N::from_f64(0.0), |a| self.inputs.number(a)),
-            _ => self.inputs.number(&d.rate),
+            Level::Position | Level::Velocity => self.inputs.number(&d.rate),
         }
     }
 

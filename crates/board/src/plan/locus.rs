@@ -17,7 +17,7 @@ impl Builder<'_> {
         match level {
             Level::Velocity if rate_known => (vec![term(TermKind::Relative, true)], vec![]),
             Level::Velocity => (vec![], vec![term(TermKind::Relative, false)]),
-            _ => {
+            Level::Position | Level::Acceleration => {
                 self.need_rate(body);
                 let mut known = vec![term(TermKind::Normal, true)];
                 if !rate_known {

@@ -156,7 +156,14 @@ pub fn look(scene: &Scene, m: &Mechanism, index: usize, opened: &Opened) -> Resu
 pub fn by_topology(scene: &Scene, m: &Mechanism, index: usize, opened: &Opened) -> Option<Checked> {
     let (verdict, reason) = match super::repeats::by_topology(scene, m, opened)? {
         reason @ Reason::Triangle(_) => (Verdict::Locked, reason),
-        reason => (Verdict::Virtual, reason),
+        reason @ (Reason::ParallelCranks(_)
+        | Reason::ParallelGuides(_)
+        | Reason::CoaxialPins(..)
+        | Reason::SameCircle(..)
+        | Reason::SameLine(..)
+        | Reason::RepeatedPlanets(_)
+        | Reason::OneNormal
+        | Reason::Found) => (Verdict::Virtual, reason),
     };
     Some(Checked { index, verdict, off_m: 0.0, driver: None, moved: 0.0, bound_m: None, positions: 0, reason })
 }

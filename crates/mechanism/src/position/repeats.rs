@@ -220,7 +220,14 @@ impl Reason {
                             "该销的轨迹本来就是该直线（{first} = {second} = {radius}）"
                         )
                     }
-                    _ => both!(
+                    Reason::ParallelCranks(_)
+                    | Reason::ParallelGuides(_)
+                    | Reason::CoaxialPins(..)
+                    | Reason::SameCircle(..)
+                    | Reason::RepeatedPlanets(_)
+                    | Reason::Triangle(_)
+                    | Reason::OneNormal
+                    | Reason::Found => both!(
                         "{} runs on that circle anyway ({first} = {second} = {radius})",
                         "{} 的轨迹本来就是该圆（{first} = {second} = {radius}）",
                         name(b)
@@ -289,7 +296,13 @@ fn suspects(scene: &Scene, m: &Mechanism, checked: &Checked) -> Vec<String> {
             Reason::SameCircle([p, q], b, d) | Reason::SameLine([p, q], b, d) => {
                 [(*p, *b), (*q, *b), (*b, *d)].iter().map(|l| line(scene, *l)).collect()
             }
-            _ => match m.redundant[checked.index].opened {
+            Reason::ParallelCranks(_)
+            | Reason::ParallelGuides(_)
+            | Reason::CoaxialPins(..)
+            | Reason::RepeatedPlanets(_)
+            | Reason::Triangle(_)
+            | Reason::OneNormal
+            | Reason::Found => match m.redundant[checked.index].opened {
                 Opened::Link(l) => m.held(l).map(|pins| line(scene, pins)).into_iter().collect(),
                 Opened::Guide(_) | Opened::Pin(..) | Opened::Rolling(_) => Vec::new(),
             },

@@ -431,7 +431,7 @@ impl Compiler<'_> {
                 let alpha = self.turning(link, A)?;
                 self.emit_pair(A, SwingRate { a: v, r, omega, alpha })
             }
-            _ => self.emit_pair(V, Swing { v, r, omega }),
+            P | V => self.emit_pair(V, Swing { v, r, omega }),
         })
     }
 }
