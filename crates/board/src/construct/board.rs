@@ -1,4 +1,4 @@
-//! Carries a plan out on paper.
+//! Draws a plan step by step: diagram, velocity polygon, acceleration polygon.
 
 use super::pencil::{Exact, Pencil};
 use super::scale::{self, Boxes};

@@ -1,4 +1,4 @@
-//! Walks the groups and writes their equations.
+//! Writes the equations of all groups in solving order, those of velocities before those of accelerations.
 
 use super::between::body_of;
 use super::names::small_letters;

@@ -1,8 +1,8 @@
 //! Assur groups in solving order, and how each is entered.
 //!
-//! The groups are the strongly connected parts of "this node's equation needs that node" under any perfect assignment
-//! of equations to nodes; they do not depend on which one was found. Pins are nodes of their own, so that several links
-//! on one pin need no choice of pairs.
+//! A perfect matching of equations to nodes makes a directed graph: a node depends on the other node of each of its equations. The groups
+//! are the strongly connected components of this graph (Tarjan), whichever matching was found; the solving order is a topological order of
+//! them, the first in the scene first. Pins are nodes of their own, so that several links on one pin need no choice of pairs.
 //!
 //! # Source
 //! Sljoka, Shai, Whiteley, *Checking mobility and decomposition of linkages via pebble game algorithm*, ASME DETC 2011.

@@ -1,5 +1,7 @@
-//! Do the pairs and drivers fix every link? Each equation is assigned to one of its two nodes, so that a link gets three
-//! and a pin two (a bipartite b-matching by augmenting paths). What stays free or finds no place is the diagnosis.
+//! Whether the pairs and drivers fix every link: a bipartite b-matching by augmenting paths.
+//!
+//! Each equation is assigned to one of its two nodes, so that a link gets three and a pin two. A node that lacks equations is free, an
+//! equation without a node depends on others; both are told in the diagnosis.
 
 use super::{Constraint, Item, Node, Passive};
 use crate::diag::{Both, Diagnostic, Faults, both};

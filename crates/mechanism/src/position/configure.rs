@@ -1,5 +1,5 @@
-//! Where everything is: the assembly as written, in longer numbers where `f64` hides it, and with other assemblies of what nothing
-//! decides.
+//! The configuration of a scene: assembled in `f64`; again in longer numbers where `f64` cannot tell closures apart; with other closures
+//! of groups for which the scene does not say which is meant.
 
 use super::Configuration;
 use super::assemble::{Assembly, names_of};

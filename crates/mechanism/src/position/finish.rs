@@ -1,4 +1,4 @@
-//! From placed groups to a configuration: what only follows is added, and what was given twice must agree.
+//! Completes a configuration from placed groups: adds links and points that only follow, and checks that what is given twice agrees.
 
 use super::assemble::Assembly;
 use super::{Configuration, Path, Pose, Rolled, Shapes, rolling, touch};

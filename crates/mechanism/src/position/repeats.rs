@@ -1,4 +1,4 @@
-//! Why an opened pair holds by itself, in words; and what is said where it does not.
+//! The reasons why an opened pair holds by itself, in words, and the messages where it does not.
 
 use super::redundant::{Checked, Verdict};
 use super::{Configuration, Path};

@@ -1,5 +1,5 @@
-//! Mechanisms that have no program: the whole of them is followed by Newton's method, each position from the one before it, and answered
-//! there by the loop equations.
+//! Mechanisms that have no program: all their equations are solved together by Newton's method, each position from the one before it (natural
+//! continuation with step control), and the loop equations answer the questions there.
 
 use super::chains::{Chains, Follow, Values};
 use crate::diag::{Diagnostic, Faults, both};
