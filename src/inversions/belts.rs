@@ -36,12 +36,12 @@ fn entry(scene: &Scene, kind: RollingKind, strands: &[&Rolling]) -> Option<Json>
         }
         at.extend(pair.at.map(|p| scene.point_name(p)));
     }
-    let mut out = match kind {
-        RollingKind::Chain => {
+    let mut out = match kind.is_toothed() {
+        true => {
             let pitch = TAU * radii.first()? / f64::from(*teeth.first()?);
             json!({"sprockets": links, "centres": centres, "teeth": teeth, "pitch": metres(pitch)})
         }
-        RollingKind::Belt | RollingKind::Gears | RollingKind::Wheel => {
+        false => {
             json!({"pulleys": links, "centres": centres, "radii": radii.into_iter().map(metres).collect::<Vec<_>>()})
         }
     };
