@@ -89,7 +89,7 @@ impl Mechanism {
             return Err(faults);
         }
         let mut opening = Opening { passive, redundant: Vec::new(), touches: None };
-        if opening.matched(scene).homeless() > 0 {
+        if opening.matched(scene).unmatched() > 0 {
             opening = redundant::open(scene, &opening).unwrap_or(opening);
         }
         let mut mechanism = Mechanism::opened(scene, opening.clone())?;
@@ -191,7 +191,7 @@ impl Mechanism {
     }
 }
 
-/// Of so many pairs of gears it is tried which of them keeps its centres apart.
+/// Up to so many gear pairs, each is tried as the one that keeps its centres apart.
 const MOST_OPTIONAL: usize = 16;
 
 fn find_passive(scene: &Scene) -> Vec<Option<Passive>> {
@@ -312,15 +312,15 @@ fn holding(scene: &Scene) -> impl Iterator<Item = GuideId> {
     scene.guides.iter().enumerate().filter(move |(_, g)| may(g)).map(|(g, _)| GuideId(g))
 }
 
-/// Adds the guides that keep gears in touch where nothing else does: those whose equation finds a home among the others', the first of all
-/// that which the opening names.
+/// Adds the guides that keep gears in touch where nothing else does: those whose equation can be matched besides all others. The one that the
+/// opening names comes first.
 fn touching(scene: &Scene, opening: &Opening, pins: &[PointId], mut constraints: Vec<Constraint>) -> Vec<Constraint> {
     let passive = &opening.passive;
     let optional = holding(scene).filter(|g| opening.touches != Some(*g));
     for g in opening.touches.into_iter().chain(optional) {
         let closed = constraints.len();
         constraints.extend(constraints_of(scene, Item::Guide(g)));
-        if !mobility::all_have_a_home(scene, passive, pins, &constraints) {
+        if !mobility::all_matched(scene, passive, pins, &constraints) {
             constraints.truncate(closed);
         }
     }

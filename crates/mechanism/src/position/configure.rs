@@ -85,7 +85,7 @@ fn placed_in<N: Real>(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> 
     told.then_some(Warned { value: at, notes })
 }
 
-/// What a group is told as that cannot be closed on the groups before it.
+/// Codes of faults of a group that cannot be closed on the groups before it.
 const DOES_NOT_CLOSE: [&str; 3] = ["cannot-assemble", "coincident-points", "degenerate-guide"];
 
 /// Other assemblies that are tried where the first does not close: each costs as much as the first.

@@ -38,8 +38,8 @@ impl<N: Real> Assembly<'_, N> {
         self
     }
 
-    /// Coordinates are the truth: an arc has the radius at which its pin lies by them. A radius that is given besides agrees to
-    /// what a person types; taken as well, it would make two mechanisms of one, apart in the tenth digit.
+    /// Coordinates take precedence: an arc has the radius at which its pin lies by them. A radius that is given besides agrees within the
+    /// rounding of typed numbers; used as well, it would contradict the coordinates in the tenth digit.
     fn fit_arcs(&mut self) {
         for (g, guide) in self.scene.guides.iter().enumerate() {
             let given = guide.pin.filter(|p| matches!(self.scene.points[p.0].place, Place::At(_)));
@@ -252,7 +252,7 @@ fn told_apart(extent: f64, at: Point) -> f64 {
     TOLD_APART * extent + 16.0 * f64::EPSILON * at.to_vec2().norm()
 }
 
-/// What is said where two descriptions agree to what a person types, but not to the digits that are certified.
+/// The note on two descriptions that agree within the rounding of typed numbers, but not to the digits that are certified.
 fn given_twice(how: Both, so: Both, span: Span) -> Diagnostic {
     Diagnostic::note(
         "given-twice",
