@@ -201,7 +201,7 @@ fn written(scene: &Scene, at: &Configuration, ground: LinkId, driver: Json) -> S
     if !guides.is_empty() {
         out["guides"] = Json::Array(guides);
     }
-    for (key, pairs) in ["gears", "rolling", "belts", "chains"].into_iter().zip(pairs::rolling(scene, at)) {
+    for (key, pairs) in ["gears", "rolling", "belts", "chains", "ropes"].into_iter().zip(pairs::rolling(scene, at)) {
         if !pairs.is_empty() {
             out[key] = Json::Array(pairs);
         }

@@ -15,8 +15,8 @@ pub(super) fn metres(x: f64) -> String {
 }
 
 /// The sections `gears`, `rolling`, `belts` and `chains`.
-pub(super) fn rolling(scene: &Scene, at: &Configuration) -> [Vec<Json>; 4] {
-    let (mut gears, mut wheels) = (Vec::new(), Vec::new());
+pub(super) fn rolling(scene: &Scene, at: &Configuration) -> [Vec<Json>; 5] {
+    let (mut gears, mut wheels, mut ropes) = (Vec::new(), Vec::new(), Vec::new());
     let [belts, chains] = belts::sections(scene);
     for pair in &scene.rolling {
         let direction = pair.guide().and_then(|g| match at.guides[g.0] {
@@ -26,10 +26,11 @@ pub(super) fn rolling(scene: &Scene, at: &Configuration) -> [Vec<Json>; 4] {
         match pair.kind {
             RollingKind::Gears => gears.extend(gear(scene, pair, direction)),
             RollingKind::Wheel => wheels.extend(wheel(scene, pair, direction)),
+            RollingKind::Rope => ropes.extend(rope(scene, pair, direction)),
             RollingKind::Belt | RollingKind::Chain => {}
         }
     }
-    [gears, wheels, belts, chains]
+    [gears, wheels, belts, chains, ropes]
 }
 
 /// Two gears, or a gear on its rack.
@@ -70,6 +71,14 @@ fn gear(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json
         }
     }
     Some(out)
+}
+
+/// A drum and the load that its rope draws.
+fn rope(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json> {
+    let ([load, drum], [_, radius]) = (pair.links.map(|l| scene.link_name(l)), pair.sizes(&crate::scene::exact::Inputs::<f64>::of(scene)));
+    let centre = scene.point_name(pair.centres()[1]?);
+    let at = scene.point_name(pair.contact()?);
+    Some(json!({"drum": drum, "centre": centre, "radius": metres(radius), "load": load, "angle": direction, "at": at}))
 }
 
 /// A wheel on its track.

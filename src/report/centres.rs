@@ -174,6 +174,8 @@ impl<'a> Words<'a> {
                 let rolling = &self.scene.rolling[r.0];
                 let words = if rolling.kind.meshes() {
                     tr(self.lang, "pitch point", "节点")
+                } else if rolling.kind.is_flexible() {
+                    tr(self.lang, "rope leaves at", "绳的切点")
                 } else {
                     tr(self.lang, "rolls at", "滚动接触点")
                 };

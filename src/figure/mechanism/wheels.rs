@@ -99,7 +99,10 @@ impl Draft<'_> {
             if let Touch::Point(Normal::Square { guide, .. }) = pair.touch()
                 && self.shows(pair.links[0])
             {
-                self.track(pair, guide);
+                match pair.kind.is_flexible() {
+                    true => self.rope(pair, guide),
+                    false => self.track(pair, guide),
+                }
             }
         }
         self.belts();

@@ -303,7 +303,7 @@ fn find_constraints(scene: &Scene, opening: &Opening, pins: &[PointId]) -> Vec<C
 /// Whether a guide keeps two gears in touch that other pairs may keep in touch already: their teeth touch on both sides, but the distance
 /// of their centres is, if anything holds it, not theirs.
 fn is_optional(scene: &Scene, guide: &Guide) -> bool {
-    guide.rolling.is_some_and(|r| scene.rolling[r.0].kind.meshes())
+    guide.rolling.is_some_and(|r| scene.rolling[r.0].kind.leaves_distance())
 }
 
 /// The guides between gears that may have to keep them in touch.

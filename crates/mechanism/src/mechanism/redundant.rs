@@ -200,7 +200,7 @@ fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidat
     let mut all: Vec<Candidate> = links.filter_map(|l| as_follower(scene, pins, l)).collect();
     let driven = |g: usize| scene.drivers.iter().any(|d| d.kind.guide() == Some(GuideId(g)));
     // Teeth keep a distance only where nothing else does; a wheel on its track may touch it because its axle keeps it there.
-    let toothed = |guide: &Guide| guide.rolling.is_some_and(|r| scene.rolling[r.0].kind.meshes());
+    let toothed = |guide: &Guide| guide.rolling.is_some_and(|r| scene.rolling[r.0].kind.leaves_distance());
     for (g, guide) in scene.guides.iter().enumerate().filter(|(g, guide)| !driven(*g) && !toothed(guide)) {
         let block = guide.slider.is_some_and(|s| closed.passive[s.0] == Some(Passive::Block(GuideId(g))));
         let equations = match (guide.slider.filter(|_| !block), guide.pin) {

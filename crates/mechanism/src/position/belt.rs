@@ -1,10 +1,11 @@
-//! The strand between two wheels of a belt or chain: where it runs off the one and onto the other.
+//! The strand between two wheels of a belt or chain: where it runs off the one and onto the other; and the direction of a rope.
 
-use super::Configuration;
+use super::{Configuration, Path};
 use crate::diag::{Diagnostic, both};
+use crate::digits::significant;
 use crate::geom::{Point, Vec2};
 use crate::number::Real;
-use crate::scene::{Given, PointId, Rolling, Scene};
+use crate::scene::{Given, Guide, GuideId, PointId, Rolling, Scene};
 
 /// The normal m of the strand left of the line of centres, away from the first of them, as cosine and sine of its angle from that line: the strand
 /// lies at the radius from either centre, so that (B − A)·m = ρ₁ + ρ₂ with the signed sizes of [`Rolling::sizes`]. `None` for wheels that lie
@@ -57,4 +58,31 @@ pub(super) fn misfit(scene: &Scene, pair: &Rolling, [p, q]: [PointId; 2], [a, b]
         wheels
     );
     Some(Diagnostic::error("belt-overlap", message).at(pair.span).help(both!("correct a radius or a centre", "请改正半径或圆心")))
+}
+
+/// Two directions that a person types are one within this part of a turn.
+const SAME_DIRECTION: f64 = 1e-9;
+
+/// What is wrong with a rope that does not run along the guide of its load: it would have to lengthen.
+pub(super) fn slack(scene: &Scene, pair: &Rolling, rope: GuideId, c: &Configuration) -> Option<Diagnostic> {
+    let direction = |g: usize| match c.guides[g]? {
+        Path::Line { direction, .. } => Some(direction),
+        Path::Arc { .. } => None,
+    };
+    let load = pair.links[0];
+    let joins = |g: &Guide| g.rolling.is_none() && g.slider.is_some() && [g.slider, Some(g.on)].contains(&Some(load));
+    let own = scene.guides.iter().position(joins).filter(|_| pair.kind.is_flexible())?;
+    let (of_rope, of_load) = (direction(rope.0)?, direction(own)?);
+    if of_rope.cross(of_load).abs() <= SAME_DIRECTION {
+        return None;
+    }
+    let off = libm::atan(of_rope.cross(of_load) / of_rope.dot(of_load)).abs().to_degrees();
+    let load = scene.link_name(load);
+    let message = both!(
+        "the rope of load {load} runs at {0}° to the guide of the load",
+        "牵引构件 {load} 的绳与该构件的导路成 {0}°",
+        significant(off, 4)
+    );
+    let help = both!("give both the same direction", "请使二者方向一致");
+    Some(Diagnostic::error("rope-direction", message).at(pair.span).help(help))
 }

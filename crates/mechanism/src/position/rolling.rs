@@ -357,7 +357,7 @@ impl<N: Real> Assembly<'_, N> {
 pub(super) fn misfit(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option<Diagnostic> {
     let centres @ [p, q] = match pair.touch() {
         Touch::Point(Normal::Centres(centres)) => centres,
-        Touch::Point(Normal::Square { .. }) => return None,
+        Touch::Point(Normal::Square { guide, .. }) => return belt::slack(scene, pair, guide, c),
         Touch::Strand { centres, .. } => return belt::misfit(scene, pair, centres, pair.radii()?, c),
     };
     let (at, other) = (c.points[p.0]?, c.points[q.0]?);

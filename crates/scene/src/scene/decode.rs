@@ -6,6 +6,7 @@ mod composite;
 mod driver;
 mod motion;
 mod rolling;
+mod ropes;
 
 use super::model::Lang;
 use super::raw::*;
@@ -78,6 +79,9 @@ pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<
         raw.rolling.extend(rolling::wheel(node, extent, faults));
     }
     belts::belts(&f, &mut raw, faults);
+    for node in items(f.get("ropes"), "\"ropes\"", faults) {
+        raw.rolling.extend(ropes::rope(node, faults));
+    }
     let drivers = match extent.is_at_rest() {
         true => f.get("driver"),
         false => f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults),

@@ -48,6 +48,8 @@ pub enum RollingKind {
     Belt,
     /// A chain runs round both.
     Chain,
+    /// A rope runs off the second, a drum, and draws the first along.
+    Rope,
 }
 
 /// The flanks of a gear pair, which matter for its figure alone: kinematics has the pitch circles.
@@ -167,7 +169,7 @@ impl RollingKind {
     pub fn is_lower(self) -> bool {
         match self {
             RollingKind::Wheel => true,
-            RollingKind::Gears | RollingKind::Belt | RollingKind::Chain => false,
+            RollingKind::Gears | RollingKind::Belt | RollingKind::Chain | RollingKind::Rope => false,
         }
     }
 
@@ -175,15 +177,31 @@ impl RollingKind {
     pub fn is_toothed(self) -> bool {
         match self {
             RollingKind::Gears | RollingKind::Chain => true,
-            RollingKind::Wheel | RollingKind::Belt => false,
+            RollingKind::Wheel | RollingKind::Belt | RollingKind::Rope => false,
         }
     }
 
-    /// Whether its links touch with teeth on both sides: they keep the distance of the centres only where nothing else does.
+    /// Whether it is a rope, belt or chain that joins its links: it is drawn as far as it runs.
+    pub fn is_flexible(self) -> bool {
+        match self {
+            RollingKind::Belt | RollingKind::Chain | RollingKind::Rope => true,
+            RollingKind::Gears | RollingKind::Wheel => false,
+        }
+    }
+
+    /// Whether its links need not keep their distance: other pairs do; only teeth, which touch on both sides, do so where no other pair does.
+    pub fn leaves_distance(self) -> bool {
+        match self {
+            RollingKind::Gears | RollingKind::Rope => true,
+            RollingKind::Wheel | RollingKind::Belt | RollingKind::Chain => false,
+        }
+    }
+
+    /// Whether its links touch with teeth on both sides.
     pub fn meshes(self) -> bool {
         match self {
             RollingKind::Gears => true,
-            RollingKind::Wheel | RollingKind::Belt | RollingKind::Chain => false,
+            RollingKind::Wheel | RollingKind::Belt | RollingKind::Chain | RollingKind::Rope => false,
         }
     }
 }

@@ -12,6 +12,7 @@ mod glide;
 mod lock;
 mod pin;
 mod rolling;
+mod rope;
 mod sliding;
 mod slot;
 mod turning;
@@ -74,6 +75,7 @@ const KINDS: &[Kind] = &[
     rolling::WHEEL,
     belt::BELT,
     belt::CHAIN,
+    rope::ROPE,
 ];
 
 /// One pair or driver, or a part of one, as a constraint between two nodes.
