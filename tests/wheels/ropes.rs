@@ -85,7 +85,7 @@ fn ropes_that_cannot_be_are_named() {
         (r#"{"slider": "4", "pin": "B", "on": "1", "angle": "90 deg"}"#, r#"{"pin": "B", "on": "1", "angle": "90 deg"}"#, "rope-load"),
     ] {
         assert!(text.contains(from), "{from}");
-        let faults = match scene::read(&text.replace(from, to)) {
+        let faults = match scene::read(text.replace(from, to)) {
             Err(faults) => faults,
             Ok(scene) => hodograph::worked::work(&scene.value, hodograph::worked::Scope::Figure).unwrap_err(),
         };

@@ -73,7 +73,7 @@ fn pair(
     let flanks = flanks(c, raw, faults);
     let phase = transpose(phase)?;
     if raw.kind == RollingKind::Rope {
-        taut(c, raw, (a.link, b.centre?), faults)?;
+        belts::taut(c, raw, (a.link, b.centre?), faults)?;
     }
     if let Some(q) = &raw.phase
         && [a, b].iter().all(|side| stands(c, side.link, places))
@@ -107,29 +107,6 @@ fn pair(
     let id = RollingId(out.rolling.len());
     out.guides.extend(path.map(|path| Guide { pin: Some(wheel), slider: None, on: a.link, path, rolling: Some(id), span: raw.span }));
     Some(Rolling { links: [a.link, b.link], contours, at, kind: raw.kind, phase, flanks, span: raw.span })
-}
-
-/// A rope stays taut and keeps its direction: its load slides in a guide of the link that carries the drum's axis.
-fn taut(c: &Context, raw: &RawRolling, (load, axis): (LinkId, PointId), faults: &mut Faults) -> Option<()> {
-    let is = |word: &Option<Word>, link: LinkId| word.as_ref().map_or(link == c.ground, |w| w.text == c.link_name(link));
-    let carriers = || (0..c.names.links.len()).map(LinkId).filter(|l| c.carries(*l, axis));
-    let joins = |g: &RawGuide| {
-        let slides = |of: LinkId, on: LinkId| g.slider.is_some() && is(&g.slider, of) && is(&g.on, on);
-        carriers().any(|l| slides(load, l) || slides(l, load))
-    };
-    if c.raw.guides.iter().any(joins) {
-        return Some(());
-    }
-    let (load, axis) = (c.link_name(load), c.point_name(axis));
-    let message = both!(
-        "the load `{load}` of a rope slides in no guide of a link that carries the drum's axis {axis}",
-        "绳所牵引的构件 `{load}` 没有在带有卷筒轴 {axis} 的构件上的导路中滑动"
-    );
-    faults.push(Diagnostic::error("rope-load", message).at(raw.span).help(both!(
-        "add a guide with \"slider\": \"{load}\" in the direction of the rope, on the ground or the link that carries {axis}",
-        "请在机架或带有 {axis} 的构件上，沿绳的方向加一条 \"slider\": \"{load}\" 的导路"
-    )));
-    None
 }
 
 /// Whether something other than the phase says how a link stands: it is fixed, coordinates give two of its points, or a driver its angle.
