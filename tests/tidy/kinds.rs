@@ -41,6 +41,7 @@ const KINDS: &[Kinds] = &[
         &[],
         &[
             "crates/scene/src/scene/rolling.rs",
+            "crates/scene/src/scene/cams/geared.rs",
             "crates/scene/src/scene/resolve/",
             "src/figure/mechanism/belts.rs",
             "src/inversions/",
