@@ -196,7 +196,7 @@ fn written(scene: &Scene, at: &Configuration, ground: LinkId, driver: Json) -> S
     if !cams.is_empty() {
         out["cams"] = Json::Array(cams);
     }
-    for (key, pairs) in ["gears", "rolling", "belts", "chains"].into_iter().zip(pairs::rolling(scene, at)) {
+    for (key, pairs) in ["gears", "rolling", "belts", "chains", "ropes"].into_iter().zip(pairs::rolling(scene, at)) {
         if !pairs.is_empty() {
             out[key] = Json::Array(pairs);
         }

@@ -138,12 +138,16 @@
 //! A pair or driver is one file in [`mechanism`]'s folder `pair`: of which items of the scene it is, which *form* it demands
 //! ([`mechanism::Form`]), how it is named. Forms are the few statements in link frames that all pairs come down to: two points meet, the
 //! angles of two links differ by what is given, a point lies on the path of a guide, its way along it is given, a distance is given,
-//! contours roll. Newton's method and the proofs ([`position`]), motion, loop equations and sweep match the forms, each differentiates
+//! turnings of two links and that of a line of centres, or a way along a guide, are linearly related. How two links touch is asked apart from
+//! that ([`scene::Touch`]). Newton's method and the proofs ([`position`]), motion, loop equations and sweep match the forms, each differentiates
 //! them by itself; nodes, numbers of equations and legs follow from them. The table says where a new one is written.
 //! ```text
 //! a new pair of these forms   its file in mechanism/pair and its line in the list there; the scene's reading and writing of it; its symbol
 //! a new kind of driver        the same, and its answers in scene/driver.rs; its statement, its JSON, its symbol in the lesson
-//! a new pair without contact  besides: a contour in scene/rolling.rs, where it runs off and on (position/belt.rs is the example)
+//! a new rolling pair          its kind, and its contour if that is new, in scene/rolling.rs; its file in mechanism/pair; its section (scene/decode),
+//!                             its sentence (report/given), its writing (inversions), its symbol (figure/mechanism)
+//! a new way to touch          besides: the points where it does (position/rolling.rs, belt.rs), motion/conditions.rs, plan/contact.rs and locus.rs,
+//!                             construct/special.rs and measure.rs, sweep/compile/rolling.rs
 //! a new form                  besides: its equation (position/equations.rs), coefficients (position/coupled.rs), motion
 //!                             (motion/conditions.rs), rows (analytic/rows.rs), legs (mechanism/groups.rs, plan/reduce.rs), sweep/train.rs
 //! ```

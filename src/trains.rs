@@ -9,7 +9,7 @@
 //! R. Willis, *Principles of Mechanism*, 1841.
 
 use crate::scene::exact::Inputs;
-use crate::scene::{Contours, LinkId, PointId, RollingId, Scene};
+use crate::scene::{LinkId, PointId, Relation, RollingId, Scene, Touch};
 
 /// The gears of one arm that mesh with one another.
 #[derive(Clone, Debug, PartialEq)]
@@ -160,10 +160,10 @@ fn meshes(scene: &Scene) -> Vec<Mesh> {
     let mut out = Vec::new();
     for (k, pair) in scene.rolling.iter().enumerate() {
         // A wheel on its track is no mesh; a belt or chain turns its wheels as an idler between them would.
-        let (centres, toothed) = match &pair.contours {
-            Contours::Circles { centres, .. } => (centres, pair.flanks.as_ref().map(|f| f.teeth)),
-            Contours::Belt { centres, teeth, .. } => (centres, teeth.map(|z| z.map(Some))),
-            Contours::Track { .. } => continue,
+        let Relation::Turnings(centres) = pair.relation() else { continue };
+        let toothed = match pair.touch() {
+            Touch::Point(_) => pair.flanks.as_ref().map(|f| f.teeth),
+            Touch::Strand { .. } => pair.teeth().map(|z| z.map(Some)),
         };
         let carries = |l: usize| centres.iter().all(|c| scene.links[l].points.contains(c));
         let Some(arm) = (0..scene.links.len()).find(|l| carries(*l)).map(LinkId) else { continue };
@@ -181,7 +181,7 @@ fn meshes(scene: &Scene) -> Vec<Mesh> {
             format!("{letter}{}_{{{}}}", "'".repeat(before), scene.link_name(link))
         };
         let symbols = [symbol(0), symbol(1)];
-        out.push(Mesh { id: RollingId(k), arm, links: pair.links, centres: *centres, sizes: values, symbols });
+        out.push(Mesh { id: RollingId(k), arm, links: pair.links, centres, sizes: values, symbols });
     }
     out
 }

@@ -4,6 +4,9 @@
 //! Nothing of the library is linked: the test reads the sources. What a lint can say with types is said to clippy, in
 //! `clippy.toml`.
 
+#[path = "tidy/kinds.rs"]
+mod kinds;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -198,63 +201,6 @@ fn table() -> Vec<(String, BTreeSet<String>)> {
 
 fn finish(faults: &[String], law: &str) {
     assert!(faults.is_empty(), "{law}\n{} faults:\n{}", faults.len(), faults.join("\n"));
-}
-
-/// Enumerations whose kinds grow: the kinds (all where none is named), the files and folders that tell them apart, and what others ask.
-/// Kinds of pair are not among them: they are private to `mechanism/pair`. The lists only shrink.
-type Kinds = (&'static str, &'static [&'static str], &'static [&'static str], &'static str);
-const KINDS: &[Kinds] = &[
-    ("Leg", &[], &["crates/mechanism/src/mechanism/groups.rs", "crates/mechanism/src/mechanism/leg.rs"], "Leg::gives, hold or line"),
-    (
-        "DriverKind",
-        &[],
-        &[
-            "crates/scene/src/scene/",
-            "crates/mechanism/src/mechanism/survey.rs",
-            "src/centres/",
-            "src/figure/mechanism/marks.rs",
-            "src/lesson/page.rs",
-            "src/report/given.rs",
-            "src/report/plan_json.rs",
-        ],
-        "DriverKind::turns, turned, guide, ends, parts or position",
-    ),
-    (
-        "Form",
-        &["Meet", "Angles", "OnPath", "AlongPath", "Distance", "Rolls"],
-        &[
-            "crates/mechanism/src/mechanism/pair/",
-            "crates/mechanism/src/mechanism/groups.rs",
-            "crates/mechanism/src/position/",
-            "crates/mechanism/src/motion/conditions.rs",
-            "crates/board/src/plan/reduce.rs",
-            "crates/analytic/src/analytic/rows.rs",
-            "crates/sweep/src/sweep/train.rs",
-            "crates/sweep/src/sweep/compile/rolling.rs",
-        ],
-        "Form::ends, driver, path, meets, locks, lies_on or equations",
-    ),
-];
-
-#[test]
-fn kinds_are_told_apart_where_the_list_says() {
-    let mut faults = Vec::new();
-    for (of, kinds, told, ask) in KINDS {
-        let mut idle = told.to_vec();
-        for (name, code) in code() {
-            for (n, line) in code.lines().enumerate() {
-                let after = words(line).filter(|(_, word, _)| word == of).filter_map(|(_, _, after)| after.strip_prefix("::").map(word));
-                for kind in after.filter(|w| w.starts_with(char::is_uppercase) && (kinds.is_empty() || kinds.contains(w))) {
-                    match told.iter().find(|file| name == **file || file.ends_with('/') && name.starts_with(**file)) {
-                        Some(file) => idle.retain(|f| f != file),
-                        None => faults.push(format!("{name}:{}: {of}::{kind}; ask what {ask} tells", n + 1)),
-                    }
-                }
-            }
-        }
-        faults.extend(idle.iter().map(|file| format!("{file} tells no {of} apart: strike it off")));
-    }
-    finish(&faults, "A new kind is one file, or one arm, where the list in tests/tidy.rs says.");
 }
 
 #[test]

@@ -3,6 +3,8 @@
 
 #[path = "wheels/belts.rs"]
 mod belts;
+#[path = "wheels/ropes.rs"]
+mod ropes;
 
 use hodograph::answer::Value;
 use hodograph::certified::ladder::certify;

@@ -217,7 +217,16 @@ fn near(drawn: &Drawn, c: &CrossingTolerance) -> Both {
     let Some(polygon) = drawn.construction.polygon(c.level) else { return Both::default() };
     let edges = polygon.actions.iter().find_map(|a| match a {
         Action::Cross { target, edges, .. } if *target == c.target => Some(edges),
-        _ => None,
+        Action::LayOff(_)
+        | Action::Nothing { .. }
+        | Action::Line { .. }
+        | Action::Cross { .. }
+        | Action::Reach(_)
+        | Action::Copy { .. }
+        | Action::Same { .. }
+        | Action::Join(_)
+        | Action::Perpendicular { .. }
+        | Action::Rate(_) => None,
     });
     let terms = edges.into_iter().flatten().filter_map(|e| polygon.edges[*e].terms.first());
     let words: Vec<Both> = terms.map(|t| held_by(drawn.scene, drawn.plan, t)).collect();

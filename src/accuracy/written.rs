@@ -28,7 +28,7 @@ pub fn regular(scene: &Scene, m: &Mechanism, demand: &Demand, at: &Configuration
     let extent = at.extent();
     let given = |p: usize| match &scene.points[p].place {
         Place::At([x, y]) => at.points[p].is_none_or(|here| libm::hypot(here.x - x.value, here.y - y.value) <= SAME_POSE * extent),
-        _ => true,
+        Place::Unknown | Place::InLink { .. } | Place::Polar { .. } => true,
     };
     if !(0..scene.points.len()).all(given) {
         return None;

@@ -7,7 +7,7 @@ use crate::diag::{Both, both};
 use crate::mechanism::Level;
 use crate::plan::names::name_label;
 use crate::plan::{Body, By, Chain, Method, Plan, Spot, Step, Term, TermKind, VertexId};
-use crate::scene::{Contours, LinkId, PointId, Rolling, RollingId, Scene};
+use crate::scene::{LinkId, Normal, PointId, RollingId, Scene, Touch};
 
 /// The crossing that finds the wheel's point at a contact, and the term along the normal in it.
 fn found(plan: &Plan, pair: RollingId) -> Option<(usize, (VertexId, Term))> {
@@ -58,12 +58,9 @@ pub fn bases(t: &Topology) -> Vec<Site> {
 
 /// The wheel of a pair whose other link is the ground.
 fn wheel_on_ground(scene: &Scene, r: RollingId) -> Option<LinkId> {
-    let Rolling { links: [a, b], contours, .. } = &scene.rolling[r.0];
     // A strand has two ends, and neither is a base.
-    if matches!(contours, Contours::Belt { .. }) {
-        return None;
-    }
-    let (a, b) = (*a, *b);
+    scene.rolling[r.0].contact()?;
+    let [a, b] = scene.rolling[r.0].links;
     match (a == scene.ground, b == scene.ground) {
         (true, false) => Some(b),
         (false, true) => Some(a),
@@ -111,9 +108,9 @@ pub fn as_base(scene: &Scene, plan: &Plan, pair: RollingId, point: PointId) -> O
 fn own_acceleration(scene: &Scene, pair: RollingId, wheel: LinkId) -> Missing {
     let rolling = &scene.rolling[pair.0];
     let (n, link) = (name_label(scene.point_name(rolling.at[0])), name_label(scene.link_name(wheel)));
-    let (centre, straight) = match &rolling.contours {
-        Contours::Track { centre, .. } => (*centre, true),
-        Contours::Circles { centres, .. } | Contours::Belt { centres, .. } => {
+    let (centre, straight) = match rolling.touch() {
+        Touch::Point(Normal::Square { centre, .. }) => (centre, true),
+        Touch::Point(Normal::Centres(centres)) | Touch::Strand { centres, .. } => {
             (if rolling.links[0] == wheel { centres[0] } else { centres[1] }, false)
         }
     };

@@ -46,7 +46,7 @@ use crate::figure::style::Style;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price, statement, trains};
-use crate::scene::{self, Lang, Scene, edit};
+use crate::scene::{self, Lang, Scene};
 use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
 use clap::FromArgMatches;
@@ -212,14 +212,7 @@ impl Input {
 
     /// The scene that the command line names, with its parameters.
     fn read_by(common: &Common, read: Reader) -> Result<Input, Failure> {
-        let path = common.scene.as_str();
-        let (name, mut bytes) = files::scene(path).map_err(|d| Failure::input(d, path, ""))?;
-        // A text that cannot be changed has a fault, which the reader tells with its place.
-        if let Ok(text) = std::str::from_utf8(&bytes)
-            && edit::with_parameters(text, &[]).is_ok()
-        {
-            bytes = values::with_values(&common.set, |values| edit::with_parameters(text, values))?.into_bytes();
-        }
+        let (name, bytes) = values::file(&common.scene, &common.set)?;
         let source = String::from_utf8_lossy(&bytes).into_owned();
         scene::language_of(&bytes).into_iter().for_each(lang::take);
         if crate::synthesis::is_task(&bytes) {

@@ -1,7 +1,7 @@
 //! Files of motions without a mechanism: `solve`, `draw`, `worksheet` and `lesson` take them as they take scenes.
 
 use super::worksheet::{Writer, stem};
-use super::{Failure, Run, args, draw, edit, files, lang, values};
+use super::{Failure, Run, args, draw, files, lang, values};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::fit;
 use crate::figure::item::Figure;
@@ -43,14 +43,7 @@ pub fn no_scene() -> Diagnostic {
 
 impl Input {
     fn read(common: &args::Common) -> Result<Input, Failure> {
-        let path = common.scene.as_str();
-        let (name, mut bytes) = files::scene(path).map_err(|d| Failure::input(d, path, ""))?;
-        // A text that cannot be changed has a fault, which the reader tells with its place.
-        if let Ok(text) = std::str::from_utf8(&bytes)
-            && edit::with_parameters(text, &[]).is_ok()
-        {
-            bytes = values::with_values(&common.set, |values| edit::with_parameters(text, values))?.into_bytes();
-        }
+        let (name, bytes) = values::file(&common.scene, &common.set)?;
         let source = String::from_utf8_lossy(&bytes).into_owned();
         scene::language_of(&bytes).into_iter().for_each(lang::take);
         let failed = |f: Faults| Failure::input(f, &name, &source);

@@ -1,7 +1,7 @@
 //! `hodograph synth`: a synthesis file to candidates, as a table or JSON, and one of them as a scene file.
 
 use super::worksheet::{Writer, stem};
-use super::{Failure, Run, args, draw, edit, files, lang, values};
+use super::{Failure, Run, args, draw, files, lang, values};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::digits::significant;
 use crate::figure::fit;
@@ -79,14 +79,8 @@ fn with_scene(path: &str, bytes: Vec<u8>) -> Result<Vec<u8>, Failure> {
 impl Solved {
     /// Reads and solves.
     pub fn read(path: &str, set: &[String]) -> Result<Solved, Failure> {
-        let (name, mut bytes) = files::scene(path).map_err(|d| Failure::input(d, path, ""))?;
-        // A text that cannot be changed has a fault, which the reader tells with its place.
-        if let Ok(text) = std::str::from_utf8(&bytes)
-            && edit::with_parameters(text, &[]).is_ok()
-        {
-            bytes = values::with_values(set, |values| edit::with_parameters(text, values))?.into_bytes();
-        }
-        bytes = with_scene(path, bytes)?;
+        let (name, bytes) = values::file(path, set)?;
+        let bytes = with_scene(path, bytes)?;
         let source = String::from_utf8_lossy(&bytes).into_owned();
         scene::language_of(&bytes).into_iter().for_each(lang::take);
         let Warned { value: task, notes } = synthesis::read(&bytes).map_err(|f| Failure::input(f, &name, &source))?;

@@ -1,10 +1,10 @@
 //! What an argument may be: the choices that have names, and how numbers are read.
 
-use super::{Failure, Told, help};
+use super::{Failure, Told, files, help};
 use crate::certified::ladder::MOST_DIGITS;
 use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::list::{self, Entry};
-use crate::scene::Lang;
+use crate::scene::{Lang, edit};
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
@@ -113,6 +113,19 @@ pub fn seconds(s: &str) -> Result<f64, String> {
         Ok(v) if (0.1..=600.0).contains(&v) => Ok(v),
         Ok(v) => Err(help::no_value(&both!("{v} is not between 0.1 and 600", "{v} 不在 0.1 到 600 之间"))),
         Err(_) => Err(help::no_value(&both!("not a number", "不是数"))),
+    }
+}
+
+/// The name to show and the bytes of a scene, or of another file with parameters, that have the values of `--set`.
+pub(super) fn file(path: &str, set: &[String]) -> Result<(String, Vec<u8>), Failure> {
+    let (name, bytes) = files::scene(path).map_err(|d| Failure::input(d, path, ""))?;
+    match std::str::from_utf8(&bytes) {
+        Ok(text) if edit::with_parameters(text, &[]).is_ok() => {
+            let text = with_values(set, |values| edit::with_parameters(text, values))?;
+            Ok((name, text.into_bytes()))
+        }
+        // A text that cannot be changed has a fault, which the reader tells with its place.
+        Ok(_) | Err(_) => Ok((name, bytes)),
     }
 }
 

@@ -110,7 +110,13 @@ fn motion(worked: &Worked, level: Level) -> Motion {
             match action {
                 Action::Copy { .. } | Action::Same { .. } => done.images += 1,
                 Action::Rate(_) => done.rates += 1,
-                _ => done.equations_closed += usize::from(closes(p, action)),
+                Action::LayOff(_)
+                | Action::Nothing { .. }
+                | Action::Line { .. }
+                | Action::Cross { .. }
+                | Action::Reach(_)
+                | Action::Join(_)
+                | Action::Perpendicular { .. } => done.equations_closed += usize::from(closes(p, action)),
             }
         }
     }
@@ -122,6 +128,12 @@ fn closes(p: &Polygon, action: &Action) -> bool {
     match action {
         Action::Cross { .. } | Action::Reach(_) => true,
         Action::LayOff(edge) => matches!(p.edges[*edge].to.0, Mark::Image(_)),
-        _ => false,
+        Action::Nothing { .. }
+        | Action::Line { .. }
+        | Action::Copy { .. }
+        | Action::Same { .. }
+        | Action::Join(_)
+        | Action::Perpendicular { .. }
+        | Action::Rate(_) => false,
     }
 }

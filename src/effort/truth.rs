@@ -37,7 +37,7 @@ impl<N: Real> Differences<N> {
         let one = N::from_f64(1.0);
         match level {
             Level::Acceleration => ((c - b) - (b - a)) * (one / (self.step * self.step)),
-            _ => (c - a) * (one / (self.step + self.step)),
+            Level::Position | Level::Velocity => (c - a) * (one / (self.step + self.step)),
         }
     }
 

@@ -13,7 +13,7 @@ use crate::digits::significant;
 use crate::gears::{Basic, Mate, Pair, distance_of, operating, standard, sum_of_shifts};
 use crate::geom::Point;
 use crate::plan::names::name_label;
-use crate::scene::{Contours, Flanks, LinkId, Rolling, RollingKind, Scene};
+use crate::scene::{Flanks, LinkId, Normal, Rolling, Scene, Touch};
 
 use super::drawing::Part;
 use super::item::Figure;
@@ -35,7 +35,7 @@ pub(super) fn pairs(maker: &Maker) -> Result<Warned<Pages>, Faults> {
     let all: Vec<(&Rolling, &Flanks)> = scene.rolling.iter().filter_map(|r| Some((r, r.flanks.as_ref()?))).collect();
     let one = all.len() == 1;
     let (mut pages, mut notes, mut faults) = (Pages::new(), Vec::new(), Faults::default());
-    if let (true, Some(bare)) = (all.is_empty(), scene.rolling.iter().find(|r| r.kind == RollingKind::Gears)) {
+    if let (true, Some(bare)) = (all.is_empty(), scene.rolling.iter().find(|r| r.kind.meshes())) {
         let at = scene.point_name(bare.at[0]);
         let message = both!("the gear pair at `{at}` has radii, but no numbers of teeth", "`{at}` 处的齿轮副只有半径，没有齿数");
         faults.push(Diagnostic::error("gear-no-teeth", message).at(bare.span).help(both!(
@@ -56,15 +56,24 @@ pub(super) fn pairs(maker: &Maker) -> Result<Warned<Pages>, Faults> {
     if faults.has_errors() { Err(faults) } else { Ok(Warned { value: pages, notes }) }
 }
 
+/// What a gear of a pair meshes with.
+fn mate(rolling: &Rolling) -> Mate {
+    match (rolling.touch(), rolling.hollow()) {
+        (Touch::Point(Normal::Square { .. }), _) => Mate::Rack,
+        (Touch::Point(Normal::Centres(_)) | Touch::Strand { .. }, Some(_)) => Mate::Ring,
+        (Touch::Point(Normal::Centres(_)) | Touch::Strand { .. }, None) => Mate::Gear,
+    }
+}
+
 /// The order in which a pair is drawn: of two gears the one that a driver turns first, else the gear before ring or rack.
 fn order(scene: &Scene, rolling: &Rolling) -> [usize; 2] {
     let driven = |l: LinkId| scene.drivers.iter().any(|d| d.kind.turned().is_some_and(|(link, _)| link == l));
-    match rolling.contours {
-        Contours::Circles { hollow: Some(0), .. } | Contours::Track { .. } => [1, 0],
-        Contours::Circles { hollow: Some(_), .. } | Contours::Belt { .. } => [0, 1],
-        Contours::Circles { hollow: None, .. } if driven(rolling.links[1]) && !driven(rolling.links[0]) => [1, 0],
-        Contours::Circles { hollow: None, .. } => [0, 1],
-    }
+    let second_first = match (mate(rolling), rolling.hollow()) {
+        (Mate::Rack, _) | (Mate::Ring, Some(0)) => true,
+        (Mate::Ring, _) => false,
+        (Mate::Gear, _) => driven(rolling.links[1]) && !driven(rolling.links[0]),
+    };
+    if second_first { [1, 0] } else { [0, 1] }
 }
 
 /// The pair that a scene means at the distance of its centres (m).
@@ -75,11 +84,7 @@ fn meant(maker: &Maker, rolling: &Rolling, flanks: &Flanks) -> Result<Pair, Diag
         fault("gear-teeth", both!("no involute teeth can be made with these sizes", "按所给参数无法形成渐开线轮齿"))
             .help(both!("check module, teeth, shift and the distance of the centres", "请检查模数、齿数、变位系数和中心距"))
     };
-    let mate = match rolling.contours {
-        Contours::Circles { hollow: None, .. } | Contours::Belt { .. } => Mate::Gear,
-        Contours::Circles { hollow: Some(_), .. } => Mate::Ring,
-        Contours::Track { .. } => Mate::Rack,
-    };
+    let mate = mate(rolling);
     let [i, j] = order(scene, rolling);
     let teeth = [i, j].map(|k| flanks.teeth[k].unwrap_or(0));
     let unit = |module| Basic { module, alpha: flanks.pressure_angle, addendum: flanks.addendum, clearance: flanks.clearance };

@@ -235,7 +235,7 @@ fn heading(word: &str) -> Label {
 fn kind(level: Level) -> &'static str {
     match level {
         Level::Acceleration => "acceleration",
-        _ => "velocity",
+        Level::Position | Level::Velocity => "velocity",
     }
 }
 

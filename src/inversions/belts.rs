@@ -9,15 +9,8 @@ use std::f64::consts::TAU;
 pub(super) fn sections(scene: &Scene) -> [Vec<Json>; 2] {
     [RollingKind::Belt, RollingKind::Chain].map(|kind| {
         let strands: Vec<&Rolling> = scene.rolling.iter().filter(|r| r.kind == kind).collect();
-        strands.chunk_by(|a, b| belt_of(a) == belt_of(b)).filter_map(|strands| entry(scene, kind, strands)).collect()
+        strands.chunk_by(|a, b| a.belt() == b.belt()).filter_map(|strands| entry(scene, kind, strands)).collect()
     })
-}
-
-fn belt_of(pair: &Rolling) -> Option<usize> {
-    match pair.contours {
-        Contours::Belt { belt, .. } => Some(belt),
-        Contours::Circles { .. } | Contours::Track { .. } => None,
-    }
 }
 
 /// One belt or chain, whose strands follow one another.
@@ -43,12 +36,12 @@ fn entry(scene: &Scene, kind: RollingKind, strands: &[&Rolling]) -> Option<Json>
         }
         at.extend(pair.at.map(|p| scene.point_name(p)));
     }
-    let mut out = match kind {
-        RollingKind::Chain => {
+    let mut out = match kind.is_toothed() {
+        true => {
             let pitch = TAU * radii.first()? / f64::from(*teeth.first()?);
             json!({"sprockets": links, "centres": centres, "teeth": teeth, "pitch": metres(pitch)})
         }
-        RollingKind::Belt | RollingKind::Gears | RollingKind::Wheel => {
+        false => {
             json!({"pulleys": links, "centres": centres, "radii": radii.into_iter().map(metres).collect::<Vec<_>>()})
         }
     };

@@ -15,21 +15,22 @@ pub(super) fn metres(x: f64) -> String {
 }
 
 /// The sections `gears`, `rolling`, `belts` and `chains`.
-pub(super) fn rolling(scene: &Scene, at: &Configuration) -> [Vec<Json>; 4] {
-    let (mut gears, mut wheels) = (Vec::new(), Vec::new());
+pub(super) fn rolling(scene: &Scene, at: &Configuration) -> [Vec<Json>; 5] {
+    let (mut gears, mut wheels, mut ropes) = (Vec::new(), Vec::new(), Vec::new());
     let [belts, chains] = belts::sections(scene);
     for pair in &scene.rolling {
-        let direction = pair.guide.and_then(|g| match at.guides[g.0] {
+        let direction = pair.guide().and_then(|g| match at.guides[g.0] {
             Some(Path::Line { direction, .. }) => Some(format!("{:?} rad", direction.angle())),
             Some(Path::Arc { .. }) | None => None,
         });
         match pair.kind {
             RollingKind::Gears => gears.extend(gear(scene, pair, direction)),
             RollingKind::Wheel => wheels.extend(wheel(scene, pair, direction)),
+            RollingKind::Rope => ropes.extend(rope(scene, pair, direction)),
             RollingKind::Belt | RollingKind::Chain => {}
         }
     }
-    [gears, wheels, belts, chains]
+    [gears, wheels, belts, chains, ropes]
 }
 
 /// Two gears, or a gear on its rack.
@@ -37,7 +38,7 @@ fn gear(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json
     let [a, b] = pair.links.map(|l| scene.link_name(l));
     let at = scene.point_name(pair.contact()?);
     let mut out = match &pair.contours {
-        Contours::Circles { centres, sizes, hollow } => {
+        Contours::Circles { centres, sizes, hollow, .. } => {
             let mut out = json!({"links": [a, b], "centres": centres.map(|p| scene.point_name(p)), "at": at});
             match sizes {
                 Sizes::Radii(radii) => out["radii"] = radii.iter().map(|r| metres(r.value)).collect(),
@@ -48,7 +49,7 @@ fn gear(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json
             }
             out
         }
-        Contours::Track { centre, radius } => {
+        Contours::Track { centre, radius, .. } => {
             json!({"links": [b, a], "centres": [scene.point_name(*centre)], "radii": [metres(radius.value)], "rack": a, "angle": direction, "at": at})
         }
         Contours::Belt { .. } => return None,
@@ -72,6 +73,14 @@ fn gear(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json
     Some(out)
 }
 
+/// A drum and the load that its rope draws.
+fn rope(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json> {
+    let ([load, drum], [_, radius]) = (pair.links.map(|l| scene.link_name(l)), pair.sizes(&crate::scene::exact::Inputs::<f64>::of(scene)));
+    let centre = scene.point_name(pair.centres()[1]?);
+    let at = scene.point_name(pair.contact()?);
+    Some(json!({"drum": drum, "centre": centre, "radius": metres(radius), "load": load, "angle": direction, "at": at}))
+}
+
 /// A wheel on its track.
 fn wheel(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json> {
     let [on, wheel] = pair.links.map(|l| scene.link_name(l));
@@ -84,7 +93,7 @@ fn wheel(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Jso
                 "track": scene.point_name(*track), "track_radius": metres(size), "inside": hollow.is_some(), "at": at,
             })
         }
-        Contours::Track { centre, radius } => {
+        Contours::Track { centre, radius, .. } => {
             json!({"wheel": wheel, "centre": scene.point_name(*centre), "radius": metres(radius.value), "on": on, "angle": direction, "at": at})
         }
         Contours::Belt { .. } => return None,

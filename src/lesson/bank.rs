@@ -162,7 +162,7 @@ fn form(words: &[String], numbers: &[&str], open: &[bool], formulas: &mut Formul
             Piece::Formula(_) if !markup.contains(HOLE) => {
                 html.push_str(&format!("{}{}{}", FORMULA[0], formulas.index(markup), FORMULA[1]));
             }
-            _ => html.push_str(&short(&markup)),
+            Piece::Words(_) | Piece::Formula(_) => html.push_str(&short(&markup)),
         }
     }
     html

@@ -32,7 +32,7 @@ use crate::synthesis::{Candidate, Task};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
-const PAGE: &str = concat!(include_str!("player.html"), include_str!("design.html"));
+const PAGE: &str = concat!(include_str!("head.html"), include_str!("player.html"), include_str!("design.html"));
 const STYLE: [&str; 2] = [BASE, include_str!("design.css")];
 const SCRIPT: &str = concat!(include_str!("design.js"), include_str!("player.js"));
 /// Frames through a turn of the driver.

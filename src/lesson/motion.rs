@@ -27,7 +27,7 @@ use crate::report::particle as report;
 use crate::scene::{Book, Lang};
 use serde_json::{Value, json};
 
-const PAGE: &str = concat!(include_str!("player.html"), include_str!("motion.html"));
+const PAGE: &str = concat!(include_str!("head.html"), include_str!("player.html"), include_str!("motion.html"));
 const STYLE: [&str; 3] = [BASE, include_str!("design.css"), include_str!("motion.css")];
 const SCRIPT: &str = concat!(include_str!("motion.js"), include_str!("player.js"));
 

@@ -50,18 +50,21 @@ pub fn column(values: &[i64], out: &mut String) {
     out.push_str(&best.unwrap_or_default());
 }
 
+/// What follows some values by the polynomial of this order through the last of them.
+fn foretold(values: &[i64], order: usize) -> i64 {
+    match (order, values) {
+        (0, _) | (_, []) => 0,
+        (1, [.., a]) | (_, [a]) => *a,
+        (2, [.., b, a]) | (_, [b, a]) => 2 * a - b,
+        (_, [.., c, b, a]) => 3 * a - 3 * b + c,
+    }
+}
+
 fn packed(values: &[i64], order: usize) -> String {
     let mut out = String::new();
     number(order as u64, &mut out);
     for k in 0..values.len() {
-        let back = |n: usize| values[k - n];
-        let told = match order.min(k) {
-            0 => 0,
-            1 => back(1),
-            2 => 2 * back(1) - back(2),
-            _ => 3 * back(1) - 3 * back(2) + back(3),
-        };
-        let off = values[k] - told;
+        let off = values[k] - foretold(&values[..k], order);
         // 0, −1, 1, −2, 2 …
         number(if off < 0 { 2 * off.unsigned_abs() - 1 } else { 2 * off as u64 }, &mut out);
     }
@@ -96,17 +99,10 @@ mod tests {
         };
         let order = natural() as usize;
         let mut values: Vec<i64> = Vec::new();
-        for k in 0..count {
+        for _ in 0..count {
             let z = natural();
             let off = if z % 2 == 1 { -((z as i64 + 1) / 2) } else { z as i64 / 2 };
-            let back = |n: usize| values[k - n];
-            let told = match order.min(k) {
-                0 => 0,
-                1 => back(1),
-                2 => 2 * back(1) - back(2),
-                _ => 3 * back(1) - 3 * back(2) + back(3),
-            };
-            values.push(told + off);
+            values.push(foretold(&values, order) + off);
         }
         values
     }

@@ -38,7 +38,7 @@ const ZOOMS: &str = "<div class=\"zooms\"><button type=\"button\" class=\"whole\
     <button type=\"button\" class=\"farther\" data-title=\"farther\">−</button><button type=\"button\" class=\"nearer\" data-title=\"nearer\">+</button></div>\n";
 /// What all lessons look like; their pages add their own.
 pub const BASE: &str = include_str!("base.css");
-const PAGE: &str = include_str!("page/page.html");
+const PAGE: &str = concat!(include_str!("head.html"), include_str!("page/page.html"));
 const STYLE: [&str; 2] = [BASE, include_str!("page/page.css")];
 /// What opens the script.
 const BOOT: &str = include_str!("page/boot.js");

@@ -84,7 +84,15 @@ impl Track {
                     let markup = self.markup(item)?;
                     let head = match item.shape {
                         Shape::Arrow { head, .. } if numbers.len() == ARROW => Some(head),
-                        _ => None,
+                        Shape::Line { .. }
+                        | Shape::Polyline { .. }
+                        | Shape::Path { .. }
+                        | Shape::Circle { .. }
+                        | Shape::Arc { .. }
+                        | Shape::Arrow { .. }
+                        | Shape::ArcArrow { .. }
+                        | Shape::Turned { .. }
+                        | Shape::Label { .. } => None,
                     };
                     self.elements.push(Element { markup, at_base: false, frames: vec![None; self.count], head });
                     self.known.insert(key, index);
@@ -172,7 +180,14 @@ pub fn runs(frames: impl IntoIterator<Item = bool>) -> Vec<usize> {
 fn source(item: &Item) -> &str {
     match &item.shape {
         Shape::Label { label, .. } => label.source(),
-        _ => "",
+        Shape::Line { .. }
+        | Shape::Polyline { .. }
+        | Shape::Path { .. }
+        | Shape::Circle { .. }
+        | Shape::Arc { .. }
+        | Shape::Arrow { .. }
+        | Shape::ArcArrow { .. }
+        | Shape::Turned { .. } => "",
     }
 }
 

@@ -127,7 +127,7 @@ fn ended(chase: &Chase) -> Result<End, Diagnostic> {
     let mut steps = 0;
     match chase.end_seen::<f64>(&mut |_| steps += 1)? {
         End::Meet { .. } if longer(chase)? && steps <= pursuit::MOST_LONGER => chase.end::<Dd>(),
-        end => Ok(end),
+        end @ (End::Meet { .. } | End::Apart { .. }) => Ok(end),
     }
 }
 
@@ -327,7 +327,7 @@ fn by_law(problem: &Problem, k: usize, what: Asked) -> Result<Value, Diagnostic>
     let fine = within(BITS, || in_numbers::<Ball<Big>>(problem, k, what))?;
     match fine {
         Value::None(d) if d.code == "undecided" => in_numbers::<Ball<f64>>(problem, k, what),
-        other => Ok(other),
+        other @ (Value::Vector(..) | Value::Scalar(_) | Value::None(_)) => Ok(other),
     }
 }
 

@@ -1,12 +1,12 @@
 //! Instantaneous centres as a table: how each is found, where it lies, and what they tell.
 
+use super::columns::columns;
 use crate::answer::Value;
 use crate::centres::{By, Centre, Centres, How, Line, Motion, Origin, Pair, Place, Primary, Speed, Turning, omega, velocity};
 use crate::digits::{direction_degrees, significant};
 use crate::paper::phrase::{Phrase, fill, tr};
 use crate::plan::names::name_label;
-use crate::scene::{Contours, GuidePath, Kind, Lang, LinkId, RollingKind, Scene};
-use unicode_width::UnicodeWidthStr;
+use crate::scene::{GuidePath, Kind, Lang, LinkId, Scene};
 
 /// Significant digits of the table.
 const DIGITS: usize = 6;
@@ -40,17 +40,6 @@ pub fn text(found: &Centres, lang: Lang) -> String {
     lines.push(String::new());
     lines.extend(columns(&w.ways(), 1));
     lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
-}
-
-/// A table with its columns below one another; those from `right` on are set to the right.
-fn columns(rows: &[Vec<String>], right: usize) -> Vec<String> {
-    let many = rows.iter().map(Vec::len).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..many).map(|k| rows.iter().filter_map(|r| r.get(k)).map(|c| c.width()).max().unwrap_or(0)).collect();
-    let cell = |(k, text): (usize, &String)| {
-        let air = " ".repeat(widths[k].saturating_sub(text.width()));
-        if k >= right { format!("{air}{text}") } else { format!("{text}{air}") }
-    };
-    rows.iter().map(|row| row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ")).collect()
 }
 
 impl<'a> Words<'a> {
@@ -183,8 +172,10 @@ impl<'a> Words<'a> {
             }
             Primary::Contact(r) => {
                 let rolling = &self.scene.rolling[r.0];
-                let words = if rolling.kind == RollingKind::Gears {
+                let words = if rolling.kind.meshes() {
                     tr(self.lang, "pitch point", "节点")
+                } else if rolling.kind.is_flexible() {
+                    tr(self.lang, "rope leaves at", "绳的切点")
                 } else {
                     tr(self.lang, "rolling contact", "滚动接触点")
                 };
@@ -192,7 +183,7 @@ impl<'a> Words<'a> {
             }
             Primary::Strand(r) => {
                 let [a, b] = self.scene.rolling[r.0].centres().map(|p| p.map_or("", |p| self.scene.point_name(p)));
-                let inner = matches!(self.scene.rolling[r.0].contours, Contours::Belt { crossed: true, .. });
+                let inner = self.scene.rolling[r.0].is_crossed();
                 let words = match (self.lang, inner) {
                     (Lang::En, true) => "inner tangent × line of centres",
                     (Lang::En, false) => "outer tangent × line of centres",

@@ -2,6 +2,7 @@
 //! of the motion, and the projection that leaves out the unwanted unknown. In the words of theoretical mechanics.
 
 use super::answers::diagnostic;
+use super::columns::columns;
 use crate::composite::contact::Slip;
 use crate::composite::{Choice, Known, Place, Projection, Solved, Staged, Turned, Verdict, name_of, projections};
 use crate::diag::Diagnostic;
@@ -14,7 +15,6 @@ use crate::scene::quantity::composite::Part;
 use crate::scene::quantity::{Frame, RelativePath};
 use crate::scene::{GuidePath, Kind, Lang, Scene};
 use serde_json::{Value as Json, json};
-use unicode_width::UnicodeWidthStr;
 
 /// Significant digits of the table; the certified ones are told by `solve`.
 const DIGITS: usize = 5;
@@ -32,21 +32,13 @@ pub fn text(scene: &Scene, all: &[Choice], solved: &[Solved], lang: Lang) -> Str
     if all.is_empty() {
         lines.push(tr(lang, "no pair of moving bodies offers a moving point and a frame", "没有可作动点和动系的运动物体").to_owned());
     } else {
-        lines.extend(columns(&w.table(all)));
+        lines.extend(columns(&w.table(all), usize::MAX));
     }
     for s in solved {
         lines.push(String::new());
         lines.extend(w.lines(s).iter().map(|p| p.plain()));
     }
     lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
-}
-
-/// A table with its columns below one another.
-fn columns(rows: &[Vec<String>]) -> Vec<String> {
-    let many = rows.iter().map(Vec::len).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..many).map(|k| rows.iter().filter_map(|r| r.get(k)).map(|c| c.width()).max().unwrap_or(0)).collect();
-    let cell = |(k, text): (usize, &String)| format!("{text}{}", " ".repeat(widths[k].saturating_sub(text.width())));
-    rows.iter().map(|row| row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ")).collect()
 }
 
 /// The word for a verdict in JSON.

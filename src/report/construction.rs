@@ -41,7 +41,7 @@ pub fn text(w: &Writer, paper: &Construction, steps: &Steps) -> String {
         out.push('\n');
         out.push_str(match level {
             Level::Acceleration => tr(w.lang, "acceleration polygon", "加速度多边形"),
-            _ => tr(w.lang, "velocity polygon", "速度多边形"),
+            Level::Position | Level::Velocity => tr(w.lang, "velocity polygon", "速度多边形"),
         });
         out.push('\n');
         for (i, s) in sentences(w, paper, p, steps).iter().enumerate() {

@@ -1,6 +1,7 @@
 //! Curvature in words: the steps of the construction, the values by drawing beside those by analysis, and what is to be said of poses in
 //! which something lies at infinity.
 
+use super::columns::columns;
 use crate::curvature::drawing::Drawing;
 use crate::curvature::motion::{Bend, State};
 use crate::curvature::plane::End;
@@ -10,7 +11,6 @@ use crate::geom::{Point, Vec2};
 use crate::paper::phrase::{Phrase, tr};
 use crate::plan::names::{name_label, point_label};
 use crate::scene::{Kind, Lang, LinkId, PointId, Scene};
-use unicode_width::UnicodeWidthStr;
 
 /// Significant digits of the table.
 const DIGITS: usize = 6;
@@ -37,8 +37,8 @@ pub fn text(found: &Curvature, steps: bool, lang: Lang) -> String {
         lines.push(String::new());
         lines.push(w.heading(of));
         lines.extend(w.remarks(of).iter().map(|r| format!("  {}", r.plain())));
-        lines.extend(columns(&w.values(of)).into_iter().map(|r| format!("  {r}")));
-        lines.extend(columns(&w.points(of)).into_iter().map(|r| format!("  {r}")));
+        lines.extend(columns(&w.values(of), usize::MAX).into_iter().map(|r| format!("  {r}")));
+        lines.extend(columns(&w.points(of), usize::MAX).into_iter().map(|r| format!("  {r}")));
         if let Some(apart) = of.apart() {
             let told = tr(lang, "drawing and analysis are apart by", "作图与解析相差");
             lines.push(format!("  {told} {apart:.1e}"));
@@ -49,14 +49,6 @@ pub fn text(found: &Curvature, steps: bool, lang: Lang) -> String {
         }
     }
     lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
-}
-
-/// A table with its columns below one another.
-fn columns(rows: &[Vec<String>]) -> Vec<String> {
-    let many = rows.iter().map(Vec::len).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..many).map(|k| rows.iter().filter_map(|r| r.get(k)).map(|c| c.width()).max().unwrap_or(0)).collect();
-    let cell = |(k, text): (usize, &String)| format!("{text}{}", " ".repeat(widths[k].saturating_sub(text.width())));
-    rows.iter().map(|row| row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ")).collect()
 }
 
 impl Words<'_> {

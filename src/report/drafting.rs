@@ -98,7 +98,7 @@ pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
 fn crossing_name(w: &Writer, c: &CrossingTolerance) -> String {
     match c.level {
         Level::Position => vertex_name(w.scene, w.plan, c.target),
-        level => formula(&w.image(level, c.target)),
+        level @ (Level::Velocity | Level::Acceleration) => formula(&w.image(level, c.target)),
     }
 }
 

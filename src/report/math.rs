@@ -143,7 +143,7 @@ impl Tongue for Mathml {
             Role::Ordinary if matches!(c.as_str(), "(" | ")" | "[" | "]" | "|") => format!("<mo stretchy=\"false\">{c}</mo>"),
             // A sign that stands for a thing, as `?` or `⊥` before a line, keeps no space around it.
             Role::Ordinary => format!("<mo lspace=\"0\" rspace=\"0\">{c}</mo>"),
-            _ => format!("<mo>{c}</mo>"),
+            Role::Binary | Role::Relation | Role::Punctuation | Role::Function => format!("<mo>{c}</mo>"),
         }
     }
     fn function(&self, name: &str) -> String {

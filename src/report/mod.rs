@@ -6,6 +6,7 @@ pub mod attempts;
 pub mod cam;
 pub mod centres;
 pub mod centres_json;
+mod columns;
 pub mod composite;
 pub mod construction;
 pub mod curvature;

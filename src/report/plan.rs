@@ -62,7 +62,7 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
         line(String::new());
         line(match level {
             Level::Acceleration => tr(lang, "accelerations", "加速度").into(),
-            _ => tr(lang, "velocities", "速度").into(),
+            Level::Position | Level::Velocity => tr(lang, "velocities", "速度").into(),
         });
         for group in steps {
             for text in group_lines(w, level, group, &mut equation) {

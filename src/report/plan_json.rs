@@ -303,7 +303,13 @@ impl Reporter<'_> {
             TermKind::Tangential | TermKind::Slide | TermKind::Extension if t.known && level == Level::Acceleration => {
                 (true, Reason::Accelerated)
             }
-            _ => (true, Reason::Asked),
+            TermKind::Relative
+            | TermKind::Normal
+            | TermKind::Tangential
+            | TermKind::Slide
+            | TermKind::SlideNormal
+            | TermKind::Extension
+            | TermKind::Roll => (true, Reason::Asked),
         };
         self.with_reason(out, included, why)
     }
@@ -329,7 +335,7 @@ impl Reporter<'_> {
         let before = self.w.plan.velocity.iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
         let of_velocity = before.filter_map(|s| match s {
             Step::Equation { target: t, chains, .. } if *t == target => Some(terms(chains)),
-            _ => None,
+            Step::Equation { .. } | Step::Image { .. } | Step::Same { .. } => None,
         });
         let mut connections: Vec<(VertexId, VertexId, By)> = Vec::new();
         for t in own.iter().chain(of_velocity.flatten()) {

@@ -1,12 +1,12 @@
 //! The price of accuracy as a table for people and as JSON for programs.
 
+use super::columns::columns;
 use crate::accuracy::Rung;
 use crate::digits::significant;
 use crate::effort::ways::{Measured, Near, Way};
 use crate::paper::phrase::tr;
 use crate::scene::{Lang, Scene};
 use serde_json::{Value as Json, json};
-use unicode_width::UnicodeWidthStr;
 
 /// A way's name.
 pub fn name(way: Way, lang: Lang) -> String {
@@ -45,20 +45,9 @@ fn time(seconds: Option<f64>) -> String {
     }
 }
 
-fn columns(rows: &[Vec<String>]) -> String {
-    let many = rows.first().map_or(0, Vec::len);
-    let widths: Vec<usize> = (0..many).map(|k| rows.iter().map(|r| r[k].width()).max().unwrap_or(0)).collect();
-    let mut out = String::new();
-    for row in rows {
-        let mut line = String::from(" ");
-        for (k, (cell, width)) in row.iter().zip(&widths).enumerate() {
-            let pad = " ".repeat(width - cell.width());
-            line.push_str(&if k == 0 { format!(" {cell}{pad}") } else { format!("  {pad}{cell}") });
-        }
-        out.push_str(line.trim_end());
-        out.push('\n');
-    }
-    out
+/// The first column set to the left, numbers to the right.
+fn table(rows: &[Vec<String>]) -> String {
+    columns(rows, 1).iter().map(|line| format!("  {}\n", line.trim_end())).collect()
 }
 
 /// The table of all ways.
@@ -78,7 +67,7 @@ pub fn text(scene: &Scene, ways: &[Measured], lang: Lang) -> String {
         "worst relative error of the answers against 512-bit arithmetic; on paper the median of 400 drawings (95 %); certified: the bound; time: median of a whole solution from positions to answers",
         "误差为各结果相对 512 位运算的最大相对误差；图纸为 400 次作图的中位数（95%）；可靠界为所保证的误差上限；用时为由位置到结果的中位数",
     );
-    format!("{}{}\n{note}\n", if title.is_empty() { String::new() } else { format!("{title}\n") }, columns(&rows).trim_end())
+    format!("{}{}\n{note}\n", if title.is_empty() { String::new() } else { format!("{title}\n") }, table(&rows).trim_end())
 }
 
 /// The table of a series of poses: errors of the accelerations (of the velocities where no acceleration is asked).
@@ -97,7 +86,7 @@ pub fn series_text(series: &[Near], lang: Lang) -> String {
         }
         rows.push(row);
     }
-    columns(&rows)
+    table(&rows)
 }
 
 /// Both tables for programs.

@@ -10,6 +10,7 @@ use crate::construct::pencil::{Blunt, Pencil};
 use crate::diag::{Both, both};
 use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::Level;
+pub use crate::position::kernel::crossing as cross_circles;
 use std::cell::RefCell;
 
 /// How strongly a stroke is drawn.
@@ -116,11 +117,6 @@ impl Line {
     pub fn square(&self, through: Point) -> Line {
         Line { at: through, along: self.along.perp() }
     }
-}
-
-/// Where two circles cross, left of the line of centres first.
-pub fn cross_circles(p: Point, r: f64, q: Point, s: f64) -> Option<[Point; 2]> {
-    Some([fourbar::meet(p, r, q, s, true)?, fourbar::meet(p, r, q, s, false)?])
 }
 
 impl Board {

@@ -5,6 +5,7 @@
 use super::candidate::{deg, mm, place};
 use crate::diag::{Both, both};
 use crate::geom::{Point, Vec2};
+use crate::position::kernel::crossing;
 use serde_json::{Map, Value as Json, json};
 
 /// A four-bar in one position, known by its points.
@@ -112,20 +113,9 @@ pub fn omega(rate: f64) -> Json {
 }
 
 /// Where two circles meet, on the left or right of the line from the first centre to the second.
-///
-/// A search asks this millions of times, in plain numbers and for one side: `position::kernel::meet` closes the dyads of scenes in any number, and
-/// says by how much two loci miss.
 pub fn meet(p: Point, r: f64, q: Point, s: f64, left: bool) -> Option<Point> {
-    let d = q - p;
-    let l = d.norm();
-    let along = (l + (r - s) * (r + s) / l) / 2.0;
-    let high2 = (r - along) * (r + along);
-    if !(l > 0.0 && high2 >= 0.0) {
-        return None;
-    }
-    let axis = d * (1.0 / l);
-    let high = if left { high2.sqrt() } else { -high2.sqrt() };
-    Some(p + axis * along + axis.perp() * high)
+    let [on_left, on_right] = crossing(p, r, q, s)?;
+    Some(if left { on_left } else { on_right })
 }
 
 /// Where a line meets a circle: distances along the unit direction, the smaller first.

@@ -3,6 +3,7 @@
 //!
 //! What is given and wanted and the formulas come from the kind of task ([`crate::synthesis::told`]), the numbers from its candidates.
 
+use super::speak::Speak;
 use super::{Block, Document, Options, Sides, Table, TableKind, one_line};
 use crate::diag::{Both, Faults};
 use crate::digits::{inked, shortest, significant};
@@ -68,15 +69,13 @@ struct Maker<'a> {
     set: Set<'a>,
 }
 
-impl Maker<'_> {
+impl Speak for Maker<'_> {
     fn lang(&self) -> Lang {
         self.set.lang
     }
+}
 
-    fn heading(&self, level: u8, en: &'static str, zh: &'static str) -> Block {
-        Block::Heading(level, tr(self.lang(), en, zh).into())
-    }
-
+impl Maker<'_> {
     fn said(&self, text: &Both) -> Phrase {
         Phrase::new(self.lang().of(text))
     }

@@ -3,6 +3,7 @@
 //! The problem's side shows the wrong equations, their polygon and their values as an author would print them; the solution's side the mistake,
 //! drawn over the right solution, why it is one, and then the right solution as in any worksheet.
 
+use super::speak::Speak;
 use super::{Block, Document, Maker, Options, Sides, document};
 use crate::attempts::Attempt;
 use crate::certified::{certify, steps};

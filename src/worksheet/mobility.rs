@@ -4,14 +4,14 @@
 //! and may give away what repeats what, and is left out. The solution counts in a table with every special case in words,
 //! and draws the groups apart. Of a scene that tells links and pairs alone these are listed, and nothing is drawn.
 
+use super::speak::Speak;
 use super::{Block, Document, Maker, Options, Sides, Table, TableKind, document, pairs};
 use crate::certified::steps;
 use crate::figure::groups;
 use crate::figure::label::Label;
 use crate::figure::sheet;
-use crate::figure::words::{Words, words};
 use crate::mechanism::{Counts, ForDrivers};
-use crate::paper::phrase::{Phrase, tr};
+use crate::paper::phrase::Phrase;
 use crate::report::math::Math;
 use crate::report::mobility::{Counted, class, kinds};
 use crate::report::plan::group_words;
@@ -46,6 +46,12 @@ struct Sheet<'a> {
     drawn: Option<Maker<'a>>,
 }
 
+impl Speak for Sheet<'_> {
+    fn lang(&self) -> Lang {
+        self.options.lang
+    }
+}
+
 impl Sheet<'_> {
     fn document(&self, options: &Options) -> Document {
         let counted = Counted::of(self.scene);
@@ -60,28 +66,8 @@ impl Sheet<'_> {
         document(self.scene, options, blocks)
     }
 
-    fn lang(&self) -> Lang {
-        self.options.lang
-    }
-
-    fn tr(&self, en: &'static str, zh: &'static str) -> &'static str {
-        tr(self.lang(), en, zh)
-    }
-
-    fn words(&self) -> &'static Words {
-        words(self.lang())
-    }
-
     fn link(&self, l: LinkId) -> &str {
         self.scene.link_name(l)
-    }
-
-    fn heading(&self, level: u8, en: &'static str, zh: &'static str) -> Block {
-        Block::Heading(level, self.tr(en, zh).into())
-    }
-
-    fn paragraph(&self, en: &str, zh: &str) -> Block {
-        Block::Paragraph(Phrase::new(if self.lang() == Lang::En { en } else { zh }))
     }
 
     fn asked_to_count(&self, blocks: &mut Vec<Block>) {

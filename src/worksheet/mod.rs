@@ -20,6 +20,7 @@ mod particle;
 mod problem;
 mod results;
 mod solution;
+mod speak;
 pub mod typst;
 
 use crate::certified::{Certified, Steps, certify, steps};
@@ -27,13 +28,13 @@ use crate::diag::Diagnostic;
 use crate::figure::font::own::Fonts;
 use crate::figure::item::Figure;
 use crate::figure::sheet;
-use crate::figure::words::{Words, words};
 use crate::paper::phrase::{Phrase, tr};
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::math::Math;
 use crate::scene::{Lang, LinkId, Scene};
 use crate::worked::Worked;
+use speak::Speak;
 
 pub use design::design;
 pub use mistake::find_the_mistake;
@@ -188,19 +189,13 @@ struct Maker<'a> {
     told: &'a Steps,
 }
 
-impl Maker<'_> {
+impl Speak for Maker<'_> {
     fn lang(&self) -> Lang {
         self.options.lang
     }
+}
 
-    fn tr(&self, en: &'static str, zh: &'static str) -> &'static str {
-        tr(self.lang(), en, zh)
-    }
-
-    fn words(&self) -> &'static Words {
-        words(self.lang())
-    }
-
+impl Maker<'_> {
     fn notation(&self) -> &Notation {
         &self.options.notation
     }
@@ -211,14 +206,6 @@ impl Maker<'_> {
 
     fn link(&self, l: LinkId) -> &str {
         self.scene.link_name(l)
-    }
-
-    fn heading(&self, level: u8, en: &'static str, zh: &'static str) -> Block {
-        Block::Heading(level, self.tr(en, zh).into())
-    }
-
-    fn paragraph(&self, en: &str, zh: &str) -> Block {
-        Block::Paragraph(Phrase::new(if self.lang() == Lang::En { en } else { zh }))
     }
 }
 

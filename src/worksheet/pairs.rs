@@ -1,9 +1,10 @@
 //! Links and pairs of a mechanism in words, where nothing tells its pose: all that counting freedoms needs.
 
 use crate::diag::{Both, both};
+use crate::mechanism::told_words;
 use crate::paper::phrase::Phrase;
 use crate::plan::text::point_label;
-use crate::scene::{DriverKind, Follows, Guide, GuideId, Lang, LinkId, PointId, Rolling, RollingKind, Scene};
+use crate::scene::{DriverKind, Follows, Guide, GuideId, Lang, LinkId, PointId, RollingId, Scene};
 
 /// One line for the links, one for each pair and each driver.
 pub(super) fn listed(scene: &Scene, lang: Lang) -> Vec<Phrase> {
@@ -13,7 +14,7 @@ pub(super) fn listed(scene: &Scene, lang: Lang) -> Vec<Phrase> {
     let cam = |g: usize| scene.cams.iter().any(|c| c.contact == Some(GuideId(g)));
     all.extend(scene.guides.iter().enumerate().filter(|(i, g)| g.rolling.is_none() && !cam(*i)).map(|(_, g)| w.guide(g)));
     all.extend(scene.cams.iter().map(|c| w.cam(c.cam, c.follower, &c.follows)));
-    all.extend(scene.rolling.iter().map(|r| w.rolling(r)));
+    all.extend((0..scene.rolling.len()).map(|r| told_words(scene, RollingId(r))));
     all.extend((0..scene.drivers.len()).filter(|d| !scene.is_led(*d)).map(|d| w.driver(&scene.drivers[d].kind)));
     all.iter().map(|b| Phrase::new(if lang == Lang::En { &b.en } else { &b.zh })).collect()
 }
@@ -86,16 +87,6 @@ impl Words<'_> {
             None => {
                 both!("the roller of {follower} about {point} touches cam {cam}", "从动件 {follower} 的滚子（轴 {point}）与凸轮 {cam} 接触")
             }
-        }
-    }
-
-    fn rolling(&self, r: &Rolling) -> Both {
-        let [a, b] = r.links.map(|l| self.scene.link_name(l));
-        match r.kind {
-            RollingKind::Gears => both!("{a} and {b} mesh", "{a} 与 {b} 相啮合"),
-            RollingKind::Wheel => both!("wheel {b} rolls on {a} without slip", "轮 {b} 在 {a} 上纯滚动"),
-            RollingKind::Belt => both!("a belt runs round {a} and {b}", "带绕过带轮 {a} 与 {b}"),
-            RollingKind::Chain => both!("a chain runs round {a} and {b}", "链条绕过链轮 {a} 与 {b}"),
         }
     }
 

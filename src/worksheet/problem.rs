@@ -1,5 +1,6 @@
 //! The problem's side: statement, given, wanted, the mechanism to scale.
 
+use super::speak::Speak;
 use super::{Block, Maker};
 use crate::figure::fit::to_part;
 use crate::figure::mechanism::Overlay;

@@ -1,5 +1,6 @@
 //! The results with their senses, and how the drawing compares with the loop equations.
 
+use super::speak::Speak;
 use super::{Block, Maker, Table, TableKind};
 use crate::answer::Value;
 use crate::certified::ladder::Why;
@@ -115,7 +116,7 @@ impl Maker<'_> {
     fn components(&self, blocks: &mut Vec<Block>) {
         let first = self.worked.results.iter().find_map(|r| match r.computed {
             Value::Vector(v) if r.agreement.is_some() && v.norm() > r.noise => Some((r, v)),
-            _ => None,
+            Value::Vector(_) | Value::Scalar(_) | Value::Point(_) => None,
         });
         let Some((r, v)) = first else { return };
         let find = &self.scene.find[r.find];

@@ -1,5 +1,6 @@
 //! The solution's side: freedom and groups, scales, then for each level equations, turning rates, polygon and steps.
 
+use super::speak::Speak;
 use super::{Block, Maker, Table, TableKind};
 use crate::construct::Polygon;
 use crate::figure::label::Label;
@@ -130,7 +131,7 @@ impl Maker<'_> {
     fn polygon(&self, blocks: &mut Vec<Block>, level: Level, polygon: &Polygon) {
         let (name, en, zh) = match level {
             Level::Acceleration => ("acceleration", "Construction of the acceleration polygon", "作加速度多边形"),
-            _ => ("velocity", "Construction of the velocity polygon", "作速度多边形"),
+            Level::Position | Level::Velocity => ("velocity", "Construction of the velocity polygon", "作速度多边形"),
         };
         blocks.push(self.heading(3, en, zh));
         blocks.extend(self.figure(name, level));

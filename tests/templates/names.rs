@@ -172,7 +172,7 @@ impl Renamed {
             };
             *value = match key.as_str() {
                 "pin" | "through" | "centre" | "track" | "at" => self.point(&text),
-                "slider" | "on" | "link" | "against" | "ring" | "rack" | "wheel" => self.link(&text),
+                "slider" | "on" | "link" | "against" | "ring" | "rack" | "wheel" | "drum" | "load" => self.link(&text),
                 "line" | "against_line" | "cylinder" => self.pair(&text),
                 "slide" => self.points.get(&text).cloned().unwrap_or_else(|| self.link(&text)),
                 _ => text,
@@ -230,7 +230,7 @@ impl Renamed {
                 }
                 "sketch" => keys(value, &|p| self.point(p)),
                 "lengths" => keys(value, &|ends| self.pair(ends)),
-                "guides" | "gears" | "rolling" | "belts" | "chains" => {
+                "guides" | "gears" | "rolling" | "belts" | "chains" | "ropes" => {
                     value.as_array_mut().unwrap().iter_mut().for_each(|g| self.part(g.as_object_mut().unwrap()))
                 }
                 "cams" => self.cam(value),

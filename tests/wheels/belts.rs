@@ -13,11 +13,11 @@ use hodograph::trains::{given, trains};
 use hodograph::worked::{Scope, Worked, work};
 use std::f64::consts::TAU;
 
-fn read(text: &str) -> Scene {
+pub fn read(text: &str) -> Scene {
     scene::read(text).unwrap_or_else(|f| panic!("{f}\n{text}")).value
 }
 
-fn solved(scene: &Scene) -> Worked {
+pub fn solved(scene: &Scene) -> Worked {
     let worked = work(scene, Scope::Figure).unwrap_or_else(|f| panic!("{f}")).value;
     assert!(worked.unanswered.is_empty(), "{:?}", worked.unanswered);
     for r in &worked.results {
@@ -31,21 +31,21 @@ fn value(scene: &Scene, worked: &Worked, find: &str) -> Value {
     worked.results.iter().find(|r| r.find == i).unwrap_or_else(|| panic!("{find}")).computed
 }
 
-fn scalar(scene: &Scene, worked: &Worked, find: &str) -> f64 {
+pub fn scalar(scene: &Scene, worked: &Worked, find: &str) -> f64 {
     match value(scene, worked, find) {
         Value::Scalar(s) => s,
         other @ (Value::Vector(_) | Value::Point(_)) => panic!("{find} = {other:?}"),
     }
 }
 
-fn vector(scene: &Scene, worked: &Worked, find: &str) -> Vec2 {
+pub fn vector(scene: &Scene, worked: &Worked, find: &str) -> Vec2 {
     match value(scene, worked, find) {
         Value::Vector(v) => v,
         other @ (Value::Scalar(_) | Value::Point(_)) => panic!("{find} = {other:?}"),
     }
 }
 
-fn near(found: f64, wanted: f64, what: &str) {
+pub fn near(found: f64, wanted: f64, what: &str) {
     assert!((found - wanted).abs() < 1e-9 * wanted.abs().max(1.0), "{what}: {found}, not {wanted}");
 }
 

@@ -4,6 +4,8 @@
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
+// A kind that is added shows the compiler every match that it concerns.
+#![warn(clippy::wildcard_enum_match_arm)]
 // clippy.toml lists the functions of f64 whose last bit the platform decides; tests may use them.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 // The maps name private rooms too; `cargo doc --document-private-items` follows those links.

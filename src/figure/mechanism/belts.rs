@@ -1,10 +1,11 @@
-//! Belts and chains: the strands, tangents from each wheel to the next. The wheels are circles as those of other pairs are ([`super::wheels`]).
+//! Belts and chains: the strands, tangents from each wheel to the next; ropes from their drum to the load. The wheels are circles as those of other
+//! pairs are ([`super::wheels`]).
 
 use super::Draft;
-use crate::figure::item::{Dash, Shape};
+use crate::figure::item::Shape;
 use crate::geom::{Point, Vec2};
-use crate::position::belt;
-use crate::scene::{Contours, Rolling, RollingKind};
+use crate::position::{Path, belt};
+use crate::scene::{Contours, GuideId, Rolling};
 
 /// A wheel in its belt, on paper: its radius is negative where the belt runs round it counter-clockwise.
 struct Wheel {
@@ -16,17 +17,10 @@ impl Draft<'_> {
     /// The strands of all belts and chains, where their wheels are shown.
     pub(super) fn belts(&mut self) {
         let scene = self.scene;
-        let of = |pair: &Rolling| match pair.contours {
-            Contours::Belt { belt, .. } => Some(belt),
-            Contours::Circles { .. } | Contours::Track { .. } => None,
-        };
-        let mut strands: Vec<&Rolling> = scene.rolling.iter().filter(|p| of(p).is_some()).collect();
+        let mut strands: Vec<&Rolling> = scene.rolling.iter().filter(|p| p.belt().is_some()).collect();
         while let Some(first) = strands.first().copied() {
-            let own: Vec<&Rolling> = strands.extract_if(.., |p| of(p) == of(first)).collect();
-            let stroke = match first.kind {
-                RollingKind::Chain => self.style.outline.dashed(Dash::DashDot),
-                RollingKind::Belt | RollingKind::Gears | RollingKind::Wheel => self.style.outline,
-            };
+            let own: Vec<&Rolling> = strands.extract_if(.., |p| p.belt() == first.belt()).collect();
+            let stroke = self.contour_stroke(first);
             let all_shown = own.iter().flat_map(|p| p.links).all(|l| l == scene.ground || self.shows(l));
             let Some(wheels) = self.wheels_of(&own).filter(|_| all_shown) else { continue };
             let id = format!("belt-{}", scene.point_name(first.at[0]));
@@ -36,6 +30,19 @@ impl Draft<'_> {
                     self.d.shape(&id, "belt", Shape::Line { from, to, stroke });
                 }
             }
+        }
+    }
+
+    /// A rope, from where it leaves the drum as far as its load.
+    pub(super) fn rope(&mut self, pair: &Rolling, guide: GuideId) {
+        let (Some(at), Some(Path::Line { direction, .. })) = (self.point(pair.at[0]), self.guide(guide)) else { return };
+        let held = self.scene.links[pair.links[0].0].points.iter().filter_map(|p| self.point(*p));
+        let foot = |p: Point| at + direction * (p - at).dot(direction);
+        let Some(p) = held.max_by(|p, q| foot(*q).distance(*q).total_cmp(&foot(*p).distance(*p))) else { return };
+        let id = format!("rope-{}", self.scene.point_name(pair.at[0]));
+        let stroke = self.style.outline;
+        for (from, to) in [(at, foot(p)), (foot(p), p)].into_iter().filter(|(from, to)| from.distance(*to) > super::SAME_MM) {
+            self.d.shape(&id, "belt", Shape::Line { from, to, stroke });
         }
     }
 

@@ -15,7 +15,7 @@ use crate::figure::label::Label;
 use crate::figure::place::{Obstacles, Raster, is_coarse};
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
-use crate::scene::{Contours, Given, GuidePath, Kind, Place, PointId, Scene, Through, Told};
+use crate::scene::{Given, GuidePath, Kind, Place, PointId, Scene, Through, Told};
 
 use super::{Draft, form};
 
@@ -111,7 +111,14 @@ impl Ways {
                 let (met, over) = raster.met_on(p, q);
                 let extensions = lines[..2].iter().map(|line| match line.shape {
                     Shape::Line { from, to, .. } => raster.met_on(from, to).0,
-                    _ => 0,
+                    Shape::Polyline { .. }
+                    | Shape::Path { .. }
+                    | Shape::Circle { .. }
+                    | Shape::Arc { .. }
+                    | Shape::Arrow { .. }
+                    | Shape::ArcArrow { .. }
+                    | Shape::Turned { .. }
+                    | Shape::Label { .. } => 0,
                 });
                 let crossed = CROSSED_COST * met as f64 + extensions.sum::<usize>() as f64;
                 crossed + if over { OVER_COST } else { 0.0 }
@@ -241,15 +248,11 @@ impl Draft<'_> {
         let areas = self.forms.iter().flatten().filter(|f| !f.plate.is_empty()).map(|f| f.plate.clone()).collect();
         let mut discs = Vec::new();
         for pair in &self.scene.rolling {
-            let hollow = match pair.contours {
-                Contours::Circles { hollow, .. } => hollow,
-                Contours::Track { .. } | Contours::Belt { .. } => None,
-            };
             let round = |i: usize| {
                 let centre = self.point(pair.centres()[i]?)?;
                 Some((centre, centre.distance(self.point(pair.at[i])?)))
             };
-            discs.extend([0, 1].into_iter().filter(|i| hollow != Some(*i)).filter_map(round));
+            discs.extend([0, 1].into_iter().filter(|i| pair.hollow() != Some(*i)).filter_map(round));
         }
         for c in &self.scene.cams {
             if let Some((centre, radius)) = c.circle

@@ -68,7 +68,7 @@ impl Draft<'_> {
                 let vertex = line.map(|l| l.0).or_else(|| self.scene.links[link.0].points.first().copied());
                 (vertex == Some(p)).then(|| (0.0, angle.value.radians() % TAU))
             }
-            _ => None,
+            DriverKind::Turn { .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
         };
         self.scene.drivers.iter().filter_map(at_point).filter(|(_, sweep)| sweep.abs() > ANGLE_LEAST_RAD).collect()
     }

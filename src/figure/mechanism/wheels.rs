@@ -6,12 +6,12 @@ use crate::construct::scale::DWARFS;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
 use crate::figure::extent::{Rect, on_circle};
-use crate::figure::item::{Dash, Piece, Shape};
+use crate::figure::item::{Dash, Piece, Shape, Stroke};
 use crate::figure::label::Label;
 use crate::figure::place::LabelRequest;
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
-use crate::scene::{Contours, GuideId, LinkId, PointId, Rolling, RollingKind};
+use crate::scene::{GuideId, LinkId, Normal, PointId, Rolling, Touch};
 
 use super::Draft;
 use super::letters::NumberPlace;
@@ -44,13 +44,9 @@ impl Draft<'_> {
     /// The round contours of a pair.
     fn rounds(&self, pair: &Rolling) -> Vec<Round> {
         let teeth = pair.flanks.as_ref().map(|f| f.teeth);
-        let hollow = match pair.contours {
-            Contours::Circles { hollow, .. } => hollow,
-            Contours::Track { .. } | Contours::Belt { .. } => None,
-        };
         let round = |i: usize| {
             let (centre, contact) = (self.point(pair.centres()[i]?)?, self.point(pair.at[i])?);
-            let (radius_mm, hollow) = (centre.distance(contact), hollow == Some(i));
+            let (radius_mm, hollow) = (centre.distance(contact), pair.hollow() == Some(i));
             Some(Round { link: pair.links[i], centre, radius_mm, hollow, teeth: teeth.and_then(|z| z[i]) })
         };
         [0, 1].into_iter().filter_map(round).collect()
@@ -96,17 +92,25 @@ impl Draft<'_> {
                     drawn.push((round.link, round.centre, round.radius_mm));
                     self.round(pair, &round);
                 }
-                if round.link == scene.ground || round.hollow && pair.kind == RollingKind::Wheel {
+                if round.link == scene.ground || round.hollow && !pair.kind.is_toothed() {
                     self.hatched_rim(pair, &round);
                 }
             }
-            if let (Contours::Track { .. }, Some(guide)) = (&pair.contours, pair.guide)
+            if let Touch::Point(Normal::Square { guide, .. }) = pair.touch()
                 && self.shows(pair.links[0])
             {
-                self.track(pair, guide);
+                match pair.kind.is_flexible() {
+                    true => self.rope(pair, guide),
+                    false => self.track(pair, guide),
+                }
             }
         }
         self.belts();
+    }
+
+    /// What rolls is drawn in full, the pitch line of teeth in a chain line.
+    pub(super) fn contour_stroke(&self, pair: &Rolling) -> Stroke {
+        if pair.kind.is_toothed() { self.style.outline.dashed(Dash::DashDot) } else { self.style.outline }
     }
 
     /// The circle itself.
@@ -115,17 +119,14 @@ impl Draft<'_> {
         let l = (!ground).then_some(round.link.0);
         let id = format!("wheel-{}", self.scene.link_name(round.link));
         let class = if ground { "ground wheel" } else { "wheel" };
-        let stroke = match pair.kind {
-            RollingKind::Gears | RollingKind::Chain => self.style.outline.dashed(Dash::DashDot),
-            RollingKind::Wheel | RollingKind::Belt => self.style.outline,
-        };
+        let stroke = self.contour_stroke(pair);
         self.d.of_link(l);
         // A line and no disc: labels may stand inside.
         let [from_rad, to_rad] = self.span(pair, round);
         let circle = |radius_mm, stroke| Shape::Arc { centre: round.centre, radius_mm, from_rad, to_rad, stroke };
         let traced = self.rolling.is_some_and(|links| round.link == links[0] && pair.links.iter().all(|l| links.contains(l)));
         let owner = if traced { 0 } else { self.d.shape(&id, class, circle(round.radius_mm, stroke)) };
-        if round.hollow && pair.kind == RollingKind::Gears && !ground {
+        if round.hollow && pair.kind.is_toothed() && !ground {
             self.d.shape(&id, class, circle(round.radius_mm + RIM_MM, self.style.outline));
         }
         let contact = self.point(pair.at_of(round.link)).unwrap_or(round.centre);
@@ -195,7 +196,7 @@ impl Draft<'_> {
         let reach = held.iter().map(|p| (*p - at).dot(direction)).fold([back - half, ahead + half], |[a, b], s| [a.min(s), b.max(s)]);
         let [from, to] = reach.map(|s| at + direction * s);
         // As a ring is: the pitch line in chain, the body behind it in full.
-        let toothed = pair.kind == RollingKind::Gears;
+        let toothed = pair.kind.is_toothed();
         let behind = if toothed { -direction.perp() * RIM_MM } else { Vec2::ZERO };
         let owner = if toothed {
             let stroke = self.style.outline;

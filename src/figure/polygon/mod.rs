@@ -193,7 +193,7 @@ impl Draft<'_> {
             {
                 self.letter(edge.to.1, mark_name(self.w, self.p.level, &edge.to.0), step);
             }
-            _ => {}
+            Mark::Pole | Mark::Image(_) | Mark::Part(_) | Mark::Again(_) => {}
         }
     }
 
@@ -270,7 +270,7 @@ impl Draft<'_> {
     fn draw(&self, style: &Style, insets: &[Inset]) -> (Drawing, Vec<String>) {
         let kind = match self.p.level {
             Level::Acceleration => "acceleration",
-            _ => "velocity",
+            Level::Position | Level::Velocity => "velocity",
         };
         let mut d = Drawing::new(kind, style.clone());
         let middle = middle(self.letters.iter().map(|l| l.at));

@@ -22,6 +22,8 @@ impl Givens<'_> {
             (RollingKind::Gears, Lang::Zh) => format!("节点 {at}"),
             (RollingKind::Wheel, Lang::En) => format!("touching in {at}, without slip"),
             (RollingKind::Wheel, Lang::Zh) => format!("接触点 {at}，纯滚动"),
+            (RollingKind::Rope, Lang::En) => format!("running off the drum at {at}"),
+            (RollingKind::Rope, Lang::Zh) => format!("绳在 {at} 处离开卷筒"),
             (RollingKind::Belt, Lang::En) => format!("a strand from {at} to {end}, without slip"),
             (RollingKind::Belt, Lang::Zh) => format!("带段自 {at} 至 {end}，不打滑"),
             (RollingKind::Chain, Lang::En) => format!("a strand from {at} to {end}"),
@@ -42,6 +44,14 @@ impl Givens<'_> {
         };
         match (&pair.contours, pair.kind == RollingKind::Gears) {
             (Contours::Belt { .. }, _) => self.belt(pair),
+            (Contours::Track { .. }, _) if pair.kind == RollingKind::Rope => {
+                let Lay { course, .. } = self.track(pair);
+                if en {
+                    format!("a rope wound on drum {b} draws {on}{course}: ")
+                } else {
+                    format!("绕在卷筒 {b} 上的绳{course}牵引{on}：")
+                }
+            }
             (Contours::Circles { hollow: None, .. }, true) if en => format!("gears {a} and {b}: "),
             (Contours::Circles { hollow: None, .. }, true) => format!("齿轮 {a} 与 {b}："),
             (Contours::Circles { hollow: Some(i), .. }, true) => {
@@ -72,7 +82,7 @@ impl Givens<'_> {
 
     /// How a straight track lies.
     fn track(&self, pair: &Rolling) -> Lay {
-        let path = pair.guide.map(|g| &self.scene.guides[g.0].path);
+        let path = pair.guide().map(|g| &self.scene.guides[g.0].path);
         match path {
             Some(path @ GuidePath::Line { direction: Direction::Along(..) | Direction::Instant(_), .. }) => self.lay(path),
             Some(GuidePath::Line { direction: Direction::Own | Direction::Slid(_), .. } | GuidePath::Arc { .. }) | None => {

@@ -210,7 +210,7 @@ impl SliderCrank {
     fn centric(&self) -> Result<[f64; 3], Faults> {
         match self.third {
             Third::Rod(b) if b > self.stroke / 2.0 => Ok([self.stroke / 2.0, b, 0.0]),
-            _ => {
+            Third::Offset(_) | Third::Crank(_) | Third::Rod(_) | Third::Best => {
                 let message = both!(
                     "with K = 1 the slider-crank is centric: the crank is half the stroke, the rod is free",
                     "K = 1 时为对心曲柄滑块机构：曲柄为行程之半，连杆长可任取"

@@ -207,7 +207,7 @@ impl Setter {
         let cell = |(c, phrase): (usize, &Phrase)| {
             let anchor = match kind {
                 TableKind::Equation if c > 0 => Anchor::Middle,
-                _ => Anchor::Start,
+                TableKind::Equation | TableKind::Values => Anchor::Start,
             };
             let label = phrase.label().in_fonts(&self.fonts);
             (!phrase.pieces().is_empty()).then(|| Cell { label, size_mm, anchor, class: "cell".into(), id: String::new() })

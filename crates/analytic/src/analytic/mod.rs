@@ -315,7 +315,7 @@ impl Solution {
         let r = place - self.origins[link.0]?;
         Some(match level {
             Level::Velocity => motion.v + r.perp() * motion.omega,
-            _ => {
+            Level::Position | Level::Acceleration => {
                 let (a, alpha) = motion.second?;
                 a + r.perp() * alpha - r * (motion.omega * motion.omega)
             }

@@ -1,4 +1,4 @@
-//! What is made of a pose that is singular, or nearly so.
+//! The classification of singular and nearly singular poses, and the messages about them.
 
 use super::fork::{self, Decided};
 use super::relation::Row;

@@ -8,7 +8,7 @@ use super::{LinkMotion, Solution};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Form, Item, Level, Mechanism, Opened, Runner, constraints_of};
 use crate::position::{Configuration, Path};
-use crate::scene::{Contours, GuideId, LinkId, PointId, RollingId, Scene};
+use crate::scene::{GuideId, LinkId, PointId, Relation as Linear, RollingId, Scene};
 use nalgebra::DVector;
 
 /// How a point of a link is held by the other links there.
@@ -179,7 +179,7 @@ impl Layout {
                 let (Some(ha), Some(hb)) = (self.pin(scene, from, pa), self.pin(scene, to, pb)) else { return };
                 rows.push(distance(hb, ha, (pb - pa) * self.scale, drive(self.scale), of));
             }
-            Form::Rolls { pair, .. } => rows.extend(self.rolling(scene, at, pair)),
+            Form::Related { pair, .. } => rows.extend(self.rolling(scene, at, pair)),
         }
     }
 
@@ -315,8 +315,8 @@ impl Layout {
         let [a, b] = [bodies[0]?, bodies[1]?];
         let [r1, r2] = at.shapes.rolling[r.0];
         let mut c = Vec::new();
-        let relation = match pair.contours {
-            Contours::Circles { centres: [k1, k2], .. } | Contours::Belt { centres: [k1, k2], .. } => {
+        let relation = match pair.relation() {
+            Linear::Turnings([k1, k2]) => {
                 let (q, p) = (at.points[k1.0]?, at.points[k2.0]?);
                 let d = (p - q) * self.scale;
                 let [q, p] = [self.body(scene, pair.links[0], q)?, self.body(scene, pair.links[1], p)?];
@@ -328,8 +328,8 @@ impl Layout {
                 c.extend([a, b].iter().zip(weights).filter_map(|(h, w)| Some((h.first? + 2, w))));
                 Relation::Roll { bodies: [a, b], weights, p, q, d }
             }
-            Contours::Track { centre, .. } => {
-                let Some(Path::Line { through, direction }) = at.guides[pair.guide?.0] else { return None };
+            Linear::Slide { centre, guide } => {
+                let Some(Path::Line { through, direction }) = at.guides[guide.0] else { return None };
                 let place = at.points[centre.0]?;
                 let (p, q) = (self.body(scene, pair.links[1], place)?, self.body(scene, pair.links[0], through)?);
                 let (arm, rho) = ((place - through) * self.scale, r2 * self.scale);

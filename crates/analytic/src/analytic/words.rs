@@ -37,7 +37,7 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[R
             Pair::Pin(p) if !pins.contains(&p) => pins.push(p),
             Pair::Guide(g) if !guides.contains(&g) => guides.push(g),
             Pair::Driver(d) if !drivers.contains(&d) => drivers.push(d),
-            _ => {}
+            Pair::Pin(_) | Pair::Guide(_) | Pair::Driver(_) | Pair::Rolling(_) => {}
         }
     }
     // A runner that is driven along its guide is held like a pin; one that is not is held squarely to the guide.

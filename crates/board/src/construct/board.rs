@@ -1,4 +1,4 @@
-//! Carries a plan out on paper.
+//! Draws a plan step by step: diagram, velocity polygon, acceleration polygon.
 
 use super::pencil::{Exact, Pencil};
 use super::scale::{self, Boxes};
@@ -32,7 +32,7 @@ pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, 
         }
         let fixed = match level {
             Level::Velocity => scene.paper.mu_v,
-            _ => scene.paper.mu_a,
+            Level::Position | Level::Acceleration => scene.paper.mu_a,
         };
         // Drawn once on a sheet of any size to see how large it is, then to the scale that fits.
         let mark = board.done.rates.len();
@@ -365,7 +365,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         let at = self.name(target);
         let what = match level {
             Level::Acceleration => both!("acceleration", "加速度"),
-            _ => both!("velocity", "速度"),
+            Level::Position | Level::Velocity => both!("velocity", "速度"),
         };
         let lie = if chains.iter().flat_map(|c| &c.unknown).all(|t| matches!(t.by, By::Turning(_) | By::Cylinder(_))) {
             both!("lie in line", "共线")

@@ -51,7 +51,7 @@ impl<P: Pencil> Board<'_, f64, P> {
             .fold(0.0f64, |v, d| v.max(if d.kind.turns() { d.rate.value.abs() * size } else { d.rate.value.abs() }));
         let s = match level {
             Level::Acceleration => v * (v / size).max(rate),
-            _ => v,
+            Level::Position | Level::Velocity => v,
         };
         let s = s / 100.0;
         if s.is_normal() { s } else { 1.0 }

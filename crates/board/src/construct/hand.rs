@@ -13,7 +13,7 @@ use crate::mechanism::{ConstraintLine, Level, Mechanism};
 use crate::number::Real;
 use crate::plan::{Body, By, Plan, SpecialLine, Spot, Term, VertexId};
 use crate::position::{Configuration, Path, Pose};
-use crate::scene::{Contours, GuideId, PointId, Rolling, RollingId, Scene};
+use crate::scene::{GuideId, Normal, PointId, RollingId, Scene, Touch};
 
 /// What has to be chosen before a drawing is made: scales, and which special points are used.
 #[derive(Clone, Debug, PartialEq)]
@@ -145,11 +145,9 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
 
     /// How far apart two centres are drawn (mm); of a straight track how long it is drawn.
     fn contact_length(&self, pair: RollingId) -> f64 {
-        match self.scene.rolling[pair.0] {
-            Rolling { contours: Contours::Track { .. }, guide: Some(guide), .. } => self.guide_length(guide),
-            Rolling { contours: Contours::Track { .. } | Contours::Circles { .. } | Contours::Belt { .. }, .. } => {
-                self.contact_normal(pair).map_or(0.0, |n| n.approx().norm())
-            }
+        match self.scene.rolling[pair.0].touch() {
+            Touch::Point(Normal::Square { guide, .. }) => self.guide_length(guide),
+            Touch::Point(Normal::Centres(_)) | Touch::Strand { .. } => self.contact_normal(pair).map_or(0.0, |n| n.approx().norm()),
         }
     }
 

@@ -10,7 +10,7 @@ use crate::mechanism::Level;
 use crate::number::Real;
 use crate::plan::{Body, By, Rate, Spot, Term, TermKind, VertexId};
 use crate::position::Path;
-use crate::scene::{Contours, RollingId};
+use crate::scene::{Normal, RollingId, Touch};
 
 impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     /// ω or α of a body from what was read so far.
@@ -136,17 +136,16 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     /// line of centres, so that (ρ₁ + ρ₂)n is that line.
     fn contact_radius(&self, pair: RollingId, contact: VertexId) -> Vec2<N> {
         let rolling = &self.scene.rolling[pair.0];
-        let line = match rolling.centres() {
-            [Some(a), Some(b)] => self.joint(a).zip(self.joint(b)).map(|(a, b)| b - a),
-            [None, Some(b)] => self.joint(b).zip(self.done.diagram.spots[contact.0]).map(|(b, q)| b - q),
-            [_, None] => None,
-        };
-        let line = line.expect("the centres at a contact are drawn") * self.mu_l;
         let [a, b] = rolling.sizes(&self.inputs);
-        match rolling.contours {
-            Contours::Circles { .. } => line * (a * b / ((a + b) * (a + b))),
-            Contours::Track { .. } => line,
-            Contours::Belt { .. } => unreachable!("what the ends of a strand differ by across it is never known"),
+        let drawn = |line: Option<Vec2<N>>| line.expect("the centres at a contact are drawn") * self.mu_l;
+        match rolling.touch() {
+            Touch::Point(Normal::Centres([p, q])) => {
+                drawn(self.joint(p).zip(self.joint(q)).map(|(p, q)| q - p)) * (a * b / ((a + b) * (a + b)))
+            }
+            Touch::Point(Normal::Square { centre, .. }) => {
+                drawn(self.joint(centre).zip(self.done.diagram.spots[contact.0]).map(|(k, q)| k - q))
+            }
+            Touch::Strand { .. } => unreachable!("what the ends of a strand differ by across it is never known"),
         }
     }
 
@@ -154,7 +153,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         let d = &self.scene.drivers[driver];
         match level {
             Level::Acceleration => d.acceleration.as_ref().map_or(N::from_f64(0.0), |a| self.inputs.number(a)),
-            _ => self.inputs.number(&d.rate),
+            Level::Position | Level::Velocity => self.inputs.number(&d.rate),
         }
     }
 

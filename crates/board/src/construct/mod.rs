@@ -317,7 +317,15 @@ impl<N: Real> Construction<N> {
                 .iter()
                 .filter_map(|a| match *a {
                     Action::Cross { target, sine, .. } => Some(Crossed { target, sine }),
-                    _ => None,
+                    Action::LayOff(_)
+                    | Action::Nothing { .. }
+                    | Action::Line { .. }
+                    | Action::Reach(_)
+                    | Action::Copy { .. }
+                    | Action::Same { .. }
+                    | Action::Join(_)
+                    | Action::Perpendicular { .. }
+                    | Action::Rate(_) => None,
                 })
                 .collect(),
         }

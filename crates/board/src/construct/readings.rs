@@ -216,7 +216,9 @@ pub fn read_by_hand<P: Pencil>(
                     let apart = shown.link_direction(scene, l).map_or(shown.extent(), Vec2::norm) / mu_l;
                     pencil.ruler(level, Vec2::from_angle(s), apart).angle()
                 }
-                _ => pencil.read(level, Vec2::new(s / mu_l, 0.0)).x * mu_l,
+                Of::Point(_) | Of::Points(..) | Of::Link(_) | Of::Links(..) | Of::Line(..) | Of::Seen(..) => {
+                    pencil.read(level, Vec2::new(s / mu_l, 0.0)).x * mu_l
+                }
             }),
         })
     };

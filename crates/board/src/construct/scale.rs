@@ -6,7 +6,7 @@ use crate::mechanism::Level;
 use crate::number::Real;
 use crate::plan::{Plan, Step};
 use crate::position::Configuration;
-use crate::scene::{Cam, Contours, Paper, Rolling, Scene};
+use crate::scene::{Cam, Paper, Rolling, Scene};
 
 /// A velocity (m/s) or an acceleration (m/s²), by the polygon's level. Laid-off and measured vectors are millimetres: the two do not mix, and only a
 /// scale μ leads from the one to the other.
@@ -87,13 +87,9 @@ pub fn size(scene: &Scene, at: &Configuration) -> [f64; 2] {
 
 /// The circles of a rolling pair: centre, radius, and whether it is hollow.
 fn circles(pair: &Rolling, at: &Configuration) -> Vec<(Point, f64, bool)> {
-    let hollow = match pair.contours {
-        Contours::Circles { hollow, .. } => hollow,
-        Contours::Track { .. } | Contours::Belt { .. } => None,
-    };
     let round = |i: usize| {
         let centre = at.points[pair.centres()[i]?.0]?;
-        Some((centre, centre.distance(at.points[pair.at[i].0]?), hollow == Some(i)))
+        Some((centre, centre.distance(at.points[pair.at[i].0]?), pair.hollow() == Some(i)))
     };
     [0, 1].into_iter().filter_map(round).collect()
 }

@@ -9,7 +9,7 @@ use crate::mechanism::{ConstraintLine, Core, Leg, Level};
 use crate::number::Real;
 use crate::plan::{Special, SpecialLine, VertexId};
 use crate::position::Path;
-use crate::scene::{Contours, RollingId};
+use crate::scene::{Normal, RollingId, Touch};
 
 impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     pub(super) fn special_point(&mut self, v: VertexId, special: &Special) -> Option<Point<N>> {
@@ -63,13 +63,13 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     /// The line of centres at a contact, as drawn; of a straight track, and of a strand, its normal.
     pub(super) fn contact_normal(&self, pair: RollingId) -> Option<Vec2<N>> {
         let pair = &self.scene.rolling[pair.0];
-        match pair.contours {
-            Contours::Circles { centres: [a, b], .. } => Some(self.joint(b)? - self.joint(a)?),
-            Contours::Belt { .. } => Some((self.joint(pair.at[1])? - self.joint(pair.at[0])?).perp()),
-            Contours::Track { .. } => match (pair.guide, self.at.guide(pair.guide?)) {
-                (Some(guide), Path::Line { direction, .. }) => Some(self.turned(guide, direction.perp())),
-                (_, Path::Arc { .. }) | (None, _) => None,
+        match pair.touch() {
+            Touch::Point(Normal::Centres([a, b])) => Some(self.joint(b)? - self.joint(a)?),
+            Touch::Point(Normal::Square { guide, .. }) => match self.at.guide(guide) {
+                Path::Line { direction, .. } => Some(self.turned(guide, direction.perp())),
+                Path::Arc { .. } => None,
             },
+            Touch::Strand { .. } => Some((self.joint(pair.at[1])? - self.joint(pair.at[0])?).perp()),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Walks the groups and writes their equations.
+//! Writes the equations of all groups in solving order, those of velocities before those of accelerations.
 
 use super::between::body_of;
 use super::names::small_letters;
@@ -84,7 +84,7 @@ pub(super) struct Builder<'a> {
 pub(super) fn slot(level: Level) -> usize {
     match level {
         Level::Acceleration => 1,
-        _ => 0,
+        Level::Position | Level::Velocity => 0,
     }
 }
 
@@ -193,7 +193,7 @@ impl Builder<'_> {
         match rate {
             Rate::Given { against, .. } if against != self.scene.ground => self.need_rate_at(level, Body::Link(against)),
             Rate::Same(other) => self.need_rate_at(level, Body::Link(other)),
-            _ => {}
+            Rate::Measured { .. } | Rate::Given { .. } | Rate::Zero => {}
         }
         let group = match body {
             // What only follows has no group: its turning is read off after those of its pins and of the link that carries it.

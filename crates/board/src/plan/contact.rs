@@ -3,18 +3,17 @@
 use super::Term;
 use super::names::{name_label, point_label};
 use super::text::Writer;
-use crate::scene::{Contours, RollingId};
+use crate::scene::{Normal, RollingId, Touch};
 
 impl Writer<'_> {
     /// The normal at a contact: the line of centres, or square to a straight track.
     pub(super) fn normal_line(&self, pair: RollingId) -> String {
         let pair = &self.scene.rolling[pair.0];
         let p = |q: crate::scene::PointId| point_label(self.scene.point_name(q));
-        match (&pair.contours, pair.guide) {
-            (Contours::Circles { centres: [a, b], .. }, _) => format!("\\parallel {}{}", p(*a.min(b)), p(*a.max(b))),
-            (Contours::Belt { .. }, _) => format!("\\perp {}{}", p(pair.at[0]), p(pair.at[1])),
-            (Contours::Track { .. }, Some(guide)) => format!("\\perp {}", self.guide_line(guide)),
-            (Contours::Track { .. }, None) => String::new(),
+        match pair.touch() {
+            Touch::Point(Normal::Centres([a, b])) => format!("\\parallel {}{}", p(a.min(b)), p(a.max(b))),
+            Touch::Point(Normal::Square { guide, .. }) => format!("\\perp {}", self.guide_line(guide)),
+            Touch::Strand { .. } => format!("\\perp {}{}", p(pair.at[0]), p(pair.at[1])),
         }
     }
 
@@ -23,10 +22,10 @@ impl Writer<'_> {
     pub(super) fn toward_centre(&self, pair: RollingId, t: &Term) -> String {
         let rolling = &self.scene.rolling[pair.0];
         let own = usize::from(self.plan.vertex(t.of).on == Some(rolling.links[1]));
-        let hollow = match rolling.contours {
-            Contours::Circles { hollow, .. } => hollow,
-            Contours::Track { .. } => Some(0),
-            Contours::Belt { .. } => None,
+        let hollow = match rolling.touch() {
+            Touch::Point(Normal::Centres(_)) => rolling.hollow(),
+            Touch::Point(Normal::Square { .. }) => Some(0),
+            Touch::Strand { .. } => None,
         };
         let centre = |k: usize| rolling.centres()[k].map(|p| point_label(self.scene.point_name(p))).unwrap_or_default();
         match hollow == Some(own) {
@@ -40,18 +39,18 @@ impl Writer<'_> {
         let rolling = &self.scene.rolling[pair.0];
         let [a, b] = rolling.links.map(|l| name_label(self.scene.link_name(l)));
         let omega = format!("(\\omega_{{{b}}} - \\omega_{{{a}}})^2");
-        match rolling.contours {
-            Contours::Circles { hollow, .. } => {
-                let sum = match hollow {
+        match rolling.touch() {
+            Touch::Point(Normal::Centres(_)) => {
+                let sum = match rolling.hollow() {
                     None => format!("r_{{{a}}} + r_{{{b}}}"),
                     Some(0) => format!("r_{{{a}}} - r_{{{b}}}"),
                     Some(_) => format!("r_{{{b}}} - r_{{{a}}}"),
                 };
                 format!("{omega} r_{{{a}}} r_{{{b}}}/({sum})")
             }
-            Contours::Track { .. } => format!("{omega} r_{{{b}}}"),
+            Touch::Point(Normal::Square { .. }) => format!("{omega} r_{{{b}}}"),
             // Two wheels in a belt have no such term: what their rims differ by is never known beforehand.
-            Contours::Belt { .. } => String::new(),
+            Touch::Strand { .. } => String::new(),
         }
     }
 }

@@ -230,7 +230,7 @@ impl Builder<'_> {
 fn in_contact(scene: &Scene, holds: &[Hold]) -> Option<(RollingId, LinkId, usize)> {
     let (pair, other) = holds.iter().find_map(|h| if let Hold::Rolls { pair, other, .. } = *h { Some((pair, other)) } else { None })?;
     let touches = |h: &Hold| match *h {
-        Hold::Guide { guide, driver: None, .. } | Hold::Slot { guide, .. } => scene.rolling[pair.0].guide == Some(guide),
+        Hold::Guide { guide, driver: None, .. } | Hold::Slot { guide, .. } => scene.rolling[pair.0].guide() == Some(guide),
         Hold::Guide { driver: Some(_), .. } | Hold::Distance { .. } | Hold::Glide { .. } | Hold::Rolls { .. } => false,
     };
     let rolls = |h: &Hold| matches!(*h, Hold::Rolls { pair: p, .. } if p == pair);

@@ -7,7 +7,7 @@
 use super::build::Builder;
 use super::{Body, By, Chain, Term, TermKind, VertexId};
 use crate::mechanism::{Hold, Level, Strut};
-use crate::scene::{Contours, GuideId, GuidePath, LinkId, PointId, RollingId};
+use crate::scene::{GuideId, GuidePath, LinkId, PointId, RollingId, Touch};
 
 impl Builder<'_> {
     /// Terms of a turning body between two of its points: known ones and, unless the rate is known, the unknown one.
@@ -17,7 +17,7 @@ impl Builder<'_> {
         match level {
             Level::Velocity if rate_known => (vec![term(TermKind::Relative, true)], vec![]),
             Level::Velocity => (vec![], vec![term(TermKind::Relative, false)]),
-            _ => {
+            Level::Position | Level::Acceleration => {
                 self.need_rate(body);
                 let mut known = vec![term(TermKind::Normal, true)];
                 if !rate_known {
@@ -100,13 +100,13 @@ impl Builder<'_> {
     /// What the ends of a strand differ by along it: nothing of the velocities; of the accelerations the normal part that the arm's turning gives
     /// the strand. Across it they differ by what else turning and bending make, as two points at a contact do.
     fn along_strand(&mut self, level: Level, pair: RollingId, of: VertexId, to: VertexId) -> Vec<Term> {
-        match (&self.scene.rolling[pair.0].contours, level) {
-            (Contours::Belt { arm, .. }, Level::Acceleration) if !self.m.never_turns[arm.0] => {
-                let body = Body::Link(*arm);
+        match (self.scene.rolling[pair.0].touch(), level) {
+            (Touch::Strand { arm, .. }, Level::Acceleration) if !self.m.never_turns[arm.0] => {
+                let body = Body::Link(arm);
                 self.need_rate(body);
                 vec![Term { kind: TermKind::Normal, of, to, by: By::Turning(body), known: true }]
             }
-            (Contours::Belt { .. } | Contours::Circles { .. } | Contours::Track { .. }, _) => Vec::new(),
+            (Touch::Strand { .. } | Touch::Point(_), _) => Vec::new(),
         }
     }
 

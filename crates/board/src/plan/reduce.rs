@@ -316,7 +316,7 @@ fn members(scene: &Scene, m: &crate::mechanism::Mechanism, g: usize) -> Option<V
     // A bar from a known pin that nothing else holds is a leg of the link at its other end.
     let alone = |l: LinkId| {
         !forms.iter().any(|form| match form {
-            Form::OnPath { runner: Runner::Pin(_), .. } | Form::Rolls { .. } => form.joins(l),
+            Form::OnPath { runner: Runner::Pin(_), .. } | Form::Related { .. } => form.joins(l),
             Form::Meet { .. } | Form::Distance { .. } => false,
             Form::Angles { .. } | Form::OnPath { runner: Runner::Link(_), .. } | Form::AlongPath { .. } => true,
         })
@@ -363,12 +363,12 @@ fn members(scene: &Scene, m: &crate::mechanism::Mechanism, g: usize) -> Option<V
                 let (near, far) = (pins[own], pins[1 - own]);
                 add(*holder(near).first()?, Hold::Distance { near, far, strut: Strut::Cylinder(driver) })?;
             }
-            Form::Rolls { pair, links } if links.iter().all(|l| group.links.contains(l)) => {
+            Form::Related { pair, links } if links.iter().all(|l| group.links.contains(l)) => {
                 // Of a strand between two unknown links neither end tells the other: it turns with an arm.
                 scene.rolling[pair.0].contact()?;
                 contacts.push((pair, links));
             }
-            Form::Rolls { pair, links } => {
+            Form::Related { pair, links } => {
                 let own = ends(links.map(|l| group.links.contains(&l)))?;
                 add(links[own], Hold::Rolls { pair, other: links[1 - own], at: scene.rolling[pair.0].at_of(links[own]) })?;
             }

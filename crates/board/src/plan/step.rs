@@ -1,4 +1,4 @@
-//! What is asked of a step: its vertex, its chains, the guides along which its terms slide; and with whose turning a Coriolis part is laid off.
+//! Accessors of a step: its vertex, its chains, the guides along which its terms slide, the body whose turning makes its Coriolis part.
 
 use super::{By, Chain, Plan, Step, VertexId};
 use crate::scene::{GuideId, LinkId, Scene};

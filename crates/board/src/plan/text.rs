@@ -379,7 +379,7 @@ impl Writer<'_> {
     fn known_vector(&self, level: Level, v: VertexId) -> (String, String) {
         let defining = self.plan.steps(level).iter().flat_map(|g| g.steps(0)).find_map(|s| match s {
             Step::Equation { target, chains, .. } if *target == v && chains.len() == 1 => Some(&chains[0]),
-            _ => None,
+            Step::Equation { .. } | Step::Image { .. } | Step::Same { .. } => None,
         });
         if let Some(c) = defining
             && self.plan.vertex(c.start).fixed

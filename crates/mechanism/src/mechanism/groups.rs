@@ -1,8 +1,8 @@
 //! Assur groups in solving order, and how each is entered.
 //!
-//! The groups are the strongly connected parts of "this node's equation needs that node" under any perfect assignment
-//! of equations to nodes; they do not depend on which one was found. Pins are nodes of their own, so that several links
-//! on one pin need no choice of pairs.
+//! A perfect matching of equations to nodes makes a directed graph: a node depends on the other node of each of its equations. The groups
+//! are the strongly connected components of this graph (Tarjan), whichever matching was found; the solving order is a topological order of
+//! them, the first in the scene first. Pins are nodes of their own, so that several links on one pin need no choice of pairs.
 //!
 //! # Source
 //! Sljoka, Shai, Whiteley, *Checking mobility and decomposition of linkages via pebble game algorithm*, ASME DETC 2011.
@@ -265,7 +265,7 @@ fn legs_of_pin(links: &[LinkId], pin: PointId, cs: &[Form]) -> Option<Vec<Leg>> 
             }
             // Those of bars and rams are counted with them, a driver along a guide with its guide; the others are no leg of a pin, and
             // what is left uncounted makes this no dyad of one pin.
-            Form::Meet { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Angles { .. } | Form::Rolls { .. } => {}
+            Form::Meet { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Angles { .. } | Form::Related { .. } => {}
         }
     }
     let freedoms: usize = legs.iter().map(Leg::freedoms).sum();
@@ -320,7 +320,7 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
                 legs.push(Leg::Angle { of: known(of, against)?, driver });
                 used += 1;
             }
-            Form::Rolls { pair, .. } => {
+            Form::Related { pair, .. } => {
                 let rolling = &scene.rolling[pair.0];
                 let other = rolling.other(core).filter(|l| !links.contains(l))?;
                 legs.push(Leg::Rolls { pair, other, at: rolling.at_of(core) });

@@ -1,9 +1,11 @@
-//! Do the pairs and drivers fix every link? Each equation is assigned to one of its two nodes, so that a link gets three
-//! and a pin two (a bipartite b-matching by augmenting paths). What stays free or finds no place is the diagnosis.
+//! Whether the pairs and drivers fix every link: a bipartite b-matching by augmenting paths.
+//!
+//! Each equation is assigned to one of its two nodes, so that a link gets three and a pin two. A node that lacks equations is free, an
+//! equation without a node depends on others; both are told in the diagnosis.
 
 use super::{Constraint, Item, Node, Passive};
 use crate::diag::{Both, Diagnostic, Faults, both};
-use crate::scene::{LinkId, PointId, RollingKind, Scene};
+use crate::scene::{LinkId, PointId, Scene};
 use std::collections::BTreeSet;
 
 /// Mobility F = 3n − 2P_L − P_H with its counts.
@@ -56,8 +58,8 @@ pub(super) struct Matched {
     owner: Vec<Option<usize>>,
     held: Vec<Vec<usize>>,
     capacity: Vec<usize>,
-    /// Equations for which no freedom is left.
-    homeless: Vec<usize>,
+    /// Equations that no node takes.
+    unmatched: Vec<usize>,
 }
 
 impl Matched {
@@ -82,12 +84,12 @@ impl Matched {
             })
             .collect();
         let (owner, held) = (vec![None; units.len()], vec![Vec::new(); capacity.len()]);
-        let mut m = Matched { nodes, owner, held, capacity, homeless: Vec::new(), units };
+        let mut m = Matched { nodes, owner, held, capacity, unmatched: Vec::new(), units };
         for u in 0..m.units.len() {
             if augment(u, &m.units, &m.nodes, &m.capacity, &mut m.owner, &mut m.held) {
                 continue;
             }
-            m.homeless.push(u);
+            m.unmatched.push(u);
         }
         m
     }
@@ -97,9 +99,9 @@ impl Matched {
         self.units.len()
     }
 
-    /// How many equations have no home.
-    pub fn homeless(&self) -> usize {
-        self.homeless.len()
+    /// How many equations stay unmatched.
+    pub fn unmatched(&self) -> usize {
+        self.unmatched.len()
     }
 
     /// How many freedoms no equation takes.
@@ -107,16 +109,16 @@ impl Matched {
         self.capacity.iter().zip(&self.held).map(|(c, h)| c - h.len()).sum()
     }
 
-    /// For each equation without a home the constraints that depend on one another with it: those that hold the nodes on which it
-    /// could have been placed, and so on. Dropping any of them gives it a home.
+    /// For each unmatched equation the constraints that depend on one another with it (those that hold the nodes that could take it, and so on):
+    /// without any one of them it is matched.
     pub fn circuits(&self) -> impl Iterator<Item = BTreeSet<usize>> + '_ {
-        self.homeless.iter().map(|u| self.circuit(*u))
+        self.unmatched.iter().map(|u| self.circuit(*u))
     }
 
-    fn circuit(&self, homeless: usize) -> BTreeSet<usize> {
+    fn circuit(&self, unmatched: usize) -> BTreeSet<usize> {
         let mut seen = vec![false; self.capacity.len()];
         let mut found = BTreeSet::new();
-        let mut stack = vec![homeless];
+        let mut stack = vec![unmatched];
         while let Some(u) = stack.pop() {
             let (constraint, a, b) = self.units[u];
             found.insert(constraint);
@@ -139,8 +141,8 @@ impl Matched {
 }
 
 /// Whether every equation can be assigned to a node: no pair says what others say already.
-pub(super) fn all_have_a_home(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId], constraints: &[Constraint]) -> bool {
-    Matched::new(scene, passive, pins, constraints).homeless.is_empty()
+pub(super) fn all_matched(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId], constraints: &[Constraint]) -> bool {
+    Matched::new(scene, passive, pins, constraints).unmatched.is_empty()
 }
 
 /// Assigns every equation to a node.
@@ -159,8 +161,8 @@ pub(super) fn assign(
     if !free.is_empty() {
         faults.push(too_free(scene, constraints, m.free(), &free));
     }
-    if !m.homeless.is_empty() {
-        faults.push(too_tight(scene, constraints, &m.units, &m.homeless));
+    if !m.unmatched.is_empty() {
+        faults.push(too_tight(scene, constraints, &m.units, &m.unmatched));
     }
     if faults.has_errors() {
         return Err(faults);
@@ -168,7 +170,7 @@ pub(super) fn assign(
     Ok(m.assignment())
 }
 
-/// Finds a home for equation `u`, moving others along a shortest alternating path.
+/// Matches equation `u` along a shortest augmenting path (breadth-first); whether there is one.
 fn augment(
     u: usize,
     units: &[(usize, Node, Node)],
@@ -272,10 +274,10 @@ fn unlisted_pivots(scene: &Scene) -> Option<String> {
     (!names.is_empty()).then(|| names.join(", "))
 }
 
-fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, Node)], homeless: &[usize]) -> Diagnostic {
+fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, Node)], unmatched: &[usize]) -> Diagnostic {
     let mut names: Vec<Both> = Vec::new();
     let mut span = None;
-    for &u in homeless {
+    for &u in unmatched {
         let c = &constraints[units[u].0];
         let text = c.words(scene);
         if !names.contains(&text) {
@@ -288,8 +290,8 @@ fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, N
         both!(
             "{} condition{} too many: mobility F = {}, {} driver{}; no freedom is left for {}",
             "多出 {} 个约束{:.0}：自由度 F = {}，原动件 {} 个{:.0}；没有自由度可供{}约束",
-            homeless.len(),
-            if homeless.len() == 1 { "" } else { "s" },
+            unmatched.len(),
+            if unmatched.len() == 1 { "" } else { "s" },
             count(scene, constraints).freedom,
             scene.own_drivers(),
             if scene.own_drivers() == 1 { "" } else { "s" },
@@ -336,11 +338,11 @@ pub(super) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
         }
     }
     for pair in &scene.rolling {
-        let own = pair.guide.filter(|g| constraints.iter().any(|c| c.item() == Item::Guide(*g)));
-        match pair.kind {
-            RollingKind::Wheel => lower += 1,
-            RollingKind::Gears => higher += 1 + usize::from(own.is_some()),
-            RollingKind::Belt | RollingKind::Chain => higher += 1,
+        let own = pair.guide().filter(|g| constraints.iter().any(|c| c.item() == Item::Guide(*g)));
+        match pair.kind.is_lower() {
+            // Its touching is part of it.
+            true => lower += 1,
+            false => higher += 1 + usize::from(own.is_some()),
         }
     }
     for g in scene.guides.iter().filter(|g| g.rolling.is_none()) {

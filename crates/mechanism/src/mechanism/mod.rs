@@ -19,7 +19,7 @@ pub use demand::nodes_of;
 pub use groups::{Core, Group};
 pub use leg::{ConstraintLine, Entry, Gives, Hold, Leg, Strut};
 pub use mobility::Mobility;
-pub use pair::{Constraint, Form, Item, Runner, constraints_of, moved_words, mover_words};
+pub use pair::{Constraint, Form, Item, Runner, constraints_of, moved_words, mover_words, told_words, words_of};
 pub use redundant::{Opened, Redundant};
 pub use survey::{Counts, ForDrivers, Local, Survey};
 
@@ -28,7 +28,7 @@ use redundant::Opening;
 pub use crate::scene::quantity::{Joined, Level, Need, joined};
 
 use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::scene::{Guide, GuideId, GuidePath, LinkId, PointId, RollingId, RollingKind, Scene, quantity};
+use crate::scene::{Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene, quantity};
 
 /// A thing whose place is to be found: a link (three freedoms) or a pin (two).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -89,7 +89,7 @@ impl Mechanism {
             return Err(faults);
         }
         let mut opening = Opening { passive, redundant: Vec::new(), touches: None };
-        if opening.matched(scene).homeless() > 0 {
+        if opening.matched(scene).unmatched() > 0 {
             opening = redundant::open(scene, &opening).unwrap_or(opening);
         }
         let mut mechanism = Mechanism::opened(scene, opening.clone())?;
@@ -191,7 +191,7 @@ impl Mechanism {
     }
 }
 
-/// Of so many pairs of gears it is tried which of them keeps its centres apart.
+/// Up to so many gear pairs, each is tried as the one that keeps its centres apart.
 const MOST_OPTIONAL: usize = 16;
 
 fn find_passive(scene: &Scene) -> Vec<Option<Passive>> {
@@ -303,7 +303,7 @@ fn find_constraints(scene: &Scene, opening: &Opening, pins: &[PointId]) -> Vec<C
 /// Whether a guide keeps two gears in touch that other pairs may keep in touch already: their teeth touch on both sides, but the distance
 /// of their centres is, if anything holds it, not theirs.
 fn is_optional(scene: &Scene, guide: &Guide) -> bool {
-    guide.rolling.is_some_and(|r| scene.rolling[r.0].kind == RollingKind::Gears)
+    guide.rolling.is_some_and(|r| scene.rolling[r.0].kind.leaves_distance())
 }
 
 /// The guides between gears that may have to keep them in touch.
@@ -312,15 +312,15 @@ fn holding(scene: &Scene) -> impl Iterator<Item = GuideId> {
     scene.guides.iter().enumerate().filter(move |(_, g)| may(g)).map(|(g, _)| GuideId(g))
 }
 
-/// Adds the guides that keep gears in touch where nothing else does: those whose equation finds a home among the others', the first of all
-/// that which the opening names.
+/// Adds the guides that keep gears in touch where nothing else does: those whose equation can be matched besides all others. The one that the
+/// opening names comes first.
 fn touching(scene: &Scene, opening: &Opening, pins: &[PointId], mut constraints: Vec<Constraint>) -> Vec<Constraint> {
     let passive = &opening.passive;
     let optional = holding(scene).filter(|g| opening.touches != Some(*g));
     for g in opening.touches.into_iter().chain(optional) {
         let closed = constraints.len();
         constraints.extend(constraints_of(scene, Item::Guide(g)));
-        if !mobility::all_have_a_home(scene, passive, pins, &constraints) {
+        if !mobility::all_matched(scene, passive, pins, &constraints) {
             constraints.truncate(closed);
         }
     }

@@ -1,4 +1,4 @@
-//! Parallel guides that hold a distance twice: what no count shows, because the count does not look at directions.
+//! Parallel guides that hold a distance twice: the count does not show it, because it does not look at directions.
 //!
 //! Across a straight guide its runner keeps its distance from the link that carries the guide. Links that never turn and pins that
 //! such guides of one direction join in a circle keep one distance twice, and another freedom of theirs is open in every pose. Of several

@@ -1,6 +1,6 @@
-//! Pairs that only repeat what the others fix 虚约束: which of them may be opened, so that every equation has a home.
+//! Pairs that only repeat what the others fix 虚约束: which of them may be opened, so that every equation is matched.
 //!
-//! Decided here, from topology alone: an equation without a home in the matching depends on its circuit; of the links, guides and
+//! Decided here, from topology alone: an equation that stays unmatched depends on its circuit; of the links, guides and
 //! double pins of that circuit the fewest are opened that leave as many equations as freedoms. Among several those are taken that leave no
 //! distance held twice by parallel guides ([`super::parallel`]), then those that leave the lowest class of groups, then the last in the
 //! file. Whether what is opened holds by itself is decided by lengths, in [`crate::position::redundant`]; topology cannot tell a third crank from a strut that locks the mechanism.
@@ -12,7 +12,7 @@
 use super::mobility::Matched;
 use super::{Constraint, Core, Item, Mechanism, Passive, find_constraints, find_pins, touching};
 use crate::diag::Span;
-use crate::scene::{Contours, Guide, GuideId, LinkId, PointId, Rolling, RollingId, RollingKind, Scene, Sizes};
+use crate::scene::{Guide, GuideId, LinkId, Normal, PointId, Rolling, RollingId, Scene, Touch};
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
@@ -99,7 +99,7 @@ struct Candidate {
 /// textbook's mechanism of fifty equations, so some ten thousand sets of pairs are tried there.
 const MOST_MATCHED: usize = 500_000;
 
-/// At most so many pairs are opened together: a locomotive has three axles more than it needs.
+/// At most so many pairs are opened together (the coupled axles of a locomotive repeat three).
 const MOST_OPENED: usize = 4;
 
 /// The fewest pairs whose opening leaves as many equations as freedoms; `None` where nothing but a driver can be left out.
@@ -116,12 +116,12 @@ pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
         let opening = equal_planets(scene).iter().fold(closed.clone(), |opening, c| opening.with(c));
         let opening = between_parallels(scene, opening, &candidates(scene, closed, &pins));
         let left = opening.matched(scene);
-        return (left.homeless() == 0 && left.free() == 0).then_some(opening);
+        return (left.unmatched() == 0 && left.free() == 0).then_some(opening);
     }
     let candidates = candidates(scene, closed, &pins);
     let mut search = Search { scene, left_to_match: MOST_MATCHED, found: Vec::new() };
     for count in 1..=MOST_OPENED {
-        search.choose(closed, &candidates, count, matched.homeless());
+        search.choose(closed, &candidates, count, matched.unmatched());
         let ranked = std::mem::take(&mut search.found)
             .into_iter()
             .filter_map(|o| Some((rank(scene, &Mechanism::opened(scene, o.clone()).ok()?), o)));
@@ -137,15 +137,15 @@ pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
 fn between_parallels(scene: &Scene, mut opening: Opening, candidates: &[Candidate]) -> Opening {
     let still = scene.turning_with(scene.ground);
     let circles = |o: &Opening| super::parallel::circles(scene, &o.pins_and_constraints(scene).1, &still);
-    let (mut said, mut homeless) = (circles(&opening), opening.matched(scene).homeless());
+    let (mut said, mut unmatched) = (circles(&opening), opening.matched(scene).unmatched());
     for c in candidates.iter().filter(|c| matches!(c.opened, Opened::Guide(_))) {
-        if said == 0 || homeless == 0 {
+        if said == 0 || unmatched == 0 {
             break;
         }
         let one = opening.with(c);
-        let (of_one, left) = (circles(&one), one.matched(scene).homeless());
-        if of_one < said && left < homeless {
-            (opening, said, homeless) = (one, of_one, left);
+        let (of_one, left) = (circles(&one), one.matched(scene).unmatched());
+        if of_one < said && left < unmatched {
+            (opening, said, unmatched) = (one, of_one, left);
         }
     }
     opening
@@ -159,14 +159,14 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Finds all sets of `count` of the candidates that give every one of `homeless` equations a home and leave no freedom open.
-    fn choose(&mut self, so_far: &Opening, candidates: &[Candidate], count: usize, homeless: usize) {
+    /// Finds all sets of `count` of the candidates whose opening leaves every equation matched, `unmatched` of which are not now, and no freedom open.
+    fn choose(&mut self, so_far: &Opening, candidates: &[Candidate], count: usize, unmatched: usize) {
         // No `count` of them say more than this.
-        if count * candidates.iter().map(|c| c.equations).max().unwrap_or(0) < homeless {
+        if count * candidates.iter().map(|c| c.equations).max().unwrap_or(0) < unmatched {
             return;
         }
         for (i, c) in candidates.iter().enumerate() {
-            let Some(left) = homeless.checked_sub(c.equations) else { continue };
+            let Some(left) = unmatched.checked_sub(c.equations) else { continue };
             if (left == 0) != (count == 1) {
                 continue;
             }
@@ -176,7 +176,7 @@ impl Search<'_> {
                 Some(rest) => self.left_to_match = rest,
                 None => return,
             }
-            if matched.homeless() != left || matched.free() > 0 {
+            if matched.unmatched() != left || matched.free() > 0 {
                 continue;
             }
             if count == 1 {
@@ -188,7 +188,7 @@ impl Search<'_> {
     }
 }
 
-/// How much is still said twice, then how many groups are of a high class: those above the third, then those of the third.
+/// How many equations are repeated across parallel guides, how many groups are higher than class III, and how many are of class III: compared in this order.
 fn rank(scene: &Scene, m: &Mechanism) -> [usize; 3] {
     let of = |class| m.groups.iter().filter(|g| g.class() == Some(class)).count();
     [super::parallel::circles(scene, &m.constraints, &m.never_turns), m.groups.iter().filter(|g| g.core == Core::Higher).count(), of("III")]
@@ -200,7 +200,7 @@ fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidat
     let mut all: Vec<Candidate> = links.filter_map(|l| as_follower(scene, pins, l)).collect();
     let driven = |g: usize| scene.drivers.iter().any(|d| d.kind.guide() == Some(GuideId(g)));
     // Teeth keep a distance only where nothing else does; a wheel on its track may touch it because its axle keeps it there.
-    let toothed = |guide: &Guide| guide.rolling.is_some_and(|r| scene.rolling[r.0].kind == RollingKind::Gears);
+    let toothed = |guide: &Guide| guide.rolling.is_some_and(|r| scene.rolling[r.0].kind.leaves_distance());
     for (g, guide) in scene.guides.iter().enumerate().filter(|(g, guide)| !driven(*g) && !toothed(guide)) {
         let block = guide.slider.is_some_and(|s| closed.passive[s.0] == Some(Passive::Block(GuideId(g))));
         let equations = match (guide.slider.filter(|_| !block), guide.pin) {
@@ -253,13 +253,11 @@ fn carries(scene: &Scene, arm: LinkId, wheel: LinkId) -> bool {
 
 /// The other wheel of a pair of circles, which of the two is hollow as this one sees it, and the ratio of their sizes.
 fn ratio(pair: &Rolling, wheel: LinkId) -> Option<(LinkId, Option<usize>, f64)> {
-    let (hollow, [a, b]) = match &pair.contours {
-        Contours::Circles { sizes: Sizes::Radii([a, b]), hollow, .. } => (*hollow, [a.value, b.value]),
-        Contours::Circles { sizes: Sizes::Teeth([a, b]), hollow, .. } => (*hollow, [f64::from(*a), f64::from(*b)]),
-        Contours::Belt { .. } | Contours::Track { .. } => return None,
-    };
+    let Touch::Point(Normal::Centres(_)) = pair.touch() else { return None };
+    let radii = || pair.radii().map(|radii| radii.map(|r| r.value));
+    let [a, b] = pair.teeth().map(|teeth| teeth.map(f64::from)).or_else(radii)?;
     let own = pair.links.iter().position(|l| *l == wheel)?;
-    Some((pair.links[1 - own], hollow.map(|h| h ^ own), if own == 0 { a / b } else { b / a }))
+    Some((pair.links[1 - own], pair.hollow().map(|h| h ^ own), if own == 0 { a / b } else { b / a }))
 }
 
 /// A link that may be left to follow two of its pins: nothing but pins holds it, and nothing drives it.

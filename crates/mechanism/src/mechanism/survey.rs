@@ -9,7 +9,7 @@
 
 use super::Mechanism;
 use super::redundant::{Opened, Opening, Redundant};
-use crate::scene::{Contours, Driver, DriverKind, Given, GuideId, LinkId, PointId, RollingKind, Scene};
+use crate::scene::{Driver, DriverKind, Given, GuideId, LinkId, PointId, Scene};
 
 /// A link whose only pair is the pin about which it turns: its turning moves nothing else.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -180,10 +180,7 @@ fn without(scene: &Scene, links: &[LinkId]) -> Scene {
         (g.on, g.slider) = (place(g.on), g.slider.map(place));
     }
     for r in &mut rest.rolling {
-        r.links = r.links.map(place);
-        if let Contours::Belt { arm, .. } = &mut r.contours {
-            *arm = place(*arm);
-        }
+        r.rename(place);
     }
     for d in &mut rest.drivers {
         match &mut d.kind {
@@ -251,10 +248,8 @@ fn substituted(scene: Option<&Scene>, counts: Counts, local: &[Local], repeated:
             // A rolling pair that need not hold the wheel takes one freedom.
             Opened::Guide(g) if scene.guides[g.0].rolling.is_some() => (lower, higher) = (lower - 1, higher + 1),
             Opened::Guide(_) => higher -= 1,
-            Opened::Rolling(r) => match scene.rolling[r.0].kind {
-                RollingKind::Gears | RollingKind::Belt | RollingKind::Chain => higher -= 1,
-                RollingKind::Wheel => lower -= 1,
-            },
+            Opened::Rolling(r) if scene.rolling[r.0].kind.is_lower() => lower -= 1,
+            Opened::Rolling(_) => higher -= 1,
             Opened::Pin(..) => lower -= 1,
         }
     }

@@ -1,8 +1,8 @@
-//! Links that sliding pairs lock to one another turn together: said of each of them and a link that is known, not of one and the next.
+//! Locks of sliding pairs, each related to a link that is known instead of to the next one in the chain.
 //!
-//! A block in the slots of two links (Oldham's coupling) locks it to both. Said pair by pair, the second link waits for the block and the
-//! block for the second link, which is a group without a core. Both turn as the first link does: said so, the group falls into dyads.
-//! The equations are the same but for sums of one another, and so are their solutions.
+//! A block in the slots of two links (Oldham's coupling) is locked to both. Pair by pair, the second link depends on the block and the
+//! block on the second link, which makes a group without a core. Both turn as the first link does; locked to that one, the group falls into
+//! dyads. The new equations are sums of the old ones, so the solutions are the same.
 
 use super::{Constraint, Core, Mechanism};
 use crate::scene::LinkId;

@@ -14,7 +14,7 @@ use crate::number::Real;
 use crate::position::kernel::power_of_two_scale;
 use crate::position::{Configuration, Path};
 use crate::scene::exact::Inputs;
-use crate::scene::{Contours, LinkId, PointId, RollingId, Scene};
+use crate::scene::{LinkId, PointId, RollingId, Scene, Touch};
 
 /// A point of a body: of one whose motion is known, or of an unknown of the group.
 #[derive(Clone, Copy)]
@@ -267,13 +267,13 @@ impl<N: Real> Builder<'_, N> {
     /// at their rims, seen from the link that carries their centres.
     fn rolls(&self, pair: RollingId, links: [LinkId; 2]) -> Condition<N> {
         let (rolling, zero) = (&self.scene.rolling[pair.0], N::from_f64(0.0));
-        match rolling.contours {
-            Contours::Circles { .. } | Contours::Track { .. } => {
+        match rolling.touch() {
+            Touch::Point(_) => {
                 let (place, n) = (self.at.point(rolling.at[0]), self.at.normal(self.scene, pair).expect("a planned contact is placed"));
                 let [a, b] = links.map(|l| self.body(l, place));
                 Condition::Along { p: b, q: a, k: n.perp(), rate: zero, acceleration: zero }
             }
-            Contours::Belt { arm, .. } => {
+            Touch::Strand { arm, .. } => {
                 let [a, b] = self.at.shapes.rolling[pair.0];
                 let (ratio, one) = (a / b, N::from_f64(1.0));
                 let bodies = vec![self.turns(links[0], ratio), self.turns(links[1], one), self.turns(arm, -(ratio + one))];
@@ -323,7 +323,7 @@ impl<N: Real> Builder<'_, N> {
                 let k = self.at.guide(guide).tangent_at(place);
                 list.push(Condition::Along { p, q, k, rate: rate * self.scale, acceleration: acceleration * self.scale });
             }
-            Form::Rolls { pair, links } => list.push(self.rolls(pair, links)),
+            Form::Related { pair, links } => list.push(self.rolls(pair, links)),
             Form::Angles { of, against, driver } => {
                 let (rate, acceleration) = driver.map_or((zero, zero), driven);
                 let one = N::from_f64(1.0);

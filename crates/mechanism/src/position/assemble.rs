@@ -1,4 +1,4 @@
-//! Group after group to a configuration.
+//! Assembles a configuration: places the groups one after the other in solving order.
 
 use super::branch::{self, Trial};
 use super::shape::{self, Frame, LinkShape, given_place};

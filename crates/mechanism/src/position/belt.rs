@@ -1,10 +1,11 @@
-//! The strand between two wheels of a belt or chain: where it runs off the one and onto the other.
+//! The strand between two wheels of a belt or chain: where it runs off the one and onto the other; and the direction of a rope.
 
-use super::Configuration;
+use super::{Configuration, Path};
 use crate::diag::{Diagnostic, both};
+use crate::digits::significant;
 use crate::geom::{Point, Vec2};
 use crate::number::Real;
-use crate::scene::{Contours, Given, PointId, Rolling, RollingKind, Scene};
+use crate::scene::{Given, Guide, GuideId, PointId, Rolling, Scene};
 
 /// The normal m of the strand left of the line of centres, away from the first of them, as cosine and sine of its angle from that line: the strand
 /// lies at the radius from either centre, so that (B − A)·m = ρ₁ + ρ₂ with the signed sizes of [`Rolling::sizes`]. `None` for wheels that lie
@@ -27,11 +28,7 @@ pub(super) fn strand<N: Real>(sizes: [N; 2], right: bool, a: Point<N>, b: Point<
 /// What is wrong with three wheels or more that are named counter-clockwise: the strand left of each line of centres would run inside. It is said
 /// of the last one.
 fn misordered(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option<Diagnostic> {
-    let belt_of = |r: &Rolling| match r.contours {
-        Contours::Belt { belt, .. } => Some(belt),
-        Contours::Circles { .. } | Contours::Track { .. } => None,
-    };
-    let strands: Vec<&Rolling> = scene.rolling.iter().filter(|r| belt_of(r) == belt_of(pair)).collect();
+    let strands: Vec<&Rolling> = scene.rolling.iter().filter(|r| r.belt() == pair.belt()).collect();
     let ends = strands.iter().filter_map(|r| c.points[r.round()?[1].0]);
     let centres: Vec<Point> = c.points[strands.first()?.round()?[0].0].into_iter().chain(ends).collect();
     if strands.len() < 2 || !strands.last().is_some_and(|last| std::ptr::eq(*last, pair)) {
@@ -44,7 +41,7 @@ fn misordered(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option<Diagno
 }
 
 /// What is wrong with wheels that overlap, or are not named as the belt runs.
-pub(super) fn misfit(scene: &Scene, pair: &Rolling, [p, q]: [PointId; 2], [a, b]: &[Given; 2], c: &Configuration) -> Option<Diagnostic> {
+pub(super) fn misfit(scene: &Scene, pair: &Rolling, [p, q]: [PointId; 2], [a, b]: [&Given; 2], c: &Configuration) -> Option<Diagnostic> {
     if let Some(fault) = misordered(scene, pair, c) {
         return Some(fault);
     }
@@ -54,15 +51,38 @@ pub(super) fn misfit(scene: &Scene, pair: &Rolling, [p, q]: [PointId; 2], [a, b]
     }
     let (p, q) = (scene.point_name(p), scene.point_name(q));
     let (distance, radii) = (scene.length_words(distance), scene.length_words(radii));
-    let wheels = match pair.kind {
-        RollingKind::Chain => both!("sprockets", "链轮"),
-        RollingKind::Belt => both!("pulleys", "带轮"),
-        RollingKind::Gears | RollingKind::Wheel => both!("wheels", "轮"),
-    };
+    let wheels = if pair.kind.is_toothed() { both!("sprockets", "链轮") } else { both!("pulleys", "带轮") };
     let message = both!(
         "the {0} about {p} and {q} overlap: {p}{q} is {distance}, and their radii make {radii}",
         "绕 {p} 与 {q} 的两{0}重叠：{p}{q} 为 {distance}，两半径之和为 {radii}",
         wheels
     );
     Some(Diagnostic::error("belt-overlap", message).at(pair.span).help(both!("correct a radius or a centre", "请改正半径或圆心")))
+}
+
+/// Two directions that a person types are one within this part of a turn.
+const SAME_DIRECTION: f64 = 1e-9;
+
+/// What is wrong with a rope that does not run along the guide of its load: it would have to lengthen.
+pub(super) fn slack(scene: &Scene, pair: &Rolling, rope: GuideId, c: &Configuration) -> Option<Diagnostic> {
+    let direction = |g: usize| match c.guides[g]? {
+        Path::Line { direction, .. } => Some(direction),
+        Path::Arc { .. } => None,
+    };
+    let load = pair.links[0];
+    let joins = |g: &Guide| g.rolling.is_none() && g.slider.is_some() && [g.slider, Some(g.on)].contains(&Some(load));
+    let own = scene.guides.iter().position(joins).filter(|_| pair.kind.is_flexible())?;
+    let (of_rope, of_load) = (direction(rope.0)?, direction(own)?);
+    if of_rope.cross(of_load).abs() <= SAME_DIRECTION {
+        return None;
+    }
+    let off = libm::atan(of_rope.cross(of_load) / of_rope.dot(of_load)).abs().to_degrees();
+    let load = scene.link_name(load);
+    let message = both!(
+        "the rope of load {load} runs at {0}° to the guide of the load",
+        "牵引构件 {load} 的绳与该构件的导路成 {0}°",
+        significant(off, 4)
+    );
+    let help = both!("give both the same direction", "请使二者方向一致");
+    Some(Diagnostic::error("rope-direction", message).at(pair.span).help(help))
 }

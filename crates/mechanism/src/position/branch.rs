@@ -37,7 +37,7 @@ pub(super) struct Choice {
     pub pick: usize,
     /// In how many ways it could have been chosen, where nothing in the scene decided; else 0.
     pub open: usize,
-    /// What is to be known of it: that nothing decided, or that a side did not.
+    /// The note for the reader: that nothing in the scene decided, or that a side did not.
     pub note: Option<Diagnostic>,
 }
 
@@ -54,7 +54,7 @@ pub(super) fn choose<N: Real>(
         return Ok(Choice::default());
     }
     let mut left: Vec<usize> = (0..trials.len()).collect();
-    // The last side that spoke of this group and ruled nothing out.
+    // The last side that concerns this group and excluded no closure.
     let mut idle: Option<&Side> = None;
     for side in &scene.sides {
         let mine = |t: &Trial<N>, p: PointId| t.at(p).or(placed[p.0]);
@@ -67,7 +67,7 @@ pub(super) fn choose<N: Real>(
             .iter()
             .copied()
             .filter(|&i| {
-                // Numbers that know their error must be sure of the side.
+                // Enclosures decide a side only where zero lies outside them.
                 let area = known(&trials[i]).map(|(p, a, b)| (b - a).cross(p - a));
                 area.is_some_and(|area| area.approx() * if side.left { 1.0 } else { -1.0 } > area.radius())
             })
@@ -117,7 +117,7 @@ pub(super) fn choose<N: Real>(
     if left.len() == 1 {
         return Ok(Choice { pick: left[0], open: 0, note: None });
     }
-    // An assembly that lays a joint on another one is hardly ever meant.
+    // Assemblies in which two joints coincide come last: they are rarely meant.
     left.sort_by_key(|&i| falls_together(placed, &trials[i]));
     let (pick, other) = (left[instead % left.len()], left[(instead + 1) % left.len()]);
     let note = {

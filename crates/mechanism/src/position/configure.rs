@@ -1,5 +1,5 @@
-//! Where everything is: the assembly as written, in longer numbers where `f64` hides it, and with other assemblies of what nothing
-//! decides.
+//! The configuration of a scene: assembled in `f64`; again in longer numbers where `f64` cannot tell closures apart; with other closures
+//! of groups for which the scene does not say which is meant.
 
 use super::Configuration;
 use super::assemble::{Assembly, names_of};
@@ -85,7 +85,7 @@ fn placed_in<N: Real>(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> 
     told.then_some(Warned { value: at, notes })
 }
 
-/// What a group is told as that cannot be closed on the groups before it.
+/// Codes of faults of a group that cannot be closed on the groups before it.
 const DOES_NOT_CLOSE: [&str; 3] = ["cannot-assemble", "coincident-points", "degenerate-guide"];
 
 /// Other assemblies that are tried where the first does not close: each costs as much as the first.

@@ -178,7 +178,7 @@ impl<N: Real> Coupled<'_, N> {
         };
         match form {
             // The distance of a link's origin from its guide changes no answer: at the instant it is put on the guide, and stays there.
-            Form::Meet { .. } | Form::OnPath { .. } | Form::Rolls { .. } => Some(Given::Nothing),
+            Form::Meet { .. } | Form::OnPath { .. } | Form::Related { .. } => Some(Given::Nothing),
             Form::AlongPath { driver, .. } | Form::Distance { driver, .. } => match aside {
                 Some(then) => farther(then, driver),
                 None => a.driven_length(driver).map(Given::Length),
@@ -262,7 +262,7 @@ impl<N: Real> Coupled<'_, N> {
                     self.add_turn(row, against, N::from_f64(-1.0));
                 }
             }
-            Form::Rolls { pair, .. } => *row = self.slip(view, pair)?.row,
+            Form::Related { pair, .. } => *row = self.slip(view, pair)?.row,
         }
         Some(rows)
     }
@@ -322,7 +322,7 @@ mod tests {
             Form::Distance { .. } => "distance",
             Form::Angles { driver: Some(_), .. } => "driven angle",
             Form::Angles { driver: None, .. } => "kept angle",
-            Form::Rolls { .. } => "rolls",
+            Form::Related { .. } => "related",
         }
     }
 

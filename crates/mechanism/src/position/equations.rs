@@ -92,7 +92,7 @@ pub(super) fn kept<N: Real>(form: Form, then: &impl View<N>) -> Option<Given<N>>
             Measured::Length(x) => Some(Given::Length(x)),
             Measured::Apart(_) | Measured::Angle(_) => None,
         },
-        Form::Meet { .. } | Form::OnPath { runner: Runner::Pin(_), .. } | Form::Rolls { .. } => Some(Given::Nothing),
+        Form::Meet { .. } | Form::OnPath { runner: Runner::Pin(_), .. } | Form::Related { .. } => Some(Given::Nothing),
     }
 }
 
@@ -124,6 +124,6 @@ pub(super) fn off<N: Real>(form: Form, given: Given<N>, view: &impl View<N>) -> 
             Measured::Length(length(view.path(guide)?.coordinate_of(place)))
         }
         Form::Distance { from, to, .. } => Measured::Length(length(view.point(from)?.distance(view.point(to)?))),
-        Form::Rolls { pair, .. } => Measured::Angle(view.slip(pair)?),
+        Form::Related { pair, .. } => Measured::Angle(view.slip(pair)?),
     })
 }

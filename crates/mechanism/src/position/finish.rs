@@ -1,4 +1,4 @@
-//! From placed groups to a configuration: what only follows is added, and what was given twice must agree.
+//! Completes a configuration from placed groups: adds links and points that only follow, and checks that what is given twice agrees.
 
 use super::assemble::Assembly;
 use super::{Configuration, Path, Pose, Rolled, Shapes, rolling, touch};
@@ -38,8 +38,8 @@ impl<N: Real> Assembly<'_, N> {
         self
     }
 
-    /// Coordinates are the truth: an arc has the radius at which its pin lies by them. A radius that is given besides agrees to
-    /// what a person types; taken as well, it would make two mechanisms of one, apart in the tenth digit.
+    /// Coordinates take precedence: an arc has the radius at which its pin lies by them. A radius that is given besides agrees within the
+    /// rounding of typed numbers; used as well, it would contradict the coordinates in the tenth digit.
     fn fit_arcs(&mut self) {
         for (g, guide) in self.scene.guides.iter().enumerate() {
             let given = guide.pin.filter(|p| matches!(self.scene.points[p.0].place, Place::At(_)));
@@ -102,7 +102,7 @@ impl Assembly<'_, f64> {
                 let (a, b) = (self.scene.point_name(*a), self.scene.point_name(*b));
                 self.degenerate(g, both!("{a} and {b} coincide", "{a} 与 {b} 重合"))
             }
-            _ => match self.need_guide(g) {
+            GuidePath::Line { .. } | GuidePath::Arc { .. } => match self.need_guide(g) {
                 Err(d) => d,
                 Ok(_) => return,
             },
@@ -156,33 +156,23 @@ impl Assembly<'_, f64> {
             for (p, local) in shape.points.iter().filter(|(p, _)| !opened(*p)) {
                 let Some(at) = c.points[p.0] else { continue };
                 let off = at.distance(pose.to_world(*local));
+                let message = || {
+                    both!(
+                        "{} lies {} from where the data of link {} put it",
+                        "{} 与按构件 {2} 的数据所得位置相差 {1}",
+                        self.scene.point_name(*p),
+                        self.scene.length_words(off),
+                        self.scene.links[l].name
+                    )
+                };
                 if off > same_place(extent, at) {
-                    self.faults.push(
-                        Diagnostic::error(
-                            "pin-off-link",
-                            both!(
-                                "{} lies {} from where the data of link {} put it",
-                                "{} 与按构件 {2} 的数据所得位置相差 {1}",
-                                self.scene.point_name(*p),
-                                self.scene.length_words(off),
-                                self.scene.links[l].name
-                            ),
-                        )
-                        .at(self.scene.points[p.0].span)
-                        .help(both!(
-                            "coordinates and lengths contradict each other: leave one out, or move rough coordinates to \"sketch\"",
-                            "坐标与长度相矛盾：请去掉其一，或把粗略坐标移到 \"sketch\""
-                        )),
-                    );
+                    self.faults.push(Diagnostic::error("pin-off-link", message()).at(self.scene.points[p.0].span).help(both!(
+                        "coordinates and lengths contradict each other: leave one out, or move rough coordinates to \"sketch\"",
+                        "坐标与长度相矛盾：请去掉其一，或把粗略坐标移到 \"sketch\""
+                    )));
                 } else if off > told_apart(extent, at) {
                     self.notes.push(given_twice(
-                        both!(
-                            "{} lies {} from where the data of link {} put it",
-                            "{} 与按构件 {2} 的数据所得位置相差 {1}",
-                            self.scene.point_name(*p),
-                            self.scene.length_words(off),
-                            self.scene.links[l].name
-                        ),
+                        message(),
                         both!("the lengths are what they make them", "长度由坐标确定"),
                         self.scene.points[p.0].span,
                     ));
@@ -262,7 +252,7 @@ fn told_apart(extent: f64, at: Point) -> f64 {
     TOLD_APART * extent + 16.0 * f64::EPSILON * at.to_vec2().norm()
 }
 
-/// What is said where two descriptions agree to what a person types, but not to the digits that are certified.
+/// The note on two descriptions that agree within the rounding of typed numbers, but not to the digits that are certified.
 fn given_twice(how: Both, so: Both, span: Span) -> Diagnostic {
     Diagnostic::note(
         "given-twice",

@@ -1,8 +1,11 @@
-//! Where a mechanism that is followed by Newton's method can go no farther: the fold of its equations.
+//! The limit of a mechanism that is followed by Newton's method: the fold of its equations, by pseudo-arclength continuation.
 //!
-//! Poses and driver together run along a curve that is smooth through the limit: there the driver stands still and turns back, while
-//! the links move on. The curve is therefore followed by its own length, and the zero of the driver's rate along it is sought. The
+//! Poses and driver value together run along a curve that is smooth through the limit: there the driver value is extreme, while the links
+//! move on. The curve is therefore parametrised by its length along a tangent, and the zero of the driver's derivative by it is sought. The
 //! equations are those of [`newton`]; what holds the mechanism there is told by [`super::toggle`].
+//!
+//! # Source
+//! H. B. Keller, *Numerical solution of bifurcation and nonlinear eigenvalue problems*, in: Applications of Bifurcation Theory (1977).
 
 use super::newton::{self, DriverValues, System};
 use super::{Configuration, finish};

@@ -1,6 +1,6 @@
 //! Groups without a closed form: Newton's method on their own equations, from the sketch.
 //!
-//! A slider's direction is no rough one: its frame lies as the plane's at the instant, as in the closed forms.
+//! The direction of a slider is not taken from the sketch: at the instant its frame is parallel to the plane's, as in the closed forms.
 
 use super::assemble::Assembly;
 use super::branch::Trial;

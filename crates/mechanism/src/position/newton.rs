@@ -69,7 +69,7 @@ impl<'a> System<'a> {
                 let placed = Placed { system: &system, poses: &system.poses, points: &system.points };
                 system.forms[i].1 = equations::kept(form, &placed).unwrap_or(Given::Nothing);
             }
-            if let Form::Rolls { pair, .. } = form {
+            if let Form::Related { pair, .. } = form {
                 // A rough start has no record: it is the instant itself.
                 let begin = || system.seen(pair, &start.poses, &start.points).map(Rolled::begin);
                 system.rolled[pair.0] = start.rolled.get(pair.0).cloned().flatten().or_else(begin);

@@ -19,7 +19,7 @@ use crate::mechanism::{Core, Demand, Group, Item, Level, Mechanism, Need, Node, 
 use crate::number::{Ball, Dd, Real};
 use crate::scene::{LinkId, PointId, Scene};
 
-/// What comes of an opened pair when the driver moves.
+/// Whether an opened pair holds when the driver moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// It holds by itself.
@@ -37,7 +37,7 @@ pub enum Verdict {
 pub struct Checked {
     /// Which of [`Mechanism::redundant`].
     pub index: usize,
-    /// What comes of it.
+    /// Whether it holds.
     pub verdict: Verdict,
     /// By how much it is off at most (m), the pose included.
     pub off_m: f64,
@@ -78,7 +78,7 @@ const TURNS: [f64; 4] = [0.8, -0.8, 0.35, -0.35];
 /// A sliding driver goes this part of the mechanism's size for each radian.
 const SLIDE: f64 = 0.2;
 
-/// The way is cut in half until it is free, so often at most.
+/// The range of the driver is halved until it has no limit inside, so often at most.
 const HALVINGS: i32 = 6;
 
 /// One step of the way (rad): Newton's method from the last position converges.
@@ -112,7 +112,7 @@ pub fn told(scene: &Scene, m: &Mechanism) -> Result<Vec<Diagnostic>, Faults> {
     Ok(check(scene, m)?.iter().map(|c| c.diagnostic(scene, m)).collect())
 }
 
-/// Looks at one opened pair, whatever comes of it.
+/// Checks one opened pair; a pair that does not hold is no error here.
 ///
 /// # Errors
 /// Those of [`configure`].
@@ -156,7 +156,14 @@ pub fn look(scene: &Scene, m: &Mechanism, index: usize, opened: &Opened) -> Resu
 pub fn by_topology(scene: &Scene, m: &Mechanism, index: usize, opened: &Opened) -> Option<Checked> {
     let (verdict, reason) = match super::repeats::by_topology(scene, m, opened)? {
         reason @ Reason::Triangle(_) => (Verdict::Locked, reason),
-        reason => (Verdict::Virtual, reason),
+        reason @ (Reason::ParallelCranks(_)
+        | Reason::ParallelGuides(_)
+        | Reason::CoaxialPins(..)
+        | Reason::SameCircle(..)
+        | Reason::SameLine(..)
+        | Reason::RepeatedPlanets(_)
+        | Reason::OneNormal
+        | Reason::Found) => (Verdict::Virtual, reason),
     };
     Some(Checked { index, verdict, off_m: 0.0, driver: None, moved: 0.0, bound_m: None, positions: 0, reason })
 }

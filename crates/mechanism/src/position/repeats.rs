@@ -1,11 +1,11 @@
-//! Why an opened pair holds by itself, in words; and what is said where it does not.
+//! The reasons why an opened pair holds by itself, in words, and the messages where it does not.
 
 use super::redundant::{Checked, Verdict};
 use super::{Configuration, Path};
 use crate::diag::{Both, Diagnostic, Span, both};
 use crate::digits::significant;
-use crate::mechanism::{Mechanism, Opened};
-use crate::scene::{Cam, Direction, GuideId, GuidePath, LinkId, PointId, RollingId, RollingKind, Scene};
+use crate::mechanism::{Item, Mechanism, Opened, words_of};
+use crate::scene::{Cam, Direction, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
 
 /// Why a pair repeats what the others fix.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -220,7 +220,14 @@ impl Reason {
                             "该销的轨迹本来就是该直线（{first} = {second} = {radius}）"
                         )
                     }
-                    _ => both!(
+                    Reason::ParallelCranks(_)
+                    | Reason::ParallelGuides(_)
+                    | Reason::CoaxialPins(..)
+                    | Reason::SameCircle(..)
+                    | Reason::RepeatedPlanets(_)
+                    | Reason::Triangle(_)
+                    | Reason::OneNormal
+                    | Reason::Found => both!(
                         "{} runs on that circle anyway ({first} = {second} = {radius})",
                         "{} 的轨迹本来就是该圆（{first} = {second} = {radius}）",
                         name(b)
@@ -256,20 +263,8 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
             let runner = runner.unwrap_or_default();
             (both!("the guide of {runner} on link {on}", "构件 {on} 上 {runner} 的导路"), guide.span)
         }
-        Opened::Rolling(r) => {
-            let pair = &scene.rolling[r.0];
-            let [a, b] = pair.links.map(|l| scene.link_name(l));
-            let words = match pair.kind {
-                RollingKind::Gears => both!("the gear pair of links {a} and {b}", "构件 {a} 与 {b} 的齿轮副"),
-                RollingKind::Wheel => both!("the rolling of link {b} on link {a}", "构件 {b} 在构件 {a} 上的滚动"),
-                RollingKind::Belt => both!("the belt between links {a} and {b}", "构件 {a} 与 {b} 之间的带传动"),
-                RollingKind::Chain => both!("the chain between links {a} and {b}", "构件 {a} 与 {b} 之间的链传动"),
-            };
-            (words, pair.span)
-        }
-        Opened::Pin(p, l) => {
-            (both!("pin {} on link {}", "构件 {1} 上的销 {0}", scene.point_name(*p), scene.link_name(*l)), scene.links[l.0].span)
-        }
+        Opened::Rolling(r) => (words_of(scene, Item::Rolling(*r)), scene.rolling[r.0].span),
+        Opened::Pin(p, l) => (words_of(scene, Item::Pin(*p, *l)), scene.links[l.0].span),
     }
 }
 
@@ -301,7 +296,13 @@ fn suspects(scene: &Scene, m: &Mechanism, checked: &Checked) -> Vec<String> {
             Reason::SameCircle([p, q], b, d) | Reason::SameLine([p, q], b, d) => {
                 [(*p, *b), (*q, *b), (*b, *d)].iter().map(|l| line(scene, *l)).collect()
             }
-            _ => match m.redundant[checked.index].opened {
+            Reason::ParallelCranks(_)
+            | Reason::ParallelGuides(_)
+            | Reason::CoaxialPins(..)
+            | Reason::RepeatedPlanets(_)
+            | Reason::Triangle(_)
+            | Reason::OneNormal
+            | Reason::Found => match m.redundant[checked.index].opened {
                 Opened::Link(l) => m.held(l).map(|pins| line(scene, pins)).into_iter().collect(),
                 Opened::Guide(_) | Opened::Pin(..) | Opened::Rolling(_) => Vec::new(),
             },

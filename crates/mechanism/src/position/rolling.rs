@@ -14,7 +14,7 @@ use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Group, Hold};
 use crate::number::Real;
-use crate::scene::{Contours, Driver, GuideId, LinkId, PointId, Rolling, RollingId, RollingKind, Scene, Sizes};
+use crate::scene::{Driver, GuideId, LinkId, Normal, PointId, Relation, Rolling, RollingId, Scene, Touch};
 use std::f64::consts::{PI, TAU};
 
 /// What is nearer to minus half a turn counts as half a turn (rad).
@@ -32,13 +32,13 @@ impl<N: Real> Configuration<N> {
 
 /// From the first centre toward the second; square to a straight track, toward the wheel.
 fn normal<N: Real>(pair: &Rolling, points: &[Option<Point<N>>], guides: &[Option<Path<N>>]) -> Option<Vec2<N>> {
-    match pair.contours {
-        Contours::Circles { centres: [a, b], .. } => (points[b.0]? - points[a.0]?).unit(),
-        Contours::Belt { .. } => None,
-        Contours::Track { .. } => match guides[pair.guide?.0]? {
+    match pair.touch() {
+        Touch::Point(Normal::Centres([a, b])) => (points[b.0]? - points[a.0]?).unit(),
+        Touch::Point(Normal::Square { guide, .. }) => match guides[guide.0]? {
             Path::Line { direction, .. } => Some(direction.perp()),
             Path::Arc { .. } => None,
         },
+        Touch::Strand { .. } => None,
     }
 }
 
@@ -50,13 +50,13 @@ pub(super) fn contact<N: Real>(
     guides: &[Option<Path<N>>],
 ) -> Option<[Point<N>; 2]> {
     let [r1, r2] = sizes;
-    match pair.contours {
-        Contours::Circles { centres: [a, b], .. } => {
+    match pair.touch() {
+        Touch::Point(Normal::Centres([a, b])) => {
             let (a, b) = (points[a.0]?, points[b.0]?);
             Some([a + (b - a) * (r1 / (r1 + r2)); 2])
         }
-        Contours::Track { centre, .. } => Some([points[centre.0]? + normal(pair, points, guides)? * -r2; 2]),
-        Contours::Belt { centres: [a, b], right, .. } => belt::strand(sizes, right, points[a.0]?, points[b.0]?),
+        Touch::Point(Normal::Square { centre, .. }) => Some([points[centre.0]? + normal(pair, points, guides)? * -r2; 2]),
+        Touch::Strand { centres: [a, b], right, .. } => belt::strand(sizes, right, points[a.0]?, points[b.0]?),
     }
 }
 
@@ -103,9 +103,9 @@ impl Rolled {
     /// By how much a pose next to this one misses rolling without slip, as an angle of the second link.
     pub(super) fn slip(&self, pair: &Rolling, [r1, r2]: [f64; 2], now: &Seen) -> f64 {
         let [a, b, line] = self.on(now).turned;
-        match pair.contours {
-            Contours::Circles { .. } | Contours::Belt { .. } => (b - line) + (a - line) * (r1 / r2),
-            Contours::Track { .. } => (now.line.x - self.start.line.x) / r2 + (b - a),
+        match pair.relation() {
+            Relation::Turnings(_) => (b - line) + (a - line) * (r1 / r2),
+            Relation::Slide { .. } => (now.line.x - self.start.line.x) / r2 + (b - a),
         }
     }
 }
@@ -119,9 +119,9 @@ pub(super) fn seen(
 ) -> Option<Seen> {
     let [a, b] = pair.links;
     let axes = [pose(a)?.axis, pose(b)?.axis];
-    let line = match pair.contours {
-        Contours::Circles { centres: [p, q], .. } | Contours::Belt { centres: [p, q], .. } => place(b, q)? - place(a, p)?,
-        Contours::Track { centre, .. } => match shapes.guides[pair.guide?.0]? {
+    let line = match pair.relation() {
+        Relation::Turnings([p, q]) => place(b, q)? - place(a, p)?,
+        Relation::Slide { centre, guide } => match shapes.guides[guide.0]? {
             Path::Line { through, direction } => {
                 let local = pose(a)?.to_local(place(b, centre)?) - through;
                 Vec2::new(direction.dot(local), direction.cross(local))
@@ -153,12 +153,12 @@ pub(super) fn slipped_m(scene: &Scene, c: &Configuration, r: RollingId) -> Optio
     let pose = |l: LinkId| if l == scene.ground { Some(Pose::GROUND) } else { c.poses[l.0] };
     let now = seen(pair, &c.shapes, &pose, &|_, p| c.points[p.0])?;
     let turned = c.rolled.get(r.0)?.as_ref()?.slip(pair, c.shapes.rolling[r.0], &now);
-    let second_m = match pair.contours {
-        Contours::Circles { centres: [a, b], .. } => {
+    let second_m = match pair.touch() {
+        Touch::Point(Normal::Centres([a, b])) => {
             let [r1, r2] = c.shapes.rolling[r.0];
             c.points[a.0]?.distance(c.points[b.0]?) * (r2 / (r1 + r2)).abs()
         }
-        Contours::Track { .. } | Contours::Belt { .. } => c.shapes.rolling[r.0][1].abs(),
+        Touch::Point(Normal::Square { .. }) | Touch::Strand { .. } => c.shapes.rolling[r.0][1].abs(),
     };
     Some(turned * second_m)
 }
@@ -288,10 +288,11 @@ impl<N: Real> Assembly<'_, N> {
         if link != wheel {
             return None;
         }
-        let Path::Line { through, direction } = self.guides[pair.guide?.0]? else { return None };
+        let Relation::Slide { centre, guide } = pair.relation() else { return None };
+        let Path::Line { through, direction } = self.guides[guide.0]? else { return None };
         let way = |pose: &Pose<N>, centre: Point<N>| direction.dot(pose.to_local(centre) - through);
         let (now, before) = (self.poses[on.0]?, then.poses[on.0]?);
-        let gone = way(&now, at) - way(&before, then.points[pair.centres()[1]?.0]?);
+        let gone = way(&now, at) - way(&before, then.points[centre.0]?);
         let turned = whole(now.axis.divide_by(before.axis).angle(), self.turned_as_meant(id)[0]);
         let [_, radius] = pair.sizes(&self.inputs);
         then.poses[wheel.0]?.axis.rotate_by(Vec2::from_angle(turned - gone / radius)).unit()
@@ -301,8 +302,8 @@ impl<N: Real> Assembly<'_, N> {
     /// instant, when the rack may stand anywhere.
     pub(super) fn origin_of_rack(&self, link: LinkId, axis: Vec2<N>, id: RollingId) -> Option<Locus<N>> {
         let (pair, then) = (&self.scene.rolling[id.0], self.instant?);
-        let ([on, wheel], Some(centre)) = (pair.links, pair.centres()[1]) else { return None };
-        let Path::Line { direction, .. } = self.guides[pair.guide?.0]? else { return None };
+        let ([on, wheel], Relation::Slide { centre, guide }) = (pair.links, pair.relation()) else { return None };
+        let Path::Line { direction, .. } = self.guides[guide.0]? else { return None };
         if link != on {
             return None;
         }
@@ -354,20 +355,21 @@ impl<N: Real> Assembly<'_, N> {
 
 /// What is wrong with the radii of two circles: their sum (of a ring their difference) is the distance of the centres.
 pub(super) fn misfit(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option<Diagnostic> {
-    let (centres @ [p, q], sizes, hollow) = match &pair.contours {
-        Contours::Circles { centres, sizes, hollow } => (centres, sizes, hollow),
-        Contours::Belt { centres, radii, .. } => return belt::misfit(scene, pair, *centres, radii, c),
-        Contours::Track { .. } => return None,
+    let centres @ [p, q] = match pair.touch() {
+        Touch::Point(Normal::Centres(centres)) => centres,
+        Touch::Point(Normal::Square { guide, .. }) => return belt::slack(scene, pair, guide, c),
+        Touch::Strand { centres, .. } => return belt::misfit(scene, pair, centres, pair.radii()?, c),
     };
     let (at, other) = (c.points[p.0]?, c.points[q.0]?);
-    let Sizes::Radii([a, b]) = sizes else {
-        return (at.distance(other) <= same_place(c.extent(), at)).then(|| coincident(scene, pair, *centres));
+    let Some([a, b]) = pair.radii() else {
+        return (at.distance(other) <= same_place(c.extent(), at)).then(|| coincident(scene, pair, centres));
     };
+    let hollow = pair.hollow();
     let (given, distance) = (if hollow.is_some() { (a.value - b.value).abs() } else { a.value + b.value }, at.distance(other));
     if (given - distance).abs() <= same_place(c.extent().max(a.value.max(b.value)), at) {
         return None;
     }
-    let (p, q) = (scene.point_name(*p), scene.point_name(*q));
+    let (p, q) = (scene.point_name(p), scene.point_name(q));
     let (given, distance) = (scene.length_words(given), scene.length_words(distance));
     Some(
         Diagnostic::error(
@@ -384,15 +386,15 @@ pub(super) fn misfit(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option
             },
         )
         .at(pair.span)
-        .help(if pair.kind == RollingKind::Wheel {
+        .help(if pair.kind.meshes() {
             both!(
-                "correct a radius or a centre; \"inside\": true lets a wheel roll inside its track",
-                "请改正半径或圆心；轮在圆形轨道内侧滚动时写 \"inside\": true"
+                "correct a radius or a centre; \"teeth\" without \"module\" divide whatever distance there is; \"ring\" names an internal gear",
+                "请改正半径或圆心；只给 \"teeth\" 而不给 \"module\" 时按实际中心距分配；内齿轮用 \"ring\" 写明"
             )
         } else {
             both!(
-            "correct a radius or a centre; \"teeth\" without \"module\" divide whatever distance there is; \"ring\" names an internal gear",
-            "请改正半径或圆心；只给 \"teeth\" 而不给 \"module\" 时按实际中心距分配；内齿轮用 \"ring\" 写明"
+                "correct a radius or a centre; \"inside\": true lets a wheel roll inside its track",
+                "请改正半径或圆心；轮在圆形轨道内侧滚动时写 \"inside\": true"
             )
         }),
     )

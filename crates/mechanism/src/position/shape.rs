@@ -39,7 +39,7 @@ impl<N: Real> LinkShape<N> {
 pub(super) fn given_at(scene: &Scene, p: PointId) -> Option<Point> {
     match &scene.points[p.0].place {
         Place::At([x, y]) => Some(Point::new(x.value, y.value)),
-        _ => None,
+        Place::Unknown | Place::InLink { .. } | Place::Polar { .. } => None,
     }
 }
 
@@ -47,7 +47,7 @@ pub(super) fn given_at(scene: &Scene, p: PointId) -> Option<Point> {
 pub(super) fn given_place<N: Real>(scene: &Scene, inputs: &Inputs<N>, p: PointId) -> Option<Point<N>> {
     match &scene.points[p.0].place {
         Place::At([x, y]) => Some(Point::new(inputs.number(x), inputs.number(y))),
-        _ => None,
+        Place::Unknown | Place::InLink { .. } | Place::Polar { .. } => None,
     }
 }
 

@@ -72,7 +72,7 @@ impl Toggle {
                 let parallel = meeting(&lines, at.extent())?;
                 Toggle::of(group, || parallel)
             }
-            _ => None,
+            Core::Link { .. } | Core::Higher => None,
         })
     }
 

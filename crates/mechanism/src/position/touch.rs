@@ -1,6 +1,6 @@
 //! Where a cam and its follower touch, from the pair that stands for the contact; of a law from the geometry of the cam.
 //!
-//! Radii are kept in double precision, so that no more digits of the place are vouched for than those.
+//! Radii are in double precision: no more digits of the place are certain than they have.
 
 use super::{Configuration, Path};
 use crate::geom::{Point, Vec2};

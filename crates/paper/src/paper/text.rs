@@ -149,7 +149,7 @@ impl Setter<'_> {
             };
             let after = match node.role {
                 Role::Punctuation | Role::Function if i + 1 < row.len() => THIN_SPACE,
-                _ => side,
+                Role::Ordinary | Role::Binary | Role::Relation | Role::Punctuation | Role::Function => side,
             };
             // A lone sign, as between the columns of an equation's table, keeps no space around it.
             let (side, after) = if row.len() == 1 { (0.0, 0.0) } else { (side, after) };

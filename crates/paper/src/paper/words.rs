@@ -235,7 +235,7 @@ impl Words {
     pub fn polygon(&self, level: Level) -> &'static str {
         match level {
             Level::Acceleration => self.acceleration_polygon,
-            _ => self.velocity_polygon,
+            Level::Position | Level::Velocity => self.velocity_polygon,
         }
     }
 
@@ -243,7 +243,7 @@ impl Words {
     pub fn equations(&self, level: Level) -> &'static str {
         match level {
             Level::Acceleration => self.accelerations,
-            _ => self.velocities,
+            Level::Position | Level::Velocity => self.velocities,
         }
     }
 }

@@ -145,7 +145,7 @@ impl Writer {
             let paper = Paper { height_mm: page.height_mm };
             let content = match part.kind {
                 Kind::Artifact => ContentTag::Artifact(Artifact::with_kind(ArtifactType::PaginationOther)),
-                _ => ContentTag::Other,
+                Kind::Heading { .. } | Kind::Paragraph | Kind::Formula(_) | Kind::Figure(_) => ContentTag::Other,
             };
             let identifier = surface.start_tagged(content);
             for item in &part.items {

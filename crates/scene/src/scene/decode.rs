@@ -7,6 +7,7 @@ mod driver;
 mod law;
 mod motion;
 mod rolling;
+mod ropes;
 
 use super::model::Lang;
 use super::raw::*;
@@ -80,6 +81,9 @@ pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<
         raw.rolling.extend(rolling::wheel(node, extent, faults));
     }
     belts::belts(&f, &mut raw, faults);
+    for node in items(f.get("ropes"), "\"ropes\"", faults) {
+        raw.rolling.extend(ropes::rope(node, faults));
+    }
     // Points that move by laws of time drive what there is.
     let drivers = match extent.is_at_rest() || f.get("motions").is_some() {
         true => f.get("driver"),

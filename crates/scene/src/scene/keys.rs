@@ -17,6 +17,7 @@ pub(super) const SCENE: &[&str] = &[
     "rolling",
     "belts",
     "chains",
+    "ropes",
     "driver",
     "motions",
     "sketch",
@@ -55,6 +56,7 @@ pub(super) const ROLLING: &[&str] =
     &["wheel", "centre", "radius", "on", "line", "through", "angle", "track", "track_radius", "inside", "at", "phase"];
 pub(super) const BELT: &[&str] = &["pulleys", "centres", "radii", "crossed", "reversed", "at", "phase"];
 pub(super) const CHAIN: &[&str] = &["sprockets", "centres", "teeth", "pitch", "reversed", "at", "phase"];
+pub(super) const ROPE: &[&str] = &["drum", "centre", "radius", "load", "line", "angle", "at"];
 pub(super) const TURN: &[&str] = &["link", "against", "line", "against_line", "angle", "omega", "alpha"];
 pub(super) const SLIDE: &[&str] = &["slide", "position", "velocity", "acceleration"];
 pub(super) const CYLINDER: &[&str] = &["cylinder", "length", "rate", "acceleration", "links"];

@@ -41,7 +41,7 @@ pub use driver::{Position, PositionSlot};
 pub use elsewhere::{driver_position, with_driver_at};
 pub use model::*;
 pub use quantity::{Asked, Axis};
-pub use rolling::{Contours, Flanks, Rolling, RollingId, RollingKind, Sizes};
+pub use rolling::{Contours, Flanks, Normal, Relation, Rolling, RollingId, RollingKind, Sizes, Touch};
 pub use write::write;
 pub use written::Told;
 

@@ -59,6 +59,25 @@ pub(super) struct RawGuide {
     pub span: Span,
 }
 
+impl RawGuide {
+    /// A slot on a link in which a pin runs, wherever it lies.
+    pub fn of_pin(pin: Word, on: Word, span: Span) -> RawGuide {
+        RawGuide {
+            pin: Some(pin),
+            slider: None,
+            on: Some(on),
+            line: None,
+            through: None,
+            angle: None,
+            slid: false,
+            offset: None,
+            centre: None,
+            radius: None,
+            span,
+        }
+    }
+}
+
 /// A gear pair or a wheel on its track.
 #[derive(Clone, Debug)]
 pub(super) struct RawRolling {

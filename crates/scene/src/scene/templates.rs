@@ -47,6 +47,7 @@ const FILES: &[(&str, &str)] = &[
     ("five-bar-centres", include_str!("../../../../templates/five-bar-centres.json")),
     ("gear-linkage", include_str!("../../../../templates/gear-linkage.json")),
     ("belt-crank-rocker", include_str!("../../../../templates/belt-crank-rocker.json")),
+    ("hoist", include_str!("../../../../templates/hoist.json")),
     ("rack-stroke-doubler", include_str!("../../../../templates/rack-stroke-doubler.json")),
     ("wheel-in-groove", include_str!("../../../../templates/wheel-in-groove.json")),
     ("cam-eccentric", include_str!("../../../../templates/cam-eccentric.json")),

@@ -1,4 +1,4 @@
-//! Positions one by one, by the general solvers, where a program has no value; and what is said of rows and limits.
+//! Single positions by the general solvers, where a program has no value; and the messages about rows and limits.
 
 use super::Placed;
 use super::follow::whole::Whole;

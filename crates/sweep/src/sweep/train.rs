@@ -7,7 +7,7 @@
 
 use crate::mechanism::{Form, Mechanism};
 use crate::position::Configuration;
-use crate::scene::{Contours, LinkId, PointId, RollingId, Scene, Sizes};
+use crate::scene::{LinkId, PointId, Relation, RollingId, Scene};
 
 /// A ratio of angles: a fraction of whole numbers where it is one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -199,40 +199,26 @@ impl Train {
                     e.add(Seen::Known(vec![(Source::Driver(d), Ratio::of(-1, 1))]), Ratio::ONE);
                 }
             }
-            Form::Rolls { pair: r, links: [a, b] } => {
+            Form::Related { pair: r, links: [a, b] } => {
                 let pair = &scene.rolling[r.0];
-                match &pair.contours {
-                    Contours::Circles { centres, sizes, hollow } => {
-                        let sign = if hollow.is_some() { -1 } else { 1 };
-                        let k = match sizes {
-                            Sizes::Teeth([za, zb]) => Ratio::of(sign * i64::from(*za), i64::from(*zb)),
-                            Sizes::Radii(_) => {
-                                let [ra, rb] = at.shapes.rolling[r.0];
-                                Ratio::near(ra / rb)
-                            }
-                        };
-                        e.circles(self.seen(m, g, a), self.seen(m, g, b), self.line(scene, m, g, *centres)?, k);
-                    }
-                    Contours::Belt { centres, teeth, .. } => {
-                        let [ra, rb] = at.shapes.rolling[r.0];
-                        let k = match teeth {
-                            Some([za, zb]) => Ratio::of(i64::from(*za) * if ra * rb < 0.0 { -1 } else { 1 }, i64::from(*zb)),
+                let [ra, rb] = at.shapes.rolling[r.0];
+                match pair.relation() {
+                    Relation::Turnings(centres) => {
+                        let k = match pair.teeth() {
+                            Some([za, zb]) => Ratio::of(i64::from(za) * if ra * rb < 0.0 { -1 } else { 1 }, i64::from(zb)),
                             None => Ratio::near(ra / rb),
                         };
-                        e.circles(self.seen(m, g, a), self.seen(m, g, b), self.line(scene, m, g, *centres)?, k);
+                        e.circles(self.seen(m, g, a), self.seen(m, g, b), self.line(scene, m, g, centres)?, k);
                     }
-                    Contours::Track { centre, .. } => {
+                    Relation::Slide { centre, .. } => {
                         let placed = |p: PointId| m.group_of_pin[p.0] != Some(g);
                         // A track or a centre that the group itself places is placed by this pair.
-                        if m.groups[g].links.contains(&a) || !placed(*centre) {
+                        if m.groups[g].links.contains(&a) || !placed(centre) {
                             return None;
                         }
                         e.add(self.seen(m, g, b), Ratio::ONE);
                         e.add(self.seen(m, g, a), Ratio::of(-1, 1));
-                        e.add(
-                            Seen::Known(vec![(Source::Way(r), Ratio { value: 1.0 / at.shapes.rolling[r.0][1], exact: None })]),
-                            Ratio::ONE,
-                        );
+                        e.add(Seen::Known(vec![(Source::Way(r), Ratio { value: 1.0 / rb, exact: None })]), Ratio::ONE);
                     }
                 }
             }

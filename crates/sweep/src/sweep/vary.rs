@@ -14,7 +14,7 @@ use crate::mechanism::Mechanism;
 use crate::scene::eval::{NoValue, Value, evaluate};
 use crate::scene::expr::{self, Expr, ExprKind};
 use crate::scene::units::Dim;
-use crate::scene::{Angle, Contours, Direction, Given, GuidePath, Kind, Place, PositionSlot, Scene, Sizes, Through, templates};
+use crate::scene::{Angle, Direction, Given, GuidePath, Kind, Place, PositionSlot, Scene, Through, templates};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -55,13 +55,7 @@ fn slots(scene: &mut Scene) -> Vec<Slot<'_>> {
     }
     out.extend(scene.lengths.iter_mut().map(|l| Slot::Number(&mut l.value, true)));
     for r in &mut scene.rolling {
-        match &mut r.contours {
-            Contours::Circles { sizes: Sizes::Radii(both), .. } | Contours::Belt { radii: both, .. } => {
-                out.extend(both.iter_mut().map(|x| Slot::Number(x, true)))
-            }
-            Contours::Circles { sizes: Sizes::Teeth(_), .. } => {}
-            Contours::Track { radius, .. } => out.push(Slot::Number(radius, true)),
-        }
+        out.extend(r.contours.radii_mut().into_iter().map(|x| Slot::Number(x, true)));
         out.extend(r.phase.iter_mut().map(Slot::Angle));
     }
     for d in &mut scene.drivers {

@@ -1,4 +1,4 @@
-//! Extremes of a column between the stations of a sweep, by sweeping again and again around the best station.
+//! Extremes of a column between the stations of a sweep, by repeated grid refinement around the best station.
 
 use super::{Placed, Stations, Width, run, station};
 

@@ -130,7 +130,9 @@ impl CrankRocker {
                 let text = significant(beta.to_degrees(), 5);
                 let why = match self.way {
                     Way::Gamma { .. } => both!("the wanted transmission angle", "给定的传动角"),
-                    _ => both!("the best transmission angle", "传动角最好"),
+                    Way::Limit { .. } | Way::Swing { .. } | Way::Bar { .. } | Way::Line { .. } | Way::Best { .. } => {
+                        both!("the best transmission angle", "传动角最好")
+                    }
                 };
                 board.step(both!(
                     "On the ray under β = {text}° from C2C1 ({}) lies A",

@@ -1,16 +1,18 @@
 //! Two neighbours in a belt or chain. The belt neither stretches nor slips, and a link keeps the distance of the axes: against that link both
 //! turn as two wheels that roll on one another do, in an open belt as one inside the other.
 
-use super::{Demands, Form, Kind};
+use super::{Demands, Kind};
 use crate::diag::both;
 use crate::scene::RollingKind;
 
 pub(super) const BELT: Kind = Kind {
-    form: Demands::Rolling(|pair, p| (p.kind == RollingKind::Belt).then_some(Form::Rolls { pair, links: p.links })),
+    form: Demands::Rolling { kind: RollingKind::Belt, told: |a, b| both!("a belt runs round {a} and {b}", "带绕过带轮 {a} 与 {b}") },
     words: |scene, a, b| both!("the belt between links {} and {}", "构件 {} 与 {} 之间的带传动", a.name(scene), b.name(scene)),
 };
 
 pub(super) const CHAIN: Kind = Kind {
-    form: Demands::Rolling(|pair, p| (p.kind == RollingKind::Chain).then_some(Form::Rolls { pair, links: p.links })),
+    form: Demands::Rolling {
+        kind: RollingKind::Chain, told: |a, b| both!("a chain runs round {a} and {b}", "链条绕过链轮 {a} 与 {b}")
+    },
     words: |scene, a, b| both!("the chain between links {} and {}", "构件 {} 与 {} 之间的链传动", a.name(scene), b.name(scene)),
 };

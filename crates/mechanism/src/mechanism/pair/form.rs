@@ -56,9 +56,9 @@ pub enum Form {
         /// The driver.
         driver: usize,
     },
-    /// Turning of two links, and turning of the line of centres or way along the track, are linearly related: the pair's contours roll.
-    Rolls {
-        /// Which pair; its contours are those of the scene.
+    /// Turnings of two links, and that of a line of centres or the way along a guide, are linearly related.
+    Related {
+        /// Which pair; its relation is that of the scene.
         pair: RollingId,
         /// The two links.
         links: [LinkId; 2],
@@ -82,7 +82,7 @@ impl Form {
             Form::Angles { of, against, .. } => (Node::Link(of), Node::Link(against)),
             Form::OnPath { runner, on, .. } | Form::AlongPath { runner, on, .. } => (runner.node(), Node::Link(on)),
             Form::Distance { from, to, .. } => (Node::Pin(from), Node::Pin(to)),
-            Form::Rolls { links: [a, b], .. } => (Node::Link(a), Node::Link(b)),
+            Form::Related { links: [a, b], .. } => (Node::Link(a), Node::Link(b)),
         }
     }
 
@@ -96,7 +96,7 @@ impl Form {
     pub fn meets(&self) -> Option<(PointId, LinkId)> {
         match *self {
             Form::Meet { pin, link } => Some((pin, link)),
-            Form::Angles { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Rolls { .. } => None,
+            Form::Angles { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Related { .. } => None,
         }
     }
 
@@ -104,7 +104,7 @@ impl Form {
     pub fn equations(&self) -> usize {
         match self {
             Form::Meet { .. } => 2,
-            Form::Angles { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Rolls { .. } => 1,
+            Form::Angles { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Related { .. } => 1,
         }
     }
 
@@ -113,7 +113,7 @@ impl Form {
         match *self {
             Form::Angles { driver, .. } => driver,
             Form::AlongPath { driver, .. } | Form::Distance { driver, .. } => Some(driver),
-            Form::Meet { .. } | Form::OnPath { .. } | Form::Rolls { .. } => None,
+            Form::Meet { .. } | Form::OnPath { .. } | Form::Related { .. } => None,
         }
     }
 
@@ -122,7 +122,7 @@ impl Form {
         match *self {
             Form::Angles { of, against, driver: None } => Some((of, against)),
             Form::Angles { driver: Some(_), .. } => None,
-            Form::Meet { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Rolls { .. } => None,
+            Form::Meet { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Related { .. } => None,
         }
     }
 
@@ -130,7 +130,7 @@ impl Form {
     pub fn lies_on(&self) -> Option<(GuideId, LinkId)> {
         match *self {
             Form::OnPath { guide, on, .. } => Some((guide, on)),
-            Form::Meet { .. } | Form::Angles { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Rolls { .. } => None,
+            Form::Meet { .. } | Form::Angles { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Related { .. } => None,
         }
     }
 
@@ -138,7 +138,7 @@ impl Form {
     pub fn path(&self) -> Option<GuideId> {
         match *self {
             Form::OnPath { guide, .. } | Form::AlongPath { guide, .. } => Some(guide),
-            Form::Meet { .. } | Form::Angles { .. } | Form::Distance { .. } | Form::Rolls { .. } => None,
+            Form::Meet { .. } | Form::Angles { .. } | Form::Distance { .. } | Form::Related { .. } => None,
         }
     }
 }

@@ -12,6 +12,7 @@ mod glide;
 mod lock;
 mod pin;
 mod rolling;
+mod rope;
 mod sliding;
 mod slot;
 mod turning;
@@ -20,7 +21,7 @@ pub use form::{Form, Runner};
 
 use super::Node;
 use crate::diag::{Both, Span};
-use crate::scene::{DriverKind, Guide, GuideId, LinkId, PointId, Rolling, RollingId, Scene};
+use crate::scene::{DriverKind, Guide, GuideId, LinkId, PointId, RollingId, RollingKind, Scene};
 
 /// What of a scene constrains: a point on a link, a guide, a driver, a rolling pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,7 +48,11 @@ enum Demands {
     Pin(fn(PointId, LinkId) -> Option<Form>),
     Guide(fn(GuideId, &Guide) -> Option<Form>),
     Driver(DriverForm),
-    Rolling(fn(RollingId, &Rolling) -> Option<Form>),
+    /// All of them relate turnings, or turning and sliding, linearly; `told` says in a list of pairs which links those are.
+    Rolling {
+        kind: RollingKind,
+        told: fn(&str, &str) -> Both,
+    },
 }
 
 /// What a kind of driver says besides: how it is named as what moves something, and what it moves.
@@ -70,6 +75,7 @@ const KINDS: &[Kind] = &[
     rolling::WHEEL,
     belt::BELT,
     belt::CHAIN,
+    rope::ROPE,
 ];
 
 /// One pair or driver, or a part of one, as a constraint between two nodes.
@@ -86,10 +92,28 @@ pub fn constraints_of(scene: &Scene, item: Item) -> impl Iterator<Item = Constra
         (Demands::Pin(form), Item::Pin(p, l)) => form(p, l),
         (Demands::Guide(form), Item::Guide(g)) => form(g, &scene.guides[g.0]),
         (Demands::Driver(driver), Item::Driver(d)) => (driver.form)(d, &scene.drivers[d].kind, scene),
-        (Demands::Rolling(form), Item::Rolling(r)) => form(r, &scene.rolling[r.0]),
-        (Demands::Pin(_) | Demands::Guide(_) | Demands::Driver(_) | Demands::Rolling(_), _) => None,
+        (Demands::Rolling { kind, .. }, Item::Rolling(pair)) => {
+            let of = &scene.rolling[pair.0];
+            (of.kind == *kind).then_some(Form::Related { pair, links: of.links })
+        }
+        (Demands::Pin(_) | Demands::Guide(_) | Demands::Driver(_) | Demands::Rolling { .. }, _) => None,
     };
     KINDS.iter().enumerate().filter_map(move |(kind, k)| Some(Constraint { kind, item, form: demanded(k)? }))
+}
+
+/// What an item of one constraint is called.
+pub fn words_of(scene: &Scene, item: Item) -> Both {
+    constraints_of(scene, item).next().map_or_else(|| Both::same(""), |c| c.words(scene))
+}
+
+/// A rolling pair in a list of pairs.
+pub fn told_words(scene: &Scene, pair: RollingId) -> Both {
+    let [a, b] = scene.rolling[pair.0].links.map(|l| scene.link_name(l));
+    let told = |kind: &Kind| match kind.form {
+        Demands::Rolling { kind, told } if kind == scene.rolling[pair.0].kind => Some(told(a, b)),
+        Demands::Pin(_) | Demands::Guide(_) | Demands::Driver(_) | Demands::Rolling { .. } => None,
+    };
+    KINDS.iter().find_map(told).unwrap_or_else(|| Both::same(""))
 }
 
 /// How a driver is named as what moves something.
@@ -105,7 +129,7 @@ pub fn moved_words(scene: &Scene, driver: usize) -> Both {
 fn driver_words(scene: &Scene, driver: usize, words: impl Fn(&DriverForm) -> fn(&Scene, Node, Node) -> Both) -> Both {
     let of = |c: Constraint| match &KINDS[c.kind].form {
         Demands::Driver(driver) => Some(words(driver)(scene, c.ends().0, c.ends().1)),
-        Demands::Pin(_) | Demands::Guide(_) | Demands::Rolling(_) => None,
+        Demands::Pin(_) | Demands::Guide(_) | Demands::Rolling { .. } => None,
     };
     constraints_of(scene, Item::Driver(driver)).find_map(of).unwrap_or_else(|| Both::same(""))
 }

@@ -10,7 +10,7 @@ use crate::number::Real;
 use crate::position::equations::View;
 use crate::position::rolling::whole;
 use crate::position::{Configuration, Path};
-use crate::scene::{Contours, LinkId, PointId, RollingId};
+use crate::scene::{GuideId, LinkId, PointId, Relation, RollingId};
 
 /// By how much a pair misses rolling, as an angle of its second link, and the coefficients of that in the lengths by which steps are counted.
 pub(super) struct Slip<N> {
@@ -21,11 +21,11 @@ pub(super) struct Slip<N> {
 impl<N: Real> Coupled<'_, N> {
     /// The equation of a rolling pair; `None` where nothing but a rough sketch tells how it stands.
     pub(super) fn slip(&self, view: &Placed<N>, r: RollingId) -> Option<Slip<N>> {
-        match (self.assembly.scene.rolling[r.0].contours.clone(), self.assembly.instant) {
-            (Contours::Circles { centres, .. } | Contours::Belt { centres, .. }, Some(then)) => self.turned_since(view, r, centres, then),
-            (Contours::Circles { centres, .. } | Contours::Belt { centres, .. }, None) => self.in_phase(view, r, centres),
-            (Contours::Track { centre, .. }, Some(then)) => self.gone_since(view, r, centre, then),
-            (Contours::Track { .. }, None) => None,
+        match (self.assembly.scene.rolling[r.0].relation(), self.assembly.instant) {
+            (Relation::Turnings(centres), Some(then)) => self.turned_since(view, r, centres, then),
+            (Relation::Turnings(centres), None) => self.in_phase(view, r, centres),
+            (Relation::Slide { centre, guide }, Some(then)) => self.gone_since(view, r, (centre, guide), then),
+            (Relation::Slide { .. }, None) => None,
         }
     }
 
@@ -69,10 +69,10 @@ impl<N: Real> Coupled<'_, N> {
     }
 
     /// A wheel on a straight track since the instant.
-    fn gone_since(&self, view: &Placed<N>, r: RollingId, centre: PointId, then: &Configuration<N>) -> Option<Slip<N>> {
+    fn gone_since(&self, view: &Placed<N>, r: RollingId, (centre, guide): (PointId, GuideId), then: &Configuration<N>) -> Option<Slip<N>> {
         let pair = &self.assembly.scene.rolling[r.0];
         let ([on, wheel], [_, radius]) = (pair.links, pair.sizes(&self.assembly.inputs));
-        let Path::Line { through, direction } = view.path(pair.guide?)? else { return None };
+        let Path::Line { through, direction } = view.path(guide)? else { return None };
         let pose = view.pose(on)?;
         let at = self.centre(view, wheel, centre)?;
         let before = direction.dot(then.poses[on.0]?.to_local(then.points[centre.0]?) - through);

@@ -1,4 +1,4 @@
-//! Belts round pulleys and chains round sprockets.
+//! Belts round pulleys, chains round sprockets, ropes from a drum.
 
 use super::amount::{Angle, Length};
 use super::part::{Entry, members};
@@ -37,4 +37,22 @@ members! { Belt:
     at(points: &[&str]) "at" = json!(points);
     /// The angle of the second link's line, as [`Gears::phase`](super::Gears::phase).
     phase(value: Angle) "phase" = value.json();
+}
+
+/// A rope that is wound on a drum and draws a load along.
+#[derive(Clone, Debug)]
+#[must_use]
+pub struct Rope(Entry);
+
+impl Rope {
+    /// A rope between a drum, with its centre and radius, and the load that slides in the direction of the rope, the drum to its left.
+    pub fn wound(drum: &str, centre: &str, radius: Length, load: &str, direction: Angle) -> Rope {
+        let entry = Entry::default().with("drum", json!(drum)).with("centre", json!(centre)).with("radius", radius.json());
+        Rope(entry.with("load", json!(load)).with("angle", direction.json()))
+    }
+}
+
+members! { Rope:
+    /// The name of the point where it leaves the drum.
+    at(point: &str) "at" = json!(point);
 }

@@ -25,7 +25,7 @@ mod part;
 mod tests;
 
 pub use amount::*;
-pub use belt::Belt;
+pub use belt::{Belt, Rope};
 pub use part::{Driver, Gears, Guide, Wheel};
 
 use super::{Lang, Scene, read, write};
@@ -110,6 +110,11 @@ impl Builder {
     pub fn belt(self, belt: Belt) -> Builder {
         let key = belt.section();
         self.among(key, belt.json())
+    }
+
+    /// A rope from a drum to its load.
+    pub fn rope(self, rope: Rope) -> Builder {
+        self.among("ropes", rope.json())
     }
 
     /// A driver; several may be added.

@@ -32,7 +32,7 @@ impl One<'_> {
                 pending.left = face.left.unwrap_or(true);
                 (RawFollows::Face(face), offset, sense)
             }
-            round => (round.clone(), None, 1.0),
+            round @ (RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. }) => (round.clone(), None, 1.0),
         };
         if let [Worded::Circle { centre, radius }] = worded.as_slice() {
             pending.circle = Some((centre.clone(), radius.value));

@@ -108,7 +108,7 @@ impl Scene {
             }
         }
         self.cams.iter_mut().filter_map(|c| c.contact.as_mut()).for_each(shift);
-        self.rolling.iter_mut().filter_map(|r| r.guide.as_mut()).for_each(shift);
+        self.rolling.iter_mut().filter_map(crate::scene::Rolling::guide_mut).for_each(shift);
     }
 
     /// Puts the followers that are drivers where the cams hold them that a driver turns; the driver stands at `value` (rad), or where it is said

@@ -40,7 +40,7 @@ impl Contact<'_> {
     }
 
     fn blank(&self) -> RawGuide {
-        RawGuide { pin: None, on: None, ..guide(self.word(""), self.word(""), self.span) }
+        RawGuide { pin: None, on: None, ..RawGuide::of_pin(self.word(""), self.word(""), self.span) }
     }
 
     /// A round end against a circle.
@@ -125,23 +125,6 @@ impl Contact<'_> {
         };
         raw.guides.push(guide);
         Some(())
-    }
-}
-
-/// A slot on a link in which a pin runs, wherever it lies.
-pub(super) fn guide(pin: Word, on: Word, span: Span) -> RawGuide {
-    RawGuide {
-        pin: Some(pin),
-        slider: None,
-        on: Some(on),
-        line: None,
-        through: None,
-        angle: None,
-        slid: false,
-        offset: None,
-        centre: None,
-        radius: None,
-        span,
     }
 }
 

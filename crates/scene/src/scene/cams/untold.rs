@@ -3,7 +3,7 @@
 //! Whatever the profile is, a round end runs in a slot of the cam, and a point of the cam (the centre of the arc that is touched) in a guide of a follower
 //! with a face: each takes one freedom. Where slot and guide lie does not matter.
 
-use super::super::raw::{RawLink, RawScene};
+use super::super::raw::{RawGuide, RawLink, RawScene};
 use super::expand::{One, Pending};
 use super::pairs::fresh;
 use super::raw::RawFollows;
@@ -29,6 +29,6 @@ impl One<'_> {
         pending.disc = None;
         pending.posed = None;
         pending.contact = Some(raw.guides.len());
-        raw.guides.push(super::pairs::guide(pin, on, self.raw.span));
+        raw.guides.push(RawGuide::of_pin(pin, on, self.raw.span));
     }
 }

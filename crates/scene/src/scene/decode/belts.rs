@@ -56,10 +56,8 @@ fn strands(f: &Fields, section: &Section, belt: usize, faults: &mut Faults) -> O
     };
     let (links, centres) = (list(wheels, "[\"2\", \"3\"]", faults), list("centres", "[\"A\", \"B\"]", faults));
     let values = f.need(sizes, example, faults).map(|n| quantities(n, sizes, faults)).unwrap_or_default();
-    let pitch = match section.kind {
-        RollingKind::Chain => f.need("pitch", "\"12.7 mm\"", faults).and_then(|n| quantity(n, "\"pitch\"", faults)),
-        RollingKind::Belt | RollingKind::Gears | RollingKind::Wheel => None,
-    };
+    let need_pitch = |faults: &mut Faults| f.need("pitch", "\"12.7 mm\"", faults).and_then(|n| quantity(n, "\"pitch\"", faults));
+    let pitch = section.kind.is_toothed().then(|| need_pitch(faults)).flatten();
     let reversed = f.get("reversed").map(|n| words(Some(n), "\"reversed\"", faults)).unwrap_or_default();
     let crossed = f.get("crossed").and_then(|n| flag(n, "crossed", faults)) == Some(true);
     let at = f.get("at").map(|n| words(Some(n), "\"at\"", faults));

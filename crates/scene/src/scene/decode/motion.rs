@@ -30,19 +30,8 @@ pub(super) fn motion(node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Op
     }
     let (rate, acceleration, law) = differentiated(&s, raw, faults)?.of_driver("m/s", node.span);
     let given = |text: String| RawQuantity { text, span: s.span, bare: false };
-    let blank = RawGuide {
-        pin: Some(point.clone()),
-        slider: Some(Word { text: free_name(raw), span: point.span }),
-        on: Some(on),
-        line: None,
-        through: None,
-        angle: None,
-        slid: false,
-        offset: None,
-        centre: None,
-        radius: None,
-        span: node.span,
-    };
+    let slider = Some(Word { text: free_name(raw), span: point.span });
+    let blank = RawGuide { slider, ..RawGuide::of_pin(point.clone(), on, node.span) };
     let (guide, position) = match way {
         Way::Line(line) => {
             let through = first(raw, &line).map(RawThrough::Point);

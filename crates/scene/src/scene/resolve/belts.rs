@@ -1,4 +1,4 @@
-//! What the sections `belts` and `chains` say of two neighbours: the link that keeps their distance, and their radii.
+//! What the sections `belts` and `chains` say of two neighbours: the link that keeps their distance, and their radii; what keeps a rope taut.
 
 use super::super::rolling::Contours;
 use super::rolling::whole;
@@ -50,4 +50,27 @@ pub(super) fn round(
     let ([a, b], teeth) = sizes?;
     let RawStrand { belt, crossed, right, .. } = *strand;
     Some(Contours::Belt { centres, radii: [a?, b?], teeth, crossed, right, arm: arm?, belt })
+}
+
+/// A rope stays taut and keeps its direction: its load slides in a guide of the link that carries the drum's axis.
+pub(super) fn taut(c: &Context, raw: &RawRolling, (load, axis): (LinkId, PointId), faults: &mut Faults) -> Option<()> {
+    let is = |word: &Option<Word>, link: LinkId| word.as_ref().map_or(link == c.ground, |w| w.text == c.link_name(link));
+    let carriers = || (0..c.names.links.len()).map(LinkId).filter(|l| c.carries(*l, axis));
+    let joins = |g: &RawGuide| {
+        let slides = |of: LinkId, on: LinkId| g.slider.is_some() && is(&g.slider, of) && is(&g.on, on);
+        carriers().any(|l| slides(load, l) || slides(l, load))
+    };
+    if c.raw.guides.iter().any(joins) {
+        return Some(());
+    }
+    let (load, axis) = (c.link_name(load), c.point_name(axis));
+    let message = both!(
+        "the load `{load}` of a rope slides in no guide of a link that carries the drum's axis {axis}",
+        "绳所牵引的构件 `{load}` 没有在带有卷筒轴 {axis} 的构件上的导路中滑动"
+    );
+    faults.push(Diagnostic::error("rope-load", message).at(raw.span).help(both!(
+        "add a guide with \"slider\": \"{load}\" in the direction of the rope, on the ground or the link that carries {axis}",
+        "请在机架或带有 {axis} 的构件上，沿绳的方向加一条 \"slider\": \"{load}\" 的导路"
+    )));
+    None
 }

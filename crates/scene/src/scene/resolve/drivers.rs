@@ -9,7 +9,7 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resol
     for raw in &c.raw.drivers {
         let (rate, acceleration) = match raw.kind {
             RawDriverKind::Turn { .. } => (Wanted::Omega, Wanted::Alpha),
-            _ => (Wanted::Velocity, Wanted::Acceleration),
+            RawDriverKind::Slide { .. } | RawDriverKind::Cylinder { .. } => (Wanted::Velocity, Wanted::Acceleration),
         };
         let kind = match &raw.kind {
             RawDriverKind::Turn { link, against, line, against_line, angle } => {

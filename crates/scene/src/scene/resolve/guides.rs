@@ -140,7 +140,7 @@ fn line(c: &Context, raw: &RawGuide, on: LinkId, pin: Option<PointId>, places: &
     };
     let through = through.unwrap_or(match &direction {
         Direction::Along(a, ..) => Through::Point(*a),
-        _ => Through::Pin,
+        Direction::Instant(_) | Direction::Own | Direction::Slid(_) => Through::Pin,
     });
     Some(GuidePath::Line { through, direction, offset })
 }

@@ -72,6 +72,9 @@ fn pair(
     }
     let flanks = flanks(c, raw, faults);
     let phase = transpose(phase)?;
+    if raw.kind == RollingKind::Rope {
+        belts::taut(c, raw, (a.link, b.centre?), faults)?;
+    }
     if let Some(q) = &raw.phase
         && [a, b].iter().all(|side| stands(c, side.link, places))
     {
@@ -84,34 +87,26 @@ fn pair(
             .push(d.help(both!("leave the phase away, or what says how one of them stands", "请去掉 phase，或去掉确定其中一轮位置的数据")));
         return None;
     }
-    let id = RollingId(out.rolling.len());
     let wheel = b.centre?;
-    let (contours, path) = match (a.centre, &raw.strand) {
-        (None, _) => straight(c, raw, a.link, (wheel, places), faults)?,
-        (Some(centre), None) => round(c, raw, [centre, wheel], faults)?,
-        (Some(centre), Some(strand)) => {
-            let contours = belts::round(c, raw, strand, [a.link, b.link], [centre, wheel], faults)?;
-            return Some(Rolling {
-                links: [a.link, b.link],
-                contours,
-                at,
-                kind: raw.kind,
-                guide: None,
-                phase,
-                flanks: None,
-                span: raw.span,
-            });
-        }
-    };
     let common = a.centre.is_some_and(|p| (0..c.names.links.len()).any(|l| c.carries(LinkId(l), p) && c.carries(LinkId(l), wheel)));
-    if let (Contours::Circles { centres, sizes: Sizes::Radii([p, q]), hollow }, true) = (&contours, common) {
-        out.lengths.extend(distance(c, *centres, [p, q], *hollow, (places, lengths)));
-    }
-    let guide = (!common).then(|| {
-        out.guides.push(Guide { pin: Some(wheel), slider: None, on: a.link, path, rolling: Some(id), span: raw.span });
-        GuideId(first_guide + out.guides.len() - 1)
-    });
-    Some(Rolling { links: [a.link, b.link], contours, at, kind: raw.kind, guide, phase, flanks: flanks?, span: raw.span })
+    let guide = GuideId(first_guide + out.guides.len());
+    let (contours, flanks, path) = match (a.centre, &raw.strand) {
+        (None, _) => {
+            let (contours, path) = straight(c, raw, a.link, (wheel, places, guide), faults)?;
+            (contours, flanks?, Some(path))
+        }
+        (Some(centre), None) => {
+            let (contours, radius) = round(c, raw, [centre, wheel], (!common).then_some(guide), faults)?;
+            if let (Contours::Circles { centres, sizes: Sizes::Radii([p, q]), hollow, .. }, true) = (&contours, common) {
+                out.lengths.extend(distance(c, *centres, [p, q], *hollow, (places, lengths)));
+            }
+            (contours, flanks?, (!common).then_some(GuidePath::Arc { centre, radius }))
+        }
+        (Some(centre), Some(strand)) => (belts::round(c, raw, strand, [a.link, b.link], [centre, wheel], faults)?, None, None),
+    };
+    let id = RollingId(out.rolling.len());
+    out.guides.extend(path.map(|path| Guide { pin: Some(wheel), slider: None, on: a.link, path, rolling: Some(id), span: raw.span }));
+    Some(Rolling { links: [a.link, b.link], contours, at, kind: raw.kind, phase, flanks, span: raw.span })
 }
 
 /// Whether something other than the phase says how a link stands: it is fixed, coordinates give two of its points, or a driver its angle.
@@ -141,7 +136,7 @@ fn straight(
     c: &Context,
     raw: &RawRolling,
     on: LinkId,
-    (wheel, places): (PointId, &[Place]),
+    (wheel, places, guide): (PointId, &[Place], GuideId),
     faults: &mut Faults,
 ) -> Option<(Contours, GuidePath)> {
     let ends = raw.line.as_ref().map(|word| note(c.line_on(word, on), faults));
@@ -195,7 +190,10 @@ fn straight(
         (None, None) => {
             let d = Diagnostic::error(
                 "no-direction",
-                both!("the straight track on link `{}` has no direction", "构件 `{}` 上的直线轨道没有方向", c.link_name(on)),
+                match raw.kind.is_flexible() {
+                    true => both!("the rope of load `{}` has no direction", "牵引构件 `{}` 的绳没有方向", c.link_name(on)),
+                    false => both!("the straight track on link `{}` has no direction", "构件 `{}` 上的直线轨道没有方向", c.link_name(on)),
+                },
             );
             faults.push(d.at(raw.span).help(both!(
                 "add \"angle\": \"0 deg\" or \"line\", two points of that link; the wheel lies to the left, looking along it",
@@ -213,7 +211,7 @@ fn straight(
             Direction::Along(..) | Direction::Instant(_) | Direction::Own | Direction::Slid(_) => (Through::Pin, None),
         },
     };
-    Some((Contours::Track { centre: wheel, radius }, GuidePath::Line { through, direction, offset }))
+    Some((Contours::Track { centre: wheel, radius, guide }, GuidePath::Line { through, direction, offset }))
 }
 
 /// The direction of a track that nothing tells, for counting: that of the guide in which its link slides.
@@ -223,8 +221,14 @@ fn sliding_angle(c: &Context, on: LinkId, span: Span) -> Given<Angle> {
     told.unwrap_or(Given { value: Angle::Deg(0.0), radius: 0.0, text: "0 deg".into(), span })
 }
 
-/// Two circles: the second centre runs on a circle about the first.
-fn round(c: &Context, raw: &RawRolling, centres: [PointId; 2], faults: &mut Faults) -> Option<(Contours, GuidePath)> {
+/// Two circles, and the radius of that about the first centre on which the second runs, where the sizes tell it.
+fn round(
+    c: &Context,
+    raw: &RawRolling,
+    centres: [PointId; 2],
+    guide: Option<GuideId>,
+    faults: &mut Faults,
+) -> Option<(Contours, Option<Given>)> {
     let through = raw.through.as_ref().map(|t| match t {
         RawThrough::At(_, span) => *span,
         RawThrough::Point(word) => word.span,
@@ -283,7 +287,7 @@ fn round(c: &Context, raw: &RawRolling, centres: [PointId; 2], faults: &mut Faul
             }
         }
     };
-    Some((Contours::Circles { centres, sizes, hollow }, GuidePath::Arc { centre: centres[0], radius }))
+    Some((Contours::Circles { centres, sizes, hollow, guide }, radius))
 }
 
 /// A hollow circle is the larger one.

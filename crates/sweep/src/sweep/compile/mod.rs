@@ -299,7 +299,7 @@ impl<'a> Compiler<'a> {
                 if l == self.scene.ground {
                     return Ok(match level {
                         Level::Position => self.fixed(local.to_vec2()),
-                        _ => self.fixed(Vec2::ZERO),
+                        Level::Velocity | Level::Acceleration => self.fixed(Vec2::ZERO),
                     });
                 }
                 let body = self.body(l)?;
@@ -406,7 +406,7 @@ impl<'a> Compiler<'a> {
                 let (a, omega) = (a(self)?, omega(self)?);
                 self.emit(level, TurningRate { d, v, a, omega }, 1)
             }
-            _ => self.emit(level, Turning { d, v }, 1),
+            Level::Position | Level::Velocity => self.emit(level, Turning { d, v }, 1),
         })
     }
 
@@ -459,7 +459,7 @@ impl<'a> Compiler<'a> {
                 let alpha = self.turning(l, Level::Acceleration)?;
                 self.emit_pair(level, SwingRate { a: v, r, omega, alpha })
             }
-            _ => self.emit_pair(level, Swing { v, r, omega }),
+            Level::Position | Level::Velocity => self.emit_pair(level, Swing { v, r, omega }),
         })
     }
 

@@ -205,7 +205,7 @@ impl Compiler<'_> {
         let group = &self.m.groups[g];
         let pin = match &group.core {
             Core::Pin { pin, .. } => Some(*pin),
-            _ => None,
+            Core::Link { .. } | Core::Higher => None,
         };
         self.joints.push(Joint { group: g, step: self.steps[P as usize].len(), crossing, links: group.links.clone(), pin });
     }
@@ -309,7 +309,7 @@ impl Compiler<'_> {
         let body = self.bodies[link.0].as_ref().ok_or_else(|| self.lost(link))?;
         let back = match spot {
             Spot::Fixed(l, local) if l == link => body.at - local,
-            _ => Vec2::ZERO,
+            Spot::Pin(_) | Spot::Own(_) | Spot::Fixed(..) => Vec2::ZERO,
         };
         if back == Vec2::ZERO {
             return Ok(locus);
@@ -374,7 +374,7 @@ impl Compiler<'_> {
                 let through = match over {
                     // A gliding link keeps the distance that it has.
                     Spot::Pin(_) => through,
-                    _ => self.at.poses[link.0].map_or(through, |pose| pose.to_local(self.now(over))),
+                    Spot::Own(_) | Spot::Fixed(..) => self.at.poses[link.0].map_or(through, |pose| pose.to_local(self.now(over))),
                 };
                 let spot = Spot::Fixed(link, through);
                 let at = self.spot(over, P)?;

@@ -216,7 +216,7 @@ impl Compiler<'_> {
                 let alpha = self.turning(link, A)?;
                 self.emit(A, ReducedRate { n, r, c, omega, alpha }, 1)
             }
-            _ => self.emit(V, Reduced { n, r, c, omega }, 1),
+            P | V => self.emit(V, Reduced { n, r, c, omega }, 1),
         };
         Ok((n, c))
     }
@@ -234,7 +234,7 @@ impl Compiler<'_> {
                         let (vp, af) = (self.spot(p, V)?, self.spot(far, A)?);
                         self.emit(A, DistanceRate { n, vp, vf, af, l, rate, acceleration }, 1)
                     }
-                    _ => self.emit(V, Distance { n, vf, l, rate }, 1),
+                    P | V => self.emit(V, Distance { n, vf, l, rate }, 1),
                 };
                 Ok((n, r, c))
             }
@@ -251,7 +251,7 @@ impl Compiler<'_> {
                         let (vp, ao, alpha) = (self.spot(p, V)?, self.spot(Spot::Own(on), A)?, self.turning(on, A)?);
                         self.emit(A, GuidedRate { n, r, vp, vo, ao, omega, alpha, acceleration: rate }, 1)
                     }
-                    _ => self.emit(V, Guided { n, r, vo, omega, rate }, 1),
+                    P | V => self.emit(V, Guided { n, r, vo, omega, rate }, 1),
                 };
                 let c = led.map_or(c, |led| self.emit(level, Sum { a: c, b: led, k: 1.0 }, 1));
                 Ok((n, reach, c))
@@ -264,7 +264,7 @@ impl Compiler<'_> {
                         let (ab, vo, omega) = (self.spot(over, A)?, self.spot(Spot::Own(link), V)?, self.turning(link, V)?);
                         self.emit(A, SlotRate { n, r, vb, ab, vo, omega }, 1)
                     }
-                    _ => {
+                    P | V => {
                         let l = self.zero();
                         self.emit(V, Distance { n, vf: vb, l, rate: 0.0 }, 1)
                     }

@@ -8,7 +8,7 @@ use crate::diag::{Diagnostic, both};
 use crate::geom::Vec2;
 use crate::mechanism::{Form, Level};
 use crate::position::{Path, Pose};
-use crate::scene::{Contours, LinkId, PointId, RollingId};
+use crate::scene::{LinkId, Normal, PointId, Relation, RollingId, Touch};
 use crate::sweep::carry::{Along, Arm, Image, Product, Swing, SwingRate, Twist};
 use crate::sweep::kernel::{Pair, Reg};
 use crate::sweep::program::{Program, VALUE};
@@ -87,8 +87,8 @@ impl Compiler<'_> {
         let group = &self.m.groups[g];
         let forms = || group.constraints.iter().map(|&c| self.m.constraints[c].form());
         let pinned: Vec<(PointId, LinkId)> = forms().filter_map(|f| f.meets()).collect();
-        let others = forms().all(|f| matches!(f, Form::Meet { .. } | Form::Angles { .. } | Form::Rolls { .. }));
-        let rolls = forms().any(|f| matches!(f, Form::Rolls { .. }));
+        let others = forms().all(|f| matches!(f, Form::Meet { .. } | Form::Angles { .. } | Form::Related { .. }));
+        let rolls = forms().any(|f| matches!(f, Form::Related { .. }));
         let told = group.links.iter().all(|l| self.trains.train.of_link(*l).is_some());
         if !others || !rolls || !told || pinned.len() != group.links.len() + group.pins.len() {
             return None;
@@ -322,10 +322,10 @@ impl Compiler<'_> {
     /// The wheel's centre, and where the track begins.
     fn on_track(&mut self, r: RollingId) -> Result<(PointId, LinkId, Spot, Pair), NoKernel> {
         let pair = &self.scene.rolling[r.0];
-        let (Contours::Track { centre, .. }, Some(guide)) = (&pair.contours, pair.guide) else { return Err(self.lost(pair.links[1])) };
+        let Relation::Slide { centre, guide } = pair.relation() else { return Err(self.lost(pair.links[1])) };
         let Some(Path::Line { through, direction }) = self.at.shapes.guides[guide.0] else { return Err(self.lost(pair.links[0])) };
         let u = self.direction_on(pair.links[0], direction)?;
-        Ok((*centre, pair.links[0], Spot::Fixed(pair.links[0], through), u))
+        Ok((centre, pair.links[0], Spot::Fixed(pair.links[0], through), u))
     }
 
     /// How far a wheel's centre stands along its track (m), and from where to where that is.
@@ -338,7 +338,7 @@ impl Compiler<'_> {
     /// The same at the instant.
     fn way_now(&mut self, r: RollingId) -> Result<f64, NoKernel> {
         let (centre, track, from, _) = self.on_track(r)?;
-        let Some(Path::Line { direction, .. }) = self.scene.rolling[r.0].guide.and_then(|g| self.at.shapes.guides[g.0]) else {
+        let Some(Path::Line { direction, .. }) = self.scene.rolling[r.0].guide().and_then(|g| self.at.shapes.guides[g.0]) else {
             return Err(self.lost(track));
         };
         let pose = if track == self.scene.ground { Pose::GROUND } else { self.at.poses[track.0].unwrap_or(Pose::GROUND) };
@@ -403,18 +403,18 @@ impl Compiler<'_> {
     /// One of the places of contact of a pair.
     pub(super) fn contact(&mut self, r: RollingId, at: PointId) -> Result<Pair, NoKernel> {
         let [r1, r2] = self.at.shapes.rolling[r.0];
-        match self.scene.rolling[r.0].contours {
-            Contours::Circles { centres: [a, b], .. } => {
+        match self.scene.rolling[r.0].touch() {
+            Touch::Point(Normal::Centres([a, b])) => {
                 let d = self.between(Spot::Pin(a), Spot::Pin(b))?;
                 let o = self.point(a, P)?;
                 Ok(self.emit_pair(P, Image { o, d, k: [r1 / (r1 + r2), 0.0] }))
             }
-            Contours::Track { centre, .. } => {
+            Touch::Point(Normal::Square { centre, .. }) => {
                 let d = self.tangent(r)?;
                 let o = self.point(centre, P)?;
                 Ok(self.emit_pair(P, Image { o, d, k: [0.0, -r2] }))
             }
-            Contours::Belt { centres, right, .. } => self.strand_end(r, centres, right, at),
+            Touch::Strand { centres, right, .. } => self.strand_end(r, centres, right, at),
         }
     }
 
@@ -431,7 +431,7 @@ impl Compiler<'_> {
                 let alpha = self.turning(link, A)?;
                 self.emit_pair(A, SwingRate { a: v, r, omega, alpha })
             }
-            _ => self.emit_pair(V, Swing { v, r, omega }),
+            P | V => self.emit_pair(V, Swing { v, r, omega }),
         })
     }
 }

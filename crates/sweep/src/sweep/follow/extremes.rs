@@ -54,7 +54,7 @@ impl<'a> Walk<'a> {
     /// First and last place of the driver that was reached.
     pub fn span(&self) -> [f64; 2] {
         let poses = &self.sweep.poses;
-        let travel = |pose: Option<&super::poses::Pose>| self.now + pose.map_or(0.0, |p| p.travel);
+        let travel = |pose: Option<&super::Pose>| self.now + pose.map_or(0.0, |p| p.travel);
         if self.sweep.full { [self.now, self.now + self.sweep.period()] } else { [travel(poses.first()), travel(poses.last())] }
     }
 

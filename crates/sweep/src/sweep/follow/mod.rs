@@ -2,6 +2,7 @@
 //!
 //! - [`poses`]: all poses of the travel of one driver, to the full turn or to the limits.
 //! - `triad`: a class III group inside a program, by predictor and corrector; `compiled`: all of them through a table's positions.
+//! - `step`: where the motion leads, and what counts as a jump.
 //! - `whole`: a mechanism that has no program, by Newton's method; `extremes`: the range, extremes and periods of its motion.
 //! - `chains`: the same states whatever part of a table is asked for.
 
@@ -9,7 +10,9 @@ pub(super) mod chains;
 pub(super) mod compiled;
 pub(super) mod extremes;
 pub mod poses;
+mod step;
 pub mod triad;
 pub(super) mod whole;
 
-pub use poses::{Follower, Pose, Sweep, between, scene_at};
+pub use poses::{Follower, Sweep, between, scene_at};
+pub use step::Pose;

@@ -3,26 +3,17 @@
 //!
 //! Decided here: where the poses are and what is a limit. Not decided here: what is drawn in them.
 
+use super::step::{Pose, STRAY, foretold, stray};
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
-use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Mechanism};
-use crate::position::{self, Configuration, Pose as Frame, newton};
+use crate::position::{self, Configuration, newton};
 use crate::scene::{Given, LinkId, Scene};
 use crate::scene::{driver_position, with_driver_at};
 
 use crate::sweep::extreme::turns_seen;
 use crate::sweep::train::Train;
-
-/// One pose.
-#[derive(Clone, Debug)]
-pub struct Pose {
-    /// How far the driver has gone from the scene's position: radians or metres.
-    pub travel: f64,
-    /// Where everything is.
-    pub configuration: Configuration,
-}
 
 /// The poses of a driver's travel.
 #[derive(Clone, Debug)]
@@ -62,9 +53,6 @@ impl Sweep {
     }
 }
 
-/// A joint that strays farther than this part of the mechanism's size from where its motion leads has jumped to another
-/// assembly, or turns so fast that the step must be smaller. (A crank as long as the mechanism strays by 0.008 in 5°.)
-const STRAY: f64 = 0.03;
 /// Halvings of a step before the motion is taken to end: 5° become 0.0003°.
 const HALVINGS: usize = 14;
 /// A joint that has gone so many times the mechanism's size from its place has left the paper: two lines that become
@@ -282,34 +270,9 @@ impl<'a> Follower<'a> {
     }
 }
 
-/// The largest distance (m) of a joint in two poses.
-fn stray(a: &Configuration, b: &Configuration) -> f64 {
-    a.points.iter().zip(&b.points).filter_map(|(a, b)| Some(a.as_ref()?.distance(*b.as_ref()?))).fold(0.0, f64::max)
-}
-
 /// What a pose between two others is about.
 pub fn between(one: &Pose, other: &Pose, travel: f64) -> Configuration {
     foretold(Some(one), other, travel)
-}
-
-/// Where the motion leads: as far on as from the pose before.
-fn foretold(before: Option<&Pose>, now: &Pose, travel: f64) -> Configuration {
-    let mut guess = now.configuration.clone();
-    let Some(before) = before else { return guess };
-    let ratio = (travel - now.travel) / (now.travel - before.travel);
-    let ahead = |old: Point, new: Point| new + (new - old) * ratio;
-    for (p, old) in guess.points.iter_mut().zip(&before.configuration.points) {
-        if let (Some(p), Some(old)) = (p, old) {
-            *p = ahead(*old, *p);
-        }
-    }
-    for (f, old) in guess.poses.iter_mut().zip(&before.configuration.poses) {
-        if let (Some(f), Some(old)) = (f, old) {
-            let turned = f.axis.divide_by(old.axis).angle();
-            *f = Frame { origin: ahead(old.origin, f.origin), axis: f.axis.rotate_by(Vec2::from_angle(turned * ratio)) };
-        }
-    }
-    guess
 }
 
 /// The scene with its driver elsewhere, as far as the scene says where it is.

@@ -1,10 +1,12 @@
-//! Class III groups along a sweep: a guarded predictor and corrector that stays on its assembly.
+//! Class III groups along a sweep: predictor–corrector continuation with step control, which stays on its assembly.
 //!
-//! A link on three legs has up to six assemblies, and nothing as simple as the sign of an area tells them apart. From an accepted
-//! position the next is predicted along the tangent and corrected by Newton's method. It is accepted only where the
-//! correction settles at once, is small against the predicted move, and the determinant of the three legs keeps its
-//! sign (two assemblies that meet at a fold have opposite signs); else the step is halved. Where steps become as small as
-//! [`SMALLEST`] the mechanism stands at its limit.
+//! A link on three legs has up to six assemblies, which no single sign tells apart. From an accepted position the next is predicted along
+//! the tangent and corrected by Newton's method. It is accepted only where the iteration converges within [`PATIENCE`] steps, the correction is
+//! small against the predicted move, and the determinant of the three legs keeps its sign (two assemblies that meet at a fold have opposite
+//! signs); else the step is halved. Where steps become as small as [`SMALLEST`] the mechanism stands at its limit.
+//!
+//! # Source
+//! E. L. Allgower, K. Georg, *Numerical Continuation Methods* (1990), ch. 6.
 
 use crate::geom::{Point, Vec2};
 use crate::position::toggle::PARALLEL;

@@ -1,7 +1,8 @@
-//! Mechanisms that have no program: the whole of them is followed by Newton's method, each position from the one before it, and answered
-//! there by the loop equations.
+//! Mechanisms that have no program: all their equations are solved together by Newton's method, each position from the one before it (natural
+//! continuation with step control), and the loop equations answer the questions there.
 
 use super::chains::{Chains, Follow, Values};
+use super::step::{Pose, STRAY, foretold, stray};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::mechanism::{Core, Mechanism};
 use crate::position::Configuration;
@@ -19,10 +20,6 @@ use crate::sweep::train::Train;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::ops::Range;
-
-/// In one step of the whole mechanism no joint moves farther than this part of its size: a longer step may end on another
-/// assembly.
-const NEAR: f64 = 0.05;
 
 /// Where gears tell one turn from the next, no step of the driver may be taken for one in the other sense: an eighth of a turn of the fastest
 /// wheel.
@@ -43,11 +40,31 @@ pub(in crate::sweep) struct Whole<'a> {
     wheels: (f64, u64),
 }
 
-/// Where everything is at a value of the driver.
+/// A step that is longer than so many times the one before it is not foretold: the secant is rounding.
+const FARTHEST: f64 = 2.0;
+
+/// Where everything is at a value of the driver, which is the pose's travel, and in the step before.
 #[derive(Clone)]
 pub(in crate::sweep) struct Standing {
-    value: f64,
-    at: Configuration,
+    now: Pose,
+    before: Option<Pose>,
+}
+
+impl Standing {
+    fn first(value: f64, at: &Configuration) -> Standing {
+        Standing { now: Pose { travel: value, configuration: at.clone() }, before: None }
+    }
+
+    /// Where the motion leads.
+    fn ahead(&self, value: f64) -> Configuration {
+        let step = |from: &Pose, to: f64| (to - from.travel).abs();
+        let near = |before: &&Pose| step(&self.now, value) <= FARTHEST * step(before, self.now.travel);
+        foretold(self.before.as_ref().filter(near), &self.now, value)
+    }
+
+    fn on(self, to: Pose) -> Standing {
+        Standing { before: Some(self.now), now: to }
+    }
 }
 
 impl<'a> Whole<'a> {
@@ -105,13 +122,13 @@ impl<'a> Whole<'a> {
             let period = TAU * self.wheels.1 as f64;
             way -= period * libm::trunc(way / period);
         }
-        let first = Standing { value: self.now, at: self.placed.at.clone() };
-        self.advance(&first, self.now + way).map(|s| s.at).map_err(|last| self.stopped(Some(&last), value))
+        let first = Standing::first(self.now, &self.placed.at);
+        self.advance(&first, self.now + way).map(|s| s.now.configuration).map_err(|last| self.stopped(Some(&last), value))
     }
 
     /// The limit by which a state was the last on its way.
     pub fn end(&self, last: &Standing) -> Option<Event> {
-        self.limit(last.value, &last.at)
+        self.limit(last.now.travel, &last.now.configuration)
     }
 }
 
@@ -130,7 +147,7 @@ impl Follow for Whole<'_> {
     type State = Standing;
 
     fn start(&self) -> Option<Standing> {
-        Some(Standing { value: self.now, at: self.placed.at.clone() })
+        Some(Standing::first(self.now, &self.placed.at))
     }
 
     /// In steps that each converge near by.
@@ -141,36 +158,36 @@ impl Follow for Whole<'_> {
         let (mut state, mut left) = (from.clone(), MOST_STEPS);
         let mut gone = 0.0;
         let most = if self.counts_turns() { PART_OF_A_TURN / self.wheels.0 } else { f64::INFINITY };
-        let mut step = to - state.value;
+        let mut step = to - from.now.travel;
         let extent = p.at.extent();
         while left > 0 {
-            let reached = libm::floor(((state.value - from.value) / part).abs());
+            let reached = libm::floor(((state.now.travel - from.now.travel) / part).abs());
             if reached > gone {
                 (gone, left) = (reached, MOST_STEPS);
             }
             left -= 1;
             step = step.clamp(-most, most);
-            if state.value == to {
+            let value = state.now.travel;
+            if value == to {
                 return Ok(state);
             }
-            let next = if (to - state.value).abs() <= step.abs() { to } else { state.value + step };
-            let near = |c: &Configuration| {
-                let moved = c.points.iter().zip(&state.at.points).filter_map(|(a, b)| Some(a.as_ref()?.distance((*b)?)));
-                moved.fold(0.0, f64::max) < NEAR * extent
-            };
-            match newton::moved(p.scene, p.mechanism, &state.at, &self.holding(next)).filter(near) {
-                Some(at) => (state, step) = (Standing { value: next, at }, step * 1.5),
-                None => step = 0.5 * (next - state.value),
+            let next = if (to - value).abs() <= step.abs() { to } else { value + step };
+            let guess = state.ahead(next);
+            match newton::moved(p.scene, p.mechanism, &guess, &self.holding(next)).filter(|c| stray(c, &guess) < STRAY * extent) {
+                Some(configuration) => (state, step) = (state.on(Pose { travel: next, configuration }), step * 1.5),
+                None => step = 0.5 * (next - value),
             }
         }
-        if state.value == to { Ok(state) } else { Err(state) }
+        if state.now.travel == to { Ok(state) } else { Err(state) }
     }
 
     fn stopped(&self, last: Option<&Standing>, toward: f64) -> Faults {
         let words = |value| general::driver_words(self.placed.scene, self.driver, value);
         let message = match last.map(|last| (last, self.end(last))) {
             Some((_, Some(limit))) => both!("the mechanism cannot be assembled beyond {}", "机构在 {} 以后不能装配", words(limit.value)),
-            Some((last, None)) => both!("the mechanism cannot be followed beyond {}", "机构的运动在 {} 以后无法跟踪", words(last.value)),
+            Some((last, None)) => {
+                both!("the mechanism cannot be followed beyond {}", "机构的运动在 {} 以后无法跟踪", words(last.now.travel))
+            }
             None => both!("the mechanism cannot be followed to {}", "机构的运动无法跟踪到 {}", words(toward)),
         };
         Diagnostic::error("limit", message).into()
@@ -198,7 +215,8 @@ pub(in crate::sweep) fn rows(
     let driver = course.follow().driver;
     let done = course.states(part, values, stop, &mut |position, state| {
         let i = row(position);
-        let there = |state: &Standing| general.answers(&with_driver_at(scene, driver, stations.place(i, scene, driver)), &state.at);
+        let there =
+            |state: &Standing| general.answers(&with_driver_at(scene, driver, stations.place(i, scene, driver)), &state.now.configuration);
         match state.map_err(Clone::clone).and_then(there) {
             Ok(ways) => columns.iter_mut().zip(&ways[0]).for_each(|(c, v)| c[i] = *v),
             Err(why) => drop(missing.insert(i, why)),

@@ -1,0 +1,15 @@
+//! A rope between a drum and the load that it draws along: it neither stretches nor slips.
+
+use super::{Demands, Kind};
+use crate::diag::both;
+use crate::scene::RollingKind;
+
+pub(super) const ROPE: Kind = Kind {
+    form: Demands::Rolling {
+        kind: RollingKind::Rope,
+        told: |load, drum| both!("a rope wound on drum {drum} draws {load}", "卷筒 {drum} 上的绳牵引 {load}"),
+    },
+    words: |scene, load, drum| {
+        both!("the rope between drum {1} and link {0}", "卷筒 {1} 与构件 {0} 之间的绳", load.name(scene), drum.name(scene))
+    },
+};

@@ -1,0 +1,27 @@
+//! What is written in the reader's language.
+
+use super::Block;
+use crate::figure::words::{Words, words};
+use crate::paper::phrase::{Phrase, tr};
+use crate::scene::Lang;
+
+/// A part of a worksheet that knows its language.
+pub(super) trait Speak {
+    fn lang(&self) -> Lang;
+
+    fn tr(&self, en: &'static str, zh: &'static str) -> &'static str {
+        tr(self.lang(), en, zh)
+    }
+
+    fn words(&self) -> &'static Words {
+        words(self.lang())
+    }
+
+    fn heading(&self, level: u8, en: &'static str, zh: &'static str) -> Block {
+        Block::Heading(level, self.tr(en, zh).into())
+    }
+
+    fn paragraph(&self, en: &str, zh: &str) -> Block {
+        Block::Paragraph(Phrase::new(if self.lang() == Lang::En { en } else { zh }))
+    }
+}
