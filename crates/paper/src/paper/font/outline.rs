@@ -80,7 +80,7 @@ impl<T: Copy> Segment<T> {
 impl Outline {
     /// That of a glyph in a font of so many units an em; `None` where it is damaged.
     pub(super) fn of(font: &FontRef, glyph: GlyphId, em: f64) -> Option<Outline> {
-        let mut sink = Sink { segments: Vec::new(), ink: Ink::NONE, em: em };
+        let mut sink = Sink { segments: Vec::new(), ink: Ink::NONE, em };
         if let Some(outline) = font.outline_glyphs().get(glyph) {
             outline.draw(DrawSettings::unhinted(Size::unscaled(), LocationRef::default()), &mut sink).ok()?;
         }
