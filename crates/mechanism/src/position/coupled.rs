@@ -410,7 +410,7 @@ mod tests {
             "distance",
             "driven angle",
             "kept angle",
-            "rolls",
+            "related",
         ];
         for kind in all {
             for aside in [false, true] {

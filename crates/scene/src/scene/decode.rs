@@ -11,8 +11,8 @@ mod ropes;
 
 use super::model::Lang;
 use super::raw::*;
-use super::{cams, keys};
-use crate::diag::{Diagnostic, Faults, both};
+use super::{cams, expr, keys};
+use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::json::fields::{Fields, What, list, object, word, wrong};
 use crate::json::{Kind, Node, Word};
 
@@ -344,10 +344,21 @@ pub(super) fn language_of(root: &Node) -> Option<Lang> {
 pub(super) fn quantity(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<RawQuantity> {
     let (text, bare) = match &node.kind {
         Kind::Number(text) => (text.clone(), true),
-        Kind::Text(_) => (word(node, what, faults)?.text, false),
+        Kind::Text(_) => (written(node, what, faults)?, false),
         _ => return wrong(node, what, both!("a quantity such as \"100 mm\"", "量，如 \"100 mm\""), faults),
     };
     Some(RawQuantity { text, span: node.span, bare })
+}
+
+/// The text of an expression that is no longer than a person writes.
+fn written(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<String> {
+    let text = word(node, what, faults)?.text;
+    let Err(d) = expr::bounded(&text) else { return Some(text) };
+    let Span { start, end } = node.span;
+    // Behind the quotation mark; with escapes in the string the two texts do not run in step.
+    let inner = d.span.filter(|_| end - start == text.len() + 2).map(|s| Span::new(start + 1 + s.start, start + 1 + s.end));
+    faults.push(d.at(inner.unwrap_or(node.span)));
+    None
 }
 
 /// Two quantities, such as coordinates.

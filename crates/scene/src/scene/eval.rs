@@ -261,7 +261,7 @@ fn call<N: Real>(f: Function, a: Value<N>) -> Result<Value<N>, Both> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::expr::parse;
+    use super::super::expr::{bounded, parse};
     use super::*;
     use crate::diag::Span;
     use crate::trig::radians;
@@ -425,8 +425,11 @@ mod tests {
             let e = value(text).expect_err(text);
             assert!(e.starts_with(said), "{text}: {e}");
         }
-        assert!(value(&"(".repeat(25)).unwrap_err().starts_with("parentheses are nested more than 24 deep"));
-        assert!(value(&"1+".repeat(201)).unwrap_err().starts_with("an expression has at most 400 bytes, this has 402"));
+        assert!(value(&"(".repeat(65)).unwrap_err().starts_with("parentheses are nested more than 64 deep"));
+        let said = |text: &str| bounded(text).unwrap_err().message.en;
+        assert!(said(&"(".repeat(25)).starts_with("parentheses are nested more than 24 deep"));
+        assert!(said(&"1+".repeat(201)).starts_with("an expression has at most 400 bytes, this has 402"));
+        assert_eq!(value(&format!("{}1", "1+".repeat(400))).unwrap_err(), "an expression has more than 400 levels");
         // The deepest trees that the limits let through.
         assert_eq!(value(&format!("{}1", "1+".repeat(199))).unwrap().number, 200.0);
         assert_eq!(value(&format!("{}1", "-".repeat(399))).unwrap().number, -1.0);

@@ -6,11 +6,17 @@
 use super::units::{Unit, unit_named};
 use crate::diag::{Both, Diagnostic, Span, both};
 
-/// Longer expressions are refused: the depth of the syntax tree is bounded by the length.
+/// Longer expressions are refused in a file: their parts can be named there.
 pub const MAX_LENGTH: usize = 400;
-
-/// Deeper parentheses are refused: the parser recurses.
+/// The same of deeper parentheses.
 const MAX_PARENTHESES: usize = 24;
+
+/// The same for what is made of a file's expressions, such as derivatives, which repeat their parts.
+const MAX_MADE_LENGTH: usize = 16_000;
+/// The parser recurses.
+const MAX_MADE_PARENTHESES: usize = 64;
+/// What goes through a tree recurses too.
+const MAX_DEPTH: usize = 400;
 
 mod read;
 
@@ -133,16 +139,20 @@ pub fn is_name(text: &str) -> bool {
     chars.next().is_some_and(char::is_alphabetic) && chars.all(read::is_letter)
 }
 
-/// Parses an expression. `parameters` are the names that may be used besides units.
+/// Whether an expression keeps to the bounds of what a person writes.
 ///
 /// # Errors
-/// A diagnostic whose span counts from the beginning of `text`: too long, too deep, not an expression, an unknown name.
-pub fn parse(text: &str, parameters: &[&str]) -> Result<Expr, Diagnostic> {
+/// A diagnostic whose span counts from the beginning of `text`: too long, or parentheses too deep.
+pub fn bounded(text: &str) -> Result<(), Diagnostic> {
+    within(text, MAX_LENGTH, MAX_PARENTHESES)
+}
+
+fn within(text: &str, length: usize, parentheses: usize) -> Result<(), Diagnostic> {
     let fault = |message: Both| Diagnostic::error("expression", message);
-    if text.len() > MAX_LENGTH {
+    if text.len() > length {
         return Err(fault(both!(
-            "an expression has at most {MAX_LENGTH} bytes, this has {}",
-            "表达式至多 {MAX_LENGTH} 字节，此处有 {} 字节",
+            "an expression has at most {length} bytes, this has {}",
+            "表达式至多 {length} 字节，此处有 {} 字节",
             text.len()
         ))
         .help(both!("name its parts in \"parameters\"", "请在 \"parameters\" 中给各部分命名")));
@@ -154,12 +164,36 @@ pub fn parse(text: &str, parameters: &[&str]) -> Result<Expr, Diagnostic> {
             ')' => depth = depth.saturating_sub(1),
             _ => {}
         }
-        if depth > MAX_PARENTHESES {
-            return Err(fault(both!("parentheses are nested more than {MAX_PARENTHESES} deep", "括号嵌套超过 {MAX_PARENTHESES} 层"))
+        if depth > parentheses {
+            return Err(fault(both!("parentheses are nested more than {parentheses} deep", "括号嵌套超过 {parentheses} 层"))
                 .at(Span::new(i, i + 1)));
         }
     }
-    read::whole(text, parameters)
+    Ok(())
+}
+
+/// Parses an expression, one of a file or one made of such. `parameters` are the names that may be used besides units.
+///
+/// # Errors
+/// A diagnostic whose span counts from the beginning of `text`: too long, too deep, not an expression, an unknown name.
+pub fn parse(text: &str, parameters: &[&str]) -> Result<Expr, Diagnostic> {
+    within(text, MAX_MADE_LENGTH, MAX_MADE_PARENTHESES)?;
+    let tree = read::whole(text, parameters)?;
+    if text.len() > MAX_LENGTH && depth(&tree) > MAX_DEPTH {
+        return Err(Diagnostic::error(
+            "expression",
+            both!("an expression has more than {MAX_DEPTH} levels", "表达式的层数超过 {MAX_DEPTH}"),
+        ));
+    }
+    Ok(tree)
+}
+
+fn depth(expr: &Expr) -> usize {
+    match &expr.kind {
+        ExprKind::Number(_) | ExprKind::Pi | ExprKind::Unit(_) | ExprKind::Parameter(_) => 1,
+        ExprKind::Neg(a) | ExprKind::Call(_, a) => 1 + depth(a),
+        ExprKind::Binary(_, a, b) => 1 + depth(a).max(depth(b)),
+    }
 }
 
 /// Whether any unit or parameter occurs: whether more than a bare number was written.

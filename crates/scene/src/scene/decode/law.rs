@@ -53,11 +53,22 @@ pub(super) fn differentiated(law: &RawQuantity, raw: &RawScene, faults: &mut Fau
             }
         }
     };
+    let parsed = |text: &String, faults: &mut Faults| -> Option<Expr> {
+        let involved = |_| {
+            let message = both!("`{}` is too involved to be differentiated twice", "`{}` 过于复杂，无法求二阶导数", law.text);
+            let d = Diagnostic::error("law", message).at(law.span);
+            faults.push(d.help(both!("write it with fewer products and powers of what depends on t", "请减少含 t 的乘积与乘方")));
+        };
+        expr::parse(text, &names).map_err(involved).ok()
+    };
     let rate = by_time(&tree, faults)?;
     let second = match &rate {
-        Some(rate) => by_time(&expr::parse(rate, &names).map_err(|d| faults.push(d.at(law.span))).ok()?, faults)?,
+        Some(rate) => by_time(&parsed(rate, faults)?, faults)?,
         None => None,
     };
+    if let Some(second) = &second {
+        parsed(second, faults)?;
+    }
     let (used, all) = (tree.parameters(), &raw.parameters);
     // A parameter that is another one by name has that one's value.
     let value = |q: &RawQuantity| all.iter().find(|(name, _)| name.text == q.text).map_or(&q.text, |(_, q)| &q.text).clone();
@@ -68,4 +79,44 @@ pub(super) fn differentiated(law: &RawQuantity, raw: &RawScene, faults: &mut Fau
     let parameters = [named(false), named(true)].concat();
     let told = TimeLaw { text: law.text.clone(), parameters };
     Some(Differentiated { rate: rate.map(given), second: second.map(given), law: told })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::read;
+
+    /// A crank by a law, at an instant: its angle (rad) and rates.
+    fn crank(law: &str, t: f64) -> Result<[f64; 3], String> {
+        let text = format!(
+            r#"{{"links": {{"1": ["O"], "2": ["O", "A"]}}, "ground": "1", "points": {{"O": [0, 0]}}, "lengths": {{"OA": "50 mm"}},
+            "time": "{t:?} s", "driver": {{"link": "2", "angle": "{law}"}}, "find": ["v_A"]}}"#
+        );
+        let scene = read(text).map_err(|f| f.list[0].message.en.clone())?.value;
+        let driver = &scene.drivers[0];
+        let angle = driver.kind.angle().expect("a turning driver by a law has an angle").value.radians();
+        Ok([angle, driver.rate.value, driver.acceleration.as_ref().map_or(0.0, |a| a.value)])
+    }
+
+    /// Derivatives repeat the parts of a law: those of a long one are far longer than what a person may write.
+    #[test]
+    fn involved_laws_are_differentiated() {
+        for law in [
+            "(0.3 rad)*sin((2 rad/s)*t)*cos((3 rad/s)*t)",
+            "(0.5 rad)*sqrt(1+(t/(1 s))^2)*sin((2 rad/s)*t+30 deg)*cos((1 rad/s)*t)",
+            "0.3 rad*sin(2 rad/s*t)*t^2/(1 s^2)+0.1 rad*cos(3 rad/s*t)^3*t/(1 s)+(20 deg)*(t/(2 s))^5*(10-15*t/(2 s)+6*(t/(2 s))^2)",
+        ] {
+            let (t, h) = (0.7, 1e-4);
+            let [before, now, after] = [t - h, t, t + h].map(|t| crank(law, t).unwrap_or_else(|e| panic!("{law}: {e}")));
+            let [rate, second] = [(after[0] - before[0]) / (2.0 * h), (after[1] - before[1]) / (2.0 * h)];
+            assert!((rate - now[1]).abs() < 1e-6 * (1.0 + rate.abs()), "{law}: ω {} against {rate}", now[1]);
+            assert!((second - now[2]).abs() < 1e-6 * (1.0 + second.abs()), "{law}: α {} against {second}", now[2]);
+        }
+    }
+
+    #[test]
+    fn what_is_too_involved_is_told() {
+        let law = format!("(1 rad)*{}t/(1 s){}", "(1+".repeat(22), ")*t/(1 s)".repeat(22));
+        let said = crank(&law, 0.7).expect_err("its second derivative has too many levels");
+        assert!(said.ends_with("is too involved to be differentiated twice"), "{said}");
+    }
 }

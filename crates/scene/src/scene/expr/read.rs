@@ -193,8 +193,12 @@ fn atom(i: &mut Input) -> Read<Expr> {
 
 /// Degrees with minutes, seconds, or both.
 fn arc(i: &mut Input) -> Read<Expr> {
-    let degrees =
-        (number, terminated(unit, peek(number))).verify(|(_, u)| matches!(&u.kind, ExprKind::Unit(u) if ["°", "deg"].contains(&u.name)));
+    // What is tried here may be another unit, or none: nothing is said of it yet.
+    let degree = token(alt(("°", word))).verify_map(|(name, span)| {
+        let unit = unit_named(name).filter(|_| ["°", "deg"].contains(&name))?;
+        Some(Expr { kind: ExprKind::Unit(unit), span })
+    });
+    let degrees = (number, terminated(degree, peek(number)));
     let minutes = |i: &mut Input| part(i, &OF_ARC[0], &["′", "'", "’"]);
     let seconds = |i: &mut Input| part(i, &OF_ARC[1], &["″", "\"", "”", "''", "′′", "’’"]);
     let ((whole, unit), smaller) =
