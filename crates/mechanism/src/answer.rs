@@ -51,7 +51,7 @@ impl<N: Real, S: Source<N>> Known<N> for Instant<'_, N, S> {
     }
 
     fn direction(&self, link: LinkId) -> Option<Vec2<N>> {
-        self.at.link_direction(self.scene, link).or_else(|| self.at.poses[link.0].map(|p| p.axis))
+        self.at.direction(self.scene, link)
     }
 
     fn vector(&self, level: Level, p: &OnLink) -> Option<Vec2<N>> {

@@ -37,7 +37,7 @@ pub use touch::Touch;
 
 use crate::geom::{Point, Vec2};
 use crate::number::Real;
-use crate::scene::{GuideId, LinkId, PointId, Scene};
+use crate::scene::{Direction, Guide, GuideId, GuidePath, LinkId, PointId, Scene};
 
 /// Place and direction of a link: its local frame in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -238,10 +238,31 @@ impl<N: Real> Configuration<N> {
         if lo.x > hi.x { 0.0 } else { (hi - lo).norm() }
     }
 
+    /// The direction whose angle a link's is: from its first point to its second; of a link that has fewer than two, that of its guide, else of its
+    /// frame's axis.
+    pub fn direction(&self, scene: &Scene, l: LinkId) -> Option<Vec2<N>> {
+        let of_guide = || match self.guides[guide_of(scene, l)?.0]? {
+            Path::Line { direction, .. } => Some(direction),
+            Path::Arc { .. } => None,
+        };
+        self.link_direction(scene, l).or_else(of_guide).or_else(|| self.poses[l.0].map(|p| p.axis))
+    }
+
     /// Direction of a link from its first point to its second; `None` where it has fewer than two.
     pub fn link_direction(&self, scene: &Scene, l: LinkId) -> Option<Vec2<N>> {
         let pts = &scene.links[l.0].points;
         let (a, b) = (self.points[pts.first()?.0]?, self.points[pts.get(1)?.0]?);
         Some(b - a)
     }
+}
+
+/// The straight guide whose direction is that of a link without a line of its own: one that lies on it at an angle told for the instant, else the
+/// first along which it slides.
+pub fn guide_of(scene: &Scene, l: LinkId) -> Option<GuideId> {
+    let straight = |told: bool, g: &Guide| match &g.path {
+        GuidePath::Line { direction, .. } => !told || matches!(direction, Direction::Instant(_)),
+        GuidePath::Arc { .. } => false,
+    };
+    let first = |is: &dyn Fn(&Guide) -> bool| scene.guides.iter().position(is).map(GuideId);
+    first(&|g| g.on == l && straight(true, g)).or_else(|| first(&|g| g.slider == Some(l) && straight(false, g)))
 }

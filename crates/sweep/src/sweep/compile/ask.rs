@@ -146,7 +146,7 @@ impl Compiler<'_> {
         Ok(self.emit_pair(P, Arm { from, to }))
     }
 
-    /// The line whose angle a link's is: from its first point to its second, else its frame's axis.
+    /// The line whose angle a link's is: from its first point to its second, else that of its guide, else its frame's axis.
     fn line_of(&mut self, l: LinkId) -> Result<Pair, NoKernel> {
         if let [a, b, ..] = self.scene.links[l.0].points[..] {
             return self.line(a, b);
@@ -167,6 +167,11 @@ impl Compiler<'_> {
             && let Some([a, b]) = self.scene.drivers[d].kind.ends()
         {
             return self.line(a, b);
+        }
+        if let Some(g) = crate::position::guide_of(self.scene, l)
+            && let Some(crate::position::Path::Line { direction, .. }) = self.at.shapes.guides[g.0]
+        {
+            return self.direction_on(self.scene.guides[g.0].on, direction);
         }
         self.direction_on(l, crate::geom::Vec2::new(1.0, 0.0))
     }

@@ -106,7 +106,7 @@ impl<'a> Walk<'a> {
         let solution = analytic::solve(scene, mechanism, at, &demand).ok()?;
         let all = match output {
             Output::Turning(l) => {
-                let angle = at.link_direction(scene, l).or_else(|| at.poses[l.0].map(|p| p.axis))?.angle();
+                let angle = at.direction(scene, l)?.angle();
                 [angle, solution.turning(Level::Velocity, l)?, solution.turning(Level::Acceleration, l)?]
             }
             Output::Sliding(g) => {
