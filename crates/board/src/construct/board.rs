@@ -58,6 +58,8 @@ pub(super) struct Board<'a, N, P> {
     pub(super) mu_l: N,
     /// What a blunt pencil made of joints and guides; nothing for the exact one.
     pub(super) hand: super::hand::Hand<N>,
+    /// Size of the mechanism (m).
+    extent: f64,
 }
 
 /// A line on paper: a point of it, and its direction.
@@ -98,6 +100,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
                 magnification: [1.0; 2],
             },
             hand: super::hand::Hand::default(),
+            extent: at.extent(),
         }
     }
 
@@ -309,7 +312,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
     fn rounding(&self, chain: &Chain) -> f64 {
         let Some(term) = chain.unknown.first() else { return 0.0 };
         match term.by {
-            By::Turning(_) | By::Cylinder(_) => self.at.extent() / self.arm(term.of, term.to).approx().norm(),
+            By::Turning(_) | By::Cylinder(_) => self.extent / self.arm(term.of, term.to).approx().norm(),
             By::Guide { .. } | By::Contact(_) | By::Frame { .. } | By::Apart => 1.0,
         }
     }
