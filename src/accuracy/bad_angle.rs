@@ -215,18 +215,9 @@ impl<'a> Search<'a> {
 /// What is nearly at a dead centre, as the beginning of a clause; nothing for a special point on the diagram.
 fn near(drawn: &Drawn, c: &CrossingTolerance) -> Both {
     let Some(polygon) = drawn.construction.polygon(c.level) else { return Both::default() };
-    let edges = polygon.actions.iter().find_map(|a| match a {
-        Action::Cross { target, edges, .. } if *target == c.target => Some(edges),
-        Action::LayOff(_)
-        | Action::Nothing { .. }
-        | Action::Line { .. }
-        | Action::Cross { .. }
-        | Action::Reach(_)
-        | Action::Copy { .. }
-        | Action::Same { .. }
-        | Action::Join(_)
-        | Action::Perpendicular { .. }
-        | Action::Rate(_) => None,
+    let edges = polygon.actions.iter().find_map(|a| {
+        let Action::Cross { target, edges, .. } = a else { return None };
+        (*target == c.target).then_some(edges)
     });
     let terms = edges.into_iter().flatten().filter_map(|e| polygon.edges[*e].terms.first());
     let words: Vec<Both> = terms.map(|t| held_by(drawn.scene, drawn.plan, t)).collect();

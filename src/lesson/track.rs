@@ -82,18 +82,12 @@ impl Track {
                     let place = after.and_then(|a| self.order.iter().position(|e| *e == a)).map_or(0, |p| p + 1);
                     self.order.insert(place, index);
                     let markup = self.markup(item)?;
-                    let head = match item.shape {
-                        Shape::Arrow { head, .. } if numbers.len() == ARROW => Some(head),
-                        Shape::Line { .. }
-                        | Shape::Polyline { .. }
-                        | Shape::Path { .. }
-                        | Shape::Circle { .. }
-                        | Shape::Arc { .. }
-                        | Shape::Arrow { .. }
-                        | Shape::ArcArrow { .. }
-                        | Shape::Turned { .. }
-                        | Shape::Label { .. } => None,
-                    };
+                    let mut head = None;
+                    if let Shape::Arrow { head: of, .. } = item.shape
+                        && numbers.len() == ARROW
+                    {
+                        head = Some(of);
+                    }
                     self.elements.push(Element { markup, at_base: false, frames: vec![None; self.count], head });
                     self.known.insert(key, index);
                     index
@@ -178,17 +172,7 @@ pub fn runs(frames: impl IntoIterator<Item = bool>) -> Vec<usize> {
 }
 
 fn source(item: &Item) -> &str {
-    match &item.shape {
-        Shape::Label { label, .. } => label.source(),
-        Shape::Line { .. }
-        | Shape::Polyline { .. }
-        | Shape::Path { .. }
-        | Shape::Circle { .. }
-        | Shape::Arc { .. }
-        | Shape::Arrow { .. }
-        | Shape::ArcArrow { .. }
-        | Shape::Turned { .. } => "",
-    }
+    if let Shape::Label { label, .. } = &item.shape { label.source() } else { "" }
 }
 
 fn blank(item: &Item) -> Item {

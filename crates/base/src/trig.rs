@@ -4,7 +4,7 @@
 //! right angle's cosine 6e-17, and the figures would print it. Everything goes through `libm`, so that golden files are
 //! the same on every platform.
 
-use std::f64::consts::{FRAC_1_SQRT_2, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
 
 /// An angle as written: whole degrees stay degrees, so that cos 60° is one half and cos 90° is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +36,12 @@ impl Angle {
 /// Degrees as radians.
 pub fn radians(degrees: f64) -> f64 {
     degrees * PI / 180.0
+}
+
+/// Whole turns of an angle (rad) beyond half a turn either way. What is nearer than 1e-9 to minus half a turn counts as half a turn: of the two,
+/// between which rounding would choose, the positive one is taken.
+pub fn turns_of(angle: f64) -> f64 {
+    libm::ceil((angle - PI - 1e-9) / TAU)
 }
 
 /// (sin, cos) of an angle.

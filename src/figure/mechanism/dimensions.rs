@@ -109,16 +109,9 @@ impl Ways {
             }
             Ways::Cells(raster) => {
                 let (met, over) = raster.met_on(p, q);
-                let extensions = lines[..2].iter().map(|line| match line.shape {
-                    Shape::Line { from, to, .. } => raster.met_on(from, to).0,
-                    Shape::Polyline { .. }
-                    | Shape::Path { .. }
-                    | Shape::Circle { .. }
-                    | Shape::Arc { .. }
-                    | Shape::Arrow { .. }
-                    | Shape::ArcArrow { .. }
-                    | Shape::Turned { .. }
-                    | Shape::Label { .. } => 0,
+                let extensions = lines[..2].iter().map(|line| {
+                    let Shape::Line { from, to, .. } = line.shape else { return 0 };
+                    raster.met_on(from, to).0
                 });
                 let crossed = CROSSED_COST * met as f64 + extensions.sum::<usize>() as f64;
                 crossed + if over { OVER_COST } else { 0.0 }

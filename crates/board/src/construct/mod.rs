@@ -315,17 +315,9 @@ impl<N: Real> Construction<N> {
             Some(p) => p
                 .actions
                 .iter()
-                .filter_map(|a| match *a {
-                    Action::Cross { target, sine, .. } => Some(Crossed { target, sine }),
-                    Action::LayOff(_)
-                    | Action::Nothing { .. }
-                    | Action::Line { .. }
-                    | Action::Reach(_)
-                    | Action::Copy { .. }
-                    | Action::Same { .. }
-                    | Action::Join(_)
-                    | Action::Perpendicular { .. }
-                    | Action::Rate(_) => None,
+                .filter_map(|a| {
+                    let Action::Cross { target, sine, .. } = *a else { return None };
+                    Some(Crossed { target, sine })
                 })
                 .collect(),
         }

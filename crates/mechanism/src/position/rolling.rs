@@ -15,10 +15,8 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::{Group, Hold};
 use crate::number::Real;
 use crate::scene::{Driver, GuideId, LinkId, Normal, PointId, Relation, Rolling, RollingId, Scene, Touch};
-use std::f64::consts::{PI, TAU};
-
-/// What is nearer to minus half a turn counts as half a turn (rad).
-const EDGE: f64 = 1e-9;
+use crate::trig::turns_of;
+use std::f64::consts::TAU;
 
 impl<N: Real> Configuration<N> {
     /// The unit normal n at a contact, from the first link's contour to the second's: the centres of curvature are Q − ρ₁n and Q + ρ₂n.
@@ -274,8 +272,7 @@ impl<N: Real> Assembly<'_, N> {
         let phase = whole(Vec2::new(c, s).angle(), written.value.radians());
         let line = line.unit()?;
         let others = self.mark(other)?.rotate_by(other_axis).divide_by(line).angle();
-        // Of the two ends of a half turn, between which rounding would choose, the first is taken.
-        let near = if others.approx() < EDGE - PI { PI } else { others.approx() };
+        let near = others.approx() - turns_of(others.approx()) * TAU;
         let others = whole(others, self.written(other).map_or(near, |angle| angle - line.angle().approx()));
         let angle = (if own == 1 { phase } else { phase * (r2 / r1) }) - others * (its / mine);
         line.rotate_by(Vec2::from_angle(angle)).divide_by(self.mark(link)?).unit()

@@ -12,10 +12,8 @@ use super::carrier::Lacking;
 use super::expand::One;
 use super::place::{OnPivot, Told, direction, spot};
 use crate::diag::{Diagnostic, Faults, both};
-use std::f64::consts::{PI, TAU};
-
-/// What is nearer to minus half a turn counts as half a turn (rad), as it does where wheels are placed.
-const EDGE: f64 = 1e-9;
+use crate::trig::turns_of;
+use std::f64::consts::TAU;
 
 /// The driver that turns a link in the carrying one.
 #[derive(Clone, Debug)]
@@ -158,7 +156,7 @@ impl One<'_> {
         let written = frame == self.bare.ground && self.turned_by(mesh.other, frame).is_some_and(|(d, _)| self.stated(d).is_some());
         let value = stands.value - mesh.line.value;
         let text = format!("({})-({})", stands.text, mesh.line.text);
-        let turns = if written { 0.0 } else { libm::ceil((value - PI - EDGE) / TAU) };
+        let turns = if written { 0.0 } else { turns_of(value) };
         Some(if turns == 0.0 {
             Told { value, text }
         } else {

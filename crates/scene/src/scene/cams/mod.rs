@@ -155,9 +155,9 @@ pub struct Turning {
 }
 
 impl Turning {
-    /// Whether gears, a belt or a chain stand between the cam and its driver.
-    pub fn is_behind_wheels(&self) -> bool {
-        self.way.abs() != 1.0 || self.from != 0.0
+    /// Whether the cam's angle is that of its driver or its negative; behind gears, a belt or a chain it is a multiple of it from somewhere.
+    pub fn is_drivers_own(&self) -> bool {
+        self.way.abs() == 1.0 && self.from == 0.0
     }
 
     /// Where its rough place is in the plane, the carrier's points standing where `at` says.

@@ -234,12 +234,12 @@ impl Compiler<'_> {
         let table: Vec<(f64, [f64; 4])> = stretches.iter().map(|(phi, piece)| (phi - first, numbers(*piece))).collect();
         let at = if table.len() > 1 { self.phase(t, first, AHEAD[0]).0 } else { VALUE };
         let piece = self.of_stretch(at, &table);
-        let (turn, way) = if t.is_behind_wheels() {
+        let (turn, way) = if t.is_drivers_own() {
+            (Pair { x: COS, y: SIN }, t.way)
+        } else {
             let (quarters, _) = self.quarters(t.driver);
             let angle = self.emit(P, Phase { quarters, sense: t.way, start: -t.from }, 1);
             (self.emit_pair(P, Turned { angle }), 1.0)
-        } else {
-            (Pair { x: COS, y: SIN }, t.way)
         };
         let rates = self.given_rates(t.driver).map(|rate| t.way * rate);
         let two = |first: Reg| [first, Reg(first.0 + 1)];
