@@ -4,13 +4,13 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use hodograph::answer::evaluate;
 use hodograph::certified::{certify, steps};
-use hodograph::number::{Ball, Big, Dd, Real, within};
+use hodograph::number::{Ball, Big, Dd, within};
 use hodograph::scene::{Scene, read, templates};
 use hodograph::worked::{Scope, Worked, work};
 use hodograph::{motion, position};
 use std::hint::black_box;
 
-fn solved<N: Real>(scene: &Scene, w: &Worked) -> usize {
+fn solved<N: motion::Moved>(scene: &Scene, w: &Worked) -> usize {
     let at = position::recompute::<N>(scene, &w.mechanism, &w.demand, &w.configuration).unwrap();
     let motion = motion::solve(scene, &w.mechanism, &at, &w.demand);
     w.results.iter().filter_map(|r| evaluate(scene, &at, &motion, &scene.find[r.find].what)).map(black_box).count()

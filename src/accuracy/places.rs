@@ -6,6 +6,7 @@
 use super::rung::{Climb, Rung};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Mechanism};
+use crate::motion::Moved;
 use crate::number::Real;
 use crate::number::decimal::Certain;
 use crate::position::{self, Configuration, Path, Pose};
@@ -77,7 +78,7 @@ struct Places<'a> {
 impl Climb for Places<'_> {
     type Found = Option<Found>;
 
-    fn with<N: Certain>(&self) -> Self::Found {
+    fn with<N: Certain + Moved>(&self) -> Self::Found {
         let there = position::recompute::<N>(self.scene, self.m, self.demand, self.at).ok()?;
         let mut r = Rounding { bound: 0.0, off: 0.0, extent: self.extent };
         let mut at = self.at.clone();

@@ -1,5 +1,6 @@
 //! The rungs of the precision ladder: balls over `f64`, over double-double, over longer and longer numbers.
 
+use crate::motion::Moved;
 use crate::number::decimal::Certain;
 use crate::number::{Ball, Big, Dd, within};
 
@@ -47,5 +48,5 @@ pub trait Climb {
     type Found;
 
     /// The work itself.
-    fn with<N: Certain>(&self) -> Self::Found;
+    fn with<N: Certain + Moved>(&self) -> Self::Found;
 }

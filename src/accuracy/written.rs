@@ -7,7 +7,7 @@
 use super::rung::{Climb, Rung};
 use crate::answer::{Value, evaluate};
 use crate::mechanism::{Demand, Mechanism};
-use crate::motion;
+use crate::motion::{self, Moved};
 use crate::number::Real;
 use crate::number::decimal::Certain;
 use crate::position::{self, Configuration};
@@ -67,7 +67,7 @@ impl Climb for Written<'_> {
     /// The answers, and whether all are known to the last digit.
     type Found = Option<(Vec<Option<Value>>, bool)>;
 
-    fn with<N: Certain>(&self) -> Self::Found {
+    fn with<N: Certain + Moved>(&self) -> Self::Found {
         let at = position::recompute::<N>(self.scene, self.m, self.demand, self.at).ok()?;
         let near = |p: usize| match (at.points[p], self.at.points[p]) {
             (Some(there), Some(here)) => (there.approx() - here).norm() <= SAME_POSE * self.extent,

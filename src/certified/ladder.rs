@@ -13,6 +13,7 @@ use crate::diag::{Diagnostic, Faults, both};
 use crate::digits;
 use crate::geom::Vec2;
 use crate::mechanism::Demand;
+use crate::motion::Moved;
 use crate::number::Real;
 use crate::number::decimal::{Certain, Enclosure};
 use crate::position::Configuration;
@@ -230,7 +231,7 @@ struct Closes<'a> {
 impl Climb for Closes<'_> {
     type Found = Result<(), Diagnostic>;
 
-    fn with<N: Certain>(&self) -> Self::Found {
+    fn with<N: Certain + Moved>(&self) -> Self::Found {
         let placed = position::recompute::<N>(self.scene, &self.worked.mechanism, self.demand, &self.worked.configuration);
         placed.map(drop).map_err(not_closed)
     }
@@ -256,7 +257,7 @@ struct Look<'a> {
 impl Climb for Look<'_> {
     type Found = Result<Vec<Seen>, Diagnostic>;
 
-    fn with<N: Certain>(&self) -> Self::Found {
+    fn with<N: Certain + Moved>(&self) -> Self::Found {
         let (scene, m) = (self.scene, &self.worked.mechanism);
         let at = position::recompute::<N>(scene, m, self.demand, &self.worked.configuration).map_err(not_closed)?;
         let motion = motion::solve(scene, m, &at, self.demand);

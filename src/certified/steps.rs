@@ -10,6 +10,7 @@ use crate::construct::pencil::Exact;
 use crate::construct::{Action, Construction, Edge, Layout, Mark, Polygon, by_hand, scale};
 use crate::geom::Vec2;
 use crate::mechanism::Level;
+use crate::motion::Moved;
 use crate::number::Real;
 use crate::number::decimal::Certain;
 use crate::plan::VertexId;
@@ -157,7 +158,7 @@ struct Redrawn<'a> {
 impl Climb for Redrawn<'_> {
     type Found = Option<Vec<(Key, Option<Number>)>>;
 
-    fn with<N: Certain>(&self) -> Self::Found {
+    fn with<N: Certain + Moved>(&self) -> Self::Found {
         let Worked { mechanism: m, demand, configuration, plan, construction, .. } = self.worked;
         let at = position::recompute::<N>(self.scene, m, demand, configuration).ok()?;
         let layout = Layout::of(construction);

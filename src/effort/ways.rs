@@ -223,7 +223,7 @@ fn kept(value: Value<Big>) -> Option<Long> {
 type Answers<N> = Vec<Option<Value<N>>>;
 
 /// Positions, motions and answers group by group.
-fn closed<N: Real>(scene: &Scene, worked: &Worked) -> Result<Answers<N>, Faults> {
+fn closed<N: motion::Moved>(scene: &Scene, worked: &Worked) -> Result<Answers<N>, Faults> {
     let at = position::recompute::<N>(scene, &worked.mechanism, &worked.demand, &worked.configuration)?;
     let motion = motion::solve(scene, &worked.mechanism, &at, &worked.demand);
     Ok(asked(scene, worked, &at, &motion))
@@ -329,7 +329,10 @@ fn one(scene: &Scene, worked: &Worked, truth: &[Option<Long>], way: Way, watch: 
 
 /// The radius of each answer in one rung.
 fn certified(scene: &Scene, worked: &Worked, rung: Rung) -> Vec<Option<f64>> {
-    fn radii<M: crate::number::ball::Middle>(scene: &Scene, worked: &Worked) -> Vec<Option<f64>> {
+    fn radii<M: crate::number::ball::Middle>(scene: &Scene, worked: &Worked) -> Vec<Option<f64>>
+    where
+        Ball<M>: motion::Moved,
+    {
         let radius = |v: Value<Ball<M>>| match v.numbers() {
             (s, None) => s.radius(),
             (x, Some(y)) => libm::hypot(x.radius(), y.radius()),

@@ -12,8 +12,8 @@ pub(crate) mod conditions;
 use crate::answer::Source;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Level, Mechanism, Passive};
-use crate::number::Real;
-use crate::position::Configuration;
+use crate::number::{Ball, Big, Dd, Real};
+use crate::position::{Configuration, Placed};
 use crate::scene::exact::Inputs;
 use crate::scene::{LinkId, PointId, Scene};
 use conditions::Conditions;
@@ -66,11 +66,33 @@ pub struct Motion<N = f64> {
     pub singular: Vec<usize>,
 }
 
+/// A number in which motions are solved: [`solve`] as a method of it, compiled here once and not in every crate that asks (see [`Placed`]).
+pub trait Moved: Placed {
+    /// See [`solve`].
+    fn solve(scene: &Scene, m: &Mechanism, at: &Configuration<Self>, demand: &Demand) -> Motion<Self>;
+}
+
+macro_rules! compiled {
+    ($($number:ty),*) => {$(
+        impl Moved for $number {
+            fn solve(scene: &Scene, m: &Mechanism, at: &Configuration<Self>, demand: &Demand) -> Motion<Self> {
+                solved(scene, m, at, demand)
+            }
+        }
+    )*};
+}
+
+compiled!(f32, f64, Dd, Big, Ball<f64>, Ball<Dd>, Ball<Big>);
+
 /// Solves the groups that the demand reaches, each up to the level at which it is asked for.
 ///
 /// A group whose matrix has a pivot that may be zero (a dead centre, a change point, or a pose too close to one for the
 /// numbers used) is left without motion and listed in [`Motion::singular`], and so is all that rests on it.
-pub fn solve<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: &Demand) -> Motion<N> {
+pub fn solve<N: Moved>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: &Demand) -> Motion<N> {
+    N::solve(scene, m, at, demand)
+}
+
+fn solved<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: &Demand) -> Motion<N> {
     let mut motion = Motion {
         links: vec![None; scene.links.len()],
         pins: vec![None; scene.points.len()],

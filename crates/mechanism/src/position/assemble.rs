@@ -10,14 +10,8 @@ use crate::number::Real;
 use crate::scene::exact::Inputs;
 use crate::scene::{Direction, GuideId, GuidePath, LinkId, Place, PointId, Scene, Through};
 
-/// The same assembly in other numbers: nothing is chosen or checked again, only computed.
-///
-/// Closed forms are evaluated in `N`; a group that has none is refined from `meant` and, where `N` knows its error, its
-/// existence and uniqueness near by are proved.
-///
-/// # Errors
-/// A group that cannot be closed in these numbers: as written it misses by less than `f64` can tell, or the proof fails.
-pub fn recompute<N: Real>(
+/// See [`super::recompute`].
+pub(super) fn recompute<N: Real>(
     scene: &Scene,
     mechanism: &Mechanism,
     demand: &Demand,
@@ -26,14 +20,8 @@ pub fn recompute<N: Real>(
     Ok(Assembly::new(scene, mechanism, demand, Some(meant)).place(demand)?.settled().into_configuration())
 }
 
-/// The configuration a short time `t` (s) after the scene's instant, the drivers having gone on at their rates. `now` is the
-/// one at the instant, in the same numbers; what is given in the pose (guides that run through a pin where it is) is
-/// carried along in the links.
-///
-/// # Errors
-/// As [`recompute`]; and `pose-given`, where the pose is given by coordinates, a driver says no position, or a gliding link
-/// has no point of its own, so that nothing tells it at another time.
-pub fn later<'a, N: Real>(
+/// See [`super::later`].
+pub(super) fn later<'a, N: Real>(
     scene: &'a Scene,
     mechanism: &'a Mechanism,
     demand: &Demand,

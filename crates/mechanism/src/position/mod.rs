@@ -10,6 +10,7 @@
 mod assemble;
 pub mod belt;
 mod branch;
+mod compiled;
 mod configure;
 mod coupled;
 mod eliminant;
@@ -30,7 +31,7 @@ pub mod toggle;
 mod touch;
 pub mod triad;
 
-pub use assemble::{later, recompute};
+pub use compiled::{Placed, later, recompute};
 pub use configure::configure;
 pub use rolling::Rolled;
 pub use touch::Touch;
