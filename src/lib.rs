@@ -81,16 +81,22 @@
 //! - Small shared ones: [`geom`], [`trig`], [`digits`], [`diag`], [`json`].
 //!
 //! # Crates
-//! The rooms up to the loop equations, the sweep and the paper are crates of their own under `crates/`, so that Cargo refuses what the table below forbids; above all,
-//! that drawing and analysis know one another. The others stand in the root package, which hands on all that a user needs.
+//! The rooms are crates under `crates/`, so that Cargo refuses what the table below forbids, above all that drawing and analysis know one
+//! another, and builds each at the level of optimisation that it needs. The root package hands on all that a user needs; in it stand the rooms that
+//! write documents, and the program.
 //! ```text
-//! base       diag json digits trig number geom
-//! scene      cam scene
+//! base       diag json digits trig number geom cam
+//! scene      scene
 //! mechanism  mechanism position answer motion
 //! board      plan construct
 //! analytic   analytic
 //! sweep      sweep
 //! paper      paper render
+//! worked     accuracy worked certified effort
+//! methods    gears trains centres composite attempts curvature inversions particle
+//! synthesis  synthesis
+//! report     report
+//! figure     figure
 //! ```
 //!
 //! # Who may import whom
@@ -131,7 +137,7 @@
 //! figure     diag digits geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions particle synthesis report
 //! worksheet  diag digits geom scene mechanism answer plan construct paper render worked certified attempts particle synthesis report figure
 //! lesson     diag digits geom scene mechanism position plan construct sweep paper render worked certified particle synthesis report figure
-//! cli        diag json digits geom cam scene mechanism position plan sweep render worked certified effort centres composite attempts curvature inversions particle synthesis report figure worksheet lesson
+//! cli        diag json digits geom cam scene mechanism position plan sweep paper render worked certified effort centres composite attempts curvature inversions particle synthesis report figure worksheet lesson
 //! ```
 //!
 //! # What grows
@@ -166,31 +172,21 @@
 #![allow(rustdoc::private_intra_doc_links)]
 
 pub use hodograph_analytic::analytic;
-pub use hodograph_base::{diag, digits, geom, number, trig};
+pub use hodograph_base::{cam, diag, digits, geom, number, trig};
 pub use hodograph_board::{construct, plan};
+pub use hodograph_figure::figure;
 pub use hodograph_mechanism::{answer, mechanism, motion, position};
+pub use hodograph_methods::{attempts, centres, composite, curvature, gears, inversions, particle, trains};
 pub use hodograph_paper::{paper, render};
-pub use hodograph_scene::{cam, scene};
+pub use hodograph_report::report;
+pub use hodograph_scene::scene;
 pub use hodograph_sweep::sweep;
+pub use hodograph_synthesis::synthesis;
+pub use hodograph_worked::{accuracy, certified, effort, worked};
 
 use hodograph_base::json;
 
-pub mod accuracy;
-pub mod attempts;
-pub mod centres;
-pub mod certified;
 #[cfg(feature = "cli")]
 pub mod cli;
-pub mod composite;
-pub mod curvature;
-pub mod effort;
-pub mod figure;
-pub mod gears;
-pub mod inversions;
 pub mod lesson;
-pub mod particle;
-pub mod report;
-pub mod synthesis;
-pub mod trains;
-pub mod worked;
 pub mod worksheet;

@@ -255,7 +255,7 @@ fn the_list_of_cases_is_true() {
     // Tests of cases without a file.
     let page = read("docs/cases.md");
     let sweeps =
-        ["tests/sweep.rs", "tests/centres.rs", "tests/synthesis.rs", "crates/scene/src/cam/tests.rs", "crates/scene/src/cam/law/mod.rs"]
+        ["tests/sweep.rs", "tests/centres.rs", "tests/synthesis.rs", "crates/base/src/cam/tests.rs", "crates/base/src/cam/law/mod.rs"]
             .map(read)
             .concat();
     let mut faults = Vec::new();

@@ -6,9 +6,9 @@ use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::digits::significant;
 use crate::figure::fit;
 use crate::figure::sheet;
-use crate::figure::style::Style;
 use crate::figure::synthesis as figure;
 use crate::json;
+use crate::paper::style::Style;
 use crate::report::synthesis as report;
 use crate::scene;
 use crate::synthesis::{self, Design, Task};
@@ -253,7 +253,7 @@ pub fn draw(a: &args::Draw, style: &Style) -> Run {
     let lang = lang::asked().or(solved.task.language).unwrap_or_default();
     let candidate = &solved.design.candidates[solved.picked(a.pick)?];
     let all = figure::figures(&solved.task, candidate, style, lang).map_err(|f| solved.failed(f))?;
-    let mut figures: Vec<(String, crate::figure::item::Figure)> = all.into_iter().map(|(n, f)| (n.to_owned(), f)).collect();
+    let mut figures: Vec<(String, crate::paper::item::Figure)> = all.into_iter().map(|(n, f)| (n.to_owned(), f)).collect();
     if a.steps {
         let Some(at) = figures.iter().position(|f| f.0 == "construction") else {
             let d = Diagnostic::error("no-construction", no_construction());

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use serde_json::{Value, json};
 
-use crate::figure::label::Label;
+use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, Piece};
 use crate::render::escaped;
 use crate::report::math::mathml;

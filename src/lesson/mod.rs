@@ -27,7 +27,7 @@ pub use pack::told;
 pub use reveal::reveal;
 
 use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::figure::style::Style;
+use crate::paper::style::Style;
 use crate::plan::notation::Notation;
 use crate::scene::{Lang, Scene};
 use crate::worked::{Scope, Worked, work};

@@ -6,10 +6,10 @@ use serde_json::{Value, json};
 
 use crate::construct::pencil::USUAL_MM;
 use crate::diag::Faults;
-use crate::figure::label::Label;
-use crate::figure::words as figure_words;
 use crate::geom::Point;
 use crate::mechanism::Level;
+use crate::paper::label::Label;
+use crate::paper::words as figure_words;
 use crate::plan::names::name_label;
 use crate::position::toggle::Toggle;
 use crate::render::escaped;

@@ -1,10 +1,10 @@
 //! One pose as a fragment for slides: an inline SVG whose parts carry the classes by which reveal.js shows them one by one.
 
 use crate::diag::{Faults, Warned};
-use crate::figure::extent::Rect;
 use crate::figure::sheet;
 use crate::geom::Point;
 use crate::mechanism::Level;
+use crate::paper::extent::Rect;
 use crate::render::number::mm;
 use crate::render::svg::{Elements, hex};
 use crate::scene::Scene;
@@ -30,7 +30,7 @@ pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Resul
     let mut done = 0;
     for (level, figure) in &mut figures {
         // All stand on one line, their captions at the bottom.
-        crate::figure::extent::translate(&mut figure.items, Point::new(x, 0.0) - Point::ORIGIN);
+        crate::paper::extent::translate(&mut figure.items, Point::new(x, 0.0) - Point::ORIGIN);
         x += figure.width_mm + GAP_MM;
         let list = elements.of(&figure.items)?;
         // An item that several steps draw comes with the first.

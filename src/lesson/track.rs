@@ -7,9 +7,9 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
 use crate::diag::Faults;
-use crate::figure::arrow::{HEAD_PART_MAX, Head};
-use crate::figure::item::{Item, Shape};
-use crate::figure::label::Label;
+use crate::paper::arrow::{HEAD_PART_MAX, Head};
+use crate::paper::item::{Item, Shape};
+use crate::paper::label::Label;
 use crate::render::svg::Elements;
 
 use super::pack;
@@ -179,9 +179,9 @@ fn blank(item: &Item) -> Item {
     let mut item = item.clone();
     if let Shape::Label { label, anchor, at, size_mm, .. } = &mut item.shape {
         // The writer places a label by its start.
-        let width = crate::figure::text::set(label).width_em;
-        at.x -= crate::figure::extent::anchor_shift_em(*anchor, width) * *size_mm;
-        *anchor = crate::figure::item::Anchor::Start;
+        let width = crate::paper::text::set(label).width_em;
+        at.x -= crate::paper::extent::anchor_shift_em(*anchor, width) * *size_mm;
+        *anchor = crate::paper::item::Anchor::Start;
         *label = Label::text("");
     }
     item
@@ -313,8 +313,8 @@ fn places(markup: &str, changing: &[usize]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::item::Stroke;
     use crate::geom::Point;
+    use crate::paper::item::Stroke;
 
     #[test]
     fn markup_is_taken_apart() {

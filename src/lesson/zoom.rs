@@ -7,10 +7,10 @@
 //! large on the screen.
 
 use crate::construct::scale::{self, Boxes, extent};
-use crate::figure::extent::Rect;
 use crate::figure::series::{Scales, ends, size};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
+use crate::paper::extent::Rect;
 use crate::scene::Paper;
 use crate::worked::Worked;
 

@@ -1,11 +1,11 @@
 //! A formula on a line of its own, set in type: fractions about the axis, roots that grow with what stands under them.
 
-use crate::figure::extent::bounds;
-use crate::figure::font::own::Fonts;
-use crate::figure::item::{Anchor, Item, Shape, Stroke};
-use crate::figure::label::Label;
-use crate::figure::text;
 use crate::geom::Point;
+use crate::paper::extent::bounds;
+use crate::paper::font::own::Fonts;
+use crate::paper::item::{Anchor, Item, Shape, Stroke};
+use crate::paper::label::Label;
+use crate::paper::text;
 use crate::report::math::Math;
 
 use super::pages::line;

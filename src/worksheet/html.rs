@@ -3,10 +3,10 @@
 
 use super::{Block, Document, Table, TableKind};
 use crate::diag::Faults;
-use crate::figure::item::{Figure, Item};
-use crate::figure::label::Label;
-use crate::figure::words::words;
+use crate::paper::item::{Figure, Item};
+use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, Piece};
+use crate::paper::words::words;
 use crate::render::{escaped, number::mm, svg};
 use crate::report::math::{mathml, mathml_display};
 

@@ -3,7 +3,7 @@
 
 use super::{Beside, Block, Document, Table, backslashed, guarded, one_line, picture_names};
 use crate::diag::Faults;
-use crate::figure::label::Label;
+use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, Piece};
 use crate::render::svg;
 use crate::report::math::{tex, tex_display};

@@ -25,9 +25,9 @@ pub mod typst;
 
 use crate::certified::{Certified, Steps, certify, steps};
 use crate::diag::Diagnostic;
-use crate::figure::font::own::Fonts;
-use crate::figure::item::Figure;
 use crate::figure::sheet;
+use crate::paper::font::own::Fonts;
+use crate::paper::item::Figure;
 use crate::paper::phrase::{Phrase, tr};
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;

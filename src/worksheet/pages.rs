@@ -10,11 +10,11 @@ mod blocks;
 use std::collections::VecDeque;
 
 use super::{Block, Document};
-use crate::figure::extent::translate;
-use crate::figure::font::own::Fonts;
-use crate::figure::item::{Anchor, Colour, Item, Shape};
-use crate::figure::label::Label;
 use crate::geom::{Point, Vec2};
+use crate::paper::extent::translate;
+use crate::paper::font::own::Fonts;
+use crate::paper::item::{Anchor, Colour, Item, Shape};
+use crate::paper::label::Label;
 use crate::render::pages::{Kind, Page, Part};
 
 /// A4.

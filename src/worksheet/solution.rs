@@ -3,10 +3,10 @@
 use super::speak::Speak;
 use super::{Block, Maker, Table, TableKind};
 use crate::construct::Polygon;
-use crate::figure::label::Label;
 use crate::figure::sheet::drawing;
 use crate::figure::tables::special_line;
 use crate::mechanism::Level;
+use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, fill};
 use crate::plan::names::name_label;
 use crate::plan::text::Column;

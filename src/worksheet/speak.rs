@@ -1,8 +1,8 @@
 //! What is written in the reader's language.
 
 use super::Block;
-use crate::figure::words::{Words, words};
 use crate::paper::phrase::{Phrase, tr};
+use crate::paper::words::{Words, words};
 use crate::scene::Lang;
 
 /// A part of a worksheet that knows its language.

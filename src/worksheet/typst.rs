@@ -2,9 +2,9 @@
 
 use super::{Beside, Block, Document, Table, TableKind, backslashed, guarded, picture_names};
 use crate::diag::Faults;
-use crate::figure::label::Label;
-use crate::figure::words::words;
+use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, Piece};
+use crate::paper::words::words;
 use crate::render::{number::mm, svg};
 use crate::report::math::{typst as formula, typst_display};
 

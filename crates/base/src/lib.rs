@@ -1,7 +1,7 @@
 //! What every crate of hodograph stands on: numbers, plane geometry, diagnostics in two languages, JSON with places.
 //!
 //! Rooms: [`number`] (numbers of several precisions behind one trait), [`trig`] (sine and cosine, exact reduction of angles), [`geom`]
-//! (points and vectors of the plane), [`digits`] (counting digits that are true), [`diag`] (what is told of a fault), [`json`] (JSON whose
+//! (points and vectors of the plane), [`cam`] (disc cams as plain geometry), [`digits`] (counting digits that are true), [`diag`] (what is told of a fault), [`json`] (JSON whose
 //! words know where they stand).
 
 #![forbid(unsafe_code)]
@@ -11,6 +11,7 @@
 // The maps name private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
+pub mod cam;
 pub mod diag;
 pub mod digits;
 pub mod geom;

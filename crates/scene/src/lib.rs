@@ -1,7 +1,6 @@
 //! The file a person writes of a mechanism.
 //!
-//! Rooms: [`cam`] (disc cams as plain geometry), [`scene`] (from the text of a scene to a valid [`scene::Scene`]; templates, schema, what
-//! can be asked).
+//! Room: [`scene`] (from its text to a valid [`scene::Scene`]; templates, schema, what can be asked).
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -10,7 +9,6 @@
 // The maps name private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
-use hodograph_base::{diag, digits, geom, json, number, trig};
+use hodograph_base::{cam, diag, digits, geom, json, number, trig};
 
-pub mod cam;
 pub mod scene;

@@ -11,8 +11,8 @@
 #![allow(rustdoc::private_intra_doc_links)]
 
 use hodograph_analytic::analytic;
-use hodograph_base::{diag, digits, geom, number, trig};
+use hodograph_base::{cam, diag, digits, geom, number, trig};
 use hodograph_mechanism::{answer, mechanism, position};
-use hodograph_scene::{cam, scene};
+use hodograph_scene::scene;
 
 pub mod sweep;

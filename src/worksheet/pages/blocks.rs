@@ -4,14 +4,14 @@
 use super::super::display::built;
 use super::super::{Table, TableKind};
 use super::{BOTTOM_MM, Chunk, FOOT_MM, FULL_MM, PAPER_MM, SIDE_MM, Setter, TEXT_MM, TOP_MM, line};
-use crate::figure::extent::{bounds, translate};
-use crate::figure::grid::{self, Cell, Row};
-use crate::figure::item::{Anchor, Colour, Figure, Item, Shape, Stroke};
-use crate::figure::label::Label;
-use crate::figure::lines::wrapped;
-use crate::figure::text;
 use crate::geom::{Point, Vec2};
+use crate::paper::extent::{bounds, translate};
+use crate::paper::grid::{self, Cell, Row};
+use crate::paper::item::{Anchor, Colour, Figure, Item, Shape, Stroke};
+use crate::paper::label::Label;
+use crate::paper::lines::wrapped;
 use crate::paper::phrase::Phrase;
+use crate::paper::text;
 use crate::render::pages::{Kind, Page, Part};
 use crate::report::math::Math;
 

@@ -1,0 +1,213 @@
+//! The drivers: given angles, and where the arrows of given rates go; [`rates`](super::rates) draws them.
+
+use std::f64::consts::TAU;
+
+use crate::geom::Point;
+use crate::paper::label::Label;
+use crate::paper::place::LabelRequest;
+use crate::paper::symbols as sym;
+use crate::plan::names::name_label;
+use crate::report::given::Givens;
+use crate::scene::{Driver, DriverKind, GuideId, Lang, LinkId, PointId};
+
+use super::rates::{ARROW_MM, Slides, Turns};
+use super::{Draft, form};
+
+/// Radius of a given angle's arc: part of the crank, within what can be read and does not hide the mechanism.
+const ANGLE_PART: f64 = 0.5;
+const ANGLE_MM: [f64; 2] = [8.5, 13.0];
+/// An arc shorter than this has its radius made larger, up to this part of the crank and this radius.
+const ANGLE_ARC_MM: f64 = 9.0;
+const SMALL_ANGLE_PART: f64 = 0.8;
+const SMALL_ANGLE_MM: f64 = 24.0;
+/// Radius of the arrow of a rotation; it clears the support's triangle (6.2 mm with its hatching).
+const ROTATION_PART: f64 = 0.4;
+const ROTATION_MM: [f64; 2] = [7.0, 9.5];
+/// Where the arrow of a rotation begins and ends, seen from the crank.
+const ROTATION_RAD: [f64; 2] = [0.45, 1.9];
+/// How much farther out a second driver's arrows are: its label fits between.
+pub(super) const NEXT_MM: f64 = 6.0;
+/// Between a support's hatching and the arc of an angle round it.
+const HATCHING_AIR_MM: f64 = 0.8;
+/// A given angle smaller than this has no room for its arrow.
+const ANGLE_LEAST_RAD: f64 = 0.12;
+/// How far outside its rim the arrow of a wheel stands, and half its length.
+const RIM_OFF_MM: f64 = 2.5;
+const RIM_ARROW_MM: f64 = 8.0;
+/// Distance of a straight arrow from the thing that moves.
+const ARROW_OFF_MM: f64 = 3.0;
+
+impl Draft<'_> {
+    /// All drivers.
+    pub(super) fn drivers(&mut self) {
+        let mut centres: Vec<Point> = Vec::new();
+        for k in 0..self.scene.drivers.len() {
+            // A follower whose motion a cam's law gives is no driver.
+            if !self.shows_driver(k) || self.scene.is_led(k) {
+                continue;
+            }
+            let driver = &self.scene.drivers[k];
+            match driver.kind {
+                DriverKind::Turn { link, against, .. } => {
+                    let Some(centre) = self.shared(link, against) else { continue };
+                    // A second driver at the same joint has its arrows around those of the first.
+                    let before = centres.iter().filter(|c| c.distance(centre) < super::SAME_MM).count();
+                    centres.push(centre);
+                    self.turning(driver, centre, before as f64 * NEXT_MM);
+                }
+                DriverKind::Slide { guide, .. } => self.sliding(guide, driver),
+                DriverKind::Cylinder { a, b, .. } => self.stretching(a, b, driver),
+            }
+        }
+    }
+
+    /// Given angles whose arcs are around a point: where they begin and how far they go.
+    pub(super) fn given_angles(&self, p: PointId) -> Vec<(f64, f64)> {
+        let at_point = |d: &Driver| match d.kind {
+            DriverKind::Turn { link, against, line, angle: Some(ref angle), .. } if against == self.scene.ground => {
+                let vertex = line.map(|l| l.0).or_else(|| self.scene.links[link.0].points.first().copied());
+                (vertex == Some(p)).then(|| (0.0, angle.value.radians() % TAU))
+            }
+            DriverKind::Turn { .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
+        };
+        self.scene.drivers.iter().filter_map(at_point).filter(|(_, sweep)| sweep.abs() > ANGLE_LEAST_RAD).collect()
+    }
+
+    fn turning(&mut self, driver: &Driver, centre: Point, wider_mm: f64) {
+        let DriverKind::Turn { link, against, line, against_line, ref angle } = driver.kind else { return };
+        let first_two = |l: LinkId| match self.scene.links[l.0].points[..] {
+            [a, b, ..] => Some((a, b)),
+            _ => None,
+        };
+        let ends = line.or_else(|| first_two(link)).and_then(|(a, b)| Some((self.point(a)?, self.point(b)?)));
+        let ends = ends.or_else(|| self.lever(link)).or_else(|| self.turned_block(link));
+        // The arrow of a wheel without a line of its own stands outside its rim.
+        let wheel = self.free_side(link).filter(|_| ends.is_none());
+        let Some((at, to)) = ends.or_else(|| wheel.map(|(c, u, r)| (c, c + u * r))) else { return };
+        let Some(u) = (to - at).unit() else { return };
+        let crank = at.distance(to);
+        let grounded = against == self.scene.ground;
+        let index = if grounded {
+            self.scene.link_name(link).to_owned()
+        } else {
+            format!("{}/{}", self.scene.link_name(link), self.scene.link_name(against))
+        };
+        let mut side = 1.0;
+        let written = angle.as_ref().map(|a| a.value.radians() % TAU);
+        if let Some(sweep) = written.filter(|s| s.abs() > ANGLE_LEAST_RAD && ends.is_some()) {
+            side = sweep.signum();
+            let radius = (ANGLE_PART * crank).clamp(ANGLE_MM[0], ANGLE_MM[1]);
+            // A small angle is measured farther out, where its arc has room for a head.
+            let radius = radius.max((ANGLE_ARC_MM / sweep.abs()).min(SMALL_ANGLE_PART * crank).min(SMALL_ANGLE_MM)) + wider_mm;
+            // Round a support's hatching, not through it, if the link is long enough.
+            let round = self.hatching_mm() + HATCHING_AIR_MM;
+            let held = self.scene.links[link.0].points.iter().find(|p| self.is_fixed_pivot(**p) && self.point(**p) == Some(at));
+            let passes = |p: &PointId| form::sweeps(0.0, sweep, self.support_side(*p).angle());
+            let radius = if grounded && round < crank && held.is_some_and(passes) { radius.max(round) } else { radius };
+            let reference = match against_line.or_else(|| first_two(against)) {
+                Some((a, b)) if !grounded || against_line.is_some() => {
+                    self.point(a).zip(self.point(b)).map_or(0.0, |(a, b)| (b - a).angle())
+                }
+                _ => 0.0,
+            };
+            let owner = self.d.draw(&format!("angle-{index}"), "driver", sym::angle(self.style, at, radius, reference, reference + sweep));
+            let mut symbol = format!("\\varphi_{{{}}}", name_label(&index));
+            if let Some(given) = angle.as_ref().filter(|_| self.dimensioned) {
+                symbol += &format!(" = {}", Givens { scene: self.scene, lang: Lang::default() }.angle(given));
+            }
+            self.arc_label(&symbol, "angle", at, radius, [reference, reference + sweep], owner);
+        }
+        let radius = match wheel {
+            Some((_, _, rim)) => rim + RIM_OFF_MM,
+            None => (ROTATION_PART * crank).clamp(ROTATION_MM[0], ROTATION_MM[1]) + wider_mm,
+        };
+        let outward = if at.distance(centre) <= to.distance(centre) { u } else { -u };
+        let angles = match wheel {
+            Some((_, _, rim)) => [-1.0, 1.0].map(|a| outward.angle() + a * (RIM_ARROW_MM / rim).min(1.0)),
+            None => ROTATION_RAD.map(|a| outward.angle() + side * a),
+        };
+        self.d.of_link(Some(link.0));
+        self.rotations(driver, &index, Turns { centre, radius, angles, mirror: outward.angle() });
+        self.d.of_link(None);
+    }
+
+    /// From a fixed pivot to the farthest corner of its support's hatching.
+    fn hatching_mm(&self) -> f64 {
+        let style = self.style;
+        libm::hypot(style.ground_half_mm + style.hatch_depth_mm, style.pivot_height_mm + style.hatch_depth_mm)
+    }
+
+    /// Of a link that is its pivot and a slot through it: the pivot, and a place of the slot.
+    fn lever(&self, l: LinkId) -> Option<(Point, Point)> {
+        let [pivot] = self.scene.links[l.0].points[..] else { return None };
+        let slot = |g: &GuideId| self.scene.guides[g.0].on == l && self.scene.guides[g.0].rolling.is_none();
+        let g = (0..self.scene.guides.len()).map(GuideId).find(slot)?;
+        let (from, (runner, along)) = (self.point(pivot)?, self.runner(g)?);
+        (from.distance(runner) > super::SAME_MM && (runner - from).cross(along).abs() < super::SAME_MM).then_some((from, runner))
+    }
+
+    /// Of a block that turns about its joint: the joint, and an end of the block.
+    fn turned_block(&self, l: LinkId) -> Option<(Point, Point)> {
+        let [joint] = self.scene.links[l.0].points[..] else { return None };
+        let own = |g: &GuideId| self.scene.guides[g.0].slider == Some(l) && self.scene.guides[g.0].pin == Some(joint);
+        let (at, along) = (0..self.scene.guides.len()).map(GuideId).find(own).and_then(|g| self.runner(g))?;
+        Some((at, at + along * self.style.block_length_mm))
+    }
+
+    pub(super) fn arc_label(&mut self, symbol: &str, class: &str, centre: Point, radius: f64, angles: [f64; 2], owner: u32) {
+        let request =
+            LabelRequest::along_arc(Label::math(symbol), self.style.label_mm, centre, radius, angles, self.style.vector.width_mm / 2.0);
+        self.d.label(symbol, &format!("driver {class}"), request.owned(owner));
+    }
+
+    /// The joint of two links.
+    fn shared(&self, a: LinkId, b: LinkId) -> Option<Point> {
+        self.scene.links[a.0].points.iter().find(|p| self.scene.links[b.0].points.contains(p)).and_then(|p| self.point(*p))
+    }
+
+    fn sliding(&mut self, g: GuideId, driver: &Driver) {
+        let Some((at, tangent)) = self.runner(g) else { return };
+        let guide = &self.scene.guides[g.0];
+        let name = match (guide.pin, guide.slider) {
+            (Some(p), _) => self.scene.point_name(p).to_owned(),
+            (None, Some(s)) => self.scene.link_name(s).to_owned(),
+            (None, None) => return,
+        };
+        // Above the block, as the hatching is below.
+        let normal = if tangent.perp().y >= 0.0 { tangent.perp() } else { -tangent.perp() };
+        let name = name_label(&name);
+        let link = |l: LinkId| name_label(self.scene.link_name(l));
+        // Along a guide that moves, the driver gives the motion in the guide.
+        let symbol = |quantity: &str| match (guide.on == self.scene.ground, guide.pin) {
+            (true, _) => format!("{quantity}_{{{name}}}"),
+            (false, Some(_)) => {
+                let (own, on, sliding) = (guide.slider.map(link).unwrap_or_default(), link(guide.on), &self.notation.sliding);
+                format!("{quantity}^{{{sliding}}}_{{{name}{own}{name}{on}}}")
+            }
+            (false, None) => format!("{quantity}_{{{name}/{}}}", link(guide.on)),
+        };
+        let symbols = ["v", "a"].map(symbol);
+        let ahead = if driver.rate.value < 0.0 { -tangent } else { tangent };
+        let from = match guide.pin {
+            // Beyond the end of a slot with hatching on both sides.
+            Some(p) if self.in_fixed_slot(p) => {
+                let [back, on] = self.travel(g);
+                let goes = if driver.rate.value >= 0.0 { on } else { -back };
+                at + ahead * (goes + super::slides::GUIDE_MM / 2.0 + ARROW_OFF_MM)
+            }
+            _ => at + normal * (self.style.block_width_mm / 2.0 + ARROW_OFF_MM),
+        };
+        self.translations(driver, &symbols, Slides { from, along: tangent, outward: normal });
+    }
+
+    fn stretching(&mut self, a: PointId, b: PointId, driver: &Driver) {
+        let (Some(base), Some(tip)) = (self.point(a), self.point(b)) else { return };
+        let Some(u) = (tip - base).unit() else { return };
+        let (na, nb) = (name_label(self.scene.point_name(a)), name_label(self.scene.point_name(b)));
+        // Beside the rod; the arrow goes the way the rod goes.
+        let rod = base + (tip - base) * 0.75 + u.perp() * ARROW_OFF_MM;
+        let from = if driver.rate.value >= 0.0 { rod - u * (ARROW_MM / 2.0) } else { rod + u * (ARROW_MM / 2.0) };
+        let symbols = ["v", "a"].map(|q| format!("{q}^{{{}}}_{{{nb}{na}}}", self.notation.sliding));
+        self.translations(driver, &symbols, Slides { from, along: u, outward: u.perp() });
+    }
+}

@@ -1,0 +1,34 @@
+//! The figure as typed items in millimetres of paper.
+//!
+//! Everything here is y up and knows no file format; [`crate::render`] turns a [`item::Figure`] into ink.
+
+mod arrange;
+pub mod attempts;
+pub mod cam;
+mod centres;
+mod cognates;
+mod composite;
+pub mod course;
+mod curvature;
+pub mod curves;
+pub mod fit;
+mod gears;
+pub mod groups;
+pub(crate) mod hodograph;
+mod inversions;
+mod kutzbach;
+pub mod list;
+pub mod mechanism;
+pub mod particle;
+pub mod path;
+mod plot;
+pub mod polygon;
+pub mod poses;
+pub mod price;
+pub mod remarks;
+pub mod results;
+pub mod series;
+pub mod sheet;
+pub mod steps;
+pub mod synthesis;
+pub mod tables;

@@ -1,0 +1,125 @@
+//! A polygon of many vectors split by group: each plate shows what one group adds, to a scale of its own, with the vectors known before
+//! that it starts from in grey.
+
+use std::collections::HashMap;
+
+use crate::construct::{Action, Mark, Polygon, scale};
+use crate::geom::Point;
+use crate::mechanism::Mechanism;
+use crate::paper::drawing::Part;
+use crate::paper::item::Colour;
+use crate::paper::style::Style;
+use crate::plan::text::Writer;
+use crate::plan::{GroupSteps, Step, VertexId};
+
+use super::{Draft, is_one};
+
+/// Room for a plate: what stands beside its equations on a page of A4 across.
+const ROOM_MM: [f64; 2] = [125.0, 120.0];
+/// Vectors known before are grey: to be seen, and not to be taken for the plate's own.
+const KNOWN: Colour = Colour::grey(150);
+
+/// What a group adds to a polygon.
+pub struct Plate {
+    /// The group, by its place in the mechanism's list, and behind it those pins that only sit on its links.
+    pub groups: Vec<usize>,
+    /// Its scale (SI/mm).
+    pub mu: f64,
+    /// The drawing, its pole in the origin.
+    pub part: Part,
+}
+
+/// The plates of a polygon in the order of solving; none for a group that adds no vector.
+pub fn plates(style: &Style, w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<Plate> {
+    let mut heads: Vec<Vec<usize>> = Vec::new();
+    for group in w.plan.steps(p.level).iter().map(|g| g.group) {
+        match heads.last_mut() {
+            Some(head) if mechanism.groups[group].is_carried() => head.push(group),
+            _ => heads.push(vec![group]),
+        }
+    }
+    let of = groups_of_actions(w, p);
+    let of_head = |groups: Vec<usize>| {
+        let mine = |step: usize| of.get(step).copied().flatten().is_some_and(|g| groups.contains(&g));
+        let (mu, part) = plate(style, w, p, &mine)?;
+        Some(Plate { groups, mu, part })
+    };
+    heads.into_iter().filter_map(of_head).collect()
+}
+
+fn plate(style: &Style, w: &Writer, p: &Polygon, mine: &dyn Fn(usize) -> bool) -> Option<(f64, Part)> {
+    let (draft, _) = Draft::new(style, w, p, false);
+    let shown = draft.only(mine)?;
+    let ends: Vec<Point> = shown.arrows.iter().flat_map(|a| [a.from, a.to]).chain([Point::ORIGIN]).collect();
+    let over = |f: fn(&Point) -> f64| {
+        let all = ends.iter().map(f);
+        all.clone().fold(f64::NEG_INFINITY, f64::max) - all.fold(f64::INFINITY, f64::min)
+    };
+    let mu = scale::choose_in(w.scene.book.size(p.level.kind()), [over(|q| q.x) * p.mu, over(|q| q.y) * p.mu], ROOM_MM);
+    let own = p.to_scale(mu);
+    let mut draft = Draft::of(w, &own).only(mine)?;
+    draft.side_by_side(style.vector.width_mm);
+    let (drawing, names) = draft.draw(style, &[]);
+    let part = drawing.finish();
+    let insets = draft.insets(|arrow| part.left_out.contains(&names[arrow]));
+    let part = if insets.is_empty() { part } else { draft.draw(style, &insets).0.finish() };
+    Some((mu, part))
+}
+
+/// The group whose image each action finds, or serves to find; what reads between images belongs to the group before.
+fn groups_of_actions(w: &Writer, p: &Polygon) -> Vec<Option<usize>> {
+    let mut of: HashMap<VertexId, usize> = HashMap::new();
+    for GroupSteps { group, alternatives, further, .. } in w.plan.steps(p.level) {
+        for step in alternatives.iter().flatten().chain(further) {
+            let (Step::Equation { target, .. } | Step::Image { target, .. } | Step::Same { target, .. }) = step;
+            of.entry(*target).or_insert(*group);
+        }
+    }
+    let found: Vec<Option<usize>> = p
+        .actions
+        .iter()
+        .map(|action| match action {
+            Action::Cross { target, .. } | Action::Reach(target) | Action::Copy { target, .. } | Action::Same { target, .. } => {
+                of.get(target).copied()
+            }
+            Action::LayOff(e) => match p.edges[*e].to.0 {
+                Mark::Image(v) => of.get(&v).copied(),
+                Mark::Pole | Mark::Part(_) | Mark::Again(_) => None,
+            },
+            Action::Nothing { .. } | Action::Line { .. } | Action::Join(_) | Action::Perpendicular { .. } | Action::Rate(_) => None,
+        })
+        .collect();
+    let mut out = vec![None; found.len()];
+    let mut before = None;
+    for (k, action) in p.actions.iter().enumerate() {
+        let next = || found[k..].iter().flatten().next().copied();
+        out[k] = if action.reads() { before } else { next().or(before) };
+        before = out[k].or(before);
+    }
+    out
+}
+
+impl Draft<'_> {
+    /// What these steps draw, and in grey the vectors from which they start; `None` where they draw no vector.
+    fn only(mut self, mine: &dyn Fn(usize) -> bool) -> Option<Self> {
+        let own = |steps: &[usize]| steps.iter().any(|s| mine(*s));
+        let ends: Vec<Point> = self.arrows.iter().filter(|a| own(&a.steps)).flat_map(|a| [a.from, a.to]).collect();
+        if ends.is_empty() {
+            return None;
+        }
+        let corners: Vec<Point> = self.copies.iter().filter(|c| mine(c.1)).flat_map(|c| c.0).filter_map(|v| self.p.images[v.0]).collect();
+        let touches = |p: Point| ends.iter().chain(&corners).any(|q| is_one(*q, p));
+        self.arrows.retain_mut(|a| {
+            if !own(&a.steps) {
+                a.colour = KNOWN;
+            }
+            own(&a.steps) || is_one(a.from, Point::ORIGIN) && touches(a.to)
+        });
+        self.lines.retain(|l| mine(l.2));
+        self.copies.retain(|c| mine(c.1));
+        self.zeros.retain(|z| mine(z.2));
+        let kept: Vec<Point> = self.arrows.iter().flat_map(|a| [a.from, a.to]).chain(corners).chain([Point::ORIGIN]).collect();
+        self.letters.retain(|l| kept.iter().any(|q| is_one(l.at, *q)));
+        Some(self)
+    }
+}

@@ -1,0 +1,266 @@
+//! The equations of a level as they are written beside the polygon: tables for equations with two chains, one line for
+//! everything else.
+
+use crate::certified::Steps;
+use crate::construct::{Action, Construction, Polygon};
+use crate::digits::inked;
+use crate::mechanism::{ConstraintLine, Level};
+use crate::paper::phrase::{Phrase, fill};
+use crate::plan::text::Writer;
+use crate::plan::{Chain, Special, SpecialLine, Step, VertexId};
+use crate::scene::{PointId, Scene};
+
+use super::results::DIGITS;
+use crate::paper::drawing::Part;
+use crate::paper::grid::{self, Cell, Row};
+use crate::paper::item::{Anchor, Item};
+use crate::paper::label::Label;
+use crate::paper::style::Style;
+use crate::paper::words::{Words, words};
+use crate::report::amount::number;
+
+/// From a symbol's baseline to the row below it, and between rows.
+const ROW_MM: f64 = 7.2;
+/// From the top of a table to its symbols' baseline: superscripts go this high.
+const TOP_MM: f64 = 5.6;
+/// Below the last baseline: subscripts go this low.
+const BOTTOM_MM: f64 = 1.8;
+/// Between the columns of a table: a binary operator's space.
+const GAP_MM: f64 = 2.6;
+/// A statement in one line.
+const LINE_MM: f64 = 6.6;
+
+/// What the tables are made from.
+#[derive(Clone, Copy)]
+pub struct Tables<'a> {
+    /// Sizes.
+    pub style: &'a Style,
+    /// Names and symbols.
+    pub writer: &'a Writer<'a>,
+    /// The alternatives that were drawn.
+    pub construction: &'a Construction,
+    /// The certified numbers of its steps.
+    pub steps: &'a Steps,
+}
+
+impl Tables<'_> {
+    /// One part for each step of a level, in the order of solving.
+    pub fn parts(&self, level: Level) -> Vec<Part> {
+        self.parts_of(level, |_| true)
+    }
+
+    /// The same of some groups only, by their places in the mechanism's list.
+    pub fn parts_of(&self, level: Level, wanted: impl Fn(usize) -> bool) -> Vec<Part> {
+        let Some(polygon) = self.construction.polygon(level) else { return Vec::new() };
+        let mut parts = Vec::new();
+        for group in self.writer.plan.steps(level).iter().filter(|g| wanted(g.group)) {
+            let chosen = group.drawn(self.construction.chosen[group.group]);
+            for step in group.steps(chosen) {
+                let step_class = step_class(polygon, target(step));
+                match step {
+                    Step::Equation { target, chains, .. } => {
+                        if let Some(special) = self.writer.plan.special(*target) {
+                            parts.push(self.special(level, *target, special, &step_class));
+                        }
+                        parts.extend(self.equation(level, *target, chains, &step_class));
+                    }
+                    Step::Image { target, from, .. } => parts.push(self.image(level, *target, *from, &step_class)),
+                    Step::Same { target, from, link } => {
+                        let w = self.writer;
+                        let formula = format!("{} = {}", w.vector(level, *target), w.vector(level, *from));
+                        let why = self.words().no_turning.replace("{}", w.scene.link_name(*link));
+                        parts.push(self.line(level, &formula, Some(Label::text(why)), &step_class));
+                    }
+                }
+            }
+        }
+        parts
+    }
+
+    fn words(&self) -> &'static Words {
+        words(self.writer.lang)
+    }
+
+    fn cell(&self, label: Label, size_mm: f64, anchor: Anchor, id: String, class: &str) -> Cell {
+        Cell { label: label.in_fonts(&self.style.fonts), size_mm, anchor, class: class.into(), id }
+    }
+
+    fn equation(&self, level: Level, target: VertexId, chains: &[Chain], step: &str) -> Option<Part> {
+        let (w, book) = (self.writer, &self.writer.scene.book);
+        if let [chain] = chains {
+            let [term] = chain.known[..] else {
+                // Nothing is added: the point moves as one known before.
+                if chain.known.is_empty() {
+                    let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.vector(level, chain.start) };
+                    let formula = format!("{} = {start}", w.vector(level, target));
+                    return (chain.start != target).then(|| self.line(level, &formula, None, step));
+                }
+                return Some(self.table(level, target, chains, step));
+            };
+            if w.plan.vertex(chain.start).fixed {
+                let (whole, part) = (w.vector(level, target), w.symbol(level, &term));
+                // On the drawing it is the whole vector that is named.
+                let head = if whole == part { whole } else { format!("{whole} = {part}") };
+                // What a driver gives is a number, not a formula.
+                let magnitude = match (w.magnitude(level, &term), self.construction.vector(level, target)) {
+                    (known, Some(v)) if known == w.notation.known => {
+                        let certain = self.steps.vector(level, target).and_then(|n| n.text(DIGITS)).map(|(text, _)| inked(&text));
+                        let rough = || format!("\\approx {}", number(book.value(level.kind(), v.norm()), 1));
+                        book.label(level.kind(), &certain.unwrap_or_else(rough))
+                    }
+                    (formula, _) => formula,
+                };
+                let formula = format!("{head} = {magnitude}");
+                return Some(self.line(level, &formula, Some(Label::math(w.direction(&term))), step));
+            }
+        }
+        Some(self.table(level, target, chains, step))
+    }
+
+    fn table(&self, level: Level, target: VertexId, chains: &[Chain], step: &str) -> Part {
+        let (w, style, words) = (self.writer, self.style, self.words());
+        let columns = w.columns(level, target, chains);
+        let name = format!("{}-{}", kind(level), id_of(&w.vector(level, target)));
+        let class = |what: &str| format!("{} table {what} {step}", kind(level));
+        let mut symbols = vec![None];
+        let mut magnitudes =
+            vec![Some(self.cell(heading(words.magnitude), style.caption_mm, Anchor::End, format!("{name}-magnitude"), &class("heading")))];
+        let mut directions =
+            vec![Some(self.cell(heading(words.direction), style.caption_mm, Anchor::End, format!("{name}-direction"), &class("heading")))];
+        for (k, c) in columns.iter().enumerate() {
+            let cell = |text: &str, size: f64, what: &str| {
+                Some(self.cell(Label::math(text), size, Anchor::Middle, format!("{name}-{what}-{k}"), &class(what)))
+            };
+            symbols.push(if c.joint.is_empty() { None } else { cell(c.joint, style.label_mm, "joint") });
+            symbols.push(cell(&c.symbol, style.label_mm, "symbol"));
+            magnitudes.extend([None, cell(&c.magnitude, style.caption_mm, "magnitude")]);
+            directions.extend([None, cell(&c.direction, style.caption_mm, "direction")]);
+        }
+        let mut rows = vec![Row { cells: symbols, height_mm: TOP_MM }];
+        let both = if w.notation.first_row == "direction" { [directions, magnitudes] } else { [magnitudes, directions] };
+        rows.extend(both.map(|cells| Row { cells, height_mm: ROW_MM }));
+        self.boxed(grid::set(&rows, GAP_MM), TOP_MM + 2.0 * ROW_MM + BOTTOM_MM)
+    }
+
+    /// A part whose box is as high as its rows, whatever stands in them, so that stacked tables keep their rhythm.
+    fn boxed(&self, items: Vec<Item>, height_mm: f64) -> Part {
+        let mut part = Part::of(items);
+        part.bounds.max.y = part.bounds.max.y.max(0.0);
+        part.bounds.min.y = part.bounds.min.y.min(-height_mm);
+        part
+    }
+
+    fn line(&self, level: Level, formula: &str, why: Option<Label>, step: &str) -> Part {
+        let name = format!("{}-statement-{}", kind(level), id_of(formula.split(' ').next().unwrap_or(formula)));
+        let class = format!("{} statement {step}", kind(level));
+        let mut cells = vec![Some(self.cell(Label::math(formula), self.style.label_mm, Anchor::Start, name.clone(), &class))];
+        if let Some(why) = why {
+            // A quad keeps formula and reason apart.
+            cells.push(Some(self.cell(why, self.style.caption_mm, Anchor::Start, format!("{name}-why"), &class)));
+        }
+        self.boxed(grid::set(&[Row { cells, height_mm: TOP_MM }], self.style.label_mm), LINE_MM)
+    }
+
+    fn image(&self, level: Level, target: VertexId, from: (VertexId, VertexId), step: &str) -> Part {
+        let w = self.writer;
+        let images = format!("{}{}{}", w.image(level, from.0), w.image(level, from.1), w.image(level, target));
+        let points = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(target));
+        // Three points in line make no triangle: their image is a ratio.
+        let in_line = self.construction.diagram.in_line([from.0, from.1, target]);
+        let head = Label::math(format!("{}: \\quad", w.vector(level, target)));
+        let similar = if in_line {
+            let ratio = |[a, b, x]: [String; 3]| format!("{a}{b}/{a}{x}");
+            let images = ratio([from.0, from.1, target].map(|v| w.image(level, v)));
+            head.then(Label::math(format!("{images} = {}", ratio([from.0, from.1, target].map(|v| w.spot(v))))))
+        } else {
+            // No embedded font has the sign △; a capital delta has its shape.
+            let sides = [Label::text("Δ"), Label::math(images), Label::text(" ∽ Δ"), Label::math(points)];
+            sides.into_iter().fold(head, Label::then)
+        };
+        let name = format!("{}-statement-{}", kind(level), id_of(&w.vector(level, target)));
+        let class = format!("{} statement image {step}", kind(level));
+        let mut cells = vec![Some(self.cell(similar, self.style.label_mm, Anchor::Start, name.clone(), &class))];
+        if !in_line {
+            let why = Label::text(self.words().image);
+            cells.push(Some(self.cell(why, self.style.caption_mm, Anchor::Start, format!("{name}-why"), &class)));
+        }
+        self.boxed(grid::set(&[Row { cells, height_mm: TOP_MM }], self.style.label_mm), LINE_MM)
+    }
+
+    /// What a special point is.
+    fn special(&self, level: Level, target: VertexId, special: &Special, step: &str) -> Part {
+        let [a, b] = special.lines.each_ref().map(|line| special_line(self.writer, self.words(), line));
+        let (letter, link) = (self.writer.spot(target), self.writer.scene.link_name(special.link));
+        let text = fill(self.words().special_point, &[("S", &letter), ("1", &a), ("2", &b), ("", link)]);
+        let class = format!("{} statement special {step}", kind(level));
+        let cells = vec![Some(self.cell(
+            Phrase::new(&text).label(),
+            self.style.caption_mm,
+            Anchor::Start,
+            match special.legs {
+                Some(_) => format!("{}-special-{}", kind(level), special.group),
+                None => format!("{}-special-{}-{link}", kind(level), special.group),
+            },
+            &class,
+        ))];
+        self.boxed(grid::set(&[Row { cells, height_mm: TOP_MM }], 0.0), LINE_MM)
+    }
+}
+
+/// A line along which a link is held, in words.
+pub fn special_line(w: &Writer, words: &Words, line: &SpecialLine) -> String {
+    match *line {
+        SpecialLine::Leg(line) => constraint_line(w.scene, words, line),
+        SpecialLine::Through { pin, special } => {
+            format!("${}{}$", w.spot(special), crate::plan::text::point_label(w.scene.point_name(pin)))
+        }
+    }
+}
+
+/// The line on which a leg gives a locus for every point of its link, in words.
+pub(crate) fn constraint_line(scene: &Scene, words: &Words, line: ConstraintLine) -> String {
+    let name = |p: PointId| crate::plan::text::point_label(scene.point_name(p));
+    match line {
+        ConstraintLine::Along { near, far } => format!("${}{}$", name(far), name(near)),
+        ConstraintLine::Normal { pin, .. } => fill(words.square_to_guide, &[("", &name(pin))]),
+        ConstraintLine::Tangent { at, .. } => fill(words.tangent_at, &[("", &name(at))]),
+    }
+}
+
+/// A row's heading, with the air that parts it from the first column.
+fn heading(word: &str) -> Label {
+    Label::text(word).then(Label::math("\\quad"))
+}
+
+fn kind(level: Level) -> &'static str {
+    match level {
+        Level::Acceleration => "acceleration",
+        Level::Position | Level::Velocity => "velocity",
+    }
+}
+
+fn id_of(symbol: &str) -> String {
+    symbol.replace('\'', "′").chars().filter(|c| c.is_alphanumeric() || matches!(c, '_' | '^' | '′')).collect()
+}
+
+/// The vertex that a step finds.
+pub fn target(step: &Step) -> VertexId {
+    match step {
+        Step::Equation { target, .. } | Step::Image { target, .. } | Step::Same { target, .. } => *target,
+    }
+}
+
+/// The class word of the action that finds a vertex.
+fn step_class(p: &Polygon, v: VertexId) -> String {
+    found_by(p, v).map(|n| format!("step-{n}")).unwrap_or_default()
+}
+
+/// The action of a polygon that finds a vertex.
+pub fn found_by(p: &Polygon, v: VertexId) -> Option<usize> {
+    let finds = |a: &Action| match a {
+        Action::Cross { target, .. } | Action::Copy { target, .. } | Action::Same { target, .. } | Action::Reach(target) => *target == v,
+        Action::LayOff(e) => p.edges[*e].to.0 == crate::construct::Mark::Image(v),
+        Action::Nothing { .. } | Action::Line { .. } | Action::Join(_) | Action::Perpendicular { .. } | Action::Rate(_) => false,
+    };
+    p.actions.iter().position(finds)
+}

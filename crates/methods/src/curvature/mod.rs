@@ -1,0 +1,287 @@
+//! Curvature (曲率): how the paths of a link's points bend at an instant, by drawing and by analysis, which know nothing of one another.
+//!
+//! [`drawing`] takes two rays with known centres ([`known`]) and finds pole, inflection pole and centres of curvature with the ruler alone
+//! (Bobillier, Euler–Savary); it needs no velocity. [`mod@motion`] takes velocities, accelerations and third derivatives of the loop equations
+//! and finds the same, and what depends on the driver's rate: pole velocity, acceleration pole, Bresse's circle. [`centrodes`] are the
+//! paths of the pole in both planes. Any moving link is seen from any other.
+//!
+//! ```
+//! use hodograph::{curvature, scene};
+//! let scene = scene::read(scene::templates::get("crank-rocker").unwrap()).unwrap().value;
+//! let asked = curvature::Asked { links: curvature::couplers(&scene), ..Default::default() };
+//! let found = curvature::curvature(&scene, &asked).unwrap().value;
+//! assert!(found.list[0].apart().unwrap() < 1e-12);
+//! ```
+
+pub mod centrodes;
+pub mod drawing;
+pub mod known;
+pub mod motion;
+pub mod plane;
+
+use crate::analytic::third;
+use crate::answer::{Source, Value};
+use crate::centres::moving_at_all;
+use crate::diag::{Diagnostic, Faults, Severity, Warned, both};
+use crate::geom::{Point, Vec2};
+use crate::mechanism::Level;
+use crate::scene::quantity::{PointMotion, Rate, Turning};
+use crate::scene::{Asked as Question, Find, LinkId, OnLink, PointId, Scene};
+use crate::worked::{Scope, Worked, work};
+use drawing::{Drawing, Traced, traced};
+use known::Places;
+use motion::{Bend, Motion, State, Turning as Pole};
+
+/// What is asked.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Asked {
+    /// The links whose curvature is wanted.
+    pub links: Vec<LinkId>,
+    /// From which link it is seen; `None`: from the ground.
+    pub against: Option<LinkId>,
+    /// The points whose paths are asked, each with those links that carry it; empty: all points of the links.
+    pub points: Vec<PointId>,
+}
+
+/// The curvature of some links.
+#[derive(Clone, Debug)]
+pub struct Curvature {
+    /// One for each link.
+    pub list: Vec<OfLink>,
+    /// From which link the motion is seen.
+    pub against: LinkId,
+    /// The scene that asks for the motions; drivers at rest have a unit rate where all of them rest.
+    pub scene: Scene,
+    /// That scene worked through.
+    pub worked: Worked,
+    /// Whether all drivers rest in the file, so that one unit of their rate is taken.
+    pub at_rest: bool,
+}
+
+/// The curvature of one link.
+#[derive(Clone, Debug)]
+pub struct OfLink {
+    /// The link.
+    pub link: LinkId,
+    /// Its motion by analysis.
+    pub motion: Motion,
+    /// What kind it is, and what belongs to the pole.
+    pub state: State,
+    /// The drawing.
+    pub drawing: Drawing,
+    /// Of each point the analysis, and the drawing where there is one.
+    pub points: Vec<OfPoint>,
+    /// ω and α read off the polygons, by which acceleration pole and pole velocity are drawn.
+    pub read: Option<[f64; 2]>,
+}
+
+/// How the path of a point bends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OfPoint {
+    /// The point.
+    pub point: PointId,
+    /// Its place (m).
+    pub at: Point,
+    /// By analysis.
+    pub bend: Bend,
+    /// By drawing.
+    pub drawn: Option<Traced>,
+}
+
+/// The pole's places and circles on paper, from the drawing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drawn {
+    /// P.
+    pub pole: Point,
+    /// PJ.
+    pub normal: Vec2,
+    /// The acceleration pole: PJ turned by the angle whose tangent is α/ω², and J let fall on it.
+    pub acceleration_pole: Option<Point>,
+    /// u = ω PJ, square to PJ.
+    pub pole_velocity: Option<Vec2>,
+    /// Ball's point, by the two circle points.
+    pub ball: Option<Point>,
+}
+
+impl OfLink {
+    /// What belongs to the pole, by analysis; `None` where the link does not turn.
+    pub fn pole(&self) -> Option<Pole> {
+        match self.state {
+            State::Turning(pole) => Some(pole),
+            State::Rest | State::Translation(_) => None,
+        }
+    }
+
+    /// The same by drawing.
+    pub fn drawn(&self) -> Option<Drawn> {
+        let (pole, normal, ball) = match &self.drawing {
+            Drawing::Rays(r) => (r.pole, r.normal(), r.ball()),
+            Drawing::Rolling(r) => (r.pole, r.inflection - r.pole, None),
+            Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => return None,
+        };
+        let turned = |[omega, alpha]: [f64; 2]| {
+            let (square, along) = (omega * omega, Vec2::new(omega * omega, -alpha));
+            (square > 0.0).then(|| (pole + (normal * square).divide_by(along), normal.perp() * omega))
+        };
+        let by_rates = self.read.and_then(turned);
+        Some(Drawn { pole, normal, acceleration_pole: by_rates.map(|r| r.0), pole_velocity: by_rates.map(|r| r.1), ball })
+    }
+
+    /// How far drawing and analysis are apart: the largest difference of a place, relative to the distances from which it is drawn;
+    /// `None` where there is nothing to compare.
+    pub fn apart(&self) -> Option<f64> {
+        let (drawn, pole) = (self.drawn()?, self.pole()?);
+        let size = self.motion.size;
+        let apart = |a: Point, b: Point| a.distance(b) / size.max(a.distance(drawn.pole)).max(drawn.pole.distance(self.motion.at));
+        let mut worst = apart(drawn.pole, pole.pole).max(apart(drawn.pole + drawn.normal, pole.inflection_pole()));
+        let both = [(drawn.acceleration_pole, Some(pole.acceleration_pole)), (drawn.ball, pole.ball)];
+        for (a, b) in both.into_iter().filter_map(|(a, b)| Some((a?, b?))) {
+            worst = worst.max(apart(a, b));
+        }
+        for p in &self.points {
+            let (Some(Traced { centre: plane::End::At(c), .. }), Bend::About(at, rho)) = (p.drawn, p.bend) else { continue };
+            // A centre far away is told as well as the small angle by which its path bends.
+            worst = worst.max(c.distance(at) / size.max(rho * rho / size));
+        }
+        Some(worst)
+    }
+}
+
+/// The points of a link, and the pins of the guides in which it slides.
+pub fn points(scene: &Scene, link: LinkId) -> Vec<PointId> {
+    let mut out = scene.links[link.0].points.clone();
+    let pins = scene.guides.iter().filter(|g| g.slider == Some(link)).filter_map(|g| g.pin);
+    for p in pins {
+        if !out.contains(&p) {
+            out.push(p);
+        }
+    }
+    out
+}
+
+/// The links that are seen to have a pole that moves: those that neither turn about a pin of the ground nor slide on it. Blocks, which have
+/// one point, are among them only where there are no others.
+pub fn couplers(scene: &Scene) -> Vec<LinkId> {
+    let on_ground = |p: &PointId| scene.links[scene.ground.0].points.contains(p);
+    let slides = |l: LinkId| scene.guides.iter().any(|g| g.slider == Some(l) && g.on == scene.ground);
+    let floats = |l: &LinkId| {
+        let points = points(scene, *l);
+        *l != scene.ground && !slides(*l) && !points.is_empty() && !points.iter().any(on_ground)
+    };
+    let all: Vec<LinkId> = (0..scene.links.len()).map(LinkId).filter(floats).collect();
+    let large: Vec<LinkId> = all.iter().copied().filter(|l| scene.links[l.0].points.len() > 1).collect();
+    if large.is_empty() { all } else { large }
+}
+
+/// Finds the curvature of links at the instant of a scene.
+///
+/// # Errors
+/// `no-coupler` where no link is named and all turn about fixed pins or slide, and the faults of [`work`].
+pub fn curvature(scene: &Scene, asked: &Asked) -> Result<Warned<Curvature>, Faults> {
+    if asked.links.is_empty() {
+        let message = both!(
+            "all moving links turn about fixed pins or slide on the ground: none has a pole that moves",
+            "活动构件都绕固定铰链转动或沿机架滑动：没有瞬心移动的构件"
+        );
+        return Err(Diagnostic::error("no-coupler", message).help(both!("name a link with --link", "请用 --link 指定构件")).into());
+    }
+    let (mut asking, at_rest) = moving_at_all(scene);
+    let against = asked.against.unwrap_or(scene.ground);
+    let links: Vec<LinkId> = asked.links.iter().copied().chain([against]).filter(|l| *l != scene.ground).collect();
+    asking.find = links.iter().flat_map(|l| questions(scene, *l)).collect();
+    let Warned { value: worked, mut notes } = work(&asking, Scope::Figure)?;
+    notes.iter_mut().for_each(|d| d.severity = d.severity.min(Severity::Warning));
+    let mut list = Vec::new();
+    for link in &asked.links {
+        match of_link(&asking, &worked, asked, *link, against) {
+            Some(found) => list.push(found),
+            None => notes.push(unknown(scene, *link)),
+        }
+    }
+    Ok(Warned { value: Curvature { list, against, scene: asking, worked, at_rest }, notes })
+}
+
+fn unknown(scene: &Scene, link: LinkId) -> Diagnostic {
+    let name = scene.link_name(link);
+    let message = both!(
+        "link {name} has no velocity or acceleration in this pose: its curvature is not told",
+        "构件 {name} 在该位置没有确定的速度或加速度：不能求其曲率"
+    );
+    Diagnostic::warning("no-curvature", message).help(both!("choose a pose nearby", "请取附近的位置"))
+}
+
+/// All that has to be known of a link: ω, α, and velocity and acceleration of its points.
+fn questions(scene: &Scene, link: LinkId) -> Vec<Find> {
+    let find = |what: Question, text: String| Find { what, text, span: Default::default() };
+    let name = scene.link_name(link);
+    let mut out = Vec::new();
+    for (rate, letters) in [(Rate::Velocity, ("omega", "v")), (Rate::Acceleration, ("alpha", "a"))] {
+        out.push(find(Turning { rate, of: link, against: None }.into(), format!("{}_{name}", letters.0)));
+        for p in &points(scene, link) {
+            let of = OnLink { point: *p, link: None };
+            out.push(find(PointMotion { rate, of }.into(), format!("{}_{}", letters.1, scene.point_name(*p))));
+        }
+    }
+    out
+}
+
+/// The motion of a link as another sees it, at the first place that is known of it.
+pub fn motion(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId) -> Option<Motion> {
+    let Worked { solution, configuration, mechanism, demand, .. } = worked;
+    let at =
+        scene.links[link.0].points.iter().find_map(|p| configuration.points[p.0]).or_else(|| {
+            scene.guides.iter().filter(|g| g.slider == Some(link) || g.on == link).find_map(|g| configuration.points[g.pin?.0])
+        })?;
+    let of = |level, l| solution.of_link(level, l, at);
+    let turning = |level, l| if l == scene.ground { Some(0.0) } else { solution.turning(level, l) };
+    let (omega, frame) = (turning(Level::Velocity, link)?, turning(Level::Velocity, against)?);
+    let (alpha, frames) = (turning(Level::Acceleration, link)?, turning(Level::Acceleration, against)?);
+    let v = of(Level::Velocity, link)? - of(Level::Velocity, against)?;
+    let whole = of(Level::Acceleration, link)? - of(Level::Acceleration, against)?;
+    // As the turning frame sees it: (d/dt − iω)² and (d/dt − iω)³ of the way from its own point there.
+    let a = whole - v.perp() * (2.0 * frame);
+    let thirds = third(scene, mechanism, configuration, demand, solution, at);
+    let relative = |(j, b): (Vec2, f64), (k, c): (Vec2, f64)| {
+        let seen = (j - k) - whole.perp() * (3.0 * frame) - (v.perp() * frames + v * (frame * frame)) * 3.0;
+        (seen, b - c)
+    };
+    let third = thirds[link.0].zip(thirds[against.0]).map(|(one, other)| relative(one, other));
+    let size = Some(configuration.extent()).filter(|s| *s > 0.0).unwrap_or(1.0);
+    let largest = solution.largest(Level::Velocity, true).max(solution.largest(Level::Velocity, false) / size);
+    Some(Motion { at, v, omega: omega - frame, a, alpha: alpha - frames, third, size, largest })
+}
+
+fn of_link(scene: &Scene, worked: &Worked, asked: &Asked, link: LinkId, against: LinkId) -> Option<OfLink> {
+    let motion = motion(scene, worked, link, against)?;
+    let places = Places { scene, at: &worked.configuration, against };
+    let drawing = places.drawing_behind(link, &[]);
+    let own = points(scene, link);
+    let wanted: Vec<PointId> = own.iter().copied().filter(|p| asked.points.is_empty() || asked.points.contains(p)).collect();
+    let size = motion.size;
+    let drawn = |p: PointId, at: Point| match &drawing {
+        Drawing::Rays(r) => r.traced(p, at),
+        Drawing::Rolling(r) => traced(r.pole, r.inflection, p, at, size),
+        Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => None,
+    };
+    let of_point = |p: &PointId| {
+        let at = worked.configuration.points[p.0]?;
+        Some(OfPoint { point: *p, at, bend: motion.bend(at), drawn: drawn(*p, at) })
+    };
+    let points = wanted.iter().filter_map(of_point).collect();
+    let read = |rate| {
+        let of = |l: LinkId| {
+            if l == scene.ground {
+                return Some(0.0);
+            }
+            let what = Turning { rate, of: l, against: None }.into();
+            let result = worked.results.iter().find(|r| scene.find[r.find].what == what)?;
+            match result.drawn.as_ref().map_or(result.computed, |d| d.value) {
+                Value::Scalar(s) => Some(s),
+                Value::Vector(_) | Value::Point(_) => None,
+            }
+        };
+        Some(of(link)? - of(against)?)
+    };
+    let read = read(Rate::Velocity).zip(read(Rate::Acceleration)).map(|(a, b)| [a, b]);
+    Some(OfLink { link, state: motion.state(), motion, drawing, points, read })
+}

@@ -1,0 +1,29 @@
+//! Methods beside the velocity and acceleration polygons.
+//!
+//! Rooms: [`centres`] (instantaneous centres of velocity), [`composite`] (composite motion of a point), [`attempts`] (wrong solutions),
+//! [`curvature`] (how paths bend), [`inversions`] (each link as ground in turn), [`gears`] (a pair of spur gears), [`trains`] (gear trains by
+//! Willis' method), [`particle`] (motions without a mechanism).
+
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+// clippy.toml lists the functions of f64 whose last bit the platform decides; tests may use them.
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+// The maps name private rooms too; `cargo doc --document-private-items` follows those links.
+#![allow(rustdoc::private_intra_doc_links)]
+
+use hodograph_analytic::analytic;
+use hodograph_base::{diag, digits, geom, json, number};
+use hodograph_board::{construct, plan};
+use hodograph_mechanism::{answer, mechanism, position};
+use hodograph_scene::scene;
+use hodograph_sweep::sweep;
+use hodograph_worked::{certified, worked};
+
+pub mod attempts;
+pub mod centres;
+pub mod composite;
+pub mod curvature;
+pub mod gears;
+pub mod inversions;
+pub mod particle;
+pub mod trains;

@@ -1,0 +1,170 @@
+//! Motions without a mechanism: a point that always runs toward another one (pursuit), and a point that moves by a law of time on a plate
+//! that turns about an axis in space.
+//!
+//! Such a file has the front of a scene, `time`, `points`, `plates`, `motions` and `find`, and no links. [`read`] gives a [`Problem`], [`solve`] its
+//! answers with bounds of their errors: laws are differentiated exactly ([`law`]), a pursuit is integrated ([`pursuit`]), and it says so. The same by
+//! ruler and paper is in [`board`], which knows the laws at the instant and nothing of what is computed here.
+//!
+//! Points that move on links of mechanisms by laws of time are scenes ([`crate::scene`]).
+//!
+//! ```
+//! let problem = hodograph::particle::read(hodograph::particle::templates::get("pursuit").unwrap())?.value;
+//! let solved = hodograph::particle::solve(&problem)?;
+//! assert_eq!(problem.find[0].text, "T_AB");
+//! assert!((solved.answers[0].value.scalar().unwrap() - 5.0 / 9.0 * 3000.0).abs() < 1e-9);
+//! # Ok::<(), hodograph::diag::Faults>(())
+//! ```
+
+mod ask;
+pub mod board;
+pub mod law;
+pub mod plate;
+pub mod pursuit;
+mod read;
+pub mod schema;
+mod solve;
+pub mod templates;
+
+pub use ask::{Asked, Find, Mutual};
+pub use read::{is_problem, read};
+pub use solve::{Answer, Solved, Value, course, solve, solve_again};
+
+use crate::diag::{Both, Diagnostic};
+use crate::scene::front::Law;
+use crate::scene::{Book, Lang, Localized, Paper};
+use law::{Turning, Way};
+
+/// A file, read.
+#[derive(Clone, Debug)]
+pub struct Problem {
+    /// Its title.
+    pub title: Both,
+    /// The statement, its parameters put in.
+    pub statement: Option<Localized>,
+    /// The language it names.
+    pub language: Option<Lang>,
+    /// Names and values of the parameters as they are written.
+    pub parameters: Vec<(String, String)>,
+    /// Its sheet and scales.
+    pub paper: Paper,
+    /// The units in which is printed.
+    pub book: Book,
+    /// The instant.
+    pub time: Law,
+    /// The plates.
+    pub plates: Vec<Plate>,
+    /// The motions.
+    pub motions: Vec<Motion>,
+    /// The questions; all there are where the file has none.
+    pub find: Vec<Find>,
+}
+
+/// An axis of space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// x.
+    X,
+    /// y.
+    Y,
+    /// z.
+    Z,
+}
+
+impl Axis {
+    /// The three, in order.
+    pub const ALL: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+
+    /// Its letter.
+    pub fn letter(self) -> &'static str {
+        match self {
+            Axis::X => "x",
+            Axis::Y => "y",
+            Axis::Z => "z",
+        }
+    }
+
+    /// The places of the two axes square to it, in the order that makes a right-handed system with it last, and its own.
+    pub fn order(self) -> [usize; 3] {
+        match self {
+            Axis::X => [1, 2, 0],
+            Axis::Y => [2, 0, 1],
+            Axis::Z => [0, 1, 2],
+        }
+    }
+}
+
+/// A plate that turns about an axis through the origin, and is parallel to it.
+#[derive(Clone, Debug)]
+pub struct Plate {
+    /// Its number.
+    pub link: String,
+    /// The axis.
+    pub axis: Axis,
+    /// How it turns: the angle from the axis that follows in x, y, z, x.
+    pub turning: Turning,
+    /// How far the plate lies from the axis, to the side of its positive turning.
+    pub offset: Option<Law>,
+}
+
+/// A motion.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// The point.
+    pub point: String,
+    /// How it moves.
+    pub kind: Kind,
+}
+
+/// How a point moves.
+#[derive(Clone, Debug)]
+pub enum Kind {
+    /// In the fixed plane by a law.
+    Fixed(Way),
+    /// On a plate by a law; the plate's place in the list.
+    OnPlate(usize, Way),
+    /// Always toward another point; the place of that one's motion in the list.
+    Toward {
+        /// Where it is at t = 0.
+        from: [Law; 2],
+        /// The target.
+        target: usize,
+        /// Its speed.
+        speed: Law,
+    },
+}
+
+impl Problem {
+    /// The motion of a point.
+    pub fn motion(&self, point: &str) -> Option<&Motion> {
+        self.motions.iter().find(|m| m.point == point)
+    }
+
+    /// The chase of a pursuer, and the name of its target.
+    pub fn chase(&self, motion: &Motion) -> Option<(pursuit::Chase<'_>, &str)> {
+        let own = self.motions.iter().find(|m| m.point == motion.point)?;
+        let Kind::Toward { from, target, speed } = &own.kind else { return None };
+        let Motion { point, kind: Kind::Fixed(target) } = self.motions.get(*target)? else { return None };
+        Some((pursuit::Chase { from, speed, target }, point))
+    }
+
+    /// The same motions at another instant (s), drawn to given scales. A plate whose rates are given at the instant keeps its angular acceleration.
+    ///
+    /// # Errors
+    /// Laws of a plate without a value.
+    pub fn at(&self, t: f64, mu: Option<[f64; 3]>) -> Result<Problem, Diagnostic> {
+        let mut moved = self.clone();
+        moved.time = Law::number(t);
+        for plate in &mut moved.plates {
+            plate.turning = plate.turning.later(t - self.instant())?;
+        }
+        if let Some([l, v, a]) = mu {
+            (moved.paper.mu_l, moved.paper.mu_v, moved.paper.mu_a) = (Some(l), Some(v), Some(a));
+        }
+        Ok(moved)
+    }
+
+    /// The instant (s).
+    pub fn instant(&self) -> f64 {
+        self.time.at(0.0).map_or(0.0, |v| v.number.0[0])
+    }
+}

@@ -1,0 +1,34 @@
+//! What is said about a run, as text and as JSON: the plan, the construction, the answers, the diagnostics; tables of numbers as files.
+
+pub mod amount;
+pub mod answers;
+pub mod attempts;
+pub mod cam;
+pub mod centres;
+pub mod centres_json;
+mod columns;
+pub mod composite;
+pub mod construction;
+pub mod curvature;
+pub mod curvature_json;
+mod curvature_legend;
+mod curvature_steps;
+pub mod diagnostics;
+pub mod drafting;
+pub mod equation;
+pub mod given;
+pub mod inversions;
+pub mod limits;
+pub mod math;
+pub mod mobility;
+pub mod particle;
+pub mod plan;
+pub mod plan_json;
+pub mod price;
+pub mod readings;
+pub mod statement;
+pub mod symbols;
+pub mod synthesis;
+#[cfg(feature = "tables")]
+pub mod table;
+pub mod trains;
