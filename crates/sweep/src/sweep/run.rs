@@ -296,13 +296,10 @@ impl Fused {
     }
 
     fn run_in<'a>(&'a self, memory: Memory<'a>, width: Width) {
-        if let Some(simd) = width.four() {
-            return simd.vectorize(
-                #[inline(always)]
-                || self.run_all(Four { simd, memory }),
-            );
+        match width.four() {
+            Some(simd) => self.run_all(Four { simd, memory }),
+            None => self.run_all(One { memory }),
         }
-        self.run_all(One { memory });
     }
 
     #[inline(always)]
@@ -385,21 +382,28 @@ impl<'a, S> AsMut<Memory<'a>> for Four<'a, S> {
 impl<S: Simd> Runner for Four<'_, S> {
     #[inline(always)]
     fn run<const IN: usize, const OUT: usize, K: Kernel<IN, OUT>>(&mut self, kernel: &K, out: Reg) {
-        let quads = self.memory.quads.min(QUADS);
-        let Some((x, y)) = self.memory.columns::<IN, OUT>(out) else { return };
-        // A copy, which no number that is put out can lie in: what is made of its constants is made before the loop.
-        let kernel = *kernel;
-        for i in 0..quads {
-            // A loop, for what is not inlined runs without the machine's wide registers.
-            let mut lanes = [f64x4::splat(self.simd, 0.0); IN];
-            for k in 0..IN {
-                lanes[k] = f64x4::simd_from(self.simd, x[k][i]);
-            }
-            let v = kernel.eval(lanes);
-            for j in 0..OUT {
-                y[j][i] = v[j].into();
-            }
-        }
+        let simd = self.simd;
+        let memory = &mut self.memory;
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let quads = memory.quads.min(QUADS);
+                let Some((x, y)) = memory.columns::<IN, OUT>(out) else { return };
+                // A copy, which no number that is put out can lie in: what is made of its constants is made before the loop.
+                let kernel = *kernel;
+                for i in 0..quads {
+                    // A loop, for what is not inlined runs without the machine's wide registers.
+                    let mut lanes = [f64x4::splat(simd, 0.0); IN];
+                    for k in 0..IN {
+                        lanes[k] = f64x4::simd_from(simd, x[k][i]);
+                    }
+                    let v = kernel.eval(lanes);
+                    for j in 0..OUT {
+                        y[j][i] = v[j].into();
+                    }
+                }
+            },
+        );
     }
 }
 
@@ -416,7 +420,7 @@ impl<'a> AsMut<Memory<'a>> for One<'a> {
 }
 
 impl Runner for One<'_> {
-    #[inline(always)]
+    #[inline(never)]
     fn run<const IN: usize, const OUT: usize, K: Kernel<IN, OUT>>(&mut self, kernel: &K, out: Reg) {
         let quads = self.memory.quads.min(QUADS);
         let Some((x, y)) = self.memory.columns::<IN, OUT>(out) else { return };
