@@ -184,6 +184,7 @@ pub use hodograph_sweep::sweep;
 pub use hodograph_synthesis::synthesis;
 pub use hodograph_worked::{accuracy, certified, effort, worked};
 
+#[cfg(feature = "cli")]
 use hodograph_base::json;
 
 #[cfg(feature = "cli")]

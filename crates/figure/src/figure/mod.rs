@@ -1,6 +1,6 @@
 //! The figure as typed items in millimetres of paper.
 //!
-//! Everything here is y up and knows no file format; [`crate::render`] turns a [`item::Figure`] into ink.
+//! Everything here is y up and knows no file format; the room `render` turns a [`crate::paper::item::Figure`] into ink.
 
 mod arrange;
 pub mod attempts;
