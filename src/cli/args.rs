@@ -100,7 +100,7 @@ pub struct Common {
     /// The scene file; `-` reads standard input
     #[arg(value_name = "SCENE")]
     pub scene: String,
-    /// Give a parameter of the scene another value: NAME=VALUE; a bare number keeps the unit
+    /// Give a parameter of the scene another value, or `t`, the instant of laws of time: NAME=VALUE; a bare number keeps the unit
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
     /// Notation profile: en (pole o, superscripts c, rel) or cn (pole p, superscripts k, r)

@@ -102,14 +102,16 @@ impl Maker<'_> {
         blocks.push(Block::Paragraph(agreed));
     }
 
-    /// A vector by its magnitude, a number as it is, a place by its coordinates: in the unit of the book, else in SI.
+    /// A vector by its magnitude, a number as it is, a place by its coordinates, with the unit in which it is printed.
     fn size(&self, find: &Find, value: Value, digits: usize) -> String {
-        let told = |si: f64| number(self.scene.book.in_chosen(find.what.kind(), si), digits);
-        match value {
+        let (book, kind) = (&self.scene.book, find.what.kind());
+        let told = |si: f64| number(book.value(kind, si), digits);
+        let plain = match value {
             Value::Vector(v) => told(v.norm()),
             Value::Scalar(s) => told(s),
             Value::Point(p) => format!("({},\\,{})", told(p.x), told(p.y)),
-        }
+        };
+        book.label(kind, &plain)
     }
 
     /// How the magnitude of the first vector follows from the components that the equations give.
@@ -133,7 +135,7 @@ impl Maker<'_> {
         blocks.push(Block::Formula(vec![
             Math::Row(Label::math(format!("{name} ="))),
             Math::Root(Label::math(squares)),
-            Math::Row(Label::math(format!("= {}", number(printed(v.norm()), digits)))),
+            Math::Row(Label::math(format!("= {}", self.scene.book.label(find.what.kind(), &number(printed(v.norm()), digits))))),
         ]));
     }
 }

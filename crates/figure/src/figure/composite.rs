@@ -90,7 +90,7 @@ fn figure(w: &Wanted, worked: &Worked, each: &[Solved]) -> Figure {
     let mut columns: Vec<Vec<usize>> = Vec::new();
     for (k, s) in each.iter().enumerate() {
         let letter = if each.len() > 1 { format!("({}) ", k + 1) } else { String::new() };
-        let mut column = vec![add(velocities(w, &maker, &scales, s, &format!("{letter}{}", words.heading(&s.choice)), k))];
+        let mut column = vec![add(velocities(w, &maker, &scales, s, Label::text(letter).then(words.heading(&s.choice).label()), k))];
         if let Some(mu) = scales.acceleration {
             column.push(add(accelerations(w, &maker, mu, s, k)));
             column.push(add(polygon(w, &maker, mu, s, k)));
@@ -180,11 +180,11 @@ fn vectors(w: &Wanted, s: &Solved, level: Level, mu: f64) -> Vec<Vector> {
     }
 }
 
-fn velocities(w: &Wanted, maker: &Maker, scales: &Scales, s: &Solved, heading: &str, k: usize) -> Part {
+fn velocities(w: &Wanted, maker: &Maker, scales: &Scales, s: &Solved, heading: Label, k: usize) -> Part {
     let composed = Composed { at: s.choice.of.point, vectors: vectors(w, s, Level::Velocity, scales.velocity), parallelogram: true };
     let part = mechanism::composed(&w.options.style, w.scene, maker.worked, &w.options.notation, &composed);
     let mu = format!("{},\\quad {}", maker.caption(Level::Position).1, of_level(&w.scene.book, Level::Velocity, scales.velocity));
-    named(maker.titled(part, Label::text(heading), &mu, "velocities"), "velocities", k)
+    named(maker.titled(part, heading, &mu, "velocities"), "velocities", k)
 }
 
 fn accelerations(w: &Wanted, maker: &Maker, mu: f64, s: &Solved, k: usize) -> Part {

@@ -212,7 +212,12 @@ fn sentences(candidate: &Candidate, board: &Board, Set { style, lang, .. }: Set)
     let readings = board.readings.iter().filter_map(|r| {
         let formula = candidate.number(&r.name)?.abs();
         let (word, index) = letters(&r.name);
-        let name = format!("{word}{index}");
+        // A small letter is a word of the sentence unless it is said to be a symbol.
+        let name = match (word.as_bytes(), index) {
+            ([b'a'..=b'z'], "") => format!("${word}$"),
+            ([b'a'..=b'z'], index) => format!("${word}_{{{index}}}$"),
+            _ => format!("{word}{index}"),
+        };
         Some(match r.angle {
             true => format!("{} = {}° ({}°)", name, significant(board.value(r).to_degrees(), 5), significant(formula.to_degrees(), 5)),
             false => format!(

@@ -2,6 +2,7 @@
 
 use super::answers::diagnostic;
 use super::centres::Words;
+use super::writing::Writing;
 use crate::centres::{Centres, How, Origin, Pair, Place};
 use crate::diag::Diagnostic;
 use crate::digits::direction_degrees;
@@ -23,7 +24,7 @@ pub fn json(found: &Centres, notes: &[Diagnostic]) -> Json {
                 None => (None, None),
             };
             let lines: Vec<String> = match c.origin {
-                Some(Origin::Crossing(lines)) => lines.iter().map(|l| w.line(c.step.pair, *l)).collect(),
+                Some(Origin::Crossing(lines)) => lines.iter().map(|l| w.line(c.step.pair, *l, Writing::Plain)).collect(),
                 Some(Origin::Pair | Origin::Velocities) | None => Vec::new(),
             };
             json!({

@@ -3,6 +3,7 @@
 
 use super::answers::diagnostic;
 use super::columns::columns;
+use super::writing::Writing;
 use crate::composite::contact::Slip;
 use crate::composite::{Choice, Known, Place, Projection, Solved, Staged, Turned, Verdict, name_of, projections};
 use crate::diag::Diagnostic;
@@ -66,18 +67,18 @@ impl Words<'_> {
         let head = [tr(lang, "moving point", "动点"), tr(lang, "frame", "动系"), tr(lang, "at", "所在"), tr(lang, "verdict", "判断"), ""];
         let row = |c: &Choice| {
             let point = name_of(self.scene, &c.of);
-            vec![point, self.frame(c.frame), self.place(c), self.verdict(c.verdict).to_owned(), self.reason(c)]
+            vec![point, self.frame(c.frame, Writing::Plain), self.place(c), self.verdict(c.verdict).to_owned(), self.reason(c)]
         };
         std::iter::once(head.map(str::to_owned).to_vec()).chain(all.iter().map(row)).collect()
     }
 
     /// A frame: `link 2`, `translating with C`.
-    fn frame(&self, frame: Frame) -> String {
+    fn frame(&self, frame: Frame, writing: Writing) -> String {
         match (frame, self.lang) {
             (Frame::Link(l), Lang::En) => format!("link {}", self.scene.link_name(l)),
             (Frame::Link(l), Lang::Zh) => format!("构件 {}", self.scene.link_name(l)),
-            (Frame::Point(p), Lang::En) => format!("translating with {}", name_of(self.scene, &p)),
-            (Frame::Point(p), Lang::Zh) => format!("随 {} 平移", name_of(self.scene, &p)),
+            (Frame::Point(p), Lang::En) => format!("translating with {}", writing.point(&name_of(self.scene, &p))),
+            (Frame::Point(p), Lang::Zh) => format!("随 {} 平移", writing.point(&name_of(self.scene, &p))),
         }
     }
 
@@ -117,7 +118,7 @@ impl Words<'_> {
                 "瞬时接触点：v_r 沿公切线，a_r^n 由速度求得",
             )
             .to_owned(),
-            Verdict::Serves => self.path(c),
+            Verdict::Serves => self.path(c, Writing::Plain),
             Verdict::PathUnknown => tr(
                 lang,
                 "its path in the frame is not known: neither the direction of v_r nor a_r^n",
@@ -142,14 +143,14 @@ impl Words<'_> {
     }
 
     /// The path of the point in the frame.
-    fn path(&self, c: &Choice) -> String {
+    fn path(&self, c: &Choice, writing: Writing) -> String {
         let (scene, lang) = (self.scene, self.lang);
         match c.path {
             RelativePath::Guide(g) => match scene.guides[g.0].path {
                 GuidePath::Line { .. } => tr(lang, "relative path: a straight line, the guide", "相对轨迹：沿导路的直线").to_owned(),
-                GuidePath::Arc { centre, .. } => self.circle(scene.point_name(centre)),
+                GuidePath::Arc { centre, .. } => self.circle(&writing.point(scene.point_name(centre))),
             },
-            RelativePath::Circle(k) => self.circle(scene.point_name(k)),
+            RelativePath::Circle(k) => self.circle(&writing.point(scene.point_name(k))),
             RelativePath::Unknown => String::new(),
         }
     }
@@ -161,15 +162,15 @@ impl Words<'_> {
         }
     }
 
-    /// The heading of a choice: `moving point A, frame: link 2`.
-    pub fn heading(&self, c: &Choice) -> String {
-        let (point, frame) = (name_of(self.scene, &c.of), self.frame(c.frame));
-        match (c.frame, self.lang) {
+    /// The heading of a choice: `moving point A, frame fixed to link 2`.
+    pub fn heading(&self, c: &Choice) -> Phrase {
+        let (point, frame) = (Writing::Marked.point(&name_of(self.scene, &c.of)), self.frame(c.frame, Writing::Marked));
+        Phrase::new(&match (c.frame, self.lang) {
             (Frame::Link(_), Lang::En) => format!("moving point {point}, frame fixed to {frame}"),
             (Frame::Point(_), Lang::En) => format!("moving point {point}, frame {frame}"),
             (Frame::Link(_), Lang::Zh) => format!("动点 {point}，动系固连于{frame}"),
             (Frame::Point(_), Lang::Zh) => format!("动点 {point}，动系{frame}"),
-        }
+        })
     }
 
     /// A projection in a line.
@@ -179,7 +180,7 @@ impl Words<'_> {
 
     /// All that is told of a choice: heading, path, equations with values, projections.
     pub fn lines(&self, s: &Solved) -> Vec<Phrase> {
-        let mut out = vec![Phrase::of_words(&self.heading(&s.choice))];
+        let mut out = vec![self.heading(&s.choice)];
         out.extend(self.body(s, PER_LINE));
         out
     }
@@ -239,7 +240,7 @@ impl Words<'_> {
             Verdict::Serves if s.slip.is_some() => {
                 tr(lang, "momentary contact: $v_{r}$ along the common tangent", "瞬时接触点：$v_{r}$ 沿公切线").to_owned()
             }
-            Verdict::Serves => self.path(&s.choice),
+            Verdict::Serves => self.path(&s.choice, Writing::Marked),
             Verdict::PathUnknown if !s.acceleration.is_empty() => {
                 let words = tr(lang, "relative path not known: $a_{r}$ is the closing side", "相对轨迹未知：$a_{r}$ 由封闭边得出");
                 words.to_owned()

@@ -32,3 +32,4 @@ pub mod synthesis;
 #[cfg(feature = "tables")]
 pub mod table;
 pub mod trains;
+mod writing;

@@ -87,7 +87,8 @@ pub fn list() -> Vec<Template> {
                 Ok(scene) => scene.value.title,
                 Err(_) => Localized::default(),
             };
-            let parameters = parameters(text, &mut faults).into_iter().map(|(name, value)| (name, value.text)).collect();
+            let parameters =
+                parameters(text, &mut faults).into_iter().filter(|p| p.name != INSTANT).map(|p| (p.name, p.old.text)).collect();
             Template { name, title, parameters }
         })
         .collect()
@@ -125,7 +126,7 @@ pub fn instantiate(name: &str, values: &[(&str, &str)]) -> Result<String, Faults
 pub(super) fn with_parameters(text: &str, values: &[(&str, &str)], whose: Both) -> Result<String, Faults> {
     let mut faults = Faults::default();
     let known = parameters(text, &mut faults);
-    let names: Vec<&str> = known.iter().map(|(name, _)| name.as_str()).collect();
+    let names: Vec<&str> = known.iter().map(|p| p.name.as_str()).collect();
     let mut edits: Vec<(Span, String)> = Vec::new();
     for (parameter, value) in values {
         let Some(i) = names.iter().position(|n| n == parameter) else {
@@ -140,8 +141,8 @@ pub(super) fn with_parameters(text: &str, values: &[(&str, &str)], whose: Both) 
             });
             continue;
         };
-        let old = &known[i].1;
-        match replacement(parameter, &old.text, value, &names[..i]) {
+        let Parameter { old, unit, .. } = &known[i];
+        match replacement_in(parameter, &old.text, value, &names[..i], *unit) {
             Ok(new) if edits.iter().any(|(span, _)| *span == old.span) => {
                 faults.push(Diagnostic::error(
                     "given-twice",
@@ -174,6 +175,11 @@ pub(super) fn with_parameters(text: &str, values: &[(&str, &str)], whose: Both) 
 
 /// The new value; a bare number gets the unit of the old one.
 pub fn replacement(parameter: &str, old: &str, new: &str, earlier: &[&str]) -> Result<String, Diagnostic> {
+    replacement_in(parameter, old, new, earlier, None)
+}
+
+/// The same; `usual` is the unit of a bare number where the old value does not tell one.
+fn replacement_in(parameter: &str, old: &str, new: &str, earlier: &[&str], usual: Option<&str>) -> Result<String, Diagnostic> {
     let new = new.trim();
     let is_number = |t: &str| expr::parse(t, &[]).is_ok_and(|e| expr::is_bare(&e));
     expr::parse(new, earlier)?;
@@ -186,6 +192,9 @@ pub fn replacement(parameter: &str, old: &str, new: &str, earlier: &[&str]) -> R
     if is_number(number) && expr::parse(&candidate, earlier).is_ok() && new.bytes().all(|b| b.is_ascii_digit() || b".-+eE".contains(&b)) {
         return Ok(candidate);
     }
+    if let Some(unit) = usual {
+        return Ok(format!("{new} {unit}"));
+    }
     let d = Diagnostic::error(
         "no-unit",
         both!("`{new}` has no unit, and `{old}` does not tell which one is meant", "`{new}` 没有单位，从 `{old}` 也看不出单位"),
@@ -193,8 +202,20 @@ pub fn replacement(parameter: &str, old: &str, new: &str, earlier: &[&str]) -> R
     Err(d.help(both!("write {parameter}=\"{new} mm\", or whichever unit it has", "请写 {parameter}=\"{new} mm\"，或所需的单位")))
 }
 
-/// The parameters of a scene with their values as written and the places of the values.
-fn parameters(text: &str, faults: &mut Faults) -> Vec<(String, Word)> {
+/// The name of the instant of a scene whose motions are laws of time.
+const INSTANT: &str = "t";
+
+/// What can be given another value.
+struct Parameter {
+    name: String,
+    /// The value as written, and its place.
+    old: Word,
+    /// The unit of a bare number where the value as written does not tell one.
+    unit: Option<&'static str>,
+}
+
+/// The parameters of a scene, and `t`, the instant that it names, which may stand in terms of them.
+fn parameters(text: &str, faults: &mut Faults) -> Vec<Parameter> {
     let Ok((_, root)) = json::parse(text.as_bytes(), faults) else {
         return Vec::new();
     };
@@ -202,7 +223,15 @@ fn parameters(text: &str, faults: &mut Faults) -> Vec<(String, Word)> {
         Kind::Text(text) | Kind::Number(text) => Some(Word { text: text.clone(), span: node.span }),
         _ => None,
     };
-    decode::members_of(&root, "parameters").iter().filter_map(|(key, node)| Some((key.text.clone(), spanned(node)?))).collect()
+    let of = |(key, node): &(Word, Node)| Some(Parameter { name: key.text.clone(), old: spanned(node)?, unit: None });
+    let mut all: Vec<Parameter> = decode::members_of(&root, "parameters").iter().filter_map(of).collect();
+    if let Kind::Object(members) = &root.kind
+        && let Some(old) = members.iter().find(|(key, _)| key.text == "time").and_then(|(_, node)| spanned(node))
+        && all.iter().all(|p| p.name != INSTANT)
+    {
+        all.push(Parameter { name: INSTANT.into(), old, unit: Some("s") });
+    }
+    all
 }
 
 fn quoted(text: &str) -> String {
@@ -229,6 +258,18 @@ mod tests {
                 Err(faults) => panic!("templates/{name}.json: {faults}"),
             }
         }
+    }
+
+    #[test]
+    fn the_instant_of_laws_is_set_like_a_parameter() {
+        let text = get("plate-by-law").unwrap();
+        let with = |value| super::super::edit::with_parameters(text, &[(INSTANT, value)]);
+        assert!(with("0.5").unwrap().contains(r#""time": "0.5 s""#));
+        assert!(with("2*t1").unwrap().contains(r#""time": "2*t1""#));
+        assert!(with("1 min").unwrap().contains(r#""time": "1 min""#));
+        // Without laws there is no instant.
+        let faults = super::super::edit::with_parameters(get("crank-rocker").unwrap(), &[(INSTANT, "1 s")]).unwrap_err();
+        assert_eq!(faults.list[0].code, "unknown-parameter");
     }
 
     #[test]

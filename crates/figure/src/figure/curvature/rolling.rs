@@ -34,8 +34,22 @@ const LETTERED_RAD: [f64; 2] = [4.2, 5.2];
 /// Parts of the way between two stations.
 const PARTS: usize = 8;
 
+/// From a mark to the name of a path: less, and the name reads as that of the mark.
+const ROOM_MM: f64 = 8.0;
+
 /// A path by its name: the numerator of its places, and its line.
 type Kind = (&'static str, fn(&Station) -> Vec2, Stroke);
+
+/// A part of a path beside which its name has room: the nearest one to its first third that is [`ROOM_MM`] from all marks and from the
+/// other path, else the one that is farthest from them.
+fn free_part(path: &[Point], marks: &[Point]) -> Option<(Point, Point)> {
+    let clearance = |k: usize| marks.iter().map(|m| m.distance(path[k])).fold(f64::INFINITY, f64::min);
+    let mut parts: Vec<usize> = (path.len() / 8..path.len().saturating_sub(path.len() / 8 + 1)).collect();
+    parts.sort_by_key(|k| k.abs_diff(path.len() / 3));
+    let free = parts.iter().copied().find(|k| clearance(*k) > ROOM_MM);
+    let k = free.or_else(|| parts.iter().copied().max_by(|a, b| clearance(*a).total_cmp(&clearance(*b)))).unwrap_or(path.len() / 3);
+    path.get(k).copied().zip(path.get(k + 1).copied())
+}
 
 /// The figure of one link.
 pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faults> {
@@ -52,6 +66,7 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
     let now = of.pole().map(|p| to_paper(p.pole)).filter(|p| holds(d.bounds().grown(2.0 * REACH_MM), *p));
     let window = all().filter(|p| holds(reach, *p)).chain(now).fold(d.bounds(), |all, p| all.union(Rect::new(p, p))).grown(3.0);
     let mut board = Board::new(style, d, window);
+    let marks: Vec<Point> = w.worked.configuration.points.iter().flatten().map(|p| to_paper(*p)).collect();
     let kinds: [Kind; 2] = [("fixed", |s| s.fixed, style.vector), ("moving", |s| s.moving, style.vector.dashed(Dash::Dashed))];
     for (name, over, stroke) in kinds {
         let symbol = if name == "fixed" { "p" } else { "p'" };
@@ -66,10 +81,12 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
             continue;
         }
         let runs = runs(&stations, paths.closed, window, &to_paper);
+        let others = paths.stations.iter().flatten().flat_map(|t| kinds.map(|k| (k.0, (k.1(t) * (1.0 / t.omega)).to_point())));
+        let others = others.filter(|(n, _)| *n != name).map(|(_, p)| to_paper(p)).filter(|p| holds(window, *p));
+        let around: Vec<Point> = marks.iter().copied().chain(others).collect();
         let longest = runs.iter().enumerate().max_by_key(|(_, r)| r.len()).map(|(k, _)| k);
         for (k, points) in runs.into_iter().enumerate() {
-            let middle = points.len() / 3;
-            let near = points.get(middle).copied().zip(points.get(middle + 1).copied());
+            let near = free_part(&points, &around);
             let mut owner = 0;
             board
                 .d

@@ -1,0 +1,22 @@
+//! How points are written in a sentence: in the plain text of a terminal by their names, in figures and documents as letters of a formula.
+
+use crate::plan::names::point_label;
+
+/// How points are written in a sentence.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Writing {
+    /// By their names.
+    Plain,
+    /// As letters of a formula, between dollar signs ([`crate::paper::phrase::Phrase::new`]).
+    Marked,
+}
+
+impl Writing {
+    /// A point.
+    pub(super) fn point(self, name: &str) -> String {
+        match self {
+            Writing::Plain => name.to_owned(),
+            Writing::Marked => format!("${}$", point_label(name)),
+        }
+    }
+}
