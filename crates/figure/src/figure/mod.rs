@@ -8,6 +8,7 @@ pub mod cam;
 mod centres;
 mod cognates;
 mod composite;
+#[doc(hidden)]
 pub mod course;
 mod curvature;
 pub mod curves;
@@ -25,10 +26,13 @@ mod plot;
 pub mod polygon;
 pub mod poses;
 pub mod price;
+#[doc(hidden)]
 pub mod remarks;
 pub mod results;
+#[doc(hidden)]
 pub mod series;
 pub mod sheet;
 pub mod steps;
 pub mod synthesis;
+#[doc(hidden)]
 pub mod tables;

@@ -15,8 +15,10 @@
 
 pub mod centrodes;
 pub mod drawing;
+#[doc(hidden)]
 pub mod known;
 pub mod motion;
+#[doc(hidden)]
 pub mod plane;
 
 use crate::analytic::third;

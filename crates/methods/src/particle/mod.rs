@@ -19,6 +19,7 @@ mod ask;
 pub mod board;
 pub mod law;
 pub mod plate;
+#[doc(hidden)]
 pub mod pursuit;
 mod read;
 pub mod schema;

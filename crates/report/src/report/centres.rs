@@ -1,13 +1,11 @@
 //! Instantaneous centres as a table: how each is found, where it lies, and what they tell.
 
 use super::columns::columns;
-use super::writing::Writing;
 use crate::answer::Value;
-use crate::centres::{By, Centre, Centres, How, Line, Motion, Origin, Pair, Place, Primary, Speed, Turning, omega, velocity};
+use crate::centres::{By, Centre, Centres, How, Motion, Pair, Place, Speed, Turning, omega, velocity};
 use crate::digits::{direction_degrees, significant};
-use crate::paper::phrase::{Phrase, fill, tr};
-use crate::plan::names::name_label;
-use crate::scene::{GuidePath, Kind, Lang, LinkId, PointId, Scene};
+use crate::paper::phrase::tr;
+use crate::scene::{Kind, Lang, LinkId, Scene};
 
 /// Significant digits of the table.
 const DIGITS: usize = 6;
@@ -17,9 +15,9 @@ const ROUNDING: f64 = 1e-12;
 
 /// A writer for one result and language.
 pub struct Words<'a> {
-    found: &'a Centres,
-    scene: &'a Scene,
-    lang: Lang,
+    pub(super) found: &'a Centres,
+    pub(super) scene: &'a Scene,
+    pub(super) lang: Lang,
 }
 
 /// The report as text.
@@ -49,7 +47,7 @@ impl<'a> Words<'a> {
         Words { found, scene: &found.scene, lang }
     }
 
-    fn pair(&self, a: LinkId, b: LinkId) -> Pair {
+    pub(super) fn pair(&self, a: LinkId, b: LinkId) -> Pair {
         self.found.closure.pair(a, b)
     }
 
@@ -122,117 +120,6 @@ impl<'a> Words<'a> {
             rows.push(row);
         }
         rows
-    }
-
-    /// How a centre is found, in plain characters: `pin B`, `23·34 × 12·14`.
-    pub fn how(&self, c: &Centre) -> String {
-        self.how_with(c, Writing::Plain)
-    }
-
-    /// How a centre is found, as a sentence of a figure, where points are letters of a formula.
-    pub fn how_phrase(&self, c: &Centre) -> Phrase {
-        Phrase::new(&self.how_with(c, Writing::Marked))
-    }
-
-    fn how_with(&self, c: &Centre, writing: Writing) -> String {
-        let given = if c.step.given_drivers { tr(self.lang, " (for the given drivers)", "（对给定的原动件运动）") } else { "" };
-        let how = match (&c.step.how, c.origin) {
-            (How::Primary(primary), _) => self.primary(*primary, writing),
-            (_, Some(Origin::Crossing(lines))) => self.crossing(c, lines, writing),
-            (How::Lines(_), Some(Origin::Velocities)) => {
-                tr(self.lang, "velocities, as its lines coincide", "速度（所作的线重合）").to_owned()
-            }
-            (How::Velocities, Some(Origin::Velocities)) => {
-                let how = tr(self.lang, "velocities of the analysis", "解析法的速度");
-                let told = |normals: String| if writing == Writing::Plain { Phrase::new(&normals).plain() } else { normals };
-                self.normals(c).map_or_else(|| how.to_owned(), |normals| format!("{how}{}{}", tr(self.lang, ", ", "，"), told(normals)))
-            }
-            (_, Some(Origin::Pair) | None) => "–".to_owned(),
-        };
-        format!("{how}{given}")
-    }
-
-    /// How a centre that is not of a pair is found, in a few words for a list, symbols between dollar signs: `23·34 × 12·14`.
-    pub fn found_by(&self, c: &Centre) -> String {
-        match c.origin {
-            Some(Origin::Crossing(lines)) => self.crossing(c, lines, Writing::Marked),
-            Some(Origin::Velocities) => self.normals(c).unwrap_or_else(|| tr(self.lang, "from velocities", "由速度求得").to_owned()),
-            Some(Origin::Pair) | None => "–".to_owned(),
-        }
-    }
-
-    /// The two velocities whose normals give a centre that the theorem does not find.
-    fn normals(&self, c: &Centre) -> Option<String> {
-        let [a, b] = self.found.normals(c)?.map(|n| name_label(self.scene.point_name(n.point)));
-        Some(match self.lang {
-            Lang::En => format!("normals to $v_{{{a}}}$, $v_{{{b}}}$"),
-            Lang::Zh => format!("$v_{{{a}}}$、$v_{{{b}}}$ 的垂线"),
-        })
-    }
-
-    /// Two lines that cross in a centre.
-    fn crossing(&self, c: &Centre, lines: [Line; 2], writing: Writing) -> String {
-        lines.map(|line| self.line(c.step.pair, line, writing)).join(" × ")
-    }
-
-    fn primary(&self, primary: Primary, writing: Writing) -> String {
-        let point = |p: PointId| writing.point(self.scene.point_name(p));
-        match primary {
-            Primary::Pin(p) => format!("{} {}", tr(self.lang, "pin", "转动副"), point(p)),
-            Primary::Slide(g) => {
-                let guide = &self.scene.guides[g.0];
-                let at = guide.pin.map_or(String::new(), |p| format!(" {}", point(p)));
-                format!("{}{at}", tr(self.lang, "perpendicular to the guide", "垂直于导路"))
-            }
-            Primary::Contact(r) => {
-                let rolling = &self.scene.rolling[r.0];
-                let words = if rolling.kind.meshes() {
-                    tr(self.lang, "pitch point", "节点")
-                } else if rolling.kind.is_flexible() {
-                    tr(self.lang, "rope leaves at", "绳的切点")
-                } else {
-                    tr(self.lang, "rolling contact", "滚动接触点")
-                };
-                format!("{words} {}", point(rolling.at[0]))
-            }
-            Primary::Strand(r) => {
-                let [a, b] = self.scene.rolling[r.0].centres().map(|p| p.map_or(String::new(), point));
-                let inner = self.scene.rolling[r.0].is_crossed();
-                let words = match (self.lang, inner) {
-                    (Lang::En, true) => "inner tangent × line of centres",
-                    (Lang::En, false) => "outer tangent × line of centres",
-                    (Lang::Zh, true) => "内公切线 × 连心线",
-                    (Lang::Zh, false) => "外公切线 × 连心线",
-                };
-                format!("{words} {a}{b}")
-            }
-            Primary::Cylinder(_) => tr(self.lang, "perpendicular to the cylinder", "垂直于液压缸").to_owned(),
-        }
-    }
-
-    /// A line on which a centre lies: `23·34`.
-    pub(super) fn line(&self, pair: Pair, line: Line, writing: Writing) -> String {
-        match line {
-            Line::Through(k) => {
-                format!("{}·{}", self.pair(pair.i, k).indices(self.scene), self.pair(k, pair.j).indices(self.scene))
-            }
-            Line::Normal(g) => {
-                let guide = &self.scene.guides[g.0];
-                let pin = guide.pin.map_or(String::new(), |p| writing.point(self.scene.point_name(p)));
-                // Along a circle of a cam the normal of the contact and the radius through it are one line.
-                if let Some(cam) = self.scene.cams.iter().find(|c| c.contact == Some(g)) {
-                    let at = cam.at.as_deref().map(|at| format!(" {}", writing.point(at))).unwrap_or_default();
-                    return fill(tr(self.lang, "common normal at the contact{}", "接触点{} 处的公法线"), &[("", &at)]);
-                }
-                match (&guide.path, self.lang) {
-                    (GuidePath::Line { .. }, Lang::En) => format!("normal of the slot at {pin}"),
-                    (GuidePath::Arc { .. }, Lang::En) => format!("radius of the slot at {pin}"),
-                    (GuidePath::Line { .. }, Lang::Zh) => format!("{pin} 处槽的法线"),
-                    (GuidePath::Arc { .. }, Lang::Zh) => format!("{pin} 处槽的半径"),
-                }
-            }
-            Line::Infinity => tr(self.lang, "the line at infinity", "无穷远直线").to_owned(),
-        }
     }
 
     fn proof(&self) -> String {

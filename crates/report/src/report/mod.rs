@@ -1,10 +1,12 @@
 //! What is said about a run, as text and as JSON: the plan, the construction, the answers, the diagnostics; tables of numbers as files.
 
+#[doc(hidden)]
 pub mod amount;
 pub mod answers;
 pub mod attempts;
 pub mod cam;
 pub mod centres;
+mod centres_found;
 pub mod centres_json;
 mod columns;
 pub mod composite;
@@ -15,10 +17,13 @@ mod curvature_legend;
 mod curvature_steps;
 pub mod diagnostics;
 pub mod drafting;
+#[doc(hidden)]
 pub mod equation;
+#[doc(hidden)]
 pub mod given;
 pub mod inversions;
 pub mod limits;
+#[doc(hidden)]
 pub mod math;
 pub mod mobility;
 pub mod particle;
@@ -27,6 +32,7 @@ pub mod plan_json;
 pub mod price;
 pub mod readings;
 pub mod statement;
+#[doc(hidden)]
 pub mod symbols;
 pub mod synthesis;
 #[cfg(feature = "tables")]

@@ -17,8 +17,10 @@
 //! assert!(hodograph::scene::read(best.scene_text()).is_ok());
 //! ```
 
+#[doc(hidden)]
 pub mod board;
 pub mod body;
+#[doc(hidden)]
 pub mod by_hand;
 pub mod candidate;
 pub mod cognates;
@@ -26,6 +28,7 @@ pub(crate) mod form;
 pub(crate) mod fourbar;
 pub mod function;
 pub mod grashof;
+#[doc(hidden)]
 pub mod judge;
 pub(crate) mod limits;
 pub(crate) mod nearest;

@@ -2,6 +2,7 @@
 
 mod apart;
 pub mod ladder;
+#[doc(hidden)]
 pub mod printed;
 pub mod steps;
 
