@@ -19,7 +19,7 @@ use crate::report::synthesis::{motion, taken, value};
 use crate::scene::{Kind, Lang};
 use crate::synthesis::board::{Board, Reading};
 use crate::synthesis::by_hand::{pencil_mm, tolerances};
-use crate::synthesis::candidate::letters;
+use crate::synthesis::candidate::{letters, symbol};
 use crate::synthesis::{Candidate, Compared, Design, Proof, Task};
 
 /// Rows of the table of a function; its ends are among them.
@@ -150,7 +150,7 @@ impl Maker<'_> {
             };
             let hand =
                 tolerance.map_or("—".to_owned(), |t| format!("± {}", if r.angle { degrees(t, DIGITS) } else { self.length(t, DIGITS) }));
-            rows.push([quantity(&r.name), measured, drawn, exact, hand].iter().map(|c| Phrase::new(c)).collect());
+            rows.push([format!("${}$", symbol(&r.name)), measured, drawn, exact, hand].iter().map(|c| Phrase::new(c)).collect());
         }
         blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
     }
@@ -227,7 +227,7 @@ impl Maker<'_> {
             .take(LENGTHS)
             .collect();
         let mut head = vec![Phrase::default(), Phrase::new(tr(self.lang(), "candidate", "方案"))];
-        head.extend(lengths.iter().map(|n| Phrase::new(&quantity(n))));
+        head.extend(lengths.iter().map(|n| Phrase::new(&format!("${}$", symbol(n)))));
         head.push(Phrase::new("$\\gamma_{\\text{min}}$"));
         head.push(Phrase::new(tr(self.lang(), "type, defects", "类型、缺陷")));
         let mut rows = vec![head];
@@ -276,15 +276,6 @@ fn mm(value_m: f64, digits: usize) -> String {
 
 fn degrees(value_rad: f64, digits: usize) -> String {
     format!("${}\\degree$", inked(&significant(value_rad.to_degrees(), digits)))
-}
-
-/// The symbol of a number: a length by its ends, the others by their letters.
-fn quantity(name: &str) -> String {
-    match letters(name) {
-        (word, "") if word.len() > 1 && word.bytes().all(|b| b.is_ascii_uppercase()) => format!("$l_{{{word}}}$"),
-        (word, "") => format!("${word}$"),
-        (word, index) => format!("${word}_{{{index}}}$"),
-    }
 }
 
 /// A formula with fractions and roots on its top level, in the pieces that are set.

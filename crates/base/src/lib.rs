@@ -1,8 +1,8 @@
 //! What every crate of hodograph stands on: numbers, plane geometry, diagnostics in two languages, JSON with places.
 //!
 //! Rooms: [`number`] (numbers of several precisions behind one trait), [`trig`] (sine and cosine, exact reduction of angles), [`geom`]
-//! (points and vectors of the plane), [`cam`] (disc cams as plain geometry), [`digits`] (counting digits that are true), [`diag`] (what is told of a fault), [`json`] (JSON whose
-//! words know where they stand).
+//! (points and vectors of the plane), [`cam`] (disc cams as plain geometry), [`digits`] (counting digits that are true), [`diag`] (what is
+//! told of a fault), [`json`] (JSON whose words know where they stand).
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]

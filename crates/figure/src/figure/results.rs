@@ -189,7 +189,7 @@ fn by_ruler<'a>(found: &'a Centres, find: &Find) -> Option<&'a Centre> {
 pub fn by_lines(found: &Centres, find: &Find, words: &Words) -> Option<Label> {
     let c = by_ruler(found, find)?;
     let told = report_of_centres::Words::new(found, words.lang());
-    Some(if matches!(c.origin, Some(Origin::Crossing(_))) { Phrase::new(&told.found_by(c)).label() } else { told.how_phrase(c).label() })
+    Some(told.found_by(c).label())
 }
 
 /// How far the centres that the ruler finds are from those that the velocities of the loop equations tell, as a part of the mechanism's size.

@@ -11,6 +11,7 @@ use crate::geom::{Point, Vec2};
 use crate::paper::extent::{Rect, translate};
 use crate::paper::item::{Anchor, Colour, Figure, Item, PLACED, Shape, Stroke, tag};
 use crate::paper::label::Label;
+use crate::paper::lines::wrapped;
 use crate::paper::phrase::{Phrase, tr};
 use crate::paper::place::{LabelRequest, Obstacles, place};
 use crate::paper::style::Style;
@@ -19,10 +20,8 @@ use crate::paper::words::words;
 use crate::report::symbols::symbols;
 use crate::scene::Lang;
 use crate::synthesis::board::{Board, Stroke as Drawn, Weight};
-use crate::synthesis::candidate::letters;
+use crate::synthesis::candidate::symbol;
 use crate::synthesis::{Candidate, Task, construct};
-use icu_segmenter::LineSegmenter;
-use icu_segmenter::options::LineBreakOptions;
 
 /// Room of a drawing (mm): an A4 sheet with its margins, and text below.
 const ROOM_MM: [f64; 2] = [150.0, 120.0];
@@ -206,22 +205,17 @@ fn scale_of(mu_l: f64) -> Label {
 /// What is done in each step, and what is read off the paper.
 fn sentences(candidate: &Candidate, board: &Board, Set { style, lang, .. }: Set) -> Vec<Label> {
     let mut lines: Vec<Label> = Vec::new();
+    let mut add = |sentence: &str| lines.extend(wrapped(&Phrase::new(sentence), TEXT_MM, style.small_mm, &style.fonts));
     for (k, step) in board.steps.iter().enumerate() {
-        lines.extend(wrapped(&format!("({}) {}", k + 1, lang.of(&step.text)), style));
+        add(&symbols(&format!("({}) {}", k + 1, lang.of(&step.text))));
     }
     let readings = board.readings.iter().filter_map(|r| {
         let formula = candidate.number(&r.name)?.abs();
-        let (word, index) = letters(&r.name);
-        // A small letter is a word of the sentence unless it is said to be a symbol.
-        let name = match (word.as_bytes(), index) {
-            ([b'a'..=b'z'], "") => format!("${word}$"),
-            ([b'a'..=b'z'], index) => format!("${word}_{{{index}}}$"),
-            _ => format!("{word}{index}"),
-        };
+        let name = format!("${}$", symbol(&r.name));
         Some(match r.angle {
             true => format!("{} = {}° ({}°)", name, significant(board.value(r).to_degrees(), 5), significant(formula.to_degrees(), 5)),
             false => format!(
-                "{} = {} mm × μ = {} mm ({} mm)",
+                "{} = {} mm × $\\mu_l$ = {} mm ({} mm)",
                 name,
                 significant(r.measured, 4),
                 significant(board.value(r) * 1e3, 5),
@@ -230,25 +224,8 @@ fn sentences(candidate: &Candidate, board: &Board, Set { style, lang, .. }: Set)
         })
     });
     let read = tr(lang, "Measured, in brackets the closed formula: ", "图上量得（括号内为公式值）：");
-    lines.extend(wrapped(&format!("{read}{}", readings.collect::<Vec<_>>().join("; ")), style));
+    add(&format!("{read}{}", readings.collect::<Vec<_>>().join("; ")));
     lines
-}
-
-/// Lines of a sentence, where Unicode's rules allow a break.
-fn wrapped(sentence: &str, style: &Style) -> Vec<Label> {
-    let segmenter = LineSegmenter::new_for_non_complex_scripts(LineBreakOptions::default());
-    let ends: Vec<usize> = segmenter.segment_str(sentence).collect();
-    let label = |s: &str| Phrase::new(&symbols(s)).label().in_fonts(&style.fonts);
-    let wide = |s: &str| text::set(&label(s)).width_em * style.small_mm;
-    let (mut out, mut here) = (Vec::new(), String::new());
-    for piece in ends.windows(2).map(|w| &sentence[w[0]..w[1]]) {
-        if !here.is_empty() && wide(format!("{here}{piece}").trim_end()) > TEXT_MM {
-            out.push(std::mem::take(&mut here));
-        }
-        here.push_str(piece);
-    }
-    out.push(here);
-    out.iter().map(|l| label(l.trim_end())).collect()
 }
 
 /// A figure with title, drawing, caption and text.

@@ -10,39 +10,33 @@ use crate::scene::{GuidePath, Lang, PointId};
 impl Words<'_> {
     /// How a centre is found, in plain characters: `pin B`, `23·34 × 12·14`.
     pub fn how(&self, c: &Centre) -> String {
-        self.how_with(c, Writing::Plain)
-    }
-
-    /// How a centre is found, as a sentence of a figure, where points are letters of a formula.
-    pub fn how_phrase(&self, c: &Centre) -> Phrase {
-        Phrase::new(&self.how_with(c, Writing::Marked))
-    }
-
-    fn how_with(&self, c: &Centre, writing: Writing) -> String {
         let given = if c.step.given_drivers { tr(self.lang, " (for the given drivers)", "（对给定的原动件运动）") } else { "" };
         let how = match (&c.step.how, c.origin) {
-            (How::Primary(primary), _) => self.primary(*primary, writing),
-            (_, Some(Origin::Crossing(lines))) => self.crossing(c, lines, writing),
+            (How::Primary(primary), _) => self.primary(*primary, Writing::Plain),
+            (_, Some(Origin::Crossing(lines))) => self.crossing(c, lines, Writing::Plain),
             (How::Lines(_), Some(Origin::Velocities)) => {
                 tr(self.lang, "velocities, as its lines coincide", "速度（所作的线重合）").to_owned()
             }
             (How::Velocities, Some(Origin::Velocities)) => {
                 let how = tr(self.lang, "velocities of the analysis", "解析法的速度");
-                let told = |normals: String| if writing == Writing::Plain { Phrase::new(&normals).plain() } else { normals };
-                self.normals(c).map_or_else(|| how.to_owned(), |normals| format!("{how}{}{}", tr(self.lang, ", ", "，"), told(normals)))
+                self.normals(c).map_or_else(
+                    || how.to_owned(),
+                    |normals| format!("{how}{}{}", tr(self.lang, ", ", "，"), Phrase::new(&normals).plain()),
+                )
             }
             (_, Some(Origin::Pair) | None) => "–".to_owned(),
         };
         format!("{how}{given}")
     }
 
-    /// How a centre that is not of a pair is found, in a few words for a list, symbols between dollar signs: `23·34 × 12·14`.
-    pub fn found_by(&self, c: &Centre) -> String {
-        match c.origin {
-            Some(Origin::Crossing(lines)) => self.crossing(c, lines, Writing::Marked),
-            Some(Origin::Velocities) => self.normals(c).unwrap_or_else(|| tr(self.lang, "from velocities", "由速度求得").to_owned()),
-            Some(Origin::Pair) | None => "–".to_owned(),
-        }
+    /// How a centre is found, in a few words for a figure: `pin B`, `23·34 × 12·14`.
+    pub fn found_by(&self, c: &Centre) -> Phrase {
+        Phrase::new(&match (&c.step.how, c.origin) {
+            (How::Primary(primary), _) => self.primary(*primary, Writing::Marked),
+            (_, Some(Origin::Crossing(lines))) => self.crossing(c, lines, Writing::Marked),
+            (_, Some(Origin::Velocities)) => self.normals(c).unwrap_or_else(|| tr(self.lang, "from velocities", "由速度求得").to_owned()),
+            (_, Some(Origin::Pair) | None) => "–".to_owned(),
+        })
     }
 
     /// The two velocities whose normals give a centre that the theorem does not find.

@@ -165,11 +165,22 @@ pub struct Law {
     /// As written.
     pub text: String,
     pub(super) expr: Expr,
-    /// Names and values of the parameters, in the order of the file: later ones use earlier ones.
-    pub(super) parameters: Vec<(String, Expr)>,
+    /// Names and values of the parameters that it uses, in the order of the file: later ones use earlier ones.
+    parameters: Vec<(String, Expr)>,
 }
 
 impl Law {
+    /// Of the parameters of a file those are kept that the expression uses, itself or through others: they are evaluated each time.
+    pub(super) fn new(text: String, expr: Expr, mut parameters: Vec<(String, Expr)>) -> Law {
+        for k in (0..parameters.len()).rev() {
+            let name = &parameters[k].0;
+            if !mentions(&expr, name) && !parameters[k + 1..].iter().any(|(_, later)| mentions(later, name)) {
+                parameters.remove(k);
+            }
+        }
+        Law { text, expr, parameters }
+    }
+
     fn constant(text: &str, expr: Expr) -> Law {
         Law { text: text.to_owned(), expr, parameters: Vec::new() }
     }
@@ -210,7 +221,7 @@ impl Law {
 
     /// Whether the time is in it.
     pub fn depends_on_time(&self) -> bool {
-        mentions(&self.expr)
+        mentions(&self.expr, TIME)
     }
 }
 
@@ -222,12 +233,27 @@ fn valued<N: Real>(expr: &Expr, known: &[(&str, Value<Jet<N>>)]) -> Result<Value
     })
 }
 
-/// Whether the time is in an expression.
-pub(super) fn mentions(e: &Expr) -> bool {
+/// Whether a parameter, or the time, is in an expression.
+pub(super) fn mentions(e: &Expr, wanted: &str) -> bool {
     match &e.kind {
         ExprKind::Number(_) | ExprKind::Pi | ExprKind::Unit(_) => false,
-        ExprKind::Parameter(name) => name == TIME,
-        ExprKind::Neg(u) | ExprKind::Call(_, u) => mentions(u),
-        ExprKind::Binary(_, a, b) => mentions(a) || mentions(b),
+        ExprKind::Parameter(name) => name == wanted,
+        ExprKind::Neg(u) | ExprKind::Call(_, u) => mentions(u, wanted),
+        ExprKind::Binary(_, a, b) => mentions(a, wanted) || mentions(b, wanted),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::expr::parse;
+
+    #[test]
+    fn a_law_keeps_the_parameters_that_it_uses() {
+        let names = ["a", "b", "c", "d"];
+        let parameters = ["1 m", "2*a", "3 m", "4*c"].iter().zip(names).map(|(text, name)| (name.to_owned(), parse(text, &names).unwrap()));
+        let law = Law::new("b*t/(1 s)".to_owned(), parse("b*t/(1 s)", &["b", TIME]).unwrap(), parameters.collect());
+        assert_eq!(law.parameters.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), ["a", "b"]);
+        assert_eq!(law.at(3.0).unwrap().number.0[0], 6.0);
     }
 }

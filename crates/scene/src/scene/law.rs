@@ -4,9 +4,7 @@
 //! term of it is written. An angle inside sin, cos, tan counts in radians: its derivative is divided by one.
 
 use super::expr::{Expr, ExprKind, Function, Op};
-
-/// The name of the time in expressions.
-pub(super) const TIME: &str = "t";
+use super::front::TIME;
 
 /// Why a law has no derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

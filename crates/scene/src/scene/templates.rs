@@ -1,5 +1,6 @@
 //! Templates: complete scenes that come with the program, whose parameters can be set.
 
+use super::front::TIME;
 use super::model::Localized;
 use super::{decode, expr};
 use crate::diag::{Both, Diagnostic, Faults, Span, both};
@@ -87,8 +88,7 @@ pub fn list() -> Vec<Template> {
                 Ok(scene) => scene.value.title,
                 Err(_) => Localized::default(),
             };
-            let parameters =
-                parameters(text, &mut faults).into_iter().filter(|p| p.name != INSTANT).map(|p| (p.name, p.old.text)).collect();
+            let parameters = parameters(text, &mut faults).into_iter().filter(|p| p.unit.is_none()).map(|p| (p.name, p.old.text)).collect();
             Template { name, title, parameters }
         })
         .collect()
@@ -202,9 +202,6 @@ fn replacement_in(parameter: &str, old: &str, new: &str, earlier: &[&str], usual
     Err(d.help(both!("write {parameter}=\"{new} mm\", or whichever unit it has", "请写 {parameter}=\"{new} mm\"，或所需的单位")))
 }
 
-/// The name of the instant of a scene whose motions are laws of time.
-const INSTANT: &str = "t";
-
 /// What can be given another value.
 struct Parameter {
     name: String,
@@ -227,9 +224,9 @@ fn parameters(text: &str, faults: &mut Faults) -> Vec<Parameter> {
     let mut all: Vec<Parameter> = decode::members_of(&root, "parameters").iter().filter_map(of).collect();
     if let Kind::Object(members) = &root.kind
         && let Some(old) = members.iter().find(|(key, _)| key.text == "time").and_then(|(_, node)| spanned(node))
-        && all.iter().all(|p| p.name != INSTANT)
+        && all.iter().all(|p| p.name != TIME)
     {
-        all.push(Parameter { name: INSTANT.into(), old, unit: Some("s") });
+        all.push(Parameter { name: TIME.into(), old, unit: Some("s") });
     }
     all
 }
@@ -263,12 +260,12 @@ mod tests {
     #[test]
     fn the_instant_of_laws_is_set_like_a_parameter() {
         let text = get("plate-by-law").unwrap();
-        let with = |value| super::super::edit::with_parameters(text, &[(INSTANT, value)]);
+        let with = |value| super::super::edit::with_parameters(text, &[(TIME, value)]);
         assert!(with("0.5").unwrap().contains(r#""time": "0.5 s""#));
         assert!(with("2*t1").unwrap().contains(r#""time": "2*t1""#));
         assert!(with("1 min").unwrap().contains(r#""time": "1 min""#));
         // Without laws there is no instant.
-        let faults = super::super::edit::with_parameters(get("crank-rocker").unwrap(), &[(INSTANT, "1 s")]).unwrap_err();
+        let faults = super::super::edit::with_parameters(get("crank-rocker").unwrap(), &[(TIME, "1 s")]).unwrap_err();
         assert_eq!(faults.list[0].code, "unknown-parameter");
     }
 

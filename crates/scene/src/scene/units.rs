@@ -1,7 +1,7 @@
 //! Units and dimensions: which units there are, what they are worth, and what each quantity of a scene must be made of.
 
 use super::expr::Expr;
-use super::front::mentions;
+use super::front::{self, mentions};
 use crate::diag::{Both, both};
 
 /// Exponents of length, time and plane angle. The angle counts as a dimension of its own, so that `60 deg` is not
@@ -210,7 +210,7 @@ impl Wanted {
         let wanted = self.dim();
         let lacking = [("m", wanted.length - dim.length), ("rad", wanted.angle - dim.angle)];
         let seconds = dim.time - wanted.time;
-        if seconds < 1 || !mentions(expr) || lacking.iter().any(|(_, n)| !(0..=1).contains(n)) {
+        if seconds < 1 || !mentions(expr, front::TIME) || lacking.iter().any(|(_, n)| !(0..=1).contains(n)) {
             return both!("write it in {}", "请以 {} 为单位", self.usual_unit());
         }
         let below = if seconds == 1 { "s".to_owned() } else { format!("s^{seconds}") };

@@ -202,7 +202,7 @@ impl<'a> Values<'a> {
             Some(((*name).to_owned(), expr::parse(text, &earlier).ok()?))
         };
         let parameters = self.texts.iter().enumerate().filter(|(_, (n, _))| *n != front::TIME).filter_map(known).collect();
-        Ok(Law { text: text.to_owned(), expr, parameters })
+        Ok(Law::new(text.to_owned(), expr, parameters))
     }
 
     /// Whether a parameter is called so.

@@ -157,6 +157,15 @@ pub fn letters(name: &str) -> (String, &str) {
     (GREEK.iter().find(|g| g.0 == word).map_or(word, |g| g.1).to_owned(), index)
 }
 
+/// The symbol of a number in the label language: a length by its ends, the others by their letters.
+pub fn symbol(name: &str) -> String {
+    match letters(name) {
+        (word, "") if word.len() > 1 && word.bytes().all(|b| b.is_ascii_uppercase()) => format!("l_{{{word}}}"),
+        (word, "") => word,
+        (word, index) => format!("{word}_{{{index}}}"),
+    }
+}
+
 /// A scene as a file: one key a line.
 pub fn scene_text(scene: &Json) -> String {
     let Json::Object(members) = scene else { return format!("{scene}\n") };

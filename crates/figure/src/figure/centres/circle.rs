@@ -8,7 +8,6 @@ use crate::paper::drawing::{Drawing, Part};
 use crate::paper::extent::{Rect, bounds, on_circle};
 use crate::paper::item::{Anchor, Colour, Dash, Item, Shape};
 use crate::paper::label::Label;
-use crate::paper::phrase::Phrase;
 use crate::paper::style::Style;
 use crate::paper::symbols as sym;
 use crate::plan::names::name_label;
@@ -144,7 +143,7 @@ fn list(w: &Wanted, found: &Centres, corner: Point) -> Vec<Item> {
         }
         let row = (k - 1) % per_column.max(1);
         let by = if c.step.how == How::Velocities { ": " } else { " = " };
-        let text = Label::math(symbol(w.scene, c.step.pair)).then(Phrase::new(&format!("{by}{}", words.found_by(c))).label());
+        let text = Label::math(symbol(w.scene, c.step.pair)).then(Label::text(by)).then(words.found_by(c).label());
         let base = Point::new(left, corner.y - line * (row as f64 + 1.0));
         let disc = radius_of_badge(style);
         let mut number = badge(style, base + Vec2::new(disc, style.small_mm * 0.25), k);

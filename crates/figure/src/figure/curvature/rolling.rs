@@ -40,15 +40,19 @@ const ROOM_MM: f64 = 8.0;
 /// A path by its name: the numerator of its places, and its line.
 type Kind = (&'static str, fn(&Station) -> Vec2, Stroke);
 
-/// A part of a path beside which its name has room: the nearest one to its first third that is [`ROOM_MM`] from all marks and from the
-/// other path, else the one that is farthest from them.
-fn free_part(path: &[Point], marks: &[Point]) -> Option<(Point, Point)> {
-    let clearance = |k: usize| marks.iter().map(|m| m.distance(path[k])).fold(f64::INFINITY, f64::min);
-    let mut parts: Vec<usize> = (path.len() / 8..path.len().saturating_sub(path.len() / 8 + 1)).collect();
-    parts.sort_by_key(|k| k.abs_diff(path.len() / 3));
-    let free = parts.iter().copied().find(|k| clearance(*k) > ROOM_MM);
-    let k = free.or_else(|| parts.iter().copied().max_by(|a, b| clearance(*a).total_cmp(&clearance(*b)))).unwrap_or(path.len() / 3);
-    path.get(k).copied().zip(path.get(k + 1).copied())
+/// A part of a path beside which its name has room: the nearest one to its first third that is [`ROOM_MM`] from everything `around`, else
+/// the one that is farthest from it. `None` of a path of one point.
+fn free_part(path: &[Point], around: &[Point]) -> Option<(Point, Point)> {
+    let clearance = |p: Point| around.iter().map(|q| q.distance(p)).fold(f64::INFINITY, f64::min);
+    // The ends lie at the edge of the paper.
+    let end = path.len() / 8;
+    let mut parts: Vec<(usize, Point, Point)> = path.windows(2).enumerate().map(|(k, ends)| (k, ends[0], ends[1])).collect();
+    parts.truncate(parts.len().saturating_sub(end).max(1));
+    parts.drain(..end.min(parts.len().saturating_sub(1)));
+    parts.sort_by_key(|(k, ..)| k.abs_diff(path.len() / 3));
+    let free = parts.iter().find(|(_, p, _)| clearance(*p) > ROOM_MM);
+    let (_, from, to) = free.or_else(|| parts.iter().max_by(|a, b| clearance(a.1).total_cmp(&clearance(b.1))))?;
+    Some((*from, *to))
 }
 
 /// The figure of one link.
@@ -66,10 +70,11 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
     let now = of.pole().map(|p| to_paper(p.pole)).filter(|p| holds(d.bounds().grown(2.0 * REACH_MM), *p));
     let window = all().filter(|p| holds(reach, *p)).chain(now).fold(d.bounds(), |all, p| all.union(Rect::new(p, p))).grown(3.0);
     let mut board = Board::new(style, d, window);
-    let marks: Vec<Point> = w.worked.configuration.points.iter().flatten().map(|p| to_paper(*p)).collect();
+    let pins: Vec<Point> = w.worked.configuration.points.iter().flatten().map(|p| to_paper(*p)).collect();
     let kinds: [Kind; 2] = [("fixed", |s| s.fixed, style.vector), ("moving", |s| s.moving, style.vector.dashed(Dash::Dashed))];
+    let [(_, fixed, _), (_, moving, _)] = kinds;
     for (name, over, stroke) in kinds {
-        let symbol = if name == "fixed" { "p" } else { "p'" };
+        let (symbol, another) = if name == "fixed" { ("p", moving) } else { ("p'", fixed) };
         let stations: Vec<Option<(Vec2, f64)>> = paths.stations.iter().map(|s| s.as_ref().map(|s| (over(s), s.omega))).collect();
         if let Some((centre, radius_mm)) = whole_circle(&stations, window, &to_paper) {
             let circle = Shape::Arc { centre, radius_mm, from_rad: 0.0, to_rad: TAU, stroke };
@@ -81,17 +86,16 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
             continue;
         }
         let runs = runs(&stations, paths.closed, window, &to_paper);
-        let others = paths.stations.iter().flatten().flat_map(|t| kinds.map(|k| (k.0, (k.1(t) * (1.0 / t.omega)).to_point())));
-        let others = others.filter(|(n, _)| *n != name).map(|(_, p)| to_paper(p)).filter(|p| holds(window, *p));
-        let around: Vec<Point> = marks.iter().copied().chain(others).collect();
+        let other = paths.stations.iter().flatten().map(|s| to_paper((another(s) * (1.0 / s.omega)).to_point()));
+        let around: Vec<Point> = pins.iter().copied().chain(other.filter(|p| holds(window, *p))).collect();
         let longest = runs.iter().enumerate().max_by_key(|(_, r)| r.len()).map(|(k, _)| k);
         for (k, points) in runs.into_iter().enumerate() {
-            let near = free_part(&points, &around);
+            let beside = if Some(k) == longest { free_part(&points, &around) } else { None };
             let mut owner = 0;
             board
                 .d
                 .behind(|d| owner = d.shape(name, "centrode", Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None }));
-            if let (Some((from, to)), true) = (near, Some(k) == longest) {
+            if let Some((from, to)) = beside {
                 board.d.label(
                     name,
                     "centrode",
@@ -202,4 +206,25 @@ fn cut(window: Rect, a: Point, b: Point) -> Option<[Point; 2]> {
     let [low, high] = clipped(window, a, u)?;
     let (low, high) = (low.max(0.0), high.min(a.distance(b)));
     (low < high).then(|| [a + u * low, a + u * high])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ROOM_MM, free_part};
+    use crate::geom::Point;
+
+    #[test]
+    fn a_name_stands_away_from_pins() {
+        let path: Vec<Point> = (0..60).map(|k| Point::new(f64::from(k), 0.0)).collect();
+        let third = free_part(&path, &[]).unwrap();
+        assert_eq!(third, (path[20], path[21]));
+        // From a pin at that place it goes as far as it must.
+        let (from, _) = free_part(&path, &[path[20]]).unwrap();
+        assert!((ROOM_MM..ROOM_MM + 1.5).contains(&from.distance(path[20])), "{from:?}");
+        // Where no part is free, the freest one.
+        let pins: Vec<Point> = (0..60).filter(|k| (k - 40_i32).abs() > 2).map(|k| path[k as usize]).collect();
+        assert_eq!(free_part(&path, &pins).unwrap().0, path[40]);
+        assert_eq!(free_part(&path[..1], &pins), None);
+        assert_eq!(free_part(&path[..2], &pins).unwrap().0, path[0]);
+    }
 }

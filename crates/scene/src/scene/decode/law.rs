@@ -1,8 +1,8 @@
 //! What a law of time gives at the instant: rate and acceleration, as expressions, for the driver that it becomes.
 
 use super::super::expr::{self, Expr};
-use super::super::front::mentions;
-use super::super::law::{NoDerivative, TIME, derivative};
+use super::super::front::{TIME, mentions};
+use super::super::law::{NoDerivative, derivative};
 use super::super::model::TimeLaw;
 use super::super::raw::*;
 use crate::diag::{Diagnostic, Faults, Span, both};
@@ -29,7 +29,7 @@ impl RawScene {
     /// Whether a quantity names the time, of a file that has an instant; one that cannot be read is told where its value is wanted.
     pub(super) fn moves_by(&self, q: &RawQuantity) -> bool {
         let names: Vec<&str> = self.parameters.iter().map(|(name, _)| name.text.as_str()).collect();
-        self.is_timed && expr::parse(&q.text, &names).is_ok_and(|tree| mentions(&tree))
+        self.is_timed && expr::parse(&q.text, &names).is_ok_and(|tree| mentions(&tree, TIME))
     }
 }
 

@@ -1,7 +1,7 @@
 //! The sections `time` and `motions`: a point that moves on a link by a law of time becomes a guide and what drives its pin at the instant.
 
+use super::super::front::TIME;
 use super::super::keys;
-use super::super::law::TIME;
 use super::super::raw::*;
 use super::law::differentiated;
 use super::quantity;
