@@ -33,7 +33,7 @@ use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::render::{png as raster, svg};
 use hodograph::report::{answers, centres as report_of_centres, construction, drafting, plan, plan_json};
-use hodograph::scene::{self, Angle, Lang, PointId, edit, templates};
+use hodograph::scene::{self, Angle, Lang, PointId, Swept, edit, templates};
 use hodograph::sweep::{self, Placed, Stations, Width, extreme};
 use hodograph::synthesis;
 use hodograph::worked::{Scope, work};
@@ -289,7 +289,7 @@ fn pictures_of_motion_look_as_accepted() {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let of = |name: &&str| PointId(scene.points.iter().position(|p| p.name == **name).unwrap());
-        let wanted = path::Wanted { points: points.iter().map(of).collect(), driver: 0, marks: 12, poses };
+        let wanted = path::Wanted { points: points.iter().map(of).collect(), swept: Swept::Driver(0), marks: 12, poses };
         for (lang, suffix) in LANGS {
             let options = Options { style: Style::named(style).unwrap(), ..Options::of_language(lang) };
             let figure = path::figure(&scene, &worked, &options, &wanted).unwrap_or_else(|f| panic!("{name}: {f}")).value;
@@ -302,7 +302,7 @@ fn pictures_of_motion_look_as_accepted() {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let of = |name: &str| PointId(scene.points.iter().position(|p| p.name == name).unwrap());
-        let wanted = poses::Wanted { count, driver: 0, points: point.map(of).into_iter().collect() };
+        let wanted = poses::Wanted { count, swept: Swept::Driver(0), points: point.map(of).into_iter().collect() };
         for (lang, suffix) in LANGS {
             let pages = poses::sheets(&scene, &worked, &Options::of_language(lang), &wanted).unwrap_or_else(|f| panic!("{name}: {f}"));
             let drawn = svg::write(&pages.value[0]).unwrap();

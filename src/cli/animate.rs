@@ -2,7 +2,7 @@
 
 use super::args::Animate;
 use super::draw::style_of;
-use super::sweep::driver_of;
+use super::sweep::swept_of;
 use super::{Failure, Input, Run, choices, files};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::poses::{Wanted, turn};
@@ -47,10 +47,10 @@ pub fn run(a: Animate) -> Run {
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     input.over_a_turn();
     let worked = input.work(Scope::Figure)?;
-    let driver = driver_of(&input.scene, a.over.as_deref())?;
+    let swept = swept_of(&input.scene, a.moves.over.as_deref())?;
     let (lang, notation) = choices(&input.scene, &a.common);
     let options = Options { notation: style.marks.over(&notation), style, ..Options::of_language(lang) };
-    let wanted = Wanted { count: usize::from(a.frames), driver, points: Vec::new() };
+    let wanted = Wanted { count: usize::from(a.frames), swept, points: Vec::new() };
     let made = turn(&input.scene, &worked, &options, &wanted, INCH_MM / a.dpi).map_err(|f| input.failed(f))?;
     let Warned { value, notes } = made;
     let period = value.period();

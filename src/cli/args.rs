@@ -1,11 +1,13 @@
 //! The arguments of every command.
 
+mod motion;
 mod paths;
 mod reports;
 
 use super::values::{Format, Language, Text, Vectors, digits, dpi, figures, length, seconds, steps};
 use crate::figure::list::{Entry, USUAL};
 use clap::{Args as ClapArgs, Parser, Subcommand};
+pub use motion::{Animate, Moves, Path};
 pub use paths::{Curvature, Inversions};
 pub use reports::{Attempts, Centres, Composite, Readings};
 
@@ -44,11 +46,12 @@ pub enum Command {
     Sweep(Sweep),
     /// Vary parameters over a grid or at random: many mechanisms, at one or many positions each, into one table (CSV, NumPy, Parquet)
     Batch(Batch),
-    /// Line diagrams: displacement, velocity, acceleration against the position of the driver, extremes marked
+    /// Line diagrams: displacement, velocity, acceleration against the position of the driver or the time, extremes
+    /// marked
     Curves(Curves),
     /// Paths of points (coupler curves) on the mechanism, and the hodographs of their velocities and accelerations
     Path(Path),
-    /// The motion as a moving picture: mechanism and polygons through the travel of a driver (GIF, moving SVG, numbered PNG)
+    /// The motion as a moving picture: mechanism and polygons through the travel of a driver or through time (GIF, moving SVG, numbered PNG)
     Animate(Animate),
     /// A disc cam over a whole turn: displacement, velocity, acceleration, shocks, pressure angle, curvature; its profile (CSV, DXF)
     Cam(Cam),
@@ -182,14 +185,16 @@ pub struct Lesson {
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
     /// A fragment for reveal.js instead: an inline SVG whose parts appear step by step
-    #[arg(long, conflicts_with_all = ["positions", "driver"])]
+    #[arg(long, conflicts_with_all = ["positions", "driver", "over"])]
     pub reveal: bool,
     /// Positions through a full turn or the whole travel, 8 to 360; more are added where the motion bends
     #[arg(long, default_value_t = crate::lesson::POSITIONS as u64, value_parser = clap::value_parser!(u64).range(8..=360))]
     pub positions: u64,
-    /// Which of the scene's drivers is moved, counted from 1
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
-    pub driver: u64,
+    /// Which of the scene's drivers is moved, counted from 1; of a file with `motions`, which motion is shown
+    #[arg(long, value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "over")]
+    pub driver: Option<u64>,
+    #[command(flatten)]
+    pub moves: Moves,
     /// Of a synthesis file: the candidate that is meant, counted from 1 in the order of `hodograph synth`
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pick: Option<u64>,
@@ -280,13 +285,14 @@ pub struct Accuracy {
 /// A driver's or parameter's values, and what is asked at each.
 #[derive(ClapArgs, Debug)]
 pub struct Range {
-    /// What is swept: a driver (`driver`, `driver2`, `phi_1`, `s_B`, `l_BC`); of `sweep` also a parameter of the scene
+    /// What is swept: a driver (`driver`, `driver2`, `phi_1`, `s_B`, `l_BC`); of `sweep` and `curves` also `t`, the time of laws (default where
+    /// the scene has any), of `sweep` a parameter of the scene
     #[arg(long, value_name = "NAME")]
     pub over: Option<String>,
     /// Where it begins, with a unit (default: 0, or as far as the driver goes)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub from: Option<String>,
-    /// Where it ends (default: a full turn, or as far as the driver goes)
+    /// Where it ends (default: a full turn, or as far as the driver goes; of the time twice the scene's instant)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub to: Option<String>,
     /// Equal steps from one to the other; both ends are rows (default: 360; of `batch` none, each mechanism stands where the scene
@@ -318,54 +324,6 @@ pub struct Curves {
     #[command(flatten)]
     pub look: Look,
     /// The file, ending in .svg or .png (all panels over one another) or .pdf (pages of A4)
-    #[arg(short, long, value_name = "FILE")]
-    pub output: String,
-}
-
-#[derive(ClapArgs, Debug)]
-#[command(after_help = "The numbers of the curves as a table: hodograph sweep SCENE --find x_E,y_E,v_E,a_E -o curves.csv")]
-pub struct Path {
-    #[command(flatten)]
-    pub common: Common,
-    /// The points whose paths are drawn, such as E or E,F
-    #[arg(long, value_name = "POINTS", value_delimiter = ',', required = true)]
-    pub point: Vec<String>,
-    /// The mechanism in so many positions at equal steps of the driver, one over another
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=72))]
-    pub poses: u16,
-    /// So many positions at equal steps of the driver, numbered alike on paths and hodographs (default: those of --poses, else 12)
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=72))]
-    pub marks: Option<u16>,
-    /// Which driver moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others stand
-    #[arg(long, value_name = "NAME")]
-    pub over: Option<String>,
-    #[command(flatten)]
-    pub look: Look,
-    /// The file, ending in .svg, .png or .pdf (default: named after the scene)
-    #[arg(short, long, value_name = "FILE")]
-    pub output: Option<String>,
-}
-
-#[derive(ClapArgs, Debug)]
-#[command(after_help = "A film from the frames: ffmpeg -framerate 12 -i turn-%03d.png -pix_fmt yuv420p turn.mp4")]
-pub struct Animate {
-    #[command(flatten)]
-    pub common: Common,
-    /// Positions at equal steps of the driver, through a full turn, or from one end of its travel to the other and back
-    #[arg(long, value_name = "N", default_value_t = 72, value_parser = clap::value_parser!(u16).range(2..=360))]
-    pub frames: u16,
-    /// How long one period lasts, in seconds
-    #[arg(long, value_name = "S", default_value_t = 6.0, value_parser = seconds)]
-    pub seconds: f64,
-    /// Which driver moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others stand
-    #[arg(long, value_name = "NAME")]
-    pub over: Option<String>,
-    #[command(flatten)]
-    pub look: Look,
-    /// Resolution of GIF and PNG in dots per inch; both sides have an even number of pixels
-    #[arg(long, default_value_t = 96.0, value_parser = dpi)]
-    pub dpi: f64,
-    /// The file, ending in .gif, .svg (it moves by itself in browsers) or .png (one for each frame: turn-001.png, …)
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
 }

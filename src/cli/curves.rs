@@ -2,15 +2,16 @@
 
 use super::args::Curves;
 use super::draw::style_of;
-use super::sweep::{STEPS, ask, driver_of, stations, within};
+use super::sweep::{STEPS, ask, stations, swept_of, through, within};
 use super::{Failure, Input, Run, choices, files};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::curves::{self, Diagram};
 use crate::mechanism::Mechanism;
 use crate::position::Path;
 use crate::scene::quantity::Meaning;
-use crate::scene::{LinkId, PointId, Scene};
-use crate::sweep::{self, Placed, Width};
+use crate::scene::{LinkId, PointId, Scene, Swept};
+use crate::sweep::pieces::gather;
+use crate::sweep::{self, Placed, Table, Width};
 use std::process::ExitCode;
 
 /// Most steps of a diagram: its lines are drawn point by point, and no paper shows more than a few thousand of them side by side.
@@ -29,11 +30,25 @@ pub fn run(a: Curves) -> Run {
     // Displacements were added to the scene's questions: they have no place in a file to point at.
     input.asked = a.range.find.clone();
     let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;
-    let driver = driver_of(&input.scene, a.range.over.as_deref())?;
+    let swept = swept_of(&input.scene, a.range.over.as_deref())?;
     let placed = Placed::new(&input.scene, &mechanism).map_err(|f| input.failed(f))?;
     let steps = within(a.range.steps.unwrap_or(STEPS), MOST_STEPS, both!("a diagram", "线图"))?;
-    let stations = stations(&input, &placed, driver, &a.range, steps)?;
-    let table = sweep::run(&placed, driver, &stations, Width::Widest).map_err(|f| input.failed(f))?;
+    let timed;
+    let swept_at: Box<dyn Fn(Vec<f64>) -> Option<Table>>;
+    let table = match swept {
+        Swept::Driver(driver) => {
+            let stations = stations(&input, &placed, driver, &a.range, steps)?;
+            let placed = &placed;
+            swept_at = Box::new(move |values| sweep::of_values(placed, driver, values));
+            sweep::run(placed, driver, &stations, Width::Widest).map_err(|f| input.failed(f))?
+        }
+        Swept::Time => {
+            let range;
+            (timed, range) = through(&placed, &a.range)?;
+            swept_at = Box::new(|times| Some(timed.table(times)));
+            gather(&mut timed.steps(range, steps))
+        }
+    };
     if table.rows() < 2 {
         let d = Diagnostic::error(
             "no-motion",
@@ -44,7 +59,7 @@ pub fn run(a: Curves) -> Run {
         return Err(input.failed(faults));
     }
     let (lang, notation) = choices(&input.scene, &a.common);
-    let diagram = Diagram::of(&placed, driver, &table, &style.marks.over(&notation));
+    let diagram = Diagram::swept(&input.scene, swept, &table, &*swept_at, &style.marks.over(&notation));
     let (one, pages) = (|| curves::figure(&input.scene, &diagram, &style, lang), || curves::pages(&input.scene, &diagram, &style, lang));
     let notes = files::figure_or_pages(one, pages, &a.output)?;
     input.notes.extend(notes);

@@ -46,7 +46,7 @@ use crate::paper::style::Style;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price, statement, trains};
-use crate::scene::{self, Lang, Scene};
+use crate::scene::{self, Lang, Scene, Swept};
 use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
 use clap::FromArgMatches;
@@ -359,7 +359,11 @@ fn lesson(a: args::Lesson) -> Run {
         let options = sheet::Options { notation, style, ..sheet::Options::of_language(lang) };
         crate::lesson::reveal(&input.scene, &worked, &options)
     } else {
-        let options = crate::lesson::Options { lang, notation, positions: a.positions as usize, driver: a.driver as usize - 1, style };
+        let swept = match a.driver {
+            Some(number) => Swept::Driver(number as usize - 1),
+            None => sweep::swept_of(&input.scene, a.moves.over.as_deref())?,
+        };
+        let options = crate::lesson::Options { lang, notation, positions: a.positions as usize, swept, style };
         crate::lesson::of_worked(&input.scene, &worked, &options)
     };
     let Warned { value, notes } = made.map_err(|faults| input.failed(faults))?;

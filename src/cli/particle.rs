@@ -142,7 +142,12 @@ pub fn lesson(a: &args::Lesson, style: Style) -> Run {
         return Err(not_of_these("--reveal"));
     }
     let input = Input::read(&a.common)?;
-    let options = motion::Options { lang: input.lang(), style, positions: a.positions as usize, motion: a.driver as usize - 1 };
+    let options = motion::Options {
+        lang: input.lang(),
+        style,
+        positions: a.positions as usize,
+        motion: a.driver.map_or(0, |number| number as usize - 1),
+    };
     let page = motion::lesson(&input.problem, &options).map_err(|f| input.failed(f))?;
     let path = a.output.clone().unwrap_or_else(|| format!("{}.html", files::stem(&input.name, "lesson")));
     files::write(Path::new(&path), page.as_bytes())?;

@@ -2,7 +2,7 @@
 
 use super::args::Path;
 use super::draw::{points_named, style_of};
-use super::sweep::driver_of;
+use super::sweep::swept_of;
 use super::{Failure, Input, Run, choices, files};
 use crate::diag::Warned;
 use crate::figure::path::{MARKS, Wanted, figure};
@@ -16,13 +16,13 @@ pub fn run(a: Path) -> Run {
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     input.over_a_turn();
     let worked = input.work(Scope::Figure)?;
-    let driver = driver_of(&input.scene, a.over.as_deref())?;
+    let swept = swept_of(&input.scene, a.moves.over.as_deref())?;
     let points = points_named(&input.scene, &a.point, "--point").map_err(|told| Failure::Input(vec![told]))?;
     let (lang, notation) = choices(&input.scene, &a.common);
     let options = Options { notation: style.marks.over(&notation), style, ..Options::of_language(lang) };
     let poses = usize::from(a.poses);
     let marks = a.marks.map_or(if poses > 0 { poses } else { MARKS }, usize::from);
-    let wanted = Wanted { points, driver, marks, poses };
+    let wanted = Wanted { points, swept, marks, poses };
     let Warned { value, notes } = figure(&input.scene, &worked, &options, &wanted).map_err(|f| input.failed(f))?;
     let output = a.output.unwrap_or_else(|| format!("{}-path.svg", files::stem(&input.name, "scene")));
     input.notes.extend(files::figure(&value, &output)?);

@@ -5,11 +5,12 @@ use super::{Failure, Input, Run, Told, choices, files, tables};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::mechanism::Mechanism;
 use crate::report::limits as report;
-use crate::scene::{self, Angle, Scene, edit};
+use crate::scene::{self, Angle, Scene, Swept, edit};
 use crate::sweep::extreme;
 use crate::sweep::long::Long;
 use crate::sweep::pieces::Pieces;
 use crate::sweep::station::{self, Way};
+use crate::sweep::timed::Timed;
 use crate::sweep::vary::{Span, Variation, Varied};
 use crate::sweep::{Placed, Stations, Steps};
 use std::process::ExitCode;
@@ -35,14 +36,19 @@ fn sweep_into(input: &Input, a: &Sweep) -> Result<Vec<Diagnostic>, Failure> {
     let title = input.scene.title.get(choices(&input.scene, &a.common).0);
     let scene = &input.scene;
     let mechanism = Mechanism::new(scene).map_err(|f| input.failed(f))?.value;
-    let parameter = a.range.over.as_deref().filter(|o| *o != "driver" && driver_named(scene, o).is_none());
-    if let Some(name) = parameter {
+    let over = a.range.over.as_deref();
+    let swept = over.map_or_else(|| Some(Swept::usual(scene)), |name| Swept::named(scene, name));
+    if let (Some(name), None) = (over, swept) {
         let variation = Variation::new(scene, &[name]).map_err(|f| Failure::argument("--over", name, f))?;
         let span = values(scene, &variation, name, a)?;
         return write(&mut Varied::new(scene, &mechanism, &variation, span), title, a.output.as_deref());
     }
-    let driver = driver_of(scene, a.range.over.as_deref())?;
     let placed = Placed::new(scene, &mechanism).map_err(|f| input.failed(f))?;
+    if swept == Some(Swept::Time) {
+        let (timed, range) = through(&placed, &a.range)?;
+        return write(&mut timed.steps(range, a.range.steps.unwrap_or(STEPS)), title, a.output.as_deref());
+    }
+    let driver = driver_of(scene, over)?;
     let steps = steps(input, &placed, driver, &a.range, a.range.steps.unwrap_or(STEPS))?;
     write(&mut Long::new(&placed, driver, steps), title, a.output.as_deref())
 }
@@ -95,6 +101,15 @@ pub fn driver_of(scene: &Scene, over: Option<&str>) -> Result<usize, Failure> {
         let d = Diagnostic::error("no-driver", both!("the scene has no driver `{name}`", "机构文件没有原动件 `{name}`"));
         Failure::argument("--over", name, d.help(both!("its drivers are {}", "其原动件有 {}", names.join(", "))))
     })
+}
+
+/// What `--over` names: a driver, or `t`; where it names none, time if the scene has laws of it, else the first driver.
+pub fn swept_of(scene: &Scene, over: Option<&str>) -> Result<Swept, Failure> {
+    match over {
+        None => Ok(Swept::usual(scene)),
+        Some(name) if Swept::named(scene, name) == Some(Swept::Time) => Ok(Swept::Time),
+        Some(_) => driver_of(scene, over).map(Swept::Driver),
+    }
 }
 
 /// Replaces the scene's questions by those of `--find`; faults point at the argument.
@@ -161,6 +176,13 @@ fn not_too_far(option: &str, text: &str, angle: Angle) -> Result<Angle, Failure>
     );
     let d = d.help(both!("the motion comes again with every turn, or with every few", "运动每转一周或几周即重复"));
     Err(Failure::argument(option, text, d))
+}
+
+/// The mechanism followed through the time of the command line (s), and its ends.
+pub fn through<'a>(placed: &'a Placed<'a>, range: &Range) -> Result<(Timed<'a>, [f64; 2]), Failure> {
+    let ends = bounds(range, edit::time)?;
+    let text = range.to.as_deref().or(range.from.as_deref()).unwrap_or_default();
+    Timed::new(placed, ends).map_err(|f| Failure::argument("--to", text, f))
 }
 
 fn steps(input: &Input, placed: &Placed, driver: usize, range: &Range, steps: usize) -> Result<Steps, Failure> {

@@ -20,11 +20,11 @@ use crate::worked::{Worked, work_placed};
 
 use super::curve;
 use super::zoom::Zoom;
-use crate::sweep::follow::{Follower, Pose, Sweep, between, scene_at};
+use crate::sweep::follow::{Follower, Pose, Sweep, between};
 
 /// A pose with all that is known of it.
 pub struct Frame {
-    /// How far the driver has gone from the scene's position: radians or metres.
+    /// How far what moves has gone from the scene's pose: radians, metres or seconds.
     pub travel: f64,
     /// The scene with its driver there.
     pub scene: Scene,
@@ -86,8 +86,6 @@ pub struct Maker<'a> {
     pub mechanism: &'a Mechanism,
     /// What it asks for, and all positions.
     pub demand: &'a Demand,
-    /// The driver that moves.
-    pub driver: usize,
     /// How the mechanism is followed.
     pub follower: &'a Follower<'a>,
     /// Sizes of the type.
@@ -140,7 +138,7 @@ impl Maker<'_> {
 
     /// Any pose, as far as it has answers.
     fn worked(&self, pose: &Pose) -> Option<Trial> {
-        let scene = scene_at(self.scene, self.driver, pose.travel);
+        let scene = self.follower.scene_at(self.scene, pose.travel);
         let worked = self.work(&scene, &pose.configuration).ok()?;
         Some(Trial { travel: pose.travel, worked })
     }
@@ -159,7 +157,7 @@ impl Maker<'_> {
         let most = trials.len() + (sweep.poses.len() as f64 * ADDED) as usize;
         let mut settled = vec![false; trials.len().saturating_sub(1)];
         for _ in 0..ROUNDS {
-            let papers = self.papers(trials, sweep.full);
+            let papers = self.papers(trials, sweep.is_unlimited());
             let open: Vec<usize> = (0..trials.len().saturating_sub(1)).filter(|k| !settled[*k]).collect();
             let halved = |k: &usize| {
                 let travel = 0.5 * (trials[*k].travel + trials[k + 1].travel);
@@ -230,11 +228,11 @@ impl Maker<'_> {
     }
 
     /// The scales of all poses.
-    fn papers(&self, trials: &[Trial], full: bool) -> Papers {
+    fn papers(&self, trials: &[Trial], unlimited: bool) -> Papers {
         let poses: Vec<(f64, &Worked)> = trials.iter().map(|t| (t.travel, &t.worked)).collect();
         let own = trials.iter().min_by(|a, b| a.travel.abs().total_cmp(&b.travel.abs())).map(|t| &t.worked);
         let boxes = own.map_or(Boxes::default(), |w| Boxes::of(&self.scene.paper, &w.plan));
-        let common = Scales::of(&self.scene.paper, &poses, full, boxes);
+        let common = Scales::of(&self.scene.paper, &poses, unlimited, boxes);
         let zooms = Level::RATES.map(|level| Zoom::of(&self.scene.paper, &poses, &common, level, boxes, self.label_mm(&poses, level)));
         Papers { mu_l: own.map_or(common.mu_l, |w| w.construction.diagram.mu_l), common, zooms }
     }
@@ -250,10 +248,10 @@ impl Maker<'_> {
 
     /// Draws all poses to the common scales.
     fn draw(&self, trials: Vec<Trial>, sweep: &Sweep) -> Result<Frames, Faults> {
-        let papers = self.papers(&trials, sweep.full);
+        let papers = self.papers(&trials, sweep.is_unlimited());
         let mut frames = Frames { list: Vec::new(), base: 0, full: sweep.full, zoom: papers.zooms.clone(), cut: false };
         let to_scale = |trial: &Trial| {
-            let mut scene = scene_at(self.scene, self.driver, trial.travel);
+            let mut scene = self.follower.scene_at(self.scene, trial.travel);
             let [mu_v, mu_a] = papers.zooms.each_ref().map(|z| z.as_ref().map(|z| z.mu));
             (scene.paper.mu_l, scene.paper.mu_v, scene.paper.mu_a) = (Some(papers.mu_l), mu_v, mu_a);
             let worked = self.work(&scene, &trial.worked.configuration).ok()?;
@@ -303,5 +301,35 @@ impl Papers {
             }
         }
         marks
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Swept, read, templates};
+    use crate::worked::{Scope, work};
+
+    /// Through time each frame is the scene whose instant it is: the same rates, the same answers.
+    #[test]
+    fn each_frame_of_a_law_is_the_scene_at_its_instant() {
+        let scene = read(templates::get("plate-by-law").unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let follower = Follower::new(&scene, &worked.mechanism, &worked.demand, &worked.configuration, Swept::Time);
+        let (style, notation) = (Style::default(), Notation::of_language(Lang::En));
+        let (mechanism, demand) = (&worked.mechanism, &worked.demand);
+        let maker = Maker { scene: &scene, mechanism, demand, follower: &follower, style: &style, notation: &notation };
+        let frames = maker.frames(&follower.sweep(8)).unwrap();
+        assert!(frames.list.len() > 7 && !frames.cut && !frames.full);
+        for frame in frames.list.iter().step_by(3) {
+            let instant = format!("{:?} s", scene.instant() + frame.travel);
+            let there = read(templates::instantiate("plate-by-law", &[("t", &instant)]).unwrap()).unwrap().value;
+            let meant = work(&there, Scope::Figure).unwrap().value;
+            for (told, meant) in frame.worked.results.iter().zip(&meant.results) {
+                let of = |r: &crate::worked::Outcome| r.value().columns();
+                let off = of(told).iter().zip(of(meant)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(off < 1e-12, "{} at {instant}: off by {off}", frame.scene.find[told.find].text);
+            }
+        }
     }
 }

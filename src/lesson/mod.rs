@@ -29,7 +29,7 @@ pub use reveal::reveal;
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::paper::style::Style;
 use crate::plan::notation::Notation;
-use crate::scene::{Lang, Scene};
+use crate::scene::{Lang, Scene, Swept};
 use crate::worked::{Scope, Worked, work};
 
 use crate::sweep::follow::Follower;
@@ -44,8 +44,8 @@ pub struct Options {
     pub notation: Notation,
     /// Poses through a full turn, or through the travel of a slider; more are added where the motion bends.
     pub positions: usize,
-    /// Which of the scene's drivers is moved; the others stand at their places, with their rates.
-    pub driver: usize,
+    /// What is moved.
+    pub swept: Swept,
     /// Weights, sizes and fonts of the drawings; the colours are the page's, which has a light and a dark theme.
     pub style: Style,
 }
@@ -53,7 +53,7 @@ pub struct Options {
 impl Options {
     /// The usual lesson in a language.
     pub fn of_language(lang: Lang) -> Options {
-        Options { lang, notation: Notation::of_language(lang), positions: POSITIONS, driver: 0, style: Style::default() }
+        Options { lang, notation: Notation::of_language(lang), positions: POSITIONS, swept: Swept::Driver(0), style: Style::default() }
     }
 }
 
@@ -101,20 +101,21 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
         );
         return Err(Diagnostic::error("too-many", message).help(help).into());
     }
-    if options.driver >= scene.drivers.len() {
+    if let Swept::Driver(driver) = options.swept
+        && driver >= scene.drivers.len()
+    {
         return Err(Diagnostic::error(
             "driver",
-            both!("there is no driver {}: the scene has {}", "没有第 {} 个原动件：共有 {} 个", options.driver + 1, scene.drivers.len()),
+            both!("there is no driver {}: the scene has {}", "没有第 {} 个原动件：共有 {} 个", driver + 1, scene.drivers.len()),
         )
         .into());
     }
-    let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, options.driver);
+    let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, options.swept);
     let sweep = follower.sweep(options.positions.clamp(8, 360));
     let maker = Maker {
         scene,
         mechanism: &worked.mechanism,
         demand: &worked.demand,
-        driver: options.driver,
         follower: &follower,
         style: &options.style,
         notation: &options.notation,
@@ -131,7 +132,7 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
         notes.push(d.help(both!("give another pose, or move another driver with --driver", "请改变位置，或用 --driver 另选原动件")));
     }
     let turns = follower.returns();
-    if turns != 1 && scene.drivers[options.driver].kind.turns() && sweep.limits == [None, None] {
+    if turns != 1 && options.swept.turns(scene) && sweep.limits == [None, None] {
         notes.push(Diagnostic::note(
             "lesson-turns",
             match (sweep.full, turns) {
@@ -149,14 +150,17 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
             },
         ));
     }
-    if scene.own_drivers() > 1 {
-        notes.push(Diagnostic::note(
-            "lesson-driver",
-            both!(
-                "the scene has several drivers: the lesson moves one of them, the others hold their positions",
-                "有几个原动件：演示中一个运动，其余保持位置"
-            ),
-        ));
+    if scene.own_drivers() > 1 && options.swept != Swept::Time {
+        notes.push(
+            Diagnostic::note(
+                "lesson-driver",
+                both!(
+                    "the scene has several drivers: the lesson moves one of them, the others hold their positions",
+                    "有几个原动件：演示中一个运动，其余保持位置"
+                ),
+            )
+            .help(both!("with --over t all of them move, each at its rate", "用 --over t 可使它们各按其速度同时运动")),
+        );
     }
     Ok(Warned { value: page::page(scene, options, &sweep, &frames)?, notes })
 }

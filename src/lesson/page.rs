@@ -17,8 +17,8 @@ use crate::render::svg::Elements;
 use crate::report::amount::of_level;
 use crate::report::math::mathml;
 use crate::report::statement::paragraphs;
-use crate::scene::driver_position;
 use crate::scene::{Book, DriverKind, Lang, PointId, Scene};
+use crate::scene::{Swept, driver_position};
 
 use super::bank::{self, Formulas};
 use super::equations::equations;
@@ -62,7 +62,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
     let written = || {
         let mut formulas = Formulas::default();
         let steps = steps(frames, notation, &mut formulas);
-        let answers = answers(frames, options.driver, notation, &mut formulas);
+        let answers = answers(frames, options.swept, notation, &mut formulas);
         let equations = equations(frames, notation, &mut formulas);
         let marks = marks(frames, notation, &mut formulas);
         (steps, answers, equations, marks, formulas)
@@ -87,13 +87,13 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "words": {"en": table(Lang::En), "zh": table(Lang::Zh)},
         "title": LANGS.map(title),
         "statement": LANGS.map(|lang| statement(scene, lang, &mut formulas)),
-        "driver": driver(scene, options.driver),
+        "driver": moved(scene, options.swept),
         "travel": frames.list.iter().map(|f| ten_digits(f.travel)).collect::<Vec<_>>(),
         "base": frames.base,
         "full": frames.full,
         "limits": limits(scene, sweep, frames),
         "cut": frames.cut,
-        "handle": handle(frames, options.driver),
+        "handle": handle(frames, options.swept.lead(scene)),
         "scales": scales,
         "pencil": scene.paper.pencil_mm.unwrap_or(USUAL_MM),
         "marks": marks,
@@ -216,7 +216,16 @@ fn statement(scene: &Scene, lang: Lang, formulas: &mut Formulas) -> String {
     if stated.is_empty() { escaped(word("diagram", lang)) } else { stated.join("<br>") }
 }
 
-/// What is moved: whether it turns, its symbol, where it stands in the scene's own pose (degrees or millimetres; null where no
+/// What is moved, for the page.
+fn moved(scene: &Scene, swept: Swept) -> Value {
+    match swept {
+        Swept::Driver(k) => driver(scene, k),
+        Swept::Time => json!({"turns": false, "time": true, "symbol": mathml(&Label::math("t")), "plain": "t", "start": scene.instant(),
+            "factor": 1.0, "back": false, "unit": " s", "parts": 1000.0}),
+    }
+}
+
+/// Of a driver: whether it turns, its symbol, where it stands in the scene's own pose (degrees or millimetres; null where no
 /// one says), and its unit.
 fn driver(scene: &Scene, k: usize) -> Value {
     let driver = &scene.drivers[k];

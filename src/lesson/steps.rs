@@ -14,7 +14,7 @@ use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::amount::{amount, sense, symbol};
 use crate::report::construction::sentences;
-use crate::scene::{Lang, driver_position};
+use crate::scene::{Lang, Swept, driver_position};
 
 use super::bank::{self, Formulas};
 use super::frames::{Frame, Frames};
@@ -64,8 +64,8 @@ fn source(phrase: &Phrase) -> String {
 }
 
 /// The answers: for each question its value in all frames, English and Chinese.
-pub fn answers(frames: &Frames, driver: usize, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
-    let certified: Vec<Vec<Certified>> = frames.list.par_iter().map(|f| certified(f, driver)).collect();
+pub fn answers(frames: &Frames, swept: Swept, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
+    let certified: Vec<Vec<Certified>> = frames.list.par_iter().map(|f| certified(f, swept)).collect();
     let finds = frames.list.first().map_or(0, |f| f.scene.find.len());
     (0..finds)
         .map(|i| {
@@ -78,11 +78,16 @@ pub fn answers(frames: &Frames, driver: usize, notation: &Notation, formulas: &m
 
 /// The digits that are certain. A pose given by coordinates is not written anywhere else than in the scene: there nothing
 /// certifies the others.
-fn certified(frame: &Frame, driver: usize) -> Vec<Certified> {
+fn certified(frame: &Frame, swept: Swept) -> Vec<Certified> {
     if frame.end {
         return Vec::new();
     }
-    let told = frame.travel == 0.0 || driver_position(&frame.scene, driver).is_some();
+    let said = |d: usize| driver_position(&frame.scene, d).is_some();
+    let told = match swept {
+        Swept::Driver(d) => said(d),
+        Swept::Time => (0..frame.scene.drivers.len()).all(said),
+    };
+    let told = told || frame.travel == 0.0;
     let mut list = certify(&frame.scene, &frame.worked, DIGITS);
     if !told {
         list.iter_mut().for_each(|c| (c.parts, c.reading) = (Vec::new(), None));

@@ -3,7 +3,7 @@
 use crate::scene::Lang;
 
 /// Key, English, Chinese. `{}` is filled in by the page.
-const WORDS: [(&str, &str, &str); 83] = [
+const WORDS: [(&str, &str, &str); 85] = [
     ("lesson", "Lesson", "教学演示"),
     ("first", "First step", "第一步"),
     ("previous", "Previous step", "上一步"),
@@ -78,9 +78,15 @@ const WORDS: [(&str, &str, &str); 83] = [
     ("results", "Results", "结果"),
     ("drag", "Drag the crank, or use the arrow keys on it.", "可拖动曲柄，或选中后用方向键转动。"),
     ("drag_slide", "Drag the driver along its line, or use the arrow keys on it.", "可沿导路拖动原动件，或选中后用方向键移动。"),
+    (
+        "drag_time",
+        "Drag the ringed point along its path through time, or use the arrow keys on it.",
+        "可沿轨迹拖动圆圈标出的点以改变时间，或选中后用方向键移动。",
+    ),
     ("handle", "Driver", "原动件"),
     ("given", "given position", "给定位置"),
     ("rates", "The driver has the same rate in every position.", "原动件在各位置的速度（角速度）不变。"),
+    ("rates_time", "Each position has the rates of its time.", "各位置采用该时刻的速度（角速度）。"),
     ("scales", "One set of scales for all positions.", "各位置采用同一组比例尺。"),
     (
         "scales_cut",

@@ -11,6 +11,7 @@ mod ink;
 mod motion;
 mod predict;
 mod stage;
+mod time;
 mod touch;
 
 use chromium::Browser;

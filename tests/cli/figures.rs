@@ -13,6 +13,39 @@ fn draws_svg_and_png_whole() {
     assert_eq!(std::fs::read_dir(out.path()).unwrap().count(), 2, "nothing else is left behind");
 }
 
+/// What moves by laws of time is swept, drawn and taught through time; several drivers are, when asked.
+#[test]
+fn laws_of_time_go_on_with_the_time() {
+    let out = tempfile::tempdir().unwrap();
+    let plate = "templates/plate-by-law.json";
+    let told = |args: &[&str]| text(&hodograph().args(args).assert().success().get_output().stdout);
+    let rows = told(&["sweep", plate, "--steps", "4", "--find", "v_M"]);
+    let row = |k: usize| rows.lines().nth(k).unwrap().split(',').map(|v| v.parse::<f64>().unwrap()).collect::<Vec<_>>();
+    assert!(rows.starts_with("t [s],v_M.x"), "{rows}");
+    // At 2 s: ω = 2 rad/s about O, M 16 cm up its groove, which lies 10 cm from O and in which it runs at 16 cm/s.
+    let (omega, vr) = (2.0_f64, 0.16);
+    let meant = (omega * 0.16).hypot(omega * 0.1 + vr);
+    assert_eq!((row(1)[0], row(1)[3], row(5)[0]), (0.0, 0.0, 2.0));
+    assert!((row(5)[3] - meant).abs() < 1e-12, "{} against {meant}", row(5)[3]);
+    assert_eq!(rows, told(&["sweep", plate, "--over", "t", "--from", "0", "--to", "2 s", "--steps", "4", "--find", "v_M"]));
+    // The driver alone, at the rate of the instant, is asked for by its name.
+    assert!(told(&["sweep", plate, "--over", "phi_2", "--steps", "4"]).starts_with("phi_2 [rad]"));
+    let written = |args: &[&str], file: &str| {
+        let path = out.path().join(file);
+        hodograph().args(args).arg("-o").arg(&path).assert().success();
+        String::from_utf8_lossy(&std::fs::read(path).unwrap()).into_owned()
+    };
+    assert!(written(&["curves", plate], "curves.svg").contains("Diagrams against t."));
+    assert!(written(&["path", plate, "--point", "M"], "path.svg").contains("position-driver-1"));
+    assert!(written(&["animate", plate, "--frames", "3"], "turn.svg").contains("<svg"));
+    assert!(written(&["lesson", plate], "law.html").len() > 10_000);
+    assert!(written(&["lesson", "templates/excavator.json", "--over", "t", "--positions", "8"], "all.html").len() > 10_000);
+    let long = hodograph().args(["sweep", plate, "--over", "t", "--to", "1e9"]).assert().code(2);
+    assert!(text(&long.get_output().stderr).contains("take a shorter time"));
+    let length = hodograph().args(["curves", plate, "--to", "3 mm", "-o", "x.svg"]).assert().code(2);
+    assert!(text(&length.get_output().stderr).contains("a time is wanted"));
+}
+
 /// One size for all frames, as many as were asked for, and back the same way where the driver does not turn fully.
 #[test]
 fn a_motion_is_a_gif_an_svg_or_numbered_pictures() {

@@ -6,7 +6,7 @@ use hodograph::figure::poses;
 use hodograph::figure::sheet::Options;
 use hodograph::mechanism::Mechanism;
 use hodograph::paper::item::{Figure, Shape};
-use hodograph::scene::{Lang, PointId, Scene, edit, read, templates};
+use hodograph::scene::{Lang, PointId, Scene, Swept, edit, read, templates};
 use hodograph::sweep::points::motion;
 use hodograph::sweep::{self, Placed, Stations, Width, extreme, station};
 use hodograph::worked::{Scope, Worked, work};
@@ -41,7 +41,7 @@ fn hodographs_are_what_a_sweep_tells() {
     for (name, names) in POINTS {
         let (scene, worked) = open(name);
         let points = points(&scene, names);
-        let moved = motion(&scene, &worked.mechanism, &worked.demand, &worked.configuration, 0, &points, 12);
+        let moved = motion(&scene, &worked.mechanism, &worked.demand, &worked.configuration, Swept::Driver(0), &points, 12);
         assert_eq!(moved.marks.len(), 12, "{name}");
         let find: Vec<String> = names.iter().flat_map(|n| ["x", "y", "v", "a"].map(|q| format!("{q}_{n}"))).collect();
         let find: Vec<&str> = find.iter().map(String::as_str).collect();
@@ -54,7 +54,7 @@ fn hodographs_are_what_a_sweep_tells() {
             if mark.vectors.iter().flatten().any(Option::is_none) {
                 continue;
             }
-            let station = Stations::of_values(vec![mark.driver], per_value);
+            let station = Stations::of_values(vec![mark.place], per_value);
             let table = sweep::run(&placed, 0, &station, Width::One).unwrap();
             for (k, n) in names.iter().enumerate() {
                 let column = |c: String| table.column(&c).and_then(|c| c.values.first().copied());
@@ -72,7 +72,7 @@ fn hodographs_are_what_a_sweep_tells() {
                     let Some(expected) = column else { continue };
                     let bounded = moved.limits.iter().any(|l| *l);
                     let tolerance = if bounded { 1e-5 } else { 1e-9 };
-                    assert!((expected - value).abs() <= tolerance * size.max(1e-6), "{name} {n}: {expected} {value} at {}", mark.driver);
+                    assert!((expected - value).abs() <= tolerance * size.max(1e-6), "{name} {n}: {expected} {value} at {}", mark.place);
                     compared += 1;
                 }
             }
@@ -87,9 +87,9 @@ fn paths_end_at_the_limits_of_the_driver() {
     let (scene, worked) = open("class-iii-six-bar");
     let limits = extreme::limits(&scene, &worked.mechanism, 0).unwrap();
     let ends: Vec<f64> = limits.range.ends.iter().map(|e| e.as_ref().unwrap().value).collect();
-    let moved = motion(&scene, &worked.mechanism, &worked.demand, &worked.configuration, 0, &points(&scene, &["P"]), 5);
+    let moved = motion(&scene, &worked.mechanism, &worked.demand, &worked.configuration, Swept::Driver(0), &points(&scene, &["P"]), 5);
     for (mark, end) in [(&moved.marks[0], ends[0]), (&moved.marks[4], ends[1])] {
-        assert!((mark.driver - end).abs() < 1e-9, "{} {end}", mark.driver);
+        assert!((mark.place - end).abs() < 1e-9, "{} {end}", mark.place);
     }
     assert_eq!(moved.limits, [true, true]);
 }
@@ -117,7 +117,7 @@ fn paths_can_be_read() {
     for (k, (name, names)) in POINTS.into_iter().enumerate() {
         let (scene, worked) = open(name);
         let (lang, poses) = if k % 2 == 0 { (Lang::En, 0) } else { (Lang::Zh, 6) };
-        let wanted = Wanted { points: points(&scene, names), driver: 0, marks: 12, poses };
+        let wanted = Wanted { points: points(&scene, names), swept: Swept::Driver(0), marks: 12, poses };
         let figure = path::figure(&scene, &worked, &Options::of_language(lang), &wanted).unwrap_or_else(|f| panic!("{name}: {f}"));
         readable(name, &figure.value, scene.links.len(), false);
     }
@@ -128,7 +128,7 @@ fn paths_can_be_read() {
 fn sheets_of_poses_can_be_read() {
     for (name, lang) in [("crank-rocker", Lang::En), ("shaper", Lang::Zh), ("class-iii-six-bar", Lang::En), ("five-bar", Lang::Zh)] {
         let (scene, worked) = open(name);
-        let wanted = poses::Wanted { count: 5, driver: 0, points: Vec::new() };
+        let wanted = poses::Wanted { count: 5, swept: Swept::Driver(0), points: Vec::new() };
         let pages = poses::sheets(&scene, &worked, &Options::of_language(lang), &wanted).unwrap_or_else(|f| panic!("{name}: {f}"));
         assert!(pages.notes.iter().all(|n| n.code == "poses-driver"), "{name}: {:?}", pages.notes);
         for page in &pages.value {
@@ -143,7 +143,7 @@ fn tables_of_poses_are_printed_on_a4_or_a3() {
     let mut formats = [0; 2];
     for t in templates::list() {
         let (scene, worked) = open(t.name);
-        let wanted = poses::Wanted { count: 6, driver: 0, points: Vec::new() };
+        let wanted = poses::Wanted { count: 6, swept: Swept::Driver(0), points: Vec::new() };
         let Ok(pages) = poses::sheets(&scene, &worked, &Options::of_language(Lang::En), &wanted) else { continue };
         let mut positions = 0;
         for page in &pages.value {
@@ -162,7 +162,7 @@ fn tables_of_poses_are_printed_on_a4_or_a3() {
 #[test]
 fn names_stand_in_the_first_row() {
     let (scene, worked) = open("crank-rocker");
-    let wanted = poses::Wanted { count: 4, driver: 0, points: Vec::new() };
+    let wanted = poses::Wanted { count: 4, swept: Swept::Driver(0), points: Vec::new() };
     let pages = poses::sheets(&scene, &worked, &Options::of_language(Lang::En), &wanted).unwrap().value;
     let labels = |row: usize, what: &str| {
         let start = format!("pose-{row}-{what}-label-");
@@ -177,7 +177,7 @@ fn names_stand_in_the_first_row() {
 #[test]
 fn a_fixed_paper_makes_pages() {
     let (mut scene, worked) = open("slider-crank");
-    let wanted = poses::Wanted { count: 5, driver: 0, points: points(&scene, &["B"]) };
+    let wanted = poses::Wanted { count: 5, swept: Swept::Driver(0), points: points(&scene, &["B"]) };
     let options = Options::of_language(Lang::En);
     scene.paper.size_mm = Some([420.0, 297.0]);
     let pages = poses::sheets(&scene, &worked, &options, &wanted).unwrap().value;

@@ -16,7 +16,7 @@ use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::render::{pdf, svg};
 use hodograph::report::{answers, construction, limits, plan, plan_json};
-use hodograph::scene::{self, Lang, PointId, Scene, templates};
+use hodograph::scene::{self, Lang, PointId, Scene, Swept, templates};
 use hodograph::sweep::{self, Placed, Stations, Width, extreme};
 use hodograph::worked::{Scope, Worked, work};
 use hodograph::worksheet;
@@ -333,7 +333,7 @@ fn everything(text: &str, scene: &Scene, worked: &Worked, failures: &mut Vec<Str
             drawn("step", figure, failures);
         }
         if let Some(point) = moving {
-            let wanted = path::Wanted { points: vec![point], driver: 0, marks: 4, poses: 0 };
+            let wanted = path::Wanted { points: vec![point], swept: Swept::Driver(0), marks: 4, poses: 0 };
             match path::figure(scene, worked, &options, &wanted) {
                 Ok(figure) => drawn("path", &figure.value, failures),
                 Err(faults) => failures.push(format!("path: {faults}")),

@@ -269,7 +269,12 @@
     face();
     const span = data.full ? TURN / (data.turns || 1) : ends()[1] - ends()[0];
     const atEnd = () => !data.full && (travel === ends()[0] || travel === ends()[1]);
+    // Time does not run back: its motion begins anew.
     const back = () => {
+      if (data.driver.time) {
+        grown = { from: 0, way: [] };
+        return turn(ends()[playing > 0 ? 0 : 1]);
+      }
       playing = travel === ends()[0] ? 1 : -1;
       face();
     };

@@ -30,9 +30,9 @@
     for (const e of document.querySelectorAll("figcaption [data-en]")) e.textContent = e.dataset[lang];
     $("language").textContent = word("language");
     $("language").lang = other[lang];
-    $("hint").textContent = word(data.driver.turns ? "drag" : "drag_slide");
+    $("hint").textContent = word(data.driver.time ? "drag_time" : data.driver.turns ? "drag" : "drag_slide");
     const two = drawings.slice(1).some((d) => d.layouts.length > 1);
-    $("notes").textContent = [word(data.cut ? "scales_cut" : "scales"), two ? word("scales_window") : "", word("rates")].join(" ");
+    $("notes").textContent = [word(data.cut ? "scales_cut" : "scales"), two ? word("scales_window") : "", word(data.driver.time ? "rates_time" : "rates")].join(" ");
     for (const d of drawings.slice(1)) {
       const tab = $(`tab-${d.key}`);
       tab.textContent = word(`tab_${d.key}`);

@@ -11,7 +11,7 @@ use crate::geom::Vec2;
 use crate::mechanism::Level;
 use crate::paper::phrase::{Phrase, fill, tr};
 use crate::plan::names::point_label;
-use crate::scene::{Kind, PointId, Scene};
+use crate::scene::{Kind, PointId, Scene, Swept};
 use crate::sweep::points::{Moment, Motion, alone, at_equal_steps, bounded, motion, questions};
 use crate::worked::{Worked, work_placed};
 
@@ -19,7 +19,7 @@ use super::arrange::{AIM_MM, Tree};
 use super::hodograph::{Hodograph, hodograph, runs};
 use super::mechanism::{Overlay, Track, overlaid};
 use super::plot::over;
-use super::sheet::{MARGIN_MM, Maker, Options, driver_symbol};
+use super::sheet::{MARGIN_MM, Maker, Options, swept_symbol};
 use crate::paper::drawing::Part;
 use crate::paper::grid::{self, Cell, Row};
 use crate::paper::item::{Anchor, Figure, Item};
@@ -45,8 +45,8 @@ const COLUMN_MM: f64 = 3.2;
 pub struct Wanted {
     /// Whose paths.
     pub points: Vec<PointId>,
-    /// Which driver moves, from 0 on; the others stand.
-    pub driver: usize,
+    /// What moves; drivers that do not, stand.
+    pub swept: Swept,
     /// So many positions are numbered, at equal steps of the driver.
     pub marks: usize,
     /// The mechanism in so many positions, one over another.
@@ -60,12 +60,12 @@ pub struct Wanted {
 ///
 /// ```
 /// use hodograph::figure::{path, sheet::Options};
-/// use hodograph::scene::{self, Lang, PointId, templates};
+/// use hodograph::scene::{self, Lang, Swept, PointId, templates};
 /// use hodograph::worked::{Scope, work};
 /// let scene = scene::read(templates::get("crank-rocker").unwrap())?.value;
 /// let worked = work(&scene, Scope::Figure)?.value;
 /// let e = PointId(scene.points.iter().position(|p| p.name == "E").unwrap());
-/// let wanted = path::Wanted { points: vec![e], driver: 0, marks: 12, poses: 0 };
+/// let wanted = path::Wanted { points: vec![e], swept: Swept::Driver(0), marks: 12, poses: 0 };
 /// let figure = path::figure(&scene, &worked, &Options::of_language(Lang::En), &wanted)?.value;
 /// assert!(figure.title.starts_with("Crank-rocker"));
 /// # Ok::<(), hodograph::diag::Faults>(())
@@ -73,13 +73,13 @@ pub struct Wanted {
 pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted) -> Result<Warned<Figure>, Faults> {
     check(scene, wanted)?;
     // Each velocity is then tangent to the path that is drawn.
-    let alone = alone(scene, wanted.driver);
+    let alone = alone(scene, wanted.swept);
     let moved = motion(
         &alone,
         &worked.mechanism,
         &worked.demand,
         &worked.configuration,
-        wanted.driver,
+        wanted.swept,
         &wanted.points,
         wanted.marks.clamp(1, MOST_MARKS),
     );
@@ -100,13 +100,13 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
         Some(scene.paper.mu_l.unwrap_or_else(|| scale::choose_in(scene.paper.unit(0), scale::extent(ghosts.chain(places)), boxes.diagram)));
     let worked = &work_placed(&fitted, worked.mechanism.clone(), worked.demand.clone(), worked.configuration.clone())?.value;
     let maker = Maker { scene: &fitted, worked, options, certified: Vec::new() };
-    let mut page = Page { maker, moved: &moved, driver: wanted.driver, cut: false };
+    let mut page = Page { maker, moved: &moved, swept: wanted.swept, cut: false };
 
     let mut drawings = vec![page.mechanism(poses)];
     drawings.extend(page.hodographs(&boxes));
     let text = page.text();
     let mut notes = Vec::new();
-    if scene.own_drivers() > 1 {
+    if scene.own_drivers() > 1 && wanted.swept != Swept::Time {
         notes.push(Diagnostic::note(
             "path-driver",
             both!(
@@ -123,8 +123,10 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
 
 fn check(scene: &Scene, wanted: &Wanted) -> Result<(), Faults> {
     let mut faults = Faults::default();
-    if wanted.driver >= scene.drivers.len() {
-        faults.push(Diagnostic::error("no-driver", both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", wanted.driver + 1)));
+    if let Swept::Driver(driver) = wanted.swept
+        && driver >= scene.drivers.len()
+    {
+        faults.push(Diagnostic::error("no-driver", both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1)));
     }
     if wanted.points.is_empty() {
         faults.push(
@@ -145,7 +147,7 @@ fn poses(scene: &Scene, worked: &Worked, wanted: &Wanted) -> Vec<crate::position
     if wanted.poses == 0 {
         return Vec::new();
     }
-    let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.driver);
+    let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept);
     let sweep = follower.sweep(MOST_MARKS);
     at_equal_steps(&follower, &sweep, wanted.poses.min(MOST_MARKS)).into_iter().map(|p| p.configuration).collect()
 }
@@ -154,7 +156,7 @@ fn poses(scene: &Scene, worked: &Worked, wanted: &Wanted) -> Vec<crate::position
 struct Page<'a> {
     maker: Maker<'a>,
     moved: &'a Motion,
-    driver: usize,
+    swept: Swept,
     /// Whether a hodograph leaves the paper.
     cut: bool,
 }
@@ -196,7 +198,7 @@ impl Page<'_> {
             let sizes = curves.iter().flatten().flatten().map(|v| v.norm()).collect();
             let own = self.moved.moments.iter().find(|m| m.travel == 0.0);
             let own = own.into_iter().flat_map(|m| m.vectors.iter().filter_map(|v| v[l])).map(Vec2::norm).fold(0.0, f64::max);
-            let Some(most) = bounded(sizes, own, self.moved.full) else { continue };
+            let Some(most) = bounded(sizes, own, self.moved.limits == [false, false]) else { continue };
             let shown: Vec<_> = curves.iter().map(|c| runs(c, self.moved.full, most)).collect();
             self.cut |= shown.iter().any(|s| s.1);
             let ends = shown.iter().flat_map(|s| s.0.iter().flatten()).map(|v| v.to_point());
@@ -235,7 +237,7 @@ impl Page<'_> {
     fn text(&self) -> Part {
         let (style, lang) = (&self.maker.options.style, self.maker.options.lang);
         let book = &self.scene().book;
-        let (driver, kind) = driver_symbol(self.scene(), self.driver);
+        let (driver, kind) = swept_symbol(self.scene(), self.swept);
         let ((unit, factor), parts) = (book.fine(kind), book.parts(kind, 100.0));
         let mut rows = Vec::new();
         for (block, marks) in self.moved.marks.chunks(IN_ROW).enumerate() {
@@ -251,7 +253,7 @@ impl Page<'_> {
             };
             row("number", Label::text(tr(lang, "Position", "位置")), &|k| Label::math((block * IN_ROW + k + 1).to_string()));
             row("driver", Label::math(over(&driver, &unit)), &|k| {
-                let value = marks[k].driver;
+                let value = marks[k].place;
                 let shown = if kind == Kind::Angle { turned(value, factor, self.moved.full) } else { value * factor };
                 Label::math(crate::digits::inked(&crate::digits::shortest((shown * parts).round() / parts)))
             });
@@ -293,7 +295,7 @@ impl Page<'_> {
         let alone = tr(lang, "One driver moves, the others stand still.", "一个原动件运动，其余原动件静止。");
         let mut said = Vec::new();
         said.extend(self.cut.then_some(cut));
-        said.extend((self.scene().drivers.len() > 1).then_some(alone));
+        said.extend((self.scene().drivers.len() > 1 && self.swept != Swept::Time).then_some(alone));
         said
     }
 

@@ -17,7 +17,7 @@ use crate::scene::Scene;
 use crate::worked::{Outcome, Worked};
 
 use super::results::Answers;
-use super::sheet::driver_symbol;
+use super::sheet::swept_symbol;
 use super::tables::constraint_line;
 use crate::paper::words::Words;
 use crate::report::amount::{amount, number, sense, symbol};
@@ -131,7 +131,7 @@ fn bad_angle(scene: &Scene, worked: &Worked, words: &Words, bad: &BadAngle) -> V
     }
     if let Some(p) = bad.pose {
         let (text, turn) = p.to_deg.map_or((words.bad_turn, p.turn_deg), |to| (words.bad_pose, to));
-        let (driver, turn) = (driver_symbol(scene, p.driver).0, shortest(turn).replace('-', "−"));
+        let (driver, turn) = (swept_symbol(scene, p.driver).0, shortest(turn).replace('-', "−"));
         lines.push(fill(text, &[("driver", &driver), ("", &turn), ("1", &two(p.crossing_deg))]));
     }
     lines

@@ -23,14 +23,14 @@ pub struct Scales {
 impl Scales {
     /// The scales at which all poses fit their boxes, but those next to a limit; what the paper fixes stays. Poses come with
     /// the driver's travel; the one with travel 0 is shown in any case.
-    pub fn of(paper: &Paper, poses: &[(f64, &Worked)], full: bool, boxes: Boxes) -> Scales {
+    pub fn of(paper: &Paper, poses: &[(f64, &Worked)], unlimited: bool, boxes: Boxes) -> Scales {
         let places = poses.iter().flat_map(|(_, w)| w.configuration.points.iter().flatten().copied());
         let mu_l = paper.mu_l.unwrap_or_else(|| scale::choose_in(paper.unit(0), extent(places), boxes.diagram));
         let mut scales = Scales { mu_l, mu: [None, None], most: [f64::INFINITY; 2], boxes };
         for (i, (level, fixed)) in Level::RATES.into_iter().zip([paper.mu_v, paper.mu_a]).enumerate() {
             let size = |w: &Worked| size(w, level, &boxes);
             let own = poses.iter().find(|p| p.0 == 0.0).and_then(|p| size(p.1)).unwrap_or(0.0);
-            let Some(most) = bounded(poses.iter().filter_map(|p| size(p.1)).collect(), own, full) else { continue };
+            let Some(most) = bounded(poses.iter().filter_map(|p| size(p.1)).collect(), own, unlimited) else { continue };
             let fitting = poses.iter().map(|p| p.1).filter(|w| size(w).is_some_and(|s| s <= most));
             let ends = fitting.flat_map(|w| ends(w, level));
             scales.mu[i] =

@@ -11,7 +11,7 @@ use crate::plan::names::name_label;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::given::Givens;
-use crate::scene::{Kind, Lang, Scene};
+use crate::scene::{Kind, Lang, Scene, Swept};
 use crate::worked::Worked;
 
 use crate::report::amount::of_level;
@@ -353,9 +353,9 @@ impl Maker<'_> {
     }
 }
 
-/// A driver's position in the label language, and what it is: `\varphi_{1}` an angle, `s_{B}` or `l_{BC}` a length.
-pub fn driver_symbol(scene: &Scene, driver: usize) -> (String, Kind) {
-    let (name, kind) = scene.driver_name(driver);
+/// What goes on from pose to pose in the label language, and what it is: `\varphi_{1}` an angle, `s_{B}` or `l_{BC}` a length, `t` a time.
+pub fn swept_symbol(scene: &Scene, swept: impl Into<Swept>) -> (String, Kind) {
+    let (name, kind) = swept.into().name(scene);
     let symbol = match name.split_once('_') {
         Some(("phi", link)) => format!("\\varphi_{{{}}}", name_label(link)),
         Some((letter, of)) => format!("{letter}_{{{}}}", name_label(of)),

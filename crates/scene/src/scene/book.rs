@@ -24,12 +24,14 @@ pub enum Kind {
     Omega,
     /// Angular accelerations.
     Alpha,
+    /// Time.
+    Time,
     /// Ratios and counts: numbers without a unit.
     Number,
 }
 
 impl Kind {
-    /// All that have a unit.
+    /// All for whose answers a unit can be chosen.
     pub const ALL: [Kind; 6] = [Kind::Length, Kind::Angle, Kind::Velocity, Kind::Acceleration, Kind::Omega, Kind::Alpha];
 
     /// What the scene must write for it.
@@ -41,6 +43,7 @@ impl Kind {
             Kind::Acceleration => Wanted::Acceleration,
             Kind::Omega => Wanted::Omega,
             Kind::Alpha => Wanted::Alpha,
+            Kind::Time => Wanted::Time,
             Kind::Number => Wanted::Number,
         }
     }
@@ -54,6 +57,7 @@ impl Kind {
             Kind::Acceleration => "m/s²",
             Kind::Omega => "rad/s",
             Kind::Alpha => "rad/s²",
+            Kind::Time => "s",
             Kind::Number => "",
         }
     }
@@ -61,7 +65,7 @@ impl Kind {
     /// Which derivative of a place or an angle it is.
     pub const fn level(self) -> Level {
         match self {
-            Kind::Length | Kind::Angle | Kind::Number => Level::Position,
+            Kind::Length | Kind::Angle | Kind::Time | Kind::Number => Level::Position,
             Kind::Velocity | Kind::Omega => Level::Velocity,
             Kind::Acceleration | Kind::Alpha => Level::Acceleration,
         }
@@ -311,7 +315,7 @@ impl Book {
             (None, Kind::Angle) => "\\degree",
             (None, Kind::Acceleration) => "m/s^2",
             (None, Kind::Alpha) => "rad/s^2",
-            (None, Kind::Length | Kind::Velocity | Kind::Omega | Kind::Number) => kind.si(),
+            (None, Kind::Length | Kind::Velocity | Kind::Omega | Kind::Time | Kind::Number) => kind.si(),
         }
     }
 

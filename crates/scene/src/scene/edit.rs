@@ -3,7 +3,7 @@
 use super::eval::{NoValue, Value, evaluate};
 use super::json::{self, Kind};
 use super::model::Angle;
-use super::units::Dim;
+use super::units::{Dim, Wanted};
 use super::{exact, expr};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::number::Ball;
@@ -122,6 +122,25 @@ pub fn length(text: &str) -> Result<f64, Faults> {
     let value = quantity(text, "mm")?.value;
     if (value.dim.length, value.dim.time) != (1, 0) {
         return Err(wrong(text, both!("a length", "长度"), value));
+    }
+    Ok(value.si())
+}
+
+/// A time in seconds; a bare number counts seconds.
+///
+/// # Errors
+/// What is no time.
+///
+/// ```
+/// use hodograph::scene::edit::time;
+/// assert_eq!(time("1.5").unwrap(), 1.5);
+/// assert_eq!(time("2 min").unwrap(), 120.0);
+/// assert!(time("3 m").is_err());
+/// ```
+pub fn time(text: &str) -> Result<f64, Faults> {
+    let value = quantity(text, "s")?.value;
+    if value.dim != Wanted::Time.dim() {
+        return Err(wrong(text, both!("a time", "时间"), value));
     }
     Ok(value.si())
 }

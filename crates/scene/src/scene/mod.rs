@@ -27,6 +27,7 @@ mod resolve;
 pub mod rolling;
 pub mod schema;
 pub mod statement;
+mod swept;
 pub mod templates;
 #[cfg(test)]
 mod tests;
@@ -42,6 +43,7 @@ pub use elsewhere::{driver_position, with_driver_at};
 pub use model::*;
 pub use quantity::{Asked, Axis};
 pub use rolling::{Contours, Flanks, Normal, Relation, Rolling, RollingId, RollingKind, Sizes, Touch};
+pub use swept::Swept;
 pub use write::write;
 pub use written::Told;
 
@@ -189,7 +191,7 @@ pub fn read_at_rest(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
 pub fn read_at_any_rate(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
     let told = read_as(source.as_ref(), None, Extent::Motion);
     let Err(faults) = told else { return told };
-    let asks_no_rate = |f: &Find| matches!(f.what.kind(), Kind::Length | Kind::Angle | Kind::Number);
+    let asks_no_rate = |f: &Find| matches!(f.what.kind(), Kind::Length | Kind::Angle | Kind::Time | Kind::Number);
     let free = read_as(source.as_ref(), None, Extent::AnyRate).ok().filter(|read| read.value.find.iter().all(asks_no_rate));
     let mut read = free.ok_or(faults)?;
     let message = both!(

@@ -175,7 +175,7 @@ pub(super) fn with_parameters(text: &str, values: &[(&str, &str)], whose: Both) 
 
 /// The new value; a bare number gets the unit of the old one.
 pub fn replacement(parameter: &str, old: &str, new: &str, earlier: &[&str]) -> Result<String, Diagnostic> {
-    replacement_in(parameter, old, new, earlier, None)
+    replacement_in(parameter, old, new, earlier, (parameter == TIME).then_some("s"))
 }
 
 /// The same; `usual` is the unit of a bare number where the old value does not tell one.

@@ -153,6 +153,8 @@ pub enum Wanted {
     Velocity,
     /// m/s².
     Acceleration,
+    /// s.
+    Time,
     /// A number without a unit.
     Number,
     /// m per mm of paper.
@@ -183,6 +185,7 @@ impl Wanted {
             Wanted::Alpha => Dim::new(0, -2, 1),
             Wanted::Velocity => Dim::new(1, -1, 0),
             Wanted::Acceleration => Dim::new(1, -2, 0),
+            Wanted::Time => TIME,
             Wanted::Number | Wanted::ScaleOfLengths => Dim::NUMBER,
             Wanted::ScaleOfVelocities => Dim::new(0, -1, 0),
             Wanted::ScaleOfAccelerations => Dim::new(0, -2, 0),
@@ -198,6 +201,7 @@ impl Wanted {
             Wanted::Alpha => both!("an angular acceleration", "角加速度"),
             Wanted::Velocity => both!("a velocity", "速度"),
             Wanted::Acceleration => both!("an acceleration", "加速度"),
+            Wanted::Time => both!("a time", "时间"),
             Wanted::Number => both!("a number", "数"),
             Wanted::ScaleOfLengths => both!("a scale of lengths", "长度比例尺"),
             Wanted::ScaleOfVelocities => both!("a scale of velocities", "速度比例尺"),
@@ -228,6 +232,7 @@ impl Wanted {
             Wanted::Alpha => "rad/s^2",
             Wanted::Velocity => "m/s",
             Wanted::Acceleration => "m/s^2",
+            Wanted::Time => "s",
             Wanted::Number => "",
             Wanted::ScaleOfLengths => "m/mm",
             Wanted::ScaleOfVelocities => "(m/s)/mm",

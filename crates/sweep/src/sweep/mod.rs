@@ -6,7 +6,7 @@
 //! ([`lane`]); joints that may change their branch on the way are known by [`suspect`]; what rolls turns by the ratios of its [`train`], counted in whole [`turns`]; class III groups, and as a whole the mechanisms that have no program, are followed from one position to the next ([`follow`]). Positions at
 //! which the formulas have no value (a dead centre, a change point) are handed to the general solver one by one; those that
 //! cannot be assembled are left out, with the reason in the notes.
-//! [`long`] sweeps, and those of parameters ([`vary`]), go piece by piece ([`pieces`]), [`batch`]es block by block. [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
+//! [`long`] sweeps, those of parameters ([`vary`]) and those through time ([`timed`]), go piece by piece ([`pieces`]), [`batch`]es block by block. [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
 //!
 //! Not decided here: what a question means ([`crate::answer`]) and how a single position is solved for drawing
 //! ([`crate::position`], [`crate::analytic`]); both are the check of this room.
@@ -37,6 +37,7 @@ mod run;
 pub mod station;
 mod suspect;
 pub mod table;
+pub mod timed;
 mod train;
 mod turns;
 pub mod vary;
@@ -94,6 +95,12 @@ impl<'a> Placed<'a> {
 /// A driver that the scene does not have.
 pub fn run(placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Result<Table, Faults> {
     Ok(Sweep::new(placed, driver)?.run(stations, width, Table::default()))
+}
+
+/// The answers at some values of a driver (rad or m); `None` for a driver that the scene does not have.
+pub fn of_values(placed: &Placed, driver: usize, values: Vec<f64>) -> Option<Table> {
+    let per_value = station::angle_per_value(placed.scene, &placed.at, driver);
+    run(placed, driver, &Stations::of_values(values, per_value), Width::Widest).ok()
 }
 
 /// A scene compiled for one of its drivers, to be swept again and again.

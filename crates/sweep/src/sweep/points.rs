@@ -1,18 +1,18 @@
-//! Points through the travel of one driver: where they go, and their velocities and accelerations on the way (their
+//! Points through the travel of one driver, or through time: where they go, and their velocities and accelerations on the way (their
 //! hodographs, when these are drawn from one pole).
 //!
-//! The mechanism is followed by [`super::follow`], each pose solved by the loop equations. The driver runs at the scene's rate, with the
-//! scene's acceleration, in every pose. Between the steps poses are added where a curve bends.
+//! The mechanism is followed by [`super::follow`], each pose solved by the loop equations. A driver that goes on alone runs at the scene's rate, with the
+//! scene's acceleration, in every pose; through time rates are those of the time. Between the steps poses are added where a curve bends.
 
-use super::follow::{Follower, Pose, Sweep, scene_at};
-use super::station::position_now;
+use super::follow::{Follower, Pose, Sweep};
+use super::station;
 use crate::analytic;
 use crate::answer::Value;
 use crate::geom::Vec2;
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::Configuration;
 use crate::scene::quantity::{PointMotion, Rate};
-use crate::scene::{Asked, Find, Given, OnLink, PointId, Scene};
+use crate::scene::{Asked, Find, Given, OnLink, PointId, Scene, Swept};
 
 /// Steps through a turn: 1°, the resolution of a printed curve.
 const STEPS: usize = 360;
@@ -28,10 +28,10 @@ const OFF_PAPER: f64 = 2.5;
 /// One pose, and how the points move there.
 #[derive(Clone, Debug)]
 pub struct Moment {
-    /// How far the driver has gone from the scene's position (rad or m).
+    /// How far what moves has gone from the scene's pose (rad, m or s).
     pub travel: f64,
-    /// Where the driver stands (rad or m).
-    pub driver: f64,
+    /// Where it stands (rad, m or s).
+    pub place: f64,
     /// Where everything is.
     pub configuration: Configuration,
     /// Velocity (m/s) and acceleration (m/s²) of each point; `None` where they are unbounded or have no value.
@@ -53,9 +53,10 @@ pub struct Motion {
     pub limits: [bool; 2],
 }
 
-/// The scene with its other drivers standing: then a velocity is tangent to the path.
-pub fn alone(scene: &Scene, driver: usize) -> Scene {
+/// The scene with the drivers standing that do not go on: then a velocity is tangent to the path.
+pub fn alone(scene: &Scene, swept: Swept) -> Scene {
     let mut scene = scene.clone();
+    let Swept::Driver(driver) = swept else { return scene };
     for (_, d) in scene.drivers.iter_mut().enumerate().filter(|(d, _)| *d != driver) {
         d.rate = Given { value: 0.0, radius: 0.0, text: "0".into(), span: d.rate.span };
         d.acceleration = None;
@@ -63,12 +64,12 @@ pub fn alone(scene: &Scene, driver: usize) -> Scene {
     scene
 }
 
-/// The largest of some sizes that one paper holds: all of a full turn; of a bounded motion not those that are many times as
+/// The largest of some sizes that one paper holds: all of a motion without limits; of another not those that are many times as
 /// large as half of all, but in any case the scene's `own`. `None` where there are none.
-pub fn bounded(mut sizes: Vec<f64>, own: f64, full: bool) -> Option<f64> {
+pub fn bounded(mut sizes: Vec<f64>, own: f64, unlimited: bool) -> Option<f64> {
     sizes.sort_by(f64::total_cmp);
     let largest = *sizes.last()?;
-    Some(if full { largest } else { largest.min((OFF_PAPER * sizes[sizes.len() / 2]).max(own)) })
+    Some(if unlimited { largest } else { largest.min((OFF_PAPER * sizes[sizes.len() / 2]).max(own)) })
 }
 
 /// So many poses at equal steps of the driver, in the sense in which it moves: from the scene's own through a full turn, or from one end
@@ -104,32 +105,32 @@ struct Tracer<'a> {
     mechanism: &'a Mechanism,
     demand: Demand,
     follower: &'a Follower<'a>,
-    driver: usize,
-    /// Where the driver stands in the scene's own pose.
+    /// Where that stands in the scene's own pose which moves.
     now: f64,
     points: &'a [PointId],
-    full: bool,
+    unlimited: bool,
 }
 
-/// Follows the points of a placed scene through the travel of a driver, and marks `marks` poses at equal steps of it.
+/// Follows the points of a placed scene through the travel of a driver, or through time, and marks `marks` poses at equal steps of it.
 ///
-/// `demand` is what the configuration was made for; it holds all positions. Other drivers stand at their places, with their rates.
+/// `demand` is what the configuration was made for; it holds all positions. Where one driver goes on, the others stand at their places, with their
+/// rates.
 pub fn motion(
     scene: &Scene,
     mechanism: &Mechanism,
     demand: &Demand,
     at: &Configuration,
-    driver: usize,
+    swept: Swept,
     points: &[PointId],
     marks: usize,
 ) -> Motion {
     let asked: Vec<Find> = points.iter().flat_map(|p| questions(scene, *p)).collect();
     let scene = scene.clone();
     let wanted = Demand::of_questions(&scene, mechanism, &asked).with_all_positions();
-    let follower = Follower::new(&scene, mechanism, demand, at, driver);
+    let follower = Follower::new(&scene, mechanism, demand, at, swept);
     let sweep = follower.sweep(STEPS);
-    let now = position_now(&scene, at, driver);
-    let tracer = Tracer { scene, mechanism, demand: wanted, follower: &follower, driver, now, points, full: sweep.full };
+    let now = station::now(&scene, at, swept);
+    let tracer = Tracer { scene, mechanism, demand: wanted, follower: &follower, now, points, unlimited: sweep.is_unlimited() };
     let limits = [0, sweep.poses.len() - 1].map(|k| sweep.is_limit(k));
     let mut moments: Vec<Moment> = sweep.poses.iter().map(|p| tracer.moment(p)).collect();
     if sweep.full
@@ -162,7 +163,7 @@ pub fn questions(scene: &Scene, point: PointId) -> [Find; 2] {
 
 impl Tracer<'_> {
     fn moment(&self, pose: &Pose) -> Moment {
-        let scene = scene_at(&self.scene, self.driver, pose.travel);
+        let scene = self.follower.scene_at(&self.scene, pose.travel);
         let at = &pose.configuration;
         let solution = analytic::solve(&scene, self.mechanism, at, &self.demand).ok();
         let vector = |find: &Find| match solution.as_ref()?.answer(&scene, at, &find.what)? {
@@ -170,12 +171,13 @@ impl Tracer<'_> {
             Value::Scalar(_) | Value::Point(_) => None,
         };
         let vectors = self.points.iter().map(|p| questions(&scene, *p).each_ref().map(vector)).collect();
-        Moment { travel: pose.travel, driver: self.now + pose.travel, configuration: at.clone(), vectors }
+        Moment { travel: pose.travel, place: self.now + pose.travel, configuration: at.clone(), vectors }
     }
 
     /// Adds poses where a curve is farther from its chord than can be printed; whether there were any.
     fn refine(&self, moments: &mut Vec<Moment>) -> bool {
-        let most = |of: &dyn Fn(&Moment) -> Option<f64>| bounded(moments.iter().filter_map(of).collect(), 0.0, self.full).unwrap_or(0.0);
+        let most =
+            |of: &dyn Fn(&Moment) -> Option<f64>| bounded(moments.iter().filter_map(of).collect(), 0.0, self.unlimited).unwrap_or(0.0);
         let sizes: Vec<[f64; 3]> = (0..self.points.len())
             .map(|k| {
                 let level = |l: usize| most(&|m: &Moment| m.vectors[k][l].map(Vec2::norm));

@@ -2,7 +2,7 @@
 
 use crate::geom::Vec2;
 use crate::position::{Configuration, Path, newton};
-use crate::scene::{Angle, LinkId, PointId, Scene};
+use crate::scene::{Angle, LinkId, PointId, Scene, Swept};
 use crate::trig;
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -162,6 +162,14 @@ pub fn position_now(scene: &Scene, at: &Configuration, driver: usize) -> f64 {
         Some(Angle::Deg(d)) if d.abs() > 360.0 => Angle::Deg(libm::fmod(d, 360.0)).radians(),
         Some(Angle::Rad(r)) if r.abs() > TAU => libm::atan2(libm::sin(r), libm::cos(r)),
         _ => driver_positions(scene, at)[driver],
+    }
+}
+
+/// Where that stands at the instant which goes on from pose to pose: a driver (rad or m), or the time (s).
+pub fn now(scene: &Scene, at: &Configuration, swept: Swept) -> f64 {
+    match swept {
+        Swept::Driver(d) => position_now(scene, at, d),
+        Swept::Time => scene.instant(),
     }
 }
 

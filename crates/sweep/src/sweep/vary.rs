@@ -97,6 +97,11 @@ impl Variation {
             let d = Diagnostic::error("cam-varied", message);
             return Err(d.help(both!("run `solve` or `cam` with --set for each value", "请对每个值用 --set 运行 `solve` 或 `cam`")).into());
         }
+        Variation::of(scene, names)
+    }
+
+    /// See [`Variation::new`]; cams stay as they stand in the scene.
+    pub(super) fn of(scene: &Scene, names: &[&str]) -> Result<Variation, Faults> {
         let mut faults = Faults::default();
         let known: Vec<&str> = scene.parameters.iter().map(|p| p.0.as_str()).collect();
         let mut varied = Vec::new();

@@ -259,8 +259,8 @@ impl Wish for Task {
         let mut drafts = vec![self.draft(both!("the given linkage", "给定的机构"), &c.given, heading, |p| p.0)];
         let [left, right] = c.four_bars();
         let names = [
-            both!("left cognate A A1 P1 F (its AB turns as the given BC)", "左同源机构 A A1 P1 F（其 AB 与原 BC 转角相同）"),
-            both!("right cognate F P2 D1 D (its AB turns as the given AB)", "右同源机构 F P2 D1 D（其 AB 与原 AB 转角相同）"),
+            both!("left cognate AA1P1F (its AB turns as the given BC)", "左同源机构 AA1P1F（其 AB 与原 BC 转角相同）"),
+            both!("right cognate FP2D1D (its AB turns as the given AB)", "右同源机构 FP2D1D（其 AB 与原 AB 转角相同）"),
         ];
         let links: [TurnsAs; 2] = [|p| p.1, |p| p.0];
         for ((linkage, name), link) in [left, right].into_iter().zip(names).zip(links) {
@@ -282,9 +282,9 @@ impl Wish for Task {
         let numbers = [
             place("F", both!("third pivot", "第三个固定铰链"), c.f),
             place("A1", both!("parallelogram A B E A1", "平行四边形 A B E A1"), c.left[0]),
-            place("P1", both!("triangle A1 E P1, similar to B C E", "三角形 A1 E P1，与 B C E 相似"), c.left[1]),
+            place("P1", both!("triangle A1EP1, similar to BCE", "三角形 A1EP1，与 BCE 相似"), c.left[1]),
             place("D1", both!("parallelogram D C E D1", "平行四边形 D C E D1"), c.right[0]),
-            place("P2", both!("triangle E D1 P2, similar to B C E", "三角形 E D1 P2，与 B C E 相似"), c.right[1]),
+            place("P2", both!("triangle ED1P2, similar to BCE", "三角形 ED1P2，与 BCE 相似"), c.right[1]),
         ];
         Ok(Found { drafts, numbers: numbers.into_iter().flatten().collect(), notes })
     }
@@ -322,14 +322,14 @@ impl Task {
         });
         board.mark("A_1", a1).mark("D_1", d1);
         board.step(both!(
-            "Similar to BCE over A1E the triangle A1 E P1, over ED1 the triangle E D1 P2, over AD the triangle A D F",
-            "作与三角形 BCE 相似的三角形：以 A1E 为底作 A1 E P1，以 ED1 为底作 E D1 P2，以 AD 为底作 A D F"
+            "Similar to BCE over A1E the triangle A1EP1, over ED1 the triangle ED1P2, over AD the triangle ADF",
+            "作与三角形 BCE 相似的三角形：以 A1E 为底作 A1EP1，以 ED1 为底作 ED1P2，以 AD 为底作 ADF"
         ));
         let p1 = similar(board, [a1, e], [b, c, e])?;
         let p2 = similar(board, [d1, e], [c, b, e])?;
         let f = similar(board, [a, d], [b, c, e])?;
         board.mark("P_1", p1).mark("P_2", p2).mark("F", f);
-        board.step(both!("The linkages A A1 P1 F and F P2 D1 D carry E too", "机构 A A1 P1 F 与 F P2 D1 D 的 E 点轨迹相同"));
+        board.step(both!("The linkages AA1P1F and FP2D1D carry E too", "机构 AA1P1F 与 FP2D1D 的 E 点轨迹相同"));
         for [p, q, r, s] in [[a, a1, p1, f], [f, p2, d1, d]] {
             board.line(p, q, Weight::Result).line(q, r, Weight::Result).line(r, s, Weight::Result);
         }

@@ -17,7 +17,7 @@ use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Mechanism;
 use crate::scene;
-use crate::sweep::{Placed, Stations, Width, run, zoom};
+use crate::sweep::{Placed, Stations, Width, of_values, run, zoom};
 use serde_json::{Value as Json, json};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -349,6 +349,7 @@ fn measure(made: &Made, wanted: f64) -> Result<Measured, Faults> {
     let values: Vec<f64> = (0..=STEPS).map(|i| from + (to - from) * i as f64 / STEPS as f64).collect();
     let table = run(&placed, 0, &Stations::of_values(values.clone(), 1.0), Width::One)?;
     let at = &table.columns[0].values;
+    let swept_at = |values| of_values(&placed, 0, values);
     let extreme = |axis: char, highest: bool| -> Option<(f64, f64)> {
         let name = format!("{axis}_E");
         let column = &table.column(&name)?.values;
@@ -356,7 +357,7 @@ fn measure(made: &Made, wanted: f64) -> Result<Measured, Faults> {
         let k = (0..column.len()).max_by(better)?;
         let around = [at[k.saturating_sub(1)], at[(k + 1).min(at.len() - 1)]];
         let beats = |v: f64| if highest { v > column[k] } else { v < column[k] };
-        zoom::extreme(&placed, 0, &name, around, highest).filter(|(_, v)| beats(*v)).or(Some((at[k], column[k])))
+        zoom::extreme(&swept_at, &name, around, highest).filter(|(_, v)| beats(*v)).or(Some((at[k], column[k])))
     };
     let across = if made.along == 'x' { 'y' } else { 'x' };
     let four = [extreme(made.along, false), extreme(made.along, true), extreme(across, false), extreme(across, true)];

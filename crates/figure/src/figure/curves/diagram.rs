@@ -1,11 +1,11 @@
 //! What a line diagram shows: the answers of a sweep as panels of curves, with their extremes.
 
-use crate::figure::sheet::driver_symbol;
+use crate::figure::sheet::swept_symbol;
 use crate::plan::notation::Notation;
 use crate::report::amount::symbol;
 use crate::scene::quantity::{Level, Of};
-use crate::scene::{Asked, Kind, Scene};
-use crate::sweep::{Placed, Table, zoom};
+use crate::scene::{Asked, Kind, Scene, Swept};
+use crate::sweep::{Placed, Table, of_values, zoom};
 use std::f64::consts::TAU;
 
 /// The degree, upright in the label language: its axes have ticks of their own.
@@ -46,13 +46,19 @@ pub struct Diagram {
 }
 
 impl Diagram {
-    /// The answers of a sweep of one driver: displacements, angles, velocities, turning rates, accelerations, their rates, a
-    /// panel each. A vector along one axis all the time (a slider's) is shown with its sign, any other by its magnitude.
+    /// The answers of a sweep of one driver: see [`Diagram::swept`].
     pub fn of(placed: &Placed, driver: usize, table: &Table, notation: &Notation) -> Diagram {
-        let scene = placed.scene;
+        let swept_at = |values| of_values(placed, driver, values);
+        Diagram::swept(placed.scene, Swept::Driver(driver), table, &swept_at, notation)
+    }
+
+    /// The answers of a sweep of one driver, or of the time: displacements, angles, velocities, turning rates, accelerations, their rates, a
+    /// panel each. A vector along one axis all the time (a slider's) is shown with its sign, any other by its magnitude.
+    /// `swept_at` sweeps other values, for the extremes between those of the table.
+    pub fn swept(scene: &Scene, swept: Swept, table: &Table, swept_at: &dyn Fn(Vec<f64>) -> Option<Table>, notation: &Notation) -> Diagram {
         let column = |name: &str| table.column(name).map(|c| c.values.clone());
         let first = table.columns.first();
-        let (named, moves) = driver_symbol(scene, driver);
+        let (named, moves) = swept_symbol(scene, swept);
         let (driver_unit, factor) = scene.book.fine(moves);
         let si: &[f64] = first.map_or(&[], |c| &c.values);
         let places = si.iter().map(|v| v * factor).collect();
@@ -80,12 +86,13 @@ impl Diagram {
                 let Some(k) = (0..shown.len()).max_by(by) else { continue };
                 let around = [si[k.saturating_sub(1)], si[(k + 1).min(si.len() - 1)]];
                 // An angle is sought on the turn on which the line has it, so not across its jump.
-                let found = zoom::extreme(placed, driver, name, around, highest).filter(|(_, v)| !turning || (v - values[k]).abs() < 1.0);
+                let found = zoom::extreme(swept_at, name, around, highest).filter(|(_, v)| !turning || (v - values[k]).abs() < 1.0);
                 let (at, value) = found.unwrap_or((si[k], values[k]));
                 let value = if value.abs() < ZERO * most { 0.0 } else { value };
                 extremes.push((at * factor, shown[k] + (value - values[k]) * times));
             }
-            if extremes.len() == 2 && extremes[0].1 <= extremes[1].1 {
+            // A curve that does not rise or fall has one value.
+            if extremes.len() == 2 && extremes[0].1 - extremes[1].1 <= ZERO * most * times.abs() {
                 extremes.pop();
             }
             let curve = Curve { symbol: named, values: shown, extremes, link: link(scene, &find.what) };

@@ -12,7 +12,7 @@ use crate::geom::{Point, Vec2};
 use crate::paper::extent::Rect;
 use crate::paper::item::{Anchor, Colour, Dash, Figure, Item, Shape};
 use crate::paper::label::Label;
-use crate::paper::phrase::tr;
+use crate::paper::phrase::{formula, tr};
 use crate::paper::place::LabelRequest;
 use crate::paper::style::Style;
 use crate::paper::words::words;
@@ -33,6 +33,8 @@ const BELOW_MM: f64 = 18.0;
 const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDot, Dash::Dotted];
 /// Zero is near a panel's values where it is off them by less than this part of their range.
 const ZERO_NEAR: f64 = 0.5;
+/// Extremes so near to one another are one point of the diagram (mm).
+const SAME_MM: f64 = 0.3;
 /// Digits of the extremes: more than can be read off a diagram, and fewer than a sweep in `f64` has.
 const DIGITS: usize = 4;
 
@@ -86,8 +88,8 @@ fn page(scene: &Scene, diagram: &Diagram, panels: &[Panel], [width_mm, height_mm
         items.extend(plot.finish(Rect::new(frame.min - Vec2::new(0.0, 1.0), frame.max + Vec2::new(RIGHT_MM, BETWEEN_MM / 2.0))));
     }
     let desc = match lang {
-        Lang::En => format!("Diagrams against the position of the driver. {}.", said.join("; ")),
-        Lang::Zh => format!("随原动件位置变化的线图。{}。", said.join("；")),
+        Lang::En => format!("Diagrams against {}. {}.", formula(&diagram.driver[0]), said.join("; ")),
+        Lang::Zh => format!("随 {} 变化的线图。{}。", formula(&diagram.driver[0]), said.join("；")),
     };
     let mut figure = Figure { width_mm, height_mm, title: heading, desc, lang: words(lang).tag.into(), paper: Colour::WHITE, items };
     style.palette.paint(&mut figure);
@@ -98,6 +100,8 @@ fn page(scene: &Scene, diagram: &Diagram, panels: &[Panel], [width_mm, height_mm
 fn curves(plot: &mut Plot, panel: &Panel, diagram: &Diagram, said: &mut Vec<String>) {
     let (style, places) = (plot.style, &diagram.places);
     let usual = places.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
+    // What several curves have in one point is written once.
+    let mut marked: Vec<(Point, String)> = Vec::new();
     for (k, curve) in panel.curves.iter().enumerate() {
         // Beyond the kinds of dashes the lines are thin.
         let line = if k < DASHES.len() { style.vector } else { style.thin };
@@ -119,9 +123,14 @@ fn curves(plot: &mut Plot, panel: &Panel, diagram: &Diagram, said: &mut Vec<Stri
         said.extend(texts.iter().map(|t| Label::math(t.as_str()).plain()));
         for &(x, y) in &curve.extremes {
             let at = plot.at(x, y);
+            let (value, near) = (number(y, DIGITS), |(p, text): &(Point, String)| p.distance(at) < SAME_MM && *text == number(y, DIGITS));
+            if marked.iter().any(near) {
+                continue;
+            }
+            marked.push((at, value.clone()));
             let dot = Shape::Circle { centre: at, radius_mm: style.dot_radius_mm, stroke: None, fill: Some(Colour::BLACK) };
             plot.draw("extreme", dot, curve.link);
-            let label = Label::math(number(y, DIGITS));
+            let label = Label::math(value);
             let request = LabelRequest::at_point(label, style.small_mm, at, style.dot_radius_mm);
             plot.label(request, curve.link);
         }

@@ -4,6 +4,7 @@ use crate::diag::{Faults, Warned};
 use crate::figure::{poses, sheet};
 
 use super::{Entry, Pages, Wanted, page};
+use crate::scene::Swept;
 
 /// The whole sheet.
 pub const ENTRY: Entry = Entry { name: "sheet", about: ["The whole sheet", "整张图"], draw };
@@ -12,7 +13,7 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     if w.extras.poses == 0 {
         return page("", Some(sheet::sheet(w.scene, w.worked, w.options)?));
     }
-    let wanted = poses::Wanted { count: w.extras.poses, driver: 0, points: w.extras.points.clone() };
+    let wanted = poses::Wanted { count: w.extras.poses, swept: Swept::usual(w.scene), points: w.extras.points.clone() };
     let Warned { value, notes } = poses::sheets(w.scene, w.worked, w.options, &wanted)?;
     let one = value.len() == 1;
     let word = |page: usize| if one { "poses".to_owned() } else { format!("poses-{}", page + 1) };

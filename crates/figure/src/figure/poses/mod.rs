@@ -14,10 +14,10 @@ use crate::construct::scale::Boxes;
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::geom::Point;
 use crate::mechanism::Level;
-use crate::scene::{PointId, Scene};
-use crate::sweep::follow::{Follower, Pose, scene_at};
+use crate::scene::{PointId, Scene, Swept};
+use crate::sweep::follow::{Follower, Pose};
 use crate::sweep::points::{Motion, at_equal_steps, motion};
-use crate::sweep::station::position_now;
+use crate::sweep::station;
 use crate::worked::{Worked, work_placed};
 
 use super::series::Scales;
@@ -34,11 +34,11 @@ const BOXES: Boxes = Boxes { diagram: [48.0, 44.0], polygon: [44.0, 44.0] };
 /// What is on the sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wanted {
-    /// So many poses at equal steps of the driver: from the scene's own through a full turn, or from one end of its travel to the
-    /// other.
+    /// So many poses at equal steps of what moves: of a driver from the scene's own through a full turn, or from one end of its travel to
+    /// the other.
     pub count: usize,
-    /// Which driver moves, from 0 on; the others stand at their places, with their rates.
-    pub driver: usize,
+    /// What moves.
+    pub swept: Swept,
     /// Points whose paths and hodographs lie behind the drawings.
     pub points: Vec<PointId>,
 }
@@ -50,11 +50,11 @@ pub struct Wanted {
 ///
 /// ```
 /// use hodograph::figure::{poses, sheet::Options};
-/// use hodograph::scene::{self, Lang, templates};
+/// use hodograph::scene::{self, Lang, Swept, templates};
 /// use hodograph::worked::{Scope, work};
 /// let scene = scene::read(templates::get("slider-crank").unwrap())?.value;
 /// let worked = work(&scene, Scope::Figure)?.value;
-/// let wanted = poses::Wanted { count: 4, driver: 0, points: Vec::new() };
+/// let wanted = poses::Wanted { count: 4, swept: Swept::Driver(0), points: Vec::new() };
 /// let pages = poses::sheets(&scene, &worked, &Options::of_language(Lang::En), &wanted)?.value;
 /// assert_eq!(pages.len(), 2); // a page of A4 holds two or three rows
 /// # Ok::<(), hodograph::diag::Faults>(())
@@ -63,7 +63,7 @@ pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
     let poses = Poses::of(scene, worked, wanted, BOXES)?;
     let style = Style { label_mm: options.style.small_mm, ..options.style.clone() };
     let options = Options { style, ..options.clone() };
-    let pages = poses.table(&options, wanted.driver, false).pages(scene.paper.size_mm)?;
+    let pages = poses.table(&options, wanted.swept, false).pages(scene.paper.size_mm)?;
     Ok(Warned { value: pages, notes: poses.notes(scene, wanted) })
 }
 
@@ -77,7 +77,7 @@ struct Poses {
 
 impl Poses {
     fn of(scene: &Scene, worked: &Worked, wanted: &Wanted, boxes: Boxes) -> Result<Poses, Faults> {
-        let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.driver);
+        let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept);
         let sweep = follower.sweep(STEPS);
         let poses = at_equal_steps(&follower, &sweep, wanted.count);
         let work = |scene: &Scene, pose: &Pose| {
@@ -85,21 +85,19 @@ impl Poses {
             work_placed(scene, m, demand, pose.configuration.clone()).ok().map(|w| w.value)
         };
         // Their own scales first, to see how large everything is.
-        let trials: Vec<(&Pose, Worked)> =
-            poses.iter().filter_map(|p| Some((p, work(&scene_at(scene, wanted.driver, p.travel), p)?))).collect();
+        let trials: Vec<(&Pose, Worked)> = poses.iter().filter_map(|p| Some((p, work(&follower.scene_at(scene, p.travel), p)?))).collect();
         let sized: Vec<(f64, &Worked)> = trials.iter().map(|(p, w)| (p.travel, w)).collect();
-        let scales = Scales::of(&scene.paper, &sized, sweep.full, boxes);
-        let now = position_now(scene, &worked.configuration, wanted.driver);
+        let scales = Scales::of(&scene.paper, &sized, sweep.is_unlimited(), boxes);
+        let now = station::now(scene, &worked.configuration, wanted.swept);
         let rows: Vec<Row> = trials
             .iter()
             .filter_map(|(pose, trial)| {
                 let end = sweep.limits.iter().flatten().any(|limit| *limit == pose.travel);
-                let mut scene = scene_at(scene, wanted.driver, pose.travel);
+                let mut scene = follower.scene_at(scene, pose.travel);
                 scales.fix(&mut scene.paper);
                 let worked = work(&scene, pose)?;
                 let shown = Level::RATES.map(|level| scales.holds(trial, level));
-                let driver = now + pose.travel;
-                Some(Row { scene, worked, shown, end, driver })
+                Some(Row { scene, worked, shown, end, place: now + pose.travel })
             })
             .collect();
         // A table has at least one row.
@@ -108,13 +106,13 @@ impl Poses {
             return Err(d.help(both!("give another pose, or ask for the sheet of this one", "请改变位置，或只画该位置的图")).into());
         }
         let moved = (!wanted.points.is_empty())
-            .then(|| motion(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.driver, &wanted.points, 0));
+            .then(|| motion(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept, &wanted.points, 0));
         Ok(Poses { rows, full: sweep.full, moved, scales })
     }
 
-    fn table<'a>(&'a self, options: &'a Options, driver: usize, still: bool) -> Table<'a> {
+    fn table<'a>(&'a self, options: &'a Options, swept: Swept, still: bool) -> Table<'a> {
         let Poses { rows, full, moved, scales } = self;
-        Table { options, rows, full: *full, driver, moved: moved.as_ref(), scales: *scales, still }
+        Table { options, rows, full: *full, swept, moved: moved.as_ref(), scales: *scales, still }
     }
 
     /// What is to be known of the poses that were asked for.
@@ -127,7 +125,7 @@ impl Poses {
                 both!("{} of {} poses can be drawn", "{1} 个位置中可画出 {0} 个", rows.len(), wanted.count),
             ));
         }
-        if scene.own_drivers() > 1 {
+        if scene.own_drivers() > 1 && wanted.swept != Swept::Time {
             let text = both!(
                 "the scene has several drivers: one of them moves from pose to pose, the others hold their positions, with their rates",
                 "有几个原动件：其中一个逐个位置运动，其余保持位置和速度"
@@ -145,8 +143,8 @@ struct Row {
     shown: [bool; 2],
     /// Whether the driver can go no farther: then nothing but the driver has a vector, and that is no polygon.
     end: bool,
-    /// Where the driver stands (rad or m).
-    driver: f64,
+    /// Where that stands which moves (rad, m or s).
+    place: f64,
 }
 
 impl Row {
@@ -160,7 +158,7 @@ struct Table<'a> {
     options: &'a Options,
     rows: &'a [Row],
     full: bool,
-    driver: usize,
+    swept: Swept,
     moved: Option<&'a Motion>,
     scales: Scales,
     /// Whether names stay where they were in the pose before, as the poses follow one another in time.

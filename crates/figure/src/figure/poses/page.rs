@@ -6,7 +6,7 @@ use crate::diag::{Diagnostic, Faults, both};
 use crate::digits::{inked, shortest};
 use crate::figure::path::turned;
 use crate::figure::plot::over;
-use crate::figure::sheet::{MARGIN_MM, Maker, driver_symbol};
+use crate::figure::sheet::{MARGIN_MM, Maker, swept_symbol};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::paper::item::{Anchor, Figure, Item, Shape, Stroke};
@@ -31,9 +31,9 @@ impl Table<'_> {
     /// Where the driver stands in a pose, with its unit.
     pub(super) fn position(&self, row: usize) -> String {
         let scene = &self.rows[0].scene;
-        let (_, kind) = driver_symbol(scene, self.driver);
+        let (_, kind) = swept_symbol(scene, self.swept);
         let ((unit, factor), parts) = (scene.book.fine(kind), scene.book.parts(kind, 100.0));
-        let value = self.rows[row].driver;
+        let value = self.rows[row].place;
         let shown = if kind == Kind::Angle { turned(value, factor, self.full) } else { value * factor };
         let shown = inked(&shortest((shown * parts).round() / parts));
         if unit == "\\degree" { format!("{shown}{unit}") } else { format!("{shown}\\,{unit}") }
@@ -163,7 +163,7 @@ impl Page<'_> {
             let positions = tr(lang, "positions", "位置");
             figure.title = format!("{} · {positions} {first}–{last}", figure.title);
         }
-        let driver = driver_symbol(&table.rows[0].scene, table.driver).0;
+        let driver = swept_symbol(&table.rows[0].scene, table.swept).0;
         let words = tr(
             lang,
             "The mechanism with its velocity and acceleration polygons in {} positions at equal steps of {1}, all to the same scales.",
@@ -199,7 +199,7 @@ impl Page<'_> {
             line(Point::new(x, y), Point::new(right, y), if heavy { style.outline } else { style.thin });
         }
         let scene = &table.rows[0].scene;
-        let (driver, kind) = driver_symbol(scene, table.driver);
+        let (driver, kind) = swept_symbol(scene, table.swept);
         let unit = scene.book.fine(kind).0;
         let first = Label::text(tr(lang, "Position", "位置"));
         let mut heads = vec![(first, over(&driver, &unit))];

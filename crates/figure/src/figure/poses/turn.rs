@@ -7,13 +7,13 @@ use super::cells::{Column, Shows};
 use super::{Poses, Table, Wanted, text};
 use crate::construct::scale::Boxes;
 use crate::diag::{Faults, Warned};
-use crate::figure::sheet::{MARGIN_MM, Maker, Options, driver_symbol};
+use crate::figure::sheet::{MARGIN_MM, Maker, Options, swept_symbol};
 use crate::geom::Point;
 use crate::mechanism::Level;
 use crate::paper::item::{Anchor, Figure, Item};
 use crate::paper::label::Label;
 use crate::report::amount::of_level;
-use crate::scene::Scene;
+use crate::scene::{Scene, Swept};
 use crate::worked::Worked;
 
 /// Between drawings.
@@ -31,7 +31,7 @@ const SCALE_MM: f64 = 5.6;
 pub struct Turn {
     /// One for each pose, all of one size.
     pub frames: Vec<Figure>,
-    /// Whether the last is followed by the first; else the motion goes back the way that it came.
+    /// Whether the last is followed by the first: after a full turn, and where time goes on; else the motion goes back the way that it came.
     pub full: bool,
 }
 
@@ -50,14 +50,14 @@ impl Turn {
 /// `no-motion` where the mechanism cannot be followed from its pose.
 pub fn turn(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted, step_mm: f64) -> Result<Warned<Turn>, Faults> {
     let poses = Poses::of(scene, worked, wanted, BOXES)?;
-    let table = poses.table(options, wanted.driver, true);
+    let table = poses.table(options, wanted.swept, true);
     let columns = table.columns();
     let width: f64 = columns.iter().map(|c| c.bounds.width_mm()).sum::<f64>() + GAP_MM * columns.len().saturating_sub(1) as f64;
     let height = columns.iter().map(|c| c.bounds.height_mm()).fold(0.0, f64::max);
     let even = |mm: f64| (mm / (2.0 * step_mm)).ceil() * 2.0 * step_mm;
     let size = [even(width + 2.0 * MARGIN_MM), even(height + TITLE_MM + CAPTION_MM + SCALE_MM + 2.0 * MARGIN_MM)];
     let frames = (0..poses.rows.len()).map(|k| frame(&table, &columns, k, size)).collect();
-    Ok(Warned { value: Turn { frames, full: poses.full }, notes: poses.notes(scene, wanted) })
+    Ok(Warned { value: Turn { frames, full: poses.full || wanted.swept == Swept::Time }, notes: poses.notes(scene, wanted) })
 }
 
 fn frame(table: &Table, columns: &[Column], k: usize, size: [f64; 2]) -> Figure {
@@ -74,7 +74,7 @@ fn frame(table: &Table, columns: &[Column], k: usize, size: [f64; 2]) -> Figure 
     let mut put = |id: &str, at: Point, label: Label, size_mm: f64, anchor: Anchor| {
         items.push(text("caption", at, label, size_mm, anchor).with_id(id).in_fonts(&style.fonts));
     };
-    let (symbol, value) = (driver_symbol(&row.scene, table.driver).0, table.position(k));
+    let (symbol, value) = (swept_symbol(&row.scene, table.swept).0, table.position(k));
     let corner = Point::new(size[0] - MARGIN_MM, size[1] - MARGIN_MM - style.caption_mm);
     put("position", corner, Label::math(format!("{symbol} = {value}")), style.caption_mm, Anchor::End);
     let used: f64 = columns.iter().map(|c| c.bounds.width_mm()).sum::<f64>() + GAP_MM * columns.len().saturating_sub(1) as f64;

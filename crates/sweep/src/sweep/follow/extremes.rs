@@ -4,7 +4,7 @@
 //! What [`crate::sweep::extreme`] asks of a program is asked here of the follower: the range of the driver, and position, rate and
 //! acceleration of every output at samples of it and between them.
 
-use super::poses::{Follower, Sweep, scene_at};
+use super::poses::{Follower, Sweep};
 use super::whole::{Whole, event};
 use crate::analytic;
 use crate::answer::Source;
@@ -96,7 +96,7 @@ impl<'a> Walk<'a> {
     fn moving(&self, at: &Configuration, travel: f64, output: Output) -> Option<[f64; 3]> {
         let mechanism = self.placed.mechanism;
         let there = if self.placed.scene.has_laws(self.driver) {
-            Cow::Owned(scene_at(self.placed.scene, self.driver, travel))
+            Cow::Owned(self.follower.scene_at(self.placed.scene, travel))
         } else {
             Cow::Borrowed(self.placed.scene)
         };

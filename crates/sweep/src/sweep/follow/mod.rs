@@ -4,9 +4,11 @@
 //! - `triad`: a class III group inside a program, by predictor and corrector; `compiled`: all of them through a table's positions.
 //! - `step`: where the motion leads, and what counts as a jump.
 //! - `whole`: a mechanism that has no program, by Newton's method; `extremes`: the range, extremes and periods of its motion.
+//! - [`clock`]: all drivers through time, by their laws.
 //! - `chains`: the same states whatever part of a table is asked for.
 
 pub(super) mod chains;
+pub mod clock;
 pub(super) mod compiled;
 pub(super) mod extremes;
 pub mod poses;
@@ -14,5 +16,5 @@ mod step;
 pub mod triad;
 pub(super) mod whole;
 
-pub use poses::{Follower, Sweep, between, scene_at};
+pub use poses::{Follower, Sweep, between};
 pub use step::Pose;

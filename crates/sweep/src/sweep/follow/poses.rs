@@ -1,21 +1,22 @@
-//! All poses of a mechanism through the travel of one driver: followed from the scene's pose without a jump to another
+//! All poses of a mechanism through the travel of one driver, or through time: followed from the scene's pose without a jump to another
 //! assembly, to the full turn or to the limits at both ends.
 //!
 //! Decided here: where the poses are and what is a limit. Not decided here: what is drawn in them.
 
+use super::clock::Course;
 use super::step::{Pose, STRAY, foretold, stray};
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::{self, Configuration, newton};
-use crate::scene::{Given, LinkId, Scene};
+use crate::scene::{Given, LinkId, Scene, Swept};
 use crate::scene::{driver_position, with_driver_at};
 
 use crate::sweep::extreme::turns_seen;
 use crate::sweep::train::Train;
 
-/// The poses of a driver's travel.
+/// The poses of a driver's travel, or of a time.
 #[derive(Clone, Debug)]
 pub struct Sweep {
     /// In the order of growing travel; the scene's own pose has the travel 0.
@@ -33,6 +34,11 @@ impl Sweep {
     /// The travel after which a full motion comes again (rad).
     pub fn period(&self) -> f64 {
         TAU * self.turns as f64
+    }
+
+    /// Whether nothing stops the motion: then no vector grows beyond all bounds.
+    pub fn is_unlimited(&self) -> bool {
+        self.limits == [None, None]
     }
 
     /// Whether the driver can go no farther than a pose.
@@ -63,13 +69,14 @@ const PARTS: usize = 20;
 /// Fewest steps between two limits.
 const STEPS_LEAST: usize = 48;
 
-/// Follows a mechanism along one driver's travel, the other drivers held.
+/// Follows a mechanism along one driver's travel, the other drivers held, or through time.
 pub struct Follower<'a> {
+    /// With rates at which the drivers have gone, after a time of one, as far as one driver moves or all do.
     scene: Scene,
     mechanism: &'a Mechanism,
     demand: &'a Demand,
     base: &'a Configuration,
-    driver: usize,
+    course: Course,
     back: bool,
 }
 
@@ -79,48 +86,102 @@ impl<'a> Follower<'a> {
         self.back
     }
 
-    /// Of the scene in its own pose.
-    pub fn new(scene: &Scene, mechanism: &'a Mechanism, demand: &'a Demand, base: &'a Configuration, driver: usize) -> Follower<'a> {
-        let (mut scene, back) = (scene.clone(), scene.drivers[driver].rate.value < 0.0);
+    /// Of the scene in its own pose; `swept` is what goes on.
+    pub fn new(
+        scene: &Scene,
+        mechanism: &'a Mechanism,
+        demand: &'a Demand,
+        base: &'a Configuration,
+        swept: impl Into<Swept>,
+    ) -> Follower<'a> {
+        let swept = swept.into();
+        let course = Course::of(scene, swept);
+        let back = matches!(swept, Swept::Driver(d) if scene.drivers[d].rate.value < 0.0);
+        let mut scene = scene.clone();
         // Only the driver moves, by a unit in a unit of time: then time is its travel.
-        for (d, of) in scene.drivers.iter_mut().enumerate() {
-            let rate = if d == driver { 1.0 } else { 0.0 };
-            of.rate = Given { value: rate, radius: 0.0, text: format!("{rate}"), span: of.rate.span };
-            of.acceleration = None;
+        for d in 0..scene.drivers.len() {
+            set_rate(&mut scene, d, if swept == Swept::Driver(d) { 1.0 } else { 0.0 });
         }
-        Follower { scene, mechanism, demand, base, driver, back }
+        Follower { scene, mechanism, demand, base, course, back }
     }
 
-    /// All poses, in at least `count` steps.
+    /// A scene of the same drivers at a travel, as far as it says where they are: with one that moves, all rates are as they were; through time
+    /// they are those of the time.
+    pub fn scene_at(&self, scene: &Scene, travel: f64) -> Scene {
+        match &self.course {
+            Course::Driver(d) => match driver_position(scene, *d) {
+                Some(start) => with_driver_at(scene, *d, start + travel),
+                None => scene.clone(),
+            },
+            Course::Time(clock) => clock.scene_at(scene, travel),
+        }
+    }
+
+    /// Whether it is a driver that turns.
+    fn turns(&self) -> bool {
+        matches!(self.course, Course::Driver(d) if self.scene.drivers[d].kind.turns())
+    }
+
+    /// How far the motion is shown before and after the scene's pose (rad, m or s): a turn of a driver, or the turns after which all stand as they
+    /// did; twice the mechanism's size; the time of [`Clock::reach`](super::clock::Clock::reach).
+    pub fn reach(&self) -> [f64; 2] {
+        let extent = self.base.extent();
+        match &self.course {
+            Course::Driver(_) if self.turns() => [TAU * turns_seen(self.returns()) as f64; 2],
+            Course::Driver(_) => [2.0 * extent; 2],
+            Course::Time(clock) => clock.reach(extent),
+        }
+    }
+
+    /// In how many steps at least a way through time has to be gone, so that no driver turns by much in one.
+    pub fn steps(&self, reach: [f64; 2]) -> usize {
+        match &self.course {
+            Course::Driver(_) => 1,
+            Course::Time(clock) => clock.steps(reach),
+        }
+    }
+
+    /// All poses, in at least `count` steps of a turn or of the whole way.
     pub fn sweep(&self, count: usize) -> Sweep {
-        let turns = self.scene.drivers[self.driver].kind.turns();
+        self.through(self.reach(), count)
+    }
+
+    /// The same, so far before and after the scene's pose.
+    pub fn through(&self, [before, after]: [f64; 2], count: usize) -> Sweep {
+        let turns = self.turns();
         let returns = if turns { self.returns() } else { 1 };
         let seen = turns_seen(returns);
-        let one = if turns { TAU } else { 2.0 * self.base.extent() };
-        let (step, reach) = (one / count as f64, one * seen as f64);
-        let (mut up, high) = self.walk(step, reach, None);
+        let step = match &self.course {
+            Course::Driver(_) => after / (seen as f64 * count as f64),
+            Course::Time(_) => (before + after) / count.max(self.steps([before, after])) as f64,
+        };
+        let start = Pose { travel: 0.0, configuration: self.base.clone() };
+        if step == 0.0 {
+            return Sweep { poses: vec![start], full: false, limits: [None, None], turns: 1 };
+        }
+        let (mut up, high) = self.walk(step, after, None);
         let back = |p: &Pose| self.stray(&p.configuration, self.base) < 1e-6 && self.rolled_back(&p.configuration);
         if turns && high.is_none() && up.last().is_some_and(back) {
             up.pop();
-            up.insert(0, Pose { travel: 0.0, configuration: self.base.clone() });
+            up.insert(0, start);
             return Sweep { poses: up, full: true, limits: [None, None], turns: seen };
         }
         if high.is_none() && returns != seen {
             // One turn of many.
-            up.insert(0, Pose { travel: 0.0, configuration: self.base.clone() });
+            up.insert(0, start);
             return Sweep { poses: up, full: false, limits: [None, None], turns: seen };
         }
-        let (mut down, low) = self.walk(-step, reach, None);
+        let (mut down, low) = self.walk(-step, before, None);
         let range = up.last().map_or(0.0, |p| p.travel) - down.last().map_or(0.0, |p| p.travel);
         if (low.is_some() || high.is_some()) && range > 0.0 && range < step * STEPS_LEAST as f64 {
             let fine = range / STEPS_LEAST as f64;
             // The ends have been found: to halve for them anew would be most of the work.
             let ends = [up.pop().filter(|_| high.is_some()), down.pop().filter(|_| low.is_some())];
             let [top, bottom] = ends;
-            (up, down) = rayon::join(|| self.walk(fine, reach, top).0, || self.walk(-fine, reach, bottom).0);
+            (up, down) = rayon::join(|| self.walk(fine, after, top).0, || self.walk(-fine, before, bottom).0);
         }
         let mut poses: Vec<Pose> = down.into_iter().rev().collect();
-        poses.push(Pose { travel: 0.0, configuration: self.base.clone() });
+        poses.push(start);
         poses.extend(up);
         Sweep { poses, full: false, limits: [low, high], turns: seen }
     }
@@ -140,13 +201,13 @@ impl<'a> Follower<'a> {
     /// Poses from the scene's one on, in steps, as far as `reach`; where the motion ends before, the last is its end, which may be
     /// known.
     fn walk(&self, step: f64, reach: f64, known: Option<Pose>) -> (Vec<Pose>, Option<f64>) {
-        let count = (reach / step.abs()).round() as usize;
+        let count = ((reach / step.abs()) * (1.0 - 1e-9)).ceil() as usize;
         let start = Pose { travel: 0.0, configuration: self.base.clone() };
         let (mut before, mut now) = (None, start);
         let mut poses = Vec::new();
         let mut left = PARTS * count;
         for k in 1..=count {
-            let target = step * k as f64;
+            let target = if k == count { reach.copysign(step) } else { step * k as f64 };
             if let Some(end) = known.as_ref().filter(|end| end.travel.abs() <= target.abs()) {
                 poses.push(end.clone());
                 return (poses, Some(end.travel));
@@ -217,8 +278,9 @@ impl<'a> Follower<'a> {
         if self.mechanism.groups.iter().any(|g| g.class().is_some_and(|class| class != "II")) {
             return self.by_newton(guess, travel);
         }
-        let scene = self.with_followers(travel);
-        let later = |meant: &Configuration| position::later(&scene, self.mechanism, self.demand, meant, self.base, travel);
+        let gone = self.gone(travel)?;
+        let (scene, time) = self.later(&gone, travel);
+        let later = |meant: &Configuration| position::later(&scene, self.mechanism, self.demand, meant, self.base, time);
         let mut best = match later(guess) {
             Ok(found) => found,
             Err(faults) if faults.list.iter().any(|d| d.code == "pose-given") => return self.by_newton(guess, travel),
@@ -237,29 +299,51 @@ impl<'a> Follower<'a> {
         Some(best)
     }
 
-    /// The scene with the followers of its cams where the driver's travel holds them; they stand there.
-    fn with_followers(&self, travel: f64) -> Cow<'_, Scene> {
-        if !self.scene.has_laws(self.driver) {
-            return Cow::Borrowed(&self.scene);
+    /// How far each driver has gone at a travel; `None` where a law of time has no value.
+    fn gone(&self, travel: f64) -> Option<Vec<f64>> {
+        match &self.course {
+            Course::Driver(d) => Some((0..self.scene.drivers.len()).map(|k| if k == *d { travel } else { 0.0 }).collect()),
+            Course::Time(clock) => Some(clock.gone(travel)?.iter().map(|g| g.by).collect()),
         }
-        let mut scene = self.scene.clone();
-        if let Some(start) = driver_position(&scene, self.driver) {
-            let rate = std::mem::replace(&mut scene.drivers[self.driver].rate.value, 0.0);
-            scene.set_followers(self.driver, Some(start + travel));
-            scene.drivers[self.driver].rate.value = rate;
+    }
+
+    /// The scene whose drivers go on at constant rates, and the time after which they have gone so far; the followers of its cams are where they
+    /// are then, and stand.
+    fn later(&self, gone: &[f64], travel: f64) -> (Cow<'_, Scene>, f64) {
+        let mut scene = self.with_followers(gone);
+        if let Course::Driver(_) = self.course {
+            return (scene, travel);
         }
-        Cow::Owned(scene)
+        let owned = scene.to_mut();
+        for (d, by) in gone.iter().enumerate().filter(|(d, _)| !self.scene.is_led(*d)) {
+            set_rate(owned, d, *by);
+        }
+        (scene, 1.0)
+    }
+
+    /// The scene with the followers of its cams where the drivers' travels hold them; they stand there.
+    fn with_followers(&self, gone: &[f64]) -> Cow<'_, Scene> {
+        let mut scene = Cow::Borrowed(&self.scene);
+        for (d, by) in gone.iter().enumerate().filter(|(d, _)| self.scene.has_laws(*d)) {
+            if let Some(start) = driver_position(&self.scene, d) {
+                let scene = scene.to_mut();
+                let rate = std::mem::replace(&mut scene.drivers[d].rate.value, 0.0);
+                scene.set_followers(d, Some(start + by));
+                scene.drivers[d].rate.value = rate;
+            }
+        }
+        scene
     }
 
     fn by_newton(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
         let mut values = newton::driver_values(&self.scene, self.base);
-        values.0[self.driver] += travel;
-        let scene = self.with_followers(travel);
-        for t in scene.cams.iter().filter_map(|c| c.disc.as_ref()).filter(|t| t.driver == self.driver) {
-            if let Some(k) = t.by_law {
-                let gone = |s: &Scene| driver_position(s, k);
-                values.0[k] += gone(&scene).zip(gone(&self.scene)).map_or(0.0, |(there, here)| there - here);
-            }
+        let gone = self.gone(travel)?;
+        let own = gone.iter().enumerate().filter(|(d, _)| !self.scene.is_led(*d));
+        own.for_each(|(d, by)| values.0[d] += by);
+        let scene = self.with_followers(&gone);
+        for k in scene.cams.iter().filter_map(|c| c.disc.as_ref()?.by_law) {
+            let place = |s: &Scene| driver_position(s, k);
+            values.0[k] += place(&scene).zip(place(&self.scene)).map_or(0.0, |(there, here)| there - here);
         }
         newton::moved(&self.scene, self.mechanism, guess, &values)
     }
@@ -275,10 +359,9 @@ pub fn between(one: &Pose, other: &Pose, travel: f64) -> Configuration {
     foretold(Some(one), other, travel)
 }
 
-/// The scene with its driver elsewhere, as far as the scene says where it is.
-pub fn scene_at(scene: &Scene, driver: usize, travel: f64) -> Scene {
-    match driver_position(scene, driver) {
-        Some(start) => with_driver_at(scene, driver, start + travel),
-        None => scene.clone(),
-    }
+/// Gives a driver a constant rate (SI).
+fn set_rate(scene: &mut Scene, driver: usize, rate: f64) {
+    let of = &mut scene.drivers[driver];
+    of.rate = Given { value: rate, radius: 0.0, text: format!("{rate:?}"), span: of.rate.span };
+    of.acceleration = None;
 }

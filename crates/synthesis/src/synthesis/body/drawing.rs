@@ -235,7 +235,7 @@ fn bisector(p: Point, q: Point) -> Option<Line> {
 
 /// The four-bar that comes out: pin and pivot of both sides.
 fn finished(board: &mut Board, [[b, a], [c, d]]: [[Point; 2]; 2]) -> Option<()> {
-    board.step(both!("The linkage A B1 C1 D in position 1", "位置 1 的机构 A B1 C1 D"));
+    board.step(both!("The linkage AB1C1D in position 1", "位置 1 的机构 AB1C1D"));
     board.line(a, b, Weight::Result).line(b, c, Weight::Result).line(c, d, Weight::Result);
     board.read("BC", b, c).read("AD", a, d);
     Some(())

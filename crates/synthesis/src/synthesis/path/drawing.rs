@@ -91,7 +91,7 @@ fn follower(board: &mut Board, [a, d]: [Point; 2], e: &[Point], b: &[Point]) -> 
     for further in places.iter().skip(3) {
         board.read("CD", c, *further);
     }
-    board.step(both!("The linkage A B1 C1 D with E1", "位置 1 的机构 A B1 C1 D 及 E1"));
+    board.step(both!("The linkage AB1C1D with E1", "位置 1 的机构 AB1C1D 及 E1"));
     board.line(a, b[0], Weight::Result).line(b[0], c, Weight::Result).line(c, d, Weight::Result);
     board.line(b[0], e[0], Weight::Result).line(e[0], c, Weight::Result).read("BC", b[0], c).read("CE", c, e[0]).read("AB", a, b[0]);
     Some(())

@@ -1,0 +1,58 @@
+//! Further arguments: what moves, and those of the commands that draw a motion.
+
+use super::{ClapArgs, Common, Look, dpi, seconds};
+
+/// What goes on from pose to pose.
+#[derive(ClapArgs, Debug)]
+pub struct Moves {
+    /// What moves: a driver by its name (`phi_1`, `s_B`, `l_BC`, `driver2`), the others standing; or `t`, the time: all drivers, each by its
+    /// law or at its rate (default: the time where the scene has laws of it, else the first driver)
+    #[arg(long, value_name = "NAME")]
+    pub over: Option<String>,
+}
+
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "The numbers of the curves as a table: hodograph sweep SCENE --find x_E,y_E,v_E,a_E -o curves.csv")]
+pub struct Path {
+    #[command(flatten)]
+    pub common: Common,
+    /// The points whose paths are drawn, such as E or E,F
+    #[arg(long, value_name = "POINTS", value_delimiter = ',', required = true)]
+    pub point: Vec<String>,
+    /// The mechanism in so many positions at equal steps of the driver, one over another
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=72))]
+    pub poses: u16,
+    /// So many positions at equal steps of the driver, numbered alike on paths and hodographs (default: those of --poses, else 12)
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=72))]
+    pub marks: Option<u16>,
+    #[command(flatten)]
+    pub moves: Moves,
+    #[command(flatten)]
+    pub look: Look,
+    /// The file, ending in .svg, .png or .pdf (default: named after the scene)
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<String>,
+}
+
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "A film from the frames: ffmpeg -framerate 12 -i turn-%03d.png -pix_fmt yuv420p turn.mp4")]
+pub struct Animate {
+    #[command(flatten)]
+    pub common: Common,
+    /// Positions at equal steps of the driver, through a full turn, or from one end of its travel to the other and back
+    #[arg(long, value_name = "N", default_value_t = 72, value_parser = clap::value_parser!(u16).range(2..=360))]
+    pub frames: u16,
+    /// How long one period lasts, in seconds
+    #[arg(long, value_name = "S", default_value_t = 6.0, value_parser = seconds)]
+    pub seconds: f64,
+    #[command(flatten)]
+    pub moves: Moves,
+    #[command(flatten)]
+    pub look: Look,
+    /// Resolution of GIF and PNG in dots per inch; both sides have an even number of pixels
+    #[arg(long, default_value_t = 96.0, value_parser = dpi)]
+    pub dpi: f64,
+    /// The file, ending in .gif, .svg (it moves by itself in browsers) or .png (one for each frame: turn-001.png, …)
+    #[arg(short, long, value_name = "FILE")]
+    pub output: String,
+}
