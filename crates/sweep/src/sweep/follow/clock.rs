@@ -38,8 +38,7 @@ pub struct Gone {
 impl Clock {
     /// The clock of a scene.
     pub fn of(scene: &Scene) -> Clock {
-        let timed = scene.drivers.iter().any(|d| d.law.is_some());
-        let laws = timed.then(|| {
+        let laws = scene.has_laws_of_time().then(|| {
             let variation = Variation::of(scene, &[TIME]).ok()?;
             let second = variation.value(scene, TIME, "1 s").ok()?;
             Some((variation, second))
