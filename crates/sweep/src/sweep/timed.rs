@@ -182,6 +182,40 @@ mod tests {
         }
     }
 
+    /// One driver at a constant rate: through time the rows are those of a sweep of the driver, of every kind of mechanism.
+    #[test]
+    fn through_time_one_driver_does_what_its_sweep_tells() {
+        let mut compared = 0;
+        for t in templates::list() {
+            let mut scene = read(templates::get(t.name).unwrap()).unwrap().value.over_a_turn();
+            if scene.own_drivers() != 1 || scene.has_laws_of_time() || scene.drivers[0].rate.value == 0.0 {
+                continue;
+            }
+            scene.drivers[0].acceleration = None;
+            let mechanism = Mechanism::new(&scene).unwrap().value;
+            let placed = Placed::new(&scene, &mechanism).unwrap();
+            let (timed, [_, whole]) = Timed::new(&placed, [None, None]).unwrap_or_else(|f| panic!("{}: {f}", t.name));
+            let times: Vec<f64> = (0..=7).map(|k| 0.97 * whole * f64::from(k) / 7.0).collect();
+            let now = crate::sweep::station::position_now(&scene, &placed.at, 0);
+            let values = times.iter().map(|time| now + scene.drivers[0].rate.value * time).collect();
+            let (told, meant) = (timed.table(times), crate::sweep::of_values(&placed, 0, values).unwrap());
+            // Beyond a limit a crank can stand, but time does not lead there.
+            assert!(told.rows() == meant.rows() || 0 < told.rows() && !told.notes.is_empty(), "{}: {:?} {:?}", t.name, told.notes, meant.notes);
+            let place = |k: usize| now + scene.drivers[0].rate.value * told.columns[0].values[k];
+            assert!((0..told.rows()).all(|k| (meant.columns[0].values[k] - place(k)).abs() < 1e-9), "{}", t.name);
+            for (a, b) in told.columns[1..].iter().zip(&meant.columns[1..]) {
+                let alike = meant.columns[1..].iter().filter(|c| c.unit == b.unit).flat_map(|c| &c.values);
+                // Where all of a kind vanish, what is left is rounding of the driver's own.
+                let most = alike.fold(0.1 * scene.drivers[0].rate.value.powi(2), |m: f64, v| m.max(v.abs()));
+                for (k, (a, v)) in a.values.iter().zip(&b.values).enumerate() {
+                    assert!((a - v).abs() <= 1e-7 * most, "{}, {} in row {k}: {a} against {v}", t.name, b.name);
+                    compared += 1;
+                }
+            }
+        }
+        assert!(compared > 1000, "{compared}");
+    }
+
     #[test]
     fn a_time_of_too_many_turns_is_refused() {
         let scene = read(templates::get("five-bar").unwrap()).unwrap().value;
