@@ -40,6 +40,9 @@ fn laws_of_time_go_on_with_the_time() {
     assert!(written(&["animate", plate, "--frames", "3"], "turn.svg").contains("<svg"));
     assert!(written(&["lesson", plate], "law.html").len() > 10_000);
     assert!(written(&["lesson", "templates/excavator.json", "--over", "t", "--positions", "8"], "all.html").len() > 10_000);
+    let stopped = hodograph().args(["sweep", "templates/five-bar.json", "--over", "t", "--steps", "2"]).assert().success();
+    let said = text(&stopped.get_output().stderr).split_whitespace().filter(|w| *w != "│").collect::<Vec<_>>().join(" ");
+    assert!(said.contains("t = 0.0209134 s: there link 2 (BC) and link 3 (CD) lie in line"), "{said}");
     let long = hodograph().args(["sweep", plate, "--over", "t", "--to", "1e9"]).assert().code(2);
     assert!(text(&long.get_output().stderr).contains("take a shorter time"));
     let length = hodograph().args(["curves", plate, "--to", "3 mm", "-o", "x.svg"]).assert().code(2);

@@ -110,6 +110,7 @@ impl Toggle {
             Toggle::Open(links) => {
                 let names: Vec<String> = links.iter().map(|l| scene.link_name(*l).to_owned()).collect();
                 match lang {
+                    Lang::En if links.len() == 1 => format!("link {} leaves one freedom open", listed(&names, lang)),
                     Lang::En => format!("links {} leave one freedom open", listed(&names, lang)),
                     Lang::Zh => format!("构件 {} 处于奇异位置，多出一个瞬时自由度", listed(&names, lang)),
                 }

@@ -114,7 +114,12 @@ pub(super) fn limit_note(scene: &Scene, driver: usize, limit: &Event) -> Diagnos
     let what = limit.toggle.as_ref().map_or_else(
         || {
             let pin = limit.pin.map_or(Both::default(), |p| both!(" at {}", "在 {} 处", scene.point_name(p)));
-            both!("{} come into line{}", "{}{}共线", links_words(scene, &limit.links), pin)
+            let links = links_words(scene, &limit.links);
+            match limit.links.len() {
+                // A slot, at the end of what it reaches.
+                1 => both!("{} reaches no farther{}", "{}{}不能再够到", links, pin),
+                _ => both!("{} come into line{}", "{}{}共线", links, pin),
+            }
         },
         |t| Both { en: t.words(scene, Lang::En), zh: t.words(scene, Lang::Zh) },
     );

@@ -3,14 +3,15 @@
 //! The mechanism is followed from its instant to both ends once ([`Follower`]); each row is found from the nearest pose on that way, and
 //! answered by the loop equations. Nothing jumps to another assembly, and no row depends on where others are.
 
+use super::follow::whole::event;
 use super::follow::{Follower, Pose, Sweep};
 use super::general::General;
 use super::pieces::{Gaps, Pieces, Stop};
 use super::table::Table;
 use super::{Placed, compile::ask, pieces};
-use crate::diag::{Diagnostic, Faults, both};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{shortest, significant};
-use crate::scene::Swept;
+use crate::scene::{Lang, Swept};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -65,17 +66,28 @@ impl<'a> Timed<'a> {
         pieces::gather(&mut Times { timed: self, times, gaps: Gaps::default() })
     }
 
+    /// Why nothing is beyond a travel, the last that was reached.
+    fn stopped(&self, travel: f64) -> Faults {
+        let (scene, mechanism, at) = (self.placed.scene, self.placed.mechanism, significant(self.now + travel, 6));
+        let pose = self.sweep.poses.iter().find(|p| p.travel == travel);
+        let message = match pose.map(|pose| (self.sweep.far(pose), event(mechanism, travel, &pose.configuration).toggle)) {
+            Some((true, _)) => both!("beyond t = {at} s a joint leaves the paper", "t = {at} s 以后有运动副超出图纸"),
+            Some((false, Some(toggle))) => {
+                let held = Both { en: toggle.words(scene, Lang::En), zh: toggle.words(scene, Lang::Zh) };
+                both!("the drivers go no farther than t = {at} s: there {}", "原动件最远到 t = {at} s：{}", held)
+            }
+            Some((false, None)) | None => {
+                both!("the mechanism cannot be followed beyond t = {at} s", "机构的运动在 t = {at} s 以后无法跟踪")
+            }
+        };
+        Diagnostic::error("limit", message).into()
+    }
+
     fn row(&self, time: f64) -> Result<Vec<f64>, Faults> {
         let travel = time - self.now;
         let far = |p: &Pose| (p.travel - travel).abs();
         let near = self.sweep.poses.iter().min_by(|a, b| far(a).total_cmp(&far(b)));
-        let beyond = |limit: f64| {
-            let at = significant(self.now + limit, 6);
-            Faults::from(Diagnostic::error(
-                "limit",
-                both!("the mechanism cannot be assembled beyond t = {at} s", "机构在 t = {at} s 以后不能装配"),
-            ))
-        };
+        let beyond = |limit: f64| self.stopped(limit);
         let [low, high] = self.sweep.limits;
         if let Some(limit) = low.filter(|low| travel < *low).or(high.filter(|high| travel > *high)) {
             return Err(beyond(limit));
@@ -200,7 +212,13 @@ mod tests {
             let values = times.iter().map(|time| now + scene.drivers[0].rate.value * time).collect();
             let (told, meant) = (timed.table(times), crate::sweep::of_values(&placed, 0, values).unwrap());
             // Beyond a limit a crank can stand, but time does not lead there.
-            assert!(told.rows() == meant.rows() || 0 < told.rows() && !told.notes.is_empty(), "{}: {:?} {:?}", t.name, told.notes, meant.notes);
+            assert!(
+                told.rows() == meant.rows() || 0 < told.rows() && !told.notes.is_empty(),
+                "{}: {:?} {:?}",
+                t.name,
+                told.notes,
+                meant.notes
+            );
             let place = |k: usize| now + scene.drivers[0].rate.value * told.columns[0].values[k];
             assert!((0..told.rows()).all(|k| (meant.columns[0].values[k] - place(k)).abs() < 1e-9), "{}", t.name);
             for (a, b) in told.columns[1..].iter().zip(&meant.columns[1..]) {
