@@ -71,6 +71,7 @@
 //! - [`particle`]: motions without a mechanism: pursuit, integrated with a bound of its error; a plate that turns in space, in two views.
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
 //!   motion; batches of mechanisms.
+//! - [`search`]: crank-rockers whose coupler point passes nearest to given places, by differential evolution and Gauss–Newton.
 //! - [`synthesis`]: from what a linkage is to do to scenes that do it: closed formulas, the construction with ruler and paper, judging by sweeping.
 //! - [`figure`]: diagram, polygons, tables, sheet as items on paper; of a motion line diagrams, paths with hodographs, the sheet of many
 //!   poses, the motion frame by frame.
@@ -94,6 +95,7 @@
 //! paper      paper render
 //! worked     accuracy worked certified effort
 //! methods    gears trains centres composite attempts curvature inversions particle
+//! search     search
 //! synthesis  synthesis
 //! report     report
 //! figure     figure
@@ -131,7 +133,8 @@
 //! attempts   diag digits geom scene mechanism position answer plan construct worked
 //! curvature  diag geom scene mechanism position answer analytic sweep worked centres
 //! inversions diag scene mechanism position sweep worked curvature
-//! synthesis  diag json digits number geom scene mechanism position construct sweep
+//! search     diag geom position
+//! synthesis  diag json digits number geom scene mechanism position construct sweep search
 //! particle   diag json digits number geom scene construct
 //! report     diag digits number geom cam scene mechanism position answer plan construct analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions particle synthesis
 //! figure     diag digits geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions particle synthesis report
@@ -180,6 +183,7 @@ pub use hodograph_methods::{attempts, centres, composite, curvature, gears, inve
 pub use hodograph_paper::{paper, render};
 pub use hodograph_report::report;
 pub use hodograph_scene::scene;
+pub use hodograph_search::search;
 pub use hodograph_sweep::sweep;
 pub use hodograph_synthesis::synthesis;
 pub use hodograph_worked::{accuracy, certified, effort, worked};

@@ -2,7 +2,7 @@
 
 use hodograph::geom::Point;
 use hodograph::geom::Vec2;
-use hodograph::synthesis::path::search::{Linkage, Search, search};
+use hodograph::search::{Linkage, Search, search};
 use std::time::{Duration, Instant};
 
 /// Places of a known linkage's coupler point at equal turns of its crank.

@@ -27,24 +27,32 @@ fn from_csv(path: &Path) -> Read {
     (labels, columns)
 }
 
+/// A structured array as NumPy writes it: a Python literal of names, types and shape behind the magic bytes, then the records.
 fn from_npy(path: &Path) -> Read {
     let bytes = std::fs::read(path).unwrap();
-    let npy = npyz::NpyFile::new(&bytes[..]).unwrap();
-    let npyz::DType::Record(fields) = npy.dtype() else { panic!("{:?} is no structured array", npy.dtype()) };
-    let (rows, header) = (npy.shape()[0] as usize, bytes.len() - npy.shape()[0] as usize * fields.len() * 8);
-    assert_eq!((npy.shape().len(), header % 64), (1, 0), "one record a row, aligned");
+    assert_eq!(&bytes[..8], b"\x93NUMPY\x02\x00");
+    let begin = 12 + u32::from_le_bytes(bytes[8..12].try_into().unwrap()) as usize;
+    assert_eq!(begin % 64, 0, "aligned");
+    let header = std::str::from_utf8(&bytes[12..begin]).unwrap();
+    let (fields, shape) = header.strip_prefix("{'descr': [").unwrap().split_once("], 'fortran_order': False, 'shape': (").unwrap();
+    let rows: usize = shape.split_once(",), }").unwrap().0.parse().unwrap();
+    let fields: Vec<(&str, &str)> = fields
+        .split_terminator("),")
+        .map(|f| f.trim_start().strip_prefix("('").unwrap().trim_end_matches(')').strip_suffix('\'').unwrap().split_once("', '").unwrap())
+        .collect();
+    assert_eq!(bytes.len() - begin, rows * fields.len() * 8, "one record a row");
     let mut columns = vec![Vec::with_capacity(rows); fields.len()];
-    for record in bytes[header..].chunks_exact(8 * fields.len()) {
-        for ((x, field), column) in record.chunks_exact(8).zip(&fields).zip(&mut columns) {
+    for record in bytes[begin..].chunks_exact(8 * fields.len()) {
+        for ((x, (_, kind)), column) in record.chunks_exact(8).zip(&fields).zip(&mut columns) {
             let x: [u8; 8] = x.try_into().unwrap();
-            column.push(match field.dtype.descr().as_str() {
-                "'<f8'" => f64::from_le_bytes(x),
-                "'<i8'" => i64::from_le_bytes(x) as f64,
+            column.push(match *kind {
+                "<f8" => f64::from_le_bytes(x),
+                "<i8" => i64::from_le_bytes(x) as f64,
                 other => panic!("{other}"),
             });
         }
     }
-    (fields.into_iter().map(|f| f.name).collect(), columns)
+    (fields.iter().map(|(name, _)| (*name).to_owned()).collect(), columns)
 }
 
 fn from_parquet(path: &Path) -> Read {

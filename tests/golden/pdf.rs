@@ -1,19 +1,19 @@
 //! The PDF against two oracles: an independent reader of PDF draws its pages with resvg's rasteriser, and they look as the
 //! SVG does; the characters that it finds are those of the labels, one after another.
 
-use hayro_interpret::font::{Glyph, GlyphRun};
+use hayro_interpret::font::Glyph;
 use hayro_interpret::hayro_cmap::BfString;
 use hayro_interpret::hayro_syntax::Pdf;
-use hayro_interpret::kurbo::{Affine, BezPath, Cap, Join, PathEl, Rect};
 use hayro_interpret::{
-    BlendMode, ClipPath, Context, Device, DrawMode, DrawProps, Image, ImageDrawProps, InterpreterCache, InterpreterSettings, Paint,
-    SoftMask, StrokeProps, TransformExt, interpret_page,
+    BlendMode, ClipPath, Context, Device, GlyphDrawMode, Image, InterpreterCache, InterpreterSettings, Paint, PathDrawMode, SoftMask,
+    StrokeProps, TransformExt, interpret_page,
 };
 use hodograph::paper::item::{Figure, Item, Shape};
 use hodograph::paper::text;
 use hodograph::render::{pdf, png as raster, svg};
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
+use kurbo::{Affine, BezPath, Cap, Join, PathEl, Rect};
 use resvg::tiny_skia;
 
 /// A page as it was read.
@@ -89,38 +89,32 @@ impl Reader {
 }
 
 impl<'a> Device<'a> for Reader {
-    fn draw_path(&mut self, path: &BezPath, props: DrawProps<'a>, mode: &DrawMode) {
+    fn draw_path(&mut self, path: &BezPath, transform: Affine, paint: &Paint<'a>, mode: &PathDrawMode) {
         match mode {
-            DrawMode::Fill(_) => self.draw(path, props.transform, &props.paint, None),
-            DrawMode::Stroke(s) => self.draw(path, props.transform, &props.paint, Some(s)),
-            // The interpreter gives both colours in one call only where they are one.
-            DrawMode::FillAndStroke(_, s) => {
-                self.draw(path, props.transform, &props.paint, None);
-                self.draw(path, props.transform, &props.paint, Some(s));
-            }
-            DrawMode::Invisible => {}
+            PathDrawMode::Fill(_) => self.draw(path, transform, paint, None),
+            PathDrawMode::Stroke(s) => self.draw(path, transform, paint, Some(s)),
         }
     }
 
-    fn draw_glyph_run(&mut self, run: &GlyphRun<'_, 'a>, props: DrawProps<'a>, _: &DrawMode) {
-        for glyph in run.glyphs() {
-            match glyph.as_unicode() {
-                Some(BfString::Char(c)) => self.read.text.push(c),
-                Some(BfString::String(s)) => self.read.text.push_str(&s),
-                None => panic!("a glyph without its character"),
-            }
-            if let Glyph::Outline(outline) = &**glyph {
-                self.draw(&outline.outline(), props.transform * glyph.transform(), &props.paint, None);
-            }
+    fn draw_glyph(&mut self, glyph: &Glyph<'a>, transform: Affine, own: Affine, paint: &Paint<'a>, _: &GlyphDrawMode) {
+        match glyph.as_unicode() {
+            Some(BfString::Char(c)) => self.read.text.push(c),
+            Some(BfString::String(s)) => self.read.text.push_str(&s),
+            None => panic!("a glyph without its character"),
+        }
+        if let Glyph::Outline(outline) = glyph {
+            self.draw(&outline.outline(), transform * own, paint, None);
         }
     }
 
+    fn set_soft_mask(&mut self, _: Option<SoftMask<'a>>) {}
+    fn set_blend_mode(&mut self, _: BlendMode) {}
     fn push_clip_path(&mut self, _: &ClipPath) {}
     fn push_transparency_group(&mut self, _: f32, _: Option<SoftMask<'a>>, _: BlendMode) {}
-    fn draw_image(&mut self, _: Image<'a, '_>, _: ImageDrawProps<'a>) {
+    fn draw_image(&mut self, _: Image<'a, '_>, _: Affine) {
         panic!("figures have no images");
     }
-    fn pop_clip(&mut self) {}
+    fn pop_clip_path(&mut self) {}
     fn pop_transparency_group(&mut self) {}
 }
 

@@ -13,6 +13,7 @@ use hodograph_base::{diag, digits, geom, json, number};
 use hodograph_board::construct;
 use hodograph_mechanism::{mechanism, position};
 use hodograph_scene::scene;
+use hodograph_search::search;
 use hodograph_sweep::sweep;
 
 pub mod synthesis;

@@ -5,8 +5,7 @@
 
 use std::collections::VecDeque;
 
-use icu_segmenter::LineSegmenter;
-use icu_segmenter::options::LineBreakOptions;
+use unicode_linebreak::linebreaks;
 
 use super::font::own::Fonts;
 use super::label::Label;
@@ -41,8 +40,8 @@ pub fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Fonts) -> V
             }
         }
     }
-    let segmenter = LineSegmenter::new_for_non_complex_scripts(LineBreakOptions::default());
-    let breaks: Vec<usize> = segmenter.segment_str(&plain).filter(|at| !parts_a_number(&plain, *at)).collect();
+    let allowed = linebreaks(&plain).map(|(at, _)| at).filter(|at| !parts_a_number(&plain, *at));
+    let breaks: Vec<usize> = std::iter::once(0).chain(allowed).collect();
     let label = |from: &str, formulas: &mut VecDeque<String>| {
         let mut out = Label::text("").in_fonts(fonts);
         for (k, words) in from.split(THING).enumerate() {

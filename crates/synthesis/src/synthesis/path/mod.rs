@@ -2,16 +2,13 @@
 //!
 //! Places met exactly, by [`inversion`]: three with A, D and either crank and BE or the crank's turns; four and five with A, crank and BE; four at given
 //! turns of the crank with lines for A and D ([`prescribed`]). Five places
-//! and more with nothing else given: least squares of the distances ([`search`]), or at given turns of the crank ([`timed`]).
+//! and more with nothing else given: least squares of the distances ([`crate::search`]), or at given turns of the crank ([`crate::search::timed`]).
 
 mod drawing;
-mod evolution;
 mod explained;
 mod inversion;
 mod prescribed;
-pub mod search;
 mod sides;
-pub mod timed;
 
 use super::board::Board;
 use super::candidate::{Draft, Number, Wanted};
@@ -21,8 +18,8 @@ use super::{Found, KindOfTask, Proof, Statement, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
 use crate::geom::{Point, Vec2};
+use crate::search::{self, Fit, timed};
 use prescribed::Prescribed;
-use search::Fit;
 use sides::Sides;
 use std::f64::consts::TAU;
 

@@ -6,7 +6,7 @@
 //! Levenberg's damping. The cognate whose crank turns with the crank (Roberts) meets the same places at the same angles: both are told.
 
 use super::evolution::{Population, Random, evolve};
-use super::search::{Fit, Linkage, Search, extent, few, stream, until_sure};
+use super::{Fit, Linkage, Search, extent, few, stream, until_sure};
 use crate::geom::{Point, Vec2};
 use nalgebra::{SMatrix, SVector};
 use std::f64::consts::TAU;

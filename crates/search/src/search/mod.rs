@@ -7,10 +7,13 @@
 //! three times or the places are met; their number is bounded. They go in waves of parallel runs that are looked at in order, and all functions
 //! are libm's: the same bytes on any machine and number of threads.
 
-use super::evolution::{Population, Random, evolve};
+mod evolution;
+pub mod timed;
+
 use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
-use crate::synthesis::fourbar::meet;
+use crate::position::kernel::crossing;
+use evolution::{Population, Random, evolve};
 use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -29,7 +32,7 @@ const WAVE: usize = 4;
 /// Optima that are told.
 const TOLD: usize = 3;
 /// No link is longer than so many times the path: what would grow on and on nears a slider-crank.
-pub(super) const LARGEST: f64 = 20.0;
+pub const LARGEST: f64 = 20.0;
 /// A link within this part of the bound has come to it.
 const AT_BOUND: f64 = 0.9;
 /// A crank-rocker whose Grashof sum is within this part of its lengths from equality is a change point for who builds it.
@@ -98,7 +101,7 @@ impl Linkage {
     }
 
     /// How far it is from a crank-rocker, over its size; 0 for one.
-    pub(super) fn fault(&self) -> f64 {
+    fn fault(&self) -> f64 {
         let [a, b, c, d] = self.lengths;
         let least = b.min(c).min(d);
         let (sum, longest) = (a + b + c + d, b.max(c).max(d));
@@ -108,12 +111,12 @@ impl Linkage {
     }
 
     /// Whether no length is beyond the bound for a path of this size (m).
-    pub(super) fn small(&self, size: f64) -> bool {
+    fn small(&self, size: f64) -> bool {
         self.lengths.iter().chain([&self.e.norm()]).all(|l| *l <= LARGEST * size)
     }
 
     /// Whether a link has come to the bound.
-    pub(super) fn at_bound(&self, size: f64) -> bool {
+    fn at_bound(&self, size: f64) -> bool {
         self.lengths.iter().any(|l| *l > AT_BOUND * LARGEST * size)
     }
 
@@ -121,12 +124,13 @@ impl Linkage {
     pub fn place(&self, crank: f64) -> Option<Place> {
         let [a, bc, cd, _] = self.lengths;
         let b = self.a + Vec2::from_angle(crank) * a;
-        let c = meet(b, bc, self.d(), cd, self.left)?;
+        let [on_left, on_right] = crossing(b, bc, self.d(), cd)?;
+        let c = if self.left { on_left } else { on_right };
         let axis = (c - b) * (1.0 / bc);
         Some(Place { b, c, e: b + self.e.rotate_by(axis) })
     }
 
-    pub(super) fn moved(&self, by: &SVector<f64, 9>) -> Linkage {
+    fn moved(&self, by: &SVector<f64, 9>) -> Linkage {
         let mut lengths = self.lengths;
         lengths.iter_mut().enumerate().for_each(|(i, l)| *l += by[2 + i]);
         Linkage {
@@ -139,7 +143,7 @@ impl Linkage {
     }
 
     /// E with its derivatives by the nine parameters and by the crank angle.
-    pub(super) fn slopes(&self, crank: f64) -> Option<(Point, [Vec2; 10])> {
+    fn slopes(&self, crank: f64) -> Option<(Point, [Vec2; 10])> {
         let p = self.place(crank)?;
         let [a, bc, cd, ad] = self.lengths;
         let (w, z) = (p.c - p.b, p.c - self.d());
@@ -212,14 +216,14 @@ pub fn remarks(fit: &Fit, points: &[Point]) -> Vec<Diagnostic> {
 }
 
 /// Those of many that the runs look at, the first among them.
-pub(super) fn few<T: Copy>(all: &[T]) -> Vec<T> {
+fn few<T: Copy>(all: &[T]) -> Vec<T> {
     let count = all.len().min(PLACES);
     (0..count).map(|i| all[i * all.len() / count]).collect()
 }
 
 impl Search {
     /// What was found for some of the places, refined for all of them.
-    pub(super) fn of_all(self, same: &dyn Fn(&Fit, &Fit) -> bool, refined: impl Fn(&Fit, &mut u64) -> Option<Fit>) -> Search {
+    fn of_all(self, same: &dyn Fn(&Fit, &Fit) -> bool, refined: impl Fn(&Fit, &mut u64) -> Option<Fit>) -> Search {
         let mut out = Search { fits: Vec::new(), ..self };
         for fit in self.fits.iter().filter_map(|fit| refined(fit, &mut out.evaluations)) {
             if !out.fits.iter().any(|f| same(f, &fit)) {
@@ -232,12 +236,12 @@ impl Search {
 }
 
 /// The stream of numbers of a run.
-pub(super) fn stream(seed: u64, run: usize) -> u64 {
+fn stream(seed: u64, run: usize) -> u64 {
     seed.wrapping_mul(1000).wrapping_add(run as u64)
 }
 
 /// Runs until the best optimum has been found often enough, or the places are met; `same` are optima of which one is told.
-pub(super) fn until_sure(
+fn until_sure(
     size: f64,
     same: &(dyn Fn(&Fit, &Fit) -> bool + Sync),
     one: impl Fn(usize) -> (Vec<Fit>, u64) + Sync + Send,
@@ -286,7 +290,7 @@ fn alone(points: &[Point], middle: Point, size: f64, seed: u64) -> (Vec<Fit>, u6
 }
 
 /// Middle and size of the places.
-pub(super) fn extent(points: &[Point]) -> (Point, f64) {
+pub fn extent(points: &[Point]) -> (Point, f64) {
     let of = |f: fn(&Point) -> f64| {
         let (low, high) = points.iter().map(f).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
         ((low + high) / 2.0, high - low)
