@@ -1,6 +1,8 @@
 //! Sweeps against single solutions: every row of a table is what `solve` says at that position, and what differences of
 //! neighbouring positions say of its rates.
 
+mod wide;
+
 use hodograph::analytic;
 use hodograph::answer::evaluate;
 use hodograph::diag::Diagnostic;
@@ -16,6 +18,7 @@ use hodograph::sweep::vary::{Variation, Varied};
 use hodograph::sweep::{self, Placed, Stations, Sweep, Table, Width, extreme, station};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
+use wide::every;
 
 fn scene(name: &str, find: &[&str]) -> Scene {
     let text = templates::get(name).unwrap();
@@ -106,7 +109,7 @@ fn every_row_is_what_the_single_solution_says() {
         if followed(&m) || driver_position(&scene, 0).is_none() || ["parallelogram", "third-crank"].contains(&t.name) {
             continue;
         }
-        let (table, stations) = swept(&scene, &m, 96, Width::Widest);
+        let (table, stations) = swept(&scene, &m, 96 / every(), Width::Widest);
         let extent = Placed::new(&scene, &m).unwrap().at.extent();
         let mut there = 0;
         for value in &stations.values {
@@ -132,7 +135,7 @@ fn every_row_is_what_the_single_solution_says() {
         rows += there;
     }
     println!("{rows} rows, worst {:.1e}: {}", worst.0, worst.1);
-    assert!(rows > 2000);
+    assert!(rows > 2000 / every());
 }
 
 #[test]
@@ -140,8 +143,8 @@ fn one_at_a_time_and_four_give_the_same_bits() {
     for t in templates::list() {
         let scene = everything(t.name);
         let m = Mechanism::new(&scene).unwrap().value;
-        let (four, _) = swept(&scene, &m, 1500, Width::Widest);
-        let (one, _) = swept(&scene, &m, 1500, Width::One);
+        let (four, _) = swept(&scene, &m, 1500 / every(), Width::Widest);
+        let (one, _) = swept(&scene, &m, 1500 / every(), Width::One);
         assert_eq!(four.notes, one.notes, "{}", t.name);
         for (a, b) in four.columns.iter().zip(&one.columns) {
             let same = a.values.len() == b.values.len() && a.values.iter().zip(&b.values).all(|(x, y)| x.to_bits() == y.to_bits());
@@ -162,8 +165,10 @@ fn rates_are_the_slopes_of_the_columns() {
         if scene.drivers.len() > 1 {
             continue;
         }
-        let values: Vec<f64> =
-            (-40..40).flat_map(|k| (-2..=2).map(move |i| now + 2000.0 * step * f64::from(k) + step * f64::from(i))).collect();
+        let values: Vec<f64> = (-40..40)
+            .step_by(every())
+            .flat_map(|k| (-2..=2).map(move |i| now + 2000.0 * step * f64::from(k) + step * f64::from(i)))
+            .collect();
         let stations = Stations::of_values(values.clone(), station::angle_per_value(&scene, &placed.at, 0));
         let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();
         let rate = scene.drivers[0].rate.value;
@@ -202,7 +207,7 @@ fn rates_are_the_slopes_of_the_columns() {
         }
     }
     println!("{checked} slopes");
-    assert!(checked > 10_000);
+    assert!(checked > 10_000 / every());
 }
 
 #[test]
@@ -561,11 +566,18 @@ fn a_long_sweep_is_its_pieces() {
     let mut scenes: Vec<(&str, Scene, [usize; 2])> = Vec::new();
     for t in templates::list() {
         let set: &[(&str, &str)] = if t.name == "crank-rocker" { &[("l_AB", "240")] } else { &[] };
-        // More positions than lie between two states that are kept.
-        let size = if t.name == "class-iii-six-bar" { [20_000, 4096] } else { [2000, 77] };
-        scenes.push((t.name, read(templates::instantiate(t.name, set).unwrap()).unwrap().value, size));
+        let scene = read(templates::instantiate(t.name, set).unwrap()).unwrap().value;
+        let whole = Mechanism::new(&scene).unwrap().value.groups.iter().any(|g| g.class() == Some("IV or higher"));
+        let size = match t.name {
+            // More positions than lie between two states that are kept.
+            "class-iii-six-bar" => [20_000, 4096],
+            // Each position takes the general solver.
+            _ if whole => [400 / every(), 77],
+            _ => [2000 / every(), 77],
+        };
+        scenes.push((t.name, scene, size));
     }
-    scenes.push(("class IV", class_iv(r#""v_D", "omega_5""#, ["", ""]), [400, 77]));
+    scenes.push(("class IV", class_iv(r#""v_D", "omega_5""#, ["", ""]), [400 / every(), 77]));
     let (mut missing, mut followed_missing) = (0, 0);
     for (name, scene, [steps, cut]) in &scenes {
         let m = Mechanism::new(scene).unwrap().value;
@@ -589,7 +601,10 @@ fn a_long_sweep_is_its_pieces() {
             followed_missing += if followed(&m) { steps.steps + 1 - whole.rows() } else { 0 };
         }
     }
-    assert!(missing > 500 && followed_missing > 500, "{missing} rows are missing, {followed_missing} of followed mechanisms");
+    assert!(
+        missing > 500 / every() && followed_missing > 500 / every(),
+        "{missing} rows are missing, {followed_missing} of followed mechanisms"
+    );
 }
 
 /// A sweep that is asked to stop says so instead of giving rows that it has not.

@@ -37,8 +37,9 @@ fn from_npy(path: &Path) -> Read {
     let (fields, shape) = header.strip_prefix("{'descr': [").unwrap().split_once("], 'fortran_order': False, 'shape': (").unwrap();
     let rows: usize = shape.split_once(",), }").unwrap().0.parse().unwrap();
     let fields: Vec<(&str, &str)> = fields
-        .split_terminator("),")
-        .map(|f| f.trim_start().strip_prefix("('").unwrap().trim_end_matches(')').strip_suffix('\'').unwrap().split_once("', '").unwrap())
+        .split("), ")
+        .filter(|f| !f.is_empty())
+        .map(|f| f.strip_prefix("('").unwrap().strip_suffix('\'').unwrap().split_once("', '").unwrap())
         .collect();
     assert_eq!(bytes.len() - begin, rows * fields.len() * 8, "one record a row");
     let mut columns = vec![Vec::with_capacity(rows); fields.len()];
@@ -52,7 +53,9 @@ fn from_npy(path: &Path) -> Read {
             });
         }
     }
-    (fields.iter().map(|(name, _)| (*name).to_owned()).collect(), columns)
+    // What is not ASCII is escaped alike in Python and in JSON.
+    let name = |name: &str| serde_json::from_str(&format!("\"{name}\"")).unwrap();
+    (fields.iter().map(|(n, _)| name(n)).collect(), columns)
 }
 
 fn from_parquet(path: &Path) -> Read {

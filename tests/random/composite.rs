@@ -3,6 +3,7 @@
 
 use crate::emit::{self, Ask};
 use crate::properties::{Case, Motion, mechanism, seeds, solve, style};
+use crate::wide::every;
 use hodograph::answer::Value;
 use hodograph::composite::{Choice, Verdict, choices, name_of};
 use hodograph::geom::{Point, Vec2};
@@ -150,5 +151,8 @@ fn parts_of_a_composite_motion_add_up_and_are_differences_of_positions() {
         }
     }
     println!("{added} sums ({drawn_parts} of drawn parts), {compared} parts against differences of positions");
-    assert!(added > 1000 && drawn_parts > 300 && compared > 500, "{added} sums ({drawn_parts} drawn), {compared} compared");
+    assert!(
+        added > 1000 / every() && drawn_parts > 300 / every() && compared > 500 / every(),
+        "{added} sums ({drawn_parts} drawn), {compared} compared"
+    );
 }

@@ -2,6 +2,7 @@
 //!
 //! Seeds are fixed, so that a run says the same everywhere. For a longer hunt: `HODOGRAPH_SEEDS=100 cargo test --release
 //! --test random -- --nocapture` takes a hundred times as many.
+//! Without it and without `HODOGRAPH_WIDE=1` a part of them is taken.
 
 mod asked;
 mod bad;
@@ -30,3 +31,5 @@ mod rolling;
 mod singular;
 mod speeds;
 mod told;
+#[path = "../wide/mod.rs"]
+mod wide;

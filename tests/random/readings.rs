@@ -3,6 +3,7 @@
 
 use crate::emit;
 use crate::properties::{mechanism, seeds, style};
+use crate::wide::every;
 use hodograph::answer::{Value, evaluate};
 use hodograph::construct::{Mark, ShownAs};
 use hodograph::figure::results::named;
@@ -212,7 +213,7 @@ fn readings_of_all_templates_are_edges() {
             check_names(&what, &scene, &worked.value);
         }
     }
-    assert!(read > 2000, "only {read} readings were checked");
+    assert!(read > 2000 / every(), "only {read} readings were checked");
 }
 
 #[test]
@@ -227,7 +228,7 @@ fn readings_of_random_mechanisms_are_edges() {
         read += check_readings(&format!("seed {seed}\n{text}"), &scene, &worked.value);
         check_names(&format!("seed {seed}"), &scene, &worked.value);
     }
-    assert!(read > 3000, "only {read} readings were checked");
+    assert!(read > 3000 / every(), "only {read} readings were checked");
 }
 
 /// Every length that a sheet prints is the distance of two marks in its SVG, found there by their names.
@@ -275,7 +276,7 @@ fn printed_lengths_are_distances_in_the_svg() {
             }
         }
     }
-    assert!(found > 1000, "only {found} lengths were found");
+    assert!(found > 1000 / every(), "only {found} lengths were found");
 }
 
 /// The parts of the motion of a cylinder's ends are asked in words of a scene, and read off edges.

@@ -1,10 +1,11 @@
 //! Whether the figures of `--figure composite` and `--figure attempts` can be read: every template, in both languages, in the pose of its file and
 //! at 24 positions of its driver.
 //!
-//! The gate looks at every so many of the positions, each template beginning with another one; all of them:
-//! `HODOGRAPH_EXTRA=all cargo test --release --test sheet read -- --nocapture`. One template: `HODOGRAPH_ONLY=shaper`.
+//! The gate looks at one of the positions, another one for each template; all of them:
+//! `HODOGRAPH_WIDE=1 HODOGRAPH_EXTRA=all cargo test --release --test sheet read -- --nocapture`. One template: `HODOGRAPH_ONLY=shaper`.
 
 use crate::legible::{SMALLEST_MM, look, poses};
+use crate::wide::every;
 use hodograph::figure::list::{self, Extras, Wanted};
 use hodograph::figure::sheet::{Options, drawing};
 use hodograph::mechanism::Level;
@@ -13,8 +14,10 @@ use hodograph::paper::style::Style;
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
 
-/// Of the positions the gate looks at every so many.
-const ROTATION: usize = 24;
+/// Of the 24 positions the gate looks at one for each template.
+fn rotation() -> usize {
+    24 / every()
+}
 
 fn all() -> bool {
     std::env::var("HODOGRAPH_EXTRA").is_ok_and(|v| v == "all")
@@ -30,7 +33,7 @@ fn every_page_can_be_read(name: &str) {
         }
         let scene = scene::read(templates::get(template.name).unwrap()).unwrap().value;
         for (k, pose) in std::iter::once(scene.clone()).chain(poses(&scene)).enumerate() {
-            if !all() && k > 0 && (k + t) % ROTATION > 0 {
+            if !all() && k > 0 && (k + t) % rotation() > 0 {
                 continue;
             }
             let pose = &pose;

@@ -3,6 +3,7 @@
 //!
 //! The table: `cargo test --release --test sheet geared -- --nocapture`
 
+use crate::wide::every;
 use hodograph::cam::Survey;
 use hodograph::figure::cam::{inversion, motion};
 use hodograph::figure::groups;
@@ -51,7 +52,7 @@ fn geared_figures_can_be_read() {
             }
         }
     }
-    assert!(drawn > 200, "only {drawn} figures");
+    assert!(drawn > 200 / every(), "only {drawn} figures");
     assert!(faults.is_empty(), "{} of {drawn} figures:\n{}", faults.len(), faults.join("\n"));
 }
 
@@ -77,7 +78,7 @@ fn figures_of_cams_can_be_read() {
             }
         }
     }
-    assert!(drawn > 200, "only {drawn} figures");
+    assert!(drawn > 200 / every(), "only {drawn} figures");
     assert!(faults.is_empty(), "{} of {drawn} figures:\n{}", faults.len(), faults.join("\n"));
 }
 
@@ -97,6 +98,6 @@ fn groups_drawn_apart_can_be_read() {
             }
         }
     }
-    assert!(drawn > 1000, "only {drawn} figures");
+    assert!(drawn > 1000 / every(), "only {drawn} figures");
     assert!(faults.is_empty(), "{} of {drawn} figures:\n{}", faults.len(), faults.join("\n"));
 }

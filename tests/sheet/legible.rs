@@ -1,8 +1,9 @@
 //! Whether every sheet can be read, whatever the pose: all templates at 24 positions of their driver, in both languages and
 //! both notation profiles.
 //!
-//! The table: `cargo test --release --test sheet every_pose -- --nocapture`
+//! `HODOGRAPH_WIDE=1` looks at all positions, else a part of them is looked at. The table: `HODOGRAPH_WIDE=1 cargo test --release --test sheet every_pose -- --nocapture`
 
+use crate::wide::every;
 use hodograph::figure::list::{self, Extras, Wanted};
 use hodograph::figure::sheet::{Options, sheet};
 use hodograph::geom::{Point, Vec2};
@@ -115,7 +116,7 @@ fn clipped(a: Point, b: Point, r: Rect) -> f64 {
     hits as f64 / PIECES as f64 * d.norm()
 }
 
-/// The scene at positions of its first driver all around, or between its limits; those that cannot be drawn are left out.
+/// The scene at positions of its first driver all around, or between its limits, or at a part of them.
 pub fn poses(scene: &Scene) -> Vec<Scene> {
     let Some(start) = driver_position(scene, 0) else { return vec![scene.clone()] };
     let turns = matches!(scene.drivers[0].kind, DriverKind::Turn { .. });
@@ -124,7 +125,7 @@ pub fn poses(scene: &Scene) -> Vec<Scene> {
         _ if turns => [start, start + std::f64::consts::TAU],
         _ => [start * 0.8, start * 1.2],
     };
-    (0..POSES).map(|k| with_driver_at(scene, 0, low + (high - low) * (k as f64 + 0.25) / POSES as f64)).collect()
+    (0..POSES).step_by(every()).map(|k| with_driver_at(scene, 0, low + (high - low) * (k as f64 + 0.25) / POSES as f64)).collect()
 }
 
 #[test]

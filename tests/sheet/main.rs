@@ -10,6 +10,8 @@ mod motion;
 mod pairs;
 mod parted;
 mod plots;
+#[path = "../wide/mod.rs"]
+mod wide;
 mod width;
 
 use std::sync::LazyLock;

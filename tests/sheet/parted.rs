@@ -1,5 +1,6 @@
 //! Two links that lie over one another are seen as two, whatever the pose.
 
+use crate::wide::every;
 use hodograph::figure::mechanism::mechanism;
 use hodograph::geom::Point;
 use hodograph::paper::item::{Item, Shape};
@@ -58,7 +59,7 @@ fn links_over_one_another_are_told_apart() {
     for t in templates::list() {
         let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
         let Some(start) = driver_position(&scene, 0) else { continue };
-        for degrees in 0..360 {
+        for degrees in (0..360).step_by(every()) {
             let pose = with_driver_at(&scene, 0, start + f64::from(degrees).to_radians());
             faults.extend(over_one_another(&pose).into_iter().map(|f| format!("{} {degrees}° on: {f}", t.name)));
         }

@@ -4,6 +4,8 @@ mod asked;
 mod letters;
 mod names;
 mod senses;
+#[path = "../wide/mod.rs"]
+mod wide;
 
 use hodograph::answer::Value;
 use hodograph::scene::{self, templates};

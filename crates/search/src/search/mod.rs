@@ -241,11 +241,7 @@ fn stream(seed: u64, run: usize) -> u64 {
 }
 
 /// Runs until the best optimum has been found often enough, or the places are met; `same` are optima of which one is told.
-fn until_sure(
-    size: f64,
-    same: &(dyn Fn(&Fit, &Fit) -> bool + Sync),
-    one: impl Fn(usize) -> (Vec<Fit>, u64) + Sync + Send,
-) -> Search {
+fn until_sure(size: f64, same: &(dyn Fn(&Fit, &Fit) -> bool + Sync), one: impl Fn(usize) -> (Vec<Fit>, u64) + Sync + Send) -> Search {
     let mut out = Search::default();
     let mut hits = 0;
     let waves = (0..RUNS).step_by(WAVE).map(|from| from..(from + WAVE).min(RUNS));
