@@ -159,15 +159,16 @@ fn nearest(ink: &Ink, f: &mut Faults) {
             // Its head is part of it.
             let mine = ink.lines.iter().filter(|l| l.id == own.id).map(|l| apart(text, l)).fold(f64::INFINITY, f64::min);
             for other in shafts.iter().filter(|l| l.id != own.id && !along(own, l)) {
-                if apart(text, other) < mine - NEARER_MM {
-                    f.note(5, format!("{} nearer to {}", text.id, other.id));
+                let theirs = apart(text, other);
+                if theirs < mine - NEARER_MM {
+                    f.note(5, format!("{} nearer to {} ({theirs:.2} mm, {mine:.2} to its own)", text.id, other.id));
                 }
             }
         } else if !inset && let Some((_, at)) = ink.marks.iter().find(|m| m.0 == format!("{kind}-mark-{name}")) {
             let mine = off(text.ink, *at);
             let nearer = |m: &&(String, P)| m.0.starts_with(kind) && off(text.ink, m.1) < mine - NEARER_MM;
             for m in ink.marks.iter().filter(nearer) {
-                f.note(6, format!("{} nearer to {}", text.id, m.0));
+                f.note(6, format!("{} nearer to {} ({:.2} mm, {mine:.2} to its own)", text.id, m.0, off(text.ink, m.1)));
             }
         }
     }

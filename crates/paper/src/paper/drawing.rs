@@ -165,11 +165,13 @@ impl Drawing {
         self.items.push(item);
     }
 
-    /// Names a place without ink, for programs that measure on the drawing: a circle of no radius, which labels do not keep off.
+    /// Names a place without ink, for programs that measure on the drawing: a circle of no radius, which labels do not keep off, but to which
+    /// the letter of another place stands no nearer than to its own.
     pub fn mark(&mut self, name: &str, at: Point) {
         let shape = Shape::Circle { centre: at, radius_mm: 0.0, stroke: None, fill: None };
         let id = self.name(&format!("mark-{name}"));
         self.items.push(Item::new(format!("{} mark", self.kind), shape).with_id(id));
+        self.obstacles.marks.push(at);
     }
 
     /// Asks for a label; it is placed when the drawing is finished. Returns its name.
@@ -242,7 +244,7 @@ impl Drawing {
 
     fn placed(mut self, habits: &mut Habits, room: Rect, leads: Leads) -> Part {
         let requests: Vec<LabelRequest> = self.wanted.iter().map(|w| w.request.clone()).collect();
-        self.obstacles.lettered.extend(requests.iter().filter_map(LabelRequest::point));
+        self.obstacles.marks.extend(requests.iter().filter_map(LabelRequest::point));
         let (first, coarse) = (habits.is_empty(), is_coarse(requests.len()));
         let before: Vec<Option<Habit>> = self.wanted.iter().filter(|_| !first).map(|w| habits.get(&w.id).copied()).collect();
         let placed = place_or_leave(&requests, &self.obstacles, (room, leads), &before);

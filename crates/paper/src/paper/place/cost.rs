@@ -34,9 +34,9 @@ const NEARER_PER_MM: f64 = 1.8;
 const NEARER_MARGIN_MM: f64 = 0.8;
 /// Nearness never costs as much as touching.
 const NEARER_MAX: f64 = 4.0;
-/// A foreign place nearer than the own one, or a line as thick as the own one nearer than that: less than touching, but poor, so that a
-/// leader line is tried.
-pub(super) const STRAYS: f64 = 7.5;
+/// A foreign place nearer than the own one, or a line as thick as the own one nearer than that: more than the longest leader line with
+/// foreign lines beside its label.
+const STRAYS: f64 = 11.5;
 /// Of lines that lie over one another neither is nearer, whatever rounding says.
 const TIE_MM: f64 = 1e-6;
 /// Letters within this of one place are those of one mark.
@@ -94,6 +94,7 @@ impl<'a> Around<'a> {
 
     /// Whether another mark is nearer than the label's own, or another line as thick.
     fn strays(&self, rect: Rect) -> bool {
+        let rect = self.wanted.ink(rect);
         match self.wanted.target {
             Target::Point { at, .. } => {
                 let own = nearest(rect, at).distance(at);
@@ -171,13 +172,13 @@ impl<'a> Around<'a> {
     }
 }
 
-/// The lettered places that are not the label's own.
+/// The marked places that are not the label's own.
 fn rivals(wanted: &Wanted, obstacles: &Obstacles) -> impl Iterator<Item = Point> {
     let own = match wanted.target {
         Target::Point { at, .. } => Some(at),
         Target::Segment { .. } | Target::Arc { .. } => None,
     };
-    obstacles.lettered.iter().copied().filter(move |p| own.is_some_and(|at| at.distance(*p) > ONE_MARK_MM))
+    obstacles.marks.iter().copied().filter(move |p| own.is_some_and(|at| at.distance(*p) > ONE_MARK_MM))
 }
 
 /// Whether a label there lies on something that it would make unreadable, or that would make it so: an arrowhead, a symbol, a
@@ -198,6 +199,7 @@ pub(super) fn hides(rect: Rect, wanted: &Wanted, obstacles: &Obstacles) -> bool 
 /// Whether a label there would be read as the name of another line: one as thick as its own is nearer. A leader line tells.
 pub(super) fn strays(c: Rect, leader: bool, wanted: &Wanted, obstacles: &Obstacles) -> bool {
     let Target::Segment { clear_mm, .. } = wanted.target else { return false };
+    let c = wanted.ink(c);
     let own = own_distance(c, wanted.target);
     let reach = c.grown(own);
     let rival = |bar: &Bar| {

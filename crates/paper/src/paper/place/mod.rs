@@ -284,6 +284,8 @@ type Found = (Candidate, f64, usize);
 struct Wanted {
     half_width_mm: f64,
     half_height_mm: f64,
+    /// From the sides of the box to the ink, which is what the eye compares distances by.
+    bearing_mm: [f64; 2],
     descent_mm: f64,
     target: Target,
     owner: Option<u32>,
@@ -297,6 +299,7 @@ impl Wanted {
         Wanted {
             half_width_mm: set.width_em * k / 2.0,
             half_height_mm: (set.ascent_em + set.descent_em) * k / 2.0,
+            bearing_mm: [set.ink_em[0] * k, (set.width_em - set.ink_em[1]) * k],
             descent_mm: set.descent_em * k,
             target: request.target,
             owner: request.owner,
@@ -307,6 +310,12 @@ impl Wanted {
     fn placement(&self, (candidate, cost, index): Found) -> Placement {
         let at = Point::new(candidate.rect.min.x, candidate.rect.min.y + self.descent_mm);
         Placement { at, bounds: candidate.rect, leader: candidate.leader, cost, index }
+    }
+
+    /// The ink in a box of the label.
+    fn ink(&self, rect: Rect) -> Rect {
+        let [left, right] = self.bearing_mm;
+        Rect { min: Point::new(rect.min.x + left, rect.min.y), max: Point::new(rect.max.x - right, rect.max.y) }
     }
 
     fn rect(&self, centre: Point) -> Rect {

@@ -40,8 +40,8 @@ pub struct Obstacles {
     pub discs: Vec<Disc>,
     /// Boxes: labels with a fixed place, tables.
     pub rects: Vec<Rect>,
-    /// Places that have a letter: that of another one stands farther off.
-    pub lettered: Vec<Point>,
+    /// Places that have a letter or could have one: that of another one stands farther off.
+    pub marks: Vec<Point>,
 }
 
 /// Arcs are taken as chords of at most this angle: at 20 mm radius a chord of 0.3 rad is off by 0.2 mm.
