@@ -14,16 +14,21 @@ const NEARER_MM: f64 = 0.15;
 /// Nearer than this two places are one: an inset is some ten times as large at most.
 const ONE_MM: f64 = 0.02;
 
+/// The dot of a leader line, and the thing that it lies on.
+const DOT_MM: f64 = 1.0;
+
 /// Two letters' widths: a number farther off is no factor.
 const FACTOR_MM: f64 = 4.0;
 
 #[derive(Default)]
 pub struct Faults {
-    pub counts: [usize; 10],
+    pub counts: [usize; NAMES.len()],
     pub list: Vec<String>,
+    /// Not a fault, but the fewer the better.
+    pub leaders: usize,
 }
 
-const NAMES: [&str; 10] = [
+const NAMES: [&str; 12] = [
     "label on label",
     "label under a thick line",
     "arrow in hatching",
@@ -34,6 +39,8 @@ const NAMES: [&str; 10] = [
     "label crossed by a thin line",
     "number behind the name of a rate",
     "angle or leader in hatching",
+    "leader through an arc",
+    "leader through a label",
 ];
 /// Kinds of which there is none.
 const FORBIDDEN: [usize; 4] = [0, 2, 3, 4];
@@ -45,6 +52,7 @@ impl Faults {
     pub fn add(&mut self, other: Faults) {
         self.counts.iter_mut().zip(other.counts).for_each(|(a, b)| *a += b);
         self.list.extend(other.list);
+        self.leaders += other.leaders;
     }
 
     /// Whether so many sheets can be read.
@@ -54,7 +62,8 @@ impl Faults {
     }
 
     pub fn table(&self) -> String {
-        NAMES.iter().zip(self.counts).map(|(name, n)| format!("{n:>5}  {name}")).collect::<Vec<_>>().join("\n")
+        let faults = NAMES.iter().zip(self.counts).map(|(name, n)| format!("{n:>5}  {name}"));
+        faults.chain([format!("{:>5}  leader lines", self.leaders)]).collect::<Vec<_>>().join("\n")
     }
 
     fn note(&mut self, kind: usize, what: String) {
@@ -87,6 +96,7 @@ pub fn of(ink: &Ink) -> Faults {
         }
     }
     hatchings(ink, &mut f);
+    leaders(ink, &mut f);
     factors(ink, &mut f);
     nearest(ink, &mut f);
     f
@@ -110,7 +120,8 @@ fn has(class: &str, word: &str) -> bool {
 
 fn hatchings(ink: &Ink, f: &mut Faults) {
     let hatches: Vec<&Line> = ink.lines.iter().filter(|l| has(&l.class, "hatch")).collect();
-    let arrows = ink.lines.iter().filter(|l| has(&l.class, "rotation") || has(&l.class, "driver") && !has(&l.class, "reference"));
+    let is_arrow = |l: &&Line| has(&l.class, "rotation") || has(&l.class, "leader") || has(&l.class, "driver") && !has(&l.class, "reference");
+    let arrows = ink.lines.iter().filter(is_arrow);
     for arrow in arrows {
         for h in &hatches {
             if h.pieces.iter().any(|a| arrow.pieces.iter().any(|b| cross(*a, *b))) {
@@ -124,6 +135,25 @@ fn hatchings(ink: &Ink, f: &mut Faults) {
             if a.pieces.iter().any(|p| b.pieces.iter().any(|q| cross(*p, *q))) {
                 f.note(3, format!("{} on {}", a.id, b.id));
             }
+        }
+    }
+}
+
+/// Leader lines point across lines at most, never across what turns or what is written.
+fn leaders(ink: &Ink, f: &mut Faults) {
+    let arcs: Vec<&Line> = ink.lines.iter().filter(|l| has(&l.class, "rotation") || has(&l.class, "angle") && !has(&l.class, "reference")).collect();
+    for leader in ink.lines.iter().filter(|l| has(&l.class, "leader")) {
+        f.leaders += 1;
+        // The straight part comes last, from the dot at the thing that is named.
+        let &(dot, end) = leader.pieces.last().expect("a leader line has ink");
+        let length = (end[0] - dot[0]).hypot(end[1] - dot[1]);
+        let off = (DOT_MM / length).min(1.0);
+        let way = ([0, 1].map(|k| dot[k] + (end[k] - dot[k]) * off), end);
+        for arc in arcs.iter().filter(|a| a.pieces.iter().any(|p| cross(*p, way))) {
+            f.note(10, format!("{} through {}", leader.id, arc.id));
+        }
+        for text in ink.texts.iter().filter(|t| clipped(way, t.ink, 0.0) > GRAZE_MM) {
+            f.note(11, format!("{} through {}", leader.id, text.id));
         }
     }
 }

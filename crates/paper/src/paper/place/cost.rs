@@ -1,6 +1,6 @@
 //! What a place costs, in millimetres of foreign line covered.
 
-use crate::geom::Point;
+use crate::geom::{Point, Vec2};
 use crate::paper::extent::Rect;
 
 use super::candidate::{Candidate, nearest};
@@ -43,6 +43,10 @@ const TIE_MM: f64 = 1e-6;
 const ONE_MARK_MM: f64 = 0.15;
 /// A leader line across a line, or across a label.
 const LEADER_CROSSES: f64 = 2.5;
+/// A leader line through hatching or the arc of an angle: worse than anything but another label.
+const BARRED: f64 = 20.0;
+/// Its dot may lie on such an arc, if it is that which is named.
+const DOT_MM: f64 = 0.6;
 /// Overlap of two labels, and each square millimetre of it.
 const OVERLAP: f64 = 25.0;
 const OVERLAP_PER_MM2: f64 = 2.0;
@@ -57,6 +61,7 @@ pub(super) struct Around<'a> {
     heads: Vec<&'a Bar>,
     discs: Vec<&'a Disc>,
     rects: Vec<&'a Rect>,
+    barred: Vec<&'a Bar>,
     rivals: Vec<Point>,
 }
 
@@ -73,8 +78,9 @@ impl<'a> Around<'a> {
     pub(super) fn new(places: &[Candidate], wanted: &'a Wanted, obstacles: &'a Obstacles, paper: Rect) -> Around<'a> {
         let looks = places.iter().map(|c| c.reach.union(c.rect.grown(own_distance(c.rect, wanted.target) + NEARER_MARGIN_MM)));
         let Some(reach) = looks.reduce(Rect::union).map(|r| r.grown(AIR_MM)) else {
-            return Around { wanted, paper, bars: vec![], heads: vec![], discs: vec![], rects: vec![], rivals: vec![] };
+            return Around { wanted, paper, bars: vec![], heads: vec![], discs: vec![], rects: vec![], barred: vec![], rivals: vec![] };
         };
+        let led = places.iter().any(|c| c.leader.is_some());
         let near = |bar: &&Bar| !far_apart(reach.grown(bar.half_width_mm), bar);
         let line = |bar: &'a Bar| {
             let own = bar.owner.is_some() && bar.owner == wanted.owner;
@@ -88,6 +94,7 @@ impl<'a> Around<'a> {
             heads: obstacles.heads.iter().filter(near).collect(),
             discs: obstacles.discs.iter().filter(touched).collect(),
             rects: obstacles.rects.iter().filter(|r| r.overlap_mm2(reach) > 0.0).collect(),
+            barred: obstacles.barred.iter().filter(|bar| led && near(bar)).collect(),
             rivals: rivals(wanted, obstacles).filter(|p| nearest(reach, *p).distance(*p) <= reach.width_mm()).collect(),
         }
     }
@@ -161,14 +168,18 @@ impl<'a> Around<'a> {
             }
         }
         cost += outside(c.rect, self.paper);
-        if let Some((a, b)) = c.leader {
-            let reach = Rect::new(a, b);
-            let near = self.bars.iter().filter(|l| !l.own && !l.meets && touch(reach, l.bounds));
-            let crossed = near.filter(|l| crosses(a, b, l.bar.from, l.bar.to));
-            let texts = self.rects.iter().filter(|r| clipped_mm(a, b, ***r) > 0.0);
-            cost += LEADER_CROSSES * crossed.count() as f64 + TOUCH * texts.count() as f64;
-        }
-        cost
+        cost + c.leader.map_or(0.0, |leader| self.across(leader))
+    }
+
+    /// What a leader line costs by what it crosses, from its label to its thing.
+    fn across(&self, (a, b): (Point, Point)) -> f64 {
+        let reach = Rect::new(a, b);
+        let near = self.bars.iter().filter(|l| !l.own && !l.meets && touch(reach, l.bounds));
+        let crossed = near.filter(|l| crosses(a, b, l.bar.from, l.bar.to));
+        let texts = self.rects.iter().filter(|r| clipped_mm(a, b, ***r) > 0.0);
+        let before_dot = b + (a - b).unit().unwrap_or(Vec2::ZERO) * DOT_MM;
+        let barred = self.barred.iter().any(|bar| crosses(a, before_dot, bar.from, bar.to));
+        LEADER_CROSSES * crossed.count() as f64 + TOUCH * texts.count() as f64 + if barred { BARRED } else { 0.0 }
     }
 }
 

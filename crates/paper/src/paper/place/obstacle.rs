@@ -40,6 +40,8 @@ pub struct Obstacles {
     pub discs: Vec<Disc>,
     /// Boxes: labels with a fixed place, tables.
     pub rects: Vec<Rect>,
+    /// What no leader line crosses, of the lines: hatching, in which it is lost, and arcs of angles and rotations, of which it seems a part.
+    pub barred: Vec<Bar>,
     /// Places that have a letter or could have one: that of another one stands farther off.
     pub marks: Vec<Point>,
 }
@@ -52,6 +54,12 @@ const SLACK_MM: f64 = 1e-6;
 
 fn overlap(a: &Rect, b: &Rect) -> bool {
     a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y
+}
+
+/// Whether leader lines keep off things of this class.
+fn is_barred(class: &str) -> bool {
+    let has = |word| class.split(' ').any(|w| w == word);
+    has("hatch") || has("rotation") || has("angle") && !has("reference")
 }
 
 impl Obstacles {
@@ -71,7 +79,13 @@ impl Obstacles {
 
     /// Adds the obstacles that these items make, all of one owner.
     pub fn add(&mut self, items: &[Item], owner: Option<u32>) {
-        items.iter().for_each(|item| self.add_item(item, owner));
+        for item in items {
+            let before = self.bars.len();
+            self.add_item(item, owner);
+            if is_barred(&item.class) {
+                self.barred.extend_from_slice(&self.bars[before..]);
+            }
+        }
     }
 
     /// How many of these lines and discs others cross, or come nearer to than `air_mm`.
