@@ -155,9 +155,12 @@ impl Draft<'_> {
     }
 
     pub(super) fn arc_label(&mut self, symbol: &str, class: &str, centre: Point, radius: f64, angles: [f64; 2], owner: u32) {
-        let request =
-            LabelRequest::along_arc(Label::math(symbol), self.style.label_mm, centre, radius, angles, self.style.vector.width_mm / 2.0);
+        let request = self.arc_request(symbol, centre, radius, angles);
         self.d.label(symbol, &format!("driver {class}"), request.owned(owner));
+    }
+
+    pub(super) fn arc_request(&self, symbol: &str, centre: Point, radius: f64, angles: [f64; 2]) -> LabelRequest {
+        LabelRequest::along_arc(Label::math(symbol), self.style.label_mm, centre, radius, angles, self.style.vector.width_mm / 2.0)
     }
 
     /// The joint of two links.

@@ -201,6 +201,16 @@ pub fn place_after(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rec
     search::run(&mut offers, &all, before, Leads::Short).into_iter().zip(&labels).map(|(found, wanted)| wanted.placement(found)).collect()
 }
 
+/// Whether a label has a place beside its thing where it touches nothing that is drawn and is not taken for another thing's, on paper without
+/// end.
+pub fn has_room(request: &LabelRequest, obstacles: &Obstacles) -> bool {
+    let wanted = Wanted::new(request);
+    let places = candidate::near(&wanted);
+    let Some(paper) = places.iter().map(|c| c.reach).reduce(Rect::union) else { return true };
+    let around = cost::Around::new(&places, &wanted, obstacles, paper);
+    places.iter().any(|c| around.fixed(c) < CROWDED)
+}
+
 /// Whether so many labels are too many to be weighed against one another: then each takes the best place that those before it left.
 pub fn is_coarse(labels: usize) -> bool {
     labels > coarse::MANY
