@@ -120,14 +120,17 @@ fn has(class: &str, word: &str) -> bool {
 
 fn hatchings(ink: &Ink, f: &mut Faults) {
     let hatches: Vec<&Line> = ink.lines.iter().filter(|l| has(&l.class, "hatch")).collect();
-    let is_arrow = |l: &&Line| has(&l.class, "rotation") || has(&l.class, "leader") || has(&l.class, "driver") && !has(&l.class, "reference");
-    let arrows = ink.lines.iter().filter(is_arrow);
-    for arrow in arrows {
-        for h in &hatches {
-            if h.pieces.iter().any(|a| arrow.pieces.iter().any(|b| cross(*a, *b))) {
-                let points_out = has(&arrow.class, "angle") || has(&arrow.class, "leader");
-                f.note(if points_out { 9 } else { 2 }, format!("{} in {}", arrow.id, h.id));
-            }
+    let crossed = |h: &Line, pieces: &[(P, P)]| h.pieces.iter().any(|a| pieces.iter().any(|b| cross(*a, *b)));
+    for line in &ink.lines {
+        let kind = match line {
+            l if has(&l.class, "leader") || has(&l.class, "angle") && !has(&l.class, "reference") => 9,
+            l if has(&l.class, "rotation") || has(&l.class, "driver") && !has(&l.class, "reference") => 2,
+            _ => continue,
+        };
+        // The ground's number may point to the hatching, not through it.
+        let pieces = if has(&line.class, "leader") { vec![way(line)] } else { line.pieces.clone() };
+        for h in hatches.iter().filter(|h| crossed(h, &pieces)) {
+            f.note(kind, format!("{} in {}", line.id, h.id));
         }
     }
     for (k, a) in hatches.iter().enumerate() {
@@ -144,11 +147,7 @@ fn leaders(ink: &Ink, f: &mut Faults) {
     let arcs: Vec<&Line> = ink.lines.iter().filter(|l| has(&l.class, "rotation") || has(&l.class, "angle") && !has(&l.class, "reference")).collect();
     for leader in ink.lines.iter().filter(|l| has(&l.class, "leader")) {
         f.leaders += 1;
-        // The straight part comes last, from the dot at the thing that is named.
-        let &(dot, end) = leader.pieces.last().expect("a leader line has ink");
-        let length = (end[0] - dot[0]).hypot(end[1] - dot[1]);
-        let off = (DOT_MM / length).min(1.0);
-        let way = ([0, 1].map(|k| dot[k] + (end[k] - dot[k]) * off), end);
+        let way = way(leader);
         for arc in arcs.iter().filter(|a| a.pieces.iter().any(|p| cross(*p, way))) {
             f.note(10, format!("{} through {}", leader.id, arc.id));
         }
@@ -156,6 +155,14 @@ fn leaders(ink: &Ink, f: &mut Faults) {
             f.note(11, format!("{} through {}", leader.id, text.id));
         }
     }
+}
+
+/// A leader line without its dot.
+fn way(leader: &Line) -> (P, P) {
+    // The straight part comes last, from the dot at the thing that is named.
+    let &(dot, end) = leader.pieces.last().expect("a leader line has ink");
+    let off = (DOT_MM / (end[0] - dot[0]).hypot(end[1] - dot[1])).min(1.0);
+    ([0, 1].map(|k| dot[k] + (end[k] - dot[k]) * off), end)
 }
 
 /// A link's number on one line with the name of a rate, and close behind it, is read as its factor.

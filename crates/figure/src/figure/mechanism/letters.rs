@@ -2,7 +2,7 @@
 
 use crate::geom::{Point, Vec2};
 use crate::paper::label::Label;
-use crate::paper::place::LabelRequest;
+use crate::paper::place::{LabelRequest, has_room};
 use crate::plan::names::{name_label, point_label};
 use crate::scene::PointId;
 
@@ -21,6 +21,8 @@ pub(super) enum NumberPlace {
 
 /// The right end of the ground's hatching is its number's, unless the left one is so much farther from all arrows.
 const NO_NEARER_MM: f64 = 2.0;
+/// How far from a plate's middle to its corner its number may stand.
+const NEAR_CORNER: f64 = 0.4;
 /// Directions that cancel to less than this leave no side to prefer.
 const NO_SIDE: f64 = 0.2;
 
@@ -56,7 +58,12 @@ impl Draft<'_> {
                     } else {
                         let n = form.plate.len() as f64;
                         let middle = form.plate.iter().fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / n));
-                        self.d.label_at(&id, "number", &name_label(&name), middle, 0.0, None);
+                        // In the middle, or nearer to a corner.
+                        let places = form.plate.iter().map(|corner| middle + (*corner - middle) * NEAR_CORNER);
+                        let label = Label::math(name_label(&name));
+                        let request = |at: Point| LabelRequest::at_point(label.clone(), self.style.label_mm, at, 0.0);
+                        let requests: Vec<LabelRequest> = std::iter::once(middle).chain(places).map(request).collect();
+                        self.label_with_room(&id, requests);
                     }
                 }
             }
@@ -92,15 +99,14 @@ impl Draft<'_> {
         let driven = |p: Point| self.turned_at.iter().any(|(centre, _)| centre.distance(p) < super::SAME_MM);
         // A support without arrows, the one with most air around it; of equals the first.
         let pivots = (0..self.scene.points.len()).map(PointId).filter(|p| self.is_fixed_pivot(*p));
-        let places = pivots.filter_map(|p| Some((self.point(p)?, self.support_side(p)))).rev();
-        let order = |a: Point, b: Point| driven(b).cmp(&driven(a)).then(alone(a).total_cmp(&alone(b)));
-        if let Some((at, down)) = places.max_by(|a, b| order(a.0, b.0)) {
-            // At that end of the hatching from which the arrows are farther: behind the name of a rate it would be read as a factor.
-            let foot = at + down * (self.style.pivot_height_mm + self.style.hatch_depth_mm / 2.0);
-            let end = |side: f64| foot + down.perp() * (side * self.style.ground_half_mm);
-            let free = |p: Point| self.turned_at.iter().map(|(_, arrow)| p.distance(*arrow)).fold(f64::INFINITY, f64::min);
-            let side = if free(end(-1.0)) > free(end(1.0)) + NO_NEARER_MM { -1.0 } else { 1.0 };
-            self.d.label_at(id, "number", &name_label(name), end(side), self.style.hatch_depth_mm / 2.0, Some(down.perp() * side));
+        let mut places: Vec<(Point, Vec2)> = pivots.filter_map(|p| Some((self.point(p)?, self.support_side(p)))).collect();
+        places.sort_by(|(a, _), (b, _)| driven(*a).cmp(&driven(*b)).then(alone(*b).total_cmp(&alone(*a))));
+        let beside: Vec<(Point, Vec2)> = places.into_iter().flat_map(|(at, down)| self.beside_hatching(at, down)).collect();
+        let request = |(end, out): (Point, Vec2)| {
+            LabelRequest::at_point(Label::math(name_label(name)), self.style.label_mm, end, self.style.hatch_depth_mm / 2.0).towards(out)
+        };
+        if !beside.is_empty() {
+            self.label_with_room(id, beside.into_iter().map(request).collect());
         } else {
             let guide = (0..self.scene.guides.len()).filter(|g| self.scene.guides[*g].on == self.scene.ground);
             let at = guide.filter_map(|g| self.runner(crate::scene::GuideId(g))).next();
@@ -110,6 +116,24 @@ impl Draft<'_> {
                 self.d.label_at(id, "number", &name_label(name), end, 1.0, Some(u));
             }
         }
+    }
+
+    /// Asks for a number at the first of these places with room, else at the first.
+    fn label_with_room(&mut self, id: &str, requests: Vec<LabelRequest>) {
+        let roomy = requests.iter().position(|r| has_room(r, self.d.obstacles()));
+        if let Some(request) = requests.into_iter().nth(roomy.unwrap_or(0)) {
+            self.d.label(id, "number", request);
+        }
+    }
+
+    /// The ends of a support's hatching and the middle below it, and the way out: first that from which the arrows are farther, as a number behind the name of a rate
+    /// would be read as a factor.
+    fn beside_hatching(&self, at: Point, down: Vec2) -> [(Point, Vec2); 3] {
+        let foot = at + down * (self.style.pivot_height_mm + self.style.hatch_depth_mm / 2.0);
+        let end = |side: f64| (foot + down.perp() * (side * self.style.ground_half_mm), down.perp() * side);
+        let free = |p: Point| self.turned_at.iter().map(|(_, arrow)| p.distance(*arrow)).fold(f64::INFINITY, f64::min);
+        let [right, left] = [end(1.0), end(-1.0)];
+        if free(left.0) > free(right.0) + NO_NEARER_MM { [left, right, (foot, down)] } else { [right, left, (foot, down)] }
     }
 
     /// Letters of points, away from the links that meet there.

@@ -35,8 +35,8 @@ const NEARER_MARGIN_MM: f64 = 0.8;
 /// Nearness never costs as much as touching.
 const NEARER_MAX: f64 = 4.0;
 /// A foreign place nearer than the own one, or a line as thick as the own one nearer than that: more than the longest leader line with
-/// foreign lines beside its label.
-const STRAYS: f64 = 11.5;
+/// foreign lines beside its label, less than covering a thick line.
+const STRAYS: f64 = 14.0;
 /// Of lines that lie over one another neither is nearer, whatever rounding says.
 const TIE_MM: f64 = 1e-6;
 /// Letters within this of one place are those of one mark.

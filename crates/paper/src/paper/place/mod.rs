@@ -201,14 +201,17 @@ pub fn place_after(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rec
     search::run(&mut offers, &all, before, Leads::Short).into_iter().zip(&labels).map(|(found, wanted)| wanted.placement(found)).collect()
 }
 
-/// Whether a label has a place beside its thing where it touches nothing that is drawn and is not taken for another thing's, on paper without
+/// So many free places, and a label that is placed before has not taken all of them.
+const ROOM: usize = 4;
+
+/// Whether a label has places beside its thing where it touches nothing that is drawn and is not taken for another thing's, on paper without
 /// end.
 pub fn has_room(request: &LabelRequest, obstacles: &Obstacles) -> bool {
     let wanted = Wanted::new(request);
     let places = candidate::near(&wanted);
     let Some(paper) = places.iter().map(|c| c.reach).reduce(Rect::union) else { return true };
     let around = cost::Around::new(&places, &wanted, obstacles, paper);
-    places.iter().any(|c| around.fixed(c) < CROWDED)
+    places.iter().filter(|c| around.fixed(c) < CROWDED).nth(ROOM - 1).is_some()
 }
 
 /// Whether so many labels are too many to be weighed against one another: then each takes the best place that those before it left.
@@ -261,7 +264,9 @@ pub fn place_or_leave(
         let places: Vec<Placement> = found.into_iter().zip(&kept).map(|(found, &i)| labels[i].placement(found)).collect();
         let hides = |k: usize| {
             let (own, here) = (&labels[kept[k]], places[k].bounds);
-            cost::hides(here, own, obstacles) || places.iter().enumerate().any(|(j, p)| j != k && p.bounds.overlap_mm2(here) > 0.0)
+            let through = |other: Rect| places[k].leader.is_some_and(|(a, b)| cost::clipped_mm(a, b, other) > 0.0);
+            let mut others = places.iter().enumerate().filter(|(j, _)| *j != k).map(|(_, p)| p.bounds);
+            cost::hides(here, own, obstacles) || others.any(|other| other.overlap_mm2(here) > 0.0 || through(other))
         };
         let strays = |k: usize| cost::strays(places[k].bounds, places[k].leader.is_some(), &labels[kept[k]], obstacles);
         let poor = |k: usize| places[k].cost >= CROWDED && hides(k) || strays(k);

@@ -56,12 +56,6 @@ fn overlap(a: &Rect, b: &Rect) -> bool {
     a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y
 }
 
-/// Whether leader lines keep off things of this class.
-fn is_barred(class: &str) -> bool {
-    let has = |word| class.split(' ').any(|w| w == word);
-    has("hatch") || has("rotation") || has("angle") && !has("reference")
-}
-
 impl Obstacles {
     /// The obstacles that these items make.
     pub fn of(items: &[Item]) -> Obstacles {
@@ -80,11 +74,9 @@ impl Obstacles {
     /// Adds the obstacles that these items make, all of one owner.
     pub fn add(&mut self, items: &[Item], owner: Option<u32>) {
         for item in items {
-            let before = self.bars.len();
+            let (bars, heads) = (self.bars.len(), self.heads.len());
             self.add_item(item, owner);
-            if is_barred(&item.class) {
-                self.barred.extend_from_slice(&self.bars[before..]);
-            }
+            self.bar_leaders(&item.class, [bars, heads]);
         }
     }
 
@@ -101,6 +93,18 @@ impl Obstacles {
         let disc =
             |d: &&Disc| any(Rect::new(d.centre, d.centre).grown(d.radius_mm), &|o| super::cost::to_bar(d.centre, o) < d.radius_mm + air_mm);
         self.bars.iter().filter(met).count() + self.discs.iter().filter(disc).count()
+    }
+
+    /// Keeps leader lines off the bars and heads from these on, which are those of an item of this class.
+    fn bar_leaders(&mut self, class: &str, [bars, heads]: [usize; 2]) {
+        let is = |word| class.split(' ').any(|w| w == word);
+        if is("rotation") || is("angle") && !is("reference") {
+            self.barred.extend(self.bars[bars..].iter().chain(&self.heads[heads..]));
+        } else if is("hatch") {
+            // From tip to tip: a line may pass between two strokes and is lost among them all the same.
+            let tips = self.bars[bars..].windows(2).map(|w| Bar { from: w[0].to, to: w[1].to, ..w[0] });
+            self.barred.extend(tips);
+        }
     }
 
     fn add_item(&mut self, item: &Item, owner: Option<u32>) {
