@@ -33,6 +33,8 @@ const FREE_MM: f64 = 3.0;
 const FREE_COST: f64 = 6.0;
 /// What room for its name is worth.
 const ROOM_COST: f64 = 12.0;
+/// The owner of an arrow that is not drawn yet.
+const OWN: u32 = u32::MAX;
 /// Length of a straight arrow, and the gap to the other one of its driver in the same line.
 pub(super) const ARROW_MM: f64 = 12.0;
 const IN_LINE_MM: f64 = 3.0;
@@ -110,9 +112,13 @@ impl Draft<'_> {
         priced.sort_by(|a, b| a.0.total_cmp(&b.0));
         let cheapest = priced[0];
         let in_series = !self.course.supports.is_empty();
-        let room = |(radius, ends)| in_series || has_room(&self.arc_request(symbol, centre, radius, ends), self.d.obstacles());
+        let room = |(radius, [from, to]): (f64, [f64; 2])| {
+            let mut drawn = self.d.obstacles().clone();
+            drawn.add(&sym::rotation(self.style, centre, radius, from, to), Some(OWN));
+            has_room(&self.arc_request(symbol, centre, radius, [from, to]).owned(OWN), &drawn)
+        };
         let affordable = priced.into_iter().take_while(|p| p.0 < cheapest.0 + ROOM_COST);
-        affordable.map(|p| p.1).find(|p| room(*p)).unwrap_or(cheapest.1)
+        affordable.map(|p| p.1).find(|p| in_series || room(*p)).unwrap_or(cheapest.1)
     }
 
     /// The arrows of a velocity and an acceleration along a line, with their symbols.

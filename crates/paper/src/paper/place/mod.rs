@@ -202,7 +202,7 @@ pub fn place_after(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rec
 }
 
 /// So many free places, and a label that is placed before has not taken all of them.
-const ROOM: usize = 4;
+const ROOM: usize = 8;
 
 /// Whether a label has places beside its thing where it touches nothing that is drawn and is not taken for another thing's, on paper without
 /// end.
