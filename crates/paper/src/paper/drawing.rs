@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 
 use crate::geom::{Point, Vec2};
 
+use super::broken::break_at;
 use super::extent::{Rect, bounds, translate};
 use super::item::{COARSE, Item, PLACED, Shape, tag};
 use super::label::Label;
@@ -248,6 +249,11 @@ impl Drawing {
         let (first, coarse) = (habits.is_empty(), is_coarse(requests.len()));
         let before: Vec<Option<Habit>> = self.wanted.iter().filter(|_| !first).map(|w| habits.get(&w.id).copied()).collect();
         let placed = place_or_leave(&requests, &self.obstacles, (room, leads), &before);
+        if leads == Leads::Long {
+            // In a series breaks would come and go.
+            let boxes: Vec<Rect> = placed.iter().flatten().map(|p| p.bounds).collect();
+            break_at(&mut self.items, &boxes);
+        }
         for (p, w) in placed.iter().zip(&self.wanted) {
             habits.insert(w.id.clone(), p.map_or(Habit::LeftOut, |p| Habit::At(p.index)));
             let Some(p) = p else { continue };

@@ -2,7 +2,7 @@
 
 use crate::geom::{Point, Vec2};
 use crate::paper::label::Label;
-use crate::paper::place::{LabelRequest, has_room};
+use crate::paper::place::{LabelRequest, Reads, has_room};
 use crate::plan::names::{name_label, point_label};
 use crate::scene::PointId;
 
@@ -44,7 +44,10 @@ impl Draft<'_> {
             let block = 0.9 * libm::hypot(self.style.block_width_mm, self.style.block_length_mm) / 2.0;
             match self.number_at[l] {
                 Some(NumberPlace::Along(a, b, owner)) => self.number(&id, &name, (a, b), half, owner),
-                Some(NumberPlace::Around(at, side)) => self.d.label_at(&id, "number", &name_label(&name), at, block, side),
+                Some(NumberPlace::Around(at, side)) => {
+                    let request = LabelRequest::at_point(Label::math(name_label(&name)), self.style.label_mm, at, block);
+                    self.d.label(&id, "number", LabelRequest { prefer: side, reads: Reads::Number, ..request });
+                }
                 Some(NumberPlace::Wide(a, b, wide, owner)) => self.number(&id, &name, (a, b), wide + half, owner),
                 None => {
                     let Some(form) = &self.forms[l] else { continue };
@@ -73,7 +76,7 @@ impl Draft<'_> {
 
     fn number(&mut self, id: &str, name: &str, ends: (Point, Point), clear_mm: f64, owner: u32) {
         let request = LabelRequest::along(Label::math(name_label(name)), self.style.label_mm, ends.0, ends.1, clear_mm);
-        self.d.label(id, "number", request.owned(owner));
+        self.d.label(id, "number", request.owned(owner).read_as(Reads::Number));
     }
 
     /// The bars of a link between neighbouring points of it.
@@ -122,7 +125,7 @@ impl Draft<'_> {
     fn label_with_room(&mut self, id: &str, requests: Vec<LabelRequest>) {
         let roomy = requests.iter().position(|r| has_room(r, self.d.obstacles()));
         if let Some(request) = requests.into_iter().nth(roomy.unwrap_or(0)) {
-            self.d.label(id, "number", request);
+            self.d.label(id, "number", request.read_as(Reads::Number));
         }
     }
 

@@ -87,13 +87,7 @@ impl Draft<'_> {
 
     /// Where the arrow of a rotation crosses least and has room for its name: where it is asked for, else turned about its centre or farther
     /// out, as little as may be. In a series it does not look for room, as it would jump from one figure to the next.
-    fn clear_arc(
-        &self,
-        symbol: &str,
-        centre: Point,
-        (radius, [from, to]): (f64, [f64; 2]),
-        beside: Option<&[Item]>,
-    ) -> (f64, [f64; 2]) {
+    fn clear_arc(&self, symbol: &str, centre: Point, (radius, [from, to]): (f64, [f64; 2]), beside: Option<&[Item]>) -> (f64, [f64; 2]) {
         let beside = beside.map(Obstacles::of);
         let place = |out: usize, turn: i32| {
             let by = f64::from(turn) * TAU / f64::from(TURNS);

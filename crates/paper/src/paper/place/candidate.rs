@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use crate::geom::{Point, Vec2};
 use crate::paper::extent::Rect;
 
-use super::{Target, Wanted};
+use super::{Reads, Target, Wanted};
 
 /// One place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,12 +19,27 @@ pub(super) struct Candidate {
     pub reach: Rect,
     /// What the place costs before anything is covered.
     pub base: f64,
+    /// What the label would be read as beside another one.
+    pub reads: Reads,
 }
+
+/// Two letters' widths: a number farther off is no factor.
+pub(super) const FACTOR_MM: f64 = 4.0;
 
 impl Candidate {
     /// A place.
     pub fn new(rect: Rect, leader: Option<(Point, Point)>, base: f64) -> Candidate {
-        Candidate { rect, leader, reach: leader.map_or(rect, |(a, b)| rect.union(Rect::new(a, b))), base }
+        let reach = leader.map_or(rect, |(a, b)| rect.union(Rect::new(a, b)));
+        Candidate { rect, leader, reach, base, reads: Reads::Alone }
+    }
+
+    /// The same for a label that is read with what stands behind it.
+    pub fn read_as(mut self, reads: Reads) -> Candidate {
+        self.reads = reads;
+        if reads == Reads::Quantity {
+            self.reach.max.x = self.reach.max.x.max(self.rect.max.x + FACTOR_MM);
+        }
+        self
     }
 }
 

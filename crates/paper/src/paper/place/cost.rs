@@ -3,9 +3,9 @@
 use crate::geom::{Point, Vec2};
 use crate::paper::extent::Rect;
 
-use super::candidate::{Candidate, nearest};
+use super::candidate::{Candidate, FACTOR_MM, nearest};
 use super::obstacle::{Bar, Disc, Obstacles};
-use super::{Target, Wanted};
+use super::{Reads, Target, Wanted};
 
 /// The first touch of anything: more than the farthest place near the thing (6.4) can cost, so that touching is
 /// never the better bargain.
@@ -50,6 +50,10 @@ const DOT_MM: f64 = 0.6;
 /// Overlap of two labels, and each square millimetre of it.
 const OVERLAP: f64 = 25.0;
 const OVERLAP_PER_MM2: f64 = 2.0;
+/// A number that would be read as the factor of a quantity: more than a leader line.
+const FACTOR: f64 = 7.0;
+/// From this part of its height on a number stands on one line with a quantity: somewhat less than the eye allows.
+const LEVEL_PART: f64 = 0.4;
 /// Air between two labels, for each of them.
 const PAIR_AIR_MM: f64 = 0.3;
 
@@ -234,8 +238,19 @@ pub(super) fn pair(a: &Candidate, b: &Candidate) -> f64 {
     }
     let (ra, rb) = (a.rect.grown(PAIR_AIR_MM), b.rect.grown(PAIR_AIR_MM));
     let area = ra.overlap_mm2(rb);
-    let cost = if area > 0.0 { OVERLAP + OVERLAP_PER_MM2 * area } else { 0.0 };
+    let mut cost = if area > 0.0 { OVERLAP + OVERLAP_PER_MM2 * area } else { 0.0 };
+    if a.reads != b.reads && (is_factor(a, b) || is_factor(b, a)) {
+        cost += FACTOR;
+    }
     if a.leader.is_none() && b.leader.is_none() { cost } else { cost + across([a, b], [ra, rb]) }
+}
+
+/// Whether a number stands on one line with a quantity and close behind it.
+fn is_factor(quantity: &Candidate, number: &Candidate) -> bool {
+    let (q, n) = (quantity.rect, number.rect);
+    let level = q.max.y.min(n.max.y) - q.min.y.max(n.min.y) > LEVEL_PART * n.height_mm();
+    let behind = (0.0..FACTOR_MM).contains(&(n.min.x - q.max.x));
+    quantity.reads == Reads::Quantity && number.reads == Reads::Number && level && behind
 }
 
 /// What it costs that leader lines run across the labels and one another.

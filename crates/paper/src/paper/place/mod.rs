@@ -64,6 +64,18 @@ pub enum Target {
     },
 }
 
+/// What a label would be read as beside another one on the same line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Reads {
+    /// As itself.
+    #[default]
+    Alone,
+    /// As a quantity: a number close behind it would be its factor.
+    Quantity,
+    /// As a number.
+    Number,
+}
+
 /// A label that wants a place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LabelRequest {
@@ -77,6 +89,8 @@ pub struct LabelRequest {
     pub owner: Option<u32>,
     /// The side to prefer, such as away from a polygon's middle; `None` for the upper right, for an arc the outside.
     pub prefer: Option<Vec2>,
+    /// What it would be read as beside another label.
+    pub reads: Reads,
     /// Whether it may be left out where there is no clear place for it, as its thing is named otherwise too.
     pub optional: bool,
 }
@@ -84,18 +98,34 @@ pub struct LabelRequest {
 impl LabelRequest {
     /// A label at a point.
     pub fn at_point(label: Label, size_mm: f64, at: Point, clear_mm: f64) -> LabelRequest {
-        LabelRequest { label, size_mm, target: Target::Point { at, clear_mm }, owner: None, prefer: None, optional: false }
+        LabelRequest {
+            label,
+            size_mm,
+            target: Target::Point { at, clear_mm },
+            owner: None,
+            prefer: None,
+            reads: Reads::Alone,
+            optional: false,
+        }
     }
 
     /// A label along a line.
     pub fn along(label: Label, size_mm: f64, from: Point, to: Point, clear_mm: f64) -> LabelRequest {
-        LabelRequest { label, size_mm, target: Target::Segment { from, to, clear_mm }, owner: None, prefer: None, optional: false }
+        LabelRequest {
+            label,
+            size_mm,
+            target: Target::Segment { from, to, clear_mm },
+            owner: None,
+            prefer: None,
+            reads: Reads::Alone,
+            optional: false,
+        }
     }
 
     /// A label along a piece of a circle.
     pub fn along_arc(label: Label, size_mm: f64, centre: Point, radius_mm: f64, angles_rad: [f64; 2], clear_mm: f64) -> LabelRequest {
         let target = Target::Arc { centre, radius_mm, from_rad: angles_rad[0], to_rad: angles_rad[1], clear_mm };
-        LabelRequest { label, size_mm, target, owner: None, prefer: None, optional: false }
+        LabelRequest { label, size_mm, target, owner: None, prefer: None, reads: Reads::Alone, optional: false }
     }
 
     /// How wide its ink is.
@@ -114,6 +144,11 @@ impl LabelRequest {
     /// The same with an owner.
     pub fn owned(self, owner: u32) -> LabelRequest {
         LabelRequest { owner: Some(owner), ..self }
+    }
+
+    /// The same for a label that is read with another one.
+    pub fn read_as(self, reads: Reads) -> LabelRequest {
+        LabelRequest { reads, ..self }
     }
 
     /// The same for a label that may be left out.
@@ -305,6 +340,7 @@ struct Wanted {
     target: Target,
     owner: Option<u32>,
     prefer: Option<Vec2>,
+    reads: Reads,
 }
 
 impl Wanted {
@@ -318,6 +354,7 @@ impl Wanted {
             descent_mm: set.descent_em * k,
             target: request.target,
             owner: request.owner,
+            reads: request.reads,
             prefer: request.prefer.and_then(Vec2::unit),
         }
     }

@@ -104,7 +104,13 @@ impl Obstacles {
             // From tip to tip: a line may pass between two strokes and is lost among them all the same.
             let tips = self.bars[bars..].windows(2).map(|w| Bar { from: w[0].to, to: w[1].to, ..w[0] });
             self.barred.extend(tips);
+            self.barred.extend_from_slice(&self.bars[bars..]);
         }
+    }
+
+    /// Whether a place is in hatching or nearer to it, or to an arc, than `air_mm`.
+    pub fn is_barred(&self, p: Point, air_mm: f64) -> bool {
+        self.barred.iter().any(|bar| super::cost::to_bar(p, bar) < air_mm)
     }
 
     fn add_item(&mut self, item: &Item, owner: Option<u32>) {
