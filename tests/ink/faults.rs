@@ -144,7 +144,8 @@ fn hatchings(ink: &Ink, f: &mut Faults) {
 
 /// Leader lines point across lines at most, never across what turns or what is written.
 fn leaders(ink: &Ink, f: &mut Faults) {
-    let arcs: Vec<&Line> = ink.lines.iter().filter(|l| has(&l.class, "rotation") || has(&l.class, "angle") && !has(&l.class, "reference")).collect();
+    let arcs: Vec<&Line> =
+        ink.lines.iter().filter(|l| has(&l.class, "rotation") || has(&l.class, "angle") && !has(&l.class, "reference")).collect();
     for leader in ink.lines.iter().filter(|l| has(&l.class, "leader")) {
         f.leaders += 1;
         let way = way(leader);

@@ -99,8 +99,8 @@ impl Drawing {
     pub fn draw(&mut self, name: &str, class: &str, mut items: Vec<Item>) -> u32 {
         self.owners += 1;
         items = items.into_iter().map(|item| item.in_fonts(&self.style.fonts)).collect();
-        self.obstacles.add(&items, Some(self.owners));
         tag(&mut items, &format!("{} {class}", self.kind).replace("  ", " "));
+        self.obstacles.add(&items, Some(self.owners));
         for item in &mut items {
             item.id = self.name(name);
             // Parts of one symbol may belong to links of their own, as barrel and rod do.

@@ -36,6 +36,7 @@ const HATCHING_AIR_MM: f64 = 0.8;
 const ARC_STEP_MM: f64 = 0.2;
 const HEAD_MM: f64 = 2.5;
 const RADIUS_STEP_MM: f64 = 0.5;
+const FARTHER_MM: f64 = 3.0;
 /// An arc all of which is hidden against a radius that is so much larger or smaller.
 const HIDDEN_COST: f64 = 100.0;
 /// A given angle smaller than this has no room for its arrow.
@@ -153,8 +154,12 @@ impl Draft<'_> {
 
     /// The radius next to this one at which the least part of a given angle's arc is in hatching.
     fn radius_off_hatching(&self, at: Point, (radius, crank): (f64, f64), angles: [f64; 2]) -> f64 {
-        let most = radius.max((SMALL_ANGLE_PART * crank).min(SMALL_ANGLE_MM));
-        let hidden = |r: f64| 1.0 - self.seen_parts(at, r, angles).iter().map(|[from, to]| to - from).sum::<f64>();
+        let most = radius.max((SMALL_ANGLE_PART * crank).min(SMALL_ANGLE_MM)) + FARTHER_MM;
+        let head = |r: f64| self.d.obstacles().is_barred(on_circle(at, r, angles[1]), HEAD_MM / 2.0);
+        let hidden = |r: f64| {
+            let seen: f64 = self.seen_parts(at, r, angles).iter().map(|[from, to]| to - from).sum();
+            1.0 - seen + if head(r) { 1.0 } else { 0.0 }
+        };
         let steps = ((most - ANGLE_MM[0]) / RADIUS_STEP_MM).floor().max(0.0) as usize;
         let others = (0..=steps).map(|k| ANGLE_MM[0] + k as f64 * RADIUS_STEP_MM);
         let cost = |r: f64| HIDDEN_COST * hidden(r) + (r - radius).abs();

@@ -102,7 +102,8 @@ impl Obstacles {
             self.barred.extend(self.bars[bars..].iter().chain(&self.heads[heads..]));
         } else if is("hatch") {
             // From tip to tip: a line may pass between two strokes and is lost among them all the same.
-            let tips = self.bars[bars..].windows(2).map(|w| Bar { from: w[0].to, to: w[1].to, ..w[0] });
+            let next = |w: &&[Bar]| w[0].to.distance(w[1].to) < 2.0 * w[0].from.distance(w[0].to);
+            let tips = self.bars[bars..].windows(2).filter(next).map(|w| Bar { from: w[0].to, to: w[1].to, ..w[0] });
             self.barred.extend(tips);
             self.barred.extend_from_slice(&self.bars[bars..]);
         }
