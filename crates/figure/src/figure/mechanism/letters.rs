@@ -2,7 +2,7 @@
 
 use crate::geom::{Point, Vec2};
 use crate::paper::label::Label;
-use crate::paper::place::{LabelRequest, Reads, has_room};
+use crate::paper::place::{LabelRequest, Reads, free_places, roomiest};
 use crate::plan::names::{name_label, point_label};
 use crate::scene::PointId;
 
@@ -121,10 +121,9 @@ impl Draft<'_> {
         }
     }
 
-    /// Asks for a number at the first of these places with room, else at the first.
+    /// Asks for a number at the first of these places with room, else at the one with most.
     fn label_with_room(&mut self, id: &str, requests: Vec<LabelRequest>) {
-        let roomy = requests.iter().position(|r| has_room(r, self.d.obstacles()));
-        if let Some(request) = requests.into_iter().nth(roomy.unwrap_or(0)) {
+        if let Some(request) = roomiest(requests, |r| free_places(&r, self.d.obstacles())) {
             self.d.label(id, "number", request.read_as(Reads::Number));
         }
     }

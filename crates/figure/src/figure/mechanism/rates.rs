@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use crate::geom::{Point, Vec2};
 use crate::paper::extent::on_circle;
 use crate::paper::item::{Item, Shape};
-use crate::paper::place::{Obstacles, has_room};
+use crate::paper::place::{Obstacles, free_places, roomiest};
 use crate::paper::symbols as sym;
 use crate::plan::names::name_label;
 use crate::scene::Driver;
@@ -109,10 +109,10 @@ impl Draft<'_> {
         let room = |(radius, [from, to]): (f64, [f64; 2])| {
             let mut drawn = self.d.obstacles().clone();
             drawn.add(&sym::rotation(self.style, centre, radius, from, to), Some(OWN));
-            has_room(&self.arc_request(symbol, centre, radius, [from, to]).owned(OWN), &drawn)
+            free_places(&self.arc_request(symbol, centre, radius, [from, to]).owned(OWN), &drawn)
         };
         let affordable = priced.into_iter().take_while(|p| p.0 < cheapest.0 + ROOM_COST);
-        affordable.map(|p| p.1).find(|p| in_series || room(*p)).unwrap_or(cheapest.1)
+        if in_series { cheapest.1 } else { roomiest(affordable.map(|p| p.1), room).unwrap_or(cheapest.1) }
     }
 
     /// The arrows of a velocity and an acceleration along a line, with their symbols.

@@ -22,7 +22,7 @@ const THICK_HALF_MM: f64 = 0.165;
 const FAINT_FACTOR: f64 = 0.5;
 /// An arrowhead is what the reader looks for: it counts as this many lines.
 const HEAD_FACTOR: f64 = 2.0;
-/// The label's own line through its letters does not mislead, and is no easier to read.
+/// The label's own thin line through its letters does not mislead, and is no easier to read.
 const OWN_FACTOR: f64 = 0.9;
 /// Each millimetre of a disc's depth and each square millimetre of a box.
 const PER_DEPTH: f64 = 2.0;
@@ -135,8 +135,8 @@ impl<'a> Around<'a> {
             let covered = if touch(grown, *bounds) { clipped_mm(bar.from, bar.to, grown) } else { 0.0 };
             if covered > 0.0 {
                 let factor = match (*own, bar.half_width_mm >= THICK_HALF_MM) {
-                    (true, _) => OWN_FACTOR,
-                    (false, true) => THICK_FACTOR,
+                    (true, false) => OWN_FACTOR,
+                    (true | false, true) => THICK_FACTOR,
                     (false, false) if bar.faint => FAINT_FACTOR,
                     (false, false) => 1.0,
                 };

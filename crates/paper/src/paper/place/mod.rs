@@ -237,16 +237,31 @@ pub fn place_after(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rec
 }
 
 /// So many free places, and a label that is placed before has not taken all of them.
-const ROOM: usize = 8;
+pub const ROOM: usize = 8;
 
-/// Whether a label has places beside its thing where it touches nothing that is drawn and is not taken for another thing's, on paper without
-/// end.
-pub fn has_room(request: &LabelRequest, obstacles: &Obstacles) -> bool {
+/// How many places, up to [`ROOM`], a label has beside its thing where it touches nothing that is drawn and is not taken for another
+/// thing's, on paper without end.
+pub fn free_places(request: &LabelRequest, obstacles: &Obstacles) -> usize {
     let wanted = Wanted::new(request);
     let places = candidate::near(&wanted);
-    let Some(paper) = places.iter().map(|c| c.reach).reduce(Rect::union) else { return true };
+    let Some(paper) = places.iter().map(|c| c.reach).reduce(Rect::union) else { return ROOM };
     let around = cost::Around::new(&places, &wanted, obstacles, paper);
-    places.iter().filter(|c| around.fixed(c) < CROWDED).nth(ROOM - 1).is_some()
+    places.iter().filter(|c| around.fixed(c) < CROWDED).take(ROOM).count()
+}
+
+/// The first of these with [`ROOM`] free places, else the one with most of them.
+pub fn roomiest<T: Clone>(all: impl IntoIterator<Item = T>, free: impl Fn(T) -> usize) -> Option<T> {
+    let mut best: Option<(T, usize)> = None;
+    for one in all {
+        let room = free(one.clone());
+        if best.as_ref().is_none_or(|b| room > b.1) {
+            best = Some((one, room));
+        }
+        if room >= ROOM {
+            break;
+        }
+    }
+    best.map(|b| b.0)
 }
 
 /// Whether so many labels are too many to be weighed against one another: then each takes the best place that those before it left.
