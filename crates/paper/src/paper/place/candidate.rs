@@ -144,13 +144,13 @@ pub(super) fn between(wanted: &Wanted) -> Vec<Candidate> {
             let along = (to - from).unit().unwrap_or(Vec2::ZERO);
             let mut all = led(wanted, &BETWEEN, &across(along, &*ALL));
             let aside = across(along, directions());
-            all.extend(ASIDE.iter().flat_map(|t| led_from(from + (to - from) * *t, 0.0, wanted, &BETWEEN, &aside)));
+            all.extend(ASIDE.iter().flat_map(|t| led_from(from + (to - from) * *t, 0.0, wanted, &LEADERS, &aside)));
             all
         }
         Target::Arc { centre, radius_mm, from_rad, to_rad, .. } => {
             let mut all = led(wanted, &BETWEEN, &*ALL);
             let off = |t: f64| Vec2::from_angle(from_rad + (to_rad - from_rad) * t);
-            let aside = |t: f64| led_from(centre + off(t) * radius_mm, 0.0, wanted, &BETWEEN, &across(off(t).perp(), directions()));
+            let aside = |t: f64| led_from(centre + off(t) * radius_mm, 0.0, wanted, &LEADERS, &across(off(t).perp(), directions()));
             all.extend(ASIDE.iter().flat_map(|t| aside(*t)));
             all
         }
