@@ -14,16 +14,21 @@ const NEARER_MM: f64 = 0.15;
 /// Nearer than this two places are one: an inset is some ten times as large at most.
 const ONE_MM: f64 = 0.02;
 
+/// The dot of a leader line, and the thing that it lies on.
+const DOT_MM: f64 = 1.0;
+
 /// Two letters' widths: a number farther off is no factor.
 const FACTOR_MM: f64 = 4.0;
 
 #[derive(Default)]
 pub struct Faults {
-    pub counts: [usize; 10],
+    pub counts: [usize; NAMES.len()],
     pub list: Vec<String>,
+    /// Not a fault, but the fewer the better.
+    pub leaders: usize,
 }
 
-const NAMES: [&str; 10] = [
+const NAMES: [&str; 12] = [
     "label on label",
     "label under a thick line",
     "arrow in hatching",
@@ -34,17 +39,21 @@ const NAMES: [&str; 10] = [
     "label crossed by a thin line",
     "number behind the name of a rate",
     "angle or leader in hatching",
+    "leader through an arc",
+    "leader through a label",
 ];
 /// Kinds of which there is none.
-const FORBIDDEN: [usize; 4] = [0, 2, 3, 4];
-/// Kinds of which there is one in so many sheets at most: where vectors are many and short there is no place without them.
-const RARE: [usize; 5] = [1, 5, 6, 8, 9];
-const ONE_IN: usize = 20;
+const FORBIDDEN: [usize; 9] = [0, 2, 3, 4, 5, 6, 8, 9, 11];
+/// Kinds of which there is one in so many sheets at most: where arcs, links and vectors are many and short there is no place
+/// without them.
+const RARE: [usize; 3] = [1, 7, 10];
+const ONE_IN: usize = 70;
 
 impl Faults {
     pub fn add(&mut self, other: Faults) {
         self.counts.iter_mut().zip(other.counts).for_each(|(a, b)| *a += b);
         self.list.extend(other.list);
+        self.leaders += other.leaders;
     }
 
     /// Whether so many sheets can be read.
@@ -54,7 +63,8 @@ impl Faults {
     }
 
     pub fn table(&self) -> String {
-        NAMES.iter().zip(self.counts).map(|(name, n)| format!("{n:>5}  {name}")).collect::<Vec<_>>().join("\n")
+        let faults = NAMES.iter().zip(self.counts).map(|(name, n)| format!("{n:>5}  {name}"));
+        faults.chain([format!("{:>5}  leader lines", self.leaders)]).collect::<Vec<_>>().join("\n")
     }
 
     fn note(&mut self, kind: usize, what: String) {
@@ -87,6 +97,7 @@ pub fn of(ink: &Ink) -> Faults {
         }
     }
     hatchings(ink, &mut f);
+    leaders(ink, &mut f);
     factors(ink, &mut f);
     nearest(ink, &mut f);
     f
@@ -110,13 +121,17 @@ fn has(class: &str, word: &str) -> bool {
 
 fn hatchings(ink: &Ink, f: &mut Faults) {
     let hatches: Vec<&Line> = ink.lines.iter().filter(|l| has(&l.class, "hatch")).collect();
-    let arrows = ink.lines.iter().filter(|l| has(&l.class, "rotation") || has(&l.class, "driver") && !has(&l.class, "reference"));
-    for arrow in arrows {
-        for h in &hatches {
-            if h.pieces.iter().any(|a| arrow.pieces.iter().any(|b| cross(*a, *b))) {
-                let points_out = has(&arrow.class, "angle") || has(&arrow.class, "leader");
-                f.note(if points_out { 9 } else { 2 }, format!("{} in {}", arrow.id, h.id));
-            }
+    let crossed = |h: &Line, pieces: &[(P, P)]| h.pieces.iter().any(|a| pieces.iter().any(|b| cross(*a, *b)));
+    for line in &ink.lines {
+        let kind = match line {
+            l if has(&l.class, "leader") || has(&l.class, "angle") && !has(&l.class, "reference") => 9,
+            l if has(&l.class, "rotation") || has(&l.class, "driver") && !has(&l.class, "reference") => 2,
+            _ => continue,
+        };
+        // The ground's number may point to the hatching, not through it.
+        let pieces = if has(&line.class, "leader") { vec![way(line)] } else { line.pieces.clone() };
+        for h in hatches.iter().filter(|h| crossed(h, &pieces)) {
+            f.note(kind, format!("{} in {}", line.id, h.id));
         }
     }
     for (k, a) in hatches.iter().enumerate() {
@@ -126,6 +141,30 @@ fn hatchings(ink: &Ink, f: &mut Faults) {
             }
         }
     }
+}
+
+/// Leader lines point across lines at most, never across what turns or what is written.
+fn leaders(ink: &Ink, f: &mut Faults) {
+    let arcs: Vec<&Line> =
+        ink.lines.iter().filter(|l| has(&l.class, "rotation") || has(&l.class, "angle") && !has(&l.class, "reference")).collect();
+    for leader in ink.lines.iter().filter(|l| has(&l.class, "leader")) {
+        f.leaders += 1;
+        let way = way(leader);
+        for arc in arcs.iter().filter(|a| a.pieces.iter().any(|p| cross(*p, way))) {
+            f.note(10, format!("{} through {}", leader.id, arc.id));
+        }
+        for text in ink.texts.iter().filter(|t| clipped(way, t.ink, 0.0) > GRAZE_MM) {
+            f.note(11, format!("{} through {}", leader.id, text.id));
+        }
+    }
+}
+
+/// A leader line without its dot.
+fn way(leader: &Line) -> (P, P) {
+    // The straight part comes last, from the dot at the thing that is named.
+    let &(dot, end) = leader.pieces.last().expect("a leader line has ink");
+    let off = (DOT_MM / (end[0] - dot[0]).hypot(end[1] - dot[1])).min(1.0);
+    ([0, 1].map(|k| dot[k] + (end[k] - dot[k]) * off), end)
 }
 
 /// A link's number on one line with the name of a rate, and close behind it, is read as its factor.
@@ -159,15 +198,16 @@ fn nearest(ink: &Ink, f: &mut Faults) {
             // Its head is part of it.
             let mine = ink.lines.iter().filter(|l| l.id == own.id).map(|l| apart(text, l)).fold(f64::INFINITY, f64::min);
             for other in shafts.iter().filter(|l| l.id != own.id && !along(own, l)) {
-                if apart(text, other) < mine - NEARER_MM {
-                    f.note(5, format!("{} nearer to {}", text.id, other.id));
+                let theirs = apart(text, other);
+                if theirs < mine - NEARER_MM {
+                    f.note(5, format!("{} nearer to {} ({theirs:.2} mm, {mine:.2} to its own)", text.id, other.id));
                 }
             }
         } else if !inset && let Some((_, at)) = ink.marks.iter().find(|m| m.0 == format!("{kind}-mark-{name}")) {
             let mine = off(text.ink, *at);
             let nearer = |m: &&(String, P)| m.0.starts_with(kind) && off(text.ink, m.1) < mine - NEARER_MM;
             for m in ink.marks.iter().filter(nearer) {
-                f.note(6, format!("{} nearer to {}", text.id, m.0));
+                f.note(6, format!("{} nearer to {} ({:.2} mm, {mine:.2} to its own)", text.id, m.0, off(text.ink, m.1)));
             }
         }
     }

@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 
 use crate::geom::{Point, Vec2};
 
+use super::broken::break_at;
 use super::extent::{Rect, bounds, translate};
 use super::item::{COARSE, Item, PLACED, Shape, tag};
 use super::label::Label;
@@ -98,8 +99,8 @@ impl Drawing {
     pub fn draw(&mut self, name: &str, class: &str, mut items: Vec<Item>) -> u32 {
         self.owners += 1;
         items = items.into_iter().map(|item| item.in_fonts(&self.style.fonts)).collect();
-        self.obstacles.add(&items, Some(self.owners));
         tag(&mut items, &format!("{} {class}", self.kind).replace("  ", " "));
+        self.obstacles.add(&items, Some(self.owners));
         for item in &mut items {
             item.id = self.name(name);
             // Parts of one symbol may belong to links of their own, as barrel and rod do.
@@ -165,11 +166,13 @@ impl Drawing {
         self.items.push(item);
     }
 
-    /// Names a place without ink, for programs that measure on the drawing: a circle of no radius, which labels do not keep off.
+    /// Names a place without ink, for programs that measure on the drawing: a circle of no radius, which labels do not keep off, but to which
+    /// the letter of another place stands no nearer than to its own.
     pub fn mark(&mut self, name: &str, at: Point) {
         let shape = Shape::Circle { centre: at, radius_mm: 0.0, stroke: None, fill: None };
         let id = self.name(&format!("mark-{name}"));
         self.items.push(Item::new(format!("{} mark", self.kind), shape).with_id(id));
+        self.obstacles.marks.push(at);
     }
 
     /// Asks for a label; it is placed when the drawing is finished. Returns its name.
@@ -242,10 +245,15 @@ impl Drawing {
 
     fn placed(mut self, habits: &mut Habits, room: Rect, leads: Leads) -> Part {
         let requests: Vec<LabelRequest> = self.wanted.iter().map(|w| w.request.clone()).collect();
-        self.obstacles.lettered.extend(requests.iter().filter_map(LabelRequest::point));
+        self.obstacles.marks.extend(requests.iter().filter_map(LabelRequest::point));
         let (first, coarse) = (habits.is_empty(), is_coarse(requests.len()));
         let before: Vec<Option<Habit>> = self.wanted.iter().filter(|_| !first).map(|w| habits.get(&w.id).copied()).collect();
         let placed = place_or_leave(&requests, &self.obstacles, (room, leads), &before);
+        if leads == Leads::Long {
+            // In a series breaks would come and go.
+            let boxes: Vec<Rect> = placed.iter().flatten().map(|p| p.bounds).collect();
+            break_at(&mut self.items, &boxes);
+        }
         for (p, w) in placed.iter().zip(&self.wanted) {
             habits.insert(w.id.clone(), p.map_or(Habit::LeftOut, |p| Habit::At(p.index)));
             let Some(p) = p else { continue };

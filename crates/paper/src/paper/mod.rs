@@ -3,6 +3,7 @@
 //! Everything here is y up and knows no file format; [`crate::render`] turns an [`item::Figure`] into ink.
 
 pub mod arrow;
+pub mod broken;
 pub mod drawing;
 pub mod extent;
 pub mod font;

@@ -41,6 +41,8 @@ pub struct Typeset {
     pub runs: Vec<Run>,
     /// Advance width.
     pub width_em: f64,
+    /// Where the ink begins and ends, from the start of the baseline: the advance ends beyond it, or within a slanted letter.
+    pub ink_em: [f64; 2],
     /// Height of the ink above the baseline (0 for an empty label).
     pub ascent_em: f64,
     /// Depth of the ink below the baseline, positive downwards; negative when all ink stands above it.
@@ -100,7 +102,8 @@ fn set_anew(label: &Label) -> Typeset {
         faults.push(Diagnostic::warning("missing-glyph", message).help(both!("write it with other characters", "请改用其他字符")));
     }
     let (bottom, top) = line.vertical_ink();
-    Typeset { runs: line.runs, width_em: line.advance, ascent_em: top, descent_em: -bottom, inked: line.ink.any(), faults }
+    let ink_em = if line.ink.any() { [line.ink.min[0], line.ink.max[0]] } else { [0.0, line.advance] };
+    Typeset { runs: line.runs, width_em: line.advance, ink_em, ascent_em: top, descent_em: -bottom, inked: line.ink.any(), faults }
 }
 
 /// A piece of set type, relative to its own origin, in em.

@@ -2,7 +2,7 @@
 
 use crate::geom::{Point, Vec2};
 use crate::paper::label::Label;
-use crate::paper::place::LabelRequest;
+use crate::paper::place::{LabelRequest, Reads, free_places, roomiest};
 use crate::plan::names::{name_label, point_label};
 use crate::scene::PointId;
 
@@ -21,6 +21,8 @@ pub(super) enum NumberPlace {
 
 /// The right end of the ground's hatching is its number's, unless the left one is so much farther from all arrows.
 const NO_NEARER_MM: f64 = 2.0;
+/// How far from a plate's middle to its corner its number may stand.
+const NEAR_CORNER: f64 = 0.4;
 /// Directions that cancel to less than this leave no side to prefer.
 const NO_SIDE: f64 = 0.2;
 
@@ -42,7 +44,10 @@ impl Draft<'_> {
             let block = 0.9 * libm::hypot(self.style.block_width_mm, self.style.block_length_mm) / 2.0;
             match self.number_at[l] {
                 Some(NumberPlace::Along(a, b, owner)) => self.number(&id, &name, (a, b), half, owner),
-                Some(NumberPlace::Around(at, side)) => self.d.label_at(&id, "number", &name_label(&name), at, block, side),
+                Some(NumberPlace::Around(at, side)) => {
+                    let request = LabelRequest::at_point(Label::math(name_label(&name)), self.style.label_mm, at, block);
+                    self.d.label(&id, "number", LabelRequest { prefer: side, reads: Reads::Number, ..request });
+                }
                 Some(NumberPlace::Wide(a, b, wide, owner)) => self.number(&id, &name, (a, b), wide + half, owner),
                 None => {
                     let Some(form) = &self.forms[l] else { continue };
@@ -56,7 +61,12 @@ impl Draft<'_> {
                     } else {
                         let n = form.plate.len() as f64;
                         let middle = form.plate.iter().fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / n));
-                        self.d.label_at(&id, "number", &name_label(&name), middle, 0.0, None);
+                        // In the middle, or nearer to a corner.
+                        let places = form.plate.iter().map(|corner| middle + (*corner - middle) * NEAR_CORNER);
+                        let label = Label::math(name_label(&name));
+                        let request = |at: Point| LabelRequest::at_point(label.clone(), self.style.label_mm, at, 0.0);
+                        let requests: Vec<LabelRequest> = std::iter::once(middle).chain(places).map(request).collect();
+                        self.label_with_room(&id, requests);
                     }
                 }
             }
@@ -66,7 +76,7 @@ impl Draft<'_> {
 
     fn number(&mut self, id: &str, name: &str, ends: (Point, Point), clear_mm: f64, owner: u32) {
         let request = LabelRequest::along(Label::math(name_label(name)), self.style.label_mm, ends.0, ends.1, clear_mm);
-        self.d.label(id, "number", request.owned(owner));
+        self.d.label(id, "number", request.owned(owner).read_as(Reads::Number));
     }
 
     /// The bars of a link between neighbouring points of it.
@@ -92,15 +102,14 @@ impl Draft<'_> {
         let driven = |p: Point| self.turned_at.iter().any(|(centre, _)| centre.distance(p) < super::SAME_MM);
         // A support without arrows, the one with most air around it; of equals the first.
         let pivots = (0..self.scene.points.len()).map(PointId).filter(|p| self.is_fixed_pivot(*p));
-        let places = pivots.filter_map(|p| Some((self.point(p)?, self.support_side(p)))).rev();
-        let order = |a: Point, b: Point| driven(b).cmp(&driven(a)).then(alone(a).total_cmp(&alone(b)));
-        if let Some((at, down)) = places.max_by(|a, b| order(a.0, b.0)) {
-            // At that end of the hatching from which the arrows are farther: behind the name of a rate it would be read as a factor.
-            let foot = at + down * (self.style.pivot_height_mm + self.style.hatch_depth_mm / 2.0);
-            let end = |side: f64| foot + down.perp() * (side * self.style.ground_half_mm);
-            let free = |p: Point| self.turned_at.iter().map(|(_, arrow)| p.distance(*arrow)).fold(f64::INFINITY, f64::min);
-            let side = if free(end(-1.0)) > free(end(1.0)) + NO_NEARER_MM { -1.0 } else { 1.0 };
-            self.d.label_at(id, "number", &name_label(name), end(side), self.style.hatch_depth_mm / 2.0, Some(down.perp() * side));
+        let mut places: Vec<(Point, Vec2)> = pivots.filter_map(|p| Some((self.point(p)?, self.support_side(p)))).collect();
+        places.sort_by(|(a, _), (b, _)| driven(*a).cmp(&driven(*b)).then(alone(*b).total_cmp(&alone(*a))));
+        let beside: Vec<(Point, Vec2)> = places.into_iter().flat_map(|(at, down)| self.beside_hatching(at, down)).collect();
+        let request = |(end, out): (Point, Vec2)| {
+            LabelRequest::at_point(Label::math(name_label(name)), self.style.label_mm, end, self.style.hatch_depth_mm / 2.0).towards(out)
+        };
+        if !beside.is_empty() {
+            self.label_with_room(id, beside.into_iter().map(request).collect());
         } else {
             let guide = (0..self.scene.guides.len()).filter(|g| self.scene.guides[*g].on == self.scene.ground);
             let at = guide.filter_map(|g| self.runner(crate::scene::GuideId(g))).next();
@@ -110,6 +119,23 @@ impl Draft<'_> {
                 self.d.label_at(id, "number", &name_label(name), end, 1.0, Some(u));
             }
         }
+    }
+
+    /// Asks for a number at the first of these places with room, else at the one with most.
+    fn label_with_room(&mut self, id: &str, requests: Vec<LabelRequest>) {
+        if let Some(request) = roomiest(requests, |r| free_places(&r, self.d.obstacles())) {
+            self.d.label(id, "number", request.read_as(Reads::Number));
+        }
+    }
+
+    /// The ends of a support's hatching and the middle below it, and the way out: first that from which the arrows are farther, as a number behind the name of a rate
+    /// would be read as a factor.
+    fn beside_hatching(&self, at: Point, down: Vec2) -> [(Point, Vec2); 3] {
+        let foot = at + down * (self.style.pivot_height_mm + self.style.hatch_depth_mm / 2.0);
+        let end = |side: f64| (foot + down.perp() * (side * self.style.ground_half_mm), down.perp() * side);
+        let free = |p: Point| self.turned_at.iter().map(|(_, arrow)| p.distance(*arrow)).fold(f64::INFINITY, f64::min);
+        let [right, left] = [end(1.0), end(-1.0)];
+        if free(left.0) > free(right.0) + NO_NEARER_MM { [left, right, (foot, down)] } else { [right, left, (foot, down)] }
     }
 
     /// Letters of points, away from the links that meet there.

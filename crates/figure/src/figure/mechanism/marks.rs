@@ -3,8 +3,11 @@
 use std::f64::consts::TAU;
 
 use crate::geom::Point;
+use crate::paper::broken::seen;
+use crate::paper::extent::on_circle;
+use crate::paper::item::{Item, Shape};
 use crate::paper::label::Label;
-use crate::paper::place::LabelRequest;
+use crate::paper::place::{LabelRequest, Reads};
 use crate::paper::symbols as sym;
 use crate::plan::names::name_label;
 use crate::report::given::Givens;
@@ -29,6 +32,13 @@ const ROTATION_RAD: [f64; 2] = [0.45, 1.9];
 pub(super) const NEXT_MM: f64 = 6.0;
 /// Between a support's hatching and the arc of an angle round it.
 const HATCHING_AIR_MM: f64 = 0.8;
+/// How finely an arc is looked at, what of its end is its head, and how its other radii are tried.
+const ARC_STEP_MM: f64 = 0.2;
+const HEAD_MM: f64 = 2.5;
+const RADIUS_STEP_MM: f64 = 0.5;
+const FARTHER_MM: f64 = 3.0;
+/// An arc all of which is hidden against a radius that is so much larger or smaller.
+const HIDDEN_COST: f64 = 100.0;
 /// A given angle smaller than this has no room for its arrow.
 const ANGLE_LEAST_RAD: f64 = 0.12;
 /// How far outside its rim the arrow of a wheel stands, and half its length.
@@ -110,7 +120,10 @@ impl Draft<'_> {
                 }
                 _ => 0.0,
             };
-            let owner = self.d.draw(&format!("angle-{index}"), "driver", sym::angle(self.style, at, radius, reference, reference + sweep));
+            let radius = self.radius_off_hatching(at, (radius, crank), [reference, reference + sweep]);
+            let arc = sym::angle(self.style, at, radius, reference, reference + sweep);
+            let owner =
+                self.d.draw(&format!("angle-{index}"), "driver", self.behind_hatching(arc, at, radius, [reference, reference + sweep]));
             let mut symbol = format!("\\varphi_{{{}}}", name_label(&index));
             if let Some(given) = angle.as_ref().filter(|_| self.dimensioned) {
                 symbol += &format!(" = {}", Givens { scene: self.scene, lang: Lang::default() }.angle(given));
@@ -129,6 +142,44 @@ impl Draft<'_> {
         self.d.of_link(Some(link.0));
         self.rotations(driver, &index, Turns { centre, radius, angles, mirror: outward.angle() });
         self.d.of_link(None);
+    }
+
+    /// The parts of an arc that no hatching hides; its head is always seen.
+    fn seen_parts(&self, at: Point, radius: f64, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
+        let length = radius * (to - from).abs();
+        let head = HEAD_MM / length;
+        let on = |t: f64| on_circle(at, radius, from + (to - from) * t);
+        seen((length / ARC_STEP_MM).ceil() as usize, |t| t < 1.0 - head && self.d.obstacles().is_barred(on(t), HATCHING_AIR_MM))
+    }
+
+    /// The radius next to this one at which the least part of a given angle's arc is in hatching.
+    fn radius_off_hatching(&self, at: Point, (radius, crank): (f64, f64), angles: [f64; 2]) -> f64 {
+        let most = radius.max((SMALL_ANGLE_PART * crank).min(SMALL_ANGLE_MM)) + FARTHER_MM;
+        let head = |r: f64| self.d.obstacles().is_barred(on_circle(at, r, angles[1]), HEAD_MM / 2.0);
+        let hidden = |r: f64| {
+            let seen: f64 = self.seen_parts(at, r, angles).iter().map(|[from, to]| to - from).sum();
+            1.0 - seen + if head(r) { 1.0 } else { 0.0 }
+        };
+        let steps = ((most - ANGLE_MM[0]) / RADIUS_STEP_MM).floor().max(0.0) as usize;
+        let others = (0..=steps).map(|k| ANGLE_MM[0] + k as f64 * RADIUS_STEP_MM);
+        let cost = |r: f64| HIDDEN_COST * hidden(r) + (r - radius).abs();
+        if hidden(radius) == 0.0 { radius } else { others.fold(radius, |best, r| if cost(r) < cost(best) { r } else { best }) }
+    }
+
+    /// An angle's items, its arc broken where hatching hides it.
+    fn behind_hatching(&self, mut items: Vec<Item>, at: Point, radius: f64, [from, to]: [f64; 2]) -> Vec<Item> {
+        let parts = self.seen_parts(at, radius, [from, to]);
+        let angle = |t: f64| from + (to - from) * t;
+        if let (Some((last, before)), Some(Item { shape: Shape::ArcArrow { from_rad, stroke, .. }, class, .. })) =
+            (parts.split_last(), items.last_mut())
+        {
+            *from_rad = angle(last[0]);
+            let (stroke, class) = (*stroke, class.clone());
+            items.extend(before.iter().map(|[a, b]| {
+                Item::new(class.clone(), Shape::Arc { centre: at, radius_mm: radius, from_rad: angle(*a), to_rad: angle(*b), stroke })
+            }));
+        }
+        items
     }
 
     /// From a fixed pivot to the farthest corner of its support's hatching.
@@ -155,9 +206,12 @@ impl Draft<'_> {
     }
 
     pub(super) fn arc_label(&mut self, symbol: &str, class: &str, centre: Point, radius: f64, angles: [f64; 2], owner: u32) {
-        let request =
-            LabelRequest::along_arc(Label::math(symbol), self.style.label_mm, centre, radius, angles, self.style.vector.width_mm / 2.0);
-        self.d.label(symbol, &format!("driver {class}"), request.owned(owner));
+        let request = self.arc_request(symbol, centre, radius, angles);
+        self.d.label(symbol, &format!("driver {class}"), request.owned(owner).read_as(Reads::Quantity));
+    }
+
+    pub(super) fn arc_request(&self, symbol: &str, centre: Point, radius: f64, angles: [f64; 2]) -> LabelRequest {
+        LabelRequest::along_arc(Label::math(symbol), self.style.label_mm, centre, radius, angles, self.style.vector.width_mm / 2.0)
     }
 
     /// The joint of two links.

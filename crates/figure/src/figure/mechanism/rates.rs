@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use crate::geom::{Point, Vec2};
 use crate::paper::extent::on_circle;
 use crate::paper::item::{Item, Shape};
-use crate::paper::place::Obstacles;
+use crate::paper::place::{Obstacles, free_places, roomiest};
 use crate::paper::symbols as sym;
 use crate::plan::names::name_label;
 use crate::scene::Driver;
@@ -31,6 +31,10 @@ const APART_MM: f64 = NEXT_MM;
 /// nearer to anything than this is as bad as four steps outward.
 const FREE_MM: f64 = 3.0;
 const FREE_COST: f64 = 6.0;
+/// What room for its name is worth.
+const ROOM_COST: f64 = 12.0;
+/// The owner of an arrow that is not drawn yet.
+const OWN: u32 = u32::MAX;
 /// Length of a straight arrow, and the gap to the other one of its driver in the same line.
 pub(super) const ARROW_MM: f64 = 12.0;
 const IN_LINE_MM: f64 = 3.0;
@@ -71,17 +75,19 @@ impl Draft<'_> {
             let (low, high) = if first.is_some() { (2.0 * t.mirror - high, 2.0 * t.mirror - low) } else { (low, high) };
             // The head is at the end that the link turns to, or is urged to.
             let ends = if value > 0.0 { [low, high] } else { [high, low] };
-            let (radius, [from, to]) = self.clear_arc(t.centre, t.radius, ends, first.as_deref());
+            let symbol = format!("\\{letter}_{{{name}}}");
+            let (radius, [from, to]) = self.clear_arc(&symbol, t.centre, (t.radius, ends), first.as_deref());
             let arrow = sym::rotation(self.style, t.centre, radius, from, to);
             let owner = self.d.draw(&format!("{thing}-{index}"), "driver", arrow.clone());
             self.turned_at.push((t.centre, on_circle(t.centre, radius, (from + to) / 2.0)));
-            self.arc_label(&format!("\\{letter}_{{{name}}}"), "rotation", t.centre, radius, [from, to], owner);
+            self.arc_label(&symbol, "rotation", t.centre, radius, [from, to], owner);
             first.get_or_insert(arrow);
         }
     }
 
-    /// Where the arrow of a rotation crosses least: where it is asked for, else turned about its centre or farther out, as little as may be.
-    fn clear_arc(&self, centre: Point, radius: f64, [from, to]: [f64; 2], beside: Option<&[Item]>) -> (f64, [f64; 2]) {
+    /// Where the arrow of a rotation crosses least and has room for its name: where it is asked for, else turned about its centre or farther
+    /// out, as little as may be. In a series it does not look for room, as it would jump from one figure to the next.
+    fn clear_arc(&self, symbol: &str, centre: Point, (radius, [from, to]): (f64, [f64; 2]), beside: Option<&[Item]>) -> (f64, [f64; 2]) {
         let beside = beside.map(Obstacles::of);
         let place = |out: usize, turn: i32| {
             let by = f64::from(turn) * TAU / f64::from(TURNS);
@@ -96,9 +102,17 @@ impl Draft<'_> {
             CROSSED_COST * crossed as f64 + crowded + OUT_COST * out as f64 + TURN_COST * f64::from(turn * turn)
         };
         let all = (0..OUTS).flat_map(|out| (0..TURNS).map(move |k| (out, if k % 2 == 0 { k / 2 } else { -(k + 1) / 2 })));
-        let priced = all.map(|(out, turn)| (cost(out, turn), out, turn));
-        let (_, out, turn) = priced.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, 0, 0));
-        place(out, turn)
+        let mut priced: Vec<(f64, (f64, [f64; 2]))> = all.map(|(out, turn)| (cost(out, turn), place(out, turn))).collect();
+        priced.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let cheapest = priced[0];
+        let in_series = !self.course.supports.is_empty();
+        let room = |(radius, [from, to]): (f64, [f64; 2])| {
+            let mut drawn = self.d.obstacles().clone();
+            drawn.add(&sym::rotation(self.style, centre, radius, from, to), Some(OWN));
+            free_places(&self.arc_request(symbol, centre, radius, [from, to]).owned(OWN), &drawn)
+        };
+        let affordable = priced.into_iter().take_while(|p| p.0 < cheapest.0 + ROOM_COST);
+        if in_series { cheapest.1 } else { roomiest(affordable.map(|p| p.1), room).unwrap_or(cheapest.1) }
     }
 
     /// The arrows of a velocity and an acceleration along a line, with their symbols.

@@ -127,14 +127,14 @@ impl Draft<'_> {
     pub(super) fn inset(&self, d: &mut Drawing, style: &Style, inset: &Inset) {
         let steps: Vec<usize> = inset.arrows.iter().flat_map(|k| self.arrows[*k].steps.iter().copied()).collect();
         let class = steps.iter().fold("inset".to_owned(), |class, step| format!("{class} step-{step}"));
-        let ring = |centre, radius_mm| Shape::Circle { centre, radius_mm, stroke: Some(style.thin), fill: None };
+        let ring = |centre, radius_mm| Shape::Arc { centre, radius_mm, from_rad: 0.0, to_rad: std::f64::consts::TAU, stroke: style.thin };
         let u = (inset.at - inset.centre).unit().unwrap_or(Vec2::new(1.0, 0.0));
         let near = inset.radius_mm;
         let lead = Shape::Line { from: inset.centre + u * near, to: inset.at - u * inset.outer_mm(), stroke: style.thin };
-        d.frame("inset-of", &class, ring(inset.centre, near));
-        let (centre, radius_mm) = (inset.at, near * inset.times);
-        let edge = Shape::Arc { centre, radius_mm, from_rad: 0.0, to_rad: std::f64::consts::TAU, stroke: style.thin };
-        d.shape("inset-frame", &class, edge);
+        d.behind(|d| {
+            d.shape("inset-of", &class, ring(inset.centre, near));
+        });
+        d.shape("inset-frame", &class, ring(inset.at, near * inset.times));
         d.shape("inset-lead", &class, lead);
         let ends: Vec<Point> = inset.arrows.iter().flat_map(|k| [self.arrows[*k].from, self.arrows[*k].to]).collect();
         let inner = middle(ends.iter().map(|p| inset.map(*p)));

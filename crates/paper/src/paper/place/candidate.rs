@@ -4,9 +4,9 @@ use std::f64::consts::{FRAC_PI_4, TAU};
 use std::sync::LazyLock;
 
 use crate::geom::{Point, Vec2};
-use crate::paper::extent::{Rect, on_circle};
+use crate::paper::extent::Rect;
 
-use super::{Target, Wanted};
+use super::{Reads, Target, Wanted};
 
 /// One place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,12 +19,27 @@ pub(super) struct Candidate {
     pub reach: Rect,
     /// What the place costs before anything is covered.
     pub base: f64,
+    /// What the label would be read as beside another one.
+    pub reads: Reads,
 }
+
+/// Two letters' widths: a number farther off is no factor.
+pub(super) const FACTOR_MM: f64 = 4.0;
 
 impl Candidate {
     /// A place.
     pub fn new(rect: Rect, leader: Option<(Point, Point)>, base: f64) -> Candidate {
-        Candidate { rect, leader, reach: leader.map_or(rect, |(a, b)| rect.union(Rect::new(a, b))), base }
+        let reach = leader.map_or(rect, |(a, b)| rect.union(Rect::new(a, b)));
+        Candidate { rect, leader, reach, base, reads: Reads::Alone }
+    }
+
+    /// The same for a label that is read with what stands behind it.
+    pub fn read_as(mut self, reads: Reads) -> Candidate {
+        self.reads = reads;
+        if reads == Reads::Quantity {
+            self.reach.max.x = self.reach.max.x.max(self.rect.max.x + FACTOR_MM);
+        }
+        self
     }
 }
 
@@ -51,6 +66,9 @@ const LONG_LEADERS: [(f64, f64); 2] = [(17.0, 5.8), (22.0, 6.6)];
 
 /// The same for lines between those directions.
 const BETWEEN: [(f64, f64); 6] = [(3.5, 3.6), (6.5, 4.0), (10.0, 4.7), (14.0, 5.4), (19.0, 6.1), (26.0, 7.2)];
+
+/// Where else on a line or an arc they end than in its middle.
+const ASIDE: [f64; 2] = [0.3, 0.7];
 
 /// The cosine of the least angle between such a leader line and its own vector: 30°.
 const ACROSS: f64 = 0.866;
@@ -123,22 +141,41 @@ pub(super) fn between(wanted: &Wanted) -> Vec<Candidate> {
     match wanted.target {
         Target::Point { .. } => led(wanted, &BETWEEN, &*ALL),
         Target::Segment { from, to, .. } => {
-            // A leader line along its own vector is not seen.
             let along = (to - from).unit().unwrap_or(Vec2::ZERO);
-            let across: Vec<Vec2> = ALL.iter().copied().filter(|u| u.dot(along).abs() < ACROSS).collect();
-            led(wanted, &BETWEEN, &across)
+            let mut all = led(wanted, &BETWEEN, &across(along, &*ALL));
+            let aside = across(along, directions());
+            all.extend(ASIDE.iter().flat_map(|t| led_from(from + (to - from) * *t, 0.0, wanted, &LEADERS, &aside)));
+            all
         }
-        // The arrow of a rotation goes around its pivot: between the others these lines would run through its hatching.
-        Target::Arc { .. } => Vec::new(),
+        Target::Arc { centre, radius_mm, from_rad, to_rad, .. } => {
+            let mut all = led(wanted, &BETWEEN, &*ALL);
+            let off = |t: f64| Vec2::from_angle(from_rad + (to_rad - from_rad) * t);
+            let aside = |t: f64| led_from(centre + off(t) * radius_mm, 0.0, wanted, &LEADERS, &across(off(t).perp(), directions()));
+            all.extend(ASIDE.iter().flat_map(|t| aside(*t)));
+            all
+        }
     }
+}
+
+/// The directions that are not along a line: there a leader line is not seen.
+fn across(line: Vec2, directions: &[Vec2]) -> Vec<Vec2> {
+    directions.iter().copied().filter(|u| u.dot(line).abs() < ACROSS).collect()
 }
 
 fn led(wanted: &Wanted, leaders: &[(f64, f64)], directions: &[Vec2]) -> Vec<Candidate> {
     let (at, clear_mm) = match wanted.target {
         Target::Point { at, clear_mm } => (at, clear_mm),
         Target::Segment { from, to, .. } => (from + (to - from) * 0.5, 0.0),
-        Target::Arc { centre, radius_mm, from_rad, to_rad, .. } => (on_circle(centre, radius_mm, (from_rad + to_rad) / 2.0), 0.0),
+        Target::Arc { centre, radius_mm, from_rad, to_rad, .. } => {
+            let out = Vec2::from_angle((from_rad + to_rad) / 2.0);
+            return led_from(centre + out * radius_mm, 0.0, wanted, leaders, &across(out.perp(), directions));
+        }
     };
+    led_from(at, clear_mm, wanted, leaders, directions)
+}
+
+/// Places with leader lines that end `clear_mm` off a point.
+fn led_from(at: Point, clear_mm: f64, wanted: &Wanted, leaders: &[(f64, f64)], directions: &[Vec2]) -> Vec<Candidate> {
     let mut all = Vec::with_capacity(DIRECTIONS * leaders.len());
     for &(length, base) in leaders {
         for &u in directions {

@@ -1,11 +1,11 @@
 //! What a place costs, in millimetres of foreign line covered.
 
-use crate::geom::Point;
+use crate::geom::{Point, Vec2};
 use crate::paper::extent::Rect;
 
-use super::candidate::{Candidate, nearest};
+use super::candidate::{Candidate, FACTOR_MM, nearest};
 use super::obstacle::{Bar, Disc, Obstacles};
-use super::{Target, Wanted};
+use super::{Reads, Target, Wanted};
 
 /// The first touch of anything: more than the farthest place near the thing (6.4) can cost, so that touching is
 /// never the better bargain.
@@ -22,7 +22,7 @@ const THICK_HALF_MM: f64 = 0.165;
 const FAINT_FACTOR: f64 = 0.5;
 /// An arrowhead is what the reader looks for: it counts as this many lines.
 const HEAD_FACTOR: f64 = 2.0;
-/// The label's own line through its letters does not mislead, and is no easier to read.
+/// The label's own thin line through its letters does not mislead, and is no easier to read.
 const OWN_FACTOR: f64 = 0.9;
 /// Each millimetre of a disc's depth and each square millimetre of a box.
 const PER_DEPTH: f64 = 2.0;
@@ -34,18 +34,26 @@ const NEARER_PER_MM: f64 = 1.8;
 const NEARER_MARGIN_MM: f64 = 0.8;
 /// Nearness never costs as much as touching.
 const NEARER_MAX: f64 = 4.0;
-/// A foreign place nearer than the own one, or a line as thick as the own one nearer than that: less than touching, but poor, so that a
-/// leader line is tried.
-pub(super) const STRAYS: f64 = 7.5;
+/// A foreign place nearer than the own one, or a line as thick as the own one nearer than that: more than the longest leader line with
+/// foreign lines beside its label, less than covering a thick line.
+const STRAYS: f64 = 14.0;
 /// Of lines that lie over one another neither is nearer, whatever rounding says.
 const TIE_MM: f64 = 1e-6;
 /// Letters within this of one place are those of one mark.
 const ONE_MARK_MM: f64 = 0.15;
 /// A leader line across a line, or across a label.
 const LEADER_CROSSES: f64 = 2.5;
+/// A leader line through hatching or the arc of an angle: worse than anything but another label.
+const BARRED: f64 = 20.0;
+/// Its dot may lie on such an arc, if it is that which is named.
+const DOT_MM: f64 = 0.6;
 /// Overlap of two labels, and each square millimetre of it.
 const OVERLAP: f64 = 25.0;
 const OVERLAP_PER_MM2: f64 = 2.0;
+/// A number that would be read as the factor of a quantity: more than a leader line.
+const FACTOR: f64 = 7.0;
+/// From this part of its height on a number stands on one line with a quantity: somewhat less than the eye allows.
+const LEVEL_PART: f64 = 0.4;
 /// Air between two labels, for each of them.
 const PAIR_AIR_MM: f64 = 0.3;
 
@@ -57,6 +65,7 @@ pub(super) struct Around<'a> {
     heads: Vec<&'a Bar>,
     discs: Vec<&'a Disc>,
     rects: Vec<&'a Rect>,
+    barred: Vec<&'a Bar>,
     rivals: Vec<Point>,
 }
 
@@ -73,8 +82,9 @@ impl<'a> Around<'a> {
     pub(super) fn new(places: &[Candidate], wanted: &'a Wanted, obstacles: &'a Obstacles, paper: Rect) -> Around<'a> {
         let looks = places.iter().map(|c| c.reach.union(c.rect.grown(own_distance(c.rect, wanted.target) + NEARER_MARGIN_MM)));
         let Some(reach) = looks.reduce(Rect::union).map(|r| r.grown(AIR_MM)) else {
-            return Around { wanted, paper, bars: vec![], heads: vec![], discs: vec![], rects: vec![], rivals: vec![] };
+            return Around { wanted, paper, bars: vec![], heads: vec![], discs: vec![], rects: vec![], barred: vec![], rivals: vec![] };
         };
+        let led = places.iter().any(|c| c.leader.is_some());
         let near = |bar: &&Bar| !far_apart(reach.grown(bar.half_width_mm), bar);
         let line = |bar: &'a Bar| {
             let own = bar.owner.is_some() && bar.owner == wanted.owner;
@@ -88,12 +98,14 @@ impl<'a> Around<'a> {
             heads: obstacles.heads.iter().filter(near).collect(),
             discs: obstacles.discs.iter().filter(touched).collect(),
             rects: obstacles.rects.iter().filter(|r| r.overlap_mm2(reach) > 0.0).collect(),
+            barred: obstacles.barred.iter().filter(|bar| led && near(bar)).collect(),
             rivals: rivals(wanted, obstacles).filter(|p| nearest(reach, *p).distance(*p) <= reach.width_mm()).collect(),
         }
     }
 
     /// Whether another mark is nearer than the label's own, or another line as thick.
     fn strays(&self, rect: Rect) -> bool {
+        let rect = self.wanted.ink(rect);
         match self.wanted.target {
             Target::Point { at, .. } => {
                 let own = nearest(rect, at).distance(at);
@@ -123,8 +135,8 @@ impl<'a> Around<'a> {
             let covered = if touch(grown, *bounds) { clipped_mm(bar.from, bar.to, grown) } else { 0.0 };
             if covered > 0.0 {
                 let factor = match (*own, bar.half_width_mm >= THICK_HALF_MM) {
-                    (true, _) => OWN_FACTOR,
-                    (false, true) => THICK_FACTOR,
+                    (true, false) => OWN_FACTOR,
+                    (true | false, true) => THICK_FACTOR,
                     (false, false) if bar.faint => FAINT_FACTOR,
                     (false, false) => 1.0,
                 };
@@ -160,24 +172,28 @@ impl<'a> Around<'a> {
             }
         }
         cost += outside(c.rect, self.paper);
-        if let Some((a, b)) = c.leader {
-            let reach = Rect::new(a, b);
-            let near = self.bars.iter().filter(|l| !l.own && !l.meets && touch(reach, l.bounds));
-            let crossed = near.filter(|l| crosses(a, b, l.bar.from, l.bar.to));
-            let texts = self.rects.iter().filter(|r| clipped_mm(a, b, ***r) > 0.0);
-            cost += LEADER_CROSSES * crossed.count() as f64 + TOUCH * texts.count() as f64;
-        }
-        cost
+        cost + c.leader.map_or(0.0, |leader| self.across(leader))
+    }
+
+    /// What a leader line costs by what it crosses, from its label to its thing.
+    fn across(&self, (a, b): (Point, Point)) -> f64 {
+        let reach = Rect::new(a, b);
+        let near = self.bars.iter().filter(|l| !l.own && !l.meets && touch(reach, l.bounds));
+        let crossed = near.filter(|l| crosses(a, b, l.bar.from, l.bar.to));
+        let texts = self.rects.iter().filter(|r| clipped_mm(a, b, ***r) > 0.0);
+        let before_dot = b + (a - b).unit().unwrap_or(Vec2::ZERO) * DOT_MM;
+        let barred = self.barred.iter().any(|bar| crosses(a, before_dot, bar.from, bar.to));
+        LEADER_CROSSES * crossed.count() as f64 + TOUCH * texts.count() as f64 + if barred { BARRED } else { 0.0 }
     }
 }
 
-/// The lettered places that are not the label's own.
+/// The marked places that are not the label's own.
 fn rivals(wanted: &Wanted, obstacles: &Obstacles) -> impl Iterator<Item = Point> {
     let own = match wanted.target {
         Target::Point { at, .. } => Some(at),
         Target::Segment { .. } | Target::Arc { .. } => None,
     };
-    obstacles.lettered.iter().copied().filter(move |p| own.is_some_and(|at| at.distance(*p) > ONE_MARK_MM))
+    obstacles.marks.iter().copied().filter(move |p| own.is_some_and(|at| at.distance(*p) > ONE_MARK_MM))
 }
 
 /// Whether a label there lies on something that it would make unreadable, or that would make it so: an arrowhead, a symbol, a
@@ -198,6 +214,7 @@ pub(super) fn hides(rect: Rect, wanted: &Wanted, obstacles: &Obstacles) -> bool 
 /// Whether a label there would be read as the name of another line: one as thick as its own is nearer. A leader line tells.
 pub(super) fn strays(c: Rect, leader: bool, wanted: &Wanted, obstacles: &Obstacles) -> bool {
     let Target::Segment { clear_mm, .. } = wanted.target else { return false };
+    let c = wanted.ink(c);
     let own = own_distance(c, wanted.target);
     let reach = c.grown(own);
     let rival = |bar: &Bar| {
@@ -221,8 +238,19 @@ pub(super) fn pair(a: &Candidate, b: &Candidate) -> f64 {
     }
     let (ra, rb) = (a.rect.grown(PAIR_AIR_MM), b.rect.grown(PAIR_AIR_MM));
     let area = ra.overlap_mm2(rb);
-    let cost = if area > 0.0 { OVERLAP + OVERLAP_PER_MM2 * area } else { 0.0 };
+    let mut cost = if area > 0.0 { OVERLAP + OVERLAP_PER_MM2 * area } else { 0.0 };
+    if a.reads != b.reads && (is_factor(a, b) || is_factor(b, a)) {
+        cost += FACTOR;
+    }
     if a.leader.is_none() && b.leader.is_none() { cost } else { cost + across([a, b], [ra, rb]) }
+}
+
+/// Whether a number stands on one line with a quantity and close behind it.
+fn is_factor(quantity: &Candidate, number: &Candidate) -> bool {
+    let (q, n) = (quantity.rect, number.rect);
+    let level = q.max.y.min(n.max.y) - q.min.y.max(n.min.y) > LEVEL_PART * n.height_mm();
+    let behind = (0.0..FACTOR_MM).contains(&(n.min.x - q.max.x));
+    quantity.reads == Reads::Quantity && number.reads == Reads::Number && level && behind
 }
 
 /// What it costs that leader lines run across the labels and one another.

@@ -64,6 +64,18 @@ pub enum Target {
     },
 }
 
+/// What a label would be read as beside another one on the same line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Reads {
+    /// As itself.
+    #[default]
+    Alone,
+    /// As a quantity: a number close behind it would be its factor.
+    Quantity,
+    /// As a number.
+    Number,
+}
+
 /// A label that wants a place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LabelRequest {
@@ -77,6 +89,8 @@ pub struct LabelRequest {
     pub owner: Option<u32>,
     /// The side to prefer, such as away from a polygon's middle; `None` for the upper right, for an arc the outside.
     pub prefer: Option<Vec2>,
+    /// What it would be read as beside another label.
+    pub reads: Reads,
     /// Whether it may be left out where there is no clear place for it, as its thing is named otherwise too.
     pub optional: bool,
 }
@@ -84,18 +98,34 @@ pub struct LabelRequest {
 impl LabelRequest {
     /// A label at a point.
     pub fn at_point(label: Label, size_mm: f64, at: Point, clear_mm: f64) -> LabelRequest {
-        LabelRequest { label, size_mm, target: Target::Point { at, clear_mm }, owner: None, prefer: None, optional: false }
+        LabelRequest {
+            label,
+            size_mm,
+            target: Target::Point { at, clear_mm },
+            owner: None,
+            prefer: None,
+            reads: Reads::Alone,
+            optional: false,
+        }
     }
 
     /// A label along a line.
     pub fn along(label: Label, size_mm: f64, from: Point, to: Point, clear_mm: f64) -> LabelRequest {
-        LabelRequest { label, size_mm, target: Target::Segment { from, to, clear_mm }, owner: None, prefer: None, optional: false }
+        LabelRequest {
+            label,
+            size_mm,
+            target: Target::Segment { from, to, clear_mm },
+            owner: None,
+            prefer: None,
+            reads: Reads::Alone,
+            optional: false,
+        }
     }
 
     /// A label along a piece of a circle.
     pub fn along_arc(label: Label, size_mm: f64, centre: Point, radius_mm: f64, angles_rad: [f64; 2], clear_mm: f64) -> LabelRequest {
         let target = Target::Arc { centre, radius_mm, from_rad: angles_rad[0], to_rad: angles_rad[1], clear_mm };
-        LabelRequest { label, size_mm, target, owner: None, prefer: None, optional: false }
+        LabelRequest { label, size_mm, target, owner: None, prefer: None, reads: Reads::Alone, optional: false }
     }
 
     /// How wide its ink is.
@@ -114,6 +144,11 @@ impl LabelRequest {
     /// The same with an owner.
     pub fn owned(self, owner: u32) -> LabelRequest {
         LabelRequest { owner: Some(owner), ..self }
+    }
+
+    /// The same for a label that is read with another one.
+    pub fn read_as(self, reads: Reads) -> LabelRequest {
+        LabelRequest { reads, ..self }
     }
 
     /// The same for a label that may be left out.
@@ -201,6 +236,34 @@ pub fn place_after(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rec
     search::run(&mut offers, &all, before, Leads::Short).into_iter().zip(&labels).map(|(found, wanted)| wanted.placement(found)).collect()
 }
 
+/// So many free places, and a label that is placed before has not taken all of them.
+pub const ROOM: usize = 8;
+
+/// How many places, up to [`ROOM`], a label has beside its thing where it touches nothing that is drawn and is not taken for another
+/// thing's, on paper without end.
+pub fn free_places(request: &LabelRequest, obstacles: &Obstacles) -> usize {
+    let wanted = Wanted::new(request);
+    let places = candidate::near(&wanted);
+    let Some(paper) = places.iter().map(|c| c.reach).reduce(Rect::union) else { return ROOM };
+    let around = cost::Around::new(&places, &wanted, obstacles, paper);
+    places.iter().filter(|c| around.fixed(c) < CROWDED).take(ROOM).count()
+}
+
+/// The first of these with [`ROOM`] free places, else the one with most of them.
+pub fn roomiest<T: Clone>(all: impl IntoIterator<Item = T>, free: impl Fn(T) -> usize) -> Option<T> {
+    let mut best: Option<(T, usize)> = None;
+    for one in all {
+        let room = free(one.clone());
+        if best.as_ref().is_none_or(|b| room > b.1) {
+            best = Some((one, room));
+        }
+        if room >= ROOM {
+            break;
+        }
+    }
+    best.map(|b| b.0)
+}
+
 /// Whether so many labels are too many to be weighed against one another: then each takes the best place that those before it left.
 pub fn is_coarse(labels: usize) -> bool {
     labels > coarse::MANY
@@ -251,7 +314,9 @@ pub fn place_or_leave(
         let places: Vec<Placement> = found.into_iter().zip(&kept).map(|(found, &i)| labels[i].placement(found)).collect();
         let hides = |k: usize| {
             let (own, here) = (&labels[kept[k]], places[k].bounds);
-            cost::hides(here, own, obstacles) || places.iter().enumerate().any(|(j, p)| j != k && p.bounds.overlap_mm2(here) > 0.0)
+            let through = |other: Rect| places[k].leader.is_some_and(|(a, b)| cost::clipped_mm(a, b, other) > 0.0);
+            let mut others = places.iter().enumerate().filter(|(j, _)| *j != k).map(|(_, p)| p.bounds);
+            cost::hides(here, own, obstacles) || others.any(|other| other.overlap_mm2(here) > 0.0 || through(other))
         };
         let strays = |k: usize| cost::strays(places[k].bounds, places[k].leader.is_some(), &labels[kept[k]], obstacles);
         let poor = |k: usize| places[k].cost >= CROWDED && hides(k) || strays(k);
@@ -284,10 +349,13 @@ type Found = (Candidate, f64, usize);
 struct Wanted {
     half_width_mm: f64,
     half_height_mm: f64,
+    /// From the sides of the box to the ink, which is what the eye compares distances by.
+    bearing_mm: [f64; 2],
     descent_mm: f64,
     target: Target,
     owner: Option<u32>,
     prefer: Option<Vec2>,
+    reads: Reads,
 }
 
 impl Wanted {
@@ -297,9 +365,11 @@ impl Wanted {
         Wanted {
             half_width_mm: set.width_em * k / 2.0,
             half_height_mm: (set.ascent_em + set.descent_em) * k / 2.0,
+            bearing_mm: [set.ink_em[0] * k, (set.width_em - set.ink_em[1]) * k],
             descent_mm: set.descent_em * k,
             target: request.target,
             owner: request.owner,
+            reads: request.reads,
             prefer: request.prefer.and_then(Vec2::unit),
         }
     }
@@ -307,6 +377,12 @@ impl Wanted {
     fn placement(&self, (candidate, cost, index): Found) -> Placement {
         let at = Point::new(candidate.rect.min.x, candidate.rect.min.y + self.descent_mm);
         Placement { at, bounds: candidate.rect, leader: candidate.leader, cost, index }
+    }
+
+    /// The ink in a box of the label.
+    fn ink(&self, rect: Rect) -> Rect {
+        let [left, right] = self.bearing_mm;
+        Rect { min: Point::new(rect.min.x + left, rect.min.y), max: Point::new(rect.max.x - right, rect.max.y) }
     }
 
     fn rect(&self, centre: Point) -> Rect {

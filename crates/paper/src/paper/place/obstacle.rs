@@ -40,8 +40,10 @@ pub struct Obstacles {
     pub discs: Vec<Disc>,
     /// Boxes: labels with a fixed place, tables.
     pub rects: Vec<Rect>,
-    /// Places that have a letter: that of another one stands farther off.
-    pub lettered: Vec<Point>,
+    /// What no leader line crosses, of the lines: hatching, in which it is lost, and arcs of angles and rotations, of which it seems a part.
+    pub barred: Vec<Bar>,
+    /// Places that have a letter or could have one: that of another one stands farther off.
+    pub marks: Vec<Point>,
 }
 
 /// Arcs are taken as chords of at most this angle: at 20 mm radius a chord of 0.3 rad is off by 0.2 mm.
@@ -71,7 +73,11 @@ impl Obstacles {
 
     /// Adds the obstacles that these items make, all of one owner.
     pub fn add(&mut self, items: &[Item], owner: Option<u32>) {
-        items.iter().for_each(|item| self.add_item(item, owner));
+        for item in items {
+            let (bars, heads) = (self.bars.len(), self.heads.len());
+            self.add_item(item, owner);
+            self.bar_leaders(&item.class, [bars, heads]);
+        }
     }
 
     /// How many of these lines and discs others cross, or come nearer to than `air_mm`.
@@ -87,6 +93,25 @@ impl Obstacles {
         let disc =
             |d: &&Disc| any(Rect::new(d.centre, d.centre).grown(d.radius_mm), &|o| super::cost::to_bar(d.centre, o) < d.radius_mm + air_mm);
         self.bars.iter().filter(met).count() + self.discs.iter().filter(disc).count()
+    }
+
+    /// Keeps leader lines off the bars and heads from these on, which are those of an item of this class.
+    fn bar_leaders(&mut self, class: &str, [bars, heads]: [usize; 2]) {
+        let is = |word| class.split(' ').any(|w| w == word);
+        if is("rotation") || is("angle") && !is("reference") {
+            self.barred.extend(self.bars[bars..].iter().chain(&self.heads[heads..]));
+        } else if is("hatch") {
+            // From tip to tip: a line may pass between two strokes and is lost among them all the same.
+            let next = |w: &&[Bar]| w[0].to.distance(w[1].to) < 2.0 * w[0].from.distance(w[0].to);
+            let tips = self.bars[bars..].windows(2).filter(next).map(|w| Bar { from: w[0].to, to: w[1].to, ..w[0] });
+            self.barred.extend(tips);
+            self.barred.extend_from_slice(&self.bars[bars..]);
+        }
+    }
+
+    /// Whether a place is in hatching or nearer to it, or to an arc, than `air_mm`.
+    pub fn is_barred(&self, p: Point, air_mm: f64) -> bool {
+        self.barred.iter().any(|bar| super::cost::to_bar(p, bar) < air_mm)
     }
 
     fn add_item(&mut self, item: &Item, owner: Option<u32>) {

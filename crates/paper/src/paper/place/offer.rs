@@ -36,7 +36,7 @@ impl<'a> Offer<'a> {
     /// How many places there are up to the end of a ring.
     pub(super) fn up_to(&mut self, ring: usize) -> usize {
         for further in &RINGS[self.ends.len().min(ring + 1)..=ring] {
-            self.places.extend(further(self.wanted));
+            self.places.extend(further(self.wanted).into_iter().map(|c| c.read_as(self.wanted.reads)));
             self.ends.push(self.places.len());
         }
         self.costs.resize(self.places.len(), None);

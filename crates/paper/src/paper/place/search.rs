@@ -17,9 +17,8 @@ const SWEEPS_MAX: usize = 24;
 const ROUNDS_MAX: usize = 8;
 /// From this cost on a leader line is worth a try: dearer than any place with nothing but a foreign line near by.
 const POOR: f64 = 5.5;
-
-/// From this cost on it is tried in all directions: what stands nearer to something else costs more.
-const STRAYED: f64 = cost::STRAYS - 0.5;
+/// From this cost on it is tried in all directions: what covers something or stands nearer to something else costs more.
+const STRAYED: f64 = 7.0;
 
 /// What it costs a label of a series of figures to leave the place that it had in the figure before: less than touching
 /// anything, more than any nearness, so that it stays beside its thing until something comes in its way.
