@@ -296,6 +296,7 @@ fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
         offset,
         centre,
         radius,
+        contact: false,
         span: node.span,
     })
 }

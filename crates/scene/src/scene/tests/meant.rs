@@ -2,7 +2,7 @@
 
 use super::{faults, good, read, with, written};
 use crate::scene::quantity::Of;
-use crate::scene::{Angle, DriverKind, LinkId, OnLink, PointId};
+use crate::scene::{Angle, DriverKind, GuideId, LinkId, OnLink, PointId};
 
 /// A disc that is nothing but its pivot and its slot, in which a pin runs that a rod guides.
 fn slotted(angle: &str, driver: &str) -> String {
@@ -87,6 +87,27 @@ fn a_runner_of_two_guides_is_told_with_what_runs_in_one() {
     let said = faults(text);
     assert!(said.contains("`B` runs in 2 guides (name what runs in one of them only: \"2\")"), "{said}");
     good(&text.replace(r#""slide": "B""#, r#""slide": "2""#));
+}
+
+/// What touches also runs in the pair that stands for the contact, of which the author has written nothing: its own guide is meant.
+#[test]
+fn a_driver_of_what_touches_means_its_guide() {
+    let scene = |points: &str, cam: &str| {
+        format!(
+            r#"{{"links": {{"1": ["C"], "2": ["K"], "3": ["C", "F"]}}, "ground": "1", "points": {points},
+ "guides": [{{"pin": "K", "slider": "2", "angle": "0 deg"}}], "cams": [{cam}], "driver": {{"slide": "K", "velocity": "0.5 m/s"}}, "find": ["omega_3"]}}"#
+        )
+    };
+    let disc = r#"{"C": [0, 0], "K": ["50 mm", 0], "F": ["40 mm", "30 mm"]}"#;
+    let wedge = r#"{"C": [0, 0], "K": ["40 mm", "30 mm"], "F": ["80 mm", "60 mm"]}"#;
+    for (points, cam) in [
+        (disc, r#"{"cam": "2", "follower": "3", "face": {"through": "C", "line": "CF", "cam": "right"}, "profile": {"centre": "K", "radius": "30 mm"}}"#),
+        (disc, r#"{"cam": "2", "follower": "3", "face": {"through": "C", "line": "CF", "cam": "right"}}"#),
+        (wedge, r#"{"cam": "3", "follower": "2", "roller": {"pin": "K", "radius": "5 mm"}}"#),
+    ] {
+        let drivers = good(&scene(points, cam)).drivers;
+        assert!(matches!(drivers[0].kind, DriverKind::Slide { guide: GuideId(0), .. }), "{cam}: {:?}", drivers[0].kind);
+    }
 }
 
 #[test]
