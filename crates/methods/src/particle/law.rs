@@ -126,6 +126,11 @@ impl Way {
         self.folded()?.at(t)
     }
 
+    /// Whether the time is in none of its laws.
+    pub fn is_at_rest(&self) -> bool {
+        self.laws().iter().all(|(_, law)| !law.depends_on_time())
+    }
+
     /// The laws in it, with the names of their keys.
     pub fn laws(&self) -> Vec<(&'static str, &Law)> {
         match self {
