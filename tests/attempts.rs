@@ -161,6 +161,43 @@ fn the_contact_of_the_disc_seen_from_the_face() {
     assert!((wrong - alpha).abs() < 1e-9 && (alpha - 128.3).abs() < 0.01, "{wrong} against {alpha}");
 }
 
+/// The point of contact may be asked for beside what a wrong equation is about: it is the same point there, and moves as that equation has it.
+#[test]
+fn the_contact_may_be_asked_for_in_every_attempt() {
+    let rocker = templates::get("flat-face-mistake").unwrap();
+    let alphas = |asked: &[&str]| -> Vec<(f64, f64, Option<[f64; 2]>)> {
+        let text = scene::edit::with_find(rocker, asked).unwrap();
+        let (scene, worked) = worked(&text);
+        let all = wanted(&scene, &worked, true).unwrap();
+        let row = |a: &Attempt, find: &str| a.rows.iter().any(|r| scene.find[worked.results[r.result].find].text == find);
+        let of = |a: &Attempt| {
+            let [right, wrong] = answer(&scene, &worked, a, "alpha_3").map(scalar);
+            let contact = row(a, "a_E3").then(|| {
+                let [_, Value::Vector(wrong)] = answer(&scene, &worked, a, "a_E3") else { panic!("a_E3 is no vector") };
+                [wrong.x, wrong.y]
+            });
+            (right, wrong, contact)
+        };
+        all.iter().filter(|a| row(a, "alpha_3")).map(of).collect()
+    };
+    let alone = alphas(&["alpha_3"]);
+    assert!(alone.len() >= 3, "{alone:?}");
+    for asked in ["v_E3", "a_E3", "v_E2", "a_E2", "x_E", "vr_E3E2"] {
+        let beside = alphas(&["alpha_3", asked]);
+        assert_eq!(beside.len(), alone.len(), "{asked}");
+        for ((right, wrong, contact), (_, before, _)) in beside.into_iter().zip(&alone) {
+            assert!((wrong - before).abs() < 1e-9, "{asked}: {wrong} against {before}");
+            // E of the rocker goes round C: its part square to CE is α₃ CE, right or wrong.
+            let [x, y] = [0.035 - 0.08, 0.03 * 3_f64.sqrt() / 2.0];
+            if let Some([ax, ay]) = contact {
+                let told = (x * ay - y * ax) / (x * x + y * y);
+                assert!((told - wrong).abs() < 1e-9 && (told - right).abs() > 1.0, "{asked}: {told}, {wrong}, {right}");
+            }
+            assert_eq!(contact.is_some(), asked == "a_E3", "{asked}");
+        }
+    }
+}
+
 /// a_M = aⁿ_MN + aᵗ_MN with the right ω and α, as if N had no acceleration.
 #[test]
 fn the_rolling_point_as_base_of_another() {

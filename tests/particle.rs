@@ -171,6 +171,7 @@ fn parts_make_up_the_whole_and_drawing_agrees() {
 #[test]
 fn figures_have_no_labels_on_one_another() {
     for name in templates::names() {
+        let (_, first) = solved(templates::get(name).unwrap());
         for k in 0..24 {
             let text = templates::get(name).unwrap();
             // The instants of all templates are before their meetings.
@@ -181,7 +182,9 @@ fn figures_have_no_labels_on_one_another() {
             };
             let text = text.replace("\"t1\": \"0 s\"", &t).replace("\"t1\": \"15 s\"", &t).replace("\"t1\": \"0.5 s\"", &t);
             let text = text.replace("\"angle\": \"90 deg\"", &format!("\"angle\": \"{} deg\"", 15 * k));
-            let (problem, found) = solved(&text);
+            let problem = read(&text).unwrap_or_else(|f| panic!("{f}")).value;
+            // Where a pursuit ends does not change from instant to instant.
+            let found = solve_again(&problem, &first).unwrap_or_else(|f| panic!("{f}"));
             let drawn = board::draw(&problem).unwrap();
             for lang in [Lang::En, Lang::Zh] {
                 for (_, figure) in figures(&problem, &found, &drawn, &Style::default(), lang).unwrap() {
@@ -199,11 +202,39 @@ fn figures_have_no_labels_on_one_another() {
     }
 }
 
+/// A place without a motion is a point at rest where a pursuer runs toward it or a question names it: it says what the same point says that moves
+/// by x and y which stay. Elsewhere it is told as unused.
+#[test]
+fn places_that_are_asked_for_are_points_at_rest() {
+    let runs = r#"{"point": "A", "angle": "-10 deg", "s": "200 m/s*t + 3 m/s^2*t^2"}"#;
+    let chases = r#"{"point": "A", "toward": "O", "speed": "20 m/s + 1 m/s^2*t"}"#;
+    let text = |place: &str, motions: &str, find: &str| {
+        format!(r#"{{"time": "2 s", "points": {{"A": ["1 km", "2 km"]{place}}}, "motions": [{motions}]{find}}}"#)
+    };
+    let rest = r#", "O": ["300 m", "-40 m"]"#;
+    let stays = r#"{"point": "O", "x": "300 m", "y": "-40 m"}"#;
+    for (motion, find) in [
+        (runs, r#", "find": ["l_OA", "omega_OA", "l_AO", "omega_AO", "vr_A/O", "ar_O/A", "v_A", "v_O"]"#),
+        (chases, r#", "find": ["T_AO", "P_AO", "l_AO", "omega_AO", "v_A", "a_A", "r_O"]"#),
+        (chases, ""),
+    ] {
+        let (one, other) = (solved(&text(rest, motion, find)), solved(&text("", &format!("{motion}, {stays}"), find)));
+        let told = |(problem, solved): &(hodograph::particle::Problem, Solved)| report::text(problem, solved, &[], 6, false, Lang::En);
+        assert_eq!(told(&one), told(&other));
+        assert!(!one.1.answers.is_empty());
+    }
+    let warned = |text: String| read(&text).unwrap().notes.iter().map(|d| d.code).collect::<Vec<_>>();
+    assert_eq!(warned(text(rest, runs, r#", "find": ["l_OA"]"#)), Vec::<&str>::new());
+    assert_eq!(warned(text(rest, runs, r#", "find": ["v_A"]"#)), ["unused-point"]);
+    assert_eq!(warned(text(rest, runs, "")), ["unused-point"]);
+}
+
 /// What is wrong is told, all of it, with its place.
 #[test]
 fn faults_are_told_with_their_places() {
     for (text, codes) in [
         (r#"{"motions": []}"#, vec!["wrong-count"]),
+        (r#"{"parameters": {"t": "2 s"}, "motions": [{"point": "A", "x": "1 m/s*t", "y": "0 m"}]}"#, vec!["name"]),
         (r#"{"motions": [{"point": "A", "toward": "B", "speed": "5 m/s"}]}"#, vec!["missing-key", "unknown-point"]),
         (r#"{"points": {"A": [0, 0]}, "motions": [{"point": "A", "toward": "B", "speed": "5 m/s"}]}"#, vec!["unknown-point"]),
         (r#"{"points": {"A": [0, 0]}, "motions": [{"point": "A", "toward": "A", "speed": "5 m/s"}]}"#, vec!["pursuit"]),

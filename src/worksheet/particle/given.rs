@@ -63,6 +63,9 @@ fn motion(problem: &Problem, m: &Motion) -> Both {
             problem.motions[*target].point,
             told(speed)
         ),
+        Kind::Fixed(Way::Free(place)) if place.iter().all(|law| !law.depends_on_time()) => {
+            both!("${point}$ is at rest at {}", "${point}$ 静止于 {}", at(place))
+        }
         Kind::Fixed(way) => path(point, &both!("moves", "运动："), way, &both!("from the axis x", "与 x 轴夹角")),
         Kind::OnPlate(k, way) => {
             let link = &problem.plates[*k].link;

@@ -130,6 +130,11 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
             continue;
         }
         lettered.push(at);
+        // Found by image, no equation leads there: the whole vector does.
+        if !drawn.iter().any(|(a, b)| a.distance(at) < SAME_MM || b.distance(at) < SAME_MM) {
+            drawn.push((Point::ORIGIN, at));
+            arrow(&mut d, (Point::ORIGIN, at), &wrong_words.vector(level, v));
+        }
         let name = format!("wrong-image-{}", wrong_words.image(level, v));
         d.draw(&name, "wrong", crate::paper::symbols::dot(style, at));
         let label = Label::math(format!("{}*", wrong_words.image(level, v)));
@@ -140,6 +145,8 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
     let owner = d.shape("gap", "gap", Shape::Line { from, to, stroke: gap });
     let label = Label::math(gap_symbol(&wrong_words, a));
     d.label("gap", "gap", LabelRequest::along(label, style.label_mm, from, to, gap.width_mm / 2.0).owned(owner));
+    // Beside a wrong solution many times as large the right one may shrink to a spot.
+    d.thin_out(&[Point::ORIGIN, tips[0], tips[1], from + (to - from) * 0.5]);
     let caption = words.frame_of_drawing(a);
     Some(maker.titled(d.finish(), Label::text(caption), &of_level(&w.scene.book, level, right.mu), "attempt"))
 }

@@ -66,6 +66,22 @@ impl Mutual {
 }
 
 impl Asked {
+    /// The motions that it is about: their places in the list.
+    pub(super) fn motions(self) -> Vec<usize> {
+        match self {
+            Asked::MeetingTime(k)
+            | Asked::MeetingPlace(k)
+            | Asked::Distance(k)
+            | Asked::LineOmega(k)
+            | Asked::Place(k)
+            | Asked::Velocity(k)
+            | Asked::Acceleration(k)
+            | Asked::Curvature(k)
+            | Asked::Part(k, _) => vec![k],
+            Asked::Between(two, _) => two.to_vec(),
+        }
+    }
+
     /// Whether it is a place, which is told by its coordinates alone.
     pub fn is_place(self) -> bool {
         match self {
@@ -82,8 +98,16 @@ impl Asked {
     }
 }
 
-/// All questions of a problem with their texts, those that say most first.
+/// What is answered where nothing is asked, those that say most first: all questions but those about nothing but points at rest.
 pub fn all(problem: &Problem) -> Vec<Find> {
+    let moves = |k: usize| match &problem.motions[k].kind {
+        Kind::Fixed(way) => !way.is_at_rest(),
+        Kind::OnPlate(..) | Kind::Toward { .. } => true,
+    };
+    possible(problem).into_iter().filter(|f| f.what.motions().into_iter().any(moves)).collect()
+}
+
+fn possible(problem: &Problem) -> Vec<Find> {
     let mut out: Vec<Find> = Vec::new();
     let mut add = |text: String, what: Asked| out.push(Find { text, what });
     for (k, m) in problem.motions.iter().enumerate() {
@@ -121,7 +145,7 @@ fn between(problem: &Problem) -> Vec<([usize; 2], Find)> {
 
 /// The meaning of a question; a stroke and the number of the plate may stand behind a part (`ak_M/2`).
 pub fn meaning(problem: &Problem, text: &str, span: Span) -> Result<Find, Diagnostic> {
-    let mut known = all(problem);
+    let mut known = possible(problem);
     let more = between(problem).into_iter().map(|(_, find)| find).filter(|f| known.iter().all(|k| k.text != f.text)).collect::<Vec<_>>();
     known.extend(more);
     let plain = |f: &&Find| f.text == text || f.text.strip_prefix("T_").is_some_and(|pair| text == "T" && !pair.is_empty());

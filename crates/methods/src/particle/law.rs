@@ -5,48 +5,49 @@
 
 use crate::diag::Diagnostic;
 use crate::number::{Jet, Real};
+use crate::scene::folded::Folded;
 use crate::scene::front::Law;
 
 /// Two coordinates and their derivatives.
 pub type Pair<N> = [Jet<N>; 2];
 
-/// Along what a point moves, and by which law.
+/// Along what a point moves, and by which law: laws as written, or folded for one kind of number ([`Folded`]).
 #[derive(Clone, Debug)]
-pub enum Way {
+pub enum Way<L = Law> {
     /// A straight line from a place; the angle counts from the first coordinate's direction to the second's, or from the second's to the
     /// first's (from the axis of a plate).
     Line {
         /// The place at s = 0.
-        from: [Law; 2],
+        from: [L; 2],
         /// Its direction.
-        angle: Law,
+        angle: L,
         /// Whether the angle is that from the axis.
         from_axis: bool,
         /// The law.
-        s: Law,
+        s: L,
     },
     /// A circle; s is the arc, counter-clockwise from the angle.
     Circle {
         /// Its centre.
-        centre: [Law; 2],
+        centre: [L; 2],
         /// Its radius.
-        radius: Law,
+        radius: L,
         /// Where s is 0.
-        angle: Option<Law>,
+        angle: Option<L>,
         /// The law.
-        s: Law,
+        s: L,
     },
     /// Distance from a pole and direction, each by a law.
     Polar {
         /// The pole.
-        pole: [Law; 2],
+        pole: [L; 2],
         /// The distance.
-        r: Law,
+        r: L,
         /// The angle from the first coordinate's direction to the second's.
-        phi: Law,
+        phi: L,
     },
     /// Coordinates, each by a law of its own.
-    Free([Law; 2]),
+    Free([L; 2]),
 }
 
 /// The value of a law.
@@ -65,37 +66,69 @@ pub fn sine_cosine<N: Real>(law: &Law, t: N) -> Result<(Jet<N>, Jet<N>), Diagnos
     law.at(t).map(|v| v.sin_cos())
 }
 
-fn pair<N: Real>(laws: &[Law; 2], t: N) -> Result<Pair<N>, Diagnostic> {
-    Ok([jet(&laws[0], t)?, jet(&laws[1], t)?])
-}
-
-impl Way {
+impl<N: Real> Way<Folded<N>> {
     /// The coordinates at a time.
     ///
     /// # Errors
     /// Where a law has no value.
-    pub fn at<N: Real>(&self, t: N) -> Result<Pair<N>, Diagnostic> {
+    pub fn at(&self, t: N) -> Result<Pair<N>, Diagnostic> {
+        let value = |law: &Folded<N>| law.at(t).map(|v| v.si());
+        let pair = |[x, y]: &[Folded<N>; 2]| Ok([value(x)?, value(y)?]);
         match self {
             Way::Line { from, angle, from_axis, s } => {
-                let ([x, y], s, (sine, cosine)) = (pair(from, t)?, jet(s, t)?, sine_cosine(angle, t)?);
+                let ([x, y], s, (sine, cosine)) = (pair(from)?, value(s)?, angle.sine_cosine(t)?);
                 let (along, up) = if *from_axis { (sine, cosine) } else { (cosine, sine) };
                 Ok([x + s * along, y + s * up])
             }
             Way::Circle { centre, radius, angle, s } => {
-                let ([x, y], r, s) = (pair(centre, t)?, jet(radius, t)?, jet(s, t)?);
+                let ([x, y], r, s) = (pair(centre)?, value(radius)?, value(s)?);
                 let (sine, cosine) = (s / r).sin_cos();
                 let (s0, c0) = match angle {
-                    Some(angle) => sine_cosine(angle, t)?,
+                    Some(angle) => angle.sine_cosine(t)?,
                     None => (Jet::from_f64(0.0), Jet::from_f64(1.0)),
                 };
                 Ok([x + r * (cosine * c0 - sine * s0), y + r * (sine * c0 + cosine * s0)])
             }
             Way::Polar { pole, r, phi } => {
-                let ([x, y], r, (sine, cosine)) = (pair(pole, t)?, jet(r, t)?, sine_cosine(phi, t)?);
+                let ([x, y], r, (sine, cosine)) = (pair(pole)?, value(r)?, phi.sine_cosine(t)?);
                 Ok([x + r * cosine, y + r * sine])
             }
-            Way::Free(laws) => pair(laws, t),
+            Way::Free(laws) => pair(laws),
         }
+    }
+}
+
+impl Way {
+    /// The way in one kind of number, to be asked often.
+    ///
+    /// # Errors
+    /// Where a part of a law without the time has no value.
+    pub fn folded<N: Real>(&self) -> Result<Way<Folded<N>>, Diagnostic> {
+        let pair = |[x, y]: &[Law; 2]| Ok([x.folded()?, y.folded()?]);
+        Ok(match self {
+            Way::Line { from, angle, from_axis, s } => {
+                Way::Line { from: pair(from)?, angle: angle.folded()?, from_axis: *from_axis, s: s.folded()? }
+            }
+            Way::Circle { centre, radius, angle, s } => {
+                let angle = angle.as_ref().map(Law::folded).transpose()?;
+                Way::Circle { centre: pair(centre)?, radius: radius.folded()?, angle, s: s.folded()? }
+            }
+            Way::Polar { pole, r, phi } => Way::Polar { pole: pair(pole)?, r: r.folded()?, phi: phi.folded()? },
+            Way::Free(laws) => Way::Free(pair(laws)?),
+        })
+    }
+
+    /// The coordinates at a time.
+    ///
+    /// # Errors
+    /// Where a law has no value.
+    pub fn at<N: Real>(&self, t: N) -> Result<Pair<N>, Diagnostic> {
+        self.folded()?.at(t)
+    }
+
+    /// Whether the time is in none of its laws.
+    pub fn is_at_rest(&self) -> bool {
+        self.laws().iter().all(|(_, law)| !law.depends_on_time())
     }
 
     /// The laws in it, with the names of their keys.

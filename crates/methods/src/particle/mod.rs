@@ -18,10 +18,12 @@
 mod ask;
 pub mod board;
 pub mod law;
+mod peek;
 pub mod plate;
 #[doc(hidden)]
 pub mod pursuit;
 mod read;
+mod rest;
 pub mod schema;
 mod solve;
 pub mod templates;

@@ -9,6 +9,7 @@
 use super::law::{Way, jet};
 use crate::diag::{Diagnostic, both};
 use crate::number::{Ball, Dd, Real};
+use crate::scene::folded::Folded;
 use crate::scene::front::Law;
 
 /// The code of what is said where the steps do not follow a course to its end.
@@ -37,6 +38,12 @@ pub struct Chase<'a> {
     pub speed: &'a Law,
     /// How the target moves.
     pub target: &'a Way,
+}
+
+/// A chase in one kind of number, whose laws are asked at every step.
+struct Course<N> {
+    speed: Folded<N>,
+    target: Way<Folded<N>>,
 }
 
 /// The way from pursuer to target at a time.
@@ -92,32 +99,21 @@ fn fineness<N: Real>() -> (f64, f64) {
     if longer { (1e-29, 1e-22) } else { (2e-16, 1e-14) }
 }
 
-impl Chase<'_> {
-    /// The first state.
-    ///
-    /// # Errors
-    /// Where a law has no value.
-    pub fn start<N: Real>(&self) -> Result<State<N>, Diagnostic> {
-        let zero = N::from_f64(0.0);
-        let b = self.target.at(zero)?;
-        let place = |k: usize| Ok(b[k].0[0] - jet(&self.from[k], zero)?.0[0]);
-        Ok(State { t: zero, d: [place(0)?, place(1)?], error: 0.0 })
-    }
-
+impl<N: Real> Course<N> {
     /// Speed of the pursuer and velocity of the target at a time.
-    fn rates<N: Real>(&self, t: N) -> Result<(N, [N; 2]), Diagnostic> {
+    fn rates(&self, t: N) -> Result<(N, [N; 2]), Diagnostic> {
         let b = self.target.at(t)?;
-        Ok((jet(self.speed, t)?.0[0], [b[0].0[1], b[1].0[1]]))
+        Ok((self.speed.at(t)?.si().0[0], [b[0].0[1], b[1].0[1]]))
     }
 
-    fn slope<N: Real>(&self, t: N, d: [N; 2]) -> Result<[N; 2], Diagnostic> {
+    fn slope(&self, t: N, d: [N; 2]) -> Result<[N; 2], Diagnostic> {
         let (v, b) = self.rates(t)?;
         let l = d[0].hypot(d[1]);
         Ok([b[0] - v * d[0] / l, b[1] - v * d[1] / l])
     }
 
     /// The modified midpoint rule with `n` parts.
-    fn midpoint<N: Real>(&self, from: &State<N>, h: N, n: usize) -> Result<[N; 2], Diagnostic> {
+    fn midpoint(&self, from: &State<N>, h: N, n: usize) -> Result<[N; 2], Diagnostic> {
         let part = h / N::from_f64(n as f64);
         let two = N::from_f64(2.0);
         let ahead = |d: [N; 2], by: N, s: [N; 2]| [d[0] + by * s[0], d[1] + by * s[1]];
@@ -132,7 +128,7 @@ impl Chase<'_> {
     }
 
     /// One step of Gragg, Bulirsch and Stoer, and its error; `None` where the extrapolation has not come to rest.
-    fn step<N: Real>(&self, from: &State<N>, h: N, tolerance: f64) -> Result<Option<([N; 2], f64)>, Diagnostic> {
+    fn step(&self, from: &State<N>, h: N, tolerance: f64) -> Result<Option<([N; 2], f64)>, Diagnostic> {
         let mut row: Vec<[N; 2]> = Vec::new();
         for k in 0..COLUMNS {
             let n = 2 * (k + 1);
@@ -155,6 +151,23 @@ impl Chase<'_> {
         }
         Ok(None)
     }
+}
+
+impl Chase<'_> {
+    /// The first state.
+    ///
+    /// # Errors
+    /// Where a law has no value.
+    pub fn start<N: Real>(&self) -> Result<State<N>, Diagnostic> {
+        let zero = N::from_f64(0.0);
+        let b = self.target.at(zero)?;
+        let place = |k: usize| Ok(b[k].0[0] - jet(&self.from[k], zero)?.0[0]);
+        Ok(State { t: zero, d: [place(0)?, place(1)?], error: 0.0 })
+    }
+
+    fn folded<N: Real>(&self) -> Result<Course<N>, Diagnostic> {
+        Ok(Course { speed: self.speed.folded()?, target: self.target.folded()? })
+    }
 
     /// Goes on to a time, or until the two have all but met; every state on the way goes to `seen`.
     ///
@@ -167,7 +180,7 @@ impl Chase<'_> {
         seen: &mut dyn FnMut(&State<N>),
     ) -> Result<(State<N>, bool), Diagnostic> {
         let (unit, near) = fineness::<N>();
-        let first = self.start::<N>()?.distance();
+        let (first, laws) = (self.start::<N>()?.distance(), self.folded::<N>()?);
         let mut here = start;
         let mut wish: Option<f64> = None;
         // Steps that were too long, in all.
@@ -180,7 +193,7 @@ impl Chase<'_> {
             if l <= near * first || left <= 0.0 {
                 return Ok((here, l <= near * first));
             }
-            let (v, b) = self.rates(here.t)?;
+            let (v, b) = laws.rates(here.t)?;
             let (v, w) = (v.approx(), b[0].hypot(b[1]).approx());
             if v.is_nan() || v <= 0.0 {
                 let t = here.t.approx();
@@ -207,7 +220,7 @@ impl Chase<'_> {
                 // The last step ends where it is to end.
                 let (by, last) =
                     if h >= left * (1.0 - 1e-9) { (until.map_or(N::from_f64(h), |u| u - here.t), true) } else { (N::from_f64(h), false) };
-                if let Some((d, error)) = self.step(&here, by, 32.0 * unit * l.max(near * first))? {
+                if let Some((d, error)) = laws.step(&here, by, 32.0 * unit * l.max(near * first))? {
                     let t = if last { until.unwrap_or(here.t + by) } else { here.t + by };
                     break Some(State { t, d, error: here.error + error + 64.0 * unit * first });
                 }
@@ -254,7 +267,7 @@ impl Chase<'_> {
             return Ok(End::Apart { until: last.t.approx(), distance: last.distance() });
         }
         // What is left of the way is run through within these times, whatever the target does.
-        let (v, b) = self.rates(last.t)?;
+        let (v, b) = self.folded()?.rates(last.t)?;
         let (v, w) = (v.approx(), b[0].hypot(b[1]).approx());
         let [low, high] = [(last.distance() - last.error).max(0.0) / (v + w), (last.distance() + last.error) / closing(v, w, last.d, b)];
         let [low, high] = [low * 0.999, high * 1.001];

@@ -2,12 +2,14 @@
 
 use super::ask;
 use super::law::{Turning, Way, jet};
+use super::peek::{member, named, texts};
+use super::rest;
 use super::{Axis, Kind, Motion, Plate, Problem};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::json::fields::{Fields, list, object, suggest, word};
 use crate::json::{self, Kind as NodeKind, Node, Word};
 use crate::scene::Localized;
-use crate::scene::front::{self, Front, Law, RawFront};
+use crate::scene::front::{self, Front, Law, RawFront, TIME};
 use crate::scene::units::Wanted;
 
 /// The keys beside those of the front.
@@ -65,15 +67,6 @@ struct Reader<'a> {
     faulty: Vec<Option<String>>,
 }
 
-/// A name in a motion, whatever else is wrong with that.
-fn named(node: &Node, wanted: &str) -> Option<Word> {
-    let NodeKind::Object(members) = &node.kind else { return None };
-    members.iter().find_map(|(key, value)| match &value.kind {
-        NodeKind::Text(name) if key.text == wanted => Some(Word { text: name.clone(), span: value.span }),
-        _ => None,
-    })
-}
-
 fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<Problem> {
     let keys: Vec<&str> = front::KEYS.iter().chain(&KEYS).copied().collect();
     let f = Fields::open(root, both!("a file of motions without a mechanism", "无机构的运动文件"), &keys, faults)?;
@@ -89,20 +82,17 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<Problem> {
         let d = Diagnostic::error("time", both!("the instant is {now} s", "时刻为 {now} s"));
         faults.push(d.at(f.get("time").map_or(f.span(), |n| n.span)).help(both!("it counts from the start, 0 s", "时刻从起点 0 s 算起")));
     }
+    if let Some(name) = f.get("parameters").and_then(|n| member(n, TIME)) {
+        let d = Diagnostic::error("name", both!("`t` is the time in the laws of motions", "`t` 在运动规律中表示时间"));
+        faults.push(d.at(name.span).help(both!("call it `t0`", "可改称 `t0`")));
+        return None;
+    }
     let mut r = Reader { front: &front, faults, places: Vec::new(), now, misplaced: Vec::new(), faulty: Vec::new() };
     r.points(f.get("points"));
     let plates = r.plates(f.get("plates"));
     let motions = r.motions(&f, &plates);
     let faulty = r.faulty.clone();
-    let used = |name: &Word, motions: &[Motion]| {
-        motions.iter().any(|m| m.point == name.text) || faulty.iter().any(|n| n.as_ref().is_none_or(|n| *n == name.text))
-    };
-    for (name, _) in &r.places {
-        if !used(name, &motions) {
-            let d = Diagnostic::warning("unused-point", both!("the point `{}` has no motion", "点 `{}` 没有运动", name.text));
-            r.faults.push(d.at(name.span));
-        }
-    }
+    let questions = f.get("find").map(texts).unwrap_or_default();
     let statement = f.get("statement").and_then(|n| front.localized(n, "\"statement\"", r.faults));
     let statement = statement.map(|s| filled(s, &front.parameters()));
     let title = front.title.as_ref().map_or_else(|| usual_title(&motions), |t| Both { en: t.en.clone(), zh: t.zh.clone() });
@@ -118,6 +108,18 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<Problem> {
         motions,
         find: Vec::new(),
     };
+    let used = |name: &Word, motions: &[Motion]| {
+        motions.iter().any(|m| m.point == name.text) || faulty.iter().any(|n| n.as_ref().is_none_or(|n| *n == name.text))
+    };
+    let idle = r.places.iter().filter(|(name, _)| !used(name, &out.motions));
+    out.motions.extend(rest::asked(&out, idle, &questions));
+    for (name, _) in r.places.iter().filter(|(name, _)| !used(name, &out.motions)) {
+        let d = Diagnostic::warning(
+            "unused-point",
+            both!("the point `{}` has no motion, and nothing asks for it", "点 `{}` 没有运动，也未被求及", name.text),
+        );
+        r.faults.push(d.at(name.span));
+    }
     // Questions are looked at even where other things are wrong; those of motions that could not be read have no meaning yet.
     let before = r.faults.has_errors();
     let found = r.find(&f, &out);
@@ -282,7 +284,12 @@ impl Reader<'_> {
             all.push(Motion { point: point.text, kind });
         }
         for (k, name) in toward {
-            let found = all.iter().position(|m| m.point == name.text);
+            let unread = self.faulty.iter().any(|n| n.as_ref().is_none_or(|n| *n == name.text));
+            let found = all.iter().position(|m| m.point == name.text).or_else(|| {
+                let place = self.places.iter().find(|(n, _)| n.text == name.text && !unread)?;
+                all.push(rest::still(place));
+                Some(all.len() - 1)
+            });
             match found.map(|t| (t, &all[t].kind)) {
                 Some((t, Kind::Fixed(_))) => {
                     if let Kind::Toward { target, .. } = &mut all[k].kind {
@@ -302,7 +309,7 @@ impl Reader<'_> {
                     self.fault("pursuit", name.span, message, help);
                 }
                 // What is wrong with that motion is told.
-                None if self.faulty.iter().any(|n| n.as_ref().is_none_or(|n| *n == name.text)) => {}
+                None if unread || self.misplaced.contains(&name.text) => {}
                 None => self.no_motion(&name, &all),
             }
         }

@@ -11,13 +11,19 @@ use super::broken::break_at;
 use super::extent::{Rect, bounds, translate};
 use super::item::{COARSE, Item, PLACED, Shape, tag};
 use super::label::Label;
-use super::place::{Habit, LabelRequest, Leads, Obstacles, Placement, is_coarse, place_or_leave};
+use super::place::{Habit, LabelRequest, Leads, Obstacles, Placement, Target, is_coarse, place_or_leave};
 use super::style::Style;
 
 /// Room around the lines of a part in which its labels may stand: the longest leader line and a short label.
 const LABEL_ROOM_MM: f64 = 20.0;
 /// Air between a line and a label that is wider than that room.
 const LABEL_AIR_MM: f64 = 3.0;
+
+/// As many names within the height of a letter still find places from which one sees what they name.
+const CROWD: usize = 8;
+
+/// Two places nearer than this are one.
+const SAME_MM: f64 = 0.05;
 
 /// A finished part: items in coordinates of its own, and the box around them.
 #[derive(Clone, Debug, PartialEq)]
@@ -195,6 +201,25 @@ impl Drawing {
         self.wanted.retain(|w| w.id.strip_prefix(&prefix).is_none_or(&among));
     }
 
+    /// Where very many marks and short lines lie within the height of a letter, no leader tells one from the others: their names are left out, but
+    /// for those at the points that are kept.
+    pub fn thin_out(&mut self, kept: &[Point]) {
+        let small = |w: &Wanted| match w.request.target {
+            Target::Point { at, .. } => Some((at, w.request.size_mm)),
+            Target::Segment { from, to, .. } => {
+                (from.distance(to) < w.request.size_mm).then(|| (from + (to - from) * 0.5, w.request.size_mm))
+            }
+            Target::Arc { .. } => None,
+        };
+        let places: Vec<Option<(Point, f64)>> = self.wanted.iter().map(small).collect();
+        let near = |at: Point, reach: f64| places.iter().flatten().filter(|(p, _)| p.distance(at) < reach).count();
+        let stays = |place: &Option<(Point, f64)>| {
+            place.is_none_or(|(at, reach)| near(at, reach) <= CROWD || kept.iter().any(|k| k.distance(at) < SAME_MM))
+        };
+        let mut staying = places.iter().map(stays);
+        self.wanted.retain(|_| staying.next().unwrap_or(true));
+    }
+
     /// A label at a point.
     pub fn label_at(&mut self, name: &str, class: &str, text: &str, at: Point, clear_mm: f64, prefer: Option<Vec2>) {
         let request = LabelRequest::at_point(Label::math(text), self.style.label_mm, at, clear_mm);
@@ -306,6 +331,24 @@ mod tests {
         assert_eq!(names.len(), part.items.len());
         assert!(part.items.iter().all(|i| i.class.starts_with("mechanism ")), "{:?}", part.items);
         assert_eq!(part.placements.len(), 1);
+    }
+
+    /// Of a crowd only what is kept is named; what stands apart, and long lines out of the crowd, keep their names.
+    #[test]
+    fn a_crowd_is_not_named() {
+        let labels = |count: usize| {
+            let mut d = Drawing::new("velocity", Style::default());
+            for k in 0..count {
+                d.label_at(&format!("b{k}"), "image", "b", Point::new(0.1 * k as f64, 0.0), 0.5, None);
+            }
+            d.label_along("short", "edge", "s", (Point::ORIGIN, Point::new(1.0, 0.0)), 0.2, 0);
+            d.label_along("long", "edge", "l", (Point::ORIGIN, Point::new(40.0, 0.0)), 0.2, 0);
+            d.label_at("far", "image", "f", Point::new(0.0, 30.0), 0.5, None);
+            d.thin_out(&[Point::ORIGIN]);
+            d.wanted.into_iter().map(|w| w.id).collect::<Vec<_>>()
+        };
+        assert_eq!(labels(20), ["velocity-label-b0", "velocity-label-long", "velocity-label-far"]);
+        assert_eq!(labels(CROWD - 1).len(), CROWD + 2);
     }
 
     #[test]

@@ -9,6 +9,7 @@ mod motion;
 mod rolling;
 mod ropes;
 
+use super::front::TIME;
 use super::model::Lang;
 use super::raw::*;
 use super::{cams, expr, keys};
@@ -44,6 +45,14 @@ pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<
     }
     if let Some(node) = f.get("time") {
         raw.is_timed = true;
+        if let Some((name, _)) = raw.parameters.iter().find(|(name, _)| name.text == TIME) {
+            let d = Diagnostic::error(
+                "given-twice",
+                both!("\"time\" and the parameter `t` both give the instant", "\"time\" 与参数 `t` 都给出时刻"),
+            );
+            faults
+                .push(d.at(name.span).help(both!("leave one of them out, or give the parameter another name", "请去掉其一，或将参数改名")));
+        }
         raw.parameters.extend(motion::time(node, faults));
     }
     for (key, node) in entries(f.get("units"), "\"units\"", faults) {
@@ -296,6 +305,7 @@ fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
         offset,
         centre,
         radius,
+        contact: false,
         span: node.span,
     })
 }

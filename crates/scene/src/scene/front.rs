@@ -7,12 +7,13 @@ use super::book::Book;
 use super::decode;
 use super::eval::{NoValue, Value, evaluate};
 use super::expr::{Expr, ExprKind};
+use super::folded::Folded;
 use super::model::{Lang, Localized, Paper};
 use super::raw::{RawQuantity, RawScene};
 use super::resolve;
 use super::units::{Dim, Wanted};
 use super::values::Values;
-use crate::diag::{Both, Diagnostic, Faults, Span, both};
+use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::json::Node;
 use crate::json::fields::What;
 use crate::number::{Jet, Real};
@@ -166,11 +167,11 @@ pub struct Law {
     pub text: String,
     pub(super) expr: Expr,
     /// Names and values of the parameters that it uses, in the order of the file: later ones use earlier ones.
-    parameters: Vec<(String, Expr)>,
+    pub(super) parameters: Vec<(String, Expr)>,
 }
 
 impl Law {
-    /// Of the parameters of a file those are kept that the expression uses, itself or through others: they are evaluated each time.
+    /// Of the parameters of a file those are kept that the expression uses, itself or through others.
     pub(super) fn new(text: String, expr: Expr, mut parameters: Vec<(String, Expr)>) -> Law {
         for k in (0..parameters.len()).rev() {
             let name = &parameters[k].0;
@@ -199,38 +200,26 @@ impl Law {
         Law::constant(&format!("{value}"), whole)
     }
 
-    /// Value, rate and second derivative (SI) at a time (s); an angle keeps its degrees.
+    /// Value, rate and second derivative (SI) at a time (s); an angle keeps its degrees. Who needs many of them takes [`Law::folded`] once.
     ///
     /// # Errors
     /// Where it has no value, or no derivative.
     pub fn at<N: Real>(&self, t: N) -> Result<Value<Jet<N>>, Diagnostic> {
-        let time = Value { number: Jet::variable(t), dim: Dim::TIME, degrees: false };
-        let mut known: Vec<(&str, Value<Jet<N>>)> = vec![(TIME, time)];
-        for (name, expr) in &self.parameters {
-            let value = valued(expr, &known)?;
-            known.push((name, value));
-        }
-        let value = valued(&self.expr, &known)?;
-        // A value that the numbers do not tell is undecided as a whole: who needs it takes longer ones.
-        if value.number.is_decided() || !value.number.0[0].is_decided() {
-            return Ok(value);
-        }
-        let message: Both = both!("`{}` has no derivative at t = {} s", "`{}` 在 t = {} s 处不可导", self.text, t.approx());
-        Err(Diagnostic::error("law", message))
+        self.folded()?.at(t)
+    }
+
+    /// The law in one kind of number, all that the time is not in evaluated.
+    ///
+    /// # Errors
+    /// Where a part without the time has no value.
+    pub fn folded<N: Real>(&self) -> Result<Folded<N>, Diagnostic> {
+        Folded::new(self)
     }
 
     /// Whether the time is in it.
     pub fn depends_on_time(&self) -> bool {
         mentions(&self.expr, TIME)
     }
-}
-
-fn valued<N: Real>(expr: &Expr, known: &[(&str, Value<Jet<N>>)]) -> Result<Value<Jet<N>>, Diagnostic> {
-    let lookup = |name: &str| known.iter().find(|(n, _)| *n == name).map(|(_, v)| *v);
-    evaluate(expr, &lookup).map_err(|e| match e {
-        NoValue::Fault(d) => d,
-        NoValue::Reported => Diagnostic::error("expression", both!("a parameter has no value", "参数无值")),
-    })
 }
 
 /// Whether a parameter, or the time, is in an expression.

@@ -13,6 +13,7 @@ mod elsewhere;
 pub mod eval;
 pub mod exact;
 pub mod expr;
+pub mod folded;
 pub mod front;
 mod keys;
 mod lang;

@@ -56,6 +56,8 @@ pub(super) struct RawGuide {
     pub offset: Option<RawQuantity>,
     pub centre: Option<Word>,
     pub radius: Option<RawQuantity>,
+    /// Whether it stands for a contact of a cam: no guide that the author has written.
+    pub contact: bool,
     pub span: Span,
 }
 
@@ -73,6 +75,7 @@ impl RawGuide {
             offset: None,
             centre: None,
             radius: None,
+            contact: false,
             span,
         }
     }

@@ -19,7 +19,8 @@ pub fn name(scene: &Scene, cam: usize) -> String {
     own.unwrap_or_else(free)
 }
 
-/// The scene with the point of contact of a cam as a point of one of its links, and its pose; the number of the new point.
+/// The scene with the point of contact of a cam as a point of one of its links, and its pose; the number of that point. Questions that name the
+/// contact are about it.
 pub fn with_contact(
     scene: &Scene,
     at: &Configuration,
@@ -28,16 +29,15 @@ pub fn with_contact(
     place: Point,
 ) -> Option<(Scene, Configuration, PointId)> {
     let (mut scene, mut at) = (scene.clone(), at.clone());
-    let own = PointId(scene.points.len());
     let pose = at.poses[owner.0]?;
-    // It stands for the contact that questions may name.
-    if let Some(asked) = scene.cams[index].touch {
-        at.points[asked.0] = None;
-    }
     let (name, span) = (name(&scene, index), scene.cams[index].span);
-    scene.points.push(crate::scene::Point { name, place: Place::Unknown, sketch: None, span });
+    let own = scene.cams[index].touch.take().unwrap_or_else(|| {
+        scene.points.push(crate::scene::Point { name, place: Place::Unknown, sketch: None, span });
+        at.points.push(None);
+        PointId(scene.points.len() - 1)
+    });
     scene.links[owner.0].points.push(own);
-    at.points.push(Some(place));
+    at.points[own.0] = Some(place);
     at.shapes.points[owner.0].push((own, pose.to_local(place)));
     Some((scene, at, own))
 }

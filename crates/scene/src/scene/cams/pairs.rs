@@ -40,7 +40,7 @@ impl Contact<'_> {
     }
 
     fn blank(&self) -> RawGuide {
-        RawGuide { pin: None, on: None, ..RawGuide::of_pin(self.word(""), self.word(""), self.span) }
+        RawGuide { pin: None, on: None, contact: true, ..RawGuide::of_pin(self.word(""), self.word(""), self.span) }
     }
 
     /// A round end against a circle.

@@ -29,6 +29,6 @@ impl One<'_> {
         pending.disc = None;
         pending.posed = None;
         pending.contact = Some(raw.guides.len());
-        raw.guides.push(RawGuide::of_pin(pin, on, self.raw.span));
+        raw.guides.push(RawGuide { contact: true, ..RawGuide::of_pin(pin, on, self.raw.span) });
     }
 }

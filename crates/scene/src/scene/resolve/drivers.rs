@@ -179,7 +179,12 @@ fn slide(
         None => None,
     };
     let named = |w: &Option<Word>| w.as_ref().is_some_and(|w| w.text == word.text);
-    let meant: Vec<usize> = (0..c.raw.guides.len()).filter(|i| named(&c.raw.guides[*i].pin) || named(&c.raw.guides[*i].slider)).collect();
+    let mut meant: Vec<usize> =
+        (0..c.raw.guides.len()).filter(|i| named(&c.raw.guides[*i].pin) || named(&c.raw.guides[*i].slider)).collect();
+    // The centre of a cam's circle, or a roller, also runs in what stands for the contact: who drives it means its own guide.
+    if meant.iter().any(|i| !c.raw.guides[*i].contact) {
+        meant.retain(|i| !c.raw.guides[*i].contact);
+    }
     match meant.as_slice() {
         // A guide that has been left out for its own fault is not missed here.
         [one] => guides.iter().position(|(_, i)| i == one).map(|i| DriverKind::Slide { guide: GuideId(i), position }),

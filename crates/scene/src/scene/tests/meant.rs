@@ -2,7 +2,7 @@
 
 use super::{faults, good, read, with, written};
 use crate::scene::quantity::Of;
-use crate::scene::{Angle, DriverKind, LinkId, OnLink, PointId};
+use crate::scene::{Angle, DriverKind, GuideId, LinkId, OnLink, PointId};
 
 /// A disc that is nothing but its pivot and its slot, in which a pin runs that a rod guides.
 fn slotted(angle: &str, driver: &str) -> String {
@@ -87,6 +87,27 @@ fn a_runner_of_two_guides_is_told_with_what_runs_in_one() {
     let said = faults(text);
     assert!(said.contains("`B` runs in 2 guides (name what runs in one of them only: \"2\")"), "{said}");
     good(&text.replace(r#""slide": "B""#, r#""slide": "2""#));
+}
+
+/// What touches also runs in the pair that stands for the contact, of which the author has written nothing: its own guide is meant.
+#[test]
+fn a_driver_of_what_touches_means_its_guide() {
+    let disc = r#"{"links": {"1": ["C"], "2": ["K"], "3": ["C", "F"]}, "ground": "1",
+ "points": {"C": [0, 0], "K": ["50 mm", 0], "F": ["40 mm", "30 mm"]}, "guides": [{"pin": "K", "slider": "2", "angle": "0 deg"}],
+ "cams": [{"cam": "2", "follower": "3", "face": {"through": "C", "line": "CF", "cam": "right"}, "profile": {"centre": "K", "radius": "30 mm"}}],
+ "driver": {"slide": "K", "velocity": "0.5 m/s"}, "find": ["omega_3"]}"#;
+    let rod = |slide: &str| {
+        format!(
+            r#"{{"links": {{"1": ["O"], "2": ["K"], "3": ["A"]}}, "ground": "1", "points": {{"O": [0, 0], "K": ["-40 mm", 0], "A": [0, "30 mm"]}},
+ "guides": [{{"pin": "K", "slider": "2", "through": "O", "angle": "0 deg"}}, {{"pin": "A", "slider": "3", "through": "O", "angle": "90 deg"}}],
+ "cams": [{{"cam": "2", "follower": "3", "edge": "A", "profile": {{"centre": "K", "radius": "50 mm"}}}}],
+ "driver": {{"slide": "{slide}", "velocity": "0.5 m/s"}}, "find": ["v_A"]}}"#
+        )
+    };
+    for (text, guide) in [(disc.to_owned(), 0), (rod("K"), 0), (rod("A"), 1), (rod("3"), 1)] {
+        let drivers = good(&text).drivers;
+        assert!(matches!(drivers[0].kind, DriverKind::Slide { guide: GuideId(g), .. } if g == guide), "{text}: {:?}", drivers[0].kind);
+    }
 }
 
 #[test]
@@ -182,6 +203,7 @@ fn drivers_by_laws_of_time() {
         (at, r#""angle": "30 deg""#, "missing-key"),
         ("", r#""angle": "30 deg""#, "missing-key"),
         (at, r#""angle": "1 m*t""#, "dimension"),
+        (r#""time": "3 s", "parameters": {"t": "2 s"},"#, r#""angle": "1 rad/s*t""#, "given-twice"),
     ] {
         let found = crate::scene::read(text(time, driver)).unwrap_err();
         assert!(found.list.iter().any(|d| d.code == code), "{driver}: {found}");

@@ -1,0 +1,26 @@
+//! Points of the plane that have a place and no motion: they are at rest. Such a point belongs to a problem where a pursuer runs toward it, or a
+//! question names it: a buoy, a radar station.
+
+use super::law::Way;
+use super::{Kind, Motion, Problem, ask};
+use crate::diag::Span;
+use crate::json::Word;
+use crate::scene::front::Law;
+
+/// A place, by name.
+pub(super) type Place = (Word, [Law; 2]);
+
+/// A point at rest.
+pub(super) fn still((name, place): &Place) -> Motion {
+    Motion { point: name.text.clone(), kind: Kind::Fixed(Way::Free(place.clone())) }
+}
+
+/// Those of the places that questions name, as points at rest.
+pub(super) fn asked<'a>(problem: &Problem, places: impl Iterator<Item = &'a Place>, questions: &[&str]) -> Vec<Motion> {
+    let mut all = problem.clone();
+    let moved = all.motions.len();
+    all.motions.extend(places.map(still));
+    let found = questions.iter().filter_map(|text| ask::meaning(&all, text, Span::new(0, 0)).ok());
+    let named: Vec<usize> = found.flat_map(|f| f.what.motions()).collect();
+    all.motions.into_iter().enumerate().skip(moved).filter(|(k, _)| named.contains(k)).map(|(_, m)| m).collect()
+}
