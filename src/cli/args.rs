@@ -285,8 +285,8 @@ pub struct Accuracy {
 /// A driver's or parameter's values, and what is asked at each.
 #[derive(ClapArgs, Debug)]
 pub struct Range {
-    /// What is swept: a driver (`driver`, `driver2`, `phi_1`, `s_B`, `l_BC`); of `sweep` and `curves` also `t`, the time of laws (default where
-    /// the scene has any), of `sweep` a parameter of the scene
+    /// What is swept: a driver (`driver`, `driver2`, `phi_1`, `s_B`, `l_BC`); of `sweep` and `curves` also `t`, the time: all drivers, each by its
+    /// law or at its rate (default where the scene has laws of time); of `sweep` a parameter of the scene
     #[arg(long, value_name = "NAME")]
     pub over: Option<String>,
     /// Where it begins, with a unit (default: 0, or as far as the driver goes)

@@ -33,7 +33,7 @@ impl<N: Real> Folded<N> {
             && matches!(folded.expr.kind, ExprKind::Parameter(ref name) if name != TIME)
             && (value.dim == Dim::ANGLE || value.dim == Dim::NUMBER)
         {
-            folded.turn = Some(value.sin_cos());
+            folded.turn = Some(Value::sin_cos(value));
         }
         Ok(folded)
     }
