@@ -47,7 +47,7 @@ use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price, statement, trains};
 use crate::scene::{self, Lang, Scene, Swept};
-use crate::worked::{Scope, Worked, work};
+use crate::worked::{Scope, Worked, joint, work};
 use args::{Args, Command, Common};
 use clap::FromArgMatches;
 use draw::style_of;
@@ -197,7 +197,7 @@ struct Input {
 impl Input {
     /// The scene that the command line names; one without a rate where nothing that it asks depends on it.
     fn read(common: &Common) -> Result<Input, Failure> {
-        Input::read_by(common, &|bytes| scene::read_at_any_rate(bytes))
+        Ok(Input::read_by(common, &|bytes| scene::read_at_any_rate(bytes))?.going_on())
     }
 
     /// The same for what does not depend on rates.
@@ -256,6 +256,15 @@ impl Input {
     /// The same, its figures to be drawn in a style.
     fn drawn_in(self, style: &Style) -> Input {
         Input { fonts: style.fonts.clone(), ..self }
+    }
+
+    /// At a joint of two pieces of a cam's profile, on the piece that follows.
+    fn going_on(mut self) -> Input {
+        if let Some((scene, note)) = joint::going_on(&self.scene) {
+            self.scene = scene;
+            self.notes.push(note);
+        }
+        self
     }
 
     /// For its whole motion: cams whose equivalent linkage is right at the instant only move their followers by what their profiles make.
