@@ -47,6 +47,7 @@ use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price, statement, trains};
 use crate::scene::{self, Lang, Scene, Swept};
+use crate::sweep::follow::course;
 use crate::worked::{Scope, Worked, joint, work};
 use args::{Args, Command, Common};
 use clap::FromArgMatches;
@@ -269,7 +270,7 @@ impl Input {
 
     /// For its whole motion: cams whose equivalent linkage is right at the instant only move their followers by what their profiles make.
     fn over_a_turn(&mut self) {
-        self.scene = self.scene.over_a_turn();
+        self.scene = course::over_a_turn(&self.scene);
         let kept: Vec<Diagnostic> = self
             .scene
             .kept_cams()

@@ -31,14 +31,13 @@ pub fn frame(pieces: &Pieces, at: &Configuration) -> Option<Pose> {
 }
 
 /// How a cam and its follower meet; `None` where they are not placed, or where no pair stands for the contact.
-pub fn meeting(scene: &Scene, cam: &Cam, pieces: &Pieces, at: &Configuration) -> Option<Meeting> {
+pub fn meeting(cam: &Cam, pieces: &Pieces, at: &Configuration) -> Option<Meeting> {
     let frame = frame(pieces, at)?;
     let end = match cam.follows.radius() {
         Some(radius) => End::Round(frame.to_local(at.points[cam.follows.point().0]?).to_vec2(), radius),
         None => {
             let guide = cam.contact?;
             let Path::Line { direction, .. } = at.guides[guide.0]? else { return None };
-            debug_assert_eq!(scene.guides[guide.0].on, cam.follower);
             // The cam lies to the left of its face, or to the right.
             let normal = if cam.left { -direction.perp() } else { direction.perp() };
             End::Flat(frame.turn_back(normal).angle())

@@ -36,7 +36,7 @@ impl Moving {
 
     /// The piece beside the one that is touched, where the two meet in the pose, and whether the contact goes on to it.
     fn joint(&self, scene: &Scene, cam: &Cam, pieces: &Pieces) -> Option<(usize, bool)> {
-        let meeting = pieces::meeting(scene, cam, pieces, &self.at)?;
+        let meeting = pieces::meeting(cam, pieces, &self.at)?;
         let (piece, count) = (&pieces.segments[pieces.touched], pieces.segments.len());
         let [before, after] = meeting.beyond(piece).map(|beyond| beyond.abs() <= ON_THE_JOINT);
         let beside = match (before, after) {

@@ -3,7 +3,6 @@
 //! It follows from the whole mechanism and not from one angle, so this room cannot tell it: who can move mechanisms hands in a [`Course`], and from then
 //! on the follower is a driver of its own like any other that a cam leads.
 
-use super::super::model::Scene;
 use std::fmt;
 use std::sync::Arc;
 
@@ -18,8 +17,8 @@ pub struct Led {
 
 /// Knows where a cam leads its follower.
 pub trait Leads: Send + Sync {
-    /// The follower where the drivers of a scene stand, as fast as they move; `None` where it cannot be followed.
-    fn led(&self, scene: &Scene) -> Option<Led>;
+    /// The follower where the drivers stand, as fast as they move (position, rate, acceleration of each, SI); `None` where it cannot be followed.
+    fn led(&self, drivers: &[[f64; 3]]) -> Option<Led>;
 }
 
 /// One that is shared by all copies of a scene.
