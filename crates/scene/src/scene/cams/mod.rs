@@ -28,7 +28,7 @@ pub(super) mod raw;
 mod reckoned;
 mod untold;
 
-pub use course::{Course, Leads, Led};
+pub use course::{Course, HangsOn, Leads, Led};
 
 use super::model::{GuideId, LinkId, PointId, Scene};
 use crate::cam::{Disc, Motion, Segment, Side, Surveyed};
@@ -95,6 +95,16 @@ pub struct Cam {
 }
 
 impl Cam {
+    /// Whether some driver stands for its contact, cam and follower moving with different links.
+    pub fn is_on_course(&self) -> bool {
+        self.posed.as_ref().is_some_and(|p| p.led.is_some())
+    }
+
+    /// Whether a driver stands for its contact, cam and follower moving with different links.
+    pub fn is_led_by(&self, driver: usize) -> bool {
+        self.posed.as_ref().is_some_and(|p| p.led.as_ref().is_some_and(|(k, _)| *k == driver))
+    }
+
     /// The radius of the arc that is touched in the pose (m), minus where it is hollow; nothing of a line, and of a law.
     pub fn touched_radius(&self) -> Option<f64> {
         let of = |segments: &[Segment], i: usize| match segments.get(i) {

@@ -6,7 +6,7 @@
 
 use super::super::driver::{Position, PositionSlot};
 use super::super::model::*;
-use super::course::{Course, Led};
+use super::course::{Course, HangsOn, Led};
 use crate::cam::{Follower, Jet, Side};
 use crate::diag::Span;
 
@@ -72,9 +72,16 @@ impl Scene {
 
     /// Makes the follower of a cam on another link a driver, which stands where `course` says; the other drivers stand at `positions` where the scene
     /// says none.
-    pub fn lead(&mut self, cam: usize, kind: DriverKind, course: Course, positions: &[f64]) {
+    pub fn lead(&mut self, cam: usize, hangs: HangsOn, course: Course, positions: &[f64]) {
         let Some(guide) = self.cams[cam].contact.take() else { return };
         let span = self.cams[cam].span;
+        let kind = match hangs {
+            HangsOn::Guide(guide) => DriverKind::Slide { guide, position: Some(number(0.0, "m", span)) },
+            HangsOn::Pivot { against, line: [a, b] } => {
+                let link = self.cams[cam].follower;
+                DriverKind::Turn { link, against, line: Some((a, b)), against_line: None, angle: Some(angle(0.0, span)) }
+            }
+        };
         for (d, at) in self.drivers.iter_mut().zip(positions) {
             match d.kind.slot() {
                 PositionSlot::Angle(place @ None) => *place = Some(angle(*at, span)),

@@ -13,8 +13,8 @@ use crate::geom::Vec2;
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::position::newton::{self, DriverValues};
 use crate::position::{self, Configuration, Path, pieces};
-use crate::scene::cams::{Course, Leads, Led};
-use crate::scene::{Angle, Cam, DriverKind, Given, GuideId, GuidePath, LinkId, Pieces, PointId, Scene};
+use crate::scene::cams::{Course, HangsOn, Leads, Led};
+use crate::scene::{Cam, Given, GuideId, GuidePath, LinkId, Pieces, PointId, Scene};
 use crate::sweep::station::position_now;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -37,10 +37,10 @@ pub fn over_a_turn(scene: &Scene) -> Scene {
     // Where two such cams lead one another, or another cam leads the follower of one, each piece would stand for many pairs.
     if let (Some(cam), None) = (several.next(), several.next())
         && out.own_drivers() == out.drivers.len()
-        && let Some((handed, kind)) = Handed::of(scene, cam)
+        && let Some((handed, hangs)) = Handed::of(scene, cam)
     {
         let positions = handed.positions.clone();
-        out.lead(cam, kind, Course(Arc::new(handed)), &positions);
+        out.lead(cam, hangs, Course(Arc::new(handed)), &positions);
     }
     out
 }
@@ -98,20 +98,11 @@ impl Hangs {
         Some(Hangs::Turns { follower: cam.follower, against, line: [pivot, other] })
     }
 
-    /// The driver that stands for the contact.
-    fn driver(self, span: crate::diag::Span) -> DriverKind {
+    /// What the driver that stands for the contact moves.
+    fn held(self) -> HangsOn {
         match self {
-            Hangs::Slides { guide, .. } => DriverKind::Slide {
-                guide: GuideId(guide),
-                position: Some(Given { value: 0.0, radius: 0.0, text: "0 m".into(), span }),
-            },
-            Hangs::Turns { follower, against, line: [a, b] } => DriverKind::Turn {
-                link: follower,
-                against,
-                line: Some((a, b)),
-                against_line: None,
-                angle: Some(Given { value: Angle::Rad(0.0), radius: 0.0, text: "0 rad".into(), span }),
-            },
+            Hangs::Slides { guide, .. } => HangsOn::Guide(GuideId(guide)),
+            Hangs::Turns { against, line, .. } => HangsOn::Pivot { against, line },
         }
     }
 
@@ -172,8 +163,8 @@ struct Handed {
 }
 
 impl Handed {
-    /// With the driver that stands for the contact.
-    fn of(scene: &Scene, cam: usize) -> Option<(Handed, DriverKind)> {
+    /// With that on which its follower hangs.
+    fn of(scene: &Scene, cam: usize) -> Option<(Handed, HangsOn)> {
         let own = Variant::of(scene)?;
         let (c, pieces) = own.cam(cam)?;
         let hangs = Hangs::of(scene, c)?;
@@ -190,8 +181,7 @@ impl Handed {
         let step = |d: &crate::scene::Driver| if d.kind.turns() { STEP } else { PART * at.extent() };
         let steps = scene.drivers.iter().map(step).collect();
         let start = Standing { piece: pieces.touched, coordinate: hangs.coordinate(scene, &at)?, at, drivers };
-        let kind = hangs.driver(c.span);
-        Some((Handed { cam, variants, start, positions, steps, known: Mutex::default() }, kind))
+        Some((Handed { cam, variants, start, positions, steps, known: Mutex::default() }, hangs.held()))
     }
 
     /// A place so many steps of a driver from the start, each reached from the one before it: the same whatever is asked first.
