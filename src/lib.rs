@@ -113,7 +113,7 @@
 //! cam        geom
 //! scene      diag json digits trig number geom cam
 //! mechanism  diag scene
-//! position   diag digits trig number geom scene mechanism
+//! position   diag digits trig number geom cam scene mechanism
 //! answer     number geom scene mechanism position
 //! motion     number geom scene mechanism position answer
 //! plan       diag scene mechanism

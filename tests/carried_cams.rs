@@ -8,8 +8,10 @@ mod wide;
 use hodograph::answer::Value;
 use hodograph::mechanism::Mechanism;
 use hodograph::scene::{self, Angle, Scene};
-use hodograph::sweep::{self, Placed, Stations, Width};
-use hodograph::worked::{Scope, work};
+use hodograph::sweep::follow::course::over_a_turn;
+use hodograph::sweep::timed::Timed;
+use hodograph::sweep::{self, Placed, Stations, Table, Width};
+use hodograph::worked::{Scope, joint, work};
 use wide::every;
 
 /// Angles (rad) and rates of cam and carrier at the instant.
@@ -242,4 +244,98 @@ fn a_law_without_a_carrier_says_why_it_has_no_meaning() {
             }
         }
     }
+}
+
+/// Cams of several pieces that stand on another link than their followers, two drivers telling the pose: a roller on an arm, a face on an arm, a slide
+/// whose cam is carried round.
+fn apart(kind: &str, [cam, crank]: [f64; 2], rates: [f64; 2], find: &str) -> String {
+    let swings = r#""links": {"1": ["O", "G"], "2": ["O", "Q"], "3": ["P", "B"], "4": ["G", "P"]},
+        "points": {"O": [0, 0], "G": ["-100 mm", "-30 mm"]}, "lengths": {"OQ": "30 mm", "GP": "30 mm", "PB": "110 mm"}"#;
+    let mechanism = match kind {
+        "roller" => format!(
+            r#"{swings}, "side": {{"B": "right of OP"}}, "cams": [{{"cam": "2", "follower": "3", "roller": {{"pin": "B", "radius": "10 mm"}},
+            "profile": [{{"centre": "O", "radius": "25 mm"}}, "tangent", {{"centre": "Q", "radius": "12 mm"}}, "tangent"]}}]"#
+        ),
+        "face" => format!(
+            r#"{swings}, "cams": [{{"cam": "2", "follower": "3", "face": {{"through": "P", "line": "PB", "cam": "right"}},
+            "profile": [{{"centre": "O", "radius": "25 mm"}}, {{"radius": "80 mm"}}, {{"centre": "Q", "radius": "12 mm"}}, {{"radius": "80 mm"}}]}}]"#
+        ),
+        _ => r#""links": {"1": ["G", "S"], "2": ["O", "Q"], "3": ["B"], "4": ["G", "O"]}, "points": {"G": [0, 0], "S": ["20 mm", 0]},
+            "guides": [{"pin": "B", "slider": "3", "on": "1", "through": "S", "angle": "90 deg"}], "lengths": {"OQ": "30 mm", "GO": "15 mm"},
+            "cams": [{"cam": "2", "follower": "3", "roller": {"pin": "B", "radius": "10 mm"},
+            "profile": [{"centre": "O", "radius": "25 mm"}, {"radius": "90 mm"}, {"centre": "Q", "radius": "12 mm"}, "tangent"]}]"#
+            .to_owned(),
+    };
+    let [w, u] = rates;
+    format!(
+        r#"{{{mechanism}, "ground": "1", "find": [{find}], "driver": [{{"link": "2", "angle": "{cam:?} rad", "omega": "{w} rad/s"}},
+        {{"link": "4", "angle": "{crank:?} rad", "omega": "{u} rad/s"}}]}}"#
+    )
+}
+
+/// A turn of either driver, and both through time, go over from piece to piece where cam and follower stand on different links: each row is what its
+/// own pose says, whose piece is found without any motion.
+#[test]
+fn motions_over_pieces_of_cams_on_other_links_say_what_each_pose_says() {
+    for (kind, find) in [("roller", r#""a_B", "omega_3""#), ("face", r#""alpha_3", "omega_3""#), ("slide", r#""a_B", "y_B""#)] {
+        let start = [0.9, if kind == "slide" { 1.4 } else { 2.1 }];
+        let read = |at: [f64; 2]| scene::read(apart(kind, at, [10.0, 3.0], find)).unwrap_or_else(|f| panic!("{kind}: {f}")).value;
+        let swept = over_a_turn(&read(start));
+        assert_eq!(swept.kept_cams().count(), 0, "{kind}");
+        let mechanism = Mechanism::new(&swept).unwrap().value;
+        let placed = Placed::new(&swept, &mechanism).unwrap();
+        let check = |row: Vec<f64>, at: [f64; 2]| {
+            let scene = read(at);
+            let worked = work(&scene, Scope::Questions).unwrap().value;
+            let exact: Vec<f64> = worked.results.iter().flat_map(|r| r.computed.columns()).collect();
+            assert_eq!(row.len(), exact.len(), "{kind}");
+            for (got, exact) in row.iter().zip(exact) {
+                assert!((got - exact).abs() < 1e-8 * exact.abs().max(1e-2), "{kind} at {at:?}: {got} {exact}");
+            }
+        };
+        let row = |table: &Table, k: usize| table.columns.iter().skip(1).map(|c| c.values[k]).collect::<Vec<f64>>();
+        for driver in 0..2 {
+            // A crank goes back and forth, so that the arm does not leave the cam.
+            let stations = if driver == 0 {
+                Stations::turned(Angle::Deg(3.0), Angle::Deg(363.0), 12)
+            } else {
+                Stations::turned(Angle::Deg(60.0), Angle::Deg(130.0), 7)
+            };
+            let table = sweep::run(&placed, driver, &stations, Width::Widest).unwrap();
+            assert_eq!(table.rows(), stations.len(), "{kind}: {:?}", table.notes);
+            for k in 0..stations.len() {
+                let mut at = start;
+                at[driver] = stations.values[k];
+                check(row(&table, k), at);
+            }
+        }
+        let (timed, _) = Timed::new(&placed, [Some(0.0), Some(0.3)]).unwrap();
+        let table = timed.table(vec![0.0, 0.11, 0.3]);
+        for (k, t) in [0.0, 0.11, 0.3].into_iter().enumerate() {
+            check(row(&table, k), [start[0] + 10.0 * t, start[1] + 3.0 * t]);
+        }
+    }
+}
+
+/// At a joint of two pieces the contact goes over to the one that follows in the sense in which it goes round the cam, and both accelerations are told;
+/// differences of the exact contact say the same (the nose of the tangent cam begins at φ₂, its follower's pivot moving).
+#[test]
+fn a_joint_of_a_cam_on_another_link_tells_both_accelerations() {
+    let joint = r#"{"links": {"1": ["O", "G"], "2": ["O", "Q"], "3": ["P", "B"], "4": ["G", "P"]}, "ground": "1",
+        "points": {"O": [0, 0], "G": ["-120 mm", "20 mm"]}, "lengths": {"OQ": "40 mm", "GP": "50 mm", "PB": "90 mm"},
+        "cams": [{"cam": "2", "follower": "3", "roller": {"pin": "B", "radius": "10 mm"},
+            "profile": [{"centre": "O", "radius": "25 mm"}, "tangent", {"centre": "Q", "radius": "10 mm"}, "tangent"]}],
+        "driver": [{"link": "2", "angle": "2.450057173713829 rad", "omega": "10 rad/s"}, {"link": "4", "angle": "80 deg", "omega": "3 rad/s"}],
+        "side": {"B": "right of OP"}, "find": ["omega_3", "alpha_3"]}"#;
+    for (rate, alpha, words) in [("10", 13.5609, "from -11.34 rad/s² to 13.56"), ("-10", -64.6442, "from 80.04 rad/s² to -64.64")] {
+        let scene = scene::read(joint.replace(r#""omega": "10 rad/s""#, &format!(r#""omega": "{rate} rad/s""#))).unwrap().value;
+        let (scene, note) = joint::going_on(&scene).expect("a joint");
+        assert!(note.code == "joint" && note.message.en.contains(words), "{}", note.message.en);
+        let worked = work(&scene, Scope::Questions).unwrap().value;
+        let Value::Scalar(found) = worked.results[1].value() else { panic!("alpha_3") };
+        assert!((found - alpha).abs() < 1e-3, "{rate}: {found}");
+        // What follows knows the pieces beside it.
+        assert_eq!(over_a_turn(&scene).kept_cams().count(), 0);
+    }
+    assert!(joint::going_on(&scene::read(joint.replace("2.45005", "2.46005")).unwrap().value).is_none());
 }

@@ -47,7 +47,8 @@ use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price, statement, trains};
 use crate::scene::{self, Lang, Scene, Swept};
-use crate::worked::{Scope, Worked, work};
+use crate::sweep::follow::course;
+use crate::worked::{Scope, Worked, joint, work};
 use args::{Args, Command, Common};
 use clap::FromArgMatches;
 use draw::style_of;
@@ -197,7 +198,7 @@ struct Input {
 impl Input {
     /// The scene that the command line names; one without a rate where nothing that it asks depends on it.
     fn read(common: &Common) -> Result<Input, Failure> {
-        Input::read_by(common, &|bytes| scene::read_at_any_rate(bytes))
+        Ok(Input::read_by(common, &|bytes| scene::read_at_any_rate(bytes))?.going_on())
     }
 
     /// The same for what does not depend on rates.
@@ -258,9 +259,18 @@ impl Input {
         Input { fonts: style.fonts.clone(), ..self }
     }
 
+    /// At a joint of two pieces of a cam's profile, on the piece that follows.
+    fn going_on(mut self) -> Input {
+        if let Some((scene, note)) = joint::going_on(&self.scene) {
+            self.scene = scene;
+            self.notes.push(note);
+        }
+        self
+    }
+
     /// For its whole motion: cams whose equivalent linkage is right at the instant only move their followers by what their profiles make.
     fn over_a_turn(&mut self) {
-        self.scene = self.scene.over_a_turn();
+        self.scene = course::over_a_turn(&self.scene);
         let kept: Vec<Diagnostic> = self
             .scene
             .kept_cams()

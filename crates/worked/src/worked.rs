@@ -6,6 +6,7 @@
 pub mod contact;
 mod far;
 mod higher;
+pub mod joint;
 mod sizes;
 #[cfg(test)]
 mod tests;

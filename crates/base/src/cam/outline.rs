@@ -106,6 +106,33 @@ impl Segment {
         }
     }
 
+    /// How far the contact of a round end about a point lies beyond the beginning and beyond the end of the piece, the point in the frame of the
+    /// cam: as angles of the normal (rad), along a line as parts of its length; less than zero within.
+    pub fn beyond(&self, end: Vec2, radius: f64) -> [f64; 2] {
+        match self {
+            Segment::Arc { centre, radius: rho, .. } => {
+                let way = end - *centre;
+                self.beyond_facing((if rho + radius < 0.0 { -way } else { way }).angle())
+            }
+            Segment::Line { normal, ends: [from, to], .. } => {
+                let along = Vec2::from_angle(*normal).perp().dot(end);
+                [(from - along) / (to - from), (along - to) / (to - from)]
+            }
+        }
+    }
+
+    /// The same of a flat face whose normal has a direction in the cam; a line has none within.
+    pub fn beyond_facing(&self, direction: f64) -> [f64; 2] {
+        match self {
+            Segment::Arc { normals: [from, to], .. } => {
+                let way = in_half_turns(direction - 0.5 * (from + to)) * (to - from).signum();
+                let half = 0.5 * (to - from).abs();
+                [-way - half, way - half]
+            }
+            Segment::Line { .. } => [f64::INFINITY; 2],
+        }
+    }
+
     /// Whether an arc has an outward normal of this direction.
     pub fn faces(&self, direction: f64) -> bool {
         match self {

@@ -91,6 +91,9 @@ pub fn nodes_of(scene: &Scene, m: &Mechanism, need: Need) -> Vec<Node> {
                 Some(l) => link_nodes(l),
                 None => Vec::new(),
             };
+            // Where its cam stands tells where a follower touches that no pair holds there.
+            let led = scene.cams.iter().filter(|c| c.is_on_course() && c.follows.point() == p).map(|c| c.cam);
+            nodes.extend(led.filter(|l| *l != scene.ground).flat_map(link_nodes));
             if m.pins.contains(&p) {
                 nodes.push(Node::Pin(p));
             } else {

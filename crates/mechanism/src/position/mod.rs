@@ -21,6 +21,7 @@ mod higher;
 pub mod kernel;
 mod links;
 pub mod newton;
+pub mod pieces;
 mod pins;
 mod proof;
 pub mod redundant;

@@ -30,7 +30,10 @@ impl<N: Real> Configuration<N> {
 pub(super) fn touch<N: Real>(scene: &Scene, cam: &Cam, points: &[Option<Point<N>>], guides: &[Option<Path<N>>]) -> Option<Touch<N>> {
     match cam.contact {
         Some(guide) => by_pair(scene, cam, guide, points, guides),
-        None => by_station(scene, cam, points),
+        None => {
+            let on_course = cam.touched_on_course(&|p| points[p.0]).map(|(at, normal)| Touch { at, normal });
+            on_course.or_else(|| by_station(scene, cam, points))
+        }
     }
 }
 

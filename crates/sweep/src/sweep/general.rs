@@ -34,6 +34,7 @@ impl<'a> General<'a> {
     pub fn solve(&self, stations: &Stations, row: usize) -> Result<Vec<Vec<f64>>, Faults> {
         let p = self.placed;
         let scene = with_driver_at(p.scene, self.driver, stations.place(row, p.scene, self.driver));
+        unfollowed(&scene)?;
         let moved = Whole::new(p, self.driver);
         // Closed forms do not tell on which turn wheels stand.
         let at = match moved.counts_turns() {
@@ -64,6 +65,16 @@ impl<'a> General<'a> {
             false => Err(Diagnostic::error("overflow", both!("a number is out of range", "数值超出范围")).into()),
         }
     }
+}
+
+/// Refuses a scene whose follower does not get where its cam leads.
+fn unfollowed(scene: &Scene) -> Result<(), Faults> {
+    let lost = |d: &usize| scene.is_on_a_course(*d) && scene.drivers[*d].kind.position().is_some_and(|at| at.value().is_nan());
+    let Some(cam) = (0..scene.drivers.len()).find(lost).and_then(|d| scene.cams.iter().find(|c| c.is_led_by(d))) else { return Ok(()) };
+    let (cam, follower) = (scene.link_name(cam.cam), scene.link_name(cam.follower));
+    let message =
+        both!("the follower `{follower}` cannot be moved so far on cam `{cam}`", "从动件 `{follower}` 在凸轮 `{cam}` 上不能运动到此处");
+    Err(Diagnostic::error("limit", message).into())
 }
 
 /// A driver's value for people: `phi_1 = 92.5°`.

@@ -9,6 +9,7 @@ use crate::figure::plot::over;
 use crate::figure::sheet::{MARGIN_MM, Maker, swept_symbol};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
+use crate::paper::extent::Rect;
 use crate::paper::item::{Anchor, Figure, Item, Shape, Stroke};
 use crate::paper::label::Label;
 use crate::paper::phrase::{fill, formula, tr};
@@ -45,6 +46,39 @@ impl Table<'_> {
         Maker { scene: &first.scene, worked: &first.worked, options: self.options, certified: Vec::new() }
     }
 
+    /// What stands above a column: its name, and its scale.
+    fn head(&self, column: &Column) -> (Label, String) {
+        let which = match column.shows {
+            Shows::Mechanism => Level::Position,
+            Shows::Polygon(level) => level,
+        };
+        let (words, mu) = self.maker().caption(which);
+        // The first pose may have no polygon.
+        let mu = match column.shows {
+            Shows::Polygon(level) => {
+                let book = &self.rows[0].scene.book;
+                of_level(book, level, self.scales.mu[usize::from(level == Level::Acceleration)].unwrap_or(1.0))
+            }
+            Shows::Mechanism => mu,
+        };
+        (Label::text(words), mu)
+    }
+
+    /// Its two lines, under the middle of their upper edge.
+    fn head_items(&self, (words, mu): (Label, String), top: Point) -> [Item; 2] {
+        let style = &self.options.style;
+        let line =
+            |down: f64, label, size_mm| text("head", top - Vec2::new(0.0, down), label, size_mm, Anchor::Middle).in_fonts(&style.fonts);
+        [line(6.0, words, style.caption_mm), line(12.0, Label::math(mu), style.small_mm)]
+    }
+
+    /// How wide a column is: its drawings and its head have room.
+    fn wide_mm(&self, column: &Column) -> f64 {
+        let head =
+            self.head_items(self.head(column), Point::ORIGIN).iter().filter_map(Item::bounds).map(Rect::width_mm).fold(0.0, f64::max);
+        column.bounds.width_mm().max(head) + 2.0 * AIR_MM
+    }
+
     /// The figures, one for each page.
     ///
     /// # Errors
@@ -52,7 +86,7 @@ impl Table<'_> {
     pub(super) fn pages(&self, paper: Option<[f64; 2]>) -> Result<Vec<Figure>, Faults> {
         let columns = self.columns();
         let row_mm = columns.iter().map(|c| c.bounds.height_mm()).fold(0.0, f64::max) + 2.0 * AIR_MM;
-        let width_mm = NAME_MM + columns.iter().map(|c| c.bounds.width_mm() + 2.0 * AIR_MM).sum::<f64>();
+        let width_mm = NAME_MM + columns.iter().map(|c| self.wide_mm(c)).sum::<f64>();
         let count = self.rows.len();
         let size = |across: usize, down: usize| {
             [across as f64 * width_mm + 2.0 * MARGIN_MM, TITLE_MM + HEAD_MM + down as f64 * row_mm + 2.0 * MARGIN_MM]
@@ -148,7 +182,7 @@ impl Page<'_> {
                 items.extend(self.name(row, Point::new(x + NAME_MM / 2.0, y)));
                 let mut edge = x + NAME_MM;
                 for column in self.columns {
-                    let wide = column.bounds.width_mm() + 2.0 * AIR_MM;
+                    let wide = table.wide_mm(column);
                     let mut part = column.parts[row].clone();
                     let middle = if part.items.iter().any(|i| i.class == "absent") { part.bounds.centre() } else { column.bounds.centre() };
                     part.translate(Point::new(edge + wide / 2.0, y) - middle);
@@ -177,7 +211,6 @@ impl Page<'_> {
     fn head(&self, block: usize, x: f64, top: f64, rows: usize) -> Vec<Item> {
         let table = self.table;
         let (style, lang) = (&table.options.style, table.options.lang);
-        let maker = table.maker();
         let bottom = top - HEAD_MM - rows as f64 * self.row_mm;
         let mut items = Vec::new();
         let mut line = |from: Point, to: Point, stroke: Stroke| {
@@ -186,7 +219,7 @@ impl Page<'_> {
         };
         let mut edges = vec![x, x + NAME_MM];
         for column in self.columns {
-            edges.push(edges[edges.len() - 1] + column.bounds.width_mm() + 2.0 * AIR_MM);
+            edges.push(edges[edges.len() - 1] + table.wide_mm(column));
         }
         for (k, edge) in edges.iter().enumerate() {
             let outer = k == 0 || k + 1 == edges.len();
@@ -203,28 +236,11 @@ impl Page<'_> {
         let unit = scene.book.fine(kind).0;
         let first = Label::text(tr(lang, "Position", "位置"));
         let mut heads = vec![(first, over(&driver, &unit))];
-        for column in self.columns {
-            let which = match column.shows {
-                Shows::Mechanism => Level::Position,
-                Shows::Polygon(level) => level,
-            };
-            let (words, mu) = maker.caption(which);
-            // The first pose may have no polygon.
-            let mu = match column.shows {
-                Shows::Polygon(level) => {
-                    of_level(&scene.book, level, table.scales.mu[usize::from(level == Level::Acceleration)].unwrap_or(1.0))
-                }
-                Shows::Mechanism => mu,
-            };
-            heads.push((Label::text(words), mu));
-        }
-        for (k, (words, mu)) in heads.into_iter().enumerate() {
+        heads.extend(self.columns.iter().map(|column| table.head(column)));
+        for (k, head) in heads.into_iter().enumerate() {
             let middle = (edges[k] + edges[k + 1]) / 2.0;
-            let id = |what: &str| format!("head-{what}-{block}-{k}");
-            let name = text("head", Point::new(middle, top - 6.0), words, style.caption_mm, Anchor::Middle);
-            items.push(name.with_id(id("name")).in_fonts(&style.fonts));
-            let scale = text("head", Point::new(middle, top - 12.0), Label::math(mu), style.small_mm, Anchor::Middle);
-            items.push(scale.with_id(id("scale")).in_fonts(&style.fonts));
+            let named = table.head_items(head, Point::new(middle, top)).into_iter().zip(["name", "scale"]);
+            items.extend(named.map(|(item, what)| item.with_id(format!("head-{what}-{block}-{k}"))));
         }
         items
     }

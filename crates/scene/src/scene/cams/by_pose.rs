@@ -111,7 +111,7 @@ impl One<'_> {
         rough: Option<(PointId, Vec2)>,
         faults: &mut Faults,
     ) -> Option<Posed> {
-        let Some(touched) = touched else { return self.no_contact(faults) };
+        let Some(touched) = self.on.or(touched) else { return self.no_contact(faults) };
         Some(Posed { frame: frame.map(|p| self.bare.point_name(p).to_owned()), segments, touched, rough })
     }
 

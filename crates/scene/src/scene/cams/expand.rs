@@ -49,13 +49,15 @@ fn of_the_pose(code: &str) -> bool {
     matches!(code, "cam-pose" | "no-contact" | "cam-centres" | "joint")
 }
 
-/// Writes the pairs of all cams. `bare` is the scene without them.
-pub(in crate::scene) fn expand(raw: RawScene, source: &str, bare: &Scene, faults: &mut Faults) -> Expanded {
+/// Writes the pairs of all cams. `bare` is the scene without them; `on` puts the contact of a cam on a piece of its profile, whichever the pose
+/// tells.
+pub(in crate::scene) fn expand(raw: RawScene, source: &str, bare: &Scene, on: Option<(usize, usize)>, faults: &mut Faults) -> Expanded {
     let parameters = raw.parameters.clone();
     let (values, _) = Values::new(source, &raw.units, &parameters, &mut Faults::default());
     let mut out = Expanded { raw: raw.clone(), cams: Vec::new(), used: HashSet::new() };
     for (i, cam) in raw.cams.iter().enumerate() {
-        let one = One { bare, values: &values, names: Names::new(&bare.points, &bare.links), raw: cam, name: format!("cam{}", i + 1) };
+        let on = on.filter(|(k, _)| *k == i).map(|(_, piece)| piece);
+        let one = One { bare, values: &values, names: Names::new(&bare.points, &bare.links), raw: cam, name: format!("cam{}", i + 1), on };
         out.cams.extend(one.write(&mut out.raw, faults));
     }
     out.used = values.used_names();
@@ -69,6 +71,8 @@ pub(super) struct One<'a> {
     pub names: Names<'a>,
     pub raw: &'a RawCam,
     pub name: String,
+    /// The piece of its profile that is to be touched, whichever the pose tells.
+    pub on: Option<usize>,
 }
 
 pub(super) fn note<T>(result: Result<T, Diagnostic>, faults: &mut Faults) -> Option<T> {
@@ -363,7 +367,7 @@ impl Expanded {
                 contact: p.contact.map(GuideId),
                 posed: p.posed.and_then(|posed| {
                     let [from, to] = posed.frame.map(|name| point(&name));
-                    Some(Pieces { frame: [from?, to?], segments: posed.segments, touched: posed.touched })
+                    Some(Pieces { frame: [from?, to?], segments: posed.segments, touched: posed.touched, others: Vec::new(), led: None })
                 }),
                 span: p.span,
             })

@@ -9,12 +9,13 @@
 //! the pose is taken; at a joint of two, that which follows in the driver's sense.
 //!
 //! [`decode`] reads the section, [`marked`] adds what is understood, [`carrier`] and [`place`] find where cam and follower are, [`reckoned`] where things are that different links carry, [`expand`] writes the pairs in the words of the scene, so that
-//! longer numbers read the same texts; [`motion`] carries them on beyond the instant.
+//! longer numbers read the same texts; [`motion`] carries them on beyond the instant; what [`course`] hands in does where cam and follower move with different links.
 
 mod by_law;
 mod by_parts;
 mod by_pose;
 mod carrier;
+mod course;
 pub(super) mod decode;
 pub(super) mod expand;
 mod geared;
@@ -26,6 +27,8 @@ mod place;
 pub(super) mod raw;
 mod reckoned;
 mod untold;
+
+pub use course::{Course, HangsOn, Leads, Led};
 
 use super::model::{GuideId, LinkId, PointId, Scene};
 use crate::cam::{Disc, Motion, Segment, Side, Surveyed};
@@ -92,6 +95,16 @@ pub struct Cam {
 }
 
 impl Cam {
+    /// Whether some driver stands for its contact, cam and follower moving with different links.
+    pub fn is_on_course(&self) -> bool {
+        self.posed.as_ref().is_some_and(|p| p.led.is_some())
+    }
+
+    /// Whether a driver stands for its contact, cam and follower moving with different links.
+    pub fn is_led_by(&self, driver: usize) -> bool {
+        self.posed.as_ref().is_some_and(|p| p.led.as_ref().is_some_and(|(k, _)| *k == driver))
+    }
+
     /// The radius of the arc that is touched in the pose (m), minus where it is hollow; nothing of a line, and of a law.
     pub fn touched_radius(&self) -> Option<f64> {
         let of = |segments: &[Segment], i: usize| match segments.get(i) {
@@ -116,6 +129,17 @@ pub struct Pieces {
     pub segments: Vec<Segment>,
     /// The one that is touched in the pose.
     pub touched: usize,
+    /// The scene with each of the other pieces in its place, as far as it can be touched.
+    pub others: Vec<(usize, Scene)>,
+    /// Over a whole motion: the driver that stands for the contact, and who knows where it is.
+    pub led: Option<(usize, Course)>,
+}
+
+impl Pieces {
+    /// The scene whose contact is on a piece; `None` for the one that is touched in the pose, and where the piece cannot be touched.
+    pub fn on(&self, piece: usize) -> Option<&Scene> {
+        self.others.iter().find(|(k, _)| *k == piece).map(|(_, scene)| scene)
+    }
 }
 
 /// A cam that turns about a pivot of the link that carries its follower.

@@ -4,24 +4,40 @@
 //! at one instant only. For the whole motion the follower is therefore a driver of its own, whose place and rates follow from the angle of the
 //! cam. One circle is replaced exactly everywhere and stays as it is.
 
+use super::super::driver::{Position, PositionSlot};
 use super::super::model::*;
+use super::course::{Course, HangsOn, Led};
 use crate::cam::{Follower, Jet, Side};
 use crate::diag::Span;
 
 impl Scene {
     /// Whether followers of cams move with a driver as their own drivers: then these are set wherever that driver is put.
     pub fn has_laws(&self, driver: usize) -> bool {
-        self.cams.iter().filter_map(|c| c.disc.as_ref()).any(|t| t.driver == driver && t.by_law.is_some())
+        let of_disc = self.cams.iter().filter_map(|c| c.disc.as_ref()).any(|t| t.driver == driver && t.by_law.is_some());
+        of_disc || self.courses().next().is_some() && !self.is_led(driver)
     }
 
     /// Whether a driver is a follower that a cam moves.
     pub fn is_led(&self, driver: usize) -> bool {
-        self.cams.iter().filter_map(|c| c.disc.as_ref()).any(|t| t.by_law == Some(driver))
+        self.is_on_a_course(driver) || self.cams.iter().filter_map(|c| c.disc.as_ref()).any(|t| t.by_law == Some(driver))
+    }
+
+    /// Whether a driver is a follower that a cam on another link leads.
+    pub fn is_on_a_course(&self, driver: usize) -> bool {
+        self.courses().any(|(_, k, _)| k == driver)
+    }
+
+    /// The followers that cams on other links lead: cam, driver, who knows where it is.
+    fn courses(&self) -> impl Iterator<Item = (usize, usize, &Course)> {
+        self.cams.iter().enumerate().filter_map(|(i, c)| {
+            let (k, course) = c.posed.as_ref()?.led.as_ref()?;
+            Some((i, *k, course))
+        })
     }
 
     /// How many drivers the mechanism has of its own: followers that a cam moves by a law are none.
     pub fn own_drivers(&self) -> usize {
-        self.drivers.len() - self.cams.iter().filter(|c| c.disc.as_ref().is_some_and(|t| t.by_law.is_some())).count()
+        (0..self.drivers.len()).filter(|d| !self.is_led(*d)).count()
     }
 
     /// Whether the pairs that stand for a cam are right only next to the instant.
@@ -54,7 +70,75 @@ impl Scene {
         scene
     }
 
-    /// Cams whose pairs are right at the instant only, and which no driver follows over a turn: a swinging flat face without a line, and what moving links carry.
+    /// Makes the follower of a cam on another link a driver, which stands where `course` says; the other drivers stand at `positions` where the scene
+    /// says none.
+    pub fn lead(&mut self, cam: usize, hangs: HangsOn, course: Course, positions: &[f64]) {
+        let Some(guide) = self.cams[cam].contact.take() else { return };
+        let span = self.cams[cam].span;
+        let kind = match hangs {
+            HangsOn::Guide(guide) => DriverKind::Slide { guide, position: Some(number(0.0, "m", span)) },
+            HangsOn::Pivot { against, line: [a, b] } => {
+                let link = self.cams[cam].follower;
+                DriverKind::Turn { link, against, line: Some((a, b)), against_line: None, angle: Some(angle(0.0, span)) }
+            }
+        };
+        for (d, at) in self.drivers.iter_mut().zip(positions) {
+            match d.kind.slot() {
+                PositionSlot::Angle(place @ None) => *place = Some(angle(*at, span)),
+                PositionSlot::Coordinate(place @ None) | PositionSlot::Distance(place @ None) => *place = Some(number(*at, "m", span)),
+                PositionSlot::Angle(Some(_)) | PositionSlot::Coordinate(Some(_)) | PositionSlot::Distance(Some(_)) => {}
+            }
+        }
+        let index = self.drivers.len();
+        let zero = || number(0.0, "m/s", span);
+        self.drivers.push(Driver { kind, rate: zero(), acceleration: Some(zero()), rate_told: true, law: None, span });
+        self.without_guide(guide);
+        if let Some(pieces) = &mut self.cams[cam].posed {
+            pieces.led = Some((index, course));
+        }
+        self.set_courses(&|_| None);
+    }
+
+    /// Puts the followers that cams on other links lead where they hold them, the drivers standing where `at` tells, else where they are said to. One that
+    /// cannot be followed has no place.
+    pub fn set_courses(&mut self, at: &dyn Fn(usize) -> Option<f64>) {
+        if self.courses().next().is_none() {
+            return;
+        }
+        let own = (0..self.drivers.len()).filter(|d| !self.is_on_a_course(*d));
+        let standing: Vec<[f64; 3]> = own
+            .map(|d| {
+                let driver = &self.drivers[d];
+                let stated = driver.kind.position().map_or(0.0, Position::value);
+                [at(d).unwrap_or(stated), driver.rate.value, driver.acceleration.as_ref().map_or(0.0, |a| a.value)]
+            })
+            .collect();
+        let all: Vec<(usize, usize, Option<Led>)> = self.courses().map(|(i, k, course)| (i, k, course.0.led(&standing))).collect();
+        for (cam, driver, led) in all {
+            let span = self.cams[cam].span;
+            let [place, rate, acceleration] = led.map_or([f64::NAN, 0.0, 0.0], |led| led.place);
+            if let (Some(pieces), Some(led)) = (&mut self.cams[cam].posed, led) {
+                pieces.touched = led.piece;
+            }
+            self.put(driver, [place, rate, acceleration], span);
+        }
+    }
+
+    /// Puts a driver that stands for a contact somewhere, with its rate and acceleration (SI).
+    fn put(&mut self, driver: usize, [place, rate, acceleration]: [f64; 3], span: Span) {
+        let d = &mut self.drivers[driver];
+        let units = if d.kind.turns() { ["rad/s", "rad/s^2"] } else { ["m/s", "m/s^2"] };
+        match d.kind.slot() {
+            PositionSlot::Angle(place_of) => *place_of = Some(angle(place, span)),
+            PositionSlot::Coordinate(position) => *position = Some(number(place, "m", span)),
+            PositionSlot::Distance(_) => {}
+        }
+        d.rate = number(rate, units[0], span);
+        d.acceleration = Some(number(acceleration, units[1], span));
+    }
+
+    /// Cams whose pairs are right at the instant only, and which no driver follows over a turn: a swinging flat face without a line, and what different links
+    /// carry of which one does not hang on a single pair.
     pub fn kept_cams(&self) -> impl Iterator<Item = &Cam> {
         self.cams.iter().filter(|c| c.circle.is_none() && c.contact.is_some() && c.disc.as_ref().is_none_or(|t| t.by_law.is_none()))
     }
@@ -131,17 +215,9 @@ impl Scene {
             let Jet([q, dq, ddq, _]) = q;
             let (place, out) = (t.origin + t.outward * q, t.outward);
             let (v, a) = (out * dq * sense * rate, out * (ddq * (sense * rate) * (sense * rate) + dq * sense * acceleration));
-            let d = &mut self.drivers[k];
-            let turns = matches!(d.kind, DriverKind::Turn { .. });
-            match &mut d.kind {
-                DriverKind::Turn { angle: place_of, .. } => *place_of = Some(angle(place, span)),
-                DriverKind::Slide { position, .. } => *position = Some(number(place, "m", span)),
-                DriverKind::Cylinder { .. } => {}
-            }
-            let units = if turns { ["rad/s", "rad/s^2"] } else { ["m/s", "m/s^2"] };
-            d.rate = number(v, units[0], span);
-            d.acceleration = Some(number(a, units[1], span));
+            self.put(k, [place, v, a], span);
         }
+        self.set_courses(&|d| value.filter(|_| d == driver));
     }
 }
 

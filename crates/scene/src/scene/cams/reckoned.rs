@@ -6,7 +6,7 @@
 use super::super::model::*;
 use super::expand::One;
 use super::place::{apart, locals};
-use crate::cam::{Disc, Follower, Motion, Segment, Side, Touch};
+use crate::cam::{Disc, Follower, Jet, Motion, Segment, Side, Touch};
 use crate::geom::Vec2;
 
 /// Places of points, as far as they are known.
@@ -159,8 +159,10 @@ impl One<'_> {
             None => Touch::Flat { lever: if slides { 0.0 } else { t.face.1 } },
         };
         let disc = Disc { follower: geometry, touch, motion: Motion::Profile(t.segments.to_vec()), sense: 1.0 };
-        let touched = disc.touched(t.angle, Side::After)?;
-        let q = disc.coordinate(t.angle, Side::After)?;
+        let (touched, q) = match self.on {
+            Some(piece) => (piece, t.segments[piece].coordinate(&disc.follower, &disc.touch, Jet::variable(t.angle))),
+            None => (disc.touched(t.angle, Side::After)?, disc.coordinate(t.angle, Side::After)?),
+        };
         let rough = match (disc.follower, t.face.2) {
             (follower, _) if t.end.is_some() => Some((point, follower)),
             // The end of the line is as far out as its length says.

@@ -193,7 +193,9 @@ impl CamQuantity {
     fn of_the_pose(&self, scene: &Scene, cam: &Cam) -> bool {
         match self.what {
             What::Rho => cam.touched_radius().is_some(),
-            What::Pressure => cam.follows.radius().is_some() && cam.contact.is_some() && way_of(scene, cam).is_some(),
+            What::Pressure => {
+                cam.follows.radius().is_some() && (cam.contact.is_some() || cam.is_on_course()) && way_of(scene, cam).is_some()
+            }
             What::Lift | What::Swing | What::Stroke | What::Angle | What::Rise | What::RhoMin => false,
         }
     }
@@ -207,10 +209,12 @@ impl CamQuantity {
             return number(cam.touched_radius()?.abs()).map(Value::Scalar);
         }
         let end = known.point(cam.follows.point())?;
-        let guide = &scene.guides[cam.contact?.0];
-        let normal = match guide.path {
-            GuidePath::Arc { centre, .. } => end - known.point(centre)?,
-            GuidePath::Line { .. } => along(known, guide)?.perp(),
+        let normal = match cam.contact.map(|g| &scene.guides[g.0]) {
+            Some(guide) => match guide.path {
+                GuidePath::Arc { centre, .. } => end - known.point(centre)?,
+                GuidePath::Line { .. } => along(known, guide)?.perp(),
+            },
+            None => cam.touched_on_course(&|p| known.point(p))?.1,
         };
         let way = match way_of(scene, cam)? {
             Way::Guide(g) => along(known, &scene.guides[g.0])?,

@@ -163,7 +163,30 @@ fn with_cams(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene>
     let marked = marked::marked(raw);
     // What is wrong besides the cams is told when all is read.
     let Some(bare) = sections(&marked, source, &mut Faults::default()) else { return sections(&marked, source, faults) };
-    let expanded = expand::expand(marked, source, &bare, faults);
+    let mut scene = expanded(raw, &marked, source, &bare, None, faults)?;
+    for cam in 0..scene.cams.len() {
+        let Some(pieces) = &scene.cams[cam].posed else { continue };
+        let rest = (0..pieces.segments.len()).filter(|piece| *piece != pieces.touched);
+        // One that cannot be touched makes no scene.
+        let on = |piece| Some((piece, expanded(raw, &marked, source, &bare, Some((cam, piece)), &mut Faults::default())?));
+        let others: Vec<(usize, Scene)> = rest.filter_map(on).collect();
+        if let Some(pieces) = &mut scene.cams[cam].posed {
+            pieces.others = others;
+        }
+    }
+    Some(scene)
+}
+
+/// The same with the cams written as other pairs; `on` puts the contact of a cam on a piece of its profile.
+fn expanded(
+    raw: &RawScene,
+    marked: &RawScene,
+    source: &str,
+    bare: &Scene,
+    on: Option<(usize, usize)>,
+    faults: &mut Faults,
+) -> Option<Scene> {
+    let expanded = expand::expand(marked.clone(), source, bare, on, faults);
     let broken = faults.has_errors();
     let mut rest = Faults::default();
     let scene = sections(&expanded.raw, source, &mut rest);

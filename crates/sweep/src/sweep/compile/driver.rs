@@ -187,6 +187,9 @@ impl Compiler<'_> {
     /// A driver that a cam on the swept one leads.
     fn led(&mut self, d: usize) -> Result<Option<Led>, NoKernel> {
         let scene = self.scene;
+        if scene.is_on_a_course(d) {
+            return Err(self.not_led(d));
+        }
         let led_by = |t: &&Turning| t.by_law == Some(d) && Some(t.driver) == self.driver;
         let Some(turning) = scene.cams.iter().filter_map(|c| c.disc.as_ref()).find(led_by) else { return Ok(None) };
         if let Some((_, known)) = self.leds.iter().find(|(k, _)| *k == d) {

@@ -10,6 +10,7 @@
 pub(super) mod chains;
 pub mod clock;
 pub(super) mod compiled;
+pub mod course;
 pub(super) mod extremes;
 pub mod poses;
 mod step;

@@ -332,6 +332,11 @@ impl<'a> Follower<'a> {
                 scene.drivers[d].rate.value = rate;
             }
         }
+        if (0..self.scene.drivers.len()).any(|d| self.scene.is_on_a_course(d)) {
+            let scene = scene.to_mut();
+            scene.set_courses(&|d| Some(driver_position(&self.scene, d)? + gone[d]));
+            (0..self.scene.drivers.len()).filter(|d| self.scene.is_on_a_course(*d)).for_each(|d| set_rate(scene, d, 0.0));
+        }
         scene
     }
 
@@ -341,7 +346,7 @@ impl<'a> Follower<'a> {
         let own = gone.iter().enumerate().filter(|(d, _)| !self.scene.is_led(*d));
         own.for_each(|(d, by)| values.0[d] += by);
         let scene = self.with_followers(&gone);
-        for k in scene.cams.iter().filter_map(|c| c.disc.as_ref()?.by_law) {
+        for k in (0..scene.drivers.len()).filter(|k| scene.is_led(*k)) {
             let place = |s: &Scene| driver_position(s, k);
             values.0[k] += place(&scene).zip(place(&self.scene)).map_or(0.0, |(there, here)| there - here);
         }

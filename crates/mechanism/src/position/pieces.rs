@@ -1,0 +1,111 @@
+//! Where on the profile of a cam of several pieces its follower touches, cam and follower moving with different links: how far the contact lies
+//! from the ends of each piece, in a pose that is known.
+
+use super::{Configuration, Path, Pose};
+use crate::cam::Segment;
+use crate::geom::{Point, Vec2};
+use crate::scene::{Cam, LinkId, Pieces, Scene};
+
+/// A contact, seen from the cam.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Meeting {
+    /// The frame of the pieces in the plane.
+    pub frame: Pose,
+    end: End,
+}
+
+/// What touches, in the frame of the pieces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum End {
+    /// A round end: its centre and radius (m).
+    Round(Vec2, f64),
+    /// A flat face: the direction of the outward normal (rad).
+    Flat(f64),
+}
+
+/// The frame of the pieces of a cam's profile.
+pub fn frame(pieces: &Pieces, at: &Configuration) -> Option<Pose> {
+    let [from, to] = pieces.frame;
+    let origin = at.points[from.0]?;
+    Some(Pose { origin, axis: (at.points[to.0]? - origin).unit()? })
+}
+
+/// How a cam and its follower meet; `None` where they are not placed, or where no pair stands for the contact.
+pub fn meeting(cam: &Cam, pieces: &Pieces, at: &Configuration) -> Option<Meeting> {
+    let frame = frame(pieces, at)?;
+    let end = match cam.follows.radius() {
+        Some(radius) => End::Round(frame.to_local(at.points[cam.follows.point().0]?).to_vec2(), radius),
+        None => {
+            let guide = cam.contact?;
+            let Path::Line { direction, .. } = at.guides[guide.0]? else { return None };
+            // The cam lies to the left of its face, or to the right.
+            let normal = if cam.left { -direction.perp() } else { direction.perp() };
+            End::Flat(frame.turn_back(normal).angle())
+        }
+    };
+    Some(Meeting { frame, end })
+}
+
+impl Meeting {
+    /// How far the contact lies beyond the beginning and beyond the end of a piece, as [`Segment::beyond`] counts.
+    pub fn beyond(&self, piece: &Segment) -> [f64; 2] {
+        match self.end {
+            End::Round(at, radius) => piece.beyond(at, radius),
+            End::Flat(direction) => piece.beyond_facing(direction),
+        }
+    }
+
+    /// How fast the contact goes round the cam counter-clockwise, as far as its sign goes: `along` is the velocity of the follower's point against
+    /// the point of the cam that lies there, `turning` the angular velocity of the follower against the cam.
+    pub fn onward(&self, piece: &Segment, along: Vec2, turning: f64) -> f64 {
+        match self.end {
+            End::Round(at, radius) => along.dot(self.frame.turn(normal(piece, at, radius)).perp()),
+            End::Flat(_) => turning,
+        }
+    }
+}
+
+/// The outward normal of a piece at a round end.
+fn normal(piece: &Segment, at: Vec2, radius: f64) -> Vec2 {
+    match piece {
+        Segment::Arc { centre, radius: rho, .. } => (at - *centre) * (1.0 / (rho + radius)),
+        Segment::Line { normal, .. } => Vec2::from_angle(*normal),
+    }
+}
+
+/// The path of a cam's contact in the link that carries it, were another piece touched: a slot of the cam about the piece's centre or along its line;
+/// of a flat face the guide on which that centre runs. `at` is a pose in which the cam touches `now`.
+pub fn path_on(scene: &Scene, cam: &Cam, pieces: &Pieces, at: &Configuration, [now, piece]: [usize; 2]) -> Option<Path> {
+    let guide = cam.contact?;
+    let segments = &pieces.segments;
+    if let Some(radius) = cam.follows.radius() {
+        let frame = frame(pieces, at)?;
+        let pose = link_pose(scene, cam.cam, at)?;
+        let (to_link, turned) = (|v: Vec2| pose.to_local(frame.to_world(v.to_point())), |v: Vec2| pose.turn_back(frame.turn(v)));
+        return Some(match segments[piece] {
+            Segment::Arc { centre, radius: rho, .. } => Path::Arc { centre: to_link(centre), radius: (rho + radius).abs() },
+            Segment::Line { normal, distance, .. } => {
+                let n = Vec2::from_angle(normal);
+                Path::Line { through: to_link(n * (distance + radius)), direction: turned(n.perp()) }
+            }
+        });
+    }
+    let Path::Line { through, direction } = at.shapes.guides[guide.0]? else { return None };
+    let radius = |k: usize| match segments[k] {
+        Segment::Arc { radius, .. } => Some(radius),
+        Segment::Line { .. } => None,
+    };
+    let out = radius(piece)? - radius(now)?;
+    let toward = if cam.left { direction.perp() } else { -direction.perp() };
+    Some(Path::Line { through: through + toward * out, direction })
+}
+
+/// The centre of a piece in the frame of the cam's link; `None` of a line.
+pub fn centre(scene: &Scene, cam: &Cam, pieces: &Pieces, at: &Configuration, piece: usize) -> Option<Point> {
+    let Segment::Arc { centre, .. } = pieces.segments[piece] else { return None };
+    Some(link_pose(scene, cam.cam, at)?.to_local(frame(pieces, at)?.to_world(centre.to_point())))
+}
+
+fn link_pose(scene: &Scene, link: LinkId, at: &Configuration) -> Option<Pose> {
+    if link == scene.ground { Some(Pose::GROUND) } else { at.poses[link.0] }
+}

@@ -1,0 +1,121 @@
+//! A pose at a joint of two pieces of a cam's profile, cam and follower moving with different links.
+//!
+//! There is one velocity there and two accelerations, since the curvature jumps. Which of the two pieces is touched from the instant on only the
+//! velocities tell: the contact goes round the cam in the sense of v_r, a flat face in that of its turning against the cam. So the scene is solved
+//! on the piece that it was read with, and taken over to the other where that is the one that follows. Where one link carries both, the scene
+//! has decided it when it was read.
+
+use crate::analytic::{self, Solution};
+use crate::answer::{Source, Value};
+use crate::diag::{Both, Diagnostic, both};
+use crate::digits::significant;
+use crate::mechanism::{Demand, Level, Mechanism};
+use crate::position::{self, Configuration, pieces};
+use crate::scene::{Cam, Find, Kind, Pieces, Scene};
+
+/// A contact nearer to an end of its piece than this (rad, or a part of a line) is on the joint: what nine digits of a pose can tell.
+const ON_THE_JOINT: f64 = 1e-9;
+
+/// Accelerations that differ by no more than this part are one.
+const ONE: f64 = 1e-9;
+
+/// A scene in motion at its instant.
+struct Moving {
+    at: Configuration,
+    solution: Solution,
+}
+
+impl Moving {
+    fn of(scene: &Scene) -> Option<Moving> {
+        let m = Mechanism::new(scene).ok()?.value;
+        let demand = Demand { groups: vec![Some(Level::Acceleration); m.groups.len()], level: Level::Acceleration, needs: Vec::new() };
+        let at = position::configure(scene, &m, &demand).ok()?.value;
+        let solution = analytic::solve(scene, &m, &at, &demand).ok()?;
+        Some(Moving { at, solution })
+    }
+
+    /// The piece beside the one that is touched, where the two meet in the pose, and whether the contact goes on to it.
+    fn joint(&self, scene: &Scene, cam: &Cam, pieces: &Pieces) -> Option<(usize, bool)> {
+        let meeting = pieces::meeting(cam, pieces, &self.at)?;
+        let (piece, count) = (&pieces.segments[pieces.touched], pieces.segments.len());
+        let [before, after] = meeting.beyond(piece).map(|beyond| beyond.abs() <= ON_THE_JOINT);
+        let beside = match (before, after) {
+            (_, true) => (pieces.touched + 1) % count,
+            (true, false) => (pieces.touched + count - 1) % count,
+            (false, false) => return None,
+        };
+        let of = |link| self.solution.vector(Level::Velocity, cam.follows.point(), Some(link));
+        let turning = |link| if link == scene.ground { Some(0.0) } else { self.solution.turning(Level::Velocity, link) };
+        let along = if cam.follows.radius().is_some() { of(cam.follower)? - of(cam.cam)? } else { Default::default() };
+        let onward = meeting.onward(piece, along, turning(cam.follower)? - turning(cam.cam)?);
+        Some((beside, if after { onward > 0.0 } else { onward < 0.0 }))
+    }
+}
+
+/// The scene as it goes on from its instant, with the note that tells both accelerations where a joint of two pieces is touched; `None` where none
+/// is.
+pub fn going_on(scene: &Scene) -> Option<(Scene, Diagnostic)> {
+    let told = |c: &Cam| c.posed.as_ref().is_some_and(|p| !p.others.is_empty());
+    let (index, cam) = scene.cams.iter().enumerate().find(|(_, c)| told(c))?;
+    let pieces = cam.posed.as_ref()?;
+    let here = Moving::of(scene)?;
+    let (beside, onward) = here.joint(scene, cam, pieces)?;
+    let other = pieces.on(beside)?;
+    let there = Moving::of(other)?;
+    let jumps = match onward {
+        true => jumps(&[(scene, &here), (other, &there)]),
+        false => jumps(&[(other, &there), (scene, &here)]),
+    };
+    if jumps.is_empty() {
+        return None;
+    }
+    let message = both!(
+        "two pieces of the profile of cam `{}` meet here: {}; drawn is what follows",
+        "此处为凸轮 `{}` 廓线两段的接点：{}；图中取其后一段",
+        scene.link_name(cam.cam),
+        Both::join(&jumps, ", ", "、")
+    );
+    let note = Diagnostic::note("joint", message).at(cam.span);
+    Some((if onward { taken_over(scene, index, beside)? } else { scene.clone() }, note))
+}
+
+/// The scene on another piece of a cam, which knows the rest of them.
+fn taken_over(scene: &Scene, cam: usize, piece: usize) -> Option<Scene> {
+    let pieces = scene.cams[cam].posed.as_ref()?;
+    let mut own = scene.clone();
+    own.cams[cam].posed.as_mut()?.others.clear();
+    let mut next = pieces.on(piece)?.clone();
+    let rest = pieces.others.iter().filter(|(k, _)| *k != piece).cloned();
+    next.cams[cam].posed.as_mut()?.others = rest.chain([(pieces.touched, own)]).collect();
+    Some(next)
+}
+
+/// The accelerations asked for that are another before the instant than after it.
+fn jumps([before, after]: &[(&Scene, &Moving); 2]) -> Vec<Both> {
+    let value = |(scene, moving): &(&Scene, &Moving), text: &str| {
+        let find = scene.find.iter().find(|f| f.text == text)?;
+        moving.solution.answer(scene, &moving.at, &find.what)
+    };
+    let accelerates = |f: &&Find| matches!(f.what.kind(), Kind::Acceleration | Kind::Alpha);
+    let jump = |f: &Find| {
+        let (was, is) = (value(before, &f.text)?, value(after, &f.text)?);
+        let (off, size) = match (was, is) {
+            (Value::Scalar(a), Value::Scalar(b)) => ((a - b).abs(), a.abs().max(b.abs())),
+            (Value::Vector(a), Value::Vector(b)) => ((a - b).norm(), a.norm().max(b.norm())),
+            (Value::Scalar(_) | Value::Vector(_) | Value::Point(_), _) => return None,
+        };
+        let [was, is] = [was, is].map(|v| words(after.0, f.what.kind(), v));
+        (off > ONE * size).then(|| both!("{} jumps from {} to {}", "{} 由 {} 跃变为 {}", f.text, was, is))
+    };
+    after.0.find.iter().filter(accelerates).filter_map(jump).collect()
+}
+
+/// A value in the units of the scene; a vector by its magnitude and direction.
+fn words(scene: &Scene, kind: Kind, value: Value) -> String {
+    let text = |x: f64| scene.book.text(kind, &significant(scene.book.value(kind, x), 4));
+    match value {
+        Value::Scalar(x) => text(x),
+        Value::Vector(v) => format!("{} ({}°)", text(v.norm()), significant(v.angle().to_degrees(), 4)),
+        Value::Point(p) => format!("({}, {})", text(p.x), text(p.y)),
+    }
+}
