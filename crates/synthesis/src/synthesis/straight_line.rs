@@ -5,6 +5,7 @@
 //! are Scott-Russell's crank on the middle of a rod whose end slides, and Peaucellier's inversor, OC · OP = L² − s². Length and deviation
 //! are those of the finished scene, swept, with the extremes located.
 
+mod drawing;
 mod explained;
 
 use super::board::Board;
@@ -53,6 +54,8 @@ const NAMES: [(&str, Linkage); 5] = [
 /// Half the swing of a driver where the file gives none: of Watt's rods, whose deviation grows with its fifth power, and of the others.
 const WATT_SWING: f64 = 20.0 * PI / 180.0;
 const SWING: f64 = 45.0 * PI / 180.0;
+/// A swing read from degrees may be so much larger than the most that is told (rad).
+const ROUNDING: f64 = 1e-12;
 /// Positions of a sweep between which extremes are located.
 const STEPS: usize = 360;
 /// The length along which a located range falls short of a limit of the driver.
@@ -77,13 +80,13 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     let usual = if linkage == Linkage::Watt { WATT_SWING } else { SWING };
     let swings = matches!(linkage, Linkage::Watt | Linkage::ScottRussell | Linkage::Peaucellier);
     let swing = if form.has("swing") { form.angle("swing")? / 2.0 } else { usual };
-    // Beyond these Watt's rods come near their dead points, and Peaucellier's arms do not reach their rhombus.
+    // Beyond 27.02° one of Watt's rods passes its dead point, beyond 2 arccos(3.5/4) = 57.91° C is too near for Peaucellier's arms.
     let most = match linkage {
-        Linkage::Watt => 35.0_f64.to_radians(),
-        Linkage::Peaucellier => 65.0_f64.to_radians(),
+        Linkage::Watt => 27.0_f64.to_radians(),
+        Linkage::Peaucellier => 57.5_f64.to_radians(),
         Linkage::Chebyshev | Linkage::Hoeken | Linkage::ScottRussell => 89.0_f64.to_radians(),
     };
-    let taken = swings && swing > 0.0 && swing <= most;
+    let taken = swings && swing > 0.0 && swing <= most + ROUNDING;
     if form.has("swing") && !taken {
         let message = if swings {
             both!(
@@ -284,9 +287,8 @@ impl Wish for Task {
         Ok(Found { drafts: vec![draft], numbers: Vec::new(), notes: Vec::new() })
     }
 
-    /// The proportions of these linkages are given; nothing is constructed.
-    fn construct(&self, _: &Draft, _: &mut Board) -> Option<()> {
-        None
+    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+        self.drawn(draft, board)
     }
 
     fn statement(&self) -> Statement {
