@@ -19,7 +19,7 @@ fn drawn(task: &Json, readings: usize) {
 #[test]
 fn straight_line_linkages_are_drawn_and_measured() {
     let wish = |linkage: &str| json!({"synthesis": "straight-line", "linkage": linkage, "length": "200 mm"});
-    for linkage in ["watt", "chebyshev", "hoeken", "scott-russell", "peaucellier"] {
+    for linkage in ["watt", "chebyshev", "roberts", "hoeken", "scott-russell", "peaucellier"] {
         drawn(&wish(linkage), 2);
     }
     let swung = |linkage: &str, swing: f64| {
@@ -33,6 +33,15 @@ fn straight_line_linkages_are_drawn_and_measured() {
         let refused = read(swung(linkage, 200.0).to_string()).unwrap_err().to_string();
         let most = refused.split("at most ").nth(1).and_then(|rest| rest.split('°').next()).unwrap_or_else(|| panic!("{refused}"));
         drawn(&swung(linkage, most.parse().unwrap()), 2);
+    }
+    // What a refusal of ratios names works.
+    for refused in [[4.0, 2.0], [0.5, 0.2], [1.0, 3.0]] {
+        let mut other = wish("hoeken");
+        other["ratios"] = json!(refused);
+        let told = read(other.to_string()).unwrap_err().to_string();
+        let named = told.split("write ").nth(1).and_then(|rest| rest.split_inclusive(']').next()).unwrap_or_else(|| panic!("{told}"));
+        other["ratios"] = serde_json::from_str(named).unwrap();
+        drawn(&other, 2);
     }
     for ratios in [[1.01, 1.01], [2.0, 9.0], [3.0, 2.1]] {
         let mut other = wish("hoeken");

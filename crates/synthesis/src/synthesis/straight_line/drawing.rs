@@ -75,7 +75,7 @@ impl Task {
     fn begins_dead(&self) -> bool {
         match self.linkage {
             Linkage::Chebyshev => true,
-            Linkage::Watt | Linkage::Hoeken | Linkage::ScottRussell | Linkage::Peaucellier => false,
+            Linkage::Watt | Linkage::Roberts | Linkage::Hoeken | Linkage::ScottRussell | Linkage::Peaucellier => false,
         }
     }
 
@@ -83,6 +83,7 @@ impl Task {
         Some(match self.linkage {
             Linkage::Watt => four_bar(draft, board, &super::watt(of(draft, "AB") / 5.0)),
             Linkage::Chebyshev => four_bar(draft, board, &super::chebyshev(of(draft, "AB") / 5.0)),
+            Linkage::Roberts => four_bar(draft, board, &super::roberts(of(draft, "AB") / super::ROBERTS)),
             Linkage::Hoeken => four_bar(draft, board, &super::hoeken(of(draft, "AB"), self.ratios)),
             Linkage::ScottRussell => scott_russell(draft, board),
             Linkage::Peaucellier => peaucellier(draft, board),
@@ -134,7 +135,7 @@ fn four_bar(draft: &Draft, board: &Board, l: &FourBar) -> Sheet<'static> {
     let left = (l.d - l.b).cross(l.c - l.b) > 0.0;
     let at = move |board: &Board, crank: f64| {
         let pins = opened.at(board, crank, left)?;
-        let links = vec![[opened.a, pins.b], [pins.b, pins.c], [pins.c, opened.d], [pins.c, pins.e]];
+        let links = vec![[opened.a, pins.b], [pins.b, pins.c], [pins.c, opened.d], [pins.c, pins.e], [pins.b, pins.e]];
         Some(Position { e: pins.e, links, pins: vec![("B", pins.b), ("C", pins.c)] })
     };
     Sheet {
@@ -142,10 +143,17 @@ fn four_bar(draft: &Draft, board: &Board, l: &FourBar) -> Sheet<'static> {
         fixed: vec![("A", opened.a), ("D", opened.d)],
         circles: vec![(opened.a, opened.crank), (opened.d, opened.follower)],
         guide: None,
-        moved: both!(
-            "In the middle, at the ends and the extremes lay off AB, with BC about B cut the circle of CD, and lay off BE on BC",
-            "在中间、两端及极值处作 AB，以 B 为圆心、BC 为半径截 CD 圆得 C，在 BC 线上取 BE"
-        ),
+        moved: if l.e.is_none_or(|e| e.y == 0.0) {
+            both!(
+                "In the middle, at the ends and the extremes lay off AB, with BC about B cut the circle of CD, and lay off BE on BC",
+                "在中间、两端及极值处作 AB，以 B 为圆心、BC 为半径截 CD 圆得 C，在 BC 线上取 BE"
+            )
+        } else {
+            both!(
+                "In the middle, at the ends and the extremes lay off AB, with BC about B cut the circle of CD, and lay the triangle BCE on BC",
+                "在中间、两端及极值处作 AB，以 B 为圆心、BC 为半径截 CD 圆得 C，在 BC 上作三角形 BCE"
+            )
+        },
         at: Box::new(at),
     }
 }
