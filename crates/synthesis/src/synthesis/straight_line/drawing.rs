@@ -21,14 +21,17 @@ struct Position {
     pins: Vec<(&'static str, Point)>,
 }
 
+/// The position on a board for the driver's angle (rad).
+type Placing = dyn Fn(&Board, f64) -> Option<Position>;
+
 /// How a linkage is laid off, and its position for the driver's angle.
-struct Sheet<'a> {
+struct Sheet {
     laid: Both,
     fixed: Vec<(&'static str, Point)>,
     circles: Vec<(Point, f64)>,
     guide: Option<[Point; 2]>,
     moved: Both,
-    at: Box<dyn Fn(&Board, f64) -> Option<Position> + 'a>,
+    at: Box<Placing>,
 }
 
 impl Task {
@@ -79,7 +82,7 @@ impl Task {
         }
     }
 
-    fn sheet(&self, draft: &Draft, board: &Board) -> Option<Sheet<'static>> {
+    fn sheet(&self, draft: &Draft, board: &Board) -> Option<Sheet> {
         Some(match self.linkage {
             Linkage::Watt => four_bar(draft, board, &super::watt(of(draft, "AB") / 5.0)),
             Linkage::Chebyshev => four_bar(draft, board, &super::chebyshev(of(draft, "AB") / 5.0)),
@@ -130,7 +133,7 @@ fn measured(board: &mut Board, all: &[Position], level: bool) {
     board.read("length", from, to).read("deviation", low, high);
 }
 
-fn four_bar(draft: &Draft, board: &Board, l: &FourBar) -> Sheet<'static> {
+fn four_bar(draft: &Draft, board: &Board, l: &FourBar) -> Sheet {
     let opened = Laid::off(board, draft, [l.a, l.d], l.e);
     let left = (l.d - l.b).cross(l.c - l.b) > 0.0;
     let at = move |board: &Board, crank: f64| {
@@ -158,7 +161,7 @@ fn four_bar(draft: &Draft, board: &Board, l: &FourBar) -> Sheet<'static> {
     }
 }
 
-fn scott_russell(draft: &Draft, board: &Board) -> Sheet<'static> {
+fn scott_russell(draft: &Draft, board: &Board) -> Sheet {
     let (a, crank) = (board.at(Point::ORIGIN), board.mm(of(draft, "AB")));
     let guide = Line { at: a, along: Vec2::new(1.0, 0.0) };
     let at = move |board: &Board, angle: f64| {
@@ -181,7 +184,7 @@ fn scott_russell(draft: &Draft, board: &Board) -> Sheet<'static> {
     }
 }
 
-fn peaucellier(draft: &Draft, board: &Board) -> Sheet<'static> {
+fn peaucellier(draft: &Draft, board: &Board) -> Sheet {
     let [crank, long, short] = ["KC", "OX", "CX"].map(|name| board.mm(of(draft, name)));
     let (o, k) = (board.at(Point::ORIGIN), board.at(Point::new(of(draft, "KC"), 0.0)));
     let at = move |board: &Board, angle: f64| {
