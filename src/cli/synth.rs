@@ -158,11 +158,11 @@ fn speed(design: &Design, seconds: f64) -> Both {
     }
 }
 
-/// What is said where a kind has no construction with ruler and compasses.
+/// What is said where the construction does not close on paper.
 fn no_construction() -> Both {
     both!(
-        "This design has no construction with ruler and compasses: it comes from least squares, an exchange, a search, or given proportions.",
-        "此设计由最小二乘、交换法、搜索或给定比例得到，没有尺规作图步骤。"
+        "This design does not close on paper: its construction with ruler and compasses cannot be drawn.",
+        "此设计在图纸上不能装配，无法画出作图步骤。"
     )
 }
 

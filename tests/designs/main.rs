@@ -1,5 +1,6 @@
 //! Wishes made of random linkages: the linkage is among the candidates; and what is chosen for the author is the best there is.
 
+mod laid;
 mod nearest;
 mod places;
 mod timed;

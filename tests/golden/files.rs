@@ -62,7 +62,7 @@ pub const DESIGNS: [(&str, &str); 7] = [
     ("limits", "construction"),
     ("path", "construction"),
     ("cognates", "construction"),
-    ("straight-line", "positions"),
+    ("straight-line", "construction"),
 ];
 
 /// Kinds of picture that no other list has: template, the figure's name (`dimensions`: the mechanism with them).

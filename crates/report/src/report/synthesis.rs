@@ -37,7 +37,7 @@ pub fn text(task: &Task, design: &Design, lang: Lang) -> String {
 
 /// A number's name in a text: Greek letters and signs for what programs write in words.
 fn printed(name: &str) -> String {
-    const NAMES: [(&str, &str); 14] = [
+    const NAMES: [(&str, &str); 15] = [
         ("alpha", "α"),
         ("beta", "β"),
         ("gamma", "γ"),
@@ -47,7 +47,8 @@ fn printed(name: &str) -> String {
         ("max_error", "Δψ_max"),
         ("x_max", "x(Δψ_max)"),
         ("error", "Δψ"),
-        ("deviation", "δ"),
+        ("deviation", "Δ"),
+        ("delta", "δ"),
         ("at_least", "φ(y_min)"),
         ("at_greatest", "φ(y_max)"),
         ("least", "y_min"),
@@ -293,15 +294,18 @@ pub fn steps(candidate: &Candidate, board: &Board, lang: Lang) -> String {
     }
     for r in &board.readings {
         let Some(formula) = candidate.number(&r.name) else { continue };
-        let off = significant((board.value(r) - formula.abs()).abs() / formula.abs().max(f64::MIN_POSITIVE), 2);
+        // What is nothing has no share of itself: it is off by a share of the linkage.
+        let scale = if formula != 0.0 { formula.abs() } else { candidate.judged.size_m };
+        let off = significant((board.value(r) - formula.abs()).abs() / scale, 2);
         let formula = if r.angle { format!("{}°", significant(formula.abs().to_degrees(), 6)) } else { metres_fine(formula) };
         let drawn = match r.angle {
             true => format!("{}°", significant(board.value(r).to_degrees(), 6)),
             false => format!("{} mm · μ_l = {}", significant(r.measured, 4), metres_fine(board.value(r))),
         };
+        let name = printed(&r.name);
         out += &match lang {
-            Lang::En => format!("{} = {drawn}; formula {formula}, off by {off}\n", r.name),
-            Lang::Zh => format!("{} = {drawn}；公式 {formula}，相对差 {off}\n", r.name),
+            Lang::En => format!("{name} = {drawn}; formula {formula}, off by {off}\n"),
+            Lang::Zh => format!("{name} = {drawn}；公式 {formula}，相对差 {off}\n"),
         };
     }
     out

@@ -151,7 +151,17 @@ impl Candidate {
 
 /// The letters of a number's name and its index: `phi0` → `φ`, `0`.
 pub fn letters(name: &str) -> (String, &str) {
-    const GREEK: [(&str, &str); 6] = [("theta", "θ"), ("psi", "ψ"), ("beta", "β"), ("alpha", "α"), ("phi", "φ"), ("gamma", "γ")];
+    const GREEK: [(&str, &str); 9] = [
+        ("length", "l"),
+        ("deviation", "Δ"),
+        ("delta", "δ"),
+        ("theta", "θ"),
+        ("psi", "ψ"),
+        ("beta", "β"),
+        ("alpha", "α"),
+        ("phi", "φ"),
+        ("gamma", "γ"),
+    ];
     let (word, index) = name.split_at(name.trim_end_matches(|c: char| c.is_ascii_digit()).len());
     let word = word.trim_end_matches('_');
     (GREEK.iter().find(|g| g.0 == word).map_or(word, |g| g.1).to_owned(), index)

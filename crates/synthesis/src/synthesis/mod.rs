@@ -30,6 +30,7 @@ pub mod function;
 pub mod grashof;
 #[doc(hidden)]
 pub mod judge;
+mod laid;
 pub(crate) mod limits;
 pub(crate) mod nearest;
 mod order;
@@ -72,8 +73,8 @@ pub trait Wish: Debug + Send + Sync {
     /// There is none: which root is not real, and the nearest wish that has one.
     fn solve(&self, heading: &Heading) -> Result<Found, Faults>;
 
-    /// Draws the construction of a design on the board, from what is given: the formula's numbers are only what it is compared with. A
-    /// board without steps where the kind has no construction with ruler and compasses (least squares, searches).
+    /// Draws the construction of a design on the board, from what is given: the formula's numbers are only what it is compared with. What
+    /// least squares, an exchange or a search computed is laid off, and what it misses is measured. `None` where the drawing does not close.
     fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()>;
 
     /// The task as a problem: what is given and wanted.
@@ -251,7 +252,7 @@ pub fn solve(task: &Task) -> Result<Design, Faults> {
     Ok(Design { candidates, numbers, notes })
 }
 
-/// The construction of a candidate with ruler and compasses, to a scale (m for a mm of paper); `None` where its kind has none.
+/// The construction of a candidate with ruler and compasses, to a scale (m for a mm of paper); `None` where it does not close on paper.
 ///
 /// # Errors
 /// The drawing and the formula disagree, which is an error of ours.

@@ -1,10 +1,11 @@
 //! Straight lines, `"synthesis": "straight-line"`: linkages whose point E runs nearly or exactly straight, made to the wanted length.
 //!
 //! Watt: two rods of 5 and a coupler of 2, E its middle. Chebyshev: frame 4, crossed rods 5, coupler 2, E its middle, over the frame's
-//! length. Hoeken: crank 1, frame 2, coupler and rocker 2.5, BE twice BC, over half a turn of the crank; other `ratios` are taken. Exact
+//! length. Roberts: frame 2, coupler 1, rods and the sides of the coupler's triangle 1.2, E its apex, from pivot to pivot. Hoeken: crank 1, frame 2, coupler and rocker 2.5, BE twice BC, over half a turn of the crank; other `ratios` are taken. Exact
 //! are Scott-Russell's crank on the middle of a rod whose end slides, and Peaucellier's inversor, OC · OP = L² − s². Length and deviation
 //! are those of the finished scene, swept, with the extremes located.
 
+mod drawing;
 mod explained;
 
 use super::board::Board;
@@ -25,8 +26,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 pub const KIND: KindOfTask = KindOfTask {
     name: "straight-line",
     what: [
-        "straight-line linkages: Watt, Chebyshev, Hoeken, Scott-Russell, Peaucellier",
-        "直线机构：瓦特、切比雪夫、霍肯、斯科特-罗素、波塞利耶",
+        "straight-line linkages: Watt, Chebyshev, Roberts, Hoeken, Scott-Russell, Peaucellier",
+        "直线机构：瓦特、切比雪夫、罗伯茨、霍肯、斯科特-罗素、波塞利耶",
     ],
     keys: &["linkage", "length", "swing", "ratios"],
     read,
@@ -37,14 +38,16 @@ pub const KIND: KindOfTask = KindOfTask {
 enum Linkage {
     Watt,
     Chebyshev,
+    Roberts,
     Hoeken,
     ScottRussell,
     Peaucellier,
 }
 
-const NAMES: [(&str, Linkage); 5] = [
+const NAMES: [(&str, Linkage); 6] = [
     ("watt", Linkage::Watt),
     ("chebyshev", Linkage::Chebyshev),
+    ("roberts", Linkage::Roberts),
     ("hoeken", Linkage::Hoeken),
     ("scott-russell", Linkage::ScottRussell),
     ("peaucellier", Linkage::Peaucellier),
@@ -53,6 +56,8 @@ const NAMES: [(&str, Linkage); 5] = [
 /// Half the swing of a driver where the file gives none: of Watt's rods, whose deviation grows with its fifth power, and of the others.
 const WATT_SWING: f64 = 20.0 * PI / 180.0;
 const SWING: f64 = 45.0 * PI / 180.0;
+/// A swing read from degrees may be so much larger than the most that is told (rad).
+const ROUNDING: f64 = 1e-12;
 /// Positions of a sweep between which extremes are located.
 const STEPS: usize = 360;
 /// The length along which a located range falls short of a limit of the driver.
@@ -77,13 +82,13 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     let usual = if linkage == Linkage::Watt { WATT_SWING } else { SWING };
     let swings = matches!(linkage, Linkage::Watt | Linkage::ScottRussell | Linkage::Peaucellier);
     let swing = if form.has("swing") { form.angle("swing")? / 2.0 } else { usual };
-    // Beyond these Watt's rods come near their dead points, and Peaucellier's arms do not reach their rhombus.
+    // Beyond 27.02° one of Watt's rods passes its dead point, beyond 2 arccos(3.5/4) = 57.91° C is too near for Peaucellier's arms.
     let most = match linkage {
-        Linkage::Watt => 35.0_f64.to_radians(),
-        Linkage::Peaucellier => 65.0_f64.to_radians(),
-        Linkage::Chebyshev | Linkage::Hoeken | Linkage::ScottRussell => 89.0_f64.to_radians(),
+        Linkage::Watt => 27.0_f64.to_radians(),
+        Linkage::Peaucellier => 57.5_f64.to_radians(),
+        Linkage::Chebyshev | Linkage::Roberts | Linkage::Hoeken | Linkage::ScottRussell => 89.0_f64.to_radians(),
     };
-    let taken = swings && swing > 0.0 && swing <= most;
+    let taken = swings && swing > 0.0 && swing <= most + ROUNDING;
     if form.has("swing") && !taken {
         let message = if swings {
             both!(
@@ -118,8 +123,17 @@ fn ratios(form: &Form, linkage: Linkage) -> Option<[f64; 2]> {
     } else {
         both!("\"ratios\" are of Hoeken's linkage alone", "\"ratios\" 只用于霍肯机构")
     };
-    form.fault(Diagnostic::error("out-of-range", message).at(form.span("ratios")).help(both!("write [2, 2.5]", "请写 [2, 2.5]")));
+    let help = if linkage == Linkage::Hoeken { nearest_ratios([frame, rod]) } else { both!("leave it out", "请去掉它") };
+    form.fault(Diagnostic::error("out-of-range", message).at(form.span("ratios")).help(help));
     None
+}
+
+/// The ratios next to these, a hundredth within the change point, to three decimals.
+fn nearest_ratios([frame, rod]: [f64; 2]) -> Both {
+    let up = |v: f64| (v * 1e3).ceil() / 1e3;
+    let frame = up(frame.max(1.01));
+    let rod = up(rod.max(0.505 * (1.0 + frame)));
+    both!("write [{frame}, {rod}]", "请写 [{frame}, {rod}]")
 }
 
 /// A linkage at scale 1: its scene at a scale, the driver's range, the axis of the line, and the places of E at the ends and the middle.
@@ -138,6 +152,7 @@ impl Task {
         match self.linkage {
             Linkage::Watt => both!("Watt", "瓦特"),
             Linkage::Chebyshev => both!("Chebyshev", "切比雪夫"),
+            Linkage::Roberts => both!("Roberts", "罗伯茨"),
             Linkage::Hoeken => both!("Hoeken", "霍肯"),
             Linkage::ScottRussell => both!("Scott Russell", "斯科特-罗素"),
             Linkage::Peaucellier => both!("Peaucellier", "波塞利耶"),
@@ -150,6 +165,7 @@ impl Task {
         match self.linkage {
             Linkage::Watt => watt(1.0).e_at(s).zip(watt(1.0).e_at(-s)).map_or(f64::NAN, |(p, q)| p.y - q.y),
             Linkage::Chebyshev => 4.0,
+            Linkage::Roberts => 2.0,
             Linkage::Hoeken => {
                 let l = hoeken(1.0, self.ratios);
                 l.e_at(FRAC_PI_2).zip(l.e_at(3.0 * FRAC_PI_2)).map_or(f64::NAN, |(p, q)| (p.x - q.x).abs())
@@ -174,6 +190,12 @@ impl Task {
                 let l = chebyshev(k);
                 let low = libm::atan2(3.0, 4.0);
                 four(l, [low + SHORT, FRAC_PI_2], 'x', libm::atan2(4.0, 3.0))
+            }
+            Linkage::Roberts => {
+                // E in D, where B stands over the middle of AD; E in A, where C does, and AB leads AC by half the coupler's angle twice.
+                let from = libm::acos(1.0 / ROBERTS);
+                let to = from + 2.0 * libm::asin(0.5 / ROBERTS);
+                four(roberts(k), [from, to], 'x', libm::acos(0.5 / ROBERTS))
             }
             Linkage::ScottRussell => {
                 let place_of = |at: f64| Point::new(0.0, 2.0 * k * libm::sin(at));
@@ -210,6 +232,16 @@ fn watt(k: f64) -> FourBar {
 fn chebyshev(k: f64) -> FourBar {
     let at = |x: f64, y: f64| Point::new(k * x, k * y);
     FourBar { a: at(0.0, 0.0), b: at(3.0, 4.0), c: at(1.0, 4.0), d: at(4.0, 0.0), e: Some(Vec2::new(k, 0.0)) }
+}
+
+/// Rods, and the equal sides of the coupler's triangle, of Roberts' linkage over its coupler.
+const ROBERTS: f64 = 1.2;
+
+/// Roberts' linkage in its middle position: the coupler level, its apex down on the frame.
+fn roberts(k: f64) -> FourBar {
+    let at = |x: f64, y: f64| Point::new(k * x, k * y);
+    let high = (ROBERTS * ROBERTS - 0.25).sqrt();
+    FourBar { a: at(0.0, 0.0), b: at(0.5, high), c: at(1.5, high), d: at(2.0, 0.0), e: Some(Vec2::new(0.5 * k, -high * k)) }
 }
 
 /// Hoeken's linkage with its crank away from the rocker's pivot: the middle of the straight stretch.
@@ -284,9 +316,8 @@ impl Wish for Task {
         Ok(Found { drafts: vec![draft], numbers: Vec::new(), notes: Vec::new() })
     }
 
-    /// The proportions of these linkages are given; nothing is constructed.
-    fn construct(&self, _: &Draft, _: &mut Board) -> Option<()> {
-        None
+    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+        self.drawn(draft, board)
     }
 
     fn statement(&self) -> Statement {

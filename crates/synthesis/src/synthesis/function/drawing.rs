@@ -12,8 +12,8 @@ impl Function {
     pub(super) fn drawn(&self, draft: &Draft, board: &mut Board) -> Option<()> {
         let number = |name: &str| draft.numbers.iter().find(|n| n.name == name).map(|n| n.value);
         // Where least squares or the exchange leave deviations, no crossing of circles is the linkage.
-        if draft.error > 0.0 || self.minimax {
-            return None;
+        if draft.error > 0.0 {
+            return self.laid_on(draft, board);
         }
         let (a, d) = (Point::ORIGIN, Point::new(board.mm(number("AD")?), 0.0));
         let (crank, alpha, phi) = (board.mm(number("AB")?), number("alpha0")?, number("phi0")?);

@@ -8,6 +8,7 @@ mod course;
 mod drawing;
 mod explained;
 pub mod freudenstein;
+mod laid;
 mod nearest;
 mod solutions;
 
@@ -377,6 +378,10 @@ impl Function {
         );
         let exact = self.steps.iter().all(|s| g.rest(*s).abs() < 1e-9);
         let missed = self.deviations(&g, &mut numbers);
+        let error = if exact { 0.0 } else { missed };
+        if error > 0.0 {
+            numbers.extend(self.outputs(&g, &numbers));
+        }
         let mut remarks = Vec::new();
         if !turned.is_empty() {
             let message = both!("{} comes out negative: the arm is turned by 180°", "{} 为负：该杆转过 180°", turned.join(", "));
@@ -384,7 +389,7 @@ impl Function {
         }
         Some(Draft {
             ordered: true,
-            error: if exact { 0.0 } else { missed },
+            error,
             course: self.sampled(&g),
             remarks,
             ..Draft::new(which.clone(), four.scene(heading), numbers, wanted)

@@ -7,6 +7,7 @@
 mod drawing;
 mod explained;
 mod inversion;
+mod laid;
 mod prescribed;
 mod sides;
 
@@ -229,7 +230,7 @@ impl Wish for Path {
             Path::Many { points, timing: Some(turns), .. } if is_met(draft) => {
                 drawing::by_turns(board, points, [found("A"), found("D")], turns)
             }
-            Path::Many { .. } => None,
+            Path::Many { .. } => laid::drawn(board, draft),
         }
     }
 
@@ -376,6 +377,7 @@ fn of_fit(points: &[Point], fit: &Fit, heading: &Heading) -> Option<Draft> {
     ));
     numbers.push(Number::length("rms", both!("root mean square distance", "均方根距离"), fit.rms));
     numbers.push(Number::length("max", both!("greatest distance", "最大距离"), far.iter().copied().fold(0.0, f64::max)));
+    numbers.extend(laid::distances(&far, search::extent(points).1));
     let which = both!("root mean square distance {} mm", "均方根距离 {} mm", significant(fit.rms * 1e3, 4));
     Some(Draft { ordered: true, error: fit.rms, targets: points.to_vec(), ..Draft::new(which, four.scene(heading), numbers, wanted) })
 }

@@ -13,7 +13,7 @@ impl Task {
             Linkage::Watt | Linkage::ScottRussell | Linkage::Peaucellier => {
                 given.push(both!("swing of the driver ${}$", "原动件摆角 ${}$", angle(2.0 * self.swing)));
             }
-            Linkage::Chebyshev | Linkage::Hoeken => {}
+            Linkage::Chebyshev | Linkage::Roberts | Linkage::Hoeken => {}
         }
         Statement {
             task: both!(
@@ -52,6 +52,10 @@ impl Task {
             Linkage::Chebyshev => both!(
                 "Chebyshev: frame, crossed rods and coupler as $4 : 5 : 2$, $E$ in the middle of the coupler; scaled to the wanted length:",
                 "切比雪夫机构：机架、交叉杆、连杆之比为 $4 : 5 : 2$，$E$ 在连杆中点；按所求长度放大："
+            ),
+            Linkage::Roberts => both!(
+                "Roberts: frame, rods and coupler as $2 : 1.2 : 1$, $l_{{BE}} = l_{{CE}} = l_{{AB}}$; $E$ goes from pivot to pivot; scaled to the wanted length:",
+                "罗伯茨机构：机架、摇杆、连杆之比为 $2 : 1.2 : 1$，$l_{{BE}} = l_{{CE}} = l_{{AB}}$；$E$ 由一固定铰链到另一固定铰链；按所求长度放大："
             ),
             Linkage::Hoeken => both!(
                 "Hoeken: crank, frame and rods as $1 : {frame} : {rod}$, $l_{{BE}} = 2\\,l_{{BC}}$; the half turn of the crank away from the rocker is straight; scaled:",
