@@ -86,10 +86,8 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
 
 /// The circle of the roller's centre on the base circle, drawn where the profile comes from a law of motion.
 fn prime_m(disc: &Disc) -> Option<f64> {
-    match (disc.touch, &disc.motion) {
-        (Touch::Point { radius }, Motion::Law { .. }) if radius > 0.0 => Some(disc.base() + radius),
-        _ => None,
-    }
+    let radius = if let Touch::Point { radius } = disc.touch { radius } else { 0.0 };
+    (radius > 0.0 && matches!(disc.motion, Motion::Law { .. })).then(|| disc.base() + radius)
 }
 
 /// What the lines are, in words: those that this cam has.
