@@ -13,12 +13,14 @@ mod pdf;
 mod worksheet;
 
 use files::{
-    ASKED, CENTRES, CURVATURE, CURVES, DESIGNS, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POSES, SHOWN, check_png, check_text,
-    finish, golden, kept,
+    ASKED, CAM, CENTRES, CURVATURE, CURVES, DESIGNS, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POSES, SHOWN, check_png,
+    check_text, finish, golden, kept,
 };
+use hodograph::cam::Survey;
 use hodograph::centres;
 use hodograph::certified::{certify, steps};
 use hodograph::effort::Work;
+use hodograph::figure::cam::{inversion, motion};
 use hodograph::figure::curves::{self, Diagram};
 use hodograph::figure::list::{self, Extras, Wanted};
 use hodograph::figure::mechanism::Overlay;
@@ -32,6 +34,7 @@ use hodograph::paper::style::Style;
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::render::{png as raster, svg};
+use hodograph::report::cam::Report;
 use hodograph::report::{answers, centres as report_of_centres, construction, drafting, plan, plan_json};
 use hodograph::scene::{self, Angle, Lang, PointId, Swept, edit, templates};
 use hodograph::sweep::{self, Placed, Stations, Width, extreme};
@@ -229,6 +232,26 @@ fn curvature_looks_as_accepted() {
     finish(&failures);
 }
 
+/// The motion of a cam's follower, and the profile by inversion.
+#[test]
+fn cams_look_as_accepted() {
+    let mut failures = Vec::new();
+    let scene = scene::read(templates::get(CAM).unwrap()).unwrap().value;
+    let cam = &scene.cams[0];
+    let turning = cam.disc.as_ref().unwrap();
+    let report = Report { scene: &scene, cam, turning, survey: &Survey::of(&turning.disc) };
+    for (lang, suffix) in LANGS {
+        for (kind, figure) in
+            [("motion", motion::figure(&report, &Style::default(), lang)), ("profile", inversion::figure(&report, &Style::default(), lang))]
+        {
+            let drawn = svg::write(&figure).unwrap();
+            assert!(drawn.notes.is_empty(), "{kind}: {:?}", drawn.notes);
+            check_png(&golden(CAM, &format!("{kind}.{suffix}.png")), &raster::render(&drawn.value, 80.0).unwrap(), &mut failures);
+        }
+    }
+    finish(&failures);
+}
+
 /// The construction of each kind of synthesis.
 #[test]
 fn designs_look_as_accepted() {
@@ -339,7 +362,16 @@ fn the_gallery_is_current() {
         "# Gallery\n\nEvery kind of picture, then every template as its sheet. `HODOGRAPH_ACCEPT=1 cargo test --release --test golden` makes the pictures and this\n\
          page anew; the same test without it checks that they are current. Any of them: `hodograph new NAME > scene.json && hodograph draw scene.json -o out/`.\n",
     );
-    page += "\n## Kinds of picture\n\nCams have theirs from `hodograph cam`, designs from `hodograph draw` of a synthesis file.\n";
+    page += "\n## Kinds of picture\n\nThe mechanism, both polygons, equations and results of a sheet are pictures too: `hodograph draw --figure`.\n";
+    for entry in list::LIST {
+        let whole = ["sheet", "mechanism", "velocity", "acceleration", "results"].contains(&entry.name);
+        let asked = format!("draw --figure {}", entry.name);
+        assert!(whole || SHOWN.iter().any(|(_, command, _)| *command == asked), "the gallery does not show `{asked}`");
+    }
+    for kind in synthesis::KINDS {
+        let picture = format!("synthesis/{}-", kind.name);
+        assert!(SHOWN.iter().any(|(.., file)| file.starts_with(&picture)), "the gallery does not show the synthesis of {}", kind.name);
+    }
     for (title, command, picture) in SHOWN {
         assert!(kept().contains(picture), "{picture} is no golden file");
         page += &format!("\n### {title}\n`hodograph {command}`\n\n![{title}](../golden/{picture})\n");

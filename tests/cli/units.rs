@@ -219,3 +219,18 @@ fn statements_hold_mathematics_and_values() {
         assert!(written.is_empty() && said.contains(fault) && said.contains("standard input:1:"), "{statement}: {said}");
     }
 }
+
+/// A name of two letters is near to many: all units are told, and none is guessed that measures something else.
+#[test]
+fn short_names_of_units_are_not_guessed_from() {
+    for (length, told) in
+        [("10 mn", "the units are m, "), ("10 xm", "the units are m, "), ("10 MM", "did you mean `mm`?"), ("10 inn", "did you mean")]
+    {
+        let source = json!({"links": {"1": ["A", "B"], "2": ["A"]}, "ground": "2", "lengths": {"AB": length},
+            "driver": {"link": "1", "angle": "0 deg", "omega": "1 rad/s"}, "find": ["v_B"]});
+        let faults = hodograph::scene::read(source.to_string()).unwrap_err();
+        let fault = faults.list.iter().find(|d| d.code == "unknown-unit").unwrap_or_else(|| panic!("{length}: {faults}"));
+        let help = format!("{:?}", fault.help);
+        assert!(help.contains(told), "{length}: {help}");
+    }
+}

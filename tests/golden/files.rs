@@ -65,6 +65,9 @@ pub const DESIGNS: [(&str, &str); 7] = [
     ("straight-line", "construction"),
 ];
 
+/// A cam whose two figures are kept.
+pub const CAM: &str = "cam-offset-roller";
+
 /// Kinds of picture that no other list has: template, the figure's name (`dimensions`: the mechanism with them).
 pub const ASKED: [(&str, &str); 7] = [
     ("class-iii-six-bar", "plates"),
@@ -77,7 +80,7 @@ pub const ASKED: [(&str, &str); 7] = [
 ];
 
 /// What the gallery shows beside the sheets: title, the command that draws it, the picture.
-pub const SHOWN: [(&str, &str, &str); 23] = [
+pub const SHOWN: [(&str, &str, &str); 32] = [
     ("Dimensions: to draw the mechanism again", "draw --dimensions", "crank-rocker/dimensions.en.png"),
     ("Vectors, positions and the path of a point", "draw --vectors velocity --poses 6 --path S", "offset-slider-crank/overlay.png"),
     ("The groups drawn apart", "mobility -o", "shaper/groups.png"),
@@ -99,6 +102,15 @@ pub const SHOWN: [(&str, &str, &str); 23] = [
     ("A pursuit with its course", "draw", "motions/pursuit-of-a-ship.en.png"),
     ("A plate that turns in space, in two views", "draw", "motions/plate-in-space.en.png"),
     ("A wrong solution over the right one", "draw --figure attempts", "flat-face-mistake/attempts.en.png"),
+    ("A cam: the motion of its follower", "cam -o", "cam-offset-roller/motion.en.png"),
+    ("A cam: its profile by inversion", "cam -o", "cam-offset-roller/profile.en.png"),
+    ("Synthesis: function generation", "draw", "synthesis/function-construction.en.png"),
+    ("Synthesis: positions of a body", "draw", "synthesis/body-construction.en.png"),
+    ("Synthesis: time ratio", "draw", "synthesis/time-ratio-construction.en.png"),
+    ("Synthesis: limit positions", "draw", "synthesis/limits-construction.en.png"),
+    ("Synthesis: points of a path", "draw", "synthesis/path-construction.en.png"),
+    ("Synthesis: cognates", "draw", "synthesis/cognates-construction.en.png"),
+    ("Synthesis: a straight line", "draw", "synthesis/straight-line-positions.en.png"),
     ("The style for slides", "draw --style slides", "shaper/slides.png"),
     ("The style for a dark room", "draw --style dark", "jansen-leg/dark.png"),
 ];
@@ -135,6 +147,7 @@ pub fn kept() -> BTreeSet<String> {
         figures.iter().for_each(|f| in_both(t, &[&format!("{f}.LANG.png")]));
     }
     DESIGNS.iter().for_each(|(kind, figure)| in_both("synthesis", &[&format!("{kind}-{figure}.LANG.png")]));
+    in_both(CAM, &["motion.LANG.png", "profile.LANG.png"]);
     MOBILITY.iter().for_each(|t| in_both(t, &["mobility.LANG.md", "mobility.LANG.typ", "mobility.LANG.html"]));
     MOTIONS.iter().for_each(|t| in_both("motions", &[&format!("{t}.LANG.png")]));
     WORKSHEETS.iter().for_each(|t| in_both(t, &["worksheet.LANG.md", "worksheet.LANG.typ", "worksheet.LANG.html"]));

@@ -10,9 +10,11 @@ use hayro_interpret::{
 };
 use hodograph::paper::item::{Figure, Item, Shape};
 use hodograph::paper::text;
+use hodograph::paper::words::words;
 use hodograph::render::{pdf, png as raster, svg};
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
+use hodograph::worksheet::{self, Block, Table, TableKind};
 use kurbo::{Affine, BezPath, Cap, Join, PathEl, Rect};
 use resvg::tiny_skia;
 
@@ -193,4 +195,41 @@ fn faults_are_said_before_anything_is_written() {
     assert_eq!(pdf::pdf(&[figure.clone()]).unwrap_err().list[0].code, "page-size");
     figure.width_mm = f64::NAN;
     assert_eq!(pdf::pdf(&[figure]).unwrap_err().list[0].code, "page-size");
+}
+
+/// How often a key stands in a file, outside of streams or in those that are not compressed.
+fn count(file: &[u8], key: &str) -> usize {
+    file.windows(key.len()).filter(|w| *w == key.as_bytes()).count()
+}
+
+/// Cells of a table of values, the empty ones too.
+fn places(table: &Table) -> usize {
+    if table.kind == TableKind::Values { table.rows.len() * table.rows[0].len() } else { 0 }
+}
+
+/// What of the Matterhorn Protocol stands in the bytes; the writer itself refuses what has no words, no title or no character.
+#[test]
+fn documents_meet_pdf_ua() {
+    for (name, lang) in [("shaper", Lang::Zh), ("planetary-gear", Lang::En)] {
+        let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let document = worksheet::worksheet(&scene, &worked, &worksheet::Options::of_language(lang));
+        let file = pdf::document(&worksheet::pages::pages(&document), &document.title, words(lang).tag).unwrap();
+        assert!(file.notes.is_empty(), "{name}: {:?}", file.notes);
+        let file = file.value;
+        for (key, least) in [("<pdfuaid:part>1<", 1), ("/DisplayDocTitle true", 1), ("/Marked true", 1), ("/S/Table/", 2), ("/S/L/", 4)] {
+            assert!(count(&file, key) >= least, "{name}: {key} is there {} times, not {least}", count(&file, key));
+        }
+        assert_eq!(count(&file, "/Suspects"), 0, "{name}: Poppler warns of it");
+        assert_eq!(count(&file, "/S/TH/"), count(&file, "/Scope/"), "{name}: heads without scope");
+        assert_eq!(count(&file, "/S/LI/"), count(&file, "/S/LBody/"), "{name}");
+        let cells: usize = document.blocks.iter().map(|b| if let Block::Table(t) = b { places(t) } else { 0 }).sum();
+        let found = count(&file, "/S/TH/") + count(&file, "/S/TD/");
+        assert!(cells > 0 && found >= cells, "{name}: {found} cells of {cells}");
+    }
+    let mut figure = sheet("crank-rocker", Lang::En);
+    assert!(pdf::pdf(std::slice::from_ref(&figure)).unwrap().notes.is_empty());
+    (figure.title, figure.desc) = (String::new(), String::new());
+    let notes = pdf::pdf(&[figure]).unwrap().notes;
+    assert_eq!(notes.iter().map(|n| n.code).collect::<Vec<_>>(), ["pdf-ua"]);
 }

@@ -82,6 +82,35 @@ fn figures_of_cams_can_be_read() {
     assert!(faults.is_empty(), "{} of {drawn} figures:\n{}", faults.len(), faults.join("\n"));
 }
 
+/// Whether the words below the profile name a line, in both languages, exactly where it is drawn.
+#[test]
+fn legends_of_cams_name_what_is_drawn() {
+    let lines = [
+        ("offset", ["offset circle", "偏距圆"]),
+        ("pitch", ["pitch curve", "点画线为理论廓线"]),
+        ("pitch-circle", ["prime circle", "理论廓线基圆"]),
+        ("pivots", ["circle of the pivots", "转动中心所在圆"]),
+    ];
+    let mut seen = [[0; 2]; 4];
+    for t in templates::list() {
+        let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
+        for cam in &scene.cams {
+            let Some(turning) = &cam.disc else { continue };
+            let report = Report { scene: &scene, cam, turning, survey: &Survey::of(&turning.disc) };
+            for (l, lang) in [Lang::En, Lang::Zh].into_iter().enumerate() {
+                let figure = inversion::figure(&report, &Options::of_language(lang).style, lang);
+                for (k, (class, words)) in lines.iter().enumerate() {
+                    let drawn = figure.items.iter().any(|i| i.class == *class);
+                    let told = figure.desc.replace("base and offset circles", "offset circle").contains(words[l]);
+                    assert_eq!(drawn, told, "{} {lang:?}: {class}: {}", t.name, figure.desc);
+                    seen[k][usize::from(drawn)] += 1;
+                }
+            }
+        }
+    }
+    assert!(seen.iter().all(|s| s[0] > 0 && s[1] > 0), "each line is drawn in some and not in others: {seen:?}");
+}
+
 /// Groups drawn apart, of every template.
 #[test]
 fn groups_drawn_apart_can_be_read() {

@@ -83,11 +83,10 @@ impl Setter {
             return;
         }
         for (k, m) in members.iter().enumerate() {
-            let mark = if numbered { format!("{}.", k + 1) } else { "–".to_owned() };
             let air = if k == 0 { BLOCK_AIR_EM / 2.0 } else { 0.12 } * self.air();
             // No member stands alone at the end of a page or at its beginning.
             let wait = k + 1 < members.len() && (k == 0 || k + 2 == members.len());
-            self.lines(m, INDENT_MM, Some(mark), air, wait);
+            self.lines(m, INDENT_MM, Some((k, numbered)), air, wait);
         }
     }
 
@@ -104,18 +103,20 @@ impl Setter {
             return false;
         }
         let mut items = Vec::new();
+        let members = (0..labels.len()).flat_map(|k| [k; 2]).collect();
         for (k, label) in labels.iter().enumerate() {
             let at = Point::new((k / rows) as f64 * column + INDENT_MM, -((k % rows) as f64) * step - TEXT_MM * 1.1);
             items.push(line(&Label::text("–").in_fonts(&self.fonts), at - Vec2::new(1.8, 0.0), TEXT_MM, Anchor::End));
             items.push(line(label, at, TEXT_MM, Anchor::Start));
         }
         let air_mm = BLOCK_AIR_EM / 2.0 * self.air();
-        self.put(Chunk { kind: Kind::Paragraph, items, height_mm: rows as f64 * step, air_mm });
+        self.put(Chunk { kind: Kind::List { numbered: false, members }, items, height_mm: rows as f64 * step, air_mm });
         true
     }
 
-    /// Lines of text; the first two and the last two stay together. Those that wait stay with what follows them.
-    fn lines(&mut self, phrase: &Phrase, indent: f64, mark: Option<String>, air_mm: f64, wait: bool) {
+    /// Lines of text, or of a list's member, told by its number from 0 and whether numbers mark the list; the first two and the last
+    /// two stay together. Those that wait stay with what follows them.
+    fn lines(&mut self, phrase: &Phrase, indent: f64, member: Option<(usize, bool)>, air_mm: f64, wait: bool) {
         let labels = wrapped(phrase, self.width() - indent, TEXT_MM, &self.fonts);
         let count = labels.len();
         let step = self.setting.line_em * TEXT_MM;
@@ -123,8 +124,9 @@ impl Setter {
         let (mut rows, mut first) = (0, true);
         for (k, label) in labels.iter().enumerate() {
             let y = -(rows as f64) * step - TEXT_MM * 1.1;
-            if let (0, Some(mark)) = (k, &mark) {
-                group.push(line(&Label::text(mark.clone()).in_fonts(&self.fonts), Point::new(indent - 1.8, y), TEXT_MM, Anchor::End));
+            if let (0, Some((place, numbered))) = (k, member) {
+                let mark = if numbered { format!("{}.", place + 1) } else { "–".to_owned() };
+                group.push(line(&Label::text(mark).in_fonts(&self.fonts), Point::new(indent - 1.8, y), TEXT_MM, Anchor::End));
             }
             group.push(line(label, Point::new(indent, y), TEXT_MM, Anchor::Start));
             rows += 1;
@@ -132,7 +134,9 @@ impl Setter {
             if !held {
                 let air_mm = if first { air_mm } else { 0.0 };
                 let items = std::mem::take(&mut group);
-                let chunk = Chunk { kind: Kind::Paragraph, items, height_mm: rows as f64 * step, air_mm };
+                let list = |(place, numbered)| Kind::List { numbered, members: vec![place; items.len()] };
+                let kind = member.map_or(Kind::Paragraph, list);
+                let chunk = Chunk { kind, items, height_mm: rows as f64 * step, air_mm };
                 if wait && k + 1 == count {
                     self.waiting.push(chunk);
                 } else {
@@ -182,11 +186,9 @@ impl Setter {
         } else if wide * scale < room - INDENT_MM {
             translate(&mut items, Vec2::new(INDENT_MM, 0.0));
         }
-        let cell = |c: &Phrase| c.plain();
-        let words = table.rows.iter().map(|r| r.iter().map(cell).collect::<Vec<_>>().join(" ")).collect::<Vec<_>>().join("; ");
         let height_mm = table.rows.len() as f64 * step + 0.5 * step;
         let right = bounds(&items).map_or(0.0, |b| b.max.x);
-        self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * self.air() });
+        self.put(Chunk { kind: structure(table), items, height_mm, air_mm: BLOCK_AIR_EM * self.air() });
         let middle = self.y + height_mm - (table.rows.len() + 1) as f64 / 2.0 * step;
         self.table = (table.kind == TableKind::Equation).then_some([room, right, middle]);
     }
@@ -273,6 +275,22 @@ impl Setter {
             self.drawings.push_back(chunk);
         } else {
             self.put(chunk);
+        }
+    }
+}
+
+/// What a table is for readers of structure: an equation is read as one, of values each cell has its place.
+fn structure(table: &Table) -> Kind {
+    match table.kind {
+        TableKind::Equation => {
+            let row = |r: &Vec<Phrase>| r.iter().map(Phrase::plain).collect::<Vec<_>>().join(" ");
+            Kind::Formula(table.rows.iter().map(row).collect::<Vec<_>>().join("; "))
+        }
+        TableKind::Values => {
+            let written =
+                |row: &Vec<Phrase>| row.iter().enumerate().filter(|(_, p)| !p.pieces().is_empty()).map(|(c, _)| c).collect::<Vec<_>>();
+            let places = |(r, row): (usize, &Vec<Phrase>)| written(row).into_iter().map(move |c| [r, c]);
+            Kind::Table(table.rows.iter().enumerate().flat_map(places).collect())
         }
     }
 }

@@ -147,10 +147,12 @@ pub fn wrong<T>(node: &Node, what: impl Into<What>, wanted: Both, faults: &mut F
 pub fn suggest<'a>(got: &str, known: impl Iterator<Item = &'a str> + Clone, otherwise: Both) -> Both {
     let lower = got.to_lowercase();
     // Jaro-Winkler 0.7 finds the long name that was meant (`lnik`) and keeps `x` from becoming `links`; in names of three or four
-    // letters it misses the swapped pair (`rmp`), which one step of the edit distance finds. Two letters are too few to guess from.
+    // letters it misses the swapped pair (`rmp`), which one step of the edit distance finds. Two letters are too few to
+    // guess from, on either side: `mn` is as near to `min` as to `mm`.
     let one_slip = |k: &str| k.chars().count() >= 3 && strsim::osa_distance(got, k) == 1;
     let score = |k: &str| match k.to_lowercase() == lower {
         true => 1.0,
+        false if got.chars().count() < 3 => 0.0,
         false if one_slip(k) => 0.95,
         false => strsim::jaro_winkler(got, k),
     };

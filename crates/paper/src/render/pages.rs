@@ -15,7 +15,17 @@ pub enum Kind {
     },
     /// Running text.
     Paragraph,
-    /// A formula or a table of one, with its reading.
+    /// Members of a list, which may go on in the part that follows.
+    List {
+        /// Whether its marks are numbers.
+        numbered: bool,
+        /// Which member of its list each item belongs to, from 0.
+        members: Vec<usize>,
+    },
+    /// A table of values: row and column of each item, from 0, row by row. The first row and the first column are heads; items after
+    /// those are rules.
+    Table(Vec<[usize; 2]>),
+    /// A formula or the table of an equation, with its reading.
     Formula(String),
     /// A picture, with what it shows in words.
     Figure(String),

@@ -2,11 +2,15 @@
 //!
 //! Decided here: what a page of the display list is in PDF, and that the file is the same bytes every time (it carries no
 //! date and no random name). Letters keep their characters, so mathematics and Chinese can be searched and copied; a page
-//! says to screen readers what its parts are ([`Kind`]). Not decided here: where anything stands.
+//! says to screen readers what its parts are ([`Kind`]), as PDF/UA-1 (ISO 14289-1) has it. Not decided here: where anything stands.
+
+mod structure;
 
 use std::collections::BTreeMap;
 
 use krilla::color::{luma, rgb};
+use krilla::configure::{Accessibility, ConfigurationBuilder};
+use krilla::error::KrillaResult;
 use krilla::geom::{PathBuilder, Point as At, Transform};
 use krilla::metadata::Metadata;
 use krilla::num::NormalizedF32;
@@ -14,10 +18,11 @@ use krilla::outline::{Outline, OutlineNode};
 use krilla::page::PageSettings;
 use krilla::paint::{Fill, LineCap, LineJoin, Paint, Stroke as Pen, StrokeDash};
 use krilla::surface::Surface;
-use krilla::tagging::{Artifact, ArtifactType, ContentTag, Node, Tag, TagGroup, TagTree};
+use krilla::tagging::{Artifact, ArtifactType, ContentTag, Identifier, Node, Tag, TagGroup, TagTree};
 use krilla::text::{Font, GlyphId, KrillaGlyph};
-use krilla::{Data, Document};
+use krilla::{Data, Document, SerializeSettings};
 
+use self::structure::List;
 use super::pages::{Kind, Page, Part};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::geom::{Point, Vec2};
@@ -52,7 +57,8 @@ const MITRE: f32 = 4.0;
 /// ```
 pub fn pdf(figures: &[Figure]) -> Result<Warned<Vec<u8>>, Faults> {
     let page = |f: &Figure| {
-        let mut parts = vec![Part { kind: Kind::Figure(f.desc.clone()), items: f.items.clone() }];
+        let words = if f.desc.is_empty() { &f.title } else { &f.desc };
+        let mut parts = vec![Part { kind: Kind::Figure(words.clone()), items: f.items.clone() }];
         // White is the paper itself.
         if f.paper != Colour::WHITE {
             let corners = [(0.0, 0.0), (f.width_mm, 0.0), (f.width_mm, f.height_mm), (0.0, f.height_mm)];
@@ -71,7 +77,8 @@ pub fn pdf(figures: &[Figure]) -> Result<Warned<Vec<u8>>, Faults> {
 
 /// Writes a document; `lang` is a language tag such as `en` or `zh`.
 ///
-/// Warnings: `missing-glyph` for a character that no embedded font has.
+/// Warnings: `missing-glyph` for a character that no embedded font has; `pdf-ua` where the file does not meet PDF/UA-1 for it or for
+/// want of a title or of words for a picture.
 ///
 /// # Errors
 /// `page-size` for a page without size or above 5080 mm, `not-finite` for an item with a coordinate that is not a number,
@@ -113,28 +120,52 @@ pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8
     if faults.has_errors() {
         return Err(faults);
     }
-    let mut writer = Writer { fonts, tags: Vec::new(), outline: Outline::new() };
-    let mut file = Document::new();
-    for (n, page) in pages.iter().enumerate() {
-        writer.page(&mut file, n, page);
-    }
-    file.set_metadata(Metadata::new().title(title.to_owned()).language(lang.to_owned()).creator("hodograph".to_owned()));
-    file.set_outline(writer.outline);
-    file.set_tag_tree(TagTree::from(writer.tags).with_lang(Some(lang.to_owned())));
-    match file.finish() {
+    let accessible = ConfigurationBuilder::new().with_accessibility_validator(Accessibility::UA1).finish();
+    let settings = SerializeSettings { configuration: accessible.expect("PDF 1.7 has PDF/UA-1"), ..SerializeSettings::default() };
+    let made = written(pages, title, lang, &fonts, settings).or_else(|e| {
+        let told = both!("the PDF does not meet PDF/UA-1: {e}", "PDF 不符合 PDF/UA-1：{e}");
+        faults.push(Diagnostic::warning("pdf-ua", told));
+        written(pages, title, lang, &fonts, SerializeSettings::default())
+    });
+    match made {
         Ok(value) => Ok(Warned { value, notes: faults.list }),
         Err(e) => Err(Diagnostic::error("pdf", both!("the PDF cannot be made: {e}", "不能生成 PDF：{e}")).into()),
     }
 }
 
-struct Writer {
+fn written(pages: &[Page], title: &str, lang: &str, fonts: &BTreeMap<FaceKey, Font>, settings: SerializeSettings) -> KrillaResult<Vec<u8>> {
+    let mut writer = Writer { fonts, tags: Vec::new(), list: None, outline: Outline::new() };
+    let mut file = Document::new_with(settings);
+    for (n, page) in pages.iter().enumerate() {
+        writer.page(&mut file, n, page);
+    }
+    writer.end_list();
+    file.set_metadata(Metadata::new().title(title.to_owned()).language(lang.to_owned()).creator("hodograph".to_owned()));
+    file.set_outline(writer.outline);
+    file.set_tag_tree(TagTree::from(writer.tags).with_lang(Some(lang.to_owned())));
+    file.finish().map(without_suspects)
+}
+
+/// Takes the catalog's `/Suspects false` out, which says what its absence says (PDF 1.7, table 321): Poppler accepts no `false` there
+/// and reports a syntax error. Blanks keep the offsets of the cross-reference table.
+fn without_suspects(mut file: Vec<u8>) -> Vec<u8> {
+    const ENTRY: &[u8] = b"/Suspects false";
+    // The catalog is among the last objects.
+    if let Some(at) = file.windows(ENTRY.len()).rposition(|w| w == ENTRY) {
+        file[at..at + ENTRY.len()].fill(b' ');
+    }
+    file
+}
+
+struct Writer<'a> {
     /// Those of all labels.
-    fonts: BTreeMap<FaceKey, Font>,
+    fonts: &'a BTreeMap<FaceKey, Font>,
     tags: Vec<Node>,
+    list: Option<List>,
     outline: Outline,
 }
 
-impl Writer {
+impl Writer<'_> {
     fn page(&mut self, file: &mut Document, number: usize, page: &Page) {
         let [w, h] = [page.width_mm, page.height_mm].map(|mm| mm as f32 * POINTS_PER_MM);
         let settings = PageSettings::from_wh(w, h).expect("the size has been checked");
@@ -143,17 +174,22 @@ impl Writer {
         surface.push_transform(&Transform::from_scale(POINTS_PER_MM, POINTS_PER_MM));
         for part in &page.parts {
             let paper = Paper { height_mm: page.height_mm };
-            let content = match part.kind {
-                Kind::Artifact => ContentTag::Artifact(Artifact::with_kind(ArtifactType::PaginationOther)),
-                Kind::Heading { .. } | Kind::Paragraph | Kind::Formula(_) | Kind::Figure(_) => ContentTag::Other,
-            };
-            let identifier = surface.start_tagged(content);
-            for item in &part.items {
-                self.item(&mut surface, paper, item);
-            }
-            surface.end_tagged();
             let alt = |words: &String| Some(words.clone()).filter(|w| !w.is_empty());
             let mut group = match &part.kind {
+                Kind::Artifact => {
+                    self.artifact(&mut surface, paper, &part.items);
+                    continue;
+                }
+                Kind::List { numbered, members } => {
+                    self.list(&mut surface, paper, &part.items, *numbered, members);
+                    continue;
+                }
+                Kind::Table(cells) => {
+                    let table = self.table(&mut surface, paper, &part.items, cells);
+                    self.end_list();
+                    self.tags.push(table.into());
+                    continue;
+                }
                 Kind::Heading { level, title } => {
                     let top = crate::paper::extent::bounds(&part.items).map_or(0.0, |b| paper.down(b.max).y);
                     let place = krilla::destination::XyzDestination::new(number, At::from_xy(0.0, top * POINTS_PER_MM));
@@ -164,9 +200,9 @@ impl Writer {
                 Kind::Paragraph => TagGroup::new(Tag::P),
                 Kind::Formula(words) => TagGroup::new(Tag::Formula(alt(words))),
                 Kind::Figure(words) => TagGroup::new(Tag::Figure(alt(words))),
-                Kind::Artifact => continue,
             };
-            group.push(identifier);
+            group.push(self.content(&mut surface, paper, &part.items));
+            self.end_list();
             self.tags.push(group.into());
         }
         surface.pop();
@@ -174,7 +210,21 @@ impl Writer {
         sheet.finish();
     }
 
-    fn item(&mut self, surface: &mut Surface, paper: Paper, item: &Item) {
+    /// Draws items as one content, for a tag to hold.
+    fn content(&self, surface: &mut Surface, paper: Paper, items: &[Item]) -> Identifier {
+        let identifier = surface.start_tagged(ContentTag::Other);
+        items.iter().for_each(|i| self.item(surface, paper, i));
+        surface.end_tagged();
+        identifier
+    }
+
+    fn artifact(&self, surface: &mut Surface, paper: Paper, items: &[Item]) {
+        surface.start_tagged(ContentTag::Artifact(Artifact::with_kind(ArtifactType::PaginationOther)));
+        items.iter().for_each(|i| self.item(surface, paper, i));
+        surface.end_tagged();
+    }
+
+    fn item(&self, surface: &mut Surface, paper: Paper, item: &Item) {
         let mut path = Trace { paper, builder: PathBuilder::new() };
         match &item.shape {
             Shape::Line { from, to, stroke } => {
@@ -235,7 +285,7 @@ impl Writer {
         }
     }
 
-    fn label(&mut self, surface: &mut Surface, paper: Paper, at: Point, label: &Label, size_mm: f64, colour: Colour) {
+    fn label(&self, surface: &mut Surface, paper: Paper, at: Point, label: &Label, size_mm: f64, colour: Colour) {
         surface.set_stroke(None);
         surface.set_fill(Some(fill(colour)));
         for run in &text::set(label).runs {

@@ -208,11 +208,9 @@ fn measured_words(w: &Writer, worked: &Worked, find: &Find, r: &Outcome, c: &Cer
     }
 }
 
-/// A scale as a factor: with its unit where one of the book is among those of the product, so that the product is right as it stands.
+/// A scale as a factor, with its unit: the product is right as it stands.
 fn scale_words(book: &Book, level: Level, m: &Measured) -> String {
-    let number = shortest(book.value(level.kind(), m.mu));
-    let turning = m.arm_m.is_some() && book.any(&[Kind::Length, level.turning()]);
-    if turning || book.any(&[level.kind()]) { format!("{number} {}", book.scale_name(level.kind())) } else { number }
+    format!("{} {}", shortest(book.value(level.kind(), m.mu)), book.scale_name(level.kind()))
 }
 
 /// The letters of the two marks between which a length lies: `bc`, `n′_c–c′`.

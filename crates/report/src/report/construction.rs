@@ -32,8 +32,8 @@ pub fn sentences(w: &Writer, paper: &Construction, polygon: &Polygon, steps: &St
 pub fn text(w: &Writer, paper: &Construction, steps: &Steps) -> String {
     let mut out = String::new();
     out.push_str(&format!(
-        "{}: {}\n",
-        tr(w.lang, "mechanism diagram", "机构运动简图"),
+        "{}{}\n",
+        tr(w.lang, "kinematic diagram: ", "机构运动简图："),
         formula(&of_level(&w.scene.book, Level::Position, paper.diagram.mu_l))
     ));
     for level in Level::RATES {
@@ -159,7 +159,7 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
                     from_pole(*target)
                 ),
                 Lang::Zh => format!(
-                    "在 ${a}{b}$ 上作 ${a}{b}{image}$ 与 ${spot_a}{spot_b}{spot_x}$ 相似且字母顺序一致：${vector}$ = {}。",
+                    "以 ${a}{b}$ 为一边作三角形 ${a}{b}{image}$，使其与三角形 ${spot_a}{spot_b}{spot_x}$ 相似且字母顺序一致：${vector}$ = {}。",
                     from_pole(*target)
                 ),
             }

@@ -84,16 +84,37 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     figure
 }
 
-/// What the lines are, in words.
+/// The circle of the roller's centre on the base circle, drawn where the profile comes from a law of motion.
+fn prime_m(disc: &Disc) -> Option<f64> {
+    let radius = if let Touch::Point { radius } = disc.touch { radius } else { 0.0 };
+    (radius > 0.0 && matches!(disc.motion, Motion::Law { .. })).then(|| disc.base() + radius)
+}
+
+/// What the lines are, in words: those that this cam has.
 fn legend(disc: &Disc, lang: Lang) -> String {
-    match (disc.touch, lang) {
-        (Touch::Point { radius }, Lang::En) if radius > 0.0 => {
-            "thick: profile; chain line: pitch curve; thin: stations of the follower, base and offset circles".into()
-        }
-        (Touch::Point { radius }, Lang::Zh) if radius > 0.0 => "粗线为实际廓线，点画线为理论廓线，细线为从动件各位置及基圆、偏距圆".into(),
-        (_, Lang::En) => "thick: profile; thin: stations of the follower, base circle".into(),
-        (_, Lang::Zh) => "粗线为廓线，细线为从动件各位置及基圆".into(),
+    let rolling = matches!(disc.touch, Touch::Point { radius } if radius > 0.0);
+    let offset = matches!(disc.follower, Follower::Translating { offset, .. } if offset != 0.0);
+    let swinging = matches!(disc.follower, Follower::Oscillating { .. });
+    let mut dashed = Vec::new();
+    dashed.extend(prime_m(disc).map(|_| tr(lang, "prime circle", "理论廓线基圆")));
+    dashed.extend(swinging.then(|| tr(lang, "circle of the pivots", "从动件转动中心所在圆")));
+    let (thick, between) = (
+        if rolling { tr(lang, "thick: profile", "粗线为实际廓线") } else { tr(lang, "thick: profile", "粗线为廓线") },
+        tr(lang, "; ", "，"),
+    );
+    let mut parts = vec![thick.to_owned()];
+    parts.extend(rolling.then(|| tr(lang, "chain line: pitch curve", "点画线为理论廓线").to_owned()));
+    let thin = match (offset, lang) {
+        (true, Lang::En) => "thin: stations of the follower, base and offset circles",
+        (true, Lang::Zh) => "细线为从动件各位置及基圆、偏距圆",
+        (false, Lang::En) => "thin: stations of the follower, base circle",
+        (false, Lang::Zh) => "细线为从动件各位置及基圆",
+    };
+    parts.push(thin.to_owned());
+    if !dashed.is_empty() {
+        parts.push(format!("{}{}", tr(lang, "dashed: ", "虚线为"), dashed.join(tr(lang, ", ", "、"))));
     }
+    parts.join(between)
 }
 
 /// The largest distance from the centre of what is drawn (m).
@@ -168,13 +189,9 @@ impl Drawing<'_> {
         let disc = self.disc().clone();
         let base = disc.base();
         let (thin, dashed) = (self.style.thin, self.style.thin.dashed(Dash::Dashed));
-        let law = matches!(disc.motion, Motion::Law { .. });
         self.circle("base", base, thin);
-        if let Touch::Point { radius } = disc.touch
-            && radius > 0.0
-            && law
-        {
-            self.circle("pitch-circle", base + radius, dashed);
+        if let Some(radius) = prime_m(&disc) {
+            self.circle("pitch-circle", radius, dashed);
         }
         // Radii are drawn where the follower does not stand: between two stations.
         let radius = |d: &mut Drawing, name: &str, r: f64, angle: f64| {

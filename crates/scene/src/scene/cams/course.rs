@@ -9,6 +9,7 @@ use crate::cam::Segment;
 use crate::geom::{Point, Vec2};
 use crate::number::Real;
 use std::fmt;
+use std::panic::{RefUnwindSafe, UnwindSafe};
 use std::sync::Arc;
 
 /// A follower as its cam leads it.
@@ -35,7 +36,7 @@ pub enum HangsOn {
 }
 
 /// Knows where a cam leads its follower.
-pub trait Leads: Send + Sync {
+pub trait Leads: Send + Sync + UnwindSafe + RefUnwindSafe {
     /// The follower where the drivers stand, as fast as they move (position, rate, acceleration of each, SI); `None` where it cannot be followed.
     fn led(&self, drivers: &[[f64; 3]]) -> Option<Led>;
 }
