@@ -62,7 +62,7 @@ pub enum Face {
     Roman,
     /// Tinos Italic.
     Italic,
-    /// STIX Two Math (subset): arrows, ⊥ ∥ ∠ √, primes, circled numbers.
+    /// STIX Two Math (subset): arrows, ⊥ ∥ ∠ √ ✓, primes, circled numbers.
     Math,
     /// Noto Serif CJK SC (subset): Song-style Chinese.
     Song,

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! v_{B3B2}^r   a^n_{CB}   \omega_1^2 l_{AB}   b'_2   \mu_l = 0.002 m/mm   \perp AB   B \to A
-//! \text{max}   \circled{3}   \checkmark   \sin\varphi   \,   \quad   B\_1
+//! \text{max}   \circled{3}   \checkmark   \surd   \sin\varphi   \,   \quad   B\_1
 //! ```
 //! Names of a scene's points and links come in through [`crate::plan::names`], which lets their marks stand for themselves.
 //!
@@ -255,7 +255,8 @@ mod tests {
         assert_eq!(shape(r"v_{\text{max}}"), "i:v_(u:max)");
         assert_eq!(shape("大小 v_B"), "u:大小 u: i:v_(i:B)");
         assert_eq!(shape(r"\circled{3}"), "s:③");
-        assert_eq!(shape(r"\checkmark"), "s:√");
+        assert_eq!(shape(r"\checkmark"), "s:✓");
+        assert_eq!(shape(r"\surd"), "s:√");
     }
 
     #[test]

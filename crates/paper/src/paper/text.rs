@@ -312,7 +312,7 @@ mod tests {
 
     #[test]
     fn every_sign_of_the_language_has_a_glyph() {
-        let all = r"\perp\parallel\to\checkmark\circled{1}\circled{20}\angle\times\pm\approx\neq\leq\geq\infty\degree\cdot\alpha\beta\gamma
+        let all = r"\perp\parallel\to\checkmark\surd\circled{1}\circled{20}\angle\times\pm\approx\neq\leq\geq\infty\degree\cdot\alpha\beta\gamma
             \delta\epsilon\zeta\eta\theta\iota\kappa\lambda\mu\nu\xi\pi\rho\sigma\tau\upsilon\phi\chi\psi\omega\Gamma\Delta\Theta\Lambda\Pi
             \Sigma\Phi\Psi\Omega\sim\leftarrow ①⑳?+-=<>()[]/.,;:!|* 机构位置图速度加速度多边形方向大小比例尺";
         assert_eq!(set(&Label::math(all)).faults, []);

@@ -229,6 +229,7 @@ fn named(c: char) -> Option<(&'static str, &'static str)> {
         '∥' => ("\\parallel", "parallel"),
         '∠' => ("\\angle", "angle"),
         '√' => ("\\surd", "\"√\""),
+        '✓' => ("\\checkmark", "\"✓\""),
         '∞' => ("\\infty", "infinity"),
         '∼' => ("\\sim", "tilde.op"),
         '°' => ("{}^\\circ", "degree"),

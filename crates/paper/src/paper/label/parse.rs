@@ -277,7 +277,7 @@ fn symbol(c: char, before: &[Node]) -> Node {
             Node::new(c, Slant::Symbol, Role::Relation)
         }
         ',' | ';' => Node::new(c, Slant::Upright, Role::Punctuation),
-        '✓' | '✔' => Node::new('√', Slant::Symbol, Role::Ordinary),
+        '✓' | '✔' => Node::new('✓', Slant::Symbol, Role::Ordinary),
         '⟂' => Node::new('⊥', Slant::Symbol, Role::Ordinary),
         '⊥' | '∥' | '∠' | '√' | '∞' | '∼' => Node::new(c, Slant::Symbol, Role::Ordinary),
         '①'..='⑳' => Node::new(c, Slant::Symbol, Role::Ordinary),
@@ -352,8 +352,8 @@ fn named(name: &str) -> Option<(char, Kind)> {
         "sim" => '∼',
         "infty" => '∞',
         "degree" => '°',
-        // The Chinese books tick a known magnitude with √, and no embedded font has ✓.
-        "checkmark" => '√',
+        "checkmark" => '✓',
+        "surd" => '√',
         _ => return None,
     };
     Some((sign, Kind::Sign))
