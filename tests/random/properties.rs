@@ -3,6 +3,7 @@
 use crate::emit::{self, Ask, Pose, Style};
 use crate::kept::settled;
 use crate::mech::{self, Mech};
+pub use crate::rng::seeds;
 use crate::wide::every;
 use hodograph::answer::{Source, Value};
 use hodograph::construct::Edge;
@@ -84,14 +85,6 @@ pub fn solve(seed: u64, m: &Mech, style: &Style) -> Case {
     match worked(seed, &text) {
         Ok((scene, worked)) => Case { seed, text, scene, worked },
         Err(f) => panic!("seed {seed} ({style:?}, groups {:?}): {f}\n{text}", m.groups),
-    }
-}
-
-/// How many seeds a test takes: `HODOGRAPH_SEEDS` times its own number for a long hunt, else its own number or a part of it.
-pub fn seeds(own: u64) -> std::ops::Range<u64> {
-    match std::env::var("HODOGRAPH_SEEDS").ok().and_then(|n| n.parse::<u64>().ok()) {
-        Some(times) => 0..own * times,
-        None => 0..own.div_ceil(every() as u64),
     }
 }
 

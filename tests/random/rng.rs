@@ -1,5 +1,7 @@
 //! A small generator of random numbers, so that a seed in a failure message means the same mechanism everywhere.
 
+use crate::wide::every;
+
 /// SplitMix64.
 ///
 /// # Source
@@ -46,5 +48,13 @@ impl Rng {
         for i in (1..of.len()).rev() {
             of.swap(i, self.below(i + 1));
         }
+    }
+}
+
+/// How many seeds a test takes: `HODOGRAPH_SEEDS` times its own number for a long hunt, else its own number or a part of it.
+pub fn seeds(own: u64) -> std::ops::Range<u64> {
+    match std::env::var("HODOGRAPH_SEEDS").ok().and_then(|n| n.parse::<u64>().ok()) {
+        Some(times) => 0..own * times,
+        None => 0..own.div_ceil(every() as u64),
     }
 }
