@@ -19,6 +19,8 @@ pub struct Notation {
     pub known: String,
     /// The sign for "unknown".
     pub unknown: String,
+    /// The sign between similar triangles.
+    pub similar: String,
     /// The end of a normal part where a point is called N, so that n′ is its image. In italics ν is read as v: η is not.
     pub normal_end: String,
     /// The same for the Coriolis part and a point K.

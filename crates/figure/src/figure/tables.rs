@@ -174,7 +174,8 @@ impl Tables<'_> {
             head.then(Label::math(format!("{images} = {}", ratio([from.0, from.1, target].map(|v| w.spot(v))))))
         } else {
             // No embedded font has the sign △; a capital delta has its shape.
-            let sides = [Label::text("Δ"), Label::math(images), Label::text(" ∽ Δ"), Label::math(points)];
+            let similar = Label::math(w.notation.similar.as_str());
+            let sides = [Label::text("Δ"), Label::math(images), Label::text(" "), similar, Label::text(" Δ"), Label::math(points)];
             sides.into_iter().fold(head, Label::then)
         };
         let name = format!("{}-statement-{}", kind(level), id_of(&w.vector(level, target)));

@@ -132,9 +132,10 @@ impl Words<'_> {
         let level = a.shown.level;
         let images = format!("{}{}{}", w.image(level, from.0), w.image(level, from.1), w.image(level, *target));
         let spots = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(*target));
+        let (vector, similar) = (w.vector(level, *target), &w.notation.similar);
         let image = match self.lang {
-            Lang::En => format!("${}$ by the image: Δ${images}$ ∽ Δ${spots}$", w.vector(level, *target)),
-            Lang::Zh => format!("由影像求 ${}$：Δ${images}$ ∽ Δ${spots}$", w.vector(level, *target)),
+            Lang::En => format!("${vector}$ by the image: Δ${images}$ ${similar}$ Δ${spots}$"),
+            Lang::Zh => format!("由影像求 ${vector}$：Δ${images}$ ${similar}$ Δ${spots}$"),
         };
         Some(Phrase::new(&image))
     }

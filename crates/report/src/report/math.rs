@@ -232,6 +232,7 @@ fn named(c: char) -> Option<(&'static str, &'static str)> {
         '✓' => ("\\checkmark", "\"✓\""),
         '∞' => ("\\infty", "infinity"),
         '∼' => ("\\sim", "tilde.op"),
+        '∽' => ("\\backsim", "tilde.rev"),
         '°' => ("{}^\\circ", "degree"),
         _ => return None,
     })

@@ -319,11 +319,12 @@ fn step_lines(w: &Writer, level: Level, step: &Step, equation: &mut usize) -> Ve
             let images = format!("{}{}{}", w.image(level, from.0), w.image(level, from.1), w.image(level, *target));
             let points = format!("{}{}", w.line(from.0, from.1), w.spot(*target));
             vec![format!(
-                "{} — {} {}: △{} ∽ △{}",
+                "{} — {} {}: △{} {} △{}",
                 formula(&w.vector(level, *target)),
                 tr(lang, "image, link", "影像法，构件"),
                 w.scene.link_name(*link),
                 formula(&images),
+                formula(&w.notation.similar),
                 formula(&points)
             )]
         }

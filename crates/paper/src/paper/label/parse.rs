@@ -279,7 +279,7 @@ fn symbol(c: char, before: &[Node]) -> Node {
         ',' | ';' => Node::new(c, Slant::Upright, Role::Punctuation),
         '✓' | '✔' => Node::new('✓', Slant::Symbol, Role::Ordinary),
         '⟂' => Node::new('⊥', Slant::Symbol, Role::Ordinary),
-        '⊥' | '∥' | '∠' | '√' | '∞' | '∼' => Node::new(c, Slant::Symbol, Role::Ordinary),
+        '⊥' | '∥' | '∠' | '√' | '∞' | '∼' | '∽' => Node::new(c, Slant::Symbol, Role::Ordinary),
         '①'..='⑳' => Node::new(c, Slant::Symbol, Role::Ordinary),
         _ => Node::new(c, Slant::Upright, Role::Ordinary),
     }

@@ -60,7 +60,7 @@ const SECTIONS: &[(&str, &str, &[Length])] =
     &[("lines", "\"lines\"", LINES), ("heads", "\"heads\"", HEADS), ("symbols", "\"symbols\"", SYMBOLS), ("text", "\"text\"", TEXT)];
 const KEYS: &[&str] = &["name", "base", "lines", "heads", "symbols", "text", "fonts", "colours", "notation"];
 const COLOURS: &[&str] = &["paper", "ink", "plate", "links"];
-const MARKS: &[&str] = &["pole", "coriolis", "sliding", "known", "unknown", "normal_end", "coriolis_end"];
+const MARKS: &[&str] = &["pole", "coriolis", "sliding", "known", "unknown", "similar", "normal_end", "coriolis_end"];
 /// Most colours of a list: more cannot be told apart, and the bound limits the memory that a file can take.
 const LINKS_MAX: usize = 64;
 
@@ -229,6 +229,7 @@ fn marks(node: &Node, marks: &mut Marks, faults: &mut Faults) {
     one("sliding", &mut marks.sliding);
     one("known", &mut marks.known);
     one("unknown", &mut marks.unknown);
+    one("similar", &mut marks.similar);
     one("normal_end", &mut marks.normal_end);
     one("coriolis_end", &mut marks.coriolis_end);
 }

@@ -78,6 +78,8 @@ pub struct Marks {
     pub known: Option<String>,
     /// The sign for "unknown".
     pub unknown: Option<String>,
+    /// The sign between similar triangles.
+    pub similar: Option<String>,
     /// The end of a normal part where n′ is the image of a point N.
     pub normal_end: Option<String>,
     /// The end of a Coriolis part where k′ is the image of a point K.
@@ -93,6 +95,7 @@ impl Marks {
             coriolis: or(&self.coriolis, &profile.coriolis),
             sliding: or(&self.sliding, &profile.sliding),
             known: or(&self.known, &profile.known),
+            similar: or(&self.similar, &profile.similar),
             unknown: or(&self.unknown, &profile.unknown),
             normal_end: or(&self.normal_end, &profile.normal_end),
             coriolis_end: or(&self.coriolis_end, &profile.coriolis_end),
