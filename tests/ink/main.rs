@@ -51,15 +51,6 @@ fn what_belongs_to_what_is_seen() {
                 let found = faults::of(&read::read(&svg::write(&figure).unwrap().value));
                 sheets += 1;
                 let angle = driver_position(pose, 0).unwrap_or_default().to_degrees();
-                if let Ok(dir) = std::env::var("TMP_OUT") {
-                    let want = std::env::var("TMP_AT").unwrap_or_default();
-                    let here = format!("{}-{angle:.0}-{lang:?}-{style}", template.name);
-                    if want.split(',').any(|w| w == here) {
-                        let text = svg::write(&figure).unwrap().value;
-                        std::fs::write(format!("{dir}/{here}.png"), hodograph::render::png::render(&text, 200.0).unwrap()).unwrap();
-                        std::fs::write(format!("{dir}/{here}.svg"), text).unwrap();
-                    }
-                }
                 told.extend(found.list.iter().map(|f| format!("{} at {angle:.1} {lang:?} {style}: {f}", template.name)));
                 total.add(found);
             }

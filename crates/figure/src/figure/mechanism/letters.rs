@@ -105,9 +105,11 @@ impl Draft<'_> {
         let mut places: Vec<(Point, Vec2)> = pivots.filter_map(|p| Some((self.point(p)?, self.support_side(p)))).collect();
         places.sort_by(|(a, _), (b, _)| driven(*a).cmp(&driven(*b)).then(alone(*b).total_cmp(&alone(*a))));
         let beside: Vec<(Point, Vec2)> = places.into_iter().flat_map(|(at, down)| self.beside_hatching(at, down)).collect();
-        let request = |(end, out): (Point, Vec2)| {
-            LabelRequest::at_point(Label::math(name_label(name)), self.style.label_mm, end, self.style.hatch_depth_mm / 2.0).towards(out)
+        // Its hatching tells the ground: where there is no clear place the number is left out.
+        let number = |end: Point, clear_mm: f64, out: Vec2| {
+            LabelRequest::at_point(Label::math(name_label(name)), self.style.label_mm, end, clear_mm).towards(out).optional(true)
         };
+        let request = |(end, out): (Point, Vec2)| number(end, self.style.hatch_depth_mm / 2.0, out);
         if !beside.is_empty() {
             self.label_with_room(id, beside.into_iter().map(request).collect());
         } else {
@@ -116,7 +118,7 @@ impl Draft<'_> {
             if let Some((at, u)) = at {
                 let below = if u.perp().y <= 0.0 { u.perp() } else { -u.perp() };
                 let end = at + u * 13.0 + below * (self.style.block_width_mm / 2.0 + self.style.hatch_depth_mm / 2.0);
-                self.d.label_at(id, "number", &name_label(name), end, 1.0, Some(u));
+                self.d.label(id, "number", number(end, 1.0, u));
             }
         }
     }

@@ -67,6 +67,12 @@ const LONG_LEADERS: [(f64, f64); 2] = [(17.0, 5.8), (22.0, 6.6)];
 /// The same for lines between those directions.
 const BETWEEN: [(f64, f64); 6] = [(3.5, 3.6), (6.5, 4.0), (10.0, 4.7), (14.0, 5.4), (19.0, 6.1), (26.0, 7.2)];
 
+/// The same for a label that still covers something: as close together as tells one place from the next, and as far as a sheet has room.
+const ANYWHERE: [(f64, f64); 8] = [(4.5, 5.0), (7.0, 5.4), (10.5, 5.8), (14.0, 6.2), (18.0, 6.6), (22.0, 7.0), (27.0, 7.5), (33.0, 7.9)];
+/// Of how many directions, and where on a line or an arc they end.
+const MANY_DIRECTIONS: usize = 32;
+const ALL_ALONG: [f64; 5] = [0.5, 0.3, 0.7, 0.1, 0.9];
+
 /// Where else on a line or an arc they end than in its middle.
 const ASIDE: [f64; 2] = [0.3, 0.7];
 
@@ -153,6 +159,24 @@ pub(super) fn between(wanted: &Wanted) -> Vec<Candidate> {
             let aside = |t: f64| led_from(centre + off(t) * radius_mm, 0.0, wanted, &LEADERS, &across(off(t).perp(), directions()));
             all.extend(ASIDE.iter().flat_map(|t| aside(*t)));
             all
+        }
+    }
+}
+
+/// Places with a leader line to any part of the thing, for a label that would lie on something thick, or its leader line cross what it must not.
+pub(super) fn anywhere(wanted: &Wanted) -> Vec<Candidate> {
+    static ALL: LazyLock<[Vec2; MANY_DIRECTIONS]> =
+        LazyLock::new(|| std::array::from_fn(|k| Vec2::from_angle((k as f64 + 0.5) * TAU / MANY_DIRECTIONS as f64)));
+    match wanted.target {
+        Target::Point { .. } => led(wanted, &ANYWHERE, &*ALL),
+        Target::Segment { from, to, .. } => {
+            let aside = across((to - from).unit().unwrap_or(Vec2::ZERO), &*ALL);
+            ALL_ALONG.iter().flat_map(|t| led_from(from + (to - from) * *t, 0.0, wanted, &ANYWHERE, &aside)).collect()
+        }
+        Target::Arc { centre, radius_mm, from_rad, to_rad, .. } => {
+            let off = |t: f64| Vec2::from_angle(from_rad + (to_rad - from_rad) * t);
+            let aside = |t: f64| led_from(centre + off(t) * radius_mm, 0.0, wanted, &ANYWHERE, &across(off(t).perp(), &*ALL));
+            ALL_ALONG.iter().flat_map(|t| aside(*t)).collect()
         }
     }
 }

@@ -15,7 +15,7 @@ const AIR_MM: f64 = 0.5;
 /// Each millimetre of a line under a label.
 const PER_MM: f64 = 1.0;
 /// A bar or a vector under a label is worse than a thin line: a leader line across two lines is better still.
-const THICK_FACTOR: f64 = 1.5;
+pub(super) const THICK_FACTOR: f64 = 1.5;
 /// Half the width from which a line is one of those.
 const THICK_HALF_MM: f64 = 0.165;
 /// A thin line that stands back is better crossed than led across.
@@ -181,10 +181,15 @@ impl<'a> Around<'a> {
         let near = self.bars.iter().filter(|l| !l.own && !l.meets && touch(reach, l.bounds));
         let crossed = near.filter(|l| crosses(a, b, l.bar.from, l.bar.to));
         let texts = self.rects.iter().filter(|r| clipped_mm(a, b, ***r) > 0.0);
-        let before_dot = b + (a - b).unit().unwrap_or(Vec2::ZERO) * DOT_MM;
-        let barred = self.barred.iter().any(|bar| crosses(a, before_dot, bar.from, bar.to));
+        let barred = self.barred.iter().any(|bar| is_barred((a, b), bar));
         LEADER_CROSSES * crossed.count() as f64 + TOUCH * texts.count() as f64 + if barred { BARRED } else { 0.0 }
     }
+}
+
+/// Whether a leader line, from its label to its thing, crosses what none may cross.
+pub(super) fn is_barred((a, b): (Point, Point), bar: &Bar) -> bool {
+    let before_dot = b + (a - b).unit().unwrap_or(Vec2::ZERO) * DOT_MM;
+    crosses(a, before_dot, bar.from, bar.to)
 }
 
 /// The marked places that are not the label's own.

@@ -288,7 +288,7 @@ pub enum Habit {
 }
 
 /// Finds places as [`place_after`], and leaves out optional labels that would stand on another label, on a line as thick as
-/// their own, or nearer to one than to their own; the others then have more room. `None` for those left out. One that was left out in the figure before comes back
+/// their own, or nearer to one than to their own, or whose leader line would cross what none may cross; the others then have more room. `None` for those left out. One that was left out in the figure before comes back
 /// when there is a clear place beside all others, so that names do not come and go.
 pub fn place_or_leave(
     requests: &[LabelRequest],
@@ -319,7 +319,8 @@ pub fn place_or_leave(
             cost::hides(here, own, obstacles) || others.any(|other| other.overlap_mm2(here) > 0.0 || through(other))
         };
         let strays = |k: usize| cost::strays(places[k].bounds, places[k].leader.is_some(), &labels[kept[k]], obstacles);
-        let poor = |k: usize| places[k].cost >= CROWDED && hides(k) || strays(k);
+        let barred = |k: usize| places[k].leader.is_some_and(|l| obstacles.barred.iter().any(|bar| cost::is_barred(l, bar)));
+        let poor = |k: usize| places[k].cost >= CROWDED && (hides(k) || barred(k)) || strays(k);
         let mut crowded: Vec<usize> = (0..kept.len()).filter(|&k| requests[kept[k]].optional && poor(k)).collect();
         if crowded.is_empty() {
             kept.iter().zip(places).for_each(|(&i, place)| out[i] = Some(place));

@@ -1,6 +1,6 @@
 //! What labels keep off: the ink of the items, as lines with a width, discs and boxes.
 
-use crate::geom::Point;
+use crate::geom::{Point, Vec2};
 use crate::paper::arrow;
 use crate::paper::extent::{Rect, on_circle, turned_corners};
 use crate::paper::item::{Item, Piece, Shape, Stroke};
@@ -99,7 +99,13 @@ impl Obstacles {
     fn bar_leaders(&mut self, class: &str, [bars, heads]: [usize; 2]) {
         let is = |word| class.split(' ').any(|w| w == word);
         if is("rotation") || is("angle") && !is("reference") {
-            self.barred.extend(self.bars[bars..].iter().chain(&self.heads[heads..]));
+            // A head is barred along and across: a line over its edge meets one of the two.
+            let across = |h: &Bar| {
+                let side = (h.to - h.from).perp().unit().unwrap_or(Vec2::ZERO) * h.half_width_mm;
+                Bar { from: h.from - side, to: h.from + side, half_width_mm: 0.0, ..*h }
+            };
+            let heads = &self.heads[heads..];
+            self.barred.extend(self.bars[bars..].iter().chain(heads).copied().chain(heads.iter().map(across)));
         } else if is("hatch") {
             // From tip to tip: a line may pass between two strokes and is lost among them all the same.
             let next = |w: &&[Bar]| w[0].to.distance(w[1].to) < 2.0 * w[0].from.distance(w[0].to);

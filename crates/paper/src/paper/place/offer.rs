@@ -6,8 +6,10 @@ use super::cost::Around;
 use super::obstacle::Obstacles;
 use crate::paper::extent::Rect;
 
-/// Places from near the thing to far off: without a leader line, with one, with a long one, with one in a direction between.
-pub(super) const RINGS: [fn(&Wanted) -> Vec<Candidate>; 4] = [candidate::near, candidate::far, candidate::farthest, candidate::between];
+/// Places from near the thing to far off: without a leader line, with one, with a long one, with one in a direction between, with one to any part
+/// of the thing.
+pub(super) const RINGS: [fn(&Wanted) -> Vec<Candidate>; 5] =
+    [candidate::near, candidate::far, candidate::farthest, candidate::between, candidate::anywhere];
 
 /// The places that a label may take and what each costs by itself, found when first asked for: the same label is often searched
 /// for again without some of its neighbours, which changes nothing of this.

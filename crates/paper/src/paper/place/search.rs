@@ -19,6 +19,8 @@ const ROUNDS_MAX: usize = 8;
 const POOR: f64 = 5.5;
 /// From this cost on it is tried in all directions: what covers something or stands nearer to something else costs more.
 const STRAYED: f64 = 7.0;
+/// From this cost on it is tried to any part of the thing: what covers a thick line or has a leader line through an arc costs as much.
+const COVERED: f64 = cost::TOUCH * cost::THICK_FACTOR;
 
 /// What it costs a label of a series of figures to leave the place that it had in the figure before: less than touching
 /// anything, more than any nearness, so that it stays beside its thing until something comes in its way.
@@ -197,7 +199,7 @@ pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>], 
     }
     let rings: &[(usize, f64)] = match leads {
         Leads::Short => &[(1, POOR)],
-        Leads::Long => &[(1, POOR), (2, CROWDED), (3, STRAYED)],
+        Leads::Long => &[(1, POOR), (2, CROWDED), (3, STRAYED), (4, COVERED)],
     };
     for &(ring, enough) in rings {
         let is_poor = |i: &usize| search.choices[*i].open && search.total(*i) > enough;
