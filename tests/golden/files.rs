@@ -110,7 +110,7 @@ pub const SHOWN: [(&str, &str, &str); 32] = [
     ("Synthesis: limit positions", "draw", "synthesis/limits-construction.en.png"),
     ("Synthesis: points of a path", "draw", "synthesis/path-construction.en.png"),
     ("Synthesis: cognates", "draw", "synthesis/cognates-construction.en.png"),
-    ("Synthesis: a straight line", "draw", "synthesis/straight-line-positions.en.png"),
+    ("Synthesis: a straight line", "draw", "synthesis/straight-line-construction.en.png"),
     ("The style for slides", "draw --style slides", "shaper/slides.png"),
     ("The style for a dark room", "draw --style dark", "jansen-leg/dark.png"),
 ];
