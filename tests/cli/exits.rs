@@ -1,5 +1,6 @@
 //! Exit codes: the one that is due, whoever listens; the same from every command that works a scene.
 
+use super::wide::every;
 use super::{hodograph, templates_path, text};
 use std::fs::{self, OpenOptions};
 use std::path::PathBuf;
@@ -83,7 +84,7 @@ fn strange(folder: &std::path::Path) -> Vec<PathBuf> {
 fn what_draws_ends_as_what_solves() {
     let folder = tempfile::tempdir().unwrap();
     let mut seen = std::collections::BTreeSet::new();
-    for scene in strange(folder.path()) {
+    for scene in strange(folder.path()).into_iter().step_by(every(2)) {
         let code = |command: &[&str], out: Option<&str>| {
             let mut run = hodograph();
             run.args(command).arg(&scene);

@@ -13,6 +13,8 @@ mod languages;
 mod scene;
 mod text;
 mod units;
+#[path = "../wide/mod.rs"]
+mod wide;
 
 use assert_cmd::Command;
 use std::path::Path;

@@ -165,7 +165,7 @@ pub fn golden(template: &str, file: &str) -> PathBuf {
     root().join(name)
 }
 
-fn accept() -> bool {
+pub fn accept() -> bool {
     std::env::var_os("HODOGRAPH_ACCEPT").is_some_and(|v| v == "1")
 }
 

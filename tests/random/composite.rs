@@ -152,7 +152,7 @@ fn parts_of_a_composite_motion_add_up_and_are_differences_of_positions() {
     }
     println!("{added} sums ({drawn_parts} of drawn parts), {compared} parts against differences of positions");
     assert!(
-        added > 1000 / every() && drawn_parts > 300 / every() && compared > 500 / every(),
+        added > 1000 / every(8) && drawn_parts > 300 / every(8) && compared > 500 / every(8),
         "{added} sums ({drawn_parts} drawn), {compared} compared"
     );
 }

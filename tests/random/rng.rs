@@ -55,6 +55,6 @@ impl Rng {
 pub fn seeds(own: u64) -> std::ops::Range<u64> {
     match std::env::var("HODOGRAPH_SEEDS").ok().and_then(|n| n.parse::<u64>().ok()) {
         Some(times) => 0..own * times,
-        None => 0..own.div_ceil(every() as u64),
+        None => 0..own.div_ceil(every(8) as u64),
     }
 }

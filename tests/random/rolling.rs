@@ -380,5 +380,5 @@ fn contacts_roll() {
             contacts += 1;
         }
     });
-    assert!(contacts > 100 / every(), "{contacts} contacts");
+    assert!(contacts > 100 / every(8), "{contacts} contacts");
 }

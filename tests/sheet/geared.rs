@@ -52,7 +52,7 @@ fn geared_figures_can_be_read() {
             }
         }
     }
-    assert!(drawn > 200 / every(), "only {drawn} figures");
+    assert!(drawn > 200 / every(8), "only {drawn} figures");
     assert!(faults.is_empty(), "{} of {drawn} figures:\n{}", faults.len(), faults.join("\n"));
 }
 
@@ -78,7 +78,7 @@ fn figures_of_cams_can_be_read() {
             }
         }
     }
-    assert!(drawn > 200 / every(), "only {drawn} figures");
+    assert!(drawn > 200 / every(8), "only {drawn} figures");
     assert!(faults.is_empty(), "{} of {drawn} figures:\n{}", faults.len(), faults.join("\n"));
 }
 
@@ -127,6 +127,6 @@ fn groups_drawn_apart_can_be_read() {
             }
         }
     }
-    assert!(drawn > 1000 / every(), "only {drawn} figures");
+    assert!(drawn > 1000 / every(8), "only {drawn} figures");
     assert!(faults.is_empty(), "{} of {drawn} figures:\n{}", faults.len(), faults.join("\n"));
 }

@@ -125,7 +125,7 @@ pub fn poses(scene: &Scene) -> Vec<Scene> {
         _ if turns => [start, start + std::f64::consts::TAU],
         _ => [start * 0.8, start * 1.2],
     };
-    (0..POSES).step_by(every()).map(|k| with_driver_at(scene, 0, low + (high - low) * (k as f64 + 0.25) / POSES as f64)).collect()
+    (0..POSES).step_by(every(8)).map(|k| with_driver_at(scene, 0, low + (high - low) * (k as f64 + 0.25) / POSES as f64)).collect()
 }
 
 #[test]

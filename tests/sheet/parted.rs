@@ -59,7 +59,7 @@ fn links_over_one_another_are_told_apart() {
     for t in templates::list() {
         let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
         let Some(start) = driver_position(&scene, 0) else { continue };
-        for degrees in (0..360).step_by(every()) {
+        for degrees in (0..360).step_by(every(8)) {
             let pose = with_driver_at(&scene, 0, start + f64::from(degrees).to_radians());
             faults.extend(over_one_another(&pose).into_iter().map(|f| format!("{} {degrees}° on: {f}", t.name)));
         }

@@ -1,0 +1,86 @@
+//! Long sweeps, taken in pieces: what they write is what a sweep at once has.
+
+use super::*;
+use hodograph::sweep::long::Long;
+use hodograph::sweep::pieces::Pieces;
+
+/// The numbers of a sweep in pieces, and its notes.
+pub fn pieces(sweep: &mut dyn Pieces, cut: usize) -> (Vec<Vec<f64>>, Vec<Diagnostic>) {
+    let (count, mut columns) = (sweep.count(), vec![Vec::new(); sweep.columns().len()]);
+    for from in (0..count).step_by(cut) {
+        columns.iter_mut().zip(sweep.piece(from..count.min(from + cut), &|| false).unwrap()).for_each(|(c, p)| c.extend(p));
+    }
+    (columns, sweep.notes())
+}
+
+pub fn same_bits(name: &str, columns: &[Vec<f64>], whole: &Table) {
+    for (a, b) in columns.iter().zip(&whole.columns) {
+        assert!(a.len() == b.values.len() && a.iter().zip(&b.values).all(|(x, y)| x.to_bits() == y.to_bits()), "{name} {}", b.name);
+    }
+}
+
+/// A sweep in pieces has the rows and the notes of the whole one, to the bit: where rows are missing over the ends of pieces, past
+/// change points, where the driver slides, and where each position is reached from the one before it, or after it, or round the
+/// other way.
+#[test]
+fn a_long_sweep_is_its_pieces() {
+    let mut scenes: Vec<(&str, Scene, [usize; 2])> = Vec::new();
+    for (n, t) in templates::list().iter().enumerate() {
+        // These two alone have a row at every limit and more rows than lie between two states that are kept.
+        let always = ["crank-rocker", "class-iii-six-bar"].contains(&t.name);
+        if n % every(8) != 0 && !always {
+            continue;
+        }
+        let set: &[(&str, &str)] = if t.name == "crank-rocker" { &[("l_AB", "240")] } else { &[] };
+        let scene = read(templates::instantiate(t.name, set).unwrap()).unwrap().value;
+        let whole = Mechanism::new(&scene).unwrap().value.groups.iter().any(|g| g.class() == Some("IV or higher"));
+        let size = match t.name {
+            // More positions than lie between two states that are kept.
+            "class-iii-six-bar" => [20_000, 4096],
+            // Each position takes the general solver.
+            _ if whole => [400 / every(8), 77],
+            _ => [2000 / every(8), 77],
+        };
+        scenes.push((t.name, scene, size));
+    }
+    scenes.push(("class IV", class_iv(r#""v_D", "omega_5""#, ["", ""]), [400 / every(8), 77]));
+    let (mut missing, mut followed_missing) = (0, 0);
+    for (name, scene, [steps, cut]) in &scenes {
+        let m = Mechanism::new(scene).unwrap().value;
+        let placed = Placed::new(scene, &m).unwrap();
+        let per_value = station::angle_per_value(scene, &placed.at, 0);
+        let now = station::position_now(scene, &placed.at, 0);
+        let (turn, slide) = (|a, b| station::Way::Turn(Angle::Deg(a), Angle::Deg(b)), placed.at.extent());
+        let ways = match scene.drivers[0].kind {
+            DriverKind::Turn { .. } => [turn(-30.0, 450.0), turn(400.0, -30.0)],
+            _ => [[-slide, slide], [slide, -slide]].map(|[a, b]| station::Way::Slide { from: now + a, to: now + b, per_value }),
+        };
+        for way in ways {
+            let steps = sweep::Steps { way, steps: *steps };
+            let whole = sweep::run(&placed, 0, &steps.all(), Width::Widest).unwrap();
+            let mut long = Long::new(&placed, 0, steps);
+            let (columns, notes) = pieces(&mut long, *cut);
+            assert!(long.columns().into_iter().eq(whole.columns.iter().map(|c| (c.name.clone(), c.unit))), "{name}");
+            same_bits(name, &columns, &whole);
+            assert_eq!(notes, whole.notes, "{name}");
+            missing += steps.steps + 1 - whole.rows();
+            followed_missing += if followed(&m) { steps.steps + 1 - whole.rows() } else { 0 };
+        }
+    }
+    assert!(
+        missing > 500 / every(8) && followed_missing > 500 / every(8),
+        "{missing} rows are missing, {followed_missing} of followed mechanisms"
+    );
+}
+
+/// A sweep that is asked to stop says so instead of giving rows that it has not.
+#[test]
+fn a_sweep_in_pieces_stops_when_asked() {
+    for scene in [scene("class-iii-six-bar", &[]), class_iv(r#""v_D""#, ["", ""])] {
+        let m = Mechanism::new(&scene).unwrap().value;
+        let placed = Placed::new(&scene, &m).unwrap();
+        let way = station::Way::Turn(Angle::Deg(0.0), Angle::Deg(360.0));
+        let mut long = Long::new(&placed, 0, sweep::Steps { way, steps: 1000 });
+        assert!(long.piece(0..10, &|| true).is_none());
+    }
+}
