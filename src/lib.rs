@@ -163,6 +163,9 @@
 //! Kinds of pair are private to their folder, so that no other file can match them; `tests/tidy.rs` keeps the lists of files that match
 //! forms, kinds of driver and kinds of leg, which only shrink.
 //!
+//! Kinds that grow and that no other crate of the workspace takes apart are `#[non_exhaustive]`. Those that are taken apart elsewhere (forms, kinds of
+//! driver, quantities, steps of a plan) are not: the compiler then tells every place where a new one is to be treated, which `_ =>` would hide.
+//!
 //! # What must not be
 //! [`construct`] and [`analytic`] do not know one another: their agreement is evidence only because of this. They share the
 //! mechanism and its positions, nothing else. No hash-map order reaches an output. No absolute tolerance decides anything.

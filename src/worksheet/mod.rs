@@ -131,6 +131,7 @@ pub struct Table {
 
 /// What a table is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum TableKind {
     /// A vector equation over what is known of its terms: cells centred, no lines.
     Equation,

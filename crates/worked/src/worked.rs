@@ -32,6 +32,7 @@ use crate::scene::{Find, LinkId, PointId, Scene};
 
 /// How much is wanted beyond the scene's questions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Scope {
     /// Only what the questions call for.
     #[default]

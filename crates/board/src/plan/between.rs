@@ -12,6 +12,7 @@ use crate::scene::{Asked, GuidePath, LinkId, OnLink, PointId, Scene};
 
 /// What a question of motion means on paper.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Asking {
     /// The vector from the pole to an image; `reversed`: from the image to the pole.
     Vector {

@@ -27,6 +27,7 @@ const MARGIN_MM: f64 = super::sheet::MARGIN_MM;
 
 /// The room that pages have.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Room {
     /// A column: pages are exactly so wide (mm), and as high as they become.
     Column(f64),

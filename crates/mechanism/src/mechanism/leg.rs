@@ -9,6 +9,7 @@ use crate::scene::{GuideId, LinkId, PointId, RollingId};
 
 /// How a known body holds an unknown point or link; [`Leg::freedoms`] says how much of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Leg {
     /// A known pin sits on the core link (takes two freedoms).
     Pinned {

@@ -32,6 +32,7 @@ use crate::scene::{Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene,
 
 /// A thing whose place is to be found: a link (three freedoms) or a pin (two).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Node {
     /// A link.
     Link(LinkId),

@@ -9,6 +9,7 @@ use crate::scene::{Cam, Direction, GuideId, GuidePath, LinkId, PointId, RollingI
 
 /// Why a pair repeats what the others fix.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Reason {
     /// Cranks of the same length and direction join the same two bodies: two pins of each.
     ParallelCranks(Vec<(PointId, PointId)>),

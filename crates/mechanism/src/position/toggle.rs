@@ -21,6 +21,7 @@ pub const PARALLEL: f64 = 1e-3;
 
 /// What holds at a limit.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Toggle {
     /// Two legs that hold a pin along one line.
     Line {

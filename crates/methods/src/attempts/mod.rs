@@ -26,6 +26,7 @@ use crate::worked::Worked;
 
 /// A mistake that the scene lets one make, with its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Site {
     /// [`Mistake::ContactPoint`], of a cam (index into the scene's list), with the link in which the point is taken to slide.
     ContactPoint(usize, LinkId),

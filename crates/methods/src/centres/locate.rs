@@ -17,6 +17,7 @@ const FAR: f64 = 1e7;
 
 /// Why the lines do not tell the place of a centre in this pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Undetermined {
     /// All that can be drawn are one line.
     LinesCoincide,

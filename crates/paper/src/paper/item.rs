@@ -210,6 +210,7 @@ pub enum Piece {
 
 /// What is drawn.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Shape {
     /// A straight line.
     Line {

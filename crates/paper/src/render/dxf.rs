@@ -6,6 +6,7 @@ use crate::geom::Vec2;
 
 /// A line of the drawing, in mm.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Entity {
     /// From one point to another.
     Line([Vec2; 2]),

@@ -77,6 +77,7 @@ pub enum Op {
 
 /// Functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Function {
     /// Square root.
     Sqrt,

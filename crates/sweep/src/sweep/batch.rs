@@ -22,6 +22,7 @@ use std::borrow::Cow;
 
 /// How the parameters' values are chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Choice {
     /// Every combination; the last parameter runs fastest.
     Grid,

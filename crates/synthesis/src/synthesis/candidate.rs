@@ -49,6 +49,7 @@ pub struct Wanted {
 
 /// What the whole motion of the scene is to have, beside positions.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Demand {
     /// The time ratio of an output, whichever stroke is the slow one.
     TimeRatio(f64),

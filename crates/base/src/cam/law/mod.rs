@@ -69,6 +69,7 @@ impl Piece {
 
 /// A motion law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Law {
     /// Constant velocity 等速: rigid shocks at both ends.
     Uniform,

@@ -14,6 +14,7 @@ use crate::scene::resolve::Question;
 
 /// Of a path, or of the pole of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Curvature {
     /// The radius of curvature of a point's path, or its centre.
     Path(OnLink, OfPath),
@@ -23,6 +24,7 @@ pub enum Curvature {
 
 /// Of the path of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum OfPath {
     /// ρ.
     Radius,
@@ -32,6 +34,7 @@ pub enum OfPath {
 
 /// Of the pole of a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum OfPole {
     /// J.
     InflectionPole,

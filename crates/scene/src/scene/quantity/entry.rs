@@ -7,6 +7,7 @@ use crate::scene::{Lang, LinkId};
 
 /// What a value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Form {
     /// A number; counter-clockwise plus.
     Scalar,
