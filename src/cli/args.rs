@@ -76,7 +76,7 @@ pub enum Command {
     /// Write a template's scene, with other parameters if wanted
     New {
         /// Name of the template (see `hodograph templates`)
-        template: String,
+        template: Option<String>,
         /// Give a parameter another value: NAME=VALUE; a bare number keeps the unit
         #[arg(long, value_name = "NAME=VALUE")]
         set: Vec<String>,

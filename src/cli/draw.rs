@@ -4,7 +4,7 @@ use super::args;
 use super::together::Together;
 use super::values::{Format, Vectors};
 use super::{Failure, Input, Run, Told, choices, files, verdict};
-use crate::diag::{Diagnostic, Faults, Span, Warned, both};
+use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::figure::fit;
 use crate::figure::list::{self, Entry, Extras, Pages, Wanted};
 use crate::figure::sheet::Options;
@@ -138,13 +138,13 @@ fn read_style(name: &str) -> Result<Style, Failure> {
     }
     if files::ending(name).as_deref() != Some("json") {
         let d = Diagnostic::error("unknown-style", both!("there is no style `{name}`", "没有样式 `{name}`"));
-        let known = Style::names().join(", ");
         return Err(Failure::argument(
             "--style",
             name,
             d.help(both!(
-                "the styles are {known}; a style of your own is a file ending in .json",
-                "样式有 {known}；自定义样式是以 .json 结尾的文件"
+                "the styles are {}; a style of your own is a file ending in .json",
+                "样式有 {}；自定义样式是以 .json 结尾的文件",
+                Both::names(&Style::names())
             )),
         ));
     }

@@ -89,7 +89,7 @@ pub fn main() -> ExitCode {
         Command::Attempts(a) => attempts::run(a),
         Command::Synth(a) => synth::run(a),
         Command::Readings(a) => readings::run(a),
-        Command::New { template, set, output } => template::new(&template, &set, output.as_deref()),
+        Command::New { template, set, output } => template::new(template.as_deref(), &set, output.as_deref()),
         Command::Templates => template::list(),
         Command::Schema { synthesis: true, .. } => files::print(crate::synthesis::schema::schema()),
         Command::Schema { motions: true, .. } => files::print(crate::particle::schema::schema()),

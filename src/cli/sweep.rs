@@ -99,7 +99,7 @@ pub fn driver_of(scene: &Scene, over: Option<&str>) -> Result<usize, Failure> {
     driver_named(scene, name).ok_or_else(|| {
         let names: Vec<String> = (0..scene.drivers.len()).map(|d| scene.driver_name(d).0).collect();
         let d = Diagnostic::error("no-driver", both!("the scene has no driver `{name}`", "机构文件没有原动件 `{name}`"));
-        Failure::argument("--over", name, d.help(both!("its drivers are {}", "其原动件有 {}", names.join(", "))))
+        Failure::argument("--over", name, d.help(both!("its drivers are {}", "其原动件有 {}", Both::names(&names))))
     })
 }
 

@@ -3,7 +3,7 @@
 use super::spool::{self, Spool};
 use super::together::Out;
 use super::{Failure, files, lang, long, stop};
-use crate::diag::{Diagnostic, both};
+use crate::diag::{Both, Diagnostic, both};
 use crate::report::table::{self, Csv, Format, Head, Npy, Parquet, Piece, Standing};
 use crate::sweep::pieces::Pieces;
 use indicatif::ProgressBar;
@@ -27,7 +27,7 @@ pub fn ending(path: &str, allowed: &[&'static str]) -> Result<&'static str, Fail
     let named = files::ending(path);
     allowed.iter().copied().find(|e| named.as_deref() == Some(e)).ok_or_else(|| {
         let all: Vec<String> = allowed.iter().map(|e| format!(".{e}")).collect();
-        let d = Diagnostic::error("output", both!("{path} does not end in {}", "{path} 不以 {} 结尾", all.join(", ")));
+        let d = Diagnostic::error("output", both!("{path} does not end in {}", "{path} 不以 {} 结尾", Both::names(&all)));
         let help = both!(
             "name the output table.{}, with the ending of the format that you want",
             "请写 table.{} 这样的输出文件名，以所需格式结尾",

@@ -65,6 +65,12 @@ impl Both {
         out
     }
 
+    /// Names, numbers, words of the input one after the other: `a, b, c`, in Chinese `a、b、c`.
+    pub fn names<T: AsRef<str>>(all: &[T]) -> Both {
+        let joined = |mark: &str| all.iter().map(T::as_ref).collect::<Vec<_>>().join(mark);
+        Both { en: joined(", "), zh: joined("、") }
+    }
+
     /// An enumeration: `a`, `a and b`, `a, b and c`.
     pub fn listed(all: &[Both]) -> Both {
         match all {
@@ -201,8 +207,8 @@ impl Diagnostic {
 }
 
 impl Diagnostic {
-    /// What is left of English in the Chinese of the message or of the help: two small words side by side outside of quotation marks,
-    /// or a message without a Chinese character. What a user reads in Chinese has none; tests ask for it.
+    /// What is left of English in the Chinese of the message or of the help: two small words side by side or an English comma outside of
+    /// quotation marks and brackets, or a message without a Chinese character. What a user reads in Chinese has none; tests ask for it.
     pub fn english_in_chinese(&self) -> Option<String> {
         let told = self.message.zh.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c));
         let all = [Some(&self.message), self.help.as_ref()];
@@ -217,7 +223,23 @@ fn english(text: &str) -> Option<String> {
     let text = unquoted('"', &unquoted('`', text));
     let words: Vec<&str> = text.split_whitespace().collect();
     let small = |w: &str| w.len() > 1 && w.bytes().all(|b| b.is_ascii_lowercase());
-    words.windows(2).find(|w| w.iter().all(|w| small(w))).map(|w| w.join(" "))
+    let comma = || unbracketed(&text).find(", ").map(|at| unbracketed(&text)[at..].to_owned());
+    words.windows(2).find(|w| w.iter().all(|w| small(w))).map(|w| w.join(" ")).or_else(comma)
+}
+
+/// A text without what stands in brackets: coordinates, lists of JSON.
+fn unbracketed(text: &str) -> String {
+    let mut depth = 0_usize;
+    let mut kept = String::new();
+    for c in text.chars() {
+        match c {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth = depth.saturating_sub(1),
+            _ if depth == 0 => kept.push(c),
+            _ => {}
+        }
+    }
+    kept
 }
 
 /// A sentence shorter than this is told as it is.
@@ -319,6 +341,15 @@ pub struct Warned<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn lists_have_the_comma_of_their_language() {
+        let told = |all: Both| Diagnostic::error("x", both!("the points are {}", "点有 {}", all)).english_in_chinese();
+        assert_eq!(told(Both::names(&["A", "B", "C"])), None);
+        assert!(told(Both::same("A, B, C")).is_some());
+        // Coordinates and what is quoted of the file keep theirs.
+        assert_eq!(told(Both::same("(1, 2)、`[1, 2]`、\"A, B\"")), None);
+    }
 
     #[test]
     fn huge_names_are_told_by_their_ends() {

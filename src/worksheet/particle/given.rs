@@ -20,7 +20,7 @@ pub fn given(problem: &Problem, lang: Lang) -> Vec<Phrase> {
     let mut out: Vec<Both> = Vec::new();
     if !problem.parameters.is_empty() {
         let all: Vec<String> = problem.parameters.iter().map(|(name, value)| format!("{name} = {}", printed(value))).collect();
-        out.push(both!("{}", "{}", all.join(", ")));
+        out.push(Both { en: all.join(", "), zh: all.join("，") });
     }
     out.extend(problem.plates.iter().map(plate));
     out.extend(problem.motions.iter().map(|m| motion(problem, m)));

@@ -252,7 +252,7 @@ fn overflow(scene: &Scene, layout: &rows::Layout) -> Diagnostic {
     let names: Vec<_> = layout.links.iter().map(|l| scene.link_name(*l)).collect();
     Diagnostic::error(
         "overflow",
-        both!("the numbers of links {} are too large or too small to be solved", "构件 {} 的数值过大或过小，无法求解", names.join(", ")),
+        both!("the numbers of links {} are too large or too small to be solved", "构件 {} 的数值过大或过小，无法求解", Both::names(&names)),
     )
 }
 

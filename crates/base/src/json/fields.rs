@@ -165,8 +165,8 @@ pub fn suggest<'a>(got: &str, known: impl Iterator<Item = &'a str> + Clone, othe
         Some((_, name)) => both!("did you mean `{name}`?", "是否想写 `{name}`？"),
         // All of them: the one that is wanted may be the last.
         None => {
-            let known = known.collect::<Vec<_>>().join(", ");
-            both!("{} {known}", "{} {known}", otherwise)
+            let known: Vec<&str> = known.collect();
+            both!("{} {}", "{} {}", otherwise, Both::names(&known))
         }
     }
 }

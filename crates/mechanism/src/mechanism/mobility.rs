@@ -247,8 +247,9 @@ fn too_free(scene: &Scene, constraints: &[Constraint], missing: usize, free: &[N
     .at(span)
     .help(match unlisted_pivots(scene) {
         Some(names) => both!(
-            "if {names} are fixed pivots, list them under the ground link; otherwise give the joint, guide or driver that is missing",
-            "若 {names} 是固定铰链，请列入机架；否则请补上所缺的运动副、导路或原动件"
+            "if {} are fixed pivots, list them under the ground link; otherwise give the joint, guide or driver that is missing",
+            "若 {} 是固定铰链，请列入机架；否则请补上所缺的运动副、导路或原动件",
+            names
         ),
         None => both!(
             "give {missing} more driver{}, or the joint or guide that is missing there",
@@ -259,7 +260,7 @@ fn too_free(scene: &Scene, constraints: &[Constraint], missing: usize, free: &[N
 }
 
 /// Points with coordinates on a single moving link: often pivots that were not listed under the ground.
-fn unlisted_pivots(scene: &Scene) -> Option<String> {
+fn unlisted_pivots(scene: &Scene) -> Option<Both> {
     let names: Vec<&str> = scene
         .points
         .iter()
@@ -271,7 +272,7 @@ fn unlisted_pivots(scene: &Scene) -> Option<String> {
         })
         .map(|(_, p)| p.name.as_str())
         .collect();
-    (!names.is_empty()).then(|| names.join(", "))
+    (!names.is_empty()).then(|| Both::names(&names))
 }
 
 fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, Node)], unmatched: &[usize]) -> Diagnostic {

@@ -432,6 +432,6 @@ pub(super) fn names_of(scene: &Scene, group: &Group) -> Both {
     let names: Vec<_> = group.links.iter().map(|l| scene.link_name(*l)).collect();
     match names[..] {
         [one] => Both::same(format!(" {one}")),
-        _ => both!("s {}", " {}", names.join(", ")),
+        _ => both!("s {}", " {}", Both::names(&names)),
     }
 }

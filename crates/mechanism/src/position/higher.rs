@@ -22,7 +22,7 @@ impl<N: Real> Assembly<'_, N> {
         let lacking = |what: Both| {
             Diagnostic::error(
                 "sketch-needed",
-                both!("links {} can only be placed from a rough pose: {}", "构件 {} 只能由大致位置求解：{}", names.join(", "), what),
+                both!("links {} can only be placed from a rough pose: {}", "构件 {} 只能由大致位置求解：{}", Both::names(&names), what),
             )
             .at(self.scene.links[group.links[0].0].span)
             .help(both!("give rough coordinates of their joints in \"sketch\"", "请在 \"sketch\" 中给出各铰链的大致坐标"))
@@ -81,7 +81,7 @@ impl<N: Real> Assembly<'_, N> {
         let (poses, points) = system.solve(&start, &drivers).ok_or_else(|| {
             Diagnostic::error(
                 "no-convergence",
-                both!("links {} were not brought together from the sketch", "由草图未能求得构件 {} 的装配位置", names.join(", ")),
+                both!("links {} were not brought together from the sketch", "由草图未能求得构件 {} 的装配位置", Both::names(&names)),
             )
             .at(self.scene.links[group.links[0].0].span)
             .help(both!("improve the sketch, or check whether the lengths can be assembled", "请改进草图，或检查各长度能否装配"))

@@ -6,7 +6,7 @@ use super::proof::Unproven;
 use super::shape::{Frame, given_at, given_place};
 use super::triad::{self, TriadLeg};
 use super::{Path, Pose};
-use crate::diag::{Diagnostic, both};
+use crate::diag::{Both, Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Entry, Hold, Leg};
 use crate::number::Real;
@@ -369,7 +369,7 @@ impl<N: Real> Assembly<'_, N> {
         };
         Diagnostic::error(
             "not-proved",
-            both!("the assembly of link {} is not proved: {}", "构件 {} 的装配未能证明：{}", names.join(", "), why),
+            both!("the assembly of link {} is not proved: {}", "构件 {} 的装配未能证明：{}", Both::names(&names), why),
         )
         .at(self.scene.links[links[0].0].span)
     }

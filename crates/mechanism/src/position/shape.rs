@@ -6,7 +6,7 @@
 
 use super::Path;
 use super::kernel::{Locus, Miss, meet};
-use crate::diag::{Diagnostic, Faults, both};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Mechanism;
 use crate::number::Real;
@@ -208,7 +208,7 @@ fn missing_length<N: Real>(scene: &Scene, l: LinkId, points: &[(PointId, Point<N
             "构件 {} 的点 {name} 位置未定：请给出{}（{}）",
             scene.link_name(l),
             wanted,
-            missing.join(", ")
+            Both::names(&missing)
         ),
     )
     .at(scene.links[l.0].span)

@@ -31,7 +31,7 @@ pub use rounds::{Closure, How, Line, Pair, Step};
 pub use uses::{By, Motion, Speed, Turning, Uses};
 
 use crate::answer::Value;
-use crate::diag::{Diagnostic, Faults, Severity, Warned, both};
+use crate::diag::{Both, Diagnostic, Faults, Severity, Warned, both};
 use crate::mechanism::Mechanism;
 use crate::scene::quantity::{self, PointMotion, Rate};
 use crate::scene::{Asked, Find, LinkId, OnLink, PointId, Scene};
@@ -172,22 +172,24 @@ fn remarks(scene: &Scene, closure: &Closure, list: &[Centre]) -> Vec<Diagnostic>
     let name = |c: &Centre| c.step.pair.name(scene);
     let taken: Vec<String> = list.iter().filter(|c| c.step.how == How::Velocities).map(name).collect();
     if !taken.is_empty() {
-        let (found, all, taken) = (closure.by_theorem, closure.steps.len(), taken.join(", "));
+        let (found, all, taken) = (closure.by_theorem, closure.steps.len(), Both::names(&taken));
         notes.push(if closure.freedoms == 1 {
             Diagnostic::note(
                 "centre-stalled",
                 both!(
-                    "the theorem of three centres alone finds {found} of {all} centres and then has no second line for any other; {taken} is taken from the velocities of the analysis, and the theorem goes on",
-                    "仅用三心定理求得 {all} 个瞬心中的 {found} 个，其余均缺第二条线；由解析法的速度定出 {taken} 后继续用三心定理"
+                    "the theorem of three centres alone finds {found} of {all} centres and then has no second line for any other; {} is taken from the velocities of the analysis, and the theorem goes on",
+                    "仅用三心定理求得 {all} 个瞬心中的 {found} 个，其余均缺第二条线；由解析法的速度定出 {} 后继续用三心定理",
+                    taken
                 ),
             )
         } else {
             Diagnostic::note(
                 "centre-given-drivers",
                 both!(
-                    "{found} of {all} centres hold whatever the {} drivers do; {taken}, taken from the velocities, and those found with it hold for the given rates of the drivers",
-                    "{all} 个瞬心中有 {found} 个与 {} 个原动件的运动无关；由速度定出的 {taken} 以及由其求得的瞬心只对给定的原动件速度成立",
-                    closure.freedoms
+                    "{found} of {all} centres hold whatever the {} drivers do; {}, taken from the velocities, and those found with it hold for the given rates of the drivers",
+                    "{all} 个瞬心中有 {found} 个与 {} 个原动件的运动无关；由速度定出的 {} 以及由其求得的瞬心只对给定的原动件速度成立",
+                    closure.freedoms,
+                    taken
                 ),
             )
         });
@@ -203,13 +205,13 @@ fn remarks(scene: &Scene, closure: &Closure, list: &[Centre]) -> Vec<Diagnostic>
             let message = both!(
                 "{}: {}; the velocities of the analysis tell the place",
                 "{}：{}；由解析法的速度定位",
-                by_velocities.join(", "),
+                Both::names(&by_velocities),
                 words
             );
             notes.push(Diagnostic::note("centre-undetermined", message));
         }
         if !none.is_empty() {
-            let message = both!("{} has no certain place: {}", "{} 的位置不定：{}", none.join(", "), words);
+            let message = both!("{} has no certain place: {}", "{} 的位置不定：{}", Both::names(&none), words);
             let help = both!("choose a pose nearby", "请取附近的位置");
             notes.push(Diagnostic::warning("centre-undetermined", message).help(help));
         }

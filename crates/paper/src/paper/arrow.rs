@@ -28,7 +28,7 @@ impl Head {
     /// Angles and dimensions.
     pub const THIN: Head = Head { length_mm: 2.2, width_mm: 0.75, notch: 0.2 };
 
-    fn limited(self, length_mm: f64) -> Head {
+    pub(super) fn limited(self, length_mm: f64) -> Head {
         let k = (length_mm * HEAD_PART_MAX / self.length_mm).min(1.0);
         // A short head is blunter than a long one (√k > k): the shaft keeps its width, and the head must show beside it.
         Head { length_mm: self.length_mm * k, width_mm: self.width_mm * k.sqrt(), ..self }

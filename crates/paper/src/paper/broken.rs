@@ -40,62 +40,113 @@ pub fn seen(steps: usize, hidden: impl Fn(f64) -> bool) -> Vec<[f64; 2]> {
 
 /// A line without an area.
 enum Way {
-    Straight(Point, Point),
-    Bent { centre: Point, radius_mm: f64, from_rad: f64, sweep_rad: f64 },
+    /// Through these corners, with the length of the way up to each (mm).
+    Straight(Vec<(Point, f64)>),
+    Bent {
+        centre: Point,
+        radius_mm: f64,
+        from_rad: f64,
+        sweep_rad: f64,
+    },
 }
 
 impl Way {
+    fn through(corners: impl IntoIterator<Item = Point>) -> Way {
+        let mut way: Vec<(Point, f64)> = Vec::new();
+        for p in corners {
+            let length = way.last().map_or(0.0, |(last, length)| length + last.distance(p));
+            way.push((p, length));
+        }
+        Way::Straight(way)
+    }
+
     /// That of a thin item, and its stroke.
     fn thin(shape: &Shape) -> Option<(Way, Stroke)> {
         let (way, stroke) = match shape {
-            Shape::Line { from, to, stroke } => (Way::Straight(*from, *to), *stroke),
-            Shape::Arc { centre, radius_mm, from_rad, to_rad, stroke } => {
+            Shape::Line { from, to, stroke } => (Way::through([*from, *to]), *stroke),
+            Shape::Arrow { from, to, stroke, .. } => (Way::through([*from, *to]), *stroke),
+            Shape::Polyline { points, closed, stroke: Some(stroke), fill: None } if points.len() > 1 => {
+                let back = points.first().copied().filter(|_| *closed);
+                (Way::through(points.iter().copied().chain(back)), *stroke)
+            }
+            Shape::Arc { centre, radius_mm, from_rad, to_rad, stroke }
+            | Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke, .. } => {
                 (Way::Bent { centre: *centre, radius_mm: *radius_mm, from_rad: *from_rad, sweep_rad: to_rad - from_rad }, *stroke)
             }
             Shape::Circle { centre, radius_mm, stroke: Some(stroke), fill: None } => {
                 (Way::Bent { centre: *centre, radius_mm: *radius_mm, from_rad: 0.0, sweep_rad: TAU }, *stroke)
             }
-            Shape::Circle { .. }
-            | Shape::Polyline { .. }
-            | Shape::Path { .. }
-            | Shape::Arrow { .. }
-            | Shape::ArcArrow { .. }
-            | Shape::Label { .. }
-            | Shape::Turned { .. } => return None,
+            Shape::Circle { .. } | Shape::Polyline { .. } | Shape::Path { .. } | Shape::Label { .. } | Shape::Turned { .. } => return None,
         };
         (stroke.width_mm < THICK_MM).then_some((way, stroke))
     }
 
     fn length_mm(&self) -> f64 {
         match self {
-            Way::Straight(from, to) => from.distance(*to),
+            Way::Straight(corners) => corners.last().map_or(0.0, |c| c.1),
             Way::Bent { radius_mm, sweep_rad, .. } => radius_mm * sweep_rad.abs(),
         }
     }
 
     fn at(&self, t: f64) -> Point {
         match self {
-            Way::Straight(from, to) => *from + (*to - *from) * t,
+            Way::Straight(corners) => {
+                let wanted = t * self.length_mm();
+                let k = corners.partition_point(|c| c.1 < wanted).clamp(1, corners.len() - 1);
+                let [(from, before), (to, length)] = [corners[k - 1], corners[k]];
+                if length > before { from + (to - from) * ((wanted - before) / (length - before)) } else { to }
+            }
             Way::Bent { centre, radius_mm, from_rad, sweep_rad } => on_circle(*centre, *radius_mm, from_rad + sweep_rad * t),
         }
     }
 
-    fn piece(&self, [from, to]: [f64; 2]) -> Piece {
+    fn pieces(&self, [from, to]: [f64; 2]) -> Vec<Piece> {
         match self {
-            Way::Straight(..) => Piece::Line(self.at(to)),
-            Way::Bent { centre, radius_mm, from_rad, sweep_rad } => Piece::Arc {
+            Way::Straight(corners) => {
+                let whole = self.length_mm();
+                let between = corners.iter().filter(|c| from * whole < c.1 && c.1 < to * whole).map(|c| Piece::Line(c.0));
+                between.chain([Piece::Line(self.at(to))]).collect()
+            }
+            Way::Bent { centre, radius_mm, from_rad, sweep_rad } => vec![Piece::Arc {
                 centre: *centre,
                 radius_mm: *radius_mm,
                 from_rad: from_rad + sweep_rad * from,
                 to_rad: from_rad + sweep_rad * to,
-            },
+            }],
         }
+    }
+
+    /// These runs of it as one item's shape.
+    fn path(&self, runs: &[[f64; 2]], stroke: Stroke) -> Shape {
+        let pieces = runs.iter().flat_map(|run| std::iter::once(Piece::Move(self.at(run[0]))).chain(self.pieces(*run))).skip(1).collect();
+        Shape::Path { start: self.at(runs[0][0]), pieces, closed: false, stroke: Some(stroke), fill: None }
     }
 }
 
-/// Breaks the thin lines among these items at the boxes of labels.
-pub fn break_at(items: &mut [Item], labels: &[Rect]) {
-    for item in items {
+/// The last run of a broken arrow, which keeps the head; `None` where the head itself would be broken or made smaller.
+fn with_head(shape: &Shape, way: &Way, last: [f64; 2]) -> Option<Shape> {
+    let mut shape = shape.clone();
+    let head = match &mut shape {
+        Shape::Arrow { from, head, .. } => {
+            *from = way.at(last[0]);
+            head
+        }
+        Shape::ArcArrow { from_rad, to_rad, head, .. } => {
+            *from_rad += (*to_rad - *from_rad) * last[0];
+            head
+        }
+        _ => return None,
+    };
+    let full = head.limited(way.length_mm()).length_mm;
+    let whole = last[1] == 1.0 && head.limited((1.0 - last[0]) * way.length_mm()).length_mm == full;
+    whole.then_some(shape)
+}
+
+/// Breaks the thin lines among these items at the boxes of labels. What comes before the last break of an arrow is an item of its own behind all
+/// others.
+pub fn break_at(items: &mut Vec<Item>, labels: &[Rect]) {
+    let mut before = Vec::new();
+    for item in items.iter_mut() {
         let Some((way, stroke)) = Way::thin(&item.shape) else { continue };
         let Some(bounds) = item.bounds() else { continue };
         let near: Vec<Rect> = labels.iter().map(|r| r.grown(AIR_MM)).filter(|r| r.overlap_mm2(bounds) > 0.0).collect();
@@ -107,15 +158,25 @@ pub fn break_at(items: &mut [Item], labels: &[Rect]) {
         let runs = seen(steps, |t| near.iter().any(|r| inside(r, way.at(t))));
         let left: f64 = runs.iter().map(|[from, to]| to - from).sum();
         if left > LEFT_PART && left < 1.0 {
-            let start = way.at(runs[0][0]);
-            let pieces = runs.iter().flat_map(|run| [Piece::Move(way.at(run[0])), way.piece(*run)]).skip(1).collect();
-            item.shape = Shape::Path { start, pieces, closed: false, stroke: Some(stroke), fill: None };
+            if !matches!(item.shape, Shape::Arrow { .. } | Shape::ArcArrow { .. }) {
+                item.shape = way.path(&runs, stroke);
+            } else if let [shaft @ .., last] = &runs[..]
+                && let Some(headed) = with_head(&item.shape, &way, *last)
+            {
+                item.shape = headed;
+                if !shaft.is_empty() {
+                    let id = if item.id.is_empty() { String::new() } else { format!("{}-shaft", item.id) };
+                    before.push(Item { id, shape: way.path(shaft, stroke), ..item.clone() });
+                }
+            }
         }
     }
+    items.append(&mut before);
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::arrow::Head;
     use super::*;
 
     #[test]
@@ -123,13 +184,27 @@ mod tests {
         let label = Rect::new(Point::new(4.0, -1.0), Point::new(6.0, 1.0));
         let line = |width| Item::new("", Shape::Line { from: Point::ORIGIN, to: Point::new(20.0, 0.0), stroke: Stroke::new(width) });
         let ring = Shape::Circle { centre: Point::new(5.0, 9.0), radius_mm: 9.0, stroke: Some(Stroke::new(0.2)), fill: None };
-        let mut items = [line(0.2), line(0.4), Item::new("", ring)];
+        let angle = Shape::ArcArrow {
+            centre: Point::new(5.0, 9.0),
+            radius_mm: 9.0,
+            from_rad: 3.0,
+            to_rad: 9.0,
+            stroke: Stroke::new(0.2),
+            head: Head::VECTOR,
+        };
+        let mut items = vec![line(0.2), line(0.4), Item::new("", ring), Item::new("angle", angle.clone())];
         break_at(&mut items, &[label]);
         let parts = |item: &Item| match &item.shape {
             Shape::Path { pieces, .. } => pieces.iter().filter(|p| !matches!(p, Piece::Move(_))).count(),
             _ => 0,
         };
-        assert_eq!(items.each_ref().map(parts), [2, 0, 2]);
+        assert_eq!(items.iter().map(parts).collect::<Vec<_>>(), [2, 0, 2, 0, 1]);
+        // The head stays with the last part, the first one is an item of its own.
+        let ends = |shape: &Shape| match shape {
+            Shape::ArcArrow { from_rad, to_rad, .. } => [*from_rad, *to_rad],
+            _ => [f64::NAN; 2],
+        };
+        assert!(ends(&items[3].shape)[0] > 3.0 && ends(&items[3].shape)[1] == 9.0 && items[4].class == "angle");
         let ends = [items[0].bounds().unwrap(), line(0.2).bounds().unwrap()];
         assert!(ends[0].min.distance(ends[1].min) < 1e-9 && ends[0].max.distance(ends[1].max) < 1e-9, "{ends:?}");
     }
@@ -138,7 +213,7 @@ mod tests {
     fn a_line_that_would_be_gone_stays() {
         let label = Rect::new(Point::new(1.0, -1.0), Point::new(9.0, 1.0));
         let shape = Shape::Line { from: Point::ORIGIN, to: Point::new(10.0, 0.0), stroke: Stroke::new(0.2) };
-        let mut items = [Item::new("", shape.clone())];
+        let mut items = vec![Item::new("", shape.clone())];
         break_at(&mut items, &[label]);
         assert_eq!(items[0].shape, shape);
     }

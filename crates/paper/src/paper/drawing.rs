@@ -276,7 +276,8 @@ impl Drawing {
         let placed = place_or_leave(&requests, &self.obstacles, (room, leads), &before);
         if leads == Leads::Long {
             // In a series breaks would come and go.
-            let boxes: Vec<Rect> = placed.iter().flatten().map(|p| p.bounds).collect();
+            let fixed = self.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(Item::bounds);
+            let boxes: Vec<Rect> = placed.iter().flatten().map(|p| p.bounds).chain(fixed).collect();
             break_at(&mut self.items, &boxes);
         }
         for (p, w) in placed.iter().zip(&self.wanted) {

@@ -6,6 +6,7 @@ use miette::{
     GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, MietteError, MietteSpanContents, NamedSource, Report,
     SourceCode, SourceSpan, SpanContents,
 };
+use textwrap::WordSplitter;
 
 use crate::diag::{Diagnostic, Faults, Severity, Span, both};
 use crate::paper::phrase::tr;
@@ -30,7 +31,11 @@ pub fn render(faults: &Faults, source_name: &str, source: &str) -> String {
 
 /// [`render`] in a language.
 pub fn render_in(faults: &Faults, source_name: &str, source: &str, lang: Lang) -> String {
-    let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor()).with_links(false).with_width(WIDTH);
+    let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor())
+        .with_links(false)
+        .with_width(WIDTH)
+        // Names of links, templates and options are copied from a message: no line ends within one.
+        .with_word_splitter(WordSplitter::NoHyphenation);
     let (seen, source_name) = (visible(source), &*visible(source_name));
     let mut out = String::new();
     for d in faults.list.iter().take(MAX_SHOWN) {

@@ -160,7 +160,7 @@ impl<'a> Words<'a> {
     fn joint(&self, links: &[LinkId], pin: Option<PointId>) -> String {
         let names: Vec<_> = links.iter().map(|l| self.scene.link_name(*l)).collect();
         let word = if names.len() == 1 { tr(self.lang, "link", "构件") } else { tr(self.lang, "links", "构件") };
-        let names = names.join(", ");
+        let names = names.join(tr(self.lang, ", ", "、"));
         match (pin.map(|p| self.scene.point_name(p)), names.is_empty()) {
             (Some(p), true) => p.to_owned(),
             (Some(p), false) => format!("{word} {names} {} {p}", tr(self.lang, "at", "在")),

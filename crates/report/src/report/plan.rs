@@ -75,7 +75,7 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
         line(format!(
             "{} {}: {}",
             tr(lang, "links", "构件"),
-            names.join(", "),
+            names.join(tr(lang, ", ", "、")),
             tr(
                 lang,
                 "in or behind a group higher than class III, not drawn; `solve` answers from the loop equations",
@@ -188,9 +188,9 @@ pub(super) fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) 
             let names: Vec<_> = m.groups[g].links.iter().map(|l| scene.link_name(*l)).collect();
             if names.is_empty() {
                 let pins: Vec<_> = m.groups[g].pins.iter().map(|p| scene.point_name(*p)).collect();
-                return format!("{} {}", tr(lang, "joint", "运动副"), pins.join(", "));
+                return format!("{} {}", tr(lang, "joint", "运动副"), pins.join(tr(lang, ", ", "、")));
             }
-            format!("{} {}", tr(lang, if names.len() == 1 { "link" } else { "links" }, "构件"), names.join(", "))
+            format!("{} {}", tr(lang, if names.len() == 1 { "link" } else { "links" }, "构件"), names.join(tr(lang, ", ", "、")))
         }
     }
 }

@@ -178,7 +178,7 @@ impl<'a> Names<'a> {
                 d.help(both!(
                     "write two of the points one after the other or with a comma; the points are {}",
                     "请连写两个点名，或用逗号隔开；点有 {}",
-                    names.join(", ")
+                    Both::names(&names)
                 ))
             }
         }

@@ -90,7 +90,7 @@ pub(super) fn links_words(scene: &Scene, links: &[LinkId]) -> Both {
     let names: Vec<_> = links.iter().map(|l| scene.link_name(*l)).collect();
     match names[..] {
         [one] => both!("link {one}", "构件 {one}"),
-        _ => both!("links {}", "构件 {}", names.join(", ")),
+        _ => both!("links {}", "构件 {}", Both::names(&names)),
     }
 }
 

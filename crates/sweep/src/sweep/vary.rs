@@ -8,7 +8,7 @@ use super::general::General;
 use super::pieces::{Gaps, Pieces, Stop, never};
 use super::station::{Stations, position_now};
 use super::{Placed, Width, follow::whole};
-use crate::diag::{Diagnostic, Faults, both};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::shortest;
 use crate::mechanism::Mechanism;
 use crate::scene::eval::{NoValue, Value, evaluate};
@@ -116,7 +116,7 @@ impl Variation {
                         Diagnostic::error("unknown-parameter", both!("the scene has no parameter `{name}`", "机构文件没有参数 `{name}`"));
                     faults.push(d.help(match known[..] {
                         [] => both!("give the lengths to be varied names in \"parameters\"", "请在 \"parameters\" 中给要变化的长度命名"),
-                        _ => both!("its parameters are {}", "其参数有 {}", known.join(", ")),
+                        _ => both!("its parameters are {}", "其参数有 {}", Both::names(&known)),
                     }));
                 }
             }

@@ -170,7 +170,7 @@ fn listed(all: &[usize]) -> Both {
         _ => vec![format!("{}–{}", from + 1, to + 1)],
     };
     let each: Vec<String> = rows.iter().flat_map(told).collect();
-    Both { en: each.join(", "), zh: each.join("、") }
+    Both::names(&each)
 }
 
 /// Positions of a driver that only swings which are met by another turn than the wanted one: its angles count from position 1, whole turns too.

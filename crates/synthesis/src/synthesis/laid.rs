@@ -23,7 +23,7 @@ pub fn shown(count: usize) -> Vec<usize> {
 /// A letter with numbers of positions: `E1, E2, E3`.
 pub fn numbered(letter: &str, of: &[usize]) -> Both {
     let all: Vec<String> = of.iter().map(|k| format!("{letter}{k}")).collect();
-    Both { en: all.join(", "), zh: all.join("、") }
+    Both::names(&all)
 }
 
 /// The pivots and openings of the compasses, in millimetres of paper.

@@ -1,6 +1,6 @@
 //! Order defects: whether the driver meets the wanted positions one after the other without turning back.
 
-use crate::diag::{Diagnostic, both};
+use crate::diag::{Both, Diagnostic, both};
 use std::f64::consts::TAU;
 
 /// The defect of a list of positions, each with the driver's place (rad); a crank that turns fully may pass its start once.
@@ -19,7 +19,7 @@ pub fn defect(drivers: &[(usize, f64)], rotates: bool) -> Option<Diagnostic> {
         met.iter_mut().for_each(|m| m.1 = (m.1 - first).rem_euclid(TAU));
     }
     met.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let order = met.iter().map(|(i, _)| (i + 1).to_string()).collect::<Vec<_>>().join(", ");
-    let message = both!("the driver meets the positions in the order {order}", "原动件经过各位置的次序为 {order}");
+    let order = met.iter().map(|(i, _)| (i + 1).to_string()).collect::<Vec<_>>();
+    let message = both!("the driver meets the positions in the order {}", "原动件经过各位置的次序为 {}", Both::names(&order));
     Some(Diagnostic::warning("defect-order", message))
 }

@@ -9,7 +9,7 @@ use super::printed::with_printed;
 use crate::accuracy::{Climb, Rung};
 use crate::answer::{Value, evaluate};
 use crate::construct::scale;
-use crate::diag::{Diagnostic, Faults, both};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits;
 use crate::geom::Vec2;
 use crate::mechanism::Demand;
@@ -113,7 +113,7 @@ pub enum Why {
     /// In the longest numbers still: a tie, or a value that cannot be told from zero.
     Tie,
     /// The links whose equations may be singular.
-    Singular(String),
+    Singular(Both),
     /// The pose is singular, and the answer from the next order of the loop equations: in `f64` only, true to so many digits.
     NextOrder(usize),
     /// It has no value in this pose.
@@ -132,8 +132,8 @@ impl Why {
             (Why::TooClose, Lang::Zh) => "该位置过于接近死点".into(),
             (Why::Tie, Lang::En) => "the next digit is a tie, or the value cannot be told from zero".into(),
             (Why::Tie, Lang::Zh) => "下一位恰在舍入分界上，或数值与零无法区分".into(),
-            (Why::Singular(links), Lang::En) => format!("the equations of links {links} may be singular in this pose"),
-            (Why::Singular(links), Lang::Zh) => format!("构件{links}的方程在该位置可能奇异"),
+            (Why::Singular(links), Lang::En) => format!("the equations of links {} may be singular in this pose", links.en),
+            (Why::Singular(links), Lang::Zh) => format!("构件 {} 的方程在该位置可能奇异", links.zh),
             (Why::NextOrder(_), Lang::En) => "singular pose, from the next order of the loop equations".into(),
             (Why::NextOrder(_), Lang::Zh) => "奇异位置，由高一阶回路方程求得".into(),
             (Why::NoValue, Lang::En) => "it has no value in this pose".into(),
@@ -271,7 +271,7 @@ impl Climb for Look<'_> {
                 None => Err(match motion.singular.first() {
                     Some(&g) => {
                         let names: Vec<_> = m.groups[g].links.iter().map(|l| scene.link_name(*l)).collect();
-                        Why::Singular(names.join(", "))
+                        Why::Singular(Both::names(&names))
                     }
                     None => Why::Double,
                 }),

@@ -27,13 +27,14 @@ pub(super) fn notes(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Di
     let groups = mechanism.groups.iter().enumerate().filter(|(g, group)| matches!(group.core, Core::Higher) && planned(*g));
     let note = |(g, group): (usize, &Group)| {
         let names: Vec<_> = group.links.iter().map(|l| scene.link_name(*l)).collect();
-        let names = names.join(", ");
+        let names = Both::names(&names);
         let between = contacts(scene, mechanism, group);
         if plan.undrawable.contains(&g) && !between.is_empty() {
             let message = both!(
-                "links {names} form a group higher than class III: {} roll on one another, and no link of the group is held along two lines whose crossing would be the \
+                "links {} form a group higher than class III: {} roll on one another, and no link of the group is held along two lines whose crossing would be the \
                  special point to begin with; it is answered from the loop equations and not drawn",
-                "构件 {names} 组成高于Ⅲ级的杆组：{}相互滚动，且组内没有一个构件受两条相交约束线控制，得不到可供起步的特殊点；由回路方程求解，不作图",
+                "构件 {} 组成高于Ⅲ级的杆组：{}相互滚动，且组内没有一个构件受两条相交约束线控制，得不到可供起步的特殊点；由回路方程求解，不作图",
+                names,
                 Both::listed(&between)
             );
             return Diagnostic::note("higher-group", message).help(both!(
@@ -43,13 +44,15 @@ pub(super) fn notes(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Di
         }
         let message = if plan.undrawable.contains(&g) {
             both!(
-                "links {names} form a group higher than class III: it is answered from the loop equations and not drawn",
-                "构件 {names} 组成高于Ⅲ级的杆组：由回路方程求解，不作图"
+                "links {} form a group higher than class III: it is answered from the loop equations and not drawn",
+                "构件 {} 组成高于Ⅲ级的杆组：由回路方程求解，不作图",
+                names
             )
         } else {
             both!(
-                "links {names} form a group higher than class III: it is drawn by special points",
-                "构件 {names} 组成高于Ⅲ级的杆组：用特殊点作图"
+                "links {} form a group higher than class III: it is drawn by special points",
+                "构件 {} 组成高于Ⅲ级的杆组：用特殊点作图",
+                names
             )
         };
         Diagnostic::note("higher-group", message)

@@ -1,6 +1,6 @@
 //! What labels keep off: the ink of the items, as lines with a width, discs and boxes.
 
-use crate::geom::{Point, Vec2};
+use crate::geom::Point;
 use crate::paper::arrow;
 use crate::paper::extent::{Rect, on_circle, turned_corners};
 use crate::paper::item::{Item, Piece, Shape, Stroke};
@@ -36,6 +36,8 @@ pub struct Obstacles {
     pub bars: Vec<Bar>,
     /// Arrowheads, from back to tip: to cover one is worse than to cover a line.
     pub heads: Vec<Bar>,
+    /// The barbs of each of them.
+    pub barbs: Vec<[Point; 2]>,
     /// Joints and dots.
     pub discs: Vec<Disc>,
     /// Boxes: labels with a fixed place, tables.
@@ -99,13 +101,12 @@ impl Obstacles {
     fn bar_leaders(&mut self, class: &str, [bars, heads]: [usize; 2]) {
         let is = |word| class.split(' ').any(|w| w == word);
         if is("rotation") || is("angle") && !is("reference") {
-            // A head is barred along and across: a line over its edge meets one of the two.
-            let across = |h: &Bar| {
-                let side = (h.to - h.from).perp().unit().unwrap_or(Vec2::ZERO) * h.half_width_mm;
-                Bar { from: h.from - side, to: h.from + side, half_width_mm: 0.0, ..*h }
-            };
-            let heads = &self.heads[heads..];
-            self.barred.extend(self.bars[bars..].iter().chain(heads).copied().chain(heads.iter().map(across)));
+            self.barred.extend_from_slice(&self.bars[bars..]);
+            // Barbs reach back beyond the notch, from which the shaft is seen.
+            for (head, [left, right]) in self.heads[heads..].iter().zip(&self.barbs[heads..]) {
+                let edges = [(*left, head.to), (*right, head.to), (*left, *right)];
+                self.barred.extend(edges.map(|(from, to)| Bar { from, to, half_width_mm: 0.0, ..*head }));
+            }
         } else if is("hatch") {
             // From tip to tip: a line may pass between two strokes and is lost among them all the same.
             let next = |w: &&[Bar]| w[0].to.distance(w[1].to) < 2.0 * w[0].from.distance(w[0].to);
@@ -195,6 +196,7 @@ impl Obstacles {
     fn head(&mut self, corners: &[Point], owner: Option<u32>) {
         if let &[tip, left, notch, right] = corners {
             self.heads.push(Bar { from: notch, to: tip, half_width_mm: left.distance(right) / 2.0, owner, faint: false });
+            self.barbs.push([left, right]);
         }
     }
 }

@@ -45,7 +45,7 @@ fn follows(f: &Fields, counted: bool, faults: &mut Faults) -> Option<RawFollows>
                 ),
             ),
             false => (
-                both!("the follower touches the cam in {} ways: {}", "从动件与凸轮的接触写了 {} 种：{}", given.len(), given.join(", ")),
+                both!("the follower touches the cam in {} ways: {}", "从动件与凸轮的接触写了 {} 种：{}", given.len(), Both::names(&given)),
                 both!("keep one of them; each contact is a cam of its own in the list", "请只保留一种；每个接触在列表中各写一项"),
             ),
         };

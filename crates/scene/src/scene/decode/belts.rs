@@ -81,7 +81,7 @@ fn strands(f: &Fields, section: &Section, belt: usize, faults: &mut Faults) -> O
     for word in reversed.iter().filter(|w| links.iter().all(|l| l.text != w.text)) {
         let names: Vec<&str> = links.iter().map(|l| l.text.as_str()).collect();
         let message = both!("`{}` is not among \"{wheels}\"", "`{}` 不在 \"{wheels}\" 之中", word.text);
-        let help = both!("they are {}", "它们是 {}", names.join(", "));
+        let help = both!("they are {}", "它们是 {}", Both::names(&names));
         faults.push(Diagnostic::error("unknown-link", message).at(word.span).help(help));
     }
     if crossed && (n != 2 || !reversed.is_empty()) {

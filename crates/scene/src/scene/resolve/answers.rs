@@ -25,7 +25,7 @@ pub(super) fn book(raw: &RawScene, faults: &mut Faults) -> Book {
                 } else {
                     both!("; min and h may stand for s", "；s 可换为 min 或 h")
                 };
-                faults.push(d.help(both!("units that fit are {}{}", "可用的单位有 {}{}", fitting.join(", "), min)));
+                faults.push(d.help(both!("units that fit are {}{}", "可用的单位有 {}{}", Both::names(&fitting), min)));
             }
         }
     }

@@ -184,7 +184,7 @@ fn declare_ground(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Opti
         let message = both!(
             "{} taken as fixed: they have coordinates and sit on one link only",
             "{} 视为固定铰链：有坐标，且只在一个构件上",
-            names.join(", ")
+            Both::names(&names)
         );
         let d = Diagnostic::note("implied-pivots", message).at(word.span);
         faults.push(d.help(both!(

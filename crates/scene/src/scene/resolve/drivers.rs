@@ -217,7 +217,7 @@ fn slide(
             let names: Vec<String> = meant.iter().flat_map(|i| runners(*i)).filter(|n| alone(n)).map(|n| format!("\"{n}\"")).collect();
             faults.push(d.help(match names.as_slice() {
                 [] => both!("name the sliders of these guides", "请给这些导路的滑块命名"),
-                _ => both!("name what runs in one of them only: {}", "请写只在一条导路中的销或滑块：{}", names.join(", ")),
+                _ => both!("name what runs in one of them only: {}", "请写只在一条导路中的销或滑块：{}", Both::names(&names)),
             }));
             None
         }

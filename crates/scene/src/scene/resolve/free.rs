@@ -33,10 +33,10 @@ pub(super) fn centres(
     }
     if !laid.is_empty() {
         let names: Vec<&str> = laid.iter().map(|p| c.point_name(*p)).collect();
-        let names = names.join(", ");
         let message = both!(
-            "no place is given for {names}, and no answer depends on it: drawn along the x axis",
-            "没有给出 {names} 的位置，所求各量也与其无关：画在 x 轴上"
+            "no place is given for {}, and no answer depends on it: drawn along the x axis",
+            "没有给出 {} 的位置，所求各量也与其无关：画在 x 轴上",
+            Both::names(&names)
         );
         let help = both!(
             "coordinates in \"points\", or a length and the driver's \"angle\", say otherwise",

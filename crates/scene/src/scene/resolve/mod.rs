@@ -87,7 +87,7 @@ impl Context<'_> {
             [] => both!("link `{}` has no points", "构件 `{}` 没有点", self.link_name(l)),
             points => {
                 let names: Vec<_> = points.iter().map(|p| self.point_name(*p)).collect();
-                both!("link `{}` has {}", "构件 `{}` 有点 {}", self.link_name(l), names.join(", "))
+                both!("link `{}` has {}", "构件 `{}` 有点 {}", self.link_name(l), Both::names(&names))
             }
         }
     }

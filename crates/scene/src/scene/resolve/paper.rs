@@ -73,7 +73,7 @@ fn named(word: &Word, faults: &mut Faults) -> Option<[f64; 2]> {
         faults.push(d.help(both!(
             "write one of {}, with \" landscape\" where it lies, or [\"200 mm\", \"150 mm\"]",
             "请写 {} 之一，横放时加 \" landscape\"，或写 [\"200 mm\", \"150 mm\"]",
-            known.join(", ")
+            Both::names(&known)
         )));
         return None;
     };

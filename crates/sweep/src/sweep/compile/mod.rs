@@ -24,7 +24,7 @@ use super::kernel::{Pair, Reg};
 use super::program::{Joint, Op, Program, SIN, Step};
 use super::station::driver_positions;
 use super::train::Train;
-use crate::diag::{Diagnostic, both};
+use crate::diag::{Both, Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Level, Mechanism};
 use crate::position::kernel::power_of_two_scale;
@@ -191,10 +191,12 @@ impl<'a> Compiler<'a> {
         let g = &self.m.groups[group];
         let names: Vec<_> = g.links.iter().map(|l| self.scene.link_name(*l)).collect();
         let pins: Vec<_> = g.pins.iter().map(|p| self.scene.point_name(*p)).collect();
-        let (links, pins, kind) = (names.join(", "), pins.join(", "), g.kind());
+        let (links, pins, kind) = (Both::names(&names), Both::names(&pins), g.kind());
         let message = both!(
-            "links {links} with joints {pins} ({kind}) have no compiled form: the mechanism is followed by Newton's method from position to position",
-            "构件 {links} 与铰链 {pins} 没有编译形式：用牛顿法逐个位置求解"
+            "links {} with joints {} ({kind}) have no compiled form: the mechanism is followed by Newton's method from position to position",
+            "构件 {} 与铰链 {} 没有编译形式：用牛顿法逐个位置求解",
+            links,
+            pins
         );
         let d = Diagnostic::note("no-kernel", message);
         match g.links.first() {

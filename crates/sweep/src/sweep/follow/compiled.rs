@@ -54,7 +54,7 @@ impl Follow for Compiled<'_> {
         let until = last.map_or(Both::default(), |last| both!(" beyond {}", "在 {} 以后", driver_words(scene, self.driver, last.value)));
         Diagnostic::error(
             "limit",
-            both!("the group of link {} cannot be assembled{}", "构件 {} 所在杆组{}不能装配", names.join(", "), until),
+            both!("the group of link {} cannot be assembled{}", "构件 {} 所在杆组{}不能装配", Both::names(&names), until),
         )
         .into()
     }

@@ -384,7 +384,7 @@ impl Function {
         }
         let mut remarks = Vec::new();
         if !turned.is_empty() {
-            let message = both!("{} comes out negative: the arm is turned by 180°", "{} 为负：该杆转过 180°", turned.join(", "));
+            let message = both!("{} comes out negative: the arm is turned by 180°", "{} 为负：该杆转过 180°", Both::names(&turned));
             remarks.push(Diagnostic::note("turned-arm", message));
         }
         Some(Draft {

@@ -31,7 +31,7 @@ pub fn by_turns(board: &mut Board, e: &[Point], [a, d]: [Point; 2], turns: &[f64
     board.step(both!("Lay off A, D and the places of E", "作出 A、D 及 E 的各位置"));
     let d = laid(board, a, d, &e);
     let by: Vec<String> = turns[1..].iter().map(|t| format!("{}°", significant((t - turns[0]).to_degrees(), 5))).collect();
-    let by = Both { en: by.join(", "), zh: by.join("、") };
+    let by = Both::names(&by);
     let (places, back) = (numbered("E", "", 2..=e.len()), numbered("E", "'", 2..=e.len()));
     board.step(both!("Turn {} about A back with the crank, by {}: {}", "{} 随曲柄绕 A 分别反转 {}，得 {}", places, by, back));
     let turned: Vec<Point> = (1..e.len()).map(|k| a + (e[k] - a).rotate_by(Vec2::from_angle(turns[0] - turns[k]))).collect();
@@ -59,7 +59,7 @@ pub fn by_turns(board: &mut Board, e: &[Point], [a, d]: [Point; 2], turns: &[f64
 /// A letter with the numbers of places: `E1, E2, E3`.
 fn numbered(letter: &str, dash: &str, of: std::ops::RangeInclusive<usize>) -> Both {
     let all: Vec<String> = of.map(|k| format!("{letter}{k}{dash}")).collect();
-    Both { en: all.join(", "), zh: all.join("、") }
+    Both::names(&all)
 }
 
 /// Marks what is given; D on the paper.
