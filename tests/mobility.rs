@@ -8,9 +8,9 @@ use hodograph::diag::{Diagnostic, Faults, Severity};
 use hodograph::mechanism::{Mechanism, Opened, Survey};
 use hodograph::position::redundant::{Reason, Verdict, check};
 use hodograph::report::mobility;
-use hodograph::scene::{self, Scene};
+use hodograph::scene::{self, Driver, DriverKind, Guide, LinkId, PointId, Scene};
 use hodograph::worked::{Scope, Worked, work};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A generator of its own: Knuth's linear congruence, the upper bits.
 struct Random(u64);
@@ -244,10 +244,60 @@ fn every_link_is_in_one_group() {
         for choice in told["choices"].as_array().unwrap() {
             let groups = choice["groups"].as_array().unwrap();
             let links: Vec<&str> = groups.iter().flat_map(|g| g["links"].as_array().unwrap()).map(|l| l.as_str().unwrap()).collect();
-            let different: std::collections::BTreeSet<&&str> = links.iter().collect();
+            let different: BTreeSet<&&str> = links.iter().collect();
             assert_eq!(different.len(), links.len(), "{}: {links:?} in {}", t.name, choice["drivers"]);
         }
     }
+}
+
+/// Equations that pairs take whose links are all among these: two of a pin more than its first link and of a slider, one of a bare pin in a slot.
+fn taken(scene: &Scene, among: &BTreeSet<LinkId>) -> usize {
+    let on = |p: PointId| scene.carriers(p).filter(|l| among.contains(l)).count();
+    let pins: usize = (0..scene.points.len()).map(|p| 2 * on(PointId(p)).saturating_sub(1)).sum();
+    let guide = |g: &Guide| match (g.slider, g.pin) {
+        _ if !among.contains(&g.on) => 0,
+        (Some(s), _) => 2 * usize::from(among.contains(&s)),
+        (None, Some(p)) => on(p).min(1),
+        (None, None) => 0,
+    };
+    pins + scene.guides.iter().map(guide).sum::<usize>()
+}
+
+/// Every group of links has as many freedoms as its whole pairs take, whatever steps it is solved in: with the halves of an Oldham coupling as one
+/// dyad RPP, a slider with points of its own in the group of its guide.
+#[test]
+fn groups_are_those_of_whole_pairs() {
+    let mut several = Vec::new();
+    for t in hodograph::scene::templates::list() {
+        let scene = scene::read_topology(hodograph::scene::templates::get(t.name).unwrap()).unwrap().value;
+        for choice in Survey::of(&scene).choices {
+            let (scene, m) = (&choice.scene, &choice.mechanism);
+            // Wheels, cams, cylinders, driven bare pins and what repeats others have pairs of their own kinds.
+            let own = |d: &Driver| match d.kind {
+                DriverKind::Turn { .. } => false,
+                DriverKind::Slide { guide, .. } => scene.guides[guide.0].slider.is_none(),
+                DriverKind::Cylinder { .. } => true,
+            };
+            if !scene.rolling.is_empty() || !m.redundant.is_empty() || scene.drivers.iter().any(own) {
+                continue;
+            }
+            let mut before = BTreeSet::from([scene.ground]);
+            for g in m.assur(scene) {
+                let with: BTreeSet<LinkId> = before.iter().chain(&g.links).copied().collect();
+                if g.class().is_some() {
+                    assert_eq!(3 * g.links.len(), taken(scene, &with) - taken(scene, &before), "{}: {g:?}", t.name);
+                }
+                if g.steps.len() > 1 {
+                    several.push((t.name, g.kind().to_owned()));
+                }
+                before = with;
+            }
+        }
+    }
+    for name in ["oldham-coupling", "cart-by-law"] {
+        assert!(several.iter().any(|(n, _)| *n == name), "{several:?}");
+    }
+    assert!(several.iter().filter(|(name, _)| *name == "oldham-coupling").all(|(_, kind)| kind == "RPP"), "{several:?}");
 }
 
 /// The bar of a trammel repeats the crank to its middle at every size; another rod, which drives that middle from a slot through the

@@ -196,7 +196,8 @@ impl Sheet<'_> {
             Lang::En => format!("Driven: {driven}. Taken off from the far end, where they leave the rest moving as before:"),
             Lang::Zh => format!("原动件为{driven}。由远离原动件处开始，依次拆下："),
         })));
-        let members = given.from_the_far_end().map(|g| Phrase::of_words(&group_words(&given.scene, &given.mechanism, g, self.lang())));
+        let members =
+            given.from_the_far_end().into_iter().map(|g| Phrase::of_words(&group_words(&given.scene, &given.mechanism, &g, self.lang())));
         blocks.push(Block::List { numbered: true, members: members.collect() });
         if let Some(maker) = &self.drawn {
             let (style, notation) = (&self.options.style, &self.options.notation);

@@ -79,8 +79,9 @@ impl Maker<'_> {
             Lang::Zh => format!("原动件数为 {drivers}，机构具有确定的运动。杆组按求解顺序为："),
         };
         blocks.push(Block::Paragraph(Phrase::new(&verdict)));
-        let groups = m.groups.iter().filter(|g| !g.is_carried()).map(|g| Phrase::new(&group_words(self.scene, m, g, self.lang())));
-        blocks.push(Block::List { numbered: true, members: groups.collect() });
+        let groups = m.assur(self.scene).into_iter().filter(|g| !g.is_carried());
+        let members = groups.map(|g| Phrase::new(&group_words(self.scene, m, &g, self.lang()))).collect();
+        blocks.push(Block::List { numbered: true, members });
     }
 
     /// The scales, and what the first thing drawn with each becomes on paper.

@@ -3,7 +3,7 @@
 
 use super::mechanism::{Piece, apart};
 use crate::geom::{Point, Vec2};
-use crate::mechanism::Group;
+use crate::mechanism::Assur;
 use crate::paper::drawing::Part;
 use crate::paper::item::{Anchor, Colour, Figure, Item, Shape};
 use crate::paper::label::Label;
@@ -34,7 +34,7 @@ pub fn figure(scene: &Scene, worked: &Worked, style: &Style, notation: &Notation
             Piece::Driven => tr(lang, "driver and ground", "原动件和机架").to_owned(),
             Piece::Group(g) => {
                 number -= 1;
-                format!("{}. {}", number + 1, group_name(g, lang))
+                format!("{}. {}", number + 1, group_name(&g, lang))
             }
             Piece::Repeats => tr(lang, "virtual constraint", "虚约束").to_owned(),
         };
@@ -63,8 +63,8 @@ pub fn figure(scene: &Scene, worked: &Worked, style: &Style, notation: &Notation
     figure
 }
 
-fn group_name(g: &Group, lang: Lang) -> String {
-    let kind = match g.kind().as_str() {
+fn group_name(g: &Assur, lang: Lang) -> String {
+    let kind = match g.kind() {
         "triad" | "higher group" => String::new(),
         dyad => format!(" {dyad}"),
     };

@@ -4,6 +4,7 @@
 //! fix every link, in which order the links can be found ([`Group`]), and which groups the scene's questions call for
 //! ([`Demand`]). Not decided here: where anything is.
 
+mod assur;
 mod demand;
 mod groups;
 mod leg;
@@ -14,6 +15,7 @@ mod redundant;
 mod survey;
 mod turning;
 
+pub use assur::Assur;
 pub use demand::Demand;
 pub use demand::nodes_of;
 pub use groups::{Core, Group};

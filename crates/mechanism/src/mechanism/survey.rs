@@ -59,14 +59,14 @@ pub struct ForDrivers {
 
 impl ForDrivers {
     /// The groups from the far end 拆杆组: the last that can be solved first; what is driven and what is only carried is none.
-    pub fn from_the_far_end(&self) -> impl Iterator<Item = &super::Group> {
-        self.mechanism.groups.iter().rev().filter(|g| g.class().is_some())
+    pub fn from_the_far_end(&self) -> Vec<super::Assur<'_>> {
+        self.mechanism.assur(&self.scene).into_iter().rev().filter(|g| g.class().is_some()).collect()
     }
 
     /// The class of the mechanism: that of its highest group; `I` where there is none.
     pub fn class(&self) -> &'static str {
-        let has = |class| self.mechanism.groups.iter().any(|g| g.class() == Some(class));
-        ["IV or higher", "III", "II"].into_iter().find(|c| has(c)).unwrap_or("I")
+        let groups = self.from_the_far_end();
+        ["IV or higher", "III", "II"].into_iter().find(|c| groups.iter().any(|g| g.class() == Some(c))).unwrap_or("I")
     }
 
     /// What the drivers move, one after the other: `2`, `slider C`; followers that cams lead are no drivers.

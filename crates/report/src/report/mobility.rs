@@ -1,8 +1,8 @@
 //! Freedoms for people and programs: what is counted and why, what repeats others, groups from the far end.
 
-use super::plan::{group_words, links_with_blocks};
+use super::plan::group_words;
 use crate::diag::{Both, both};
-use crate::mechanism::{Counts, ForDrivers, Group, Local, Opened, Survey};
+use crate::mechanism::{Assur, Counts, ForDrivers, Local, Opened, Survey};
 use crate::paper::phrase::tr;
 use crate::position::redundant::{Checked, Reason, Verdict, by_topology, look, opened_words};
 use crate::scene::{Lang, Scene};
@@ -131,14 +131,14 @@ pub fn class(choice: &ForDrivers, lang: Lang) -> &str {
 
 /// The groups of a choice of drivers from the far end, each by class and kind: `II RRR, III`.
 pub fn kinds(choice: &ForDrivers, lang: Lang) -> String {
-    let kind = |g: &Group| {
+    let kind = |g: &Assur| {
         let class = roman(g.class().unwrap_or_default(), lang).trim_end_matches('，').to_owned();
-        match g.kind().as_str() {
+        match g.kind() {
             "triad" | "higher group" => class,
             dyad => format!("{class} {dyad}"),
         }
     };
-    choice.from_the_far_end().map(kind).collect::<Vec<_>>().join(tr(lang, ", ", "、"))
+    choice.from_the_far_end().iter().map(kind).collect::<Vec<_>>().join(tr(lang, ", ", "、"))
 }
 
 /// What is counted of a scene, with all reasons.
@@ -230,7 +230,7 @@ pub fn text(scene: &Scene, survey: &Survey, checked: &[Option<Checked>], lang: L
     for choice in survey.choices.iter().filter(|_| !locked) {
         line(String::new());
         line(choice_words(choice, lang));
-        for (i, g) in choice.from_the_far_end().enumerate() {
+        for (i, g) in choice.from_the_far_end().iter().enumerate() {
             line(format!("  {}. {}", i + 1, group_words(&choice.scene, &choice.mechanism, g, lang)));
         }
     }
@@ -271,10 +271,9 @@ pub fn json(scene: &Scene, survey: &Survey, checked: &[Option<Checked>]) -> Json
             })
         })
         .collect();
-    let group = |choice: &ForDrivers, g: &Group| {
-        let links: Vec<&str> =
-            links_with_blocks(&choice.scene, &choice.mechanism, g).into_iter().map(|l| choice.scene.link_name(l)).collect();
-        let pins: Vec<&str> = g.pins.iter().map(|p| choice.scene.point_name(*p)).collect();
+    let group = |choice: &ForDrivers, g: &Assur| {
+        let links: Vec<&str> = g.links.iter().map(|l| choice.scene.link_name(*l)).collect();
+        let pins: Vec<&str> = g.pins().into_iter().map(|p| choice.scene.point_name(p)).collect();
         json!({"class": g.class(), "kind": g.kind(), "links": links, "pins": pins})
     };
     let locked = checked.iter().any(|c| known(c.as_ref()) == Known::Locks);
@@ -283,7 +282,7 @@ pub fn json(scene: &Scene, survey: &Survey, checked: &[Option<Checked>]) -> Json
         .iter()
         .filter(|_| !locked)
         .map(|c| {
-            let groups: Vec<Json> = c.from_the_far_end().map(|g| group(c, g)).collect();
+            let groups: Vec<Json> = c.from_the_far_end().iter().map(|g| group(c, g)).collect();
             json!({"drivers": c.names(), "given": c.given, "class": c.class(), "groups": groups})
         })
         .collect();

@@ -1,10 +1,10 @@
 //! The plan as text: groups, effects, equations in solving order.
 
-use crate::mechanism::{ConstraintLine, Core, Leg, Level, Mechanism, moved_words};
+use crate::mechanism::{Assur, ConstraintLine, Level, Mechanism, moved_words};
 use crate::paper::phrase::{formula, tr};
 use crate::plan::text::{Column, Writer};
 use crate::plan::{Between, Body, Effect, GroupSteps, Method, Rate, Reason, Special, SpecialLine, Step, Term};
-use crate::scene::{Lang, LinkId, PointId, Scene};
+use crate::scene::{Lang, PointId, Scene};
 use unicode_width::UnicodeWidthStr;
 
 /// The whole plan.
@@ -36,10 +36,7 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
     line(String::new());
     line(tr(lang, "groups in solving order", "杆组（按求解顺序）").into());
     let mut number = 0;
-    for g in &m.groups {
-        if g.is_carried() {
-            continue;
-        }
+    for g in m.assur(scene).iter().filter(|g| !g.is_carried()) {
         number += 1;
         line(format!("  {number}. {}", group_words(scene, m, g, lang)));
     }
@@ -86,47 +83,19 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
     out
 }
 
-/// The links of a group with its blocks: a block belongs to the group of its guide or of its pin, whichever is solved later.
-pub(crate) fn links_with_blocks(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Group) -> Vec<LinkId> {
-    let mut links = g.links.clone();
-    for l in (0..scene.links.len()).map(LinkId) {
-        let Some(crate::mechanism::Passive::Block(guide)) = m.passive[l.0] else { continue };
-        let guide = &scene.guides[guide.0];
-        let holds = |h: &&crate::mechanism::Group| h.links.contains(&guide.on) || guide.pin.is_some_and(|p| h.pins.contains(&p));
-        if m.groups.iter().rev().find(holds).is_some_and(|home| home.links == g.links && home.pins == g.pins) {
-            links.push(l);
-        }
-    }
-    // Barrel and rod belong to the group that the cylinder moves.
-    if let Core::Pin { legs, .. } | Core::Link { legs, .. } = &g.core {
-        let cylinders = legs.iter().filter_map(Leg::cylinder);
-        let parts = cylinders.flat_map(|d| scene.drivers[d].kind.parts());
-        for l in parts {
-            if !links.contains(l) {
-                links.push(*l);
-            }
-        }
-    }
-    links
-}
-
 /// A group in words: its class, its kind, its links.
-pub fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Group, lang: Lang) -> String {
-    let links: Vec<&str> = links_with_blocks(scene, m, g).into_iter().map(|l| scene.link_name(l)).collect();
-    let at: Vec<&str> = match &g.core {
-        Core::Pin { pin, .. } => vec![scene.point_name(*pin)],
-        Core::Link { legs, .. } => legs.iter().filter_map(|l| Some(scene.point_name(l.line()?.pin()))).collect(),
-        Core::Higher => Vec::new(),
-    };
-    let led = g.constraints.iter().filter_map(|&c| m.constraints[c].form().driver()).any(|d| scene.is_led(d));
+pub fn group_words(scene: &Scene, m: &Mechanism, g: &Assur, lang: Lang) -> String {
+    let links: Vec<&str> = g.links.iter().map(|l| scene.link_name(*l)).collect();
+    let at: Vec<&str> = g.inner().into_iter().map(|p| scene.point_name(p)).collect();
+    let led = g.drivers(m).any(|d| scene.is_led(d));
     let what = match (g.class(), lang) {
         (None, lang) if led => tr(lang, "follower of the cam", "凸轮从动件").into(),
         // A "driven link" of English books is the follower.
-        (None, Lang::En) => match g.kind().as_str() {
+        (None, Lang::En) => match g.kind() {
             "driven slider" => "driving slider".into(),
             _ => "driving link".into(),
         },
-        (None, Lang::Zh) => match g.kind().as_str() {
+        (None, Lang::Zh) => match g.kind() {
             "driven slider" => "原动滑块".into(),
             _ => "原动件".into(),
         },
@@ -138,7 +107,7 @@ pub fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Group, la
                 "III" => "Ⅲ",
                 _ => "Ⅳ级以上",
             },
-            match g.kind().as_str() {
+            match g.kind() {
                 "triad" | "higher group" => String::new(),
                 dyad => format!(" {dyad}"),
             }

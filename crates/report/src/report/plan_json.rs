@@ -8,7 +8,7 @@ use super::answers::diagnostic;
 use super::plan::{between_words, effect_words, group_words, method_words, rate_words, reason_words};
 use crate::diag::Diagnostic;
 use crate::effort::{Motion, Work};
-use crate::mechanism::{Demand, Level, Mechanism};
+use crate::mechanism::{Assur, Demand, Level, Mechanism};
 use crate::paper::phrase::formula;
 use crate::plan::text::{Column, Writer, vertex_name};
 use crate::plan::{Between, Body, By, Chain, Effect, GroupSteps, Method, Rate, Reason, Spot, Step, Term, TermKind, VertexId};
@@ -103,21 +103,22 @@ impl Reporter<'_> {
     }
 
     fn groups(&self) -> Vec<Json> {
-        let mut numbers = 1..;
+        let books = self.m.assur(self.scene);
+        let numbered: Vec<&Assur> = books.iter().filter(|a| !a.is_carried()).collect();
         let group = |(i, g): (usize, &crate::mechanism::Group)| {
+            let book = numbered.iter().enumerate().find(|(_, a)| a.steps.iter().any(|s| std::ptr::eq(*s, g)));
             let driver = |c: &usize| self.m.constraints[*c].form().driver();
-            let number = if g.is_carried() { None } else { numbers.next() };
             json!({
-                "number": number,
-                "kind": g.kind(),
-                "class": g.class(),
+                "number": book.map(|(n, _)| n + 1),
+                "kind": book.map_or_else(|| g.kind(), |(_, a)| a.kind().to_owned()),
+                "class": book.and_then(|(_, a)| a.class()),
                 "links": self.links(&g.links),
                 "pins": self.points(&g.pins),
                 "drivers": g.constraints.iter().filter_map(driver).collect::<Vec<_>>(),
                 "upstream": g.upstream,
                 "level": self.demand.groups[i].map(level_name),
                 "drawable": !self.w.plan.undrawable.contains(&i),
-                "text": number.map(|_| group_words(self.scene, self.m, g, self.w.lang)),
+                "text": book.map(|(_, a)| group_words(self.scene, self.m, a, self.w.lang)),
             })
         };
         self.m.groups.iter().enumerate().map(group).collect()

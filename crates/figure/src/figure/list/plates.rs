@@ -30,13 +30,9 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     for level in Level::RATES {
         let Some(polygon) = w.worked.construction.polygon(level) else { continue };
         for plate in plates(&w.options.style, &writer, &w.worked.mechanism, polygon) {
-            let group = &w.worked.mechanism.groups[plate.groups[0]];
-            let words = format!(
-                "{}{}{}",
-                maker.words().polygon(level),
-                tr(lang, ", ", "，"),
-                group_words(w.scene, &w.worked.mechanism, group, lang)
-            );
+            let m = &w.worked.mechanism;
+            let group = m.assur_of(w.scene, plate.groups[0]).map(|g| group_words(w.scene, m, &g, lang));
+            let words = format!("{}{}{}", maker.words().polygon(level), tr(lang, ", ", "，"), group.unwrap_or_default());
             let mu = of_level(&w.scene.book, level, plate.mu);
             let drawn = maker.titled(plate.part, Label::text(words), &mu, if level == Level::Acceleration { "mu_a" } else { "mu_v" });
             let mut parts: Vec<Part> = vec![drawn];

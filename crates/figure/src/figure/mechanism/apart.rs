@@ -4,7 +4,7 @@
 
 use super::form::Form;
 use super::{Course, Draft};
-use crate::mechanism::{Group, Opened, Passive};
+use crate::mechanism::{Assur, Opened, Passive};
 use crate::paper::drawing::Drawing;
 use crate::paper::style::Style;
 use crate::plan::notation::Notation;
@@ -21,12 +21,12 @@ pub struct Only {
 }
 
 /// What a part of the mechanism is.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub enum Piece<'a> {
     /// What is driven, with the ground.
     Driven,
     /// A group.
-    Group(&'a Group),
+    Group(Assur<'a>),
     /// What only repeats others.
     Repeats,
 }
@@ -44,16 +44,17 @@ pub fn apart<'a>(style: &Style, scene: &Scene, worked: &'a Worked, notation: &No
     };
     let nothing = || Only { links: vec![false; scene.links.len()], drivers: vec![false; scene.drivers.len()], pins: Vec::new() };
     let mut driven = nothing();
-    m.groups.iter().filter(|g| g.class().is_none() && !g.is_carried()).for_each(|g| driven.add(scene, worked, g));
+    let groups = m.assur(scene);
+    groups.iter().filter(|g| g.class().is_none() && !g.is_carried()).for_each(|g| driven.add(scene, worked, g));
     let mut parts = Vec::new();
     // Cylinders drive within their groups.
     if driven.drivers.contains(&true) {
         driven.links[scene.ground.0] = true;
         parts.push((Piece::Driven, draw(driven)));
     }
-    for g in m.groups.iter().filter(|g| g.class().is_some()) {
+    for g in groups.into_iter().filter(|g| g.class().is_some()) {
         let mut only = nothing();
-        only.add(scene, worked, g);
+        only.add(scene, worked, &g);
         parts.push((Piece::Group(g), draw(only)));
     }
     for opened in m.redundant.iter().map(|r| &r.opened) {
@@ -68,16 +69,17 @@ pub fn apart<'a>(style: &Style, scene: &Scene, worked: &'a Worked, notation: &No
 
 impl Only {
     /// A group with its blocks, and with the drivers that belong to it.
-    fn add(&mut self, scene: &Scene, worked: &Worked, g: &Group) {
+    fn add(&mut self, scene: &Scene, worked: &Worked, g: &Assur) {
         let m = &worked.mechanism;
         g.links.iter().for_each(|l| self.links[l.0] = true);
-        self.pins.extend(&g.pins);
+        let pins = g.pins();
         for (l, passive) in m.passive.iter().enumerate() {
             let Some(Passive::Block(guide)) = passive else { continue };
             let guide = &scene.guides[guide.0];
-            self.links[l] |= g.links.contains(&guide.on) || guide.pin.is_some_and(|p| g.pins.contains(&p));
+            self.links[l] |= g.links.contains(&guide.on) || guide.pin.is_some_and(|p| pins.contains(&p));
         }
-        for d in g.constraints.iter().filter_map(|c| m.constraints[*c].form().driver()) {
+        self.pins.extend(pins);
+        for d in g.drivers(m) {
             self.pins.extend(scene.drivers[d].kind.ends().into_iter().flatten());
             self.drivers[d] = true;
         }
