@@ -137,6 +137,34 @@ fn rollers_spin_as_they_roll() {
     }
 }
 
+/// A roller that the file counts as a link, by the pair's word or by its points alone: solved as without it, asked for as any link, counted with its
+/// local freedom; a link that is more than a roller is refused.
+#[test]
+fn a_roller_may_be_a_link() {
+    let plain = text("law cycloidal", "40 deg");
+    let spin = |text: &str, asked: &str| {
+        let scene = scene::read_asking(text, asked).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+        let worked = work(&scene, Scope::Questions).unwrap().value;
+        (scene.find[0].text.clone(), worked.results[0].computed)
+    };
+    let (_, expected) = spin(&plain, "spin_3");
+    let by_word = plain.replace(r#""roller": {"#, r#""roller": {"link": "7", "#);
+    let by_points = plain.replace(r#""links": {"#, r#""links": {"7": ["B"], "#);
+    for text in [&by_word, &by_points] {
+        assert_ne!(text, &plain);
+        assert_eq!(spin(text, "omega_7"), ("omega_7".to_owned(), expected));
+        let counted = hodograph::mechanism::Survey::of(&scene::read_topology(text).unwrap().value);
+        assert_eq!((counted.counts.moving, counted.local.len(), counted.counts.freedom(0, 1)), (3, 1, 1));
+    }
+    for link in ["1", "2", "3"] {
+        let faults = scene::read(by_word.replace(r#""link": "7""#, &format!(r#""link": "{link}""#))).unwrap_err();
+        assert!(faults.list.iter().any(|d| d.code == "roller-link"), "{faults}");
+    }
+    let faults =
+        scene::read(by_points.replace(r#""7": ["B"]"#, r#""7": ["B", "Z"]"#).replace(r#""roller": {"#, r#""roller": {"link": "7", "#));
+    assert!(faults.unwrap_err().list.iter().any(|d| d.code == "roller-link"));
+}
+
 const PROFILES: [&str; 8] = ["tangent", "hollow", "edge", "flat", "rocker", "mushroom", "swinging flat", "swinging offset flat"];
 
 #[test]

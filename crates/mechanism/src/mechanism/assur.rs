@@ -4,7 +4,7 @@
 //! the halves of an Oldham coupling together) a step holds one equation of a sliding pair and a later one the other. A pair belongs to one
 //! group: steps that share one are the same group, and so are those that then depend on one another.
 
-use super::{Core, Form, Group, Item, Mechanism, Passive};
+use super::{Core, Group, Item, Mechanism, Passive};
 use crate::scene::{GuideId, LinkId, PointId, Scene};
 
 /// One group, or what is driven, or a pin carried by a known link.
@@ -153,12 +153,8 @@ impl Mechanism {
                 [true, false] | [false, true] => outer.push(letter),
                 [false, false] => {}
             };
-            for g in steps.iter().flat_map(|g| &g.constraints).filter_map(|c| match self.constraints[*c].item() {
-                Item::Guide(g) if matches!(self.constraints[*c].form(), Form::OnPath { .. }) => Some(g),
-                _ => None,
-            }) {
-                let guide = &scene.guides[g.0];
-                guide.slider.iter().for_each(|s| pair('P', [*s, guide.on]));
+            for (guide, on) in steps.iter().flat_map(|g| &g.constraints).filter_map(|c| self.constraints[*c].form().lies_on()) {
+                scene.guides[guide.0].slider.iter().for_each(|s| pair('P', [*s, on]));
             }
             for p in (0..scene.points.len()).map(PointId) {
                 let on: Vec<LinkId> = scene.carriers(p).collect();

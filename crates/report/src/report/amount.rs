@@ -18,6 +18,8 @@ pub fn symbol(find: &Find, notation: &Notation) -> String {
     let entry = find.what.entry();
     let sup = match entry.over {
         Over::Nothing => String::new(),
+        // The roller of a follower as a link of its own: `omega_5` as of any link.
+        Over::Sign(_) if !find.text.starts_with(entry.symbol) => String::new(),
         Over::Sign(sign) => sign.to_owned(),
         Over::Sliding => notation.sliding.clone(),
         Over::SlidingPart(part) => format!("{}\\,{part}", notation.sliding),

@@ -81,6 +81,7 @@ mod tests {
             ("/$defs/cylinder", keys::CYLINDER),
             ("/$defs/cam", keys::CAM),
             ("/$defs/cam_roller", keys::ROLLER),
+            ("/$defs/cam_arc", keys::ARC),
             ("/$defs/cam_face", keys::FACE),
             ("/$defs/cam_part", keys::CAM_PART),
             ("/$defs/cam_law", keys::CAM_LAW),

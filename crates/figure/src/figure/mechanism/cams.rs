@@ -8,7 +8,7 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::{Level, Opened};
 use crate::paper::item::{Dash, Shape};
 use crate::paper::label::Label;
-use crate::paper::place::LabelRequest;
+use crate::paper::place::{LabelRequest, Reads};
 use crate::paper::symbols as sym;
 use crate::plan::names::name_label;
 use crate::position::Path;
@@ -216,6 +216,11 @@ impl Draft<'_> {
                 if let Some(centre) = self.point(p) {
                     let circle = Shape::Arc { centre, radius_mm: self.mm(radius), from_rad: 0.0, to_rad: TAU, stroke };
                     self.d.shape(&id, "roller", circle);
+                    if let Some(name) = &c.roller {
+                        let label = Label::math(name_label(name));
+                        let request = LabelRequest::at_point(label, self.style.label_mm, centre, self.mm(radius));
+                        self.d.label(&format!("number-{name}"), "number", request.read_as(Reads::Number));
+                    }
                     self.spin(c, centre, self.mm(radius));
                 }
             }
@@ -248,7 +253,10 @@ impl Draft<'_> {
         let [from, to] = if rate > 0.0 { [low, high] } else { [high, low] };
         let (id, radius) = (format!("spin-{}", self.scene.link_name(c.follower)), radius_mm + SPIN_OFF_MM);
         let owner = self.d.draw(&id, "rotation", sym::rotation(self.style, centre, radius, from, to));
-        let symbol = format!("\\omega^s_{{{}}}", name_label(self.scene.link_name(c.follower)));
+        let symbol = match &c.roller {
+            Some(own) => format!("\\omega_{{{}}}", name_label(own)),
+            None => format!("\\omega^s_{{{}}}", name_label(self.scene.link_name(c.follower))),
+        };
         let clear = self.style.vector.width_mm / 2.0;
         let request = LabelRequest::along_arc(Label::math(symbol), self.style.label_mm, centre, radius, [from, to], clear);
         self.d.label(&id, "rotation", request.owned(owner));

@@ -57,15 +57,17 @@ fn follows(f: &Fields, counted: bool, faults: &mut Faults) -> Option<RawFollows>
         "edge" => word(node, "\"edge\"", faults).map(RawFollows::Edge),
         "face" => face(node, faults).map(RawFollows::Face),
         _ => {
-            let f = Fields::open(node, format!("\"{kind}\"").as_str(), keys::ROLLER, faults)?;
+            let known = if *kind == "roller" { keys::ROLLER } else { keys::ARC };
+            let f = Fields::open(node, format!("\"{kind}\"").as_str(), known, faults)?;
             let pin = f.need("pin", "\"B\"", faults).and_then(|n| word(n, "\"pin\"", faults));
             let radius = if counted { f.get("radius") } else { f.need("radius", "\"10 mm\"", faults) };
             let radius = match radius {
                 Some(n) => Some(quantity(n, "\"radius\"", faults)?),
                 None => None,
             };
+            let link = f.get("link").and_then(|n| word(n, "\"link\"", faults));
             let pin = pin?;
-            Some(if *kind == "roller" { RawFollows::Roller { pin, radius } } else { RawFollows::Arc { pin, radius } })
+            Some(if *kind == "roller" { RawFollows::Roller { pin, radius, link } } else { RawFollows::Arc { pin, radius } })
         }
     }
 }

@@ -33,6 +33,7 @@ pub(super) struct Pending {
     follows: fn(PointId, f64) -> Follows,
     radius: f64,
     at: Option<String>,
+    roller: Option<String>,
     /// Of a face: whether the cam lies left of it.
     pub left: bool,
     pub circle: Option<(String, f64)>,
@@ -153,6 +154,10 @@ impl One<'_> {
             },
             radius: end.as_ref().map_or(0.0, |r| r.value),
             at: self.raw.at.as_ref().map(|w| w.text.clone()),
+            roller: match &self.raw.follows {
+                RawFollows::Roller { link, .. } => link.as_ref().map(|w| w.text.clone()),
+                RawFollows::Edge(_) | RawFollows::Arc { .. } | RawFollows::Face(_) => None,
+            },
             left: true,
             circle: None,
             disc: None,
@@ -361,6 +366,7 @@ impl Expanded {
                 follows: (p.follows)(point(&p.point)?, p.radius),
                 touch: p.at.as_deref().and_then(point).filter(|p| scene.carriers(*p).next().is_none()),
                 left: p.left,
+                roller: p.roller,
                 at: p.at,
                 circle: p.circle.and_then(|(c, r)| Some((point(&c)?, r))),
                 disc,

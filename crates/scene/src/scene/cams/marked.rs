@@ -92,6 +92,6 @@ fn slid(raw: &mut RawScene, index: usize) {
     }
 }
 
-fn named(word: &Option<Word>, text: &str) -> bool {
+pub(super) fn named(word: &Option<Word>, text: &str) -> bool {
     word.as_ref().is_some_and(|w| w.text == text)
 }

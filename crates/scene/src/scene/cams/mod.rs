@@ -26,6 +26,7 @@ mod pairs;
 mod place;
 pub(super) mod raw;
 mod reckoned;
+pub(super) mod rollers;
 mod untold;
 
 pub use course::{Course, HangsOn, Leads, Led};
@@ -75,6 +76,8 @@ pub struct Cam {
     pub follower: LinkId,
     /// With what the follower touches.
     pub follows: Follows,
+    /// The number of its roller, where the file has one for it: a link of books and not of the scene, see `rollers`.
+    pub roller: Option<String>,
     /// The name of the contact, if it has one.
     pub at: Option<String>,
     /// The contact as a point of the scene, on no link, where a question names it.

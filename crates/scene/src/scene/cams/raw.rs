@@ -19,8 +19,16 @@ pub(in crate::scene) struct RawCam {
 #[derive(Clone, Debug)]
 pub(in crate::scene) enum RawFollows {
     Edge(Word),
-    Roller { pin: Word, radius: Option<RawQuantity> },
-    Arc { pin: Word, radius: Option<RawQuantity> },
+    /// `link` where the roller is a link of the file.
+    Roller {
+        pin: Word,
+        radius: Option<RawQuantity>,
+        link: Option<Word>,
+    },
+    Arc {
+        pin: Word,
+        radius: Option<RawQuantity>,
+    },
     Face(RawFace),
 }
 

@@ -19,7 +19,7 @@ mod rolling;
 mod statement;
 
 use super::book::Book;
-use super::cams::{expand, marked};
+use super::cams::{expand, marked, rollers};
 use super::model::*;
 use super::names::Names;
 use super::raw::*;
@@ -160,7 +160,8 @@ fn with_cams(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene>
     if raw.cams.is_empty() {
         return sections(raw, source, faults);
     }
-    let marked = marked::marked(raw);
+    let settled = rollers::settled(raw, faults);
+    let marked = marked::marked(&settled);
     // What is wrong besides the cams is told when all is read.
     let Some(bare) = sections(&marked, source, &mut Faults::default()) else { return sections(&marked, source, faults) };
     let mut scene = expanded(raw, &marked, source, &bare, None, faults)?;
@@ -197,6 +198,10 @@ fn expanded(
     };
     faults.list.extend(rest.list.into_iter().filter(|d| !unused(d)));
     let mut scene = scene.filter(|_| !broken)?;
+    // A question for a roller stays as it was written.
+    for word in raw.find.iter().flatten() {
+        scene.find.iter_mut().filter(|f| f.span == word.span).for_each(|f| f.text.clone_from(&word.text));
+    }
     scene.cams = expanded.cams(&scene);
     Some(scene)
 }
