@@ -116,7 +116,7 @@ pub const SHOWN: [(&str, &str, &str); 32] = [
 ];
 
 /// Worksheets on mobility: a virtual constraint; a compound hinge and higher pairs.
-pub const MOBILITY: [&str; 2] = ["third-crank", "planetary-gear"];
+pub const MOBILITY: [&str; 3] = ["third-crank", "planetary-gear", "three-planets"];
 /// Motions without a mechanism.
 pub const MOTIONS: [&str; 4] = ["pursuit", "pursuit-of-a-ship", "plate-in-space", "ring-in-space"];
 

@@ -42,6 +42,7 @@ const FILES: &[(&str, &str)] = &[
     ("radial-engine", include_str!("../../../../templates/radial-engine.json")),
     ("jansen-leg", include_str!("../../../../templates/jansen-leg.json")),
     ("planetary-gear", include_str!("../../../../templates/planetary-gear.json")),
+    ("three-planets", include_str!("../../../../templates/three-planets.json")),
     ("hypocycloid", include_str!("../../../../templates/hypocycloid.json")),
     ("sun-and-planet", include_str!("../../../../templates/sun-and-planet.json")),
     ("geared-five-bar", include_str!("../../../../templates/geared-five-bar.json")),

@@ -97,7 +97,11 @@ impl Draft<'_> {
         let points: Vec<Point> = link.points.iter().filter(|p| !centre_only(**p)).filter_map(|p| self.point(*p)).collect();
         let mut form = Form::default();
         if points.len() >= 3 && !in_line(&points) {
-            form.plate = hull(&points);
+            let corners = hull(&points);
+            match self.spider(l, &points, &corners) {
+                Some(middle) => form.bars = corners.into_iter().map(|c| (middle, c)).collect(),
+                None => form.plate = corners,
+            }
         }
         for g in own_guides {
             match self.guide(g) {
@@ -106,7 +110,7 @@ impl Draft<'_> {
                 None => {}
             }
         }
-        if form.plate.is_empty() && points.len() >= 2 {
+        if form.plate.is_empty() && form.bars.is_empty() && points.len() >= 2 {
             let (a, b) = ends(&points);
             let covered = |(p, q): &(Point, Point)| on_segment(a, *p, *q, IN_LINE_MM) && on_segment(b, *p, *q, IN_LINE_MM);
             if !form.guide_bars.iter().any(covered) {
@@ -116,6 +120,23 @@ impl Draft<'_> {
         // A yoke glides on rods of its own, which `slides` draws.
         let empty = form == Form::default();
         (!empty).then_some(form)
+    }
+
+    /// The middle of an arm that carries wheels round a point: a plate would hide what they mesh with.
+    fn spider(&self, l: LinkId, points: &[Point], corners: &[Point]) -> Option<Point> {
+        let mut within = points.iter().filter(|p| corners.iter().all(|c| c.distance(**p) > super::SAME_MM));
+        let (middle, None) = (within.next()?, within.next()) else { return None };
+        let axes: Vec<Point> = self
+            .scene
+            .rolling
+            .iter()
+            .flat_map(|r| r.centres())
+            .flatten()
+            .filter(|p| self.scene.links[l.0].points.contains(p))
+            .filter_map(|p| self.point(p))
+            .collect();
+        let carries = |c: &Point| axes.iter().any(|a| a.distance(*c) < super::SAME_MM);
+        corners.iter().all(carries).then_some(*middle)
     }
 
     /// A straight guide: a bar for a block, a slot for a bare pin.

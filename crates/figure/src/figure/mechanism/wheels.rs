@@ -6,12 +6,13 @@ use crate::construct::scale::DWARFS;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
 use crate::geom::{Point, Vec2};
+use crate::mechanism::Opened;
 use crate::paper::extent::{Rect, on_circle};
 use crate::paper::item::{Dash, Piece, Shape, Stroke};
 use crate::paper::label::Label;
 use crate::paper::place::LabelRequest;
 use crate::paper::symbols as sym;
-use crate::scene::{GuideId, LinkId, Normal, PointId, Rolling, Touch};
+use crate::scene::{GuideId, LinkId, Normal, PointId, Rolling, RollingId, Touch};
 
 use super::Draft;
 use super::letters::NumberPlace;
@@ -113,13 +114,23 @@ impl Draft<'_> {
         if pair.kind.is_toothed() { self.style.outline.dashed(Dash::DashDot) } else { self.style.outline }
     }
 
+    /// Whether a wheel on a moving axis has a mesh that only repeats what the others fix.
+    fn repeats(&self, round: &Round) -> bool {
+        let still = self.scene.links[round.link.0].points.iter().any(|p| self.on_ground(*p));
+        let opened = |(k, pair): (usize, &Rolling)| {
+            pair.links.contains(&round.link) && self.worked.mechanism.is_opened(&Opened::Rolling(RollingId(k)))
+        };
+        round.link != self.scene.ground && !still && self.scene.rolling.iter().enumerate().any(opened)
+    }
+
     /// The circle itself.
     fn round(&mut self, pair: &Rolling, round: &Round) {
         let ground = round.link == self.scene.ground;
         let l = (!ground).then_some(round.link.0);
         let id = format!("wheel-{}", self.scene.link_name(round.link));
         let class = if ground { "ground wheel" } else { "wheel" };
-        let stroke = self.contour_stroke(pair);
+        // A planet that only repeats another one stands back.
+        let stroke = if self.repeats(round) { self.style.thin.dashed(Dash::Dashed) } else { self.contour_stroke(pair) };
         self.d.of_link(l);
         // A line and no disc: labels may stand inside.
         let [from_rad, to_rad] = self.span(pair, round);
