@@ -1,4 +1,4 @@
-//! Wrong solutions: the number of each wrong equation is reckoned here by another way, from the formulas of the wrong equation written out.
+//! Wrong solutions: the number of each wrong equation is calculated here by another way, from the formulas of the wrong equation written out.
 
 use hodograph::answer::Value;
 use hodograph::attempts::{Attempt, sites, wanted};

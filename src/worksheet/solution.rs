@@ -1,4 +1,4 @@
-//! The solution's side: freedom and groups, scales, then for each level equations, turning rates, polygon and steps.
+//! The solution's side: freedom and groups, scales, then for each level equations, angular rates, polygon and steps.
 
 use super::speak::Speak;
 use super::{Block, Maker, Table, TableKind};
@@ -21,7 +21,7 @@ use crate::scene::Lang;
 
 /// Digits of a length on paper in the choice of scales: a ruler gives no more.
 const RULER_DIGITS: usize = 4;
-/// Turning rates of a group in one line of formulas: more do not fit beside one another.
+/// Angular rates of a group in one line of formulas: more do not fit beside one another.
 const RATES_IN_A_LINE: usize = 4;
 
 impl Maker<'_> {

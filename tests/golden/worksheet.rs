@@ -229,7 +229,7 @@ fn no_page_is_wasted() {
     assert!(long.is_empty(), "{long:?}");
 }
 
-/// The turning rates stand beside the table that they are solved from; a list's first members stay together, and its last ones.
+/// The angular rates stand beside the table that they are solved from; a list's first members stay together, and its last ones.
 #[test]
 fn formulas_stand_beside_their_tables() {
     let (scene, worked) = worked("radial-engine");

@@ -1,4 +1,4 @@
-//! What a question means where vectors of points and turning rates are given: the formulas of relative motion.
+//! What a question means where vectors of points and angular rates are given: the formulas of relative motion.
 //!
 //! A [`Source`] gives vectors and rates; [`evaluate`] combines them with the places of a pose as the question says
 //! ([`Asked::value`]). The drawing does not use it (it reads edges, `construct::read`), nor does the analysis

@@ -1,4 +1,4 @@
-//! Draws the vectors between two images that a question or a turning rate reads, and decides in which order images, vectors and rates become known.
+//! Draws the vectors between two images that a question or an angular rate reads, and decides in which order images, vectors and rates become known.
 
 use super::board::{Board, part_mark};
 use super::pencil::Pencil;
@@ -33,7 +33,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         }
     }
 
-    /// Whether the turning rates that a vector between two images is laid off with are read already.
+    /// Whether the angular rates that a vector between two images is laid off with are read already.
     fn knows_turnings(&self, between: &Between) -> bool {
         let Between::LayOff { known, .. } = between else { return true };
         let by_omega = |t: &&Term| matches!(t.kind, TermKind::Normal | TermKind::Coriolis);

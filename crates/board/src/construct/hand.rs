@@ -1,6 +1,6 @@
 //! Drawing by hand: a construction drawn again with a pencil that misses.
 //!
-//! What a draughtsman knows is not drawn but reckoned with: the length of a link (two joints of one link), the radius of a slot, the rates of the
+//! What a draughtsman knows is not drawn but taken as known: the length of a link (two joints of one link), the radius of a slot, the rates of the
 //! drivers, and μ. Everything else comes from paper: directions from the joints where they really lie, lengths that change (a
 //! pin in its slot) from the diagram, shapes of links for images from the diagram, ω and α from the polygons.
 

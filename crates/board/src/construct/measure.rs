@@ -1,4 +1,4 @@
-//! What is measured on the board, turning rates and sliding velocities, and the known vectors that are reckoned from it and laid off.
+//! What is measured on the board, angular rates and sliding velocities, and the known vectors that are calculated from it and laid off.
 
 use super::board::Board;
 use super::pencil::Pencil;
@@ -20,7 +20,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         {
             return N::from_f64(0.0);
         }
-        self.done.rate(level, body).expect("the plan finds a turning rate before it uses it")
+        self.done.rate(level, body).expect("the plan finds an angular rate before it uses it")
     }
 
     /// Finds the turning of a body; needed ones that come earlier in the list are there already. Whether it is known now.

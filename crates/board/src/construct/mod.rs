@@ -140,7 +140,7 @@ pub enum Action<N = f64> {
         /// Unit direction of the line.
         direction: Vec2<N>,
     },
-    /// A turning rate found (index into [`Construction::rates`]).
+    /// An angular rate found (index into [`Construction::rates`]).
     Rate(usize),
 }
 
@@ -252,7 +252,7 @@ impl Polygon {
     }
 }
 
-/// A turning rate read off.
+/// An angular rate read off.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RateReading<N = f64> {
     /// Level: velocity for ω, acceleration for α.
@@ -265,7 +265,7 @@ pub struct RateReading<N = f64> {
     pub measured: Option<RateMeasured<N>>,
 }
 
-/// The vector from which a turning rate was measured.
+/// The vector from which an angular rate was measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RateMeasured<N = f64> {
     /// Its length, square to the arm (mm of polygon).
@@ -286,7 +286,7 @@ pub struct Construction<N = f64> {
     /// The vector diagrams, each to its own scale, in the order in which they were drawn: the polygon of the velocities if they are
     /// asked for, that of the accelerations.
     pub diagrams: Vec<Polygon<N>>,
-    /// Turning rates.
+    /// Angular rates.
     pub rates: Vec<RateReading<N>>,
     /// For each group, the alternative of its steps that was drawn.
     pub chosen: Vec<usize>,
@@ -329,7 +329,7 @@ impl<N: Real> Construction<N> {
         Some(p.images[v.0]?.to_vec2() * scale::number(p.mu))
     }
 
-    /// A turning rate.
+    /// An angular rate.
     pub fn rate(&self, level: Level, body: Body) -> Option<N> {
         // Mostly one that was read last is wanted.
         self.rates.iter().rev().find(|r| r.level == level && r.body == body).map(|r| r.value)

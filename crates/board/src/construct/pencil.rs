@@ -13,7 +13,7 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 /// The part of a normal error in the plane, independent in x and y, that lies within the stated pencil error.
 pub const WITHIN: f64 = 0.95;
 
-/// The pencil error with which textbooks and this project reckon where nothing else is said (mm): a fine line is twice as wide.
+/// The pencil error with which textbooks and this project calculate where nothing else is said (mm): a fine line is twice as wide.
 pub const USUAL_MM: f64 = 0.1;
 
 /// The radius in units of the standard deviation of x (and of y) within which [`WITHIN`] of the marks lie: √(−2 ln 0.05) = 2.448.

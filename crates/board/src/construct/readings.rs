@@ -1,6 +1,6 @@
 //! Answers read off the paper: the distance of two marks × μ, with sense.
 //!
-//! A question of motion is an edge of a polygon, consecutive ones, or a vector from the pole ([`asking`]); a turning rate was measured when
+//! A question of motion is an edge of a polygon, consecutive ones, or a vector from the pole ([`asking`]); an angular rate was measured when
 //! it was first needed. What a question means is not written here as a formula: where no edge shows it, nothing is measured.
 
 use super::pencil::Pencil;
@@ -33,14 +33,14 @@ pub struct Measured {
     pub length_mm: f64,
     /// The scale (SI per mm).
     pub mu: f64,
-    /// For a turning rate, the arm (m) by which the product is divided.
+    /// For an angular rate, the arm (m) by which the product is divided.
     pub arm_m: Option<f64>,
     /// The two points whose distance the arm is, where it is one.
     pub arm_of: Option<(PointId, PointId)>,
     /// The marks between which the length lies, with their places in the polygon (mm from its pole); a vector points from the first to the
     /// second.
     pub marks: [(Mark, Point); 2],
-    /// The vector as the drawing names it; `None` for a turning rate.
+    /// The vector as the drawing names it; `None` for an angular rate.
     pub shown: Option<Shown>,
 }
 
@@ -208,7 +208,7 @@ pub fn read_by_hand<P: Pencil>(
         let level = find.what.level();
         Some(match (answer?.value, paper.polygon(level)) {
             (Value::Vector(v), Some(p)) => Value::Vector(pencil.read(level, v * (1.0 / p.mu)) * p.mu),
-            // Rates were read when they were first needed; a difference of two is reckoned.
+            // Rates were read when they were first needed; a difference of two is calculated.
             (value @ (Value::Scalar(_) | Value::Point(_)), Some(_)) | (value @ Value::Vector(_), None) => value,
             (Value::Point(p), None) => Value::Point((pencil.read(level, p.to_vec2() * (1.0 / mu_l)) * mu_l).to_point()),
             (Value::Scalar(s), None) => Value::Scalar(match find.what.of() {

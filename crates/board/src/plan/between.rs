@@ -127,7 +127,7 @@ fn asking_of(scene: &Scene, m: &Mechanism, vertices: &[Vertex], what: &Asked) ->
                 (Seen::RelativeNormal, _, Some(_)) => terms(&a, &seat, &[SlideNormal], by),
                 (Seen::RelativeTangential, _, Some(_)) => terms(&a, &seat, &[Slide], by),
                 (Seen::Coriolis, None, _) => None,
-                // Parts along a path that no pair gives are reckoned.
+                // Parts along a path that no pair gives are calculated.
                 (Seen::RelativeNormal | Seen::RelativeTangential | Seen::TransportNormal | Seen::TransportTangential, ..) => None,
             }
         }

@@ -349,7 +349,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Points and turning rates of this group that are asked for.
+    /// Points and angular rates of this group that are asked for.
     fn answer_needs(&mut self, level: Level, g: usize) {
         for i in 0..self.due[g].len() {
             let (need, wanted) = self.due[g][i];

@@ -296,9 +296,9 @@ pub struct GroupSteps {
     pub alternatives: Vec<Vec<Step>>,
     /// Vectors drawn between two images, each as soon as both are there.
     pub between: Vec<Between>,
-    /// Turning rates that are asked for or needed later, found after the steps.
+    /// Angular rates that are asked for or needed later, found after the steps.
     pub rates: Vec<(Body, Rate)>,
-    /// Further points that are asked for, found last: by images and by the turning rates.
+    /// Further points that are asked for, found last: by images and by the angular rates.
     pub further: Vec<Step>,
 }
 

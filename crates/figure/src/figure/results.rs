@@ -295,7 +295,7 @@ fn as_another(answers: &Answers, find: &Find) -> Option<Label> {
     Some(Label::math(answers.writer().turning(level, Body::Link(other?))))
 }
 
-/// What the ruler gave: `48.32 mm · μ_v`, for turning rates over the link's length.
+/// What the ruler gave: `48.32 mm · μ_v`, for angular rates over the link's length.
 pub fn measured(book: &Book, r: &Outcome, c: &Certified, find: &Find, words: &Words) -> Option<Label> {
     let level = find.what.level();
     if level == Level::Position {

@@ -1,6 +1,6 @@
 //! Where the centres lie in the pose: two lines are drawn for each in the order of finding, and crossed.
 //!
-//! A centre is at infinity only where topology says so, or where the difference of the turning rates is certified to be zero. Where all
+//! A centre is at infinity only where topology says so, or where the difference of the angular rates is certified to be zero. Where all
 //! lines of a centre coincide in the pose, velocities tell its place, if they can.
 
 use crate::position::Path;

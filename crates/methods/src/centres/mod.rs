@@ -3,7 +3,7 @@
 //! A centre P_ij is the place at which two links have one velocity. Decided here, from topology alone: which centres are there at once
 //! ([`primary`]) and in which rounds the Aronhold-Kennedy theorem finds the others ([`rounds`]). With positions: which two lines are
 //! drawn for each ([`lines`]) and where they cross ([`locate`]). With the loop equations: what a stalled closure lacks, and whether each
-//! centre has one velocity on both links ([`velocities`]). [`uses`] takes turning rates and speeds from centres.
+//! centre has one velocity on both links ([`velocities`]). [`uses`] takes angular rates and speeds from centres.
 //!
 //! ```
 //! use hodograph::{centres, scene};
@@ -48,7 +48,7 @@ pub struct Centres {
     pub closure: Closure,
     /// Every centre, in the order of finding.
     pub list: Vec<Centre>,
-    /// Turning rates and speeds by centres.
+    /// Angular rates and speeds by centres.
     pub uses: Uses,
     /// The scene that asks for the velocities of everything; drivers at rest have a unit rate where all of them rest.
     pub scene: Scene,

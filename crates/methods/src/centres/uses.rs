@@ -1,4 +1,4 @@
-//! What centres are for: turning rates by ratios of distances, speeds of sliders and points, from one driver outwards.
+//! What centres are for: angular rates by ratios of distances, speeds of sliders and points, from one driver outwards.
 //!
 //! ω_k/ω_m = P_fm P_km : P_fk P_km, of the same sense where P_km lies outside P_fm P_fk; a link without a turning has the velocity that
 //! link m has at P_km. The frame f is the link against which the driver's motion is given, mostly the ground. Velocities only: the
@@ -88,7 +88,7 @@ pub struct Speed {
     pub velocity: Vec2,
 }
 
-/// Turning rates and speeds by centres.
+/// Angular rates and speeds by centres.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Uses {
     /// The link against which the motions are counted.
@@ -99,7 +99,7 @@ pub struct Uses {
     pub points: Vec<Speed>,
 }
 
-/// Turning rates and speeds from the first driver on.
+/// Angular rates and speeds from the first driver on.
 pub(super) fn uses(scene: &Scene, worked: &Worked, closure: &Closure, list: &[Centre]) -> Uses {
     let mut chain = Chain { scene, worked, closure, list, frame: scene.ground, known: Vec::new() };
     let (frame, first) = match chain.driver(0) {

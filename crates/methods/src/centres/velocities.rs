@@ -12,7 +12,7 @@ use super::lines::{Frame, Place};
 use super::omega;
 use super::rounds::Pair;
 
-/// A difference of turning rates below this part of the largest is looked at in numbers that know their error.
+/// A difference of angular rates below this part of the largest is looked at in numbers that know their error.
 const DOUBTFUL: f64 = 1e-7;
 /// Relative motions below this part of the largest are rounding.
 pub(super) const RESTING: f64 = 1e-11;

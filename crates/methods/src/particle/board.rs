@@ -1,7 +1,7 @@
 //! The same by ruler and paper, at the instant: places, velocities and accelerations to scale, what is wanted measured.
 //!
 //! Given to the board are places, the laws' speeds and second derivatives along their ways, and the turning of a plate; directions are carried over with
-//! the ruler, lengths measured, turning rates are quotients of measured lengths. Where a pursuer is at the instant no ruler tells: that place is
+//! the ruler, lengths measured, angular rates are quotients of measured lengths. Where a pursuer is at the instant no ruler tells: that place is
 //! integrated, and the sentences say so, their symbols between dollar signs. Nothing of [`super::solve`] is used.
 
 mod chase;

@@ -227,7 +227,7 @@ pub(super) fn between_words(w: &Writer, level: Level, between: &Between) -> Stri
     }
 }
 
-/// How a turning rate is found; nothing is said of a link that does not turn.
+/// How an angular rate is found; nothing is said of a link that does not turn.
 pub(super) fn rate_words(w: &Writer, level: Level, body: Body, rate: Rate) -> Option<String> {
     let symbol = formula(&w.turning(level, body));
     Some(match rate {

@@ -157,13 +157,13 @@ pub enum Width {
 }
 
 impl Width {
-    /// The machine's four lanes, where they are wanted and there.
+    /// Four SIMD lanes of the machine, where they are wanted and there.
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     pub(super) fn four(self) -> Option<fearless_simd::Avx2> {
         if self == Width::Widest { fearless_simd::Level::new().as_avx2() } else { None }
     }
 
-    /// The machine's four lanes (two by two), where they are wanted and there.
+    /// Four SIMD lanes of the machine (two by two), where they are wanted and there.
     #[cfg(target_arch = "aarch64")]
     pub(super) fn four(self) -> Option<fearless_simd::Neon> {
         if self == Width::Widest { fearless_simd::Level::new().as_neon() } else { None }

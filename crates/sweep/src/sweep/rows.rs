@@ -1,7 +1,7 @@
 //! Velocities and accelerations of the groups as kernels: each leg gives one row n·v_P = c, the rows of a group are solved.
 //!
 //! For a pin P = its own place; for a link P is the place where the leg holds it, r the arm to it from the link's own
-//! point. The rows of accelerations have the same n. Two bars, the everyday dyad, have kernels of their own that do both.
+//! point. The rows of accelerations have the same n. Two bars, the RRR dyad, have kernels of their own that do both.
 
 use super::kernel::{Kernel, Pair, Reg};
 use super::lane::Lane;

@@ -394,7 +394,7 @@ impl<S: Simd> Runner for Four<'_, S> {
                 // A copy, which no number that is put out can lie in: what is made of its constants is made before the loop.
                 let kernel = *kernel;
                 for i in 0..quads {
-                    // A loop, for what is not inlined runs without the machine's wide registers.
+                    // A loop, for what is not inlined runs without SIMD registers.
                     let mut lanes = [f64x4::splat(simd, 0.0); IN];
                     for k in 0..IN {
                         lanes[k] = f64x4::simd_from(simd, x[k][i]);

@@ -98,7 +98,7 @@ pub struct Certified {
 pub struct Reading {
     /// mm of polygon.
     pub length_mm: Number,
-    /// For a turning rate, the arm in the unit in which lengths are printed (m, or that of the book).
+    /// For an angular rate, the arm in the unit in which lengths are printed (m, or that of the book).
     pub arm: Option<Number>,
 }
 
@@ -287,7 +287,7 @@ pub type Parts = Result<Vec<(Part, Number)>, Why>;
 /// The same with the reading.
 type Seen = Result<(Vec<(Part, Number)>, Option<Reading>), Why>;
 
-/// What the ruler gives: |v|/μ, or |ω| l/μ for a turning rate measured on a line of length l.
+/// What the ruler gives: |v|/μ, or |ω| l/μ for an angular rate measured on a line of length l.
 fn reading<N: Certain>(scene: &Scene, at: &Configuration<N>, r: &Outcome, value: Value<N>) -> Option<Reading> {
     let m = r.drawn.as_ref()?.measured.as_ref()?;
     let mu: N = scale::number(m.mu);

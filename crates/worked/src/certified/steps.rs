@@ -23,7 +23,7 @@ use std::collections::BTreeMap;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum What {
     /// A length on paper (mm), counted where a step tells several: of the edges it drew, of the vector it found, or of the
-    /// relative vector from which it took a turning rate.
+    /// relative vector from which it took an angular rate.
     Length(usize),
     /// The angle of a crossing, in degrees from 0 to 90.
     Angle,
@@ -33,7 +33,7 @@ pub enum What {
     Off,
     /// The arm by which a measured rate is divided, in the unit in which lengths are printed.
     Arm,
-    /// A turning rate, in the unit in which it is printed (rad/s, rad/s², or those of the book).
+    /// An angular rate, in the unit in which it is printed (rad/s, rad/s², or those of the book).
     Rate,
 }
 

@@ -26,7 +26,7 @@ pub struct Motion {
     pub images: usize,
     /// Vectors drawn: laid off, or closed by a crossing.
     pub vectors: usize,
-    /// Turning rates found on paper.
+    /// Angular rates found on paper.
     pub rates: usize,
     /// Unknowns of the loop equations.
     pub unknowns: usize,

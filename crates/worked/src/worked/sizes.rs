@@ -24,7 +24,7 @@ struct Size {
 
 impl Sizes {
     /// Of a vector, the longest one of its polygon, or what the drivers would make at the size of the mechanism where all vectors vanish. Of
-    /// a turning rate the largest rate, or what that vector makes on the shortest arm on which a rate was measured (ω of a short link is a
+    /// an angular rate the largest rate, or what that vector makes on the shortest arm on which a rate was measured (ω of a short link is a
     /// small difference of vectors divided by a small length, and α may vanish where ω² l does not).
     pub fn of(scene: &Scene, paper: &Construction, at: &Configuration) -> Sizes {
         let extent = at.extent();

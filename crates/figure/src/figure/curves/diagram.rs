@@ -52,7 +52,7 @@ impl Diagram {
         Diagram::swept(placed.scene, Swept::Driver(driver), table, &swept_at, notation)
     }
 
-    /// The answers of a sweep of one driver, or of the time: displacements, angles, velocities, turning rates, accelerations, their rates, a
+    /// The answers of a sweep of one driver, or of the time: displacements, angles, velocities, angular rates, accelerations, their rates, a
     /// panel each. A vector along one axis all the time (a slider's) is shown with its sign, any other by its magnitude.
     /// `swept_at` sweeps other values, for the extremes between those of the table.
     pub fn swept(scene: &Scene, swept: Swept, table: &Table, swept_at: &dyn Fn(Vec<f64>) -> Option<Table>, notation: &Notation) -> Diagram {

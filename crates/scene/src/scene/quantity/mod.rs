@@ -6,7 +6,7 @@
 //! name in the list below.
 //!
 //! The drawing board, the loop equations and the sweep each have ways of their own to answer; they go by the [`Meaning`] of a question.
-//! One without it is reckoned by its own formula ([`Asked::value`]) from places, vectors and angular velocities.
+//! One without it is calculated by its own formula ([`Asked::value`]) from places, vectors and angular velocities.
 
 mod along;
 mod cam;

@@ -19,7 +19,7 @@ use crate::sweep::rows::{
 pub(super) enum Row {
     /// A pin that sits on a known link.
     Carried { at: Spot },
-    /// `p` keeps the distance `l` from `far`; `bar`: two of them make the everyday dyad.
+    /// `p` keeps the distance `l` from `far`; `bar`: two of them make the RRR dyad.
     Distance { p: Spot, far: Spot, l: Reg, rates: Rates, bar: bool },
     /// `p` moves at a rate along `n`, fixed in a known link.
     Guided { p: Spot, on: LinkId, n: Pair, rates: Rates },
@@ -95,7 +95,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// The everyday dyad, in one operation for each effect.
+    /// The RRR dyad, in one operation for each effect.
     fn two_bars(&mut self, g: usize, pin: PointId, a: Spot, b: Spot, level: Level) -> Result<Pair, NoKernel> {
         let joint = self.joints.iter().find(|j| j.group == g).ok_or_else(|| self.without_kernel(g))?;
         let det = Reg(self.steps[P as usize][joint.step].out.0 + 2);

@@ -6,7 +6,7 @@
 //! vector is two numbers; a place with its rates comes in as `LEVELS` vectors, one after the other, and goes out alike,
 //! with the lengths last.
 //!
-//! No closures and no array functions here: what is not inlined runs without the machine's wide registers.
+//! No closures and no array functions here: what is not inlined runs without SIMD registers.
 
 // Several arrays are gone through side by side; loops over numbers are sure to be unrolled.
 #![allow(clippy::needless_range_loop)]
