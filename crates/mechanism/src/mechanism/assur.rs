@@ -12,7 +12,7 @@ use crate::scene::{GuideId, LinkId, PointId, Scene};
 pub struct Assur<'a> {
     /// The steps in which it is solved, the first first.
     pub steps: Vec<&'a Group>,
-    /// Its links, those of the steps first, then blocks, barrels and rods.
+    /// Its links, blocks, barrels and rods among them, in the order of their numbers.
     pub links: Vec<LinkId>,
     kind: String,
 }
@@ -111,11 +111,10 @@ impl Mechanism {
         order
     }
 
-    /// The links of steps, then their blocks: a block belongs to the group of its guide or of its pin, whichever is solved later; barrel and rod
+    /// The links of steps with their blocks: a block belongs to the group of its guide or of its pin, whichever is solved later; barrel and rod
     /// belong to the group that the cylinder moves.
     fn with_blocks(&self, scene: &Scene, part: &[usize]) -> Vec<LinkId> {
         let mut links: Vec<LinkId> = part.iter().flat_map(|g| self.groups[*g].links.iter().copied()).collect();
-        links.sort_unstable();
         for l in (0..scene.links.len()).map(LinkId) {
             let Some(Passive::Block(guide)) = self.passive[l.0] else { continue };
             let guide = &scene.guides[guide.0];
@@ -135,6 +134,8 @@ impl Mechanism {
                 }
             }
         }
+        // As one counts: a block may be named in its guide only, behind all others.
+        links.sort_by_key(|l| (scene.link_name(*l).parse::<u64>().unwrap_or(u64::MAX), *l));
         links
     }
 
