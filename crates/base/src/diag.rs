@@ -71,6 +71,14 @@ impl Both {
         Both { en: joined(", "), zh: joined("、") }
     }
 
+    /// With the stop of its language at the end, where it has none.
+    pub fn sentence(self) -> Both {
+        let stopped = |text: String, stop: &str| {
+            if text.is_empty() || text.ends_with(['.', '。', ':', '：', '?', '？']) { text } else { text + stop }
+        };
+        Both { en: stopped(self.en, "."), zh: stopped(self.zh, "。") }
+    }
+
     /// An enumeration: `a`, `a and b`, `a, b and c`.
     pub fn listed(all: &[Both]) -> Both {
         match all {

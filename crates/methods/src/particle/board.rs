@@ -290,8 +290,8 @@ fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagn
             mm(paper_a(a_r).x.abs())
         ),
         both!(
-            "$a_c = 2 \\omega v_r \\sin \\theta$ = $2 \\omega$ · {} mm · $\\mu_v$ = {} m/s², square to the plate, $v_r'$ turned by 90° in the sense of $\\omega$",
-            "$a_k = 2 \\omega v_r \\sin \\theta$ = $2 \\omega$ · {} mm · $\\mu_v$ = {} m/s²，垂直于板面，方向为 $v_r'$ 沿 $\\omega$ 转向转过 90°",
+            "Calculate $a_c = 2 \\omega v_r \\sin \\theta$ = $2 \\omega$ · {} mm · $\\mu_v$ = {} m/s²; it is square to the plate, $v_r'$ turned by 90° in the sense of $\\omega$",
+            "计算 $a_k = 2 \\omega v_r \\sin \\theta$ = $2 \\omega$ · {} mm · $\\mu_v$ = {} m/s²，垂直于板面，方向为 $v_r'$ 沿 $\\omega$ 转向转过 90°",
             mm(across.abs()),
             mm(ak.norm())
         ),
@@ -310,5 +310,5 @@ fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagn
         ),
     ];
     let views = Views::Plate { places: [front, top], along, velocities: [v_front, v_top], accelerations: [a_front, a_top] };
-    Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps, readings, views }))
+    Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps: steps.into_iter().map(Both::sentence).collect(), readings, views }))
 }

@@ -313,7 +313,10 @@ impl Task {
             board.line(p, q, Weight::Given);
         }
         board.mark("A", a).mark("B", b).mark("C", c).mark("D", d).mark("E", e);
-        board.step(both!("Parallelograms ABEA1 and DCED1: two openings of the compasses each", "用圆规作平行四边形 ABEA1 与 DCED1"));
+        board.step(both!(
+            "Draw the parallelograms ABEA1 and DCED1 (two openings of the compasses each)",
+            "用圆规作平行四边形 ABEA1 与 DCED1"
+        ));
         let [a1, d1] = [(a, b), (d, c)].map(|(pivot, pin)| {
             let corner = pivot + (e - pin);
             board.arc(pivot, corner).arc(e, corner);
@@ -322,7 +325,7 @@ impl Task {
         });
         board.mark("A_1", a1).mark("D_1", d1);
         board.step(both!(
-            "Similar to BCE over A1E the triangle A1EP1, over ED1 the triangle ED1P2, over AD the triangle ADF",
+            "Draw triangles similar to BCE: over A1E the triangle A1EP1, over ED1 the triangle ED1P2, over AD the triangle ADF",
             "作与三角形 BCE 相似的三角形：以 A1E 为底作 A1EP1，以 ED1 为底作 ED1P2，以 AD 为底作 ADF"
         ));
         let p1 = similar(board, [a1, e], [b, c, e])?;

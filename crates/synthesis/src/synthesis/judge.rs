@@ -325,7 +325,13 @@ fn driven_by(scene: &Json, link: &str, from: &Wanted, to: &Wanted) -> bool {
     reached().unwrap_or(false)
 }
 
+/// A deviation below this part of the size is the rounding of the lengths.
+const ROUNDING: f64 = 1e-12;
+
 /// In words, with its size: how far the finished scene is from what was wanted.
 pub fn accuracy(judged: &Judged) -> Both {
+    if judged.off_m <= ROUNDING * judged.size_m {
+        return both!("what was wanted is met exactly (size {})", "精确满足要求（机构尺寸 {}）", metres(judged.size_m));
+    }
     both!("greatest deviation {} (size {})", "最大偏差 {}（机构尺寸 {}）", metres(judged.off_m), metres(judged.size_m))
 }

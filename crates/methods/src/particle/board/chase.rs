@@ -7,7 +7,7 @@ use super::super::solve::course;
 use super::super::{Motion, Problem};
 use super::{Drawn, ROOM_MM, Told, Views, arrow, mm, most};
 use crate::construct::scale::choose_in;
-use crate::diag::{Diagnostic, both};
+use crate::diag::{Both, Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::number::Real;
 
@@ -128,15 +128,15 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
         ),
         if a_t == 0.0 {
             both!(
-                "$a_{{{}}} = v\\omega$ square to the line, for $v$ is constant: {} mm",
-                "$v$ 不变，$a_{{{}}} = v\\omega$，垂直于连线，量得 {} mm",
+                "Draw $a_{{{}}} = v\\omega$ square to the line, for $v$ is constant: it measures {} mm",
+                "$v$ 不变，作 $a_{{{}}} = v\\omega$ 垂直于连线，量得 {} mm",
                 m.point,
                 mm((tip_t + tip_n).norm())
             )
         } else {
             both!(
-                "$a_{{{}}}$: $v'$ along the line, $v\\omega$ square to it: {} mm",
-                "$a_{{{}}}$：沿连线为 $v'$，垂直于连线为 $v\\omega$，量得 {} mm",
+                "Draw $a_{{{}}}$, of $v'$ along the line and $v\\omega$ square to it: it measures {} mm",
+                "作 $a_{{{}}}$：沿连线为 $v'$，垂直于连线为 $v\\omega$，量得 {} mm",
                 m.point,
                 mm((tip_t + tip_n).norm())
             )
@@ -159,5 +159,5 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
         foot: foot.to_point(),
         accelerations,
     };
-    Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps, readings, views }))
+    Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps: steps.into_iter().map(Both::sentence).collect(), readings, views }))
 }

@@ -117,12 +117,12 @@ impl Body {
     /// The centre-point curve by the opposite-pole quadrilateral: circles over P₁₂P₂₃ and P₁₄P₃₄ with the same inscribed angle.
     fn curve(&self, draft: &Draft, board: &mut Board) -> Option<()> {
         board.step(both!(
-            "Poles of the positions: bisectors of the places of two points of the body",
-            "各位置的转动极：连杆上两点对应位置的中垂线交点"
+            "Find the poles of the positions: in each two bisectors of the places of points of the body meet",
+            "求各位置的转动极：连杆上两点对应位置的中垂线交点"
         ));
         let [p12, p23, p14, p34, p13] = [(0, 1), (1, 2), (0, 3), (2, 3), (0, 2)].map(|(i, j)| self.pole(board, i, j));
         let quadrilateral = [p12?, p23?, p14?, p34?];
-        board.step(both!("Circle over P12P23 and circle over P14P34 with the same inscribed angle cross in centre points; the angle runs: centre-point curve", "在 P12P23 与 P14P34 上作圆周角相等的圆，交点为圆心点；令圆周角变化得圆心曲线"));
+        board.step(both!("Circle over P12P23 and circle over P14P34 with the same inscribed angle cross in centre points; as the angle varies they trace the centre-point curve", "在 P12P23 与 P14P34 上作圆周角相等的圆，交点为圆心点；令圆周角变化得圆心曲线"));
         let curve = centre_points(quadrilateral);
         for piece in &curve {
             piece.windows(2).for_each(|w| {
@@ -235,7 +235,7 @@ fn bisector(p: Point, q: Point) -> Option<Line> {
 
 /// The four-bar that comes out: pin and pivot of both sides.
 fn finished(board: &mut Board, [[b, a], [c, d]]: [[Point; 2]; 2]) -> Option<()> {
-    board.step(both!("The linkage AB1C1D in position 1", "位置 1 的机构 AB1C1D"));
+    board.step(both!("Draw the linkage AB1C1D in position 1", "作位置 1 的机构 AB1C1D"));
     board.line(a, b, Weight::Result).line(b, c, Weight::Result).line(c, d, Weight::Result);
     board.read("BC", b, c).read("AD", a, d);
     Some(())

@@ -61,8 +61,8 @@ impl Function {
         };
         board.mark("C_1", c);
         board.step(both!(
-            "The linkage AB1C1D; C1 lies on the follower's first direction",
-            "位置 1 的机构 AB1C1D；C1 在从动杆第一位置的方向线上"
+            "Draw the linkage AB1C1D; C1 lies on the follower's first direction",
+            "作位置 1 的机构 AB1C1D；C1 在从动杆第一位置的方向线上"
         ));
         board.line(a, b[0], Weight::Result).line(b[0], c, Weight::Result).line(c, d, Weight::Result).read("BC", b[0], c).read("CD", c, d);
         let first = phi + self.steps[0][1];

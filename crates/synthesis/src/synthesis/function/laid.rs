@@ -76,7 +76,7 @@ impl Function {
             drawn.push(pins);
         }
         let (k, first) = (which.first()?, drawn.first()?);
-        board.step(both!("The linkage AB{k}C{k}D", "机构 AB{k}C{k}D"));
+        board.step(both!("Draw the linkage AB{k}C{k}D", "作机构 AB{k}C{k}D"));
         laid.draw(board, first, Weight::Result);
         Some(())
     }

@@ -40,7 +40,7 @@ pub fn by_turns(board: &mut Board, e: &[Point], [a, d]: [Point; 2], turns: &[f64
     }
     let pins = numbered("B", "", 2..=e.len());
     board.step(both!(
-        "The bisectors of E1, E2', E3' meet in B1; {} on the crank's circle",
+        "The bisectors of E1, E2', E3' meet in B1; {} lie on the crank's circle",
         "E1、E2'、E3' 的中垂线交于 B1；在曲柄圆上得 {}",
         pins
     ));
@@ -91,7 +91,7 @@ fn follower(board: &mut Board, [a, d]: [Point; 2], e: &[Point], b: &[Point]) -> 
     for further in places.iter().skip(3) {
         board.read("CD", c, *further);
     }
-    board.step(both!("The linkage AB1C1D with E1", "位置 1 的机构 AB1C1D 及 E1"));
+    board.step(both!("Draw the linkage AB1C1D with E1", "作位置 1 的机构 AB1C1D 及 E1"));
     board.line(a, b[0], Weight::Result).line(b[0], c, Weight::Result).line(c, d, Weight::Result);
     board.line(b[0], e[0], Weight::Result).line(e[0], c, Weight::Result).read("BC", b[0], c).read("CE", c, e[0]).read("AB", a, b[0]);
     Some(())

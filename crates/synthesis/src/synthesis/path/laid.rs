@@ -39,7 +39,7 @@ pub fn drawn(board: &mut Board, draft: &Draft) -> Option<()> {
     board.line(laid.a, laid.d, Weight::Given).circle(laid.a, laid.crank, Weight::Thin).circle(laid.d, laid.follower, Weight::Thin);
     board.mark("A", laid.a).mark("D", laid.d);
     board.step(both!(
-        "For each place the crank at its angle, C with BC as opening about B, E by the set square on BC: {}",
+        "For each place draw the crank at its angle, C with BC as opening about B, E by the set square on BC: {}",
         "对每个位置作曲柄，以 B 为圆心、BC 为半径定 C，再用三角板由 BC 定 E：{}",
         numbered("E", &which)
     ));
@@ -56,8 +56,8 @@ pub fn drawn(board: &mut Board, draft: &Draft) -> Option<()> {
         first = first.or(Some(pins));
     }
     board.step(both!(
-        "The linkage at place 1; the distances of {} from {} are read",
-        "位置 1 的机构；量取 {} 到 {} 的距离",
+        "Draw the linkage at place 1; read the distances of {} from {}",
+        "作位置 1 的机构；量取 {} 到 {} 的距离",
         numbered("E", &which),
         numbered("P", &which)
     ));

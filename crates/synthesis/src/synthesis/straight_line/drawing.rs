@@ -64,7 +64,7 @@ impl Task {
         }
         measured(board, &all, made.along == 'x');
         let first = all.first()?;
-        board.step(both!("The linkage in position 1", "位置 1 的机构"));
+        board.step(both!("Draw the linkage in position 1", "作位置 1 的机构"));
         for [p, q] in &first.links {
             board.line(*p, *q, Weight::Result);
         }
@@ -122,7 +122,7 @@ fn measured(board: &mut Board, all: &[Position], level: bool) {
     };
     let ([from, to], [low, high]) = (ends(&line), ends(&across));
     board.step(both!(
-        "Through E1 the line of the motion; squares to it from the outermost E: their distance is the length, that of the parallels through the E farthest to either side the deviation",
+        "Draw through E1 the line of the motion, and perpendiculars to it from the outermost E: their distance is the length, that of the parallels through the E farthest to either side the deviation",
         "过 E1 作运动方向的直线；由最外的两个 E 向其作垂线，其间距为直线段长；过两侧最远的 E 作平行线，其间距为偏差"
     ));
     let beyond = (to - from) * BEYOND;

@@ -39,7 +39,7 @@ impl CrankRocker {
         let (a, d, radius) = (Point::ORIGIN, Point::new(board.mm(frame), 0.0), board.mm(self.rocker));
         let c1 = Line::ray(d, PI - angle).place(radius);
         board.step(both!(
-            "Lay off the frame AD and the rocker DC1 under the given angle; the circle about D through C1",
+            "Lay off the frame AD and the rocker DC1 under the given angle; draw the circle about D through C1",
             "作机架 AD，按给定角度作摇杆 DC1，并以 D 为圆心过 C1 作圆"
         ));
         board

@@ -28,7 +28,7 @@ impl Slotted {
             let radius = board.mm(self.crank);
             let b = Line::ray(a, -half).place(radius);
             let c = Line::ray(b, lever).cross(&Line::ray(a, -FRAC_PI_2))?;
-            board.step(both!("Crank circle about A; lay off θ/2 = {named}° below the horizontal: B1; the tangent there meets the vertical through A in C", "以 A 为圆心作曲柄圆；由水平线向下量 θ/2 = {named}° 得 B1；过 B1 的切线与过 A 的铅垂线交于 C"));
+            board.step(both!("Draw the crank circle about A; lay off θ/2 = {named}° below the horizontal: B1; the tangent there meets the vertical through A in C", "以 A 为圆心作曲柄圆；由水平线向下量 θ/2 = {named}° 得 B1；过 B1 的切线与过 A 的铅垂线交于 C"));
             board.circle(a, radius, Weight::Given).line(a, b, Weight::Given).line(c, b, Weight::Thin).line(a, c, Weight::Thin);
             board.mark("A", a).mark("B_1", b).mark("C", c).read("AC", a, c);
             return Some((c, b));
@@ -57,7 +57,7 @@ impl Slotted {
             let b = [1.0, -1.0].map(|s| down(s).place(radius));
             let c = Line::through(b[0], b[1])?.cross(&Line::ray(a, -FRAC_PI_2))?;
             board.step(both!(
-                "Crank circle about A; B1 and B2 under 180°/(K + 1) = {named}° from the downward line; their chord meets it in C",
+                "Draw the crank circle about A; B1 and B2 lie under 180°/(K + 1) = {named}° from the downward line; their chord meets it in C",
                 "以 A 为圆心作曲柄圆；由向下的铅垂线两侧各量 180°/(K + 1) = {named}° 得 B1、B2；弦 B1B2 与铅垂线交于 C"
             ));
             board.circle(a, radius, Weight::Given);
