@@ -1,5 +1,6 @@
 //! In which language the program speaks: that of `--lang`, else the scene's, else English; the help in that of the machine too.
 
+use super::wide::every;
 use super::{hodograph, text};
 
 /// What is said on standard error of a scene, and printed.
@@ -131,4 +132,35 @@ fn faults_of_arguments_are_told_in_chinese() {
         let said = text(&run.get_output().stderr);
         assert!(is_chinese(&said) && english(&said).is_none(), "{line}:\n{said}");
     }
+}
+
+/// Chinese sentences have the marks of their language: no English comma, colon or semicolon stands in them, but in brackets and in what is quoted.
+#[test]
+fn chinese_has_its_own_punctuation() {
+    let (mut looked, mut faults) = (0, Vec::new());
+    for t in hodograph::scene::templates::list().iter().step_by(every(8)) {
+        let scene = hodograph::scene::templates::get(t.name).unwrap();
+        for command in ["plan", "solve", "mobility", "limits", "centres", "composite"] {
+            let (said, printed) = told(&[command, "-", "--lang", "zh"], scene);
+            for line in said.lines().chain(printed.lines()).filter(|l| is_chinese(l) && !l.contains('│')) {
+                looked += 1;
+                let mut depth = 0;
+                let bare: String = line
+                    .split('`')
+                    .step_by(2)
+                    .collect::<String>()
+                    .chars()
+                    .filter(|c| {
+                        depth += i32::from("([{".contains(*c)) - i32::from(")]}".contains(*c));
+                        depth == 0
+                    })
+                    .collect();
+                if [", ", "; ", ": "].iter().any(|mark| bare.replace("\": ", "").contains(mark)) {
+                    faults.push(format!("{} {command}: {line}", t.name));
+                }
+            }
+        }
+    }
+    assert!(looked > 1000 / every(8), "only {looked} lines");
+    assert!(faults.is_empty(), "{} lines:\n{}", faults.len(), faults.join("\n"));
 }

@@ -175,7 +175,7 @@ impl<'a> Words<'a> {
         };
         let line = || format!("{} {}", self.joint(&e.links, e.pin), tr(self.lang, "in line", "共线"));
         let why = e.toggle.as_ref().map_or_else(line, |t| t.words(self.scene, self.lang));
-        format!("{what} {}: {why}", self.at(e.value))
+        format!("{what} {}{}{why}", self.at(e.value), tr(self.lang, ": ", "："))
     }
 
     fn output(&self, output: Output) -> String {
@@ -205,7 +205,7 @@ impl<'a> Words<'a> {
         };
         let ratio = s.time_ratio.map_or(String::new(), |k| {
             let theta = std::f64::consts::PI * (k - 1.0) / (k + 1.0);
-            format!(", {} K = {} (θ = {})", tr(lang, "time ratio", "行程速比系数"), significant(k, 6), angle(&self.scene.book, theta))
+            format!("{} K = {} (θ = {})", tr(lang, ", time ratio", "，行程速比系数"), significant(k, 6), angle(&self.scene.book, theta))
         });
         format!("{name} {word} {}{ratio}", self.size(s.output, stroke))
     }

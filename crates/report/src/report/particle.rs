@@ -131,7 +131,7 @@ pub fn text(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, 
     }
     if steps {
         for d in board {
-            out += &format!("\n{}: {}\n", tr(lang, "Drawing", "作图"), Phrase::new(&scales(&problem.book, d.mu)).plain());
+            out += &format!("\n{}{}\n", tr(lang, "Drawing: ", "作图："), Phrase::new(&scales(&problem.book, d.mu)).plain());
             for (k, s) in d.steps.iter().enumerate() {
                 out += &format!("{}. {}\n", k + 1, Phrase::new(lang.of(s)).plain());
             }

@@ -21,12 +21,13 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
     }
     let f = &m.mobility;
     line(format!(
-        "{}: F = 3·{} − 2·{} − {} = {}; {}",
-        tr(lang, "mobility", "自由度"),
+        "{}F = 3·{} − 2·{} − {} = {}{}{}",
+        tr(lang, "mobility: ", "自由度："),
         f.moving,
         f.lower,
         f.higher,
         f.freedom,
+        tr(lang, "; ", "；"),
         match (lang, scene.own_drivers()) {
             (Lang::En, 1) => "1 driver".to_string(),
             (Lang::En, n) => format!("{n} drivers"),
@@ -44,9 +45,10 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
     line(tr(lang, "effects", "考虑的因素").into());
     for (effect, included, reason) in &w.plan.effects {
         line(format!(
-            "  {} {}: {}",
+            "  {} {}{}{}",
             if *included { tr(lang, "in ", "计入") } else { tr(lang, "out", "不计") },
             effect_words(scene, m, *effect, lang),
+            tr(lang, ": ", "："),
             reason_words(*reason, lang)
         ));
     }
@@ -70,9 +72,10 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
     for g in &w.plan.undrawable {
         let names: Vec<_> = m.groups[*g].links.iter().map(|l| scene.link_name(*l)).collect();
         line(format!(
-            "{} {}: {}",
+            "{} {}{}{}",
             tr(lang, "links", "构件"),
             names.join(tr(lang, ", ", "、")),
+            tr(lang, ": ", "："),
             tr(
                 lang,
                 "in or behind a group higher than class III, not drawn; `solve` answers from the loop equations",
@@ -232,7 +235,7 @@ pub(super) fn rate_words(w: &Writer, level: Level, body: Body, rate: Rate) -> Op
     let symbol = formula(&w.turning(level, body));
     Some(match rate {
         Rate::Zero => return None,
-        Rate::Given { .. } => format!("{symbol}: {}", tr(w.lang, "given by the driver", "由原动件给定")),
+        Rate::Given { .. } => format!("{symbol}{}", tr(w.lang, ": given by the driver", "：由原动件给定")),
         Rate::Same(l) => format!("{symbol} = {}", formula(&w.turning(level, Body::Link(l)))),
         Rate::Measured { of, to } => formula(&format!("{symbol} = {} / {}", w.measured(level, body, of, to), w.length(of, to))),
     })
@@ -288,10 +291,11 @@ fn step_lines(w: &Writer, level: Level, step: &Step, equation: &mut usize) -> Ve
             let images = format!("{}{}{}", w.image(level, from.0), w.image(level, from.1), w.image(level, *target));
             let points = format!("{}{}", w.line(from.0, from.1), w.spot(*target));
             vec![format!(
-                "{} — {} {}: △{} {} △{}",
+                "{} — {} {}{}△{} {} △{}",
                 formula(&w.vector(level, *target)),
                 tr(lang, "image, link", "影像法，构件"),
                 w.scene.link_name(*link),
+                tr(lang, ": ", "："),
                 formula(&images),
                 formula(&w.notation.similar),
                 formula(&points)
