@@ -67,7 +67,7 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
                 both!("`{}` belongs to {}, this is {}", "`{}` 是{}的键，此处为{}", key.text, words_of(other), words_of(what)),
             )
             .at(key.span);
-            faults.push(d.help(both!("the keys of {} are {}", "{}的键有 {}", words_of(what), Both::names(&known))));
+            faults.push(d.help(both!("the keys of {} are {}", "{}的键有 {}", words_of(what), Both::names(known))));
             mixed = true;
         }
     }
