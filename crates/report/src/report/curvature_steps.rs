@@ -9,6 +9,14 @@ use crate::geom::Vec2;
 use crate::paper::phrase::{Phrase, tr};
 use crate::scene::{Lang, PointId};
 
+/// With a capital and a stop.
+fn sentence(text: String, lang: Lang) -> String {
+    let mut rest = text.chars();
+    let first = rest.next().map(|c| c.to_ascii_uppercase());
+    let stop = tr(lang, ".", "。");
+    first.into_iter().chain(rest).chain(stop.chars()).collect()
+}
+
 impl Words<'_> {
     /// The construction, step by step.
     pub fn steps(&self, of: &OfLink) -> Vec<Phrase> {
@@ -19,21 +27,23 @@ impl Words<'_> {
         };
         let (pole, j, lang) = (self.pole(of), self.letter("J", of), self.lang);
         if of.drawn().is_some_and(|d| d.normal == Vec2::ZERO) {
-            return out.iter().map(|s| Phrase::new(s)).collect();
+            return out.into_iter().map(|s| Phrase::new(&sentence(s, lang))).collect();
         }
         out.push(match lang {
-            Lang::En => format!("circle over ${pole}{j}$: the inflection circle; square to it in ${pole}$ the pole tangent $t$"),
+            Lang::En => {
+                format!("draw the circle over ${pole}{j}$, the inflection circle; square to it in ${pole}$ stands the pole tangent $t$")
+            }
             Lang::Zh => format!("以 ${pole}{j}$ 为直径作圆，即拐点圆；过 ${pole}$ 作其垂线，即瞬心切线 $t$"),
         });
         out.extend(of.points.iter().filter_map(|p| self.of_point(of, p)));
         if of.read.is_some() {
             let k = self.letter("K", of);
             out.push(match lang {
-                Lang::En => format!("${pole}{j}$ turned in ${pole}$ by the angle whose tangent is $\\alpha/\\omega^{{2}}$; the foot of ${j}$ on it is the acceleration pole ${k}$"),
+                Lang::En => format!("turn ${pole}{j}$ about ${pole}$ by the angle whose tangent is $\\alpha/\\omega^{{2}}$; the foot of ${j}$ on it is the acceleration pole ${k}$"),
                 Lang::Zh => format!("将 ${pole}{j}$ 绕 ${pole}$ 转过正切为 $\\alpha/\\omega^{{2}}$ 的角，由 ${j}$ 向其作垂线，垂足即加速度瞬心 ${k}$"),
             });
         }
-        out.iter().map(|s| Phrase::new(s)).collect()
+        out.into_iter().map(|s| Phrase::new(&sentence(s, lang))).collect()
     }
 
     fn moving(&self, k: &Known) -> String {
