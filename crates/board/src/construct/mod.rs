@@ -35,7 +35,7 @@ pub struct Diagram<N = f64> {
     pub origin: Point<N>,
     /// Vertices' places in mm of paper.
     pub spots: Vec<Option<Point<N>>>,
-    /// Lines crossed on it: the special points of triads that the construction uses.
+    /// Lines crossed on it: the special points that the construction uses.
     pub crossed: Vec<Crossed<N>>,
 }
 

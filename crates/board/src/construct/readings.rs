@@ -142,7 +142,7 @@ fn vanishes(m: &Mechanism, what: &Asked, scene: &Scene) -> bool {
     }
 }
 
-/// The answers from the drawing board; `None` for what was not drawn (a group higher than class III).
+/// The answers from the drawing board; `None` for what was not drawn ([`Plan::undrawable`]).
 pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Construction) -> Vec<Option<Answer>> {
     let source = OnPaper { scene, m, plan, paper };
     let one = |(find, f): (usize, &Find)| {

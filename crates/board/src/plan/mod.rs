@@ -187,7 +187,7 @@ pub enum Method {
     Cylinder,
     /// Coincident points of two links.
     Coincident,
-    /// The special point of a triad.
+    /// The special point of a triad, or of a link of a higher group.
     Special,
 }
 
@@ -373,7 +373,7 @@ pub struct Plan {
     pub level: Level,
     /// Effects considered: what, in or out, why.
     pub effects: Vec<(Effect, bool, Reason)>,
-    /// Groups that are not drawn, and those that rest on them: higher than class III, or left out by [`plan_without`].
+    /// Groups that are not drawn, and those that rest on them: higher than class III and not opened by special points, or left out by [`plan_without`].
     pub undrawable: Vec<usize>,
     /// Of a wrong solution (`attempts`): the guide whose Coriolis acceleration is laid off with the turning of another link than
     /// that which carries it.

@@ -182,8 +182,8 @@ impl Batch<'_> {
         Ok(rows.missing.into_keys().collect())
     }
 
-    /// Where everything is at the instant; where it cannot be assembled there, the driver is put to the first station where it can,
-    /// and the scene is another.
+    /// Where everything is at the instant; where it cannot be assembled there, the driver is put to the first of a dozen stations,
+    /// evenly taken, where it can, and the scene is another.
     fn place(&self, scene: &Scene, demand: &Demand) -> Result<(Configuration, Option<Scene>), Faults> {
         let first = position::configure(scene, self.mechanism, demand);
         let (Err(why), Some(stations)) = (&first, &self.stations) else { return first.map(|p| (p.value, None)) };

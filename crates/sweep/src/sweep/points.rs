@@ -45,7 +45,7 @@ pub struct Motion {
     pub points: Vec<PointId>,
     /// All poses, in the order of travel.
     pub moments: Vec<Moment>,
-    /// So many of them at equal steps of the driver; the ends of a bounded travel are among them.
+    /// So many of them at equal steps of the driver or of the time; the ends of a bounded travel are among them.
     pub marks: Vec<Moment>,
     /// Whether the mechanism comes back to its first pose after a full turn.
     pub full: bool,

@@ -41,7 +41,7 @@ mod tests {
         let mechanism = Mechanism::new(&scene).unwrap().value;
         let placed = Placed::new(&scene, &mechanism).unwrap();
         let table = |values| of_values(&placed, 0, values);
-        // Between 170 and 190 degrees the crank is in line: there the piston's speed is zero.
+        // Between these two stations, at 180 degrees, the crank is in line: there the piston's speed is zero.
         let (at, v) = extreme(&table, "v_C", [170.0_f64.to_radians(), 190.0_f64.to_radians()], false).unwrap();
         assert!((at.to_degrees() - 180.0).abs() < 1e-4 && v < 1e-5, "{} {v}", at.to_degrees());
         assert_eq!(extreme(&table, "v_X", [0.0, 1.0], true), None);

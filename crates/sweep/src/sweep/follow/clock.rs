@@ -89,8 +89,9 @@ impl Clock {
         there
     }
 
-    /// How long before and after the instant the motion is shown (s): with laws from t = 0 to twice the instant; else through a turn of the
-    /// slowest driver that turns, but at most three of the fastest; where all slide, as far as the mechanism is large, either way.
+    /// How long before and after the instant the motion is shown (s): with laws from t = 0 to twice the instant; without them, or at t = 0,
+    /// onward through a turn of the slowest driver that turns, but at most three of the fastest. Where all slide, as far as the mechanism is large:
+    /// either way, with laws onward only, and for a second where nothing moves.
     pub fn reach(&self, extent: f64) -> [f64; 2] {
         let instant = self.scene.instant();
         if self.laws.is_some() && instant > 0.0 {

@@ -5,6 +5,7 @@
 //! - `step`: where the motion leads, and what counts as a jump.
 //! - `whole`: a mechanism that has no program, by Newton's method; `extremes`: the range, extremes and periods of its motion.
 //! - [`clock`]: all drivers through time, by their laws.
+//! - [`course`]: cams of several pieces whose followers move with other links.
 //! - `chains`: the same states whatever part of a table is asked for.
 
 pub(super) mod chains;

@@ -10,7 +10,7 @@ use crate::position::{Configuration, Pose as Frame};
 /// One pose.
 #[derive(Clone, Debug)]
 pub struct Pose {
-    /// How far the driver has gone from the scene's position: radians or metres.
+    /// How far the driver has gone from the scene's position (rad or m), or the time (s).
     pub travel: f64,
     /// Where everything is.
     pub configuration: Configuration,
@@ -25,7 +25,7 @@ pub(super) fn stray(a: &Configuration, b: &Configuration) -> f64 {
     a.points.iter().zip(&b.points).filter_map(|(a, b)| Some(a.as_ref()?.distance(*b.as_ref()?))).fold(0.0, f64::max)
 }
 
-/// Where the motion leads: as far on as from the pose before.
+/// Where the motion leads: the secant through the last two poses, extrapolated in the ratio of the travels.
 pub(super) fn foretold(before: Option<&Pose>, now: &Pose, travel: f64) -> Configuration {
     let mut guess = now.configuration.clone();
     let Some(before) = before else { return guess };
