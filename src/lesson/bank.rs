@@ -5,9 +5,8 @@ use std::collections::HashMap;
 use serde_json::{Value, json};
 
 use crate::paper::label::Label;
-use crate::paper::phrase::{Phrase, Piece};
-use crate::render::escaped;
-use crate::report::math::mathml;
+use crate::paper::phrase::Phrase;
+use crate::report::math::{html_with, mathml};
 
 /// Formulas without changing numbers, each once: they come again and again.
 #[derive(Default)]
@@ -25,11 +24,7 @@ impl Formulas {
 
     /// A sentence without changing numbers as HTML, its formulas told by their indices.
     pub fn phrase(&mut self, phrase: &Phrase) -> String {
-        let piece = |p: &Piece| match p {
-            Piece::Words(words) => escaped(words),
-            Piece::Formula(source) => self.told(source),
-        };
-        phrase.pieces().iter().map(piece).collect()
+        html_with(phrase, |source| self.told(source))
     }
 
     fn told(&mut self, source: &str) -> String {
@@ -47,10 +42,11 @@ impl Formulas {
 }
 
 /// What formulas are full of, each told to the page as one private character from [`TAG`] on.
-const TAGS: [&str; 22] = [
+const TAGS: [&str; 24] = [
     "<math><mrow>",
     "</mrow></math>",
     "<mpadded depth=\"0\">",
+    "<mpadded width=\"0\">",
     "</mpadded>",
     "<mo lspace=\"0\" rspace=\"0\">",
     "<mspace width=\"",
@@ -65,6 +61,7 @@ const TAGS: [&str; 22] = [
     "<mrow>",
     "</mrow>",
     "<mi>",
+    "<mi mathvariant=\"normal\">",
     "</mi>",
     "<mn>",
     "</mn>",
@@ -149,23 +146,11 @@ fn form(words: &[String], numbers: &[&str], open: &[bool], formulas: &mut Formul
         text.push_str(&if open[n] { keeper(n) } else { numbers[n].to_owned() });
         text.push_str(word);
     }
-    let mut html = String::new();
-    for piece in Phrase::new(&text).pieces() {
-        let mut markup = match piece {
-            Piece::Words(words) => escaped(words),
-            Piece::Formula(source) => mathml(&Label::math(source.as_str())),
-        };
-        for n in (0..open.len()).filter(|n| open[*n]) {
-            markup = markup.replace(&keeper(n), &HOLE.to_string());
-        }
-        match piece {
-            Piece::Formula(_) if !markup.contains(HOLE) => {
-                html.push_str(&format!("{}{}{}", FORMULA[0], formulas.index(markup), FORMULA[1]));
-            }
-            Piece::Words(_) | Piece::Formula(_) => html.push_str(&short(&markup)),
-        }
-    }
-    html
+    let kept = || (0..open.len()).filter(|n| open[*n]).map(keeper);
+    let html = html_with(&Phrase::new(&text), |source| {
+        if kept().any(|k| source.contains(&k)) { mathml(&Label::math(source)) } else { formulas.told(source) }
+    });
+    short(&kept().fold(html, |html, k| html.replace(&k, &HOLE.to_string())))
 }
 
 /// What stands between the numbers, and the numbers.

@@ -12,15 +12,14 @@ use crate::geom::Point;
 use crate::mechanism::{Demand, Mechanism};
 use crate::paper::extent::Rect;
 use crate::paper::item::{Figure, Item};
-use crate::paper::label::Label;
-use crate::paper::phrase::{Phrase, Piece};
+use crate::paper::phrase::Phrase;
 use crate::paper::style::Style;
 use crate::paper::words::words as figure_words;
 use crate::position::{self, Configuration};
 use crate::render::escaped;
 use crate::render::number::mm;
 use crate::render::svg::Elements;
-use crate::report::math::mathml;
+use crate::report::math::html;
 use crate::report::symbols::symbols;
 use crate::report::synthesis::{pose_of, value};
 use crate::scene::{self, Book, Lang, Scene};
@@ -144,15 +143,6 @@ pub fn lesson(task: &Task, candidate: &Candidate, options: &Options) -> Result<S
             ("script", &terse(SCRIPT)),
         ],
     ))
-}
-
-/// A sentence as HTML with MathML.
-pub(super) fn html(phrase: &Phrase) -> String {
-    let piece = |p: &Piece| match p {
-        Piece::Words(w) => escaped(w),
-        Piece::Formula(f) => mathml(&Label::math(f.as_str())),
-    };
-    phrase.pieces().iter().map(piece).collect()
 }
 
 /// Items without their names: two drawings in a page may not share them.

@@ -7,19 +7,18 @@ use rayon::prelude::*;
 
 use crate::construct::scale::Boxes;
 use crate::diag::{Diagnostic, Faults, both};
-use crate::figure::polygon::is_full;
-use crate::figure::series::Scales;
+use crate::figure::series::{Scales, ends};
 use crate::geom::Point;
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::paper::style::Style;
 use crate::plan::notation::Notation;
-use crate::plan::text::Writer;
 use crate::position::Configuration;
-use crate::scene::{Lang, Scene};
+use crate::scene::Scene;
 use crate::worked::{Worked, work_placed};
 
 use super::curve;
-use super::zoom::Zoom;
+use super::split::{Split, split};
+use super::zoom::{Windows, Zoom};
 use crate::sweep::follow::{Follower, Pose, Sweep, between};
 
 /// A pose with all that is known of it.
@@ -46,6 +45,8 @@ pub struct Frames {
     pub full: bool,
     /// The scale and the windows of either polygon, if there is one.
     pub zoom: [Option<Zoom>; 2],
+    /// How either is split over several drawings, if it is.
+    pub split: [Option<Split>; 2],
     /// Whether some polygon next to a limit is too large for the paper.
     pub cut: bool,
 }
@@ -73,6 +74,7 @@ struct Papers {
     /// That of the scene's own figure (m/mm).
     mu_l: f64,
     zooms: [Option<Zoom>; 2],
+    splits: [Option<Split>; 2],
 }
 
 /// A mark in a window, and in which.
@@ -233,23 +235,20 @@ impl Maker<'_> {
         let own = trials.iter().min_by(|a, b| a.travel.abs().total_cmp(&b.travel.abs())).map(|t| &t.worked);
         let boxes = own.map_or(Boxes::default(), |w| Boxes::of(&self.scene.paper, &w.plan));
         let common = Scales::of(&self.scene.paper, &poses, unlimited, boxes);
-        let zooms = Level::RATES.map(|level| Zoom::of(&self.scene.paper, &poses, &common, level, boxes, self.label_mm(&poses, level)));
-        Papers { mu_l: own.map_or(common.mu_l, |w| w.construction.diagram.mu_l), common, zooms }
-    }
-
-    /// The size of the type in a polygon: small where there are many vectors.
-    fn label_mm(&self, poses: &[(f64, &Worked)], level: Level) -> f64 {
-        let many = poses.par_iter().any(|(_, worked)| {
-            let w = Writer { scene: self.scene, plan: &worked.plan, notation: self.notation, lang: Lang::En };
-            worked.construction.polygon(level).is_some_and(|p| is_full(&w, p))
-        });
-        if many { self.style.small_mm } else { self.style.label_mm }
+        let own_poses: Vec<&Worked> = poses.iter().map(|p| p.1).collect();
+        let of = |level| {
+            let (split, label_mm) = split(self.scene, self.mechanism, &own_poses, level, self.style, self.notation);
+            (Zoom::of(&self.scene.paper, &poses, &common, level, boxes, split.as_ref(), &label_mm), split)
+        };
+        let [(velocity, split_v), (acceleration, split_a)] = Level::RATES.map(of);
+        let mu_l = own.map_or(common.mu_l, |w| w.construction.diagram.mu_l);
+        Papers { mu_l, common, zooms: [velocity, acceleration], splits: [split_v, split_a] }
     }
 
     /// Draws all poses to the common scales.
     fn draw(&self, trials: Vec<Trial>, sweep: &Sweep) -> Result<Frames, Faults> {
         let papers = self.papers(&trials, sweep.is_unlimited());
-        let mut frames = Frames { list: Vec::new(), base: 0, full: sweep.full, zoom: papers.zooms.clone(), cut: false };
+        let mut frames = Frames { list: Vec::new(), base: 0, full: sweep.full, zoom: papers.zooms.clone(), split: papers.splits.clone(), cut: false };
         let to_scale = |trial: &Trial| {
             let mut scene = self.follower.scene_at(self.scene, trial.travel);
             let [mu_v, mu_a] = papers.zooms.each_ref().map(|z| z.as_ref().map(|z| z.mu));
@@ -290,14 +289,27 @@ impl Papers {
     fn marks(&self, worked: &Worked) -> Vec<Option<Mark>> {
         let joint = |p: Point| (0, (p.to_vec2() * (1.0 / self.mu_l)).to_point());
         let mut marks: Vec<Option<Mark>> = worked.configuration.points.iter().map(|p| p.map(joint)).collect();
-        for (level, zoom) in Level::RATES.into_iter().zip(&self.zooms) {
-            if let (Some(p), Some(zoom)) = (worked.construction.polygon(level), zoom) {
-                // What is not shown need not be true.
-                let on_paper = self.common.holds(worked, level);
-                let scale = zoom.place(worked);
-                let mark = |q: Point| on_paper.then(|| (scale, (q.to_vec2() * (p.mu / zoom.view[scale])).to_point()));
-                marks.extend(p.images.iter().map(|q| q.and_then(mark)));
-                marks.extend(p.edges.iter().map(|e| mark(e.to.1)));
+        for ((level, zoom), split) in Level::RATES.into_iter().zip(&self.zooms).zip(&self.splits) {
+            let (Some(p), Some(zoom)) = (worked.construction.polygon(level), zoom) else { continue };
+            // What is not shown need not be true.
+            let on_paper = self.common.holds(worked, level);
+            let through = |windows: &Windows, scale: usize, q: Point| {
+                on_paper.then(|| (scale, (q.to_vec2() * (1.0 / windows.view[scale])).to_point()))
+            };
+            for (part, windows) in zoom.windows.iter().enumerate() {
+                let mut add = |list: Vec<Option<Point>>, scale| marks.extend(list.into_iter().map(|q| through(windows, scale, q?)));
+                match split {
+                    None => {
+                        let scale = windows.place(ends(worked, level));
+                        let in_si = |q: Point| (q.to_vec2() * p.mu).to_point();
+                        add(p.images.iter().map(|q| q.map(in_si)).chain(p.edges.iter().map(|e| Some(in_si(e.to.1)))).collect(), scale);
+                    }
+                    Some(split) => {
+                        let list = split.ends(worked, level, part);
+                        let scale = windows.place(list.iter().flatten().copied());
+                        add(list, scale);
+                    }
+                }
             }
         }
         marks

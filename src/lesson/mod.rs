@@ -1,7 +1,7 @@
 //! A lesson: one HTML page in which a mechanism stands beside its polygons, built step by step, with a crank to drag.
 //!
 //! Decided here: what the page holds. [`crate::sweep::follow`] follows the mechanism through its driver's travel, [`frames`] works each pose to
-//! one scale ([`zoom`]), [`scenery`] draws it, [`track`] tells what changes from frame to frame and [`pack`] in how few
+//! one scale ([`zoom`]; [`split`] parts one of many vectors), [`scenery`] draws it, [`track`] tells what changes from frame to frame and [`pack`] in how few
 //! characters, [`bank`] does the same for sentences ([`crate::report::math`] sets their formulas), [`equations`] gives each step its equation, [`page`] puts it together, and
 //! [`reveal`] writes one pose as a fragment for slides.
 //! Not decided here: how anything is drawn or solved.
@@ -18,6 +18,7 @@ mod pack;
 mod page;
 mod reveal;
 mod scenery;
+mod split;
 mod steps;
 mod track;
 mod words;

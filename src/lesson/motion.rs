@@ -3,7 +3,7 @@
 //! Decided here: which instants the page holds, and one set of scales for them. The drawings are those of [`crate::figure::particle`], the numbers those of
 //! [`crate::particle`]: at each instant the motion is solved and drawn anew. The page fetches nothing and holds both languages.
 
-use super::design::{html, nameless};
+use super::design::nameless;
 use super::pack::pressed;
 use super::page::{BASE, filled, terse};
 use crate::diag::{Diagnostic, Faults, both};
@@ -22,7 +22,7 @@ use crate::render::escaped;
 use crate::render::number::mm;
 use crate::render::svg::Elements;
 use crate::report::answers::DIGITS;
-use crate::report::math::mathml;
+use crate::report::math::{html, mathml};
 use crate::report::particle as report;
 use crate::scene::{Book, Lang};
 use serde_json::{Value, json};

@@ -24,7 +24,7 @@ use super::bank::{self, Formulas};
 use super::equations::equations;
 use super::frames::{Frame, Frames};
 use super::marks::marks;
-use super::scenery::{Layout, Scenery, Shows, scenery, stray};
+use super::scenery::{Layout, Scenery, Shows, place, scenery, stray};
 use super::steps::{LANGS, answers, steps};
 use super::track::{Told, UNIT, runs};
 use super::words::{table, word};
@@ -178,14 +178,19 @@ fn drawing(d: &Scenery, told: &[Told]) -> Value {
         // A name stands once in a document: that of an element in the window of all poses is kept aside.
         layout["markup"] = json!(told.markup.replace(" id=\"", " data-id=\""));
     }
-    json!({"key": d.shows.key(), "shown": runs(d.shown.iter().copied()), "layouts": layouts})
+    // For the page the mechanism has no level, an index among the rates.
+    let (level, part) = match d.shows {
+        Shows::Mechanism => (None, None),
+        Shows::Polygon(level, part) => (Some(place(level)), part),
+    };
+    json!({"key": d.shows.key(), "level": level, "part": part, "shown": runs(d.shown.iter().copied()), "layouts": layouts})
 }
 
 /// A scale as the label language says it.
 fn scale_formula(book: &Book, shows: Shows, mu: f64) -> String {
     let level = match shows {
         Shows::Mechanism => Level::Position,
-        Shows::Polygon(level) => level,
+        Shows::Polygon(level, _) => level,
     };
     of_level(book, level, mu)
 }
@@ -194,18 +199,24 @@ fn scale_formula(book: &Book, shows: Shows, mu: f64) -> String {
 fn figure(d: &Scenery, told: &[Told], frames: &Frames, lang: Lang) -> String {
     let [w, h] = d.size_mm.map(crate::render::number::mm);
     let book = &frames.list[frames.base].scene.book;
-    let caption: fn(Lang) -> &'static str = match d.shows {
-        Shows::Mechanism => |l| figure_words::words(l).diagram,
-        Shows::Polygon(Level::Acceleration) => |l| figure_words::words(l).acceleration_polygon,
-        Shows::Polygon(_) => |l| figure_words::words(l).velocity_polygon,
+    let caption = |l: Lang| match d.shows {
+        Shows::Mechanism => figure_words::words(l).diagram.to_owned(),
+        Shows::Polygon(level, None) => figure_words::words(l).polygon(level).to_owned(),
+        Shows::Polygon(level, Some(part)) => {
+            let (name, number) = (figure_words::words(l).polygon(level), part + 1);
+            match l {
+                Lang::En => format!("{name} ({number})"),
+                Lang::Zh => format!("{name}（{number}）"),
+            }
+        }
     };
     let key = d.shows.key();
-    let both = LANGS.map(|l| format!(" data-{}=\"{}\"", tag(l), escaped(caption(l)))).concat();
+    let both = LANGS.map(|l| format!(" data-{}=\"{}\"", tag(l), escaped(&caption(l)))).concat();
     let ink = told.first().map_or_else(String::new, |t| format!("<g class=\"ink\">\n{}</g>\n", t.markup));
     format!(
         "<figure id=\"{key}\" class=\"drawing\">\n<svg viewBox=\"0 0 {w} {h}\" style=\"--w:{w};--h:{h}\" role=\"img\" aria-labelledby=\"{key}-caption\">\n\
          {ink}</svg>\n<p class=\"off\" hidden></p>\n{ZOOMS}<figcaption><span id=\"{key}-caption\"{both}>{}</span> <span class=\"scale\">{}</span></figcaption>\n</figure>\n",
-        escaped(caption(lang)),
+        escaped(&caption(lang)),
         mathml(&Label::math(scale_formula(book, d.shows, d.mu))),
     )
 }

@@ -9,7 +9,7 @@ use crate::construct::Polygon;
 use crate::diag::Faults;
 use crate::figure::course::courses;
 use crate::figure::mechanism::{self, Course};
-use crate::figure::polygon;
+use crate::figure::polygon::{self, Share};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::paper::drawing::{Drawing, Habits, Part};
@@ -36,17 +36,19 @@ const AIR_MM: f64 = 1.0;
 pub enum Shows {
     /// The mechanism.
     Mechanism,
-    /// A polygon.
-    Polygon(Level),
+    /// A polygon, or one part of it where it is split.
+    Polygon(Level, Option<usize>),
 }
 
 impl Shows {
     /// A word for names in the page.
-    pub fn key(self) -> &'static str {
+    pub fn key(self) -> String {
         match self {
-            Shows::Mechanism => "mechanism",
-            Shows::Polygon(Level::Acceleration) => "acceleration",
-            Shows::Polygon(_) => "velocity",
+            Shows::Mechanism => "mechanism".to_owned(),
+            Shows::Polygon(level, part) => {
+                let word = ["velocity", "acceleration"][place(level)];
+                part.map_or_else(|| word.to_owned(), |part| format!("{word}-{}", part + 1))
+            }
         }
     }
 }
@@ -87,9 +89,19 @@ pub struct Layout {
 pub fn scenery(frames: &Frames, notation: &Notation, style: &Style) -> Result<Vec<Scenery>, Faults> {
     let mut wanted = vec![Shows::Mechanism];
     let drawn = |level: Level| frames.list.iter().any(|f| f.worked.construction.polygon(level).is_some());
-    wanted.extend(Level::RATES.into_iter().filter(|l| drawn(*l)).map(Shows::Polygon));
+    for level in Level::RATES.into_iter().filter(|l| drawn(*l)) {
+        match &frames.split[place(level)] {
+            None => wanted.push(Shows::Polygon(level, None)),
+            Some(split) => wanted.extend((0..split.parts()).map(|part| Shows::Polygon(level, Some(part)))),
+        }
+    }
     // The drawings know nothing of one another.
     wanted.into_par_iter().map(|shows| Studio::of(frames, notation, style, shows).scenery()).collect()
+}
+
+/// A level's place in what is told of both.
+pub fn place(level: Level) -> usize {
+    usize::from(level == Level::Acceleration)
 }
 
 /// The parts of all frames in which something is drawn.
@@ -112,10 +124,12 @@ impl<'a> Studio<'a> {
         // Black on white: the page gives it the colours of its light or dark theme.
         let Style { palette, plate, .. } = Style::default();
         let style = Style { palette, plate, ..style.clone() };
-        let full = frames.list.iter().any(|f| polygon_of(f, shows, notation).is_some_and(|(w, p)| polygon::is_full(&w, p)));
+        let share = share_of(frames, shows);
+        let is_full = |(w, p): (Writer, &Polygon)| share.map_or_else(|| polygon::is_full(&w, p), |s| polygon::is_full_share(&w, p, s));
+        let full = frames.list.iter().any(|f| polygon_of(f, shows, notation).is_some_and(is_full));
         let mu = match shows {
             Shows::Mechanism => frames.list[frames.base].worked.construction.diagram.mu_l,
-            Shows::Polygon(level) => frames.zoom[usize::from(level == Level::Acceleration)].as_ref().map_or(1.0, |z| z.mu),
+            Shows::Polygon(level, _) => frames.zoom[place(level)].as_ref().map_or(1.0, |z| z.mu),
         };
         Studio { frames, notation, style, shows, full, mu }
     }
@@ -123,7 +137,7 @@ impl<'a> Studio<'a> {
     fn scenery(&self) -> Result<Scenery, Faults> {
         match self.shows {
             Shows::Mechanism => self.mechanism(),
-            Shows::Polygon(level) => self.polygon(level),
+            Shows::Polygon(level, part) => self.polygon(level, part.unwrap_or(0)),
         }
     }
 
@@ -151,8 +165,8 @@ impl<'a> Studio<'a> {
         self.told(size(own), vec![(own_mu, own, self.parts(own_mu, own, true)), (mu, seen, self.parts(mu, seen, false))])
     }
 
-    fn polygon(&self, level: Level) -> Result<Scenery, Faults> {
-        let Some(zoom) = self.frames.zoom[usize::from(level == Level::Acceleration)].as_ref() else {
+    fn polygon(&self, level: Level, part: usize) -> Result<Scenery, Faults> {
+        let Some(zoom) = self.frames.zoom[place(level)].as_ref().map(|z| &z.windows[part]) else {
             return self.told([0.0; 2], Vec::new());
         };
         let window = window_mm(self.label_mm());
@@ -228,9 +242,13 @@ impl<'a> Studio<'a> {
                 part.translate(by);
                 Some(part)
             }
-            Shows::Polygon(_) => {
+            Shows::Polygon(..) => {
                 let (w, p) = polygon_of(frame, self.shows, self.notation)?;
-                let drawing = polygon::drawing(&self.style, &w, &p.to_scale(mu), self.full);
+                let p = p.to_scale(mu);
+                let drawing = match share_of(self.frames, self.shows) {
+                    None => polygon::drawing(&self.style, &w, &p, self.full),
+                    Some(share) => polygon::share_drawing(&self.style, &w, &p, share, self.full)?,
+                };
                 // What is too long for the window has room around it.
                 let lines = drawing.bounds();
                 let room = if window.union(lines) == window { window } else { with_names(lines, self.label_mm()).union(window) };
@@ -254,6 +272,11 @@ impl<'a> Studio<'a> {
             for (k, part) in parts.into_iter().enumerate() {
                 let Some(mut part) = part else { continue };
                 part.translate(shift);
+                if let Shows::Polygon(level, Some(_)) = self.shows {
+                    // What several parts show has a name of its own in each.
+                    let (whole, own) = (Shows::Polygon(level, None).key(), self.shows.key());
+                    part.items.iter_mut().for_each(|i| i.id = i.id.replacen(&whole, &own, 1));
+                }
                 back[k] = beyond(part.bounds, middle, size_mm);
                 track.add(k, &part.items, &frames.list[k].worked.construction.chosen)?;
             }
@@ -292,10 +315,16 @@ fn about(centre: Point, [w, h]: [f64; 2]) -> Rect {
 
 /// A frame's polygon, where it is on the paper, and who writes its letters (the language does not matter).
 fn polygon_of<'a>(frame: &'a Frame, shows: Shows, notation: &'a Notation) -> Option<(Writer<'a>, &'a Polygon)> {
-    let Shows::Polygon(level) = shows else { return None };
+    let Shows::Polygon(level, _) = shows else { return None };
     let on_paper = frame.shown[Level::RATES.iter().position(|l| *l == level)?];
     let p = frame.worked.construction.polygon(level).filter(|_| on_paper)?;
     Some((Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang: Lang::En }, p))
+}
+
+/// The part of a split polygon that a drawing shows.
+fn share_of(frames: &Frames, shows: Shows) -> Option<Share<'_>> {
+    let Shows::Polygon(level, Some(part)) = shows else { return None };
+    Some(frames.split[place(level)].as_ref()?.share(part))
 }
 
 /// By how much (mm) a frame's diagram must be moved to lie over that of the scene's own pose: its origin may be a point that

@@ -18,11 +18,13 @@ use crate::scene::{Lang, Swept, driver_position};
 
 use super::bank::{self, Formulas};
 use super::frames::{Frame, Frames};
+use super::scenery::{Shows, place};
 
 /// Both languages of the page.
 pub const LANGS: [Lang; 2] = [Lang::En, Lang::Zh];
 
-/// The steps after the mechanism's own: level, index of the action (−1 for the pole), and what is said, English and Chinese.
+/// The steps after the mechanism's own: the key of the drawing, index of the action in its level (−1 for the pole), and what is said,
+/// English and Chinese.
 pub fn steps(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let mut steps = Vec::new();
     let told: Vec<Steps> = frames.list.par_iter().map(|f| certified_steps(&f.scene, &f.worked, None)).collect();
@@ -30,10 +32,11 @@ pub fn steps(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> V
         let of = |lang| frames.list.iter().zip(&told).map(|(f, t)| of_level(f, t, level, notation, lang)).collect::<Vec<_>>();
         let said = LANGS.map(of);
         let count = said[0].iter().map(Vec::len).max().unwrap_or(0);
-        let key = if level == Level::Acceleration { "acceleration" } else { "velocity" };
+        let split = frames.split[place(level)].as_ref();
         for n in 0..count {
             let [en, zh] = in_both(|l| said[l].iter().map(|s| s.get(n).cloned()).collect(), formulas);
-            steps.push(json!([key, n as i64 - 1, en, zh]));
+            let shows = Shows::Polygon(level, split.map(|s| s.part_of(n.checked_sub(1))));
+            steps.push(json!([shows.key(), n as i64 - 1, en, zh]));
         }
     }
     steps

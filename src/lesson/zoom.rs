@@ -2,7 +2,8 @@
 //!
 //! Decided here: that a polygon has the scale of the scene's own figure in all positions, so that vectors can be compared and every
 //! sentence names the lengths of the worksheet; and that the page looks at it through a window that the polygon of the scene's own
-//! pose fills, and, once a vector would leave that, through one that holds the polygons of all poses. A window is told in
+//! pose fills, and, once a vector would leave that, through one that holds the polygons of all poses; each part of a split one
+//! ([`super::split`]) through windows of its own. A window is told in
 //! millimetres of its own, in which type, weights and arrowheads have the sizes of the style: through either the type is as
 //! large on the screen.
 
@@ -14,8 +15,12 @@ use crate::paper::extent::Rect;
 use crate::scene::Paper;
 use crate::worked::Worked;
 
-/// The usual polygon is that of the scene's own pose; it is not taken for smaller than this part of what half of all poses have.
+use super::split::Split;
+
+/// The usual polygon is that of the scene's own pose; for the scale it is not taken for smaller than this part of what half of all poses
+/// have, for its window than the other.
 const OF_HALF: f64 = 0.5;
+const WINDOW_OF_HALF: f64 = 0.1;
 /// How much larger the polygon of the scene's own pose must be seen through a window of its own to be worth one.
 pub const GAIN: f64 = 1.25;
 /// The stage of a polygon on a projector of 1280 × 720 pixels: width and height (px).
@@ -53,51 +58,120 @@ pub fn with_names(lines: Rect, label_mm: f64) -> Rect {
     Rect::new(lines.min - room, lines.max + room)
 }
 
-/// The scale and windows of a polygon.
+/// The scale of a polygon, and the windows of its drawings: of the whole, or of each part where it is split.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Zoom {
     /// The scale, of all poses (SI per mm of paper).
     pub mu: f64,
+    /// The windows of each drawing.
+    pub windows: Vec<Windows>,
+}
+
+/// The two windows of a drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Windows {
     /// SI per mm of the window, for the scene's own pose and for all of them; equal where one window serves both.
     pub view: [f64; 2],
-    level: Level,
     /// What the two windows look at (SI): the middles of the vectors that they are made for.
     pub middles: [Point; 2],
     /// How far the own window holds vectors to either side (SI).
     half: [f64; 2],
 }
 
+/// What a drawing of a pose's polygon holds.
+struct Sight {
+    /// How far what moves has gone.
+    travel: f64,
+    /// Whether the paper holds the polygon.
+    held: bool,
+    /// How large it is (SI per mm of the box for polygons).
+    size: f64,
+    /// The ends of its vectors seen from the pole (SI).
+    ends: Vec<Point>,
+}
+
 impl Zoom {
     /// That of a polygon that `common` has a scale for; `None` where there is no such polygon. Poses come with the driver's travel.
-    pub fn of(paper: &Paper, poses: &[(f64, &Worked)], common: &Scales, level: Level, boxes: Boxes, label_mm: f64) -> Option<Zoom> {
+    /// `label_mm` is the type of each drawing.
+    pub fn of(
+        paper: &Paper,
+        poses: &[(f64, &Worked)],
+        common: &Scales,
+        level: Level,
+        boxes: Boxes,
+        split: Option<&Split>,
+        label_mm: &[f64],
+    ) -> Option<Zoom> {
         let later = level == Level::Acceleration;
         let one = common.mu[usize::from(later)]?;
-        let on_paper = |w: &&Worked| common.holds(w, level);
-        let sized = |w: &Worked| size(w, level, &boxes).unwrap_or(0.0);
-        let mut sizes: Vec<f64> = poses.iter().map(|p| p.1).filter(on_paper).map(sized).collect();
-        sizes.sort_by(f64::total_cmp);
-        let base = poses.iter().min_by(|a, b| a.0.abs().total_cmp(&b.0.abs())).map(|p| p.1)?;
-        let own = sized(base);
-        let half = OF_HALF * sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
+        let whole = |w: &Worked| (size(w, level, &boxes).unwrap_or(0.0), ends(w, level).collect());
+        let whole = Sight::list(poses, |w| common.holds(w, level), whole);
+        let (own, middling) = Sight::usual(&whole)?;
+        let half = OF_HALF * middling;
         let fixed = if later { paper.mu_a } else { paper.mu_v };
-        let usual = if own >= half { base.construction.polygon(level).map(|p| p.mu) } else { None };
-        let around = |longest: f64| {
-            let held = poses.iter().map(|p| p.1).filter(on_paper).flat_map(|w| {
-                let part = if longest.is_finite() { (longest / sized(w)).min(1.0) } else { 1.0 };
-                ends(w, level).map(move |p| (p.to_vec2() * part).to_point())
-            });
-            held.chain([Point::ORIGIN]).collect::<Vec<Point>>()
-        };
-        let usual_mu = || scale::choose_in(paper.unit(level as usize), extent(around(half).into_iter()), boxes.polygon);
+        let base = poses.iter().min_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))?.1;
+        let usual = if own.size >= half { base.construction.polygon(level).map(|p| p.mu) } else { None };
+        let usual_mu = || scale::choose_in(paper.unit(level as usize), extent(Sight::around(&whole, half).into_iter()), boxes.polygon);
         let mu = fixed.or(usual).unwrap_or_else(|| if half > 0.0 { usual_mu() } else { one });
+        let windows = match split {
+            None => vec![Windows::of(&whole, label_mm[0], one)?],
+            Some(split) => {
+                let part = |(k, label_mm): (usize, &f64)| {
+                    let seen = |w: &Worked| {
+                        let ends: Vec<Point> = split.ends(w, level, k).into_iter().flatten().collect();
+                        let [width, height] = extent(ends.iter().copied().chain([Point::ORIGIN]));
+                        ((width / boxes.polygon[0]).max(height / boxes.polygon[1]), ends)
+                    };
+                    Windows::of(&Sight::list(poses, |w| common.holds(w, level), seen), *label_mm, one)
+                };
+                label_mm.iter().enumerate().map(part).collect::<Option<_>>()?
+            }
+        };
+        Some(Zoom { mu, windows })
+    }
+}
+
+impl Sight {
+    fn list(poses: &[(f64, &Worked)], held: impl Fn(&Worked) -> bool, seen: impl Fn(&Worked) -> (f64, Vec<Point>)) -> Vec<Sight> {
+        let of = |(travel, w): &(f64, &Worked)| {
+            let (size, ends) = seen(w);
+            Sight { travel: *travel, held: held(w), size, ends }
+        };
+        poses.iter().map(of).collect()
+    }
+
+    /// That of the scene's own pose, and the size that half of all poses have.
+    fn usual(list: &[Sight]) -> Option<(&Sight, f64)> {
+        let own = list.iter().min_by(|a, b| a.travel.abs().total_cmp(&b.travel.abs()))?;
+        let mut sizes: Vec<f64> = list.iter().filter(|s| s.held).map(|s| s.size).collect();
+        sizes.sort_by(f64::total_cmp);
+        Some((own, sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)))
+    }
+
+    /// The ends of all that the paper holds, of what is larger than `longest` brought nearer to the pole.
+    fn around(list: &[Sight], longest: f64) -> Vec<Point> {
+        let held = list.iter().filter(|s| s.held).flat_map(|s| {
+            let part = if longest.is_finite() { (longest / s.size).min(1.0) } else { 1.0 };
+            s.ends.iter().map(move |p| (p.to_vec2() * part).to_point())
+        });
+        held.chain([Point::ORIGIN]).collect()
+    }
+}
+
+impl Windows {
+    /// Those of a drawing; `one` is what a window without vectors has (SI/mm).
+    fn of(list: &[Sight], label_mm: f64, one: f64) -> Option<Windows> {
+        let (base, middling) = Sight::usual(list)?;
+        let (own, least) = (base.size, WINDOW_OF_HALF * middling);
         let inner = inner_mm(label_mm);
         let needed = |points: &[Point]| {
             let [w, h] = extent(points.iter().copied());
             (w / inner[0]).max(h / inner[1])
         };
-        let typical = own.max(half / OF_HALF);
-        let all = around(if typical > 0.0 { LONGEST * typical } else { f64::INFINITY });
-        let shown: Vec<Point> = if own >= half { ends(base, level).chain([Point::ORIGIN]).collect() } else { around(half) };
+        let typical = own.max(middling);
+        let all = Sight::around(list, if typical > 0.0 { LONGEST * typical } else { f64::INFINITY });
+        let shown: Vec<Point> =
+            if own >= least { base.ends.iter().copied().chain([Point::ORIGIN]).collect() } else { Sight::around(list, least) };
         let (turn, own) = (needed(&all), needed(&shown));
         let two = own > 0.0 && turn > GAIN * own;
         let view = match (turn > 0.0, two) {
@@ -106,14 +180,14 @@ impl Zoom {
             (true, true) => [own, turn],
         };
         let middles = [middle(if two { &shown } else { &all }), middle(&all)];
-        Some(Zoom { mu, view, level, middles, half: inner.map(|side| 0.5 * side * view[0]) })
+        Some(Windows { view, middles, half: inner.map(|side| 0.5 * side * view[0]) })
     }
 
-    /// Through which window a pose's polygon is first seen: the own one where its vectors lie in that.
-    pub fn place(&self, worked: &Worked) -> usize {
+    /// Through which window a pose's drawing is first seen: the own one where its vectors lie in that. Ends from the pole (SI).
+    pub fn place(&self, mut ends: impl Iterator<Item = Point>) -> usize {
         let at = self.middles[0];
         let inside = |p: Point| (p.x - at.x).abs() <= self.half[0] && (p.y - at.y).abs() <= self.half[1];
-        usize::from(self.view[0] < self.view[1] && !ends(worked, self.level).all(inside))
+        usize::from(self.view[0] < self.view[1] && !ends.all(inside))
     }
 }
 

@@ -4,11 +4,9 @@
 use super::{Block, Document, Table, TableKind};
 use crate::diag::Faults;
 use crate::paper::item::{Figure, Item};
-use crate::paper::label::Label;
-use crate::paper::phrase::{Phrase, Piece};
 use crate::paper::words::words;
 use crate::render::{escaped, number::mm, svg};
-use crate::report::math::{mathml, mathml_display};
+use crate::report::math::{self, mathml_display};
 
 /// The style: a page of text on the screen, A4 in print; drawings keep their millimetres there, for their scales are true.
 /// Letters of quantities come from the text's italic: in many mathematical fonts an italic v reads as υ.
@@ -58,12 +56,12 @@ pub fn html(document: &Document) -> Result<String, Faults> {
                 let h = level + 1;
                 out += &format!("<h{h}{class}>{}</h{h}>\n", escaped(text));
             }
-            Block::Paragraph(p) => out += &format!("<p>{}</p>\n", inline(p)),
+            Block::Paragraph(p) => out += &format!("<p>{}</p>\n", math::html(p)),
             Block::List { numbered, members } => {
                 let tag = if *numbered { "ol" } else { "ul" };
                 out += &format!("<{tag}>\n");
                 for m in members {
-                    out += &format!("<li>{}</li>\n", inline(m));
+                    out += &format!("<li>{}</li>\n", math::html(m));
                 }
                 out += &format!("</{tag}>\n");
             }
@@ -109,17 +107,9 @@ fn rows(table: &Table) -> String {
         out += "<tr>";
         for (c, cell) in row.iter().enumerate() {
             let tag = if r == 0 && table.kind == TableKind::Values || c == 0 && table.kind == TableKind::Equation { "th" } else { "td" };
-            out += &format!("<{tag}>{}</{tag}>", inline(cell));
+            out += &format!("<{tag}>{}</{tag}>", math::html(cell));
         }
         out += "</tr>\n";
     }
     out + "</table></div>\n"
-}
-
-fn inline(phrase: &Phrase) -> String {
-    let piece = |p: &Piece| match p {
-        Piece::Words(w) => escaped(w),
-        Piece::Formula(f) => mathml(&Label::math(f.as_str())),
-    };
-    phrase.pieces().iter().map(piece).collect()
 }

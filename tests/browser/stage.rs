@@ -182,8 +182,70 @@ fn one_scale_and_at_most_one_larger_window() {
 /// The names of a polygon have one size in all frames, however many of its vectors vanish in some.
 #[test]
 fn names_keep_their_size() {
-    let page = lesson(&template("jansen-leg"), &Options::of_language(Lang::En)).unwrap().value;
-    let figure = page.split("<figure id=\"acceleration\"").nth(1).and_then(|rest| rest.split("</figure>").next()).unwrap();
-    let sizes: std::collections::BTreeSet<&str> = figure.split("scale(").skip(1).filter_map(|rest| rest.split(')').next()).collect();
-    assert_eq!(sizes.len(), 1, "{sizes:?}");
+    for name in ["double-butterfly", "jansen-leg"] {
+        let page = lesson(&template(name), &Options::of_language(Lang::En)).unwrap().value;
+        let figures: Vec<&str> =
+            page.split("<figure id=\"acceleration").skip(1).filter_map(|rest| rest.split("</figure>").next()).collect();
+        assert!(!figures.is_empty());
+        for figure in figures {
+            let sizes: std::collections::BTreeSet<&str> =
+                figure.split("scale(").skip(1).filter_map(|rest| rest.split(')').next()).collect();
+            assert_eq!(sizes.len(), 1, "{name}: {sizes:?}");
+        }
+    }
+}
+
+/// A polygon of many vectors is split by group: each step is drawn where it is seen, no part has more names than can be read, and in
+/// every position its vectors are those of the library's whole polygon.
+#[test]
+fn a_polygon_of_many_vectors_is_split() {
+    let Some(mut b) = browser() else { return };
+    let scene = template("excavator");
+    b.open(&page("split", &scene), PROJECTOR);
+    let parts: Vec<String> = serde_json::from_value(b.eval("[...document.querySelectorAll('#polygons figure')].map((f) => f.id)")).unwrap();
+    assert!(parts.len() > 4 && parts.iter().all(|p| p.ends_with(|c: char| c.is_ascii_digit())), "{parts:?}");
+    // Names of one document are one each.
+    let twice = "(() => { const ids = [...document.querySelectorAll('[id]')].map((e) => e.id); return ids.length - new Set(ids).size; })()";
+    assert_eq!(b.eval(twice), 0);
+    let names = "[...document.querySelectorAll('#polygons figure')].map((f) => f.querySelectorAll('.ink:not([display]) > .label:not([display])').length)";
+    let names: Vec<usize> = serde_json::from_value(b.eval(names)).unwrap();
+    assert!(names.iter().all(|n| *n <= 24), "{names:?}");
+    // What a step draws is marked in the part that is seen, and in no other.
+    b.key("Home");
+    let now = "[...document.querySelectorAll('#polygons figure')].filter((f) => f.querySelector('.ink:not([display]) > .now:not([display])')).map((f) => [f.id, f.classList.contains('aside')])";
+    let mut seen = std::collections::BTreeSet::new();
+    loop {
+        b.key("ArrowRight");
+        let marked: Vec<(String, bool)> = serde_json::from_value(b.eval(now)).unwrap();
+        let on_stage: Vec<String> = marked.iter().filter(|m| !m.1).map(|m| m.0.clone()).collect();
+        assert!(marked.is_empty() || on_stage.len() == 1, "{marked:?}");
+        seen.extend(on_stage);
+        if b.eval("document.getElementById('next').disabled") == true {
+            break;
+        }
+    }
+    assert_eq!(seen.len(), parts.len(), "{seen:?}");
+    for _ in 0..4 {
+        let there = travel(&mut b);
+        let (scene_there, worked) = worked_at(&mut b, &scene, there);
+        let library: Ends = drawn(&scene_there, &worked);
+        let mut compared = 0;
+        for (id, ends) in shown(&mut b) {
+            let Some(part) = parts.iter().find(|p| id.starts_with(&format!("{p}-"))) else { continue };
+            let whole = id.replacen(part.as_str(), part.split('-').next().unwrap(), 1);
+            let Some(want) = library.get(&whole) else { continue };
+            let mu: f64 = b.eval(&format!("document.querySelector('#{part} svg').dataset.mu")).as_str().unwrap().parse().unwrap();
+            let level = if part.starts_with('a') { Level::Acceleration } else { Level::Velocity };
+            let times = worked.construction.polygon(level).unwrap().mu / mu;
+            let off = ends.iter().zip(want).map(|(a, b)| (a - b * times).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-2, "{id} at {there}: off by {off} mm");
+            compared += 1;
+        }
+        assert!(compared > 40, "{compared}");
+        // Not far: alone, a far position is assembled as the scene's coordinates are nearest to.
+        for _ in 0..3 {
+            b.key("+");
+        }
+    }
+    assert_quiet(&b, "split");
 }

@@ -79,7 +79,7 @@
     return { ink, mu, times: large, origin, held: flags(held), back: stretched(back), movers, stepped };
   }
 
-  const drawings = data.drawings.map(({ key, shown, layouts }) => {
+  const drawings = data.drawings.map(({ key, level, part, shown, layouts }) => {
     const figure = $(key);
     const svg = figure.querySelector("svg");
     const inks = layouts.map(({ markup }) => {
@@ -94,6 +94,8 @@
     svg.prepend(under);
     return {
       key,
+      level,
+      part,
       figure,
       svg,
       over,
@@ -106,7 +108,7 @@
       zoom: { times: 1, x: 0, y: 0 },
     };
   });
-  const mechanism = drawings[0];
+  const [mechanism, ...polygons] = drawings;
   const drawing = (key) => drawings.find((d) => d.key === key);
 
   /** The layout through which a drawing is seen now. */

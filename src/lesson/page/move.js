@@ -101,7 +101,7 @@
 
   /** The drawing that is seen: on the small stage one polygon at a time. */
   function present(key) {
-    for (const d of drawings.slice(1)) {
+    for (const d of polygons) {
       const on = d.key === key;
       d.figure.classList.toggle("aside", !on);
       const tab = $(`tab-${d.key}`);
@@ -110,9 +110,8 @@
   }
 
   function reveal() {
-    for (const d of drawings) {
-      if (d.key === "mechanism") continue;
-      const first = steps.findIndex((s) => s.key === d.key);
+    for (const d of polygons) {
+      const first = steps.findIndex((s) => s.level === d.level);
       for (const { stepped } of d.layouts) {
         for (const { element, step: n } of stepped) {
           const of = first + n + 2;

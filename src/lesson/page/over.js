@@ -83,13 +83,13 @@
     }
     if (shows.hodograph) {
       const frames = grownFrames(k);
-      for (const [i, key] of ["velocity", "acceleration"].entries()) {
-        const d = drawing(key);
-        if (!d || !d.shown[k]) continue;
+      for (const d of polygons) {
+        if (!d.shown[k]) continue;
         for (const p of seen) {
-          if (!p.vectors[i]) continue;
-          const list = frames.map((f) => (p.vectors[i].seen[f] ? inWindow(d, p.vectors[i].frame(f)) : null));
-          if (grown !== null) list.push(inWindow(d, p.vectors[i](where)));
+          const ends = p.vectors[d.level];
+          if (!ends) continue;
+          const list = frames.map((f) => (ends.seen[f] ? inWindow(d, ends.frame(f)) : null));
+          if (grown !== null) list.push(inWindow(d, ends(where)));
           drawn("path", { class: "hodograph", d: curve(list) }, d.under);
         }
       }

@@ -31,15 +31,16 @@
     $("language").textContent = word("language");
     $("language").lang = other[lang];
     $("hint").textContent = word(data.driver.time ? "drag_time" : data.driver.turns ? "drag" : "drag_slide");
-    const two = drawings.slice(1).some((d) => d.layouts.length > 1);
+    const two = polygons.some((d) => d.layouts.length > 1);
     $("notes").textContent = [word(data.cut ? "scales_cut" : "scales"), two ? word("scales_window") : "", word(data.driver.time ? "rates_time" : "rates")].join(" ");
-    for (const d of drawings.slice(1)) {
+    for (const d of polygons) {
       const tab = $(`tab-${d.key}`);
-      tab.textContent = word(`tab_${d.key}`);
+      // The parts of a split polygon: the first names it.
+      tab.textContent = [d.part ? "" : word(`tab_${levels[d.level]}`), d.part === null ? "" : d.part + 1].join(" ").trim();
       tab.title = d.figure.querySelector("[data-en]").dataset[lang];
       tab.setAttribute("aria-label", tab.title);
     }
-    for (const d of drawings) d.off.textContent = d.key === "mechanism" ? "" : word(`off_${d.key}`);
+    for (const d of polygons) d.off.textContent = word(`off_${levels[d.level]}`);
     written = spoken = null;
     grip.setAttribute("aria-label", word("handle"));
     const values = data.full ? [start, start + wholeTurn * (data.turns || 1)] : ends().map((t) => start + t * data.driver.factor);
@@ -61,7 +62,7 @@
   /** On paper, A4 upright: the polygons beside one another below the mechanism. On the screen the stages have their sizes by style. */
   function fit() {
     const sizes = drawings.map((d) => d.size);
-    const below = sizes.slice(1).reduce((sum, s) => sum + s[0], 0);
+    const below = Math.min(polygons.length, 2) * Math.max(...sizes.slice(1).map((s) => s[0]), 0);
     document.body.style.setProperty("--m", Math.min(1, 178 / Math.max(sizes[0][0], below), 110 / sizes[0][1]));
     written = spoken = null;
     if (told >= 0) tell();
@@ -75,9 +76,10 @@
   }
 
   // The points that are followed, and what is drawn of them.
+  const levels = ["velocity", "acceleration"];
   const toggles = { path: "s", velocity: "v", acceleration: "a", hodograph: "h" };
   for (const name of Object.keys(toggles)) {
-    const able = name === "path" || name === "hodograph" ? drawings.length > 1 || name === "path" : !!drawing(name);
+    const able = name === "path" || name === "hodograph" ? drawings.length > 1 || name === "path" : polygons.some((d) => d.level === levels.indexOf(name));
     $(`show-${name}`).disabled = !able;
     $(`show-${name}`).addEventListener("click", () => toggle(name));
   }
@@ -100,15 +102,17 @@
     });
     $("points").append(chip);
   });
-  const tabs = drawings.slice(1).map((d) => {
+  const tabs = polygons.map((d) => {
     const tab = document.createElement("button");
     tab.type = "button";
     tab.id = `tab-${d.key}`;
+    tab.classList.toggle("part", d.part > 0);
     tab.addEventListener("click", () => present(d.key));
     $("tabs").append(tab);
     return tab;
   });
   $("tabs").hidden = tabs.length < 2;
+  $("tabs").classList.toggle("many", tabs.length > 2);
   /** The next step, or in a prediction its answer. */
   const forward = () => (predicting ? predicting.giveUp() : go(step + 1));
   const backward = () => {
@@ -116,8 +120,8 @@
     go(step - 1);
   };
   const other_polygon = () => {
-    const at = drawings.findIndex((d, i) => i && !d.figure.classList.contains("aside"));
-    if (drawings.length > 2) present(drawings[at === 1 ? 2 : 1].key);
+    const at = polygons.findIndex((d) => !d.figure.classList.contains("aside"));
+    if (polygons.length) present(polygons[(at + 1) % polygons.length].key);
   };
 
   const leap = (to) => {
@@ -224,7 +228,7 @@
   });
 
   drawings.forEach((d) => look(d, 0));
-  present(drawings[1]?.key);
+  present(polygons[0]?.key);
   fit();
   reveal();
   speak();

@@ -34,7 +34,7 @@
       if (!about || !d || !d.shown[k] || !["l", "d", "x"].includes(about.kind)) return null;
       const large = seenThrough(d).times;
       if (about.kind === "x") {
-        const found = points[about.point]?.vectors[of.key === "acceleration" ? 1 : 0];
+        const found = points[about.point]?.vectors[of.level];
         const place = found && found.frame(k);
         if (!place || Number.isNaN(place[0]) || !added(d, of.n).length) return null;
         const target = inWindow(d, place);

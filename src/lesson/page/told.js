@@ -37,13 +37,13 @@
     return (k) => says[lang](k);
   }
 
-  const steps = data.steps.map(([key, n, en, zh]) => ({ key, n, say: sayer([en, zh]) }));
+  const steps = data.steps.map(([key, n, en, zh]) => ({ key, level: drawing(key).level, n, say: sayer([en, zh]) }));
   const equations = data.equations;
   const variants = stretched(equations.frames === 0 ? [0, count] : equations.frames);
 
   /** The equation that a step of a frame solves, what the step draws of it marked; see equations.rs. */
   function equation(of, k) {
-    const told = of && variants[k] >= 0 ? equations.variants[variants[k]][of.key === "acceleration" ? 1 : 0] : [];
+    const told = of && variants[k] >= 0 ? equations.variants[variants[k]][of.level] : [];
     if (!told[of?.n]) return { index: -1, html: "", most: 1 };
     const [index, ...now] = told[of.n];
     const columns = equations.written[index];
@@ -70,7 +70,7 @@
 
   /** What an action of a step is about; see acts.rs. */
   function act(of, k) {
-    const list = of && variants[k] >= 0 ? equations.acts[variants[k]][of.key === "acceleration" ? 1 : 0] : [];
+    const list = of && variants[k] >= 0 ? equations.acts[variants[k]][of.level] : [];
     const told = list[of?.n];
     if (!told) return null;
     const [kind, links, point, seen, sense, symbol, direction, line, rate] = told;

@@ -158,6 +158,34 @@ impl<N> Action<N> {
             | Action::Same { .. } => false,
         }
     }
+
+    /// The vectors that it draws (indices of edges).
+    pub fn edges(&self) -> &[usize] {
+        match self {
+            Action::LayOff(e) | Action::Join(e) => std::slice::from_ref(e),
+            Action::Cross { edges, .. } => edges,
+            Action::Perpendicular { edges, .. } => edges,
+            Action::Nothing { .. }
+            | Action::Line { .. }
+            | Action::Reach(_)
+            | Action::Copy { .. }
+            | Action::Same { .. }
+            | Action::Rate(_) => &[],
+        }
+    }
+
+    /// The vertex whose image it finds; a vector laid off finds that at its end ([`Edge::to`]).
+    pub fn finds(&self) -> Option<VertexId> {
+        match self {
+            Action::Cross { target, .. } | Action::Reach(target) | Action::Copy { target, .. } | Action::Same { target, .. } => Some(*target),
+            Action::LayOff(_)
+            | Action::Nothing { .. }
+            | Action::Line { .. }
+            | Action::Join(_)
+            | Action::Perpendicular { .. }
+            | Action::Rate(_) => None,
+        }
+    }
 }
 
 /// A polygon.

@@ -5,6 +5,7 @@
 
 use crate::paper::font::Slant;
 use crate::paper::label::{Label, Node, Role};
+use crate::paper::phrase::{Phrase, Piece};
 use crate::render::escaped;
 
 /// A part of a formula that stands on a line of its own.
@@ -99,6 +100,34 @@ pub fn mathml(label: &Label) -> String {
     format!("<math><mrow>{}</mrow></math>", Mathml.row(label.row()))
 }
 
+/// Browsers break a line beside any formula; this between a formula and its punctuation keeps them together (CSS Text, 5.1).
+const JOINER: &str = "&#x2060;";
+
+/// A sentence as HTML, its formulas as `formula` writes them.
+pub fn html_with(phrase: &Phrase, mut formula: impl FnMut(&str) -> String) -> String {
+    let pieces = phrase.pieces();
+    let is_formula = |k: Option<usize>| k.and_then(|k| pieces.get(k)).is_some_and(|p| matches!(p, Piece::Formula(_)));
+    let mut out = String::new();
+    for (k, piece) in pieces.iter().enumerate() {
+        match piece {
+            Piece::Formula(source) => out.push_str(&formula(source)),
+            Piece::Words(words) => {
+                let closes = words.starts_with([',', '.', ';', ':', '?', '!', ')', ']', '”', '’', '，', '。', '、', '；', '：', '）', '》', '」']);
+                let opens = words.ends_with(['(', '[', '“', '‘', '（', '《', '「']);
+                out.extend((closes && is_formula(k.checked_sub(1))).then_some(JOINER));
+                out.push_str(&escaped(words));
+                out.extend((opens && is_formula(Some(k + 1))).then_some(JOINER));
+            }
+        }
+    }
+    out
+}
+
+/// A sentence as HTML with MathML.
+pub fn html(phrase: &Phrase) -> String {
+    html_with(phrase, |source| mathml(&Label::math(source)))
+}
+
 /// A formula on its own line as MathML.
 pub fn mathml_display(parts: &[Math]) -> String {
     format!("<math display=\"block\"><mrow>{}</mrow></math>", Mathml.formula(parts))
@@ -153,16 +182,23 @@ impl Tongue for Mathml {
         format!("<mspace width=\"{em}em\"/>")
     }
     fn scripts(&self, base: String, primes: usize, sub: String, sup: String) -> String {
-        let marks = if primes > 0 { format!("<mo>{}</mo>", "′".repeat(primes)) } else { String::new() };
-        let (above, below) = (format!("<mrow>{marks}{sup}</mrow>"), format!("<mrow>{sub}</mrow>"));
+        let (above, below) = (format!("<mrow>{sup}</mrow>"), format!("<mrow>{sub}</mrow>"));
+        // The prime is a raised sign already: as a superscript Chromium raises it once more. A subscript stands below it.
+        let marks = format!("<mi mathvariant=\"normal\">{}</mi>", "′".repeat(primes));
+        let base = match (primes, sub.is_empty()) {
+            (0, _) => base,
+            (_, true) => format!("<mrow>{base}{marks}</mrow>"),
+            (_, false) => format!("<mrow>{base}<mpadded width=\"0\">{marks}</mpadded></mrow>"),
+        };
         // Under the descender of φ or μ a subscript would hang lower than under ω: the base is said to have no depth.
         let base = match (base.is_empty(), sub.is_empty()) {
             (true, _) => "<mrow></mrow>".to_owned(),
             (false, true) => base,
             (false, false) => format!("<mpadded depth=\"0\">{base}</mpadded>"),
         };
-        match (sub.is_empty(), marks.is_empty() && sup.is_empty()) {
-            (true, _) => format!("<msup>{base}{above}</msup>"),
+        match (sub.is_empty(), sup.is_empty()) {
+            (true, true) => base,
+            (true, false) => format!("<msup>{base}{above}</msup>"),
             (false, true) => format!("<msub>{base}{below}</msub>"),
             (false, false) => format!("<msubsup>{base}{below}{above}</msubsup>"),
         }

@@ -27,7 +27,7 @@ use crate::paper::symbols as sym;
 use inset::Inset;
 use marks::marks;
 use names::{Letter, Shown};
-pub use plates::{Plate, plates};
+pub use plates::{Plate, Share, is_full_share, plates, share_drawing, shares};
 
 /// Shorter than this a vector has neither head nor direction for the eye: it is a dot with a note that says zero.
 const ZERO_MM: f64 = 0.05;

@@ -6,18 +6,21 @@ use std::collections::HashMap;
 use crate::construct::{Action, Mark, Polygon, scale};
 use crate::geom::Point;
 use crate::mechanism::Mechanism;
-use crate::paper::drawing::Part;
+use crate::paper::drawing::{Drawing, Part};
 use crate::paper::item::Colour;
 use crate::paper::style::Style;
 use crate::plan::text::Writer;
 use crate::plan::{GroupSteps, Step, VertexId};
 
-use super::{Draft, is_one};
+use super::{Draft, MANY_ARROWS, is_one};
 
 /// Room for a plate: what stands beside its equations on a page of A4 across.
 const ROOM_MM: [f64; 2] = [125.0, 120.0];
 /// Vectors known before are grey: to be seen, and not to be taken for the plate's own.
 const KNOWN: Colour = Colour::grey(150);
+
+/// The vectors that are found together may be more; of groups put together there are no more than these.
+const MOST_TOGETHER: usize = 10;
 
 /// What a group adds to a polygon.
 pub struct Plate {
@@ -29,8 +32,73 @@ pub struct Plate {
     pub part: Part,
 }
 
-/// The plates of a polygon in the order of solving; none for a group that adds no vector.
-pub fn plates(style: &Style, w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<Plate> {
+/// Which part of a split polygon is meant.
+#[derive(Clone, Copy)]
+pub struct Share<'a> {
+    /// The part of each action ([`shares`]).
+    pub of: &'a [usize],
+    /// The one meant.
+    pub part: usize,
+}
+
+impl Share<'_> {
+    /// Whether an action belongs to it.
+    pub fn holds(&self, action: usize) -> bool {
+        self.of.get(action) == Some(&self.part)
+    }
+
+    /// The ends of its vectors and what they find, on paper, in an order that poses with the same actions share; the pole not among them.
+    pub fn ends(&self, p: &Polygon) -> Vec<Option<Point>> {
+        let mut ends = Vec::new();
+        for (_, action) in p.actions.iter().enumerate().filter(|(k, _)| self.holds(*k)) {
+            ends.extend(action.edges().iter().flat_map(|e| [p.edges[*e].from.1, p.edges[*e].to.1]).map(Some));
+            ends.extend(action.finds().map(|v| p.images[v.0]));
+        }
+        ends
+    }
+}
+
+/// The part that each action of a polygon belongs to, counted from 0, where it is split so that at most some ten vectors stand
+/// together: as few parts as the groups, in the order of solving, can be put together to. One part is no split.
+pub fn shares(w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<usize> {
+    let heads = heads(w, mechanism, p);
+    let of: Vec<usize> = groups_of_actions(w, p)
+        .into_iter()
+        .map(|group| group.and_then(|g| heads.iter().position(|head| head.contains(&g))).unwrap_or(0))
+        .collect();
+    let mut sizes = vec![0; heads.len()];
+    p.actions.iter().zip(&of).for_each(|(action, head)| sizes[*head] += action.edges().len() + usize::from(action.finds().is_some()));
+    let (mut part, mut held) = (0, 0);
+    let part_of: Vec<usize> = sizes
+        .iter()
+        .map(|size| {
+            if held > 0 && held + size > MOST_TOGETHER {
+                (part, held) = (part + 1, 0);
+            }
+            held += size;
+            part
+        })
+        .collect();
+    of.into_iter().map(|head| part_of[head]).collect()
+}
+
+/// A part of a split polygon before its labels are placed; nothing where it has no vector. `full` as for [`super::drawing`].
+pub fn share_drawing(style: &Style, w: &Writer, p: &Polygon, share: Share, full: bool) -> Option<Drawing> {
+    let draft = Draft::of(w, p).only(&|step| share.holds(step))?;
+    let mut style = style.clone();
+    if full {
+        style.label_mm = style.small_mm;
+    }
+    Some(draft.draw(&style, &[]).0)
+}
+
+/// Whether a part of a split polygon has more vectors than can be named in type of the usual size.
+pub fn is_full_share(w: &Writer, p: &Polygon, share: Share) -> bool {
+    Draft::of(w, p).only(&|step| share.holds(step)).is_some_and(|draft| draft.arrows.len() > MANY_ARROWS)
+}
+
+/// The groups that start a plate, each with the pins behind it that only sit on its links.
+fn heads(w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<Vec<usize>> {
     let mut heads: Vec<Vec<usize>> = Vec::new();
     for group in w.plan.steps(p.level).iter().map(|g| g.group) {
         match heads.last_mut() {
@@ -38,6 +106,12 @@ pub fn plates(style: &Style, w: &Writer, mechanism: &Mechanism, p: &Polygon) -> 
             _ => heads.push(vec![group]),
         }
     }
+    heads
+}
+
+/// The plates of a polygon in the order of solving; none for a group that adds no vector.
+pub fn plates(style: &Style, w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<Plate> {
+    let heads = heads(w, mechanism, p);
     let of = groups_of_actions(w, p);
     let of_head = |groups: Vec<usize>| {
         let mine = |step: usize| of.get(step).copied().flatten().is_some_and(|g| groups.contains(&g));
@@ -75,19 +149,17 @@ fn groups_of_actions(w: &Writer, p: &Polygon) -> Vec<Option<usize>> {
             of.entry(*target).or_insert(*group);
         }
     }
+    let laid = |action: &Action| {
+        let Action::LayOff(e) = action else { return None };
+        match p.edges[*e].to.0 {
+            Mark::Image(v) => Some(v),
+            Mark::Pole | Mark::Part(_) | Mark::Again(_) => None,
+        }
+    };
     let found: Vec<Option<usize>> = p
         .actions
         .iter()
-        .map(|action| match action {
-            Action::Cross { target, .. } | Action::Reach(target) | Action::Copy { target, .. } | Action::Same { target, .. } => {
-                of.get(target).copied()
-            }
-            Action::LayOff(e) => match p.edges[*e].to.0 {
-                Mark::Image(v) => of.get(&v).copied(),
-                Mark::Pole | Mark::Part(_) | Mark::Again(_) => None,
-            },
-            Action::Nothing { .. } | Action::Line { .. } | Action::Join(_) | Action::Perpendicular { .. } | Action::Rate(_) => None,
-        })
+        .map(|action| action.finds().or_else(|| laid(action)).and_then(|v| of.get(&v).copied()))
         .collect();
     let mut out = vec![None; found.len()];
     let mut before = None;

@@ -1,0 +1,74 @@
+//! A polygon of many vectors split over several drawings, so that each can be read from far.
+//!
+//! Decided here: that it is split where in some pose not all its vectors can be named in type of the usual size, and only where all poses
+//! split alike; the parts are those of [`crate::figure::polygon::shares`].
+
+use crate::figure::polygon::{Share, is_full, is_full_share, shares};
+use crate::geom::Point;
+use crate::mechanism::{Level, Mechanism};
+use crate::paper::style::Style;
+use crate::plan::notation::Notation;
+use crate::plan::text::Writer;
+use crate::scene::{Lang, Scene};
+use crate::worked::Worked;
+
+/// The split of a polygon.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Split {
+    of: Vec<usize>,
+    parts: usize,
+}
+
+impl Split {
+    /// How many parts there are; two at least.
+    pub fn parts(&self) -> usize {
+        self.parts
+    }
+
+    /// The part of an action; of the pole, before all of them, the first.
+    pub fn part_of(&self, action: Option<usize>) -> usize {
+        action.and_then(|k| self.of.get(k)).copied().unwrap_or(0)
+    }
+
+    /// One part.
+    pub fn share(&self, part: usize) -> Share<'_> {
+        Share { of: &self.of, part }
+    }
+
+    /// The ends of a part's vectors in a pose, seen from the pole (SI), in an order that all poses share.
+    pub fn ends(&self, worked: &Worked, level: Level, part: usize) -> Vec<Option<Point>> {
+        let Some(p) = worked.construction.polygon(level) else { return Vec::new() };
+        self.share(part).ends(p).into_iter().map(|end| end.map(|q| (q.to_vec2() * p.mu).to_point())).collect()
+    }
+}
+
+/// The split of a polygon over all poses, if it is split, and the type of each of its drawings (mm): small where there are many vectors.
+pub fn split(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    poses: &[&Worked],
+    level: Level,
+    style: &Style,
+    notation: &Notation,
+) -> (Option<Split>, Vec<f64>) {
+    let drawn = || {
+        poses.iter().filter_map(|worked| {
+            let w = Writer { scene, plan: &worked.plan, notation, lang: Lang::En };
+            Some((w, worked.construction.polygon(level)?))
+        })
+    };
+    let size = |many: bool| if many { style.small_mm } else { style.label_mm };
+    if !drawn().any(|(w, p)| is_full(&w, p)) {
+        return (None, vec![size(false)]);
+    }
+    let mut each = drawn().map(|(w, p)| shares(&w, mechanism, p));
+    let of = each.next().unwrap_or_default();
+    let parts = of.iter().max().map_or(1, |last| last + 1);
+    if parts == 1 || !each.all(|other| other == of) {
+        return (None, vec![size(true)]);
+    }
+    let split = Split { of, parts };
+    let many = |part| drawn().any(|(w, p)| is_full_share(&w, p, split.share(part)));
+    let sizes = (0..parts).map(|part| size(many(part))).collect();
+    (Some(split), sizes)
+}
