@@ -50,6 +50,11 @@ woff "$(ls fontsource-stix-two-math-5.3.0/files/stix-two-math-latin-400-normal.w
 pyftsubset stix.ttf --unicodes-file=stix.txt --layout-features=kern,ssty --drop-tables+=MATH --no-hinting --desubroutinize --notdef-outline \
     --output-file="$out/stix-math-sub.ttf"
 
+for face in upright:normal italic:italic; do
+    python3 "$here/page-fonts.py" "$out/tinos-${face#*:}.ttf" "${face%:*}" fontsource-stix-two-math-5.3.0/files/stix-two-math-latin-400-normal.woff2 \
+        "$out/page-${face%:*}.woff2"
+done
+
 characters "$here/song-gb1-cff.otf" >song.txt
 pyftsubset noto/usr/share/fonts/opentype/noto/NotoSerifCJK-Regular.ttc --font-number=2 --unicodes-file=song.txt \
     --layout-features= --drop-tables+=vhea,vmtx,VORG --no-hinting --desubroutinize --notdef-outline --output-file="$out/song-gb1-cff.otf"

@@ -78,6 +78,7 @@
 //! - [`lesson`]: one HTML page with the construction step by step and a driver to drag, and fragments for slides.
 //! - [`report`]: plan, construction, answers, diagnostics as text (in either language) and JSON.
 //! - [`worksheet`]: problem and solution as a document, and its writers: HTML with MathML, Markdown, Typst, pages for PDF.
+//! - [`webfont`]: the letters that every page brings with it.
 //! - [`cli`]: the only room that prints, reads arguments or touches files.
 //! - Small shared ones: [`geom`], [`trig`], [`digits`], [`diag`], [`json`].
 //!
@@ -138,8 +139,9 @@
 //! particle   diag json digits number geom scene construct
 //! report     diag digits number geom cam scene mechanism position answer plan construct analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions particle synthesis
 //! figure     diag digits geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions particle synthesis report
-//! worksheet  diag digits geom scene mechanism answer plan construct paper render worked certified attempts particle synthesis report figure
-//! lesson     diag digits geom scene mechanism position plan construct sweep paper render worked certified particle synthesis report figure
+//! webfont    -
+//! worksheet  diag digits geom scene mechanism answer plan construct paper render worked certified attempts particle synthesis report figure webfont
+//! lesson     diag digits geom scene mechanism position plan construct sweep paper render worked certified particle synthesis report figure webfont
 //! cli        diag json digits geom cam scene mechanism position plan sweep paper render worked certified effort centres composite attempts curvature inversions particle synthesis report figure worksheet lesson
 //! ```
 //!
@@ -197,4 +199,5 @@ use hodograph_base::json;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod lesson;
+mod webfont;
 pub mod worksheet;

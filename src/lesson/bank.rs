@@ -6,7 +6,8 @@ use serde_json::{Value, json};
 
 use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
-use crate::report::math::{html_with, mathml};
+use crate::report::html::sentence_with;
+use crate::report::math::mathml;
 
 /// Formulas without changing numbers, each once: they come again and again.
 #[derive(Default)]
@@ -24,7 +25,7 @@ impl Formulas {
 
     /// A sentence without changing numbers as HTML, its formulas told by their indices.
     pub fn phrase(&mut self, phrase: &Phrase) -> String {
-        html_with(phrase, |source| self.told(source))
+        sentence_with(phrase, |source| self.told(source))
     }
 
     fn told(&mut self, source: &str) -> String {
@@ -147,7 +148,7 @@ fn form(words: &[String], numbers: &[&str], open: &[bool], formulas: &mut Formul
         text.push_str(word);
     }
     let kept = || (0..open.len()).filter(|n| open[*n]).map(keeper);
-    let html = html_with(&Phrase::new(&text), |source| {
+    let html = sentence_with(&Phrase::new(&text), |source| {
         if kept().any(|k| source.contains(&k)) { mathml(&Label::math(source)) } else { formulas.told(source) }
     });
     short(&kept().fold(html, |html, k| html.replace(&k, &HOLE.to_string())))

@@ -4,7 +4,7 @@
 //! Decided here: what the page holds. The construction is that of [`crate::figure::synthesis`], the motion that of
 //! [`crate::sweep::follow`]; nothing is drawn or solved anew. The page fetches nothing and holds both languages.
 
-use super::page::{BASE, filled, terse};
+use super::page::{BASE, filled, terse, with_fonts};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
 use crate::figure::synthesis::{self as figure, MOVES, Scaled, Set};
@@ -19,7 +19,7 @@ use crate::position::{self, Configuration};
 use crate::render::escaped;
 use crate::render::number::mm;
 use crate::render::svg::Elements;
-use crate::report::math::html;
+use crate::report::html::sentence as html;
 use crate::report::symbols::symbols;
 use crate::report::synthesis::{pose_of, value};
 use crate::scene::{self, Book, Lang, Scene};
@@ -134,7 +134,7 @@ pub fn lesson(task: &Task, candidate: &Candidate, options: &Options) -> Result<S
         &[
             ("lang", figure_words(options.lang).tag),
             ("title", &escaped(options.lang.of(title))),
-            ("style", &STYLE.map(terse).join("\n")),
+            ("style", &with_fonts(&STYLE)),
             ("letters", &Elements::letters(&drawn)),
             ("construction", &construction),
             ("linkage", &markup),

@@ -248,7 +248,8 @@ impl Maker<'_> {
     /// Draws all poses to the common scales.
     fn draw(&self, trials: Vec<Trial>, sweep: &Sweep) -> Result<Frames, Faults> {
         let papers = self.papers(&trials, sweep.is_unlimited());
-        let mut frames = Frames { list: Vec::new(), base: 0, full: sweep.full, zoom: papers.zooms.clone(), split: papers.splits.clone(), cut: false };
+        let mut frames =
+            Frames { list: Vec::new(), base: 0, full: sweep.full, zoom: papers.zooms.clone(), split: papers.splits.clone(), cut: false };
         let to_scale = |trial: &Trial| {
             let mut scene = self.follower.scene_at(self.scene, trial.travel);
             let [mu_v, mu_a] = papers.zooms.each_ref().map(|z| z.as_ref().map(|z| z.mu));
@@ -319,7 +320,7 @@ impl Papers {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Swept, read, templates};
+    use crate::scene::{Lang, Swept, read, templates};
     use crate::worked::{Scope, work};
 
     /// Through time each frame is the scene whose instant it is: the same rates, the same answers.

@@ -5,7 +5,7 @@
 
 use super::design::nameless;
 use super::pack::pressed;
-use super::page::{BASE, filled, terse};
+use super::page::{BASE, filled, terse, with_fonts};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::digits::significant;
 use crate::figure::particle::{ALONE, Maker, View};
@@ -22,7 +22,8 @@ use crate::render::escaped;
 use crate::render::number::mm;
 use crate::render::svg::Elements;
 use crate::report::answers::DIGITS;
-use crate::report::math::{html, mathml};
+use crate::report::html::sentence as html;
+use crate::report::math::mathml;
 use crate::report::particle as report;
 use crate::scene::{Book, Lang};
 use serde_json::{Value, json};
@@ -182,7 +183,7 @@ pub fn lesson(problem: &Problem, options: &Options) -> Result<String, Faults> {
         &[
             ("lang", figure_words(options.lang).tag),
             ("title", &escaped(options.lang.of(title))),
-            ("style", &STYLE.map(terse).join("\n")),
+            ("style", &with_fonts(&STYLE)),
             ("letters", &Elements::letters(&elements)),
             ("left", &put(0..half)),
             ("right", &put(half..drawings.len())),

@@ -30,6 +30,7 @@ use super::track::{Told, UNIT, runs};
 use super::words::{table, word};
 use super::{Options, pack};
 use crate::sweep::follow::Sweep;
+use crate::webfont;
 
 /// How far (mm of the diagram) from its pivot a link is gripped that has neither another point nor a slot nor a rim.
 const ARM_MM: f64 = 20.0;
@@ -115,7 +116,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         &[
             ("lang", tag(options.lang)),
             ("title", &escaped(&title(options.lang))),
-            ("style", &STYLE.map(terse).join("\n")),
+            ("style", &with_fonts(&STYLE)),
             ("letters", &Elements::letters(drawings.iter().flat_map(|d| &d.layouts).map(|l| &l.track.elements_of))),
             ("mechanism", &mechanism),
             ("polygons", &polygons),
@@ -152,6 +153,11 @@ pub(super) fn terse(text: &str) -> String {
     let lines = text.lines().map(str::trim_start).filter(|l| !l.is_empty() && !l.starts_with("//"));
     let lines = lines.filter(|l| !(l.starts_with("/*") && l.ends_with("*/")));
     lines.collect::<Vec<_>>().join("\n")
+}
+
+/// The style of a page from its sheets, the fonts with it.
+pub(super) fn with_fonts(sheets: &[&str]) -> String {
+    sheets.iter().map(|s| terse(s) + "\n").collect::<String>() + webfont::faces()
 }
 
 /// A number in ten significant digits: more than any screen shows.

@@ -6,13 +6,15 @@ use crate::diag::Faults;
 use crate::paper::item::{Figure, Item};
 use crate::paper::words::words;
 use crate::render::{escaped, number::mm, svg};
-use crate::report::math::{self, mathml_display};
+use crate::report::html::sentence;
+use crate::report::math::mathml_display;
+use crate::webfont;
 
 /// The style: a page of text on the screen, A4 in print; drawings keep their millimetres there, for their scales are true.
 /// Letters of quantities come from the text's italic: in many mathematical fonts an italic v reads as υ.
 const STYLE: &str = "
 @page { size: A4; margin: 20mm }
-body { font: 12pt/1.5 'Tinos', 'Times New Roman', 'Liberation Serif', 'Noto Serif CJK SC', 'SimSun', serif; max-width: 174mm;
+body { font: 12pt/1.5 Hodograph, 'Tinos', 'Times New Roman', 'Liberation Serif', 'Noto Serif CJK SC', 'SimSun', serif; max-width: 174mm;
   margin: 2em auto; padding: 0 1em; color: #000; background: #fff }
 h1 { font-size: 1.5em } h2 { font-size: 1.25em } h3 { font-size: 1.05em } h4 { font-size: 1em }
 h1, h2, h3, h4 { font-weight: 600; line-height: 1.25; break-after: avoid; margin: 1.2em 0 .4em }
@@ -20,7 +22,8 @@ li { margin: .15em 0 }
 figure { margin: 1em 0; text-align: center; overflow-x: auto; break-inside: avoid }
 figure svg { max-width: 100%; height: auto }
 .scroll { overflow-x: auto; overflow-y: hidden; padding: .2em 0 }
-mi { text-transform: none; font-style: italic; font-family: 'Tinos', 'Times New Roman', 'Liberation Serif', serif }
+math { font-family: Hodograph, 'STIX Two Math', 'Cambria Math', 'Latin Modern Math', 'Times New Roman', serif }
+mi { text-transform: none; font-style: italic; font-family: Hodograph, 'Tinos', 'Times New Roman', 'Liberation Serif', serif }
 mi[mathvariant] { font-style: normal }
 table { border-collapse: collapse; margin: .6em 0; break-inside: avoid }
 td, th { padding: .15em .6em; text-align: left; font-weight: 400 }
@@ -40,8 +43,9 @@ pub fn html(document: &Document) -> Result<String, Faults> {
     let lang = words(document.lang).tag;
     let mut out = format!(
         "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"{lang}\" xml:lang=\"{lang}\">\n<head>\n<meta charset=\"utf-8\"/>\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{title}</title>\n<style>{STYLE}</style>\n</head>\n\
-         <body>\n"
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{title}</title>\n<style>{STYLE}{}</style>\n</head>\n\
+         <body>\n",
+        webfont::faces()
     );
     let begin = out.len();
     out += &format!("<h1>{title}</h1>\n");
@@ -56,12 +60,12 @@ pub fn html(document: &Document) -> Result<String, Faults> {
                 let h = level + 1;
                 out += &format!("<h{h}{class}>{}</h{h}>\n", escaped(text));
             }
-            Block::Paragraph(p) => out += &format!("<p>{}</p>\n", math::html(p)),
+            Block::Paragraph(p) => out += &format!("<p>{}</p>\n", sentence(p)),
             Block::List { numbered, members } => {
                 let tag = if *numbered { "ol" } else { "ul" };
                 out += &format!("<{tag}>\n");
                 for m in members {
-                    out += &format!("<li>{}</li>\n", math::html(m));
+                    out += &format!("<li>{}</li>\n", sentence(m));
                 }
                 out += &format!("</{tag}>\n");
             }
@@ -107,7 +111,7 @@ fn rows(table: &Table) -> String {
         out += "<tr>";
         for (c, cell) in row.iter().enumerate() {
             let tag = if r == 0 && table.kind == TableKind::Values || c == 0 && table.kind == TableKind::Equation { "th" } else { "td" };
-            out += &format!("<{tag}>{}</{tag}>", math::html(cell));
+            out += &format!("<{tag}>{}</{tag}>", sentence(cell));
         }
         out += "</tr>\n";
     }

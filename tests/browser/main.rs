@@ -13,6 +13,7 @@ mod predict;
 mod stage;
 mod time;
 mod touch;
+mod weight;
 #[path = "../wide/mod.rs"]
 mod wide;
 
@@ -409,35 +410,6 @@ fn a_dragged_slider_follows_along_its_line() {
         assert!(worst < 1e-2, "{id} is off by {worst} mm");
     }
     assert_quiet(&b, "slider");
-}
-
-/// Every template gets a lesson, no larger than a photograph on a page (240 KiB, and half as much again where a polygon is split); what
-/// is no mechanism gets none.
-#[test]
-fn every_template_has_a_lesson_of_some_size() {
-    let mut sizes = Vec::new();
-    for t in templates::list().iter().step_by(every(8)) {
-        let scene = template(t.name);
-        let page = lesson(&scene, &Options::of_language(Lang::Zh)).unwrap_or_else(|f| panic!("{}: {f}", t.name)).value;
-        let (bytes, split) = (page.len(), page.contains("<figure id=\"acceleration-2\""));
-        assert!(bytes < if split { 360 } else { 240 } * 1024, "{}: {bytes} bytes for {} links", t.name, scene.links.len());
-        sizes.push(bytes);
-    }
-    eprintln!("lessons of {} to {} bytes", sizes.iter().min().unwrap(), sizes.iter().max().unwrap());
-    let folder = tempfile::tempdir().unwrap();
-    for file in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/bad")).unwrap() {
-        let path = file.unwrap().path();
-        if path.extension().is_some_and(|e| e == "json") {
-            let hodograph = || assert_cmd::Command::cargo_bin("hodograph").unwrap();
-            // A scene with answers beside a dead centre has a lesson too.
-            if hodograph().arg("solve").arg(&path).output().unwrap().status.code() != Some(2) {
-                continue;
-            }
-            let mut run = hodograph();
-            run.arg("lesson").arg(&path).arg("-o").arg(folder.path().join("lesson.html")).assert().code(2);
-        }
-    }
-    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
 }
 
 /// A frame must be moved in a small part of the 16 ms between two pictures.

@@ -177,7 +177,9 @@ impl<N> Action<N> {
     /// The vertex whose image it finds; a vector laid off finds that at its end ([`Edge::to`]).
     pub fn finds(&self) -> Option<VertexId> {
         match self {
-            Action::Cross { target, .. } | Action::Reach(target) | Action::Copy { target, .. } | Action::Same { target, .. } => Some(*target),
+            Action::Cross { target, .. } | Action::Reach(target) | Action::Copy { target, .. } | Action::Same { target, .. } => {
+                Some(*target)
+            }
             Action::LayOff(_)
             | Action::Nothing { .. }
             | Action::Line { .. }

@@ -5,7 +5,6 @@
 
 use crate::paper::font::Slant;
 use crate::paper::label::{Label, Node, Role};
-use crate::paper::phrase::{Phrase, Piece};
 use crate::render::escaped;
 
 /// A part of a formula that stands on a line of its own.
@@ -98,34 +97,6 @@ trait Tongue {
 /// A formula in the line as MathML.
 pub fn mathml(label: &Label) -> String {
     format!("<math><mrow>{}</mrow></math>", Mathml.row(label.row()))
-}
-
-/// Browsers break a line beside any formula; this between a formula and its punctuation keeps them together (CSS Text, 5.1).
-const JOINER: &str = "&#x2060;";
-
-/// A sentence as HTML, its formulas as `formula` writes them.
-pub fn html_with(phrase: &Phrase, mut formula: impl FnMut(&str) -> String) -> String {
-    let pieces = phrase.pieces();
-    let is_formula = |k: Option<usize>| k.and_then(|k| pieces.get(k)).is_some_and(|p| matches!(p, Piece::Formula(_)));
-    let mut out = String::new();
-    for (k, piece) in pieces.iter().enumerate() {
-        match piece {
-            Piece::Formula(source) => out.push_str(&formula(source)),
-            Piece::Words(words) => {
-                let closes = words.starts_with([',', '.', ';', ':', '?', '!', ')', ']', '”', '’', '，', '。', '、', '；', '：', '）', '》', '」']);
-                let opens = words.ends_with(['(', '[', '“', '‘', '（', '《', '「']);
-                out.extend((closes && is_formula(k.checked_sub(1))).then_some(JOINER));
-                out.push_str(&escaped(words));
-                out.extend((opens && is_formula(Some(k + 1))).then_some(JOINER));
-            }
-        }
-    }
-    out
-}
-
-/// A sentence as HTML with MathML.
-pub fn html(phrase: &Phrase) -> String {
-    html_with(phrase, |source| mathml(&Label::math(source)))
 }
 
 /// A formula on its own line as MathML.

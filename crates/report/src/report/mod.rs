@@ -21,6 +21,8 @@ pub mod drafting;
 pub mod equation;
 #[doc(hidden)]
 pub mod given;
+#[doc(hidden)]
+pub mod html;
 pub mod inversions;
 pub mod limits;
 #[doc(hidden)]

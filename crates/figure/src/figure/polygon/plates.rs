@@ -156,11 +156,8 @@ fn groups_of_actions(w: &Writer, p: &Polygon) -> Vec<Option<usize>> {
             Mark::Pole | Mark::Part(_) | Mark::Again(_) => None,
         }
     };
-    let found: Vec<Option<usize>> = p
-        .actions
-        .iter()
-        .map(|action| action.finds().or_else(|| laid(action)).and_then(|v| of.get(&v).copied()))
-        .collect();
+    let found: Vec<Option<usize>> =
+        p.actions.iter().map(|action| action.finds().or_else(|| laid(action)).and_then(|v| of.get(&v).copied())).collect();
     let mut out = vec![None; found.len()];
     let mut before = None;
     for (k, action) in p.actions.iter().enumerate() {
