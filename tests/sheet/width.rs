@@ -71,3 +71,40 @@ fn a_width_is_kept_or_refused() {
     assert!(drawn > 4 * refused, "{drawn} pages, {refused} refused");
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
+
+/// Items by class whose letters add up.
+fn written(f: &Figure, class: &str) -> usize {
+    let of_class = f.items.iter().filter(|i| i.class.split(' ').any(|c| c == class));
+    of_class.map(|i| if let Shape::Label { label, .. } = &i.shape { label.plain().trim().chars().count() } else { 0 }).sum()
+}
+
+#[test]
+fn a_narrow_column_leaves_no_words_out() {
+    let mut faults = Vec::new();
+    for (t, template) in templates::list().iter().enumerate() {
+        let scene = scene::read(templates::get(template.name).unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let options = Options::of_language(if t % 2 == 0 { Lang::En } else { Lang::Zh });
+        let extras = Extras::default();
+        let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &extras };
+        let sheet = list::named("sheet").unwrap();
+        let Ok(Warned { value, notes }) = pages(sheet, &wanted, Room::Column(80.0)) else { continue };
+        let usual = (sheet.draw)(&wanted).unwrap().value;
+        let (here, there) = (&value[0].1, &usual[0].1);
+        for class in ["statement", "symbol", "magnitude", "direction", "joint"] {
+            let (few, all) = (written(here, class), written(there, class));
+            if few != all {
+                faults.push(format!("{}: {few} of {all} letters of class {class}", template.name));
+            }
+        }
+        for id in there.items.iter().map(|i| &i.id).filter(|id| id.ends_with("-measured") || id.ends_with("-value")) {
+            if here.items.iter().all(|i| i.id != *id) {
+                faults.push(format!("{}: {id} is missing", template.name));
+            }
+        }
+        if notes.iter().any(|n| n.code == "left-out" && !n.message.en.contains("polygon")) {
+            faults.push(format!("{}: {}", template.name, notes.iter().map(|n| n.message.en.as_str()).collect::<String>()));
+        }
+    }
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+}

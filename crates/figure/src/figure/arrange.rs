@@ -144,21 +144,65 @@ pub(super) fn arrange(pieces: Pieces, paper: Option<[f64; 2]>, margin_mm: f64) -
     Ok((parts.into_iter().flat_map(|p| p.items).collect(), size))
 }
 
-/// Arranges the parts in a width, as low as it goes; where nothing is narrow enough, as narrow as it goes. Returns all items and the
-/// size of what they take, without a border.
+/// Arranges the parts in a width, as low as it goes, in one of the textbooks' arrangements or in rows as a text is set in lines; where
+/// nothing is narrow enough, as narrow as it goes. Returns all items and the size of what they take, without a border.
 pub(super) fn arrange_in(pieces: Pieces, width_mm: f64) -> (Vec<Item>, [f64; 2]) {
     let layout = Layout::of(pieces);
     let cost = |tree: &Tree| {
         let [w, h] = tree.size(&layout.parts);
         if w <= width_mm { (0.0, h) } else { (w, h) }
     };
-    let all = layout.candidates().into_iter().chain([layout.one_column()]);
+    let all = layout.candidates().into_iter().chain(layout.in_rows(width_mm));
     let best = all.min_by(|a, b| cost(a).0.total_cmp(&cost(b).0).then(cost(a).1.total_cmp(&cost(b).1)));
     let best = best.expect("there is always an arrangement");
     let size = best.size(&layout.parts);
     let mut parts = layout.parts;
     best.put(&mut parts, Point::new(0.0, size[1]));
     (parts.into_iter().flat_map(|p| p.items).collect(), size)
+}
+
+/// Whether a block is looked at or read.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Drawn,
+    Written,
+}
+
+/// Blocks in rows of at most this width and of the least height in sum, the shortest way from the first block to the last; a block that
+/// is wider has a row of its own.
+fn lines(blocks: Vec<(Tree, Kind)>, width_mm: f64, parts: &[Part]) -> Vec<Tree> {
+    let sizes: Vec<[f64; 2]> = blocks.iter().map(|(tree, _)| tree.size(parts)).collect();
+    // For each number of blocks: the least height of their rows, and where the last of these begins.
+    let mut least = vec![(0.0_f64, 0)];
+    for end in 1..=blocks.len() {
+        let (mut wide, mut high) = (-GAP_MM, 0.0_f64);
+        let mut best = (f64::INFINITY, end - 1);
+        for start in (0..end).rev() {
+            wide += GAP_MM + sizes[start][0];
+            high = high.max(sizes[start][1]);
+            if start + 1 < end && wide > width_mm {
+                break;
+            }
+            let height = least[start].0 + high + GAP_MM;
+            if height < best.0 {
+                best = (height, start);
+            }
+        }
+        least.push(best);
+    }
+    let mut starts = vec![blocks.len()];
+    while let Some(&end) = starts.last().filter(|end| **end > 0) {
+        starts.push(least[end].1);
+    }
+    let mut blocks = blocks.into_iter();
+    let rows = starts.iter().rev().zip(starts.iter().rev().skip(1));
+    rows.map(|(start, end)| {
+        let row: Vec<(Tree, Kind)> = blocks.by_ref().take(end - start).collect();
+        let read = row.iter().all(|(_, kind)| *kind == Kind::Written);
+        let trees = row.into_iter().map(|(tree, _)| tree).collect();
+        if read { Tree::text_row(trees) } else { Tree::row(trees) }
+    })
+    .collect()
 }
 
 /// Parts as one, standing as the tree says.
@@ -211,12 +255,19 @@ impl Layout {
         Layout { parts, title, drawings, equations, results }
     }
 
-    /// Everything below one another.
-    fn one_column(&self) -> Tree {
-        let mut all: Vec<Tree> = self.title.map(Tree::Leaf).into_iter().chain(self.drawings.iter().map(|k| Tree::Leaf(*k))).collect();
-        all.extend(self.text_columns(1));
-        all.push(Tree::Leaf(self.results));
-        Tree::column(all)
+    /// The parts in their order, in rows: the drawings; the equations of each level, or of all in columns side by side; the results. At
+    /// last everything below one another.
+    fn in_rows(&self, width_mm: f64) -> Vec<Tree> {
+        let by_level = || self.equations.iter().map(|e| Tree::text_column(e.iter().map(|k| Tree::Leaf(*k)).collect())).collect();
+        let beside = |columns| vec![Tree::text_row(self.text_columns(columns))];
+        let rows = |equations: Vec<Tree>, width_mm: f64| {
+            let drawn = self.drawings.iter().map(|k| (Tree::Leaf(*k), Kind::Drawn));
+            let written = equations.into_iter().chain([Tree::Leaf(self.results)]).map(|tree| (tree, Kind::Written));
+            let rows = lines(drawn.chain(written).collect(), width_mm, &self.parts);
+            Tree::column(self.title.map(Tree::Leaf).into_iter().chain(rows).collect())
+        };
+        let all = std::iter::once(by_level()).chain((1..=4).map(beside));
+        all.map(|equations| rows(equations, width_mm)).chain([rows(beside(1), 0.0)]).collect()
     }
 
     /// How much larger than the page, plus how much of it stays empty.

@@ -11,7 +11,7 @@ use crate::scene::Scene;
 use crate::worked::{Scope, Worked, work};
 
 use super::list::{Entry, Extras, Pages, USUAL, Wanted};
-use super::sheet::{Fewer, Options, sheet_in};
+use super::sheet::{Fewer, Options, drawing, sheet_in};
 use crate::paper::extent::{bounds, translate};
 use crate::paper::item::Figure;
 
@@ -111,14 +111,12 @@ pub fn pages(entry: &Entry, w: &Wanted, room: Room) -> Result<Warned<Pages>, Fau
     let mut needs = [0.0_f64; 2];
     let of_sheet = entry.name == USUAL.name && w.extras.poses == 0;
     for part in PARTS {
-        let smaller = Smaller::of(w, part)?;
+        let smaller = Smaller::of(w, part, [part; 3])?;
         let wanted = smaller.wanted(w.extras);
         if of_sheet {
-            let (figure, out) = sheet_in(wanted.scene, wanted.worked, wanted.options, room.inner()[0], fewer(part));
-            match room.page(figure) {
-                Ok(figure) => {
-                    return Ok(Warned { value: vec![(String::new(), figure)], notes: left_out(&out, room).into_iter().collect() });
-                }
+            match sheet_of(&wanted, part, room) {
+                Ok(made) if part == 1.0 => return Ok(made),
+                Ok(made) => return Ok(grown(w, part, room)?.unwrap_or(made)),
                 Err(size) => needs = size,
             }
             continue;
@@ -132,6 +130,35 @@ pub fn pages(entry: &Entry, w: &Wanted, room: Room) -> Result<Warned<Pages>, Fau
     }
     let name = if entry.name.is_empty() { USUAL.name } else { entry.name };
     Err(too_small(name, needs, room).into())
+}
+
+/// The sheet of this part of its size, where the room holds it.
+fn sheet_of(w: &Wanted, part: f64, room: Room) -> Result<Warned<Pages>, [f64; 2]> {
+    let (figure, out) = sheet_in(w.scene, w.worked, w.options, room.inner()[0], fewer(part));
+    let figure = room.page(figure)?;
+    Ok(Warned { value: vec![(String::new(), figure)], notes: left_out(&out, room).into_iter().collect() })
+}
+
+/// The same in a column, whose height is free: each drawing as large as the column holds it by itself, type of this part. `None` where
+/// the room is none, or does not hold them so.
+fn grown(w: &Wanted, part: f64, room: Room) -> Result<Option<Warned<Pages>>, Faults> {
+    let Room::Column(_) = room else { return Ok(None) };
+    let mut parts = [part; 3];
+    for level in Level::ALL {
+        for larger in PARTS.into_iter().take_while(|p| *p > part) {
+            let mut only = [part; 3];
+            only[level as usize] = larger;
+            let tried = Smaller::of(w, part, only)?;
+            let wanted = tried.wanted(w.extras);
+            let drawn = drawing(wanted.scene, wanted.worked, wanted.options, level);
+            if drawn.is_none_or(|figure| figure.width_mm - 2.0 * MARGIN_MM <= room.inner()[0]) {
+                parts = std::array::from_fn(|k| if k == level as usize { larger } else { parts[k] });
+                break;
+            }
+        }
+    }
+    let smaller = Smaller::of(w, part, parts)?;
+    Ok(sheet_of(&smaller.wanted(w.extras), part, room).ok())
 }
 
 /// What may be left out of a sheet of this part of its size.
@@ -192,7 +219,7 @@ fn left_out(what: &[Both], room: Room) -> Option<Diagnostic> {
 /// worked again.
 pub fn to_part(scene: &Scene, worked: &Worked, options: &Options, part: f64) -> Option<(Scene, Worked)> {
     let extras = Extras::default();
-    let Smaller { scene, worked, .. } = Smaller::of(&Wanted { scene, worked, options, extras: &extras }, part).ok()?;
+    let Smaller { scene, worked, .. } = Smaller::of(&Wanted { scene, worked, options, extras: &extras }, part, [part; 3]).ok()?;
     Some((scene, worked?))
 }
 
@@ -205,7 +232,8 @@ struct Smaller {
 }
 
 impl Smaller {
-    fn of(w: &Wanted, part: f64) -> Result<Smaller, Faults> {
+    /// Ink of this part of its size; the drawing of each level of its own.
+    fn of(w: &Wanted, part: f64, drawings: [f64; 3]) -> Result<Smaller, Faults> {
         let mut scene = w.scene.clone();
         // The room is kept here, so the sheet is free.
         scene.paper.size_mm = None;
@@ -213,7 +241,9 @@ impl Smaller {
         if part < 1.0 {
             let board = &w.worked.construction;
             let smaller = |level: Level, fixed: Option<f64>, mu: Option<f64>| {
-                fixed.or_else(|| Some(coarser(scene.paper.unit(level as usize), mu?, 1.0 / part)))
+                let part = drawings[level as usize];
+                let coarser = |mu| if part < 1.0 { coarser(scene.paper.unit(level as usize), mu, 1.0 / part) } else { mu };
+                fixed.or_else(|| mu.map(coarser))
             };
             let of = |level| board.polygon(level).map(|p| p.mu);
             let paper = &scene.paper;

@@ -33,6 +33,8 @@ use crate::paper::words::Words;
 const ROW_MM: f64 = 6.4;
 /// From the first row up to the heading.
 const HEADING_MM: f64 = 2.2;
+/// Distance of a value below the length measured, as a part of that.
+const BELOW: f64 = 0.9;
 /// Distance of the lines of remarks below.
 const REMARK_MM: f64 = 5.2;
 /// Between columns.
@@ -68,16 +70,40 @@ pub fn results(style: &Style, answers: &Answers) -> drawing::Part {
     block(style, answers, None)
 }
 
-/// The block of results in a column of this width: remarks take more lines, and where they do not fit otherwise the lengths measured
-/// are left out.
+/// The block of results in a column of this width, and whether it is whole: remarks take more lines; where that is not enough values
+/// stand below the lengths measured, and at last these are left out.
 pub fn results_in(style: &Style, answers: &Answers, width_mm: f64) -> (drawing::Part, bool) {
-    let whole = block(style, answers, Some((width_mm, true)));
-    if whole.bounds.width_mm() <= width_mm { (whole, true) } else { (block(style, answers, Some((width_mm, false))), false) }
+    let set = |measured| block(style, answers, Some(Column { width_mm, measured }));
+    let tries = [Measured::Before, Measured::Above].map(set).into_iter().find(|part| part.bounds.width_mm() <= width_mm);
+    match tries {
+        Some(whole) => (whole, true),
+        None => (set(Measured::Nowhere), false),
+    }
 }
 
-/// The block; in a column of a width remarks are broken into lines, and the lengths measured are there or not.
-fn block(style: &Style, answers: &Answers, column: Option<(f64, bool)>) -> drawing::Part {
+/// A narrow column of results.
+#[derive(Clone, Copy)]
+struct Column {
+    width_mm: f64,
+    measured: Measured,
+}
+
+/// Where the lengths measured stand.
+#[derive(Clone, Copy, PartialEq)]
+enum Measured {
+    /// Before the value in its row.
+    Before,
+    /// In a row of their own, the value below.
+    Above,
+    /// They are left out.
+    Nowhere,
+}
+
+/// The block; in a column of a width remarks are broken into lines.
+fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::Part {
     let Answers { scene, worked, certified, notation, words, digits } = *answers;
+    let row_mm = style.leading(ROW_MM);
+    let placed = column.map_or(Measured::Before, |c| c.measured);
     let heading = Cell {
         label: Label::text(words.results).in_fonts(&style.fonts),
         size_mm: style.caption_mm,
@@ -119,7 +145,7 @@ fn block(style: &Style, answers: &Answers, column: Option<(f64, bool)>) -> drawi
         // Where nothing moves there is no polygon to measure.
         let nothing = worked.construction.is_empty(find.what.level());
         let by_lines = || by_lines(centres.as_ref()?, find, words);
-        let measured = if column.is_some_and(|c| !c.1) {
+        let measured = if placed == Measured::Nowhere {
             None
         } else if let Some(read) = by_lines() {
             Some(read)
@@ -128,6 +154,26 @@ fn block(style: &Style, answers: &Answers, column: Option<(f64, bool)>) -> drawi
         } else {
             measured(&scene.book, r, c, find, words).or_else(|| as_another(answers, find))
         };
+        let name = || cell(Label::math(named(&answers.writer(), find, r)), Anchor::Start, "symbol");
+        let found = Label::math(amount(&scene.book, find, value, c, digits));
+        let towards = sense(find, value, c, words, digits);
+        let sure = tolerance(&scene.book, worked, r, find);
+        if placed == Measured::Above {
+            // Value, sense and tolerance run on, so that no column is wider than what stands in it.
+            let gap = || Label::math("\\quad");
+            let whole = [Some(towards), sure].into_iter().flatten().fold(found, |line, next| line.then(gap()).then(next));
+            let mut row = |first, from, what: &str| {
+                let (height_mm, what_is) = if first { (row_mm, "is") } else { (BELOW * row_mm, "equals") };
+                let cells = vec![if first { name() } else { None }, sign(what_is), cell(from, Anchor::Start, what)];
+                rows.push(Row { cells, height_mm });
+            };
+            let above = measured.is_some();
+            if let Some(read) = measured {
+                row(true, read, "measured");
+            }
+            row(!above, whole, "value");
+            continue;
+        }
         let [from, equals] = match measured {
             Some(m) => [cell(m, Anchor::Start, "measured"), sign("equals")],
             None => [None, None],
@@ -137,36 +183,36 @@ fn block(style: &Style, answers: &Answers, column: Option<(f64, bool)>) -> drawi
         let second = equals.or_else(|| sign("is"));
         rows.push(Row {
             cells: vec![
-                cell(Label::math(named(&answers.writer(), find, r)), Anchor::Start, "symbol"),
+                name(),
                 first,
                 from,
                 second,
-                cell(Label::math(amount(&scene.book, find, value, c, digits)), Anchor::Start, "value"),
-                cell(sense(find, value, c, words, digits), Anchor::Start, "sense"),
-                tolerance(&scene.book, worked, r, find).and_then(|t| cell(t, Anchor::Start, "tolerance")),
+                cell(found, Anchor::Start, "value"),
+                cell(towards, Anchor::Start, "sense"),
+                sure.and_then(|t| cell(t, Anchor::Start, "tolerance")),
             ],
-            height_mm: ROW_MM,
+            height_mm: row_mm,
         });
     }
     let mut items = grid::set(&rows, GAP_MM);
-    items.extend(grid::set(&[Row { cells: vec![Some(heading)], height_mm: -HEADING_MM }], 0.0));
+    items.extend(grid::set(&[Row { cells: vec![Some(heading)], height_mm: -style.leading(HEADING_MM) }], 0.0));
     let others = pencil(answers).into_iter().chain(remarks(answers)).enumerate();
     lines.extend(others.map(|(k, remark)| ("remark", format!("remark-{}", k + 1), remark)));
     lines.extend(
         centres.as_ref().and_then(|found| crossings_agree(found, scene, worked, words)).map(|text| ("agreement", "centres".into(), text)),
     );
     lines.extend(agreement(worked, words).map(|text| ("agreement", "agreement".into(), text)));
-    let mut below = rows.len() as f64 * ROW_MM + 1.1 * ROW_MM;
+    let mut below = rows.iter().map(|r| r.height_mm).sum::<f64>() + 1.1 * row_mm;
     for (class, id, line) in lines {
         let labels = match column {
-            Some((width_mm, _)) => wrapped(&line, width_mm, style.small_mm, &style.fonts),
+            Some(Column { width_mm, .. }) => wrapped(&line, width_mm, style.small_mm, &style.fonts),
             None => vec![line.label().in_fonts(&style.fonts)],
         };
         for (k, label) in labels.into_iter().enumerate() {
             let id = if k == 0 { id.clone() } else { format!("{id}-{}", k + 1) };
             let cell = Cell { label, size_mm: style.small_mm, anchor: Anchor::Start, class: class.into(), id };
             items.extend(grid::set(&[Row { cells: vec![Some(cell)], height_mm: below }], 0.0));
-            below += REMARK_MM;
+            below += style.leading(REMARK_MM);
         }
     }
     drawing::Part::of(items)
@@ -246,7 +292,7 @@ fn told(style: &Style, notation: &Notation, find: &Find, words: &str) -> Row {
             cell(Label::math(":"), Anchor::Middle, "is"),
             cell(Label::text(words), Anchor::Start, "value"),
         ],
-        height_mm: ROW_MM,
+        height_mm: style.leading(ROW_MM),
     }
 }
 

@@ -93,9 +93,11 @@ pub fn sheet_in(scene: &Scene, worked: &Worked, options: &Options, width_mm: f64
     let mut out = Vec::new();
     let fits = |part: &Part| part.bounds.width_mm() <= width_mm;
     let title = maker.title().and_then(|whole| if fits(&whole) { Some(whole) } else { maker.title_in(width_mm) });
-    let mut equations = maker.equations(&steps(scene, worked, None));
+    let numbers = steps(scene, worked, None);
+    let mut equations = maker.equations(&numbers);
     let mut results = results::results(&options.style, &maker.answers());
     if fewer >= Fewer::Words {
+        equations = maker.equations_in(&numbers, width_mm);
         let count = |e: &[(Part, Vec<Part>)]| e.iter().map(|(_, lines)| lines.len()).sum::<usize>();
         let all = count(&equations);
         equations.iter_mut().for_each(|(_, lines)| lines.retain(fits));
@@ -207,10 +209,17 @@ impl Maker<'_> {
         Level::RATES.map(|l| (self.heading(l), tables.parts(l))).into()
     }
 
+    /// The same in a column of this width.
+    fn equations_in(&self, steps: &Steps, width_mm: f64) -> Vec<(Part, Vec<Part>)> {
+        let writer = self.writer();
+        let tables = Tables { width_mm: Some(width_mm), ..self.tables(&writer, steps) };
+        Level::RATES.map(|l| (self.heading(l), tables.parts(l))).into()
+    }
+
     /// What the tables are made from.
     pub fn tables<'t>(&'t self, writer: &'t Writer<'t>, steps: &'t Steps) -> Tables<'t> {
         let worked = self.worked;
-        Tables { style: &self.options.style, writer, construction: &worked.construction, steps }
+        Tables { style: &self.options.style, writer, construction: &worked.construction, steps, width_mm: None }
     }
 
     pub fn mechanism(&self) -> Part {
@@ -269,14 +278,14 @@ impl Maker<'_> {
     /// A part with its name and its scales below; `id` tells these labels from those of other parts.
     pub fn titled(&self, mut part: Part, words: Label, mu: &str, id: &str) -> Part {
         let x = part.bounds.centre().x;
-        let y = part.bounds.min.y - CAPTION_MM;
+        let y = part.bounds.min.y - self.options.style.leading(CAPTION_MM);
         let text = |at: Point, label: Label, size_mm: f64, what: &str| {
             let label = label.in_fonts(&self.options.style.fonts);
             let shape = Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
             Item::new(what, shape).with_id(format!("{what}-{id}"))
         };
         part.items.push(text(Point::new(x, y), words, self.options.style.caption_mm, "caption"));
-        part.items.push(text(Point::new(x, y - SCALE_MM), Label::math(mu), self.options.style.small_mm, "scale"));
+        part.items.push(text(Point::new(x, y - self.options.style.leading(SCALE_MM)), Label::math(mu), self.options.style.small_mm, "scale"));
         let (placements, left_out) = (part.placements, part.left_out);
         Part { placements, left_out, ..Part::of(part.items) }
     }

@@ -2,11 +2,13 @@
 //! everything else.
 
 use crate::certified::Steps;
+use std::ops::Range;
+
 use crate::construct::{Action, Construction, Polygon};
 use crate::digits::inked;
 use crate::mechanism::{ConstraintLine, Level};
 use crate::paper::phrase::{Phrase, fill};
-use crate::plan::text::Writer;
+use crate::plan::text::{Column, Writer};
 use crate::plan::{Chain, Special, SpecialLine, Step, VertexId};
 use crate::scene::{PointId, Scene};
 
@@ -15,6 +17,7 @@ use crate::paper::drawing::Part;
 use crate::paper::grid::{self, Cell, Row};
 use crate::paper::item::{Anchor, Item};
 use crate::paper::label::Label;
+use crate::paper::lines::wrapped;
 use crate::paper::style::Style;
 use crate::paper::words::{Words, words};
 use crate::report::amount::number;
@@ -41,6 +44,8 @@ pub struct Tables<'a> {
     pub construction: &'a Construction,
     /// The certified numbers of its steps.
     pub steps: &'a Steps,
+    /// A column's width: longer equations go on in a further table, longer statements in a further line.
+    pub width_mm: Option<f64>,
 }
 
 impl Tables<'_> {
@@ -85,7 +90,7 @@ impl Tables<'_> {
         Cell { label: label.in_fonts(&self.style.fonts), size_mm, anchor, class: class.into(), id }
     }
 
-    fn equation(&self, level: Level, target: VertexId, chains: &[Chain], step: &str) -> Option<Part> {
+    fn equation(&self, level: Level, target: VertexId, chains: &[Chain], step: &str) -> Vec<Part> {
         let (w, book) = (self.writer, &self.writer.scene.book);
         if let [chain] = chains {
             let [term] = chain.known[..] else {
@@ -93,9 +98,9 @@ impl Tables<'_> {
                 if chain.known.is_empty() {
                     let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.vector(level, chain.start) };
                     let formula = format!("{} = {start}", w.vector(level, target));
-                    return (chain.start != target).then(|| self.line(level, &formula, None, step));
+                    return (chain.start != target).then(|| self.line(level, &formula, None, step)).into_iter().collect();
                 }
-                return Some(self.table(level, target, chains, step));
+                return self.table(level, target, chains, step);
             };
             if w.plan.vertex(chain.start).fixed {
                 let (whole, part) = (w.vector(level, target), w.symbol(level, &term));
@@ -111,23 +116,42 @@ impl Tables<'_> {
                     (formula, _) => formula,
                 };
                 let formula = format!("{head} = {magnitude}");
-                return Some(self.line(level, &formula, Some(Label::math(w.direction(&term))), step));
+                return vec![self.line(level, &formula, Some(Label::math(w.direction(&term))), step)];
             }
         }
-        Some(self.table(level, target, chains, step))
+        self.table(level, target, chains, step)
     }
 
-    fn table(&self, level: Level, target: VertexId, chains: &[Chain], step: &str) -> Part {
+    /// The table of an equation; in a column, as many as it takes, each going on before a sign.
+    fn table(&self, level: Level, target: VertexId, chains: &[Chain], step: &str) -> Vec<Part> {
+        let columns = self.writer.columns(level, target, chains);
+        let set = |ends: Range<usize>| self.part_of_table(level, target, &columns, ends, step);
+        let Some(width_mm) = self.width_mm else { return vec![set(0..columns.len())] };
+        let (mut parts, mut start) = (Vec::new(), 0);
+        while start < columns.len() {
+            let fits = |end: &usize| set(start..*end).bounds.width_mm() <= width_mm;
+            let most = (start + 1..=columns.len()).rev().find(fits).unwrap_or(start + 1);
+            // A sum of several terms is not parted from itself: it ends at the sign of equality, if what follows fits.
+            let at_equality = |k: &usize| columns[*k].joint == "=" && set(*k..columns.len()).bounds.width_mm() <= width_mm;
+            let end = if most < columns.len() { (start + 2..=most).rev().find(at_equality).unwrap_or(most) } else { most };
+            parts.push(set(start..end));
+            start = end;
+        }
+        parts
+    }
+
+    fn part_of_table(&self, level: Level, target: VertexId, columns: &[Column], ends: Range<usize>, step: &str) -> Part {
         let (w, style, words) = (self.writer, self.style, self.words());
-        let columns = w.columns(level, target, chains);
         let name = format!("{}-{}", kind(level), id_of(&w.vector(level, target)));
         let class = |what: &str| format!("{} table {what} {step}", kind(level));
+        let head = |word: &str, what: &str| {
+            let id = if ends.start == 0 { format!("{name}-{what}") } else { format!("{name}-{what}-from-{}", ends.start) };
+            Some(self.cell(heading(word), style.caption_mm, Anchor::End, id, &class("heading")))
+        };
         let mut symbols = vec![None];
-        let mut magnitudes =
-            vec![Some(self.cell(heading(words.magnitude), style.caption_mm, Anchor::End, format!("{name}-magnitude"), &class("heading")))];
-        let mut directions =
-            vec![Some(self.cell(heading(words.direction), style.caption_mm, Anchor::End, format!("{name}-direction"), &class("heading")))];
-        for (k, c) in columns.iter().enumerate() {
+        let mut magnitudes = vec![head(words.magnitude, "magnitude")];
+        let mut directions = vec![head(words.direction, "direction")];
+        for (k, c) in columns.iter().enumerate().take(ends.end).skip(ends.start) {
             let cell = |text: &str, size: f64, what: &str| {
                 Some(self.cell(Label::math(text), size, Anchor::Middle, format!("{name}-{what}-{k}"), &class(what)))
             };
@@ -136,10 +160,11 @@ impl Tables<'_> {
             magnitudes.extend([None, cell(&c.magnitude, style.caption_mm, "magnitude")]);
             directions.extend([None, cell(&c.direction, style.caption_mm, "direction")]);
         }
-        let mut rows = vec![Row { cells: symbols, height_mm: TOP_MM }];
+        let [top, row, bottom] = [TOP_MM, ROW_MM, BOTTOM_MM].map(|mm| style.leading(mm));
+        let mut rows = vec![Row { cells: symbols, height_mm: top }];
         let both = if w.notation.first_row == "direction" { [directions, magnitudes] } else { [magnitudes, directions] };
-        rows.extend(both.map(|cells| Row { cells, height_mm: ROW_MM }));
-        self.boxed(grid::set(&rows, GAP_MM), TOP_MM + 2.0 * ROW_MM + BOTTOM_MM)
+        rows.extend(both.map(|cells| Row { cells, height_mm: row }));
+        self.boxed(grid::set(&rows, style.leading(GAP_MM)), top + 2.0 * row + bottom)
     }
 
     /// A part whose box is as high as its rows, whatever stands in them, so that stacked tables keep their rhythm.
@@ -158,7 +183,16 @@ impl Tables<'_> {
             // A quad keeps formula and reason apart.
             cells.push(Some(self.cell(why, self.style.caption_mm, Anchor::Start, format!("{name}-why"), &class)));
         }
-        self.boxed(grid::set(&[Row { cells, height_mm: TOP_MM }], self.style.label_mm), LINE_MM)
+        self.statement(vec![cells], self.style.label_mm)
+    }
+
+    /// Statements below each other, their cells a gap apart.
+    fn statement(&self, rows: Vec<Vec<Option<Cell>>>, gap_mm: f64) -> Part {
+        let [top, line] = [TOP_MM, LINE_MM].map(|mm| self.style.leading(mm));
+        let height = line * rows.len() as f64;
+        let heights = std::iter::once(top).chain(std::iter::repeat(line));
+        let rows: Vec<Row> = rows.into_iter().zip(heights).map(|(cells, height_mm)| Row { cells, height_mm }).collect();
+        self.boxed(grid::set(&rows, gap_mm), height)
     }
 
     fn image(&self, level: Level, target: VertexId, from: (VertexId, VertexId), step: &str) -> Part {
@@ -185,7 +219,7 @@ impl Tables<'_> {
             let why = Label::text(self.words().image);
             cells.push(Some(self.cell(why, self.style.caption_mm, Anchor::Start, format!("{name}-why"), &class)));
         }
-        self.boxed(grid::set(&[Row { cells, height_mm: TOP_MM }], self.style.label_mm), LINE_MM)
+        self.statement(vec![cells], self.style.label_mm)
     }
 
     /// What a special point is.
@@ -194,17 +228,21 @@ impl Tables<'_> {
         let (letter, link) = (self.writer.spot(target), self.writer.scene.link_name(special.link));
         let text = fill(self.words().special_point, &[("S", &letter), ("1", &a), ("2", &b), ("", link)]);
         let class = format!("{} statement special {step}", kind(level));
-        let cells = vec![Some(self.cell(
-            Phrase::new(&text).label(),
-            self.style.caption_mm,
-            Anchor::Start,
-            match special.legs {
-                Some(_) => format!("{}-special-{}", kind(level), special.group),
-                None => format!("{}-special-{}-{link}", kind(level), special.group),
-            },
-            &class,
-        ))];
-        self.boxed(grid::set(&[Row { cells, height_mm: TOP_MM }], 0.0), LINE_MM)
+        let id = match special.legs {
+            Some(_) => format!("{}-special-{}", kind(level), special.group),
+            None => format!("{}-special-{}-{link}", kind(level), special.group),
+        };
+        let size_mm = self.style.caption_mm;
+        let told = Phrase::new(&text);
+        let lines = match self.width_mm {
+            Some(width_mm) => wrapped(&told, width_mm, size_mm, &self.style.fonts),
+            None => vec![told.label()],
+        };
+        let row = |(k, line): (usize, Label)| {
+            let id = if k == 0 { id.clone() } else { format!("{id}-line-{}", k + 1) };
+            vec![Some(self.cell(line, size_mm, Anchor::Start, id, &class))]
+        };
+        self.statement(lines.into_iter().enumerate().map(row).collect(), 0.0)
     }
 }
 

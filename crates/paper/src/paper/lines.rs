@@ -56,28 +56,33 @@ pub fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Fonts) -> V
     };
     let wide = |l: &Label| text::set(l).width_em * size_mm;
     let mut lines = Vec::new();
-    let mut here: Option<Label> = None;
+    // The line so far, as it would stand, and as it goes on.
+    let mut here: Option<(Label, Label)> = None;
     let whole = breaks.windows(2).map(|ends| &plain[ends[0]..ends[1]]);
     let pieces = whole.flat_map(|segment| {
         let long = !segment.contains(THING) && wide(&Label::text(segment.trim_end()).in_fonts(fonts)) > width_mm;
         if long { segment.split_inclusive(|_| true).collect() } else { vec![segment] }
     });
     for segment in pieces {
-        // The space at a line's end takes no room.
+        // The space at a line's end takes no room, and is not set.
         let things = segment.matches(THING).count();
         let mut own: VecDeque<String> = formulas.drain(..things).collect();
         let trimmed = label(segment.trim_end(), &mut own.clone());
         let full = label(segment, &mut own);
         here = Some(match here {
-            None => full,
-            Some(before) if wide(&before.clone().then(trimmed)) <= width_mm => before.then(full),
-            Some(before) => {
-                lines.push(before);
-                full
+            None => (trimmed, full),
+            Some((as_line, before)) => {
+                let longer = before.clone().then(trimmed.clone());
+                if wide(&longer) <= width_mm {
+                    (longer, before.then(full))
+                } else {
+                    lines.push(as_line);
+                    (trimmed, full)
+                }
             }
         });
     }
-    lines.extend(here);
+    lines.extend(here.map(|(as_line, _)| as_line));
     lines
 }
 
@@ -114,10 +119,10 @@ mod tests {
         let lines = wrapped(&Phrase::new(source), 50.0, 4.0, &Fonts::default());
         assert!(lines.len() > 2);
         for l in &lines {
-            assert!(text::set(l).width_em * 4.0 <= 51.5, "{}", l.plain());
+            assert!(text::set(l).width_em * 4.0 <= 50.0, "{}", l.plain());
         }
-        let joined: String = lines.iter().map(Label::plain).collect();
-        assert_eq!(joined, Phrase::new(source).label().plain());
+        let joined: Vec<String> = lines.iter().map(Label::plain).collect();
+        assert_eq!(joined.join(" "), Phrase::new(source).label().plain());
         assert!(texts(source, 50.0).iter().all(|l| !l.starts_with([',', '.'])));
     }
 

@@ -160,7 +160,15 @@ const LEAST_TYPE_MM: f64 = 2.2 / 0.7;
 /// Lines and symbols shrink less than drawings do: to this part, below which a pin can no longer be seen as a circle.
 const LEAST_INK: f64 = 0.7;
 
+/// The size of captions for which the heights of rows are given, that of `print`.
+const USUAL_CAPTION_MM: f64 = 4.1;
+
 impl Style {
+    /// A distance between lines of type, given for the usual size: less where the type is smaller.
+    pub fn leading(&self, mm: f64) -> f64 {
+        mm * (self.caption_mm / USUAL_CAPTION_MM).min(1.0)
+    }
+
     /// The same for a drawing of this part of its size: type as far as it can be read, symbols and lines as far as they can be told apart.
     pub fn reduced(&self, part: f64) -> Style {
         let mut style = self.clone();
@@ -210,6 +218,7 @@ mod tests {
             assert_eq!(Style::named(name).unwrap().name, name);
         }
         assert_eq!(Style::default().name, "print");
+        assert_eq!(Style::default().caption_mm, USUAL_CAPTION_MM);
         assert_eq!(Style::named("nosuch"), None);
     }
 
