@@ -285,7 +285,12 @@ impl Maker<'_> {
             Item::new(what, shape).with_id(format!("{what}-{id}"))
         };
         part.items.push(text(Point::new(x, y), words, self.options.style.caption_mm, "caption"));
-        part.items.push(text(Point::new(x, y - self.options.style.leading(SCALE_MM)), Label::math(mu), self.options.style.small_mm, "scale"));
+        part.items.push(text(
+            Point::new(x, y - self.options.style.leading(SCALE_MM)),
+            Label::math(mu),
+            self.options.style.small_mm,
+            "scale",
+        ));
         let (placements, left_out) = (part.placements, part.left_out);
         Part { placements, left_out, ..Part::of(part.items) }
     }

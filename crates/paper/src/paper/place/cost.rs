@@ -52,6 +52,12 @@ const OVERLAP: f64 = 25.0;
 const OVERLAP_PER_MM2: f64 = 2.0;
 /// A number that would be read as the factor of a quantity: more than a leader line.
 const FACTOR: f64 = 7.0;
+/// Names of two things in one line, so close that they are read as one name or as a product: decides between places about as good, no more.
+const BESIDE: f64 = 1.2;
+/// How close that is, in parts of the lower one's height: somewhat more than a word space.
+const BESIDE_PART: f64 = 0.5;
+/// From this part of the lower one's height on two names stand in one line, though not on one.
+const BESIDE_LEVEL: f64 = 0.2;
 /// From this part of its height on a number stands on one line with a quantity: somewhat less than the eye allows.
 const LEVEL_PART: f64 = 0.4;
 /// Air between two labels, for each of them.
@@ -246,6 +252,8 @@ pub(super) fn pair(a: &Candidate, b: &Candidate) -> f64 {
     let mut cost = if area > 0.0 { OVERLAP + OVERLAP_PER_MM2 * area } else { 0.0 };
     if a.reads != b.reads && (is_factor(a, b) || is_factor(b, a)) {
         cost += FACTOR;
+    } else if is_beside(a.rect, b.rect) {
+        cost += BESIDE;
     }
     if a.leader.is_none() && b.leader.is_none() { cost } else { cost + across([a, b], [ra, rb]) }
 }
@@ -256,6 +264,13 @@ fn is_factor(quantity: &Candidate, number: &Candidate) -> bool {
     let level = q.max.y.min(n.max.y) - q.min.y.max(n.min.y) > LEVEL_PART * n.height_mm();
     let behind = (0.0..FACTOR_MM).contains(&(n.min.x - q.max.x));
     quantity.reads == Reads::Quantity && number.reads == Reads::Number && level && behind
+}
+
+/// Whether two names stand on one line and are read as one.
+pub(super) fn is_beside(a: Rect, b: Rect) -> bool {
+    let least = a.height_mm().min(b.height_mm());
+    let level = a.max.y.min(b.max.y) - a.min.y.max(b.min.y) > BESIDE_LEVEL * least;
+    level && (b.min.x - a.max.x).max(a.min.x - b.max.x) < BESIDE_PART * least
 }
 
 /// What it costs that leader lines run across the labels and one another.
@@ -274,9 +289,10 @@ fn across([a, b]: [&Candidate; 2], [ra, rb]: [Rect; 2]) -> f64 {
     cost
 }
 
-/// Whether places within two boxes can meet.
+/// Whether places within two boxes can meet, or stand beside each other.
 pub(super) fn close(a: Rect, b: Rect) -> bool {
-    touch(a.grown(2.0 * PAIR_AIR_MM), b)
+    let air = (BESIDE_PART * a.height_mm().min(b.height_mm())).max(2.0 * PAIR_AIR_MM);
+    touch(a.grown(air), b)
 }
 
 /// Whether a line ends or passes at the target: then to stand near it is to stand near the own point.

@@ -98,6 +98,23 @@ fn stands_nearer_to_its_own_line() {
 }
 
 #[test]
+fn names_beside_each_other_are_not_read_as_one() {
+    // Two lines that cross flat, and two that part slowly: the middles of each two are so near that their names would make a product.
+    let flat = [(Point::new(20.0, 50.0), Point::new(85.0, 40.0)), (Point::new(75.0, 52.0), Point::new(20.0, 36.0))];
+    let slow = [(Point::new(20.0, 20.0), Point::new(70.0, 75.0)), (Point::new(20.0, 18.0), Point::new(84.0, 70.0))];
+    for (lines, names) in [(flat, ["v_A", "v_{PB}"]), (slow, ["1", "2"])] {
+        let mut obstacles = Obstacles::default();
+        for (k, &(from, to)) in lines.iter().enumerate() {
+            obstacles.add(&[Item::new("", Shape::Line { from, to, stroke: Stroke::new(0.4) })], Some(k as u32));
+        }
+        let request = |k: usize| LabelRequest::along(Label::math(names[k]), 4.5, lines[k].0, lines[k].1, 0.2).owned(k as u32);
+        let both = place(&[request(0), request(1)], &obstacles, PAPER);
+        assert!(both.iter().all(|p| p.leader.is_none()), "{both:?}");
+        assert!(!cost::is_beside(both[0].bounds, both[1].bounds), "{both:?}");
+    }
+}
+
+#[test]
 fn a_walled_in_point_gets_a_leader() {
     let at = Point::new(60.0, 60.0);
     let mut obstacles = Obstacles::default();
