@@ -56,7 +56,7 @@ pub fn inversions(scene: &Scene) -> Result<Warned<Vec<Inversion>>, Faults> {
     refused(scene)?;
     let Warned { value: worked, .. } = work(scene, Scope::Figure)?;
     let (mut out, mut notes) = (Vec::new(), Vec::new());
-    for ground in (0..scene.links.len()).map(LinkId) {
+    for ground in scene.links_in_order() {
         match invert(scene, &worked.configuration, ground) {
             Ok(inversion) => out.push(inversion),
             Err(faults) => {

@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
-use crate::paper::phrase::tr;
+use crate::paper::phrase::{Phrase, tr};
 use crate::plan::names::{name_label, point_label};
 use crate::report::trains::{number, omega, table, turns};
 use crate::scene::{Kind, LinkId, PointId};
@@ -199,7 +199,7 @@ impl Plan<'_> {
             scale(book.value(Kind::Omega, mu_omega)),
             book.scale_label(Kind::Omega)
         );
-        let words = tr(lang, "Kutzbach plan: velocities and rates", "线速度图与转速图");
+        let words = tr(lang, "Kutzbach plan: linear and angular velocities", "线速度图与转速图");
         Some(maker.titled(d.finish(), Label::text(words), &mus, "kutzbach"))
     }
 
@@ -296,7 +296,7 @@ impl Plan<'_> {
         );
         let mut rows = vec![Row { cells: head.collect(), height_mm: ROW_MM + 1.0 }];
         for (r, (words, cells)) in table.rows.iter().enumerate() {
-            let first = cell(Label::text(words), style.caption_mm, Anchor::Start, format!("willis-{r}"));
+            let first = cell(Phrase::new(words).label(), style.caption_mm, Anchor::Start, format!("willis-{r}"));
             let rest =
                 cells.iter().enumerate().map(|(k, c)| cell(Label::math(c), style.caption_mm, Anchor::Middle, format!("willis-{r}-{k}")));
             rows.push(Row { cells: std::iter::once(first).chain(rest).collect(), height_mm: ROW_MM });

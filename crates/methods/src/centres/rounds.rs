@@ -106,20 +106,10 @@ impl Closure {
     }
 }
 
-/// The links in the order of their numbers; where not all are numbered, in that of the scene.
-fn in_order(scene: &Scene) -> Vec<LinkId> {
-    let mut links: Vec<LinkId> = (0..scene.links.len()).map(LinkId).collect();
-    let numbers: Option<Vec<u64>> = scene.links.iter().map(|l| l.name.parse().ok()).collect();
-    if let Some(numbers) = numbers {
-        links.sort_by_key(|l| numbers[l.0]);
-    }
-    links
-}
-
 /// The order of finding; `freedoms` is the number of drivers.
 pub(super) fn closure(scene: &Scene, freedoms: usize) -> Closure {
     let given = given(scene);
-    let links = in_order(scene);
+    let links = scene.links_in_order();
     let n = scene.links.len();
     let mut open = Open { given: &given, links: &links, known: vec![None; n * n], n };
     let mut steps = Vec::new();

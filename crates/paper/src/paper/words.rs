@@ -161,7 +161,7 @@ const ZH: Words = Words {
     velocity_polygon: "速度多边形",
     acceleration_polygon: "加速度多边形",
     centres: "速度瞬心",
-    circle_diagram: "点元图（点元法）",
+    circle_diagram: "瞬心多边形",
     curvature: "瞬心、拐点圆与曲率中心",
     centrodes: "瞬心线",
     fixed_moving: "实线：定瞬心线；虚线：动瞬心线",

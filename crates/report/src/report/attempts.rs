@@ -4,7 +4,7 @@
 //! certificate.
 
 use crate::answer::Value;
-use crate::attempts::{Attempt, Row, Shown, Side};
+use crate::attempts::{Attempt, Row, Shown, Side, Site};
 use crate::certified::Certified;
 use crate::digits::{direction_degrees, inked, significant};
 use crate::mechanism::Level;
@@ -16,7 +16,7 @@ use crate::plan::notation::Notation;
 use crate::plan::text::{Column, Writer};
 use crate::report::amount::{amount, number, sense as certified_sense, symbol};
 use crate::scene::{Book, Find, Given, Lang, Scene};
-use crate::worked::Worked;
+use crate::worked::{Worked, contact};
 use serde_json::{Value as Json, json};
 
 /// Digits of numbers that are not certified.
@@ -68,19 +68,20 @@ impl Words<'_> {
     /// The same with its points set as points.
     pub fn heading_set(&self, a: &Attempt) -> Phrase {
         let (title, place) = (a.site.mistake().title(self.lang), a.site.place(self.scene));
-        let place = self.points_set(self.lang.of(&place));
+        let contact = if let Site::ContactPoint(c, _) = a.site { Some(contact::name(self.scene, c)) } else { None };
+        let place = self.points_set(self.lang.of(&place), contact.as_deref());
         Phrase::new(&match self.lang {
             Lang::En => format!("{title}, {place}"),
             Lang::Zh => format!("{title}（{place}）"),
         })
     }
 
-    /// Words in which every name of a point, and ω, is a formula.
-    fn points_set(&self, words: &str) -> String {
+    /// Words in which every name of a point, that of a contact included, and ω, is a formula.
+    fn points_set(&self, words: &str, contact: Option<&str>) -> String {
         let mut out = String::new();
         let mut name = String::new();
         let set = |name: &mut String, out: &mut String| {
-            let point = self.scene.points.iter().any(|p| p.name == *name);
+            let point = contact == Some(name.as_str()) || self.scene.points.iter().any(|p| p.name == *name);
             if point {
                 out.push_str(&format!("${}$", name_label(name)));
             } else {

@@ -3,7 +3,7 @@
 use crate::answer::Source;
 use crate::digits::{inked, significant};
 use crate::mechanism::Level;
-use crate::paper::phrase::{formula, tr};
+use crate::paper::phrase::{Phrase, formula, tr};
 use crate::plan::Body;
 use crate::plan::names::name_label;
 use crate::scene::{Kind, Lang, LinkId, Scene};
@@ -67,7 +67,7 @@ pub fn table(scene: &Scene, train: &Train, t: Turns, lang: Lang, digits: usize) 
     if train.gears.iter().any(|g| g.ratio.formula().contains('/')) {
         rows.push((String::new(), row("0".into(), &|g| number(ratio(g).value, digits))));
     }
-    rows.push((tr(lang, "the same times x", "乘以 x").into(), row("0".into(), &|g| shown(ratio(g).value * t.first))));
+    rows.push((tr(lang, "the same times $x$", "乘以 $x$").into(), row("0".into(), &|g| shown(ratio(g).value * t.first))));
     let unit = scene.book.name(Kind::Omega);
     let with_unit = |words: &str| format!("{words} / ({unit})");
     if train.arm == scene.ground {
@@ -77,7 +77,7 @@ pub fn table(scene: &Scene, train: &Train, t: Turns, lang: Lang, digits: usize) 
         }
         return Table { head, rows, results: results(scene, train, t, digits) };
     }
-    rows.push((tr(lang, "all turn by y with the arm", "整体附加 y").into(), row(shown(t.arm), &|_| shown(t.arm))));
+    rows.push((tr(lang, "all turn by $y$ with the arm", "整体附加 $y$").into(), row(shown(t.arm), &|_| shown(t.arm))));
     rows.push((with_unit(tr(lang, "sum", "合成")), row(shown(t.arm), &|g| shown(rates[g]))));
     Table { head, rows, results: results(scene, train, t, digits) }
 }
@@ -130,7 +130,8 @@ fn of_train(scene: &Scene, worked: &Worked, train: &Train, t: Turns, lang: Lang)
         (Lang::Zh, false) => format!("{zh}周转轮系，系杆 {arm}（列表法）："),
     }];
     let table = table(scene, train, t, lang, DIGITS);
-    let cells = |words: &str, cells: &[String]| std::iter::once(words.to_owned()).chain(cells.iter().map(|c| formula(c))).collect();
+    let cells =
+        |words: &str, cells: &[String]| std::iter::once(Phrase::new(words).plain()).chain(cells.iter().map(|c| formula(c))).collect();
     let mut rows: Vec<Vec<String>> = vec![cells("", &table.head)];
     rows.extend(table.rows.iter().map(|(words, row)| cells(words, row)));
     let width = |k: usize| rows.iter().map(|r| r[k].width()).max().unwrap_or(0);

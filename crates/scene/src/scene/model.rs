@@ -420,6 +420,16 @@ impl Scene {
         &self.links[l.0].name
     }
 
+    /// The links in the order of their numbers; where not all are numbered, in that of the scene.
+    pub fn links_in_order(&self) -> Vec<LinkId> {
+        let mut links: Vec<LinkId> = (0..self.links.len()).map(LinkId).collect();
+        let numbers: Option<Vec<u64>> = self.links.iter().map(|l| l.name.parse().ok()).collect();
+        if let Some(numbers) = numbers {
+            links.sort_by_key(|l| numbers[l.0]);
+        }
+        links
+    }
+
     /// The first moving link that carries a point.
     pub fn mover(&self, p: PointId) -> Option<LinkId> {
         self.carriers(p).find(|l| *l != self.ground)

@@ -1,4 +1,4 @@
-//! The circle diagram (点元法): links on a circle, a chord for each centre, solid for those of the pairs, dashed and numbered in the order
+//! The circle diagram (瞬心多边形): links on a circle, a chord for each centre, solid for those of the pairs, dashed and numbered in the order
 //! of finding for the others; beside it the list of the lines that find them.
 
 use crate::centres::{Centre, Centres, How};

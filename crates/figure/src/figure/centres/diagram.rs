@@ -22,6 +22,8 @@ const REACH_MM: f64 = 85.0;
 const EDGE_MM: f64 = 6.0;
 /// Centres nearer to one another than this have one dot and one label.
 const SAME_MM: f64 = 0.6;
+/// Of what is left of a line behind its last centre, the part at which the name of the centre off the paper stands.
+const LAST_PART: f64 = 0.7;
 /// Length of the arrow to a centre at infinity that no line leads to.
 const ARROW_MM: f64 = 16.0;
 /// The longer of two velocities whose normals give a centre.
@@ -108,7 +110,11 @@ impl Over<'_, '_> {
     fn arrows(&mut self, ray: &Ray, owner: u32) {
         for a in &ray.arrows {
             let Some(along) = (a.tip - if a.tip == ray.from { ray.to } else { ray.from }).unit() else { continue };
-            let base = a.tip - along * ARROW_MM.min(ray.from.distance(ray.to));
+            // What is named is the end behind the last centre on the line.
+            let from_tip = |c: &Centre| if let Some(Spot::On(at)) = self.paper.spot(c) { Some(a.tip - at) } else { None };
+            let on_line = self.found.list.iter().filter_map(from_tip).filter(|d| d.cross(along).abs() < SAME_MM);
+            let last = on_line.map(|d| d.dot(along)).filter(|t| *t > SAME_MM).fold(ray.from.distance(ray.to), f64::min);
+            let base = a.tip - along * ARROW_MM.min(LAST_PART * last);
             self.arrow(a.to, a.from, base, a.tip, owner);
         }
     }
@@ -129,16 +135,20 @@ impl Over<'_, '_> {
         self.d.label(&name, "centre far", request.owned(owner).optional(again));
     }
 
-    /// `P_{13}, 6.83 m`: how far it is from another centre on the line; a centre at infinity has the sign for it.
+    /// `P_{12}P_{13} = 6.83 m`: how far it is from another centre on the line; a centre at infinity has the sign for it.
     fn far_label(&self, c: &Centre, measured: Option<usize>) -> Label {
         let symbol = symbol(self.w.scene, c.step.pair);
-        let from = measured.and_then(|k| self.found.list[k].place?.point());
+        let from = measured.and_then(|k| Some((&self.found.list[k], self.found.list[k].place?.point()?)));
         match (c.place, from) {
             (Some(Place::Infinity(_)), _) => Label::math(format!("{symbol}^{{\\infty}}")),
-            (Some(Place::At(p)), Some(from)) => {
+            (Some(Place::At(p)), Some((other, from))) => {
                 // Air at both ends: beside the number of a link the distance would be read on.
                 let air = || Label::math("\\,\\,");
-                air().then(Label::math(format!("{symbol}, "))).then(Label::text(self.w.scene.length_words(p.distance(from)))).then(air())
+                let other = self::symbol(self.w.scene, other.step.pair);
+                air()
+                    .then(Label::math(format!("{other}{symbol} = ")))
+                    .then(Label::text(self.w.scene.length_words(p.distance(from))))
+                    .then(air())
             }
             (Some(Place::At(_)) | None, _) => Label::math(symbol),
         }

@@ -1,4 +1,4 @@
-//! The instantaneous centres: the mechanism with all of them and the lines that find them, and the circle diagram (点元法).
+//! The instantaneous centres: the mechanism with all of them and the lines that find them, and the circle diagram (瞬心多边形).
 //!
 //! [`diagram`] draws over the mechanism, [`rays`] says which lines it needs and how far they go, [`circle`] draws the diagram of links and
 //! centres with its list.
@@ -30,7 +30,7 @@ const PER_PLATE: usize = 5;
 
 /// All centres with the circle diagram.
 pub const ENTRY: Entry =
-    Entry { name: "centres", about: ["The instantaneous centres, with the circle diagram", "速度瞬心及点元图"], draw };
+    Entry { name: "centres", about: ["The instantaneous centres, with the circle diagram", "速度瞬心及瞬心多边形"], draw };
 
 fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     let Warned { value: found, notes } = centres(w.scene)?;

@@ -21,6 +21,7 @@ use crate::paper::label::Label;
 use crate::paper::lines::wrapped;
 use crate::paper::phrase::Phrase;
 use crate::paper::place::LabelRequest;
+use crate::plan::names::name_label;
 use crate::report::curvature::Words;
 use crate::scene::{Link, PointId};
 
@@ -300,7 +301,7 @@ impl Over<'_, '_> {
             if self.board.holds(place) {
                 self.spot(&symbol, place);
             } else if self.board.holds(at) {
-                let label = self.distance(&symbol, place.distance(at) * mu);
+                let label = self.distance(&self.words.pole(self.of), &symbol, place.distance(at) * mu);
                 let along = self.board.cut(at, place);
                 if letter != "J" {
                     self.board.line(letter, "curvature line", along, self.thin.dashed(Dash::Dotted));
@@ -372,23 +373,30 @@ impl Over<'_, '_> {
             if self.board.holds(centre) {
                 self.spot(&symbol, centre);
             } else {
-                let label = self.distance(&symbol, radius);
+                let label = self.distance(&self.named(q.point), &symbol, radius);
                 self.board.arrow(&Label::math(&symbol).plain(), label, e, centre - e, self.thin);
             }
         }
     }
 
-    /// `J_{2}, 2.52 m`: a place off the paper with its distance.
-    fn distance(&self, symbol: &str, m: f64) -> Label {
-        Label::math(format!("{symbol}, ")).then(Label::text(self.w.scene.length_words(m)))
+    /// `P_{24}J_{2} = 2.52 m`: a place off the paper with its distance.
+    fn distance(&self, from: &str, symbol: &str, m: f64) -> Label {
+        Label::math(format!("{from}{symbol} = ")).then(Label::text(self.w.scene.length_words(m)))
     }
 
-    /// An arrow from the middle of the paper to a pole that it does not hold.
+    /// The name of a point as it stands in formulas.
+    fn named(&self, p: PointId) -> String {
+        name_label(self.w.scene.point_name(p))
+    }
+
+    /// An arrow to a pole that the paper does not hold: from the first point, with the distance, else from the middle.
     fn far(&mut self, symbol: &str, at: Point) {
-        let own = self.of.points.first().map(|p| self.at(p.at)).filter(|p| self.board.holds(*p));
-        let from = own.unwrap_or(self.board.window.centre());
+        let own = self.of.points.first().map(|q| (self.named(q.point), self.at(q.at))).filter(|(_, p)| self.board.holds(*p));
         let mu = self.w.worked.construction.diagram.mu_l;
-        let label = self.distance(symbol, at.distance(from) * mu);
+        let (from, label) = match own {
+            Some((name, from)) => (from, self.distance(&name, symbol, at.distance(from) * mu)),
+            None => (self.board.window.centre(), Label::math(symbol)),
+        };
         self.board.arrow(&Label::math(symbol).plain(), label, from, at - from, self.thin);
     }
 }

@@ -197,7 +197,9 @@ impl Draft<'_> {
         let ends = angles.map(|a| centre + Vec2::from_angle(a) * radius);
         let pairs = points.iter().flat_map(|p| ends.map(|e| (*p, e)));
         if let Some((p, e)) = pairs.min_by(|x, y| x.0.distance(x.1).total_cmp(&y.0.distance(y.1))) {
-            form.bars.push((p, e));
+            // The arm ends at the slot's wall: within, it would look like a second pin.
+            let wall = (p - e).unit().map_or(e, |u| e + u * (self.style.slot_width_mm / 2.0).min(p.distance(e)));
+            form.bars.push((p, wall));
         }
     }
 }
