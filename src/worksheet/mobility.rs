@@ -14,7 +14,7 @@ use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
 use crate::report::math::Math;
 use crate::report::mobility::{Counted, class, kinds};
-use crate::report::plan::group_words;
+use crate::report::plan::group_set;
 use crate::scene::{Driver, Guide, Lang, LinkId, PointId, Scene};
 use crate::worked::Worked;
 
@@ -129,11 +129,11 @@ impl Sheet<'_> {
             rows.push(vec![Phrase::new(name), Phrase::new(&format!("${number}$")), reasons.next().unwrap_or_default()]);
             rows.extend(reasons.map(|r| vec![Phrase::default(), Phrase::default(), r]));
         };
-        let links = (0..self.scene.links.len()).map(LinkId).filter(|l| *l != self.scene.ground);
+        let links = self.scene.links_in_order().into_iter().filter(|l| *l != self.scene.ground);
         let names: Vec<&str> = links.map(|l| self.link(l)).collect();
         let which = if names.len() == moving { names.join(self.words().comma) } else { String::new() };
         row(self.tr("moving links $n$", "活动构件 $n$"), moving, vec![Phrase::of_words(&which)]);
-        row(self.tr("lower pairs $p_l$", "低副 $p_l$"), lower, counted.compound(self.scene).iter().map(|b| self.said(b)).collect());
+        row(self.tr("lower pairs $p_l$", "低副 $p_l$"), lower, counted.lower(self.scene, self.lang()));
         row(self.tr("higher pairs $p_h$", "高副 $p_h$"), higher, Vec::new());
         let local: Vec<Phrase> = counted.local().iter().map(|b| self.said(b)).collect();
         row(self.tr("local freedoms $F'$", "局部自由度 $F'$"), local.len(), local.clone());
@@ -196,8 +196,7 @@ impl Sheet<'_> {
             Lang::En => format!("Driven: {driven}. Taken off from the far end, where they leave the rest moving as before:"),
             Lang::Zh => format!("原动件为{driven}。由远离原动件处开始，依次拆下："),
         })));
-        let members =
-            given.from_the_far_end().into_iter().map(|g| Phrase::of_words(&group_words(&given.scene, &given.mechanism, &g, self.lang())));
+        let members = given.from_the_far_end().into_iter().map(|g| group_set(&given.scene, &given.mechanism, &g, self.lang()));
         blocks.push(Block::List { numbered: true, members: members.collect() });
         if let Some(maker) = &self.drawn {
             let (style, notation) = (&self.options.style, &self.options.notation);
@@ -208,7 +207,7 @@ impl Sheet<'_> {
             Lang::En => {
                 format!("What is left is driven with the ground. The highest class of a group is that of the mechanism: class {highest}.")
             }
-            Lang::Zh => format!("最后剩下原动件和机架。机构的级别取决于杆组的最高级别：{highest}级机构。"),
+            Lang::Zh => format!("最后剩下原动件和机架。机构的级别取决于杆组的最高级别：{highest}机构。"),
         })));
         let others: Vec<&ForDrivers> = counted.survey.choices.iter().filter(|c| !c.given).collect();
         if others.is_empty() {

@@ -6,6 +6,7 @@ use crate::construct::Polygon;
 use crate::figure::sheet::drawing;
 use crate::figure::tables::special_line;
 use crate::mechanism::Level;
+use crate::mechanism::compound;
 use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, fill};
 use crate::plan::names::name_label;
@@ -16,7 +17,8 @@ use crate::report::amount::of_level;
 use crate::report::construction::sentences;
 use crate::report::equation::{Written, written};
 use crate::report::math::Math;
-use crate::report::plan::group_words;
+use crate::report::mobility::lower_set;
+use crate::report::plan::group_set;
 use crate::scene::Lang;
 
 /// Digits of a length on paper in the choice of scales: a ruler gives no more.
@@ -70,6 +72,10 @@ impl Maker<'_> {
             Lang::Zh => format!("活动构件数 $n = {n}$，低副数 $p_l = {low}$，高副数 $p_h = {high}$："),
         };
         blocks.push(Block::Paragraph(Phrase::new(&known)));
+        let why = lower_set(self.scene, &compound(self.scene), self.lang());
+        if !why.is_empty() {
+            blocks.push(Block::List { numbered: false, members: why });
+        }
         let formula = format!("F = 3n - 2p_l - p_h = 3 \\times {n} - 2 \\times {low} - {high} = {}", f.freedom);
         blocks.push(Block::Formula(vec![Math::Row(Label::math(formula))]));
         let drivers = self.scene.own_drivers();
@@ -80,7 +86,7 @@ impl Maker<'_> {
         };
         blocks.push(Block::Paragraph(Phrase::new(&verdict)));
         let groups = m.assur(self.scene).into_iter().filter(|g| !g.is_carried());
-        let members = groups.map(|g| Phrase::new(&group_words(self.scene, m, &g, self.lang()))).collect();
+        let members = groups.map(|g| group_set(self.scene, m, &g, self.lang())).collect();
         blocks.push(Block::List { numbered: true, members });
     }
 

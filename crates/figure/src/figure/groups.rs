@@ -11,6 +11,7 @@ use crate::paper::phrase::tr;
 use crate::paper::style::Style;
 use crate::paper::words::words;
 use crate::plan::notation::Notation;
+use crate::report::plan::{dyad, grade};
 use crate::scene::{Lang, Scene};
 use crate::worked::Worked;
 
@@ -64,15 +65,11 @@ pub fn figure(scene: &Scene, worked: &Worked, style: &Style, notation: &Notation
 }
 
 fn group_name(g: &Assur, lang: Lang) -> String {
-    let kind = match g.kind() {
-        "triad" | "higher group" => String::new(),
-        dyad => format!(" {dyad}"),
-    };
-    match (g.class().unwrap_or_default(), lang) {
-        (class, Lang::En) => format!("class {class}{kind}"),
-        ("II", Lang::Zh) => format!("Ⅱ级杆组{kind}"),
-        ("III", Lang::Zh) => format!("Ⅲ级杆组{kind}"),
-        (_, Lang::Zh) => format!("Ⅳ级以上杆组{kind}"),
+    let kind = dyad(g).map_or(String::new(), |kind| format!(" {kind}"));
+    let class = g.class().unwrap_or_default();
+    match lang {
+        Lang::En => format!("class {class}{kind}"),
+        Lang::Zh => format!("{}杆组{kind}", grade(class)),
     }
 }
 

@@ -23,7 +23,7 @@ pub use leg::{ConstraintLine, Entry, Gives, Hold, Leg, Strut};
 pub use mobility::Mobility;
 pub use pair::{Constraint, Form, Item, Runner, constraints_of, moved_words, mover_words, told_words, words_of};
 pub use redundant::{Opened, Redundant};
-pub use survey::{Counts, ForDrivers, Local, Survey};
+pub use survey::{Counts, ForDrivers, Local, Survey, compound};
 
 use redundant::Opening;
 

@@ -149,13 +149,17 @@ fn counted(scene: &Scene) -> (Counts, Vec<(PointId, usize)>, Vec<Local>) {
     }
     // `count` takes the turning of such a pin for a pair more.
     let counts = Counts { moving: mobility.moving, lower: mobility.lower, higher: mobility.higher - local.len() };
+    (counts, compound(scene), local)
+}
+
+/// Pins that join three links or more, with how many: each counts as one pair less than it joins links.
+pub fn compound(scene: &Scene) -> Vec<(PointId, usize)> {
     let joined = |p: PointId| {
         let ends = scene.drivers.iter().filter(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p))).count();
         let parts = |l: &LinkId| scene.drivers.iter().any(|d| d.kind.parts().contains(l));
         scene.carriers(p).filter(|l| !parts(l)).count() + ends
     };
-    let compound = (0..scene.points.len()).map(PointId).map(|p| (p, joined(p))).filter(|(_, k)| *k > 2).collect();
-    (counts, compound, local)
+    (0..scene.points.len()).map(PointId).map(|p| (p, joined(p))).filter(|(_, k)| *k > 2).collect()
 }
 
 /// Whether a link hangs on one pin of others and nothing else touches it: a roller about its own pin. It has no further point, as the

@@ -1,11 +1,12 @@
 //! Freedoms for people and programs: what is counted and why, what repeats others, groups from the far end.
 
-use super::plan::group_words;
+use super::plan::{dyad, grade, group_words};
 use crate::diag::{Both, both};
 use crate::mechanism::{Assur, Counts, ForDrivers, Local, Opened, Survey};
-use crate::paper::phrase::tr;
+use crate::paper::phrase::{Phrase, tr};
+use crate::plan::names::name_label;
 use crate::position::redundant::{Checked, Reason, Verdict, by_topology, look, opened_words};
-use crate::scene::{Lang, Scene};
+use crate::scene::{Lang, PointId, Scene};
 use serde_json::{Value as Json, json};
 
 /// Whether a pair repeats others, as far as it is known.
@@ -114,29 +115,20 @@ fn formula(c: &Counts, repeated: usize, local: usize) -> String {
     format!("F = 3n − (2p_l + p_h − p′) − F′ = 3·{moving} − (2·{lower} + {higher} − {repeated}) − {local} = {f}")
 }
 
-fn roman(class: &str, lang: Lang) -> &str {
-    match (class, lang) {
-        (class, Lang::En) => class,
-        ("I", Lang::Zh) => "Ⅰ",
-        ("II", Lang::Zh) => "Ⅱ",
-        ("III", Lang::Zh) => "Ⅲ",
-        (_, Lang::Zh) => "Ⅳ级以上，",
-    }
+fn class_of(class: &'static str, lang: Lang) -> &'static str {
+    if lang == Lang::Zh { grade(class) } else { class }
 }
 
-/// The class of a mechanism for a choice of drivers.
-pub fn class(choice: &ForDrivers, lang: Lang) -> &str {
-    roman(choice.class(), lang).trim_end_matches('，')
+/// The class of a mechanism for a choice of drivers: `II`, `Ⅱ级`.
+pub fn class(choice: &ForDrivers, lang: Lang) -> &'static str {
+    class_of(choice.class(), lang)
 }
 
 /// The groups of a choice of drivers from the far end, each by class and kind: `II RRR, III`.
 pub fn kinds(choice: &ForDrivers, lang: Lang) -> String {
     let kind = |g: &Assur| {
-        let class = roman(g.class().unwrap_or_default(), lang).trim_end_matches('，').to_owned();
-        match g.kind() {
-            "triad" | "higher group" => class,
-            dyad => format!("{class} {dyad}"),
-        }
+        let class = class_of(g.class().unwrap_or_default(), lang);
+        dyad(g).map_or(class.to_owned(), |kind| format!("{class} {kind}"))
     };
     choice.from_the_far_end().iter().map(kind).collect::<Vec<_>>().join(tr(lang, ", ", "、"))
 }
@@ -158,9 +150,9 @@ impl Counted {
         Counted { survey, checked, sure }
     }
 
-    /// Compound hinges.
-    pub fn compound(&self, scene: &Scene) -> Vec<Both> {
-        self.survey.compound.iter().map(|(p, links)| compound_words(scene.point_name(*p), *links)).collect()
+    /// What is told of the count of lower pairs, points set as points.
+    pub fn lower(&self, scene: &Scene, lang: Lang) -> Vec<Phrase> {
+        lower_set(scene, &self.survey.compound, lang)
     }
 
     /// Local freedoms.
@@ -183,6 +175,25 @@ fn compound_words(name: &str, links: usize) -> Both {
     both!("{name} joins {links} links: compound hinge, {} pairs", "{name} 处 {links} 个构件组成复合铰链，计 {} 个转动副", links - 1)
 }
 
+/// Why lower pairs count as they do: pins of more than two links, and what rolls without slipping.
+fn lower_words(scene: &Scene, compound: &[(PointId, usize)], point: impl Fn(&str) -> String) -> Vec<Both> {
+    let hinges = compound.iter().map(|(p, links)| compound_words(&point(scene.point_name(*p)), *links));
+    let rolls = scene.rolling.iter().filter(|r| r.kind.is_lower()).map(|r| {
+        let contact = point(scene.point_name(r.at[0]));
+        both!(
+            "{contact}: rolling without slipping takes two freedoms and counts as a lower pair",
+            "{contact} 处为纯滚动，约束数为 2，按低副计"
+        )
+    });
+    hinges.chain(rolls).collect()
+}
+
+/// The same with points set as points.
+pub fn lower_set(scene: &Scene, compound: &[(PointId, usize)], lang: Lang) -> Vec<Phrase> {
+    let told = lower_words(scene, compound, |name| format!("${}$", name_label(name)));
+    told.iter().map(|b| Phrase::new(lang.of(b))).collect()
+}
+
 /// The report as text.
 pub fn text(scene: &Scene, survey: &Survey, checked: &[Option<Checked>], lang: Lang) -> String {
     let mut out = String::new();
@@ -198,9 +209,7 @@ pub fn text(scene: &Scene, survey: &Survey, checked: &[Option<Checked>], lang: L
     let Counts { moving, lower, higher } = survey.counts;
     line(say(both!("moving links n = {moving}", "活动构件数 n = {moving}")));
     line(say(both!("lower pairs p_l = {lower}", "低副数 p_l = {lower}")));
-    for (p, links) in &survey.compound {
-        line(format!("  {}", say(compound_words(scene.point_name(*p), *links))));
-    }
+    lower_words(scene, &survey.compound, str::to_owned).into_iter().for_each(|why| line(format!("  {}", say(why))));
     line(say(both!("higher pairs p_h = {higher}", "高副数 p_h = {higher}")));
     line(say(both!("local freedoms F′ = {}", "局部自由度 F′ = {}", survey.local.len())));
     survey.local.iter().for_each(|l| line(format!("  {}", say(local_words(l)))));
@@ -239,11 +248,11 @@ pub fn text(scene: &Scene, survey: &Survey, checked: &[Option<Checked>], lang: L
 
 fn choice_words(choice: &ForDrivers, lang: Lang) -> String {
     let names = choice.names().join(tr(lang, ", ", "、"));
-    let class = roman(choice.class(), lang);
+    let class = class(choice, lang);
     let given = if choice.given { tr(lang, " (given)", "（给定）") } else { "" };
     match lang {
         Lang::En => format!("driven by {names}{given}: mechanism of class {class}; groups from the far end"),
-        Lang::Zh => format!("原动件 {names}{given}：{class}级机构；由远离原动件处拆杆组"),
+        Lang::Zh => format!("原动件 {names}{given}：{class}机构；由远离原动件处拆杆组"),
     }
 }
 

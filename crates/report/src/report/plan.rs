@@ -1,7 +1,8 @@
 //! The plan as text: groups, effects, equations in solving order.
 
 use crate::mechanism::{Assur, ConstraintLine, Level, Mechanism, moved_words};
-use crate::paper::phrase::{formula, tr};
+use crate::paper::phrase::{Phrase, formula, tr};
+use crate::plan::names::name_label;
 use crate::plan::text::{Column, Writer};
 use crate::plan::{Between, Body, Effect, GroupSteps, Method, Rate, Reason, Special, SpecialLine, Step, Term};
 use crate::scene::{Lang, PointId, Scene};
@@ -79,17 +80,41 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
             tr(
                 lang,
                 "in or behind a group higher than class III, not drawn; `solve` answers from the loop equations",
-                "属于Ⅳ级以上杆组或在其后，不能作图；solve 由解析法给出结果"
+                "属于Ⅳ级及以上杆组或在其后，不能作图；solve 由解析法给出结果"
             )
         ));
     }
     out
 }
 
+/// The class of a group or of a mechanism as Chinese books count it.
+pub fn grade(class: &str) -> &'static str {
+    match class {
+        "I" => "Ⅰ级",
+        "II" => "Ⅱ级",
+        "III" => "Ⅲ级",
+        _ => "Ⅳ级及以上",
+    }
+}
+
+/// The kind of a dyad; classes above have no kinds of their own.
+pub fn dyad<'a>(g: &'a Assur<'_>) -> Option<&'a str> {
+    Some(g.kind()).filter(|kind| !matches!(*kind, "triad" | "higher group"))
+}
+
 /// A group in words: its class, its kind, its links.
 pub fn group_words(scene: &Scene, m: &Mechanism, g: &Assur, lang: Lang) -> String {
+    group(scene, m, g, lang, str::to_owned)
+}
+
+/// The same with its points set as points.
+pub fn group_set(scene: &Scene, m: &Mechanism, g: &Assur, lang: Lang) -> Phrase {
+    Phrase::new(&group(scene, m, g, lang, |name| format!("${}$", name_label(name))))
+}
+
+fn group(scene: &Scene, m: &Mechanism, g: &Assur, lang: Lang, point: impl Fn(&str) -> String) -> String {
     let links: Vec<&str> = g.links.iter().map(|l| scene.link_name(*l)).collect();
-    let at: Vec<&str> = g.inner().into_iter().map(|p| scene.point_name(p)).collect();
+    let at: Vec<String> = g.inner().into_iter().map(|p| point(scene.point_name(p))).collect();
     let led = g.drivers(m).any(|d| scene.is_led(d));
     let what = match (g.class(), lang) {
         (None, lang) if led => tr(lang, "follower of the cam", "凸轮从动件").into(),
@@ -102,19 +127,11 @@ pub fn group_words(scene: &Scene, m: &Mechanism, g: &Assur, lang: Lang) -> Strin
             "driven slider" => "原动滑块".into(),
             _ => "原动件".into(),
         },
-        (Some(class), Lang::En) => format!("class {class}, {}", g.kind()),
-        (Some(class), Lang::Zh) => format!(
-            "{}级杆组{}",
-            match class {
-                "II" => "Ⅱ",
-                "III" => "Ⅲ",
-                _ => "Ⅳ级以上",
-            },
-            match g.kind() {
-                "triad" | "higher group" => String::new(),
-                dyad => format!(" {dyad}"),
-            }
-        ),
+        (Some(class), Lang::En) => match g.kind() {
+            "higher group" => format!("class {class}"),
+            kind => format!("class {class}, {kind}"),
+        },
+        (Some(class), Lang::Zh) => format!("{}杆组{}", grade(class), dyad(g).map_or(String::new(), |kind| format!(" {kind}"))),
     };
     let comma = tr(lang, ", ", "、");
     let links = match links.len() {

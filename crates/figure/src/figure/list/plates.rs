@@ -10,7 +10,7 @@ use crate::paper::drawing::Part;
 use crate::paper::label::Label;
 use crate::paper::phrase::tr;
 use crate::report::amount::of_level;
-use crate::report::plan::group_words;
+use crate::report::plan::group_set;
 
 use super::{Entry, Pages, Wanted};
 
@@ -31,10 +31,11 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
         let Some(polygon) = w.worked.construction.polygon(level) else { continue };
         for plate in plates(&w.options.style, &writer, &w.worked.mechanism, polygon) {
             let m = &w.worked.mechanism;
-            let group = m.assur_of(w.scene, plate.groups[0]).map(|g| group_words(w.scene, m, &g, lang));
-            let words = format!("{}{}{}", maker.words().polygon(level), tr(lang, ", ", "，"), group.unwrap_or_default());
+            let group = m.assur_of(w.scene, plate.groups[0]).map(|g| group_set(w.scene, m, &g, lang).label());
+            let words = Label::text(format!("{}{}", maker.words().polygon(level), tr(lang, ", ", "，")));
+            let words = group.into_iter().fold(words, Label::then);
             let mu = of_level(&w.scene.book, level, plate.mu);
-            let drawn = maker.titled(plate.part, Label::text(words), &mu, if level == Level::Acceleration { "mu_a" } else { "mu_v" });
+            let drawn = maker.titled(plate.part, words, &mu, if level == Level::Acceleration { "mu_a" } else { "mu_v" });
             let mut parts: Vec<Part> = vec![drawn];
             parts.extend(maker.tables(&writer, &numbers).parts_of(level, |g| plate.groups.contains(&g)));
             let written: Vec<Tree> = (1..parts.len()).map(Tree::Leaf).collect();
