@@ -161,7 +161,7 @@ impl Look<'_> {
         let errors = ways.iter().filter_map(shown);
         let axes = [Axis::powers(libm::floor(lo), libm::ceil(hi)), errors_axis(errors)];
         let mut plot = Plot::new("time".into(), self.style, frame, axes);
-        plot.axes(Some(Label::text(tr(self.lang, "time of a whole solution, s", "一次求解用时，s"))), self.error.clone());
+        plot.axes(Some(Label::text(tr(self.lang, "time of a whole solution / s", "一次求解用时 / s"))), self.error.clone());
         let mut pencils = Vec::new();
         for m in ways.iter().filter(|m| matches!(m.way, Way::Paper(_))) {
             let Some(e) = shown(m) else { continue };

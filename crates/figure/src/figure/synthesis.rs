@@ -209,13 +209,16 @@ fn sentences(candidate: &Candidate, board: &Board, Set { style, lang, .. }: Set)
     for (k, step) in board.steps.iter().enumerate() {
         add(&symbols(&format!("({}) {}", k + 1, lang.of(&step.text))));
     }
+    let (open, close) = (tr(lang, " (", "（"), tr(lang, ")", "）"));
     let readings = board.readings.iter().filter_map(|r| {
         let formula = candidate.number(&r.name)?.abs();
         let name = format!("${}$", symbol(&r.name));
         Some(match r.angle {
-            true => format!("{} = {}° ({}°)", name, significant(board.value(r).to_degrees(), 5), significant(formula.to_degrees(), 5)),
+            true => {
+                format!("{} = {}°{open}{}°{close}", name, significant(board.value(r).to_degrees(), 5), significant(formula.to_degrees(), 5))
+            }
             false => format!(
-                "{} = {} mm × $\\mu_l$ = {} mm ({} mm)",
+                "{} = {} mm × $\\mu_l$ = {} mm{open}{} mm{close}",
                 name,
                 significant(r.measured, 4),
                 significant(board.value(r) * 1e3, 5),
@@ -224,7 +227,7 @@ fn sentences(candidate: &Candidate, board: &Board, Set { style, lang, .. }: Set)
         })
     });
     let read = tr(lang, "Measured, in brackets the closed formula: ", "图上量得（括号内为公式值）：");
-    add(&format!("{read}{}", readings.collect::<Vec<_>>().join("; ")));
+    add(&format!("{read}{}", readings.collect::<Vec<_>>().join(tr(lang, "; ", "；"))));
     lines
 }
 

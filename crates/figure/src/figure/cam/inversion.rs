@@ -9,7 +9,7 @@ use crate::paper::extent::Rect;
 use crate::paper::item::{Anchor, Colour, Dash, Figure, Item, PLACED, Shape, Stroke};
 use crate::paper::label::Label;
 use crate::paper::phrase::tr;
-use crate::paper::place::{LabelRequest, Obstacles, place};
+use crate::paper::place::{Bar, LabelRequest, Obstacles, place};
 use crate::paper::style::Style;
 use crate::paper::text;
 use crate::paper::words::words;
@@ -27,6 +27,13 @@ const ABOVE_MM: f64 = 16.0;
 const BELOW_MM: f64 = 20.0;
 /// Points of the curves: one for each half degree.
 const STEPS: usize = 720;
+
+/// Between what is drawn and the arrow of the sense outside of it, in mm: a number fits between.
+const ARROW_MM: f64 = 9.0;
+/// How much wider than the arrow the sector is in which it looks (rad).
+const ARROW_AIR: f64 = 0.12;
+/// Points looked at on each line.
+const SAMPLES: usize = 32;
 
 /// The drawing under way: items in mm about the centre of the cam.
 struct Drawing<'a> {
@@ -48,7 +55,7 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     d.circles();
     d.curves();
     d.stations();
-    d.turning(reach);
+    d.turning();
     let half =
         crate::paper::extent::bounds(&d.items).map_or(SIZE_MM / 2.0, |b| b.max.y.max(-b.min.y).max(b.max.x).max(-b.min.x)) + MARGIN_MM;
     let bounds = Rect::new(Point::new(-half, -half), Point::new(half, half));
@@ -285,16 +292,20 @@ impl Drawing<'_> {
         }
     }
 
-    /// In which sense the follower goes round: against the cam.
-    fn turning(&mut self, reach: f64) {
+    /// In which sense the follower goes round: against the cam. The arrow stands outside of what is drawn there.
+    fn turning(&mut self) {
         let sense = -self.disc().sense;
-        let radius_mm = reach * self.scale + 5.0;
         let from_rad = 0.25 * TAU + sense * 0.12;
         let (stroke, head) = (self.style.thin, self.style.thin_head);
         let to_rad = from_rad + sense * 0.28;
+        let angles = [from_rad.min(to_rad), from_rad.max(to_rad)];
+        let there = |p: &Point| (angles[0] - ARROW_AIR..angles[1] + ARROW_AIR).contains(&p.to_vec2().angle());
+        let along = |bar: &Bar| (0..=SAMPLES).map(|k| bar.from + (bar.to - bar.from) * (k as f64 / SAMPLES as f64)).collect::<Vec<_>>();
+        let drawn = Obstacles::of(&self.items).bars;
+        let reach_mm = drawn.iter().flat_map(along).filter(there).map(|p| p.to_vec2().norm()).fold(0.0, f64::max);
+        let radius_mm = reach_mm + ARROW_MM;
         self.draw("sense", Shape::ArcArrow { centre: Point::ORIGIN, radius_mm, from_rad, to_rad, stroke, head }, None);
         let label = Label::math("−ω").in_fonts(&self.style.fonts);
-        let angles = [from_rad.min(to_rad), from_rad.max(to_rad)];
         self.wanted.push(LabelRequest::along_arc(label, self.style.small_mm, Point::ORIGIN, radius_mm, angles, 0.3));
     }
 }

@@ -16,6 +16,8 @@ use crate::paper::style::Style;
 
 /// From the frame to the numbers at it.
 const NUMBER_MM: f64 = 1.6;
+/// From the frame up to the baseline of what the vertical axis tells: its descenders clear the number at the corner.
+const UNIT_MM: f64 = 3.0;
 /// Room that the numbers of a vertical axis take.
 const NUMBERS_MM: f64 = 14.0;
 /// Grid, leader lines.
@@ -105,7 +107,7 @@ impl<'a> Plot<'a> {
         if y.holds(0.0) {
             self.line("zero", self.at(x.from, 0.0), self.at(x.to, 0.0), style.thin);
         }
-        let corner = Point::new(frame.min.x, frame.max.y) + Vec2::new(-NUMBER_MM, 2.2);
+        let corner = Point::new(frame.min.x, frame.max.y) + Vec2::new(-NUMBER_MM, UNIT_MM);
         // Words wider than the numbers would leave the paper: they begin where those do.
         let wide = crate::paper::text::set(&above.clone().in_fonts(&style.fonts)).width_em * small > NUMBERS_MM;
         let (back, anchor) = if wide { (NUMBERS_MM, Anchor::Start) } else { (0.0, Anchor::End) };

@@ -113,7 +113,7 @@ pub fn deviation(task: &Task, candidate: &Candidate, set: Set) -> Option<Figure>
     let frame = Rect::new(Point::ORIGIN, Point::new(ROOM_MM[0], 80.0));
     let axes = [Axis::of(&xs, false, 10), Axis::of(&ys, false, 8)];
     let mut plot = Plot::new("deviation".to_owned(), style, frame, axes);
-    plot.axes(Some(Label::math("x").in_fonts(&style.fonts)), Label::math("\\Delta\\psi\\,/\\degree"));
+    plot.axes(Some(Label::math("x").in_fonts(&style.fonts)), Label::math("\\Delta\\psi/(\\degree)"));
     let points = data.iter().map(|p| plot.at(p[0], p[1])).collect();
     plot.draw("curve", Shape::Polyline { points, closed: false, stroke: Some(style.vector), fill: None }, None);
     for k in 0.. {
