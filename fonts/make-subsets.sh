@@ -45,6 +45,10 @@ for style in normal italic; do
     cp tinos-$style.ttf "$out/tinos-$style.ttf"
 done
 
+woff fontsource-tinos-5.3.0/files/tinos-latin-700-italic.woff2 tinos-bold-italic.ttf
+pyftsubset tinos-bold-italic.ttf --unicodes=U+0041-005A,U+0061-007A --layout-features=kern --no-hinting --notdef-outline \
+    --output-file="$out/tinos-bold-italic.ttf"
+
 characters "$here/stix-math-sub.ttf" >stix.txt
 woff "$(ls fontsource-stix-two-math-5.3.0/files/stix-two-math-latin-400-normal.woff2)" stix.ttf
 pyftsubset stix.ttf --unicodes-file=stix.txt --layout-features=kern,ssty --drop-tables+=MATH --no-hinting --desubroutinize --notdef-outline \

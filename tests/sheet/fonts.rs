@@ -10,8 +10,9 @@ use hodograph::figure::{path, poses, price, steps};
 use hodograph::mechanism::Mechanism;
 use hodograph::paper::font::{Face, own::Fonts};
 use hodograph::paper::item::{Figure, Item, Shape};
-use hodograph::paper::style::Style;
+use hodograph::paper::style::{self, Style};
 use hodograph::paper::text;
+use hodograph::plan::notation::Notation;
 use hodograph::scene::{Angle, Lang, PointId, Swept, read, templates};
 use hodograph::sweep::{self, Placed, Stations, Width};
 use hodograph::worked::{Scope, work};
@@ -21,6 +22,25 @@ fn tinos() -> Fonts {
     let file = |name: &str| std::fs::read(format!("{}/fonts/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap();
     let names = ["tinos-normal.ttf", "tinos-italic.ttf"];
     names.iter().fold(Fonts::default(), |fonts, name| fonts.with(name, file(name)).unwrap())
+}
+
+#[test]
+fn vectors_are_bold_in_vector_equations_alone() {
+    let scene = read(templates::get("shaper").unwrap()).unwrap().value;
+    let worked = work(&scene, Scope::Figure).unwrap().value;
+    let style = style::read(br#"{ "notation": { "vectors": "bold" } }"#).unwrap();
+    let notation = style.marks.over(&Notation::named("en").unwrap());
+    let figure = sheet(&scene, &worked, &Options { style, notation, ..Options::of_language(Lang::En) }).unwrap();
+    let (mut bold, mut plain) = (0, 0);
+    for item in &figure.items {
+        let Shape::Label { label, .. } = &item.shape else { continue };
+        let is_bold = text::set(label).runs.iter().any(|run| run.face == Face::Bold);
+        let symbol = item.class.split(' ').any(|c| c == "symbol");
+        assert_eq!(is_bold, symbol, "{} {}", item.class, label.plain());
+        bold += usize::from(is_bold);
+        plain += usize::from(!is_bold && label.plain().starts_with(['v', 'a']));
+    }
+    assert!(bold > 10 && plain > 10, "{bold} bold, {plain} plain");
 }
 
 /// Letters that come from a bundled font of words or quantities, and how many come from one's own.

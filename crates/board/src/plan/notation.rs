@@ -31,6 +31,32 @@ pub struct Notation {
     pub sliding_end: String,
     /// Which row of an equation table comes first: `magnitude` or `direction`.
     pub first_row: String,
+    /// How vectors are told from their magnitudes in vector equations.
+    pub vectors: Vectors,
+}
+
+/// How vectors are written in vector equations.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Vectors {
+    /// As their magnitudes.
+    #[default]
+    Plain,
+    /// In bold italics.
+    Bold,
+}
+
+impl Vectors {
+    /// All of them, by the words of files.
+    pub const ALL: [(&'static str, Vectors); 2] = [("plain", Vectors::Plain), ("bold", Vectors::Bold)];
+
+    /// The symbol of a vector, in the label language: its first letter is that of the quantity.
+    pub fn write(self, symbol: String) -> String {
+        match (self, symbol.chars().next()) {
+            (Vectors::Bold, Some(letter @ 'a'..='z')) => format!("\\bm{{{letter}}}{}", &symbol[1..]),
+            (Vectors::Plain | Vectors::Bold, _) => symbol,
+        }
+    }
 }
 
 const PROFILES: &[&str] = &[include_str!("notation/en.json"), include_str!("notation/cn.json")];

@@ -334,12 +334,13 @@ impl Writer<'_> {
     /// left, then the others, each after an equals sign.
     pub fn columns(&self, level: Level, target: VertexId, chains: &[Chain]) -> Vec<Column> {
         let mut out: Vec<Column> = Vec::new();
+        let bold = |symbol| self.notation.vectors.write(symbol);
         // A chain alone has nothing unknown.
         let absolute_left = !self.plan.vertex(chains[0].start).fixed || chains.len() == 1 && chains[0].known.len() > 1;
         if absolute_left {
             out.push(Column {
                 joint: "",
-                symbol: self.vector(level, target),
+                symbol: bold(self.vector(level, target)),
                 direction: self.notation.unknown.clone(),
                 magnitude: self.notation.unknown.clone(),
                 term: None,
@@ -360,12 +361,12 @@ impl Writer<'_> {
             };
             if !self.plan.vertex(chain.start).fixed {
                 let (direction, magnitude) = self.known_vector(level, chain.start);
-                out.push(Column { joint: joint(), symbol: self.vector(level, chain.start), direction, magnitude, term: None });
+                out.push(Column { joint: joint(), symbol: bold(self.vector(level, chain.start)), direction, magnitude, term: None });
             }
             for t in chain.known.iter().chain(&chain.unknown) {
                 out.push(Column {
                     joint: joint(),
-                    symbol: self.symbol(level, t),
+                    symbol: bold(self.symbol(level, t)),
                     direction: self.direction(t),
                     magnitude: self.magnitude(level, t),
                     term: Some(*t),

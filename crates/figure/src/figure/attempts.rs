@@ -23,7 +23,7 @@ use crate::paper::grid::{self, Cell, Row};
 use crate::paper::item::{Anchor, Colour, Dash, Figure, Item, Shape, Stroke};
 use crate::paper::label::Label;
 use crate::paper::place::LabelRequest;
-use crate::paper::style::Style;
+use crate::paper::style::{Captioned, Style};
 use crate::paper::text::set;
 use crate::report::amount::of_level;
 
@@ -276,7 +276,7 @@ pub fn as_printed(a: &Attempt, options: &Options) -> Option<Figure> {
     let level = a.gap.level;
     let part = maker.captioned(maker.polygon(a.wrong.worked.construction.polygon(level)?), "", level);
     let mut figure = maker.alone(part);
-    figure.desc = maker.words().polygon(level).into();
+    figure.desc = maker.name(Captioned::Drawing(level)).into();
     Some(figure)
 }
 

@@ -20,7 +20,9 @@ use crate::paper::extent::Rect;
 use crate::paper::grid::{self, Cell, Row};
 use crate::paper::item::{Anchor, Figure, Item, Shape};
 use crate::paper::label::Label;
+use crate::paper::phrase::Phrase;
 use crate::paper::place::LabelRequest;
+use crate::paper::style::Captioned;
 use crate::report::amount::of_level;
 
 /// The parallelograms and the parts of the accelerations.
@@ -220,8 +222,8 @@ fn polygon(w: &Wanted, maker: &Maker, mu: f64, s: &Solved, k: usize) -> Part {
     let pole_name = format!("{}'", w.options.notation.pole);
     d.draw("pole", "pole", crate::paper::symbols::dot(style, pole));
     d.label("pole", "pole", LabelRequest::at_point(Label::math(pole_name), style.label_mm, pole, style.dot_radius_mm));
-    let words = maker.words().polygon(Level::Acceleration);
-    named(maker.titled(d.finish(), Label::text(words), &of_level(&w.scene.book, Level::Acceleration, mu), "polygon"), "polygon", k)
+    let words = maker.name(Captioned::Drawing(Level::Acceleration));
+    named(maker.titled(d.finish(), Phrase::new(words).label(), &of_level(&w.scene.book, Level::Acceleration, mu), "polygon"), "polygon", k)
 }
 
 /// What is told below the drawings.

@@ -26,7 +26,7 @@ use crate::paper::grid::{self, Cell, Row};
 use crate::paper::item::Anchor;
 use crate::paper::label::Label;
 use crate::paper::lines::wrapped;
-use crate::paper::style::Style;
+use crate::paper::style::{Captioned, Style};
 use crate::paper::words::Words;
 
 /// Distance of the rows' baselines: scripts of one must not touch those of the next.
@@ -105,7 +105,7 @@ fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::P
     let row_mm = style.leading(ROW_MM);
     let placed = column.map_or(Measured::Before, |c| c.measured);
     let heading = Cell {
-        label: Label::text(words.results).in_fonts(&style.fonts),
+        label: Phrase::new(style.captions.of(Captioned::Results, words.lang())).label().in_fonts(&style.fonts),
         size_mm: style.caption_mm,
         anchor: Anchor::Start,
         class: "result heading".into(),

@@ -27,7 +27,7 @@ use crate::paper::grid::{self, Cell, Row};
 use crate::paper::item::{Anchor, Colour, Figure, Item, Shape};
 use crate::paper::label::Label;
 use crate::paper::lines::wrapped;
-use crate::paper::style::Style;
+use crate::paper::style::{Captioned, Style};
 use crate::paper::words::{Words, words};
 
 /// How a sheet is written.
@@ -168,7 +168,7 @@ pub fn diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Over
     if let (Some(level), Some(of_vectors)) = (overlay.vectors, overlay.mu(scene, worked)) {
         mu = format!("{mu},\\quad {}", of_level(&scene.book, level, of_vectors));
     }
-    let titled = maker.titled(part, Label::text(words), &mu, "mu_l");
+    let titled = maker.titled(part, Phrase::new(words).label(), &mu, "mu_l");
     maker.alone(if overlay.dimensions { maker.with_givens(titled) } else { titled })
 }
 
@@ -247,15 +247,22 @@ impl Maker<'_> {
             .collect()
     }
 
-    pub fn caption(&self, level: Level) -> (&'static str, String) {
+    /// What is written at a drawing or a list.
+    pub fn name(&self, what: Captioned) -> &str {
+        self.options.style.captions.of(what, self.options.lang)
+    }
+
+    /// The name of the drawing of a level, and its scale.
+    pub fn caption(&self, level: Level) -> (&str, String) {
         let paper = &self.worked.construction;
         let book = &self.scene.book;
         let mu = |level| paper.polygon(level).map_or(0.0, |p| p.mu);
-        match level {
-            Level::Position => (self.words().diagram, of_level(book, level, paper.diagram.mu_l)),
-            _ if paper.is_empty(level) => (self.words().polygon(level), format!("\\text{{{}}}", self.words().no_vectors)),
-            Level::Velocity | Level::Acceleration => (self.words().polygon(level), of_level(book, level, mu(level))),
-        }
+        let scale = match level {
+            Level::Position => of_level(book, level, paper.diagram.mu_l),
+            _ if paper.is_empty(level) => format!("\\text{{{}}}", self.words().no_vectors),
+            Level::Velocity | Level::Acceleration => of_level(book, level, mu(level)),
+        };
+        (self.name(Captioned::Drawing(level)), scale)
     }
 
     /// A part alone on its paper.
@@ -272,7 +279,7 @@ impl Maker<'_> {
             Level::Velocity => "mu_v",
             Level::Acceleration => "mu_a",
         };
-        self.titled(part, Label::text(format!("{letter}{words}")), &mu, id)
+        self.titled(part, Phrase::new(&format!("{letter}{words}")).label(), &mu, id)
     }
 
     /// A part with its name and its scales below; `id` tells these labels from those of other parts.
@@ -314,8 +321,8 @@ impl Maker<'_> {
         put_together(Tree::column(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![part, Part::of(items)])
     }
 
-    fn line(&self, id: &str, text: &str, size_mm: f64) -> Part {
-        let label = Label::text(text).in_fonts(&self.options.style.fonts);
+    fn line(&self, id: &str, label: Label, size_mm: f64) -> Part {
+        let label = label.in_fonts(&self.options.style.fonts);
         let shape = Shape::Label { at: Point::ORIGIN, label, size_mm, anchor: Anchor::Start, colour: Colour::BLACK };
         Part::of(vec![Item::new(id, shape).with_id(id)])
     }
@@ -323,7 +330,7 @@ impl Maker<'_> {
     pub fn title(&self) -> Option<Part> {
         let title = self.scene.title.get(self.options.lang);
         // A third larger than the captions: a heading without a bold face.
-        (!title.is_empty()).then(|| self.line("title", title, self.options.style.caption_mm * 4.0 / 3.0))
+        (!title.is_empty()).then(|| self.line("title", Label::text(title), self.options.style.caption_mm * 4.0 / 3.0))
     }
 
     /// The title in as many lines as it takes.
@@ -345,7 +352,7 @@ impl Maker<'_> {
 
     fn heading(&self, level: Level) -> Part {
         let id = if level == Level::Acceleration { "heading-acceleration" } else { "heading-velocity" };
-        self.line(id, self.words().equations(level), self.options.style.caption_mm)
+        self.line(id, Phrase::new(self.name(Captioned::Equations(level))).label(), self.options.style.caption_mm)
     }
 
     pub fn figure(&self, items: Vec<Item>, size: [f64; 2]) -> Figure {

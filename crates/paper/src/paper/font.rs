@@ -1,6 +1,6 @@
 //! The embedded fonts: which character comes from which font, how a run of characters becomes glyphs, and what these look like.
 //!
-//! Decided here: the order in which the four fonts are asked, after the author's own ([`own::Fonts`]) where there are any. Not decided here: what is italic (the label
+//! Decided here: the order in which the five fonts are asked, after the author's own ([`own::Fonts`]) where there are any. Not decided here: what is italic (the label
 //! language, [`super::label`]) and where scripts go ([`super::text`]). No system font is ever asked: the same
 //! label gives the same outline on every machine, and a character that none of the fonts has is reported by the
 //! caller, never drawn as a box.
@@ -31,6 +31,8 @@ pub type Bytes = Arc<dyn AsRef<[u8]> + Send + Sync>;
 pub enum Slant {
     /// Letters of quantities and points.
     Italic,
+    /// Letters of vectors, where these are told from their magnitudes.
+    Bold,
     /// Digits, units, words.
     Upright,
     /// Operators, relations and primes: the mathematical font first, so that all of them share one weight and axis.
@@ -62,6 +64,8 @@ pub enum Face {
     Roman,
     /// Tinos Italic.
     Italic,
+    /// Tinos Bold Italic (subset): letters of vectors.
+    Bold,
     /// STIX Two Math (subset): arrows, ⊥ ∥ ∠ √ ✓, primes, circled numbers.
     Math,
     /// Noto Serif CJK SC (subset): Song-style Chinese.
@@ -75,6 +79,7 @@ pub enum Face {
 pub struct FaceKey(u8, u64);
 
 const ITALIC_FIRST: [Face; 4] = [Face::Italic, Face::Roman, Face::Math, Face::Song];
+const BOLD_FIRST: [Face; 5] = [Face::Bold, Face::Italic, Face::Roman, Face::Math, Face::Song];
 const ROMAN_FIRST: [Face; 4] = [Face::Roman, Face::Math, Face::Song, Face::Italic];
 const MATH_FIRST: [Face; 4] = [Face::Math, Face::Roman, Face::Song, Face::Italic];
 
@@ -143,6 +148,7 @@ impl Loaded {
 
 static ROMAN: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Roman));
 static ITALIC: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Italic));
+static BOLD: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Bold));
 static MATH: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Math));
 static SONG: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Song));
 
@@ -168,7 +174,8 @@ impl Face {
             Face::Italic => FaceKey(1, 0),
             Face::Math => FaceKey(2, 0),
             Face::Song => FaceKey(3, 0),
-            Face::Own(own) => FaceKey(4 + own.cut() as u8, own.key()),
+            Face::Bold => FaceKey(4, 0),
+            Face::Own(own) => FaceKey(5 + own.cut() as u8, own.key()),
         }
     }
 
@@ -177,6 +184,7 @@ impl Face {
         let embedded: &'static [u8] = match self {
             Face::Roman => include_bytes!("../../../../fonts/tinos-normal.ttf"),
             Face::Italic => include_bytes!("../../../../fonts/tinos-italic.ttf"),
+            Face::Bold => include_bytes!("../../../../fonts/tinos-bold-italic.ttf"),
             Face::Math => include_bytes!("../../../../fonts/stix-math-sub.ttf"),
             Face::Song => include_bytes!("../../../../fonts/song-gb1-cff.otf"),
             Face::Own(own) => return own.bytes(),
@@ -188,6 +196,7 @@ impl Face {
         match self {
             Face::Roman => &ROMAN,
             Face::Italic => &ITALIC,
+            Face::Bold => &BOLD,
             Face::Math => &MATH,
             Face::Song => &SONG,
             Face::Own(own) => own.loaded(),
@@ -196,12 +205,13 @@ impl Face {
 
     /// The font for a character of that slant: of the author's, else of the embedded ones; `None` when none has it.
     pub fn of(c: char, slant: Slant, fonts: &Fonts) -> Option<Face> {
-        let order = match slant {
-            Slant::Italic => ITALIC_FIRST,
-            Slant::Upright => ROMAN_FIRST,
-            Slant::Symbol => MATH_FIRST,
+        let order: &[Face] = match slant {
+            Slant::Italic => &ITALIC_FIRST,
+            Slant::Bold => &BOLD_FIRST,
+            Slant::Upright => &ROMAN_FIRST,
+            Slant::Symbol => &MATH_FIRST,
         };
-        fonts.face_of(c, slant).or_else(|| order.into_iter().find(|face| face.known(c, |loaded| loaded.glyph(c).is_some())))
+        fonts.face_of(c, slant).or_else(|| order.iter().find(|face| face.known(c, |loaded| loaded.glyph(c).is_some())).cloned())
     }
 
     /// Shapes a run of characters (kerning included).
@@ -317,9 +327,13 @@ mod tests {
     #[test]
     fn every_embedded_font_shapes() {
         // Advances as printed by `ttx -t hmtx`, in em.
-        for (face, text, advance_em) in
-            [(Face::Roman, "1", 0.5), (Face::Italic, "v", 0.444), (Face::Math, "⊥", 0.720), (Face::Song, "速", 1.0)]
-        {
+        for (face, text, advance_em) in [
+            (Face::Roman, "1", 0.5),
+            (Face::Italic, "v", 0.444),
+            (Face::Bold, "v", 0.444),
+            (Face::Math, "⊥", 0.720),
+            (Face::Song, "速", 1.0),
+        ] {
             let run = face.shaped(text);
             assert!(face.outline(run.glyphs[0].id).segments.len() > 3, "{face:?} draws {text}");
             assert!((run.advance_em - advance_em).abs() < 1e-3, "{face:?} {text}: {} em", run.advance_em);
@@ -330,6 +344,8 @@ mod tests {
     fn faces_by_slant() {
         let none = Fonts::default();
         assert_eq!(Face::of('v', Slant::Italic, &none), Some(Face::Italic));
+        assert_eq!(Face::of('v', Slant::Bold, &none), Some(Face::Bold));
+        assert_eq!(Face::of('ω', Slant::Bold, &none), Some(Face::Italic));
         assert_eq!(Face::of('v', Slant::Upright, &none), Some(Face::Roman));
         assert_eq!(Face::of('=', Slant::Symbol, &none), Some(Face::Math));
         assert_eq!(Face::of('→', Slant::Italic, &none), Some(Face::Math));

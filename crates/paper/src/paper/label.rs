@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! v_{B3B2}^r   a^n_{CB}   \omega_1^2 l_{AB}   b'_2   \mu_l = 0.002 m/mm   \perp AB   B \to A
-//! \text{max}   \circled{3}   \checkmark   \surd   \sin\varphi   \,   \quad   B\_1
+//! \text{max}   \bm{v}_B   \circled{3}   \checkmark   \surd   \sin\varphi   \,   \quad   B\_1
 //! ```
 //! Names of a scene's points and links come in through [`crate::plan::names`], which lets their marks stand for themselves.
 //!
@@ -206,6 +206,7 @@ mod tests {
                 .map(|n| {
                     let mark = match n.slant {
                         Slant::Italic => 'i',
+                        Slant::Bold => 'b',
                         Slant::Upright => 'u',
                         Slant::Symbol => 's',
                     };
@@ -230,6 +231,7 @@ mod tests {
     fn quantities_points_and_numbers() {
         assert_eq!(shape("v_{B3B2}^r"), "i:v_(i:B u:3 i:B u:2)^(i:r)");
         assert_eq!(shape("a^n_{CB}"), "i:a_(i:CB)^(i:n)");
+        assert_eq!(shape(r"\bm{a}^n_{CB}"), "b:a_(i:CB)^(i:n)");
         assert_eq!(shape(r"\omega_1^2 l_{AB}"), "i:ω_(u:1)^(u:2) i:l_(i:AB)");
         assert_eq!(shape("b'_2"), "i:b'_(u:2)");
         assert_eq!(shape("b_2'"), "i:b'_(u:2)");

@@ -42,7 +42,8 @@ pub fn written(w: &Writer, paper: &Construction, level: Level, step: &Step) -> O
         }
         Step::Same { target, from, link } => {
             let why = words(w.lang).no_turning.replace("{}", w.scene.link_name(*link));
-            let formula = format!("{} = {}", w.vector(level, *target), w.vector(level, *from));
+            let bold = |v| w.notation.vectors.write(w.vector(level, v));
+            let formula = format!("{} = {}", bold(*target), bold(*from));
             line(format!("${formula}${}{why}", tr(w.lang, ": ", "：")))
         }
     }
@@ -67,6 +68,7 @@ fn equation(w: &Writer, level: Level, target: VertexId, chains: &[Chain]) -> Opt
         && chain.unknown.is_empty()
     {
         let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.vector(level, chain.start) };
+        let [vector, start] = [vector, start].map(|symbol| w.notation.vectors.write(symbol));
         return if chain.start == target { None } else { line(format!("${vector} = {start}$")) };
     }
     Some(Written::Table(w.columns(level, target, chains)))

@@ -36,6 +36,8 @@ const WORD_EM: f64 = 0.2;
 trait Tongue {
     /// Letters of quantities: `AB`, `ω`.
     fn letters(&self, text: &str) -> String;
+    /// Letters of vectors, bold.
+    fn bold(&self, text: &str) -> String;
     /// A number.
     fn number(&self, text: &str) -> String;
     /// Upright words and units.
@@ -78,6 +80,7 @@ trait Tongue {
             (_, None, _) => String::new(),
             _ if n.role == Role::Function => self.function(&n.text),
             (Slant::Italic, ..) => self.letters(&n.text),
+            (Slant::Bold, ..) => self.bold(&n.text),
             _ if n.text.chars().all(|c| c.is_ascii_digit() || c == '.') => self.number(&n.text),
             (_, Some(c), None) if !c.is_alphanumeric() || n.slant == Slant::Symbol => self.sign(c, n.role),
             _ => self.words(&n.text),
@@ -130,6 +133,10 @@ impl Tongue for Mathml {
     fn letters(&self, text: &str) -> String {
         let each: String = text.chars().map(|c| format!("<mi>{c}</mi>")).collect();
         if text.chars().count() > 1 { format!("<mrow>{each}</mrow>") } else { each }
+    }
+    fn bold(&self, text: &str) -> String {
+        // Browsers know of all variants of letters the upright one only.
+        self.letters(text).replace("<mi>", "<mi style=\"font-weight:bold\">")
     }
     fn number(&self, text: &str) -> String {
         format!("<mn>{text}</mn>")
@@ -250,6 +257,9 @@ impl Tongue for Tex {
         let each: Vec<String> = text.chars().map(|c| named(c).map_or_else(|| c.to_string(), |(tex, _)| tex.to_owned())).collect();
         self.join(each)
     }
+    fn bold(&self, text: &str) -> String {
+        format!("\\boldsymbol{{{}}}", self.letters(text))
+    }
     fn number(&self, text: &str) -> String {
         text.to_owned()
     }
@@ -325,6 +335,9 @@ impl Tongue for Typst {
     fn letters(&self, text: &str) -> String {
         let each: Vec<String> = text.chars().map(|c| named(c).map_or_else(|| c.to_string(), |(_, typst)| typst.to_owned())).collect();
         each.join(" ")
+    }
+    fn bold(&self, text: &str) -> String {
+        format!("bold({})", self.letters(text))
     }
     fn number(&self, text: &str) -> String {
         text.to_owned()
@@ -408,6 +421,9 @@ mod tests {
         assert_eq!(tex(&l), r"\mu_{v}=0.01\ \text{(m/s)/mm}");
         assert_eq!(typst(&l), r#"mu_(v) = 0.01" ""(m/s)/mm""#);
         assert_eq!(tex(&Label::math(r"b'_2")), "b'_{2}");
+        let bold = Label::math(r"\bm{v}_{B}");
+        assert_eq!((tex(&bold).as_str(), typst(&bold).as_str()), (r"\boldsymbol{v}_{B}", "bold(v)_(B)"));
+        assert!(mathml(&bold).contains("<mi style=\"font-weight:bold\">v</mi>"));
         assert_eq!(typst(&Label::math(r"\perp AB")), "perp A B");
         assert_eq!(tex(&Label::math(r"\perp AB")), r"\perp AB");
         assert_eq!(typst(&Label::math("B \\to A")), "B arrow.r A");

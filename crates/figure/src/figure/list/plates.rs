@@ -8,7 +8,8 @@ use crate::figure::sheet::Maker;
 use crate::mechanism::Level;
 use crate::paper::drawing::Part;
 use crate::paper::label::Label;
-use crate::paper::phrase::tr;
+use crate::paper::phrase::{Phrase, tr};
+use crate::paper::style::Captioned;
 use crate::report::amount::of_level;
 use crate::report::plan::group_set;
 
@@ -32,7 +33,7 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
         for plate in plates(&w.options.style, &writer, &w.worked.mechanism, polygon) {
             let m = &w.worked.mechanism;
             let group = m.assur_of(w.scene, plate.groups[0]).map(|g| group_set(w.scene, m, &g, lang).label());
-            let words = Label::text(format!("{}{}", maker.words().polygon(level), tr(lang, ", ", "，")));
+            let words = Phrase::new(&format!("{}{}", maker.name(Captioned::Drawing(level)), tr(lang, ", ", "，"))).label();
             let words = group.into_iter().fold(words, Label::then);
             let mu = of_level(&w.scene.book, level, plate.mu);
             let drawn = maker.titled(plate.part, words, &mu, if level == Level::Acceleration { "mu_a" } else { "mu_v" });

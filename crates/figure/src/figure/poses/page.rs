@@ -12,7 +12,7 @@ use crate::mechanism::Level;
 use crate::paper::extent::Rect;
 use crate::paper::item::{Anchor, Figure, Item, Shape, Stroke};
 use crate::paper::label::Label;
-use crate::paper::phrase::{fill, formula, tr};
+use crate::paper::phrase::{Phrase, fill, formula, tr};
 use crate::report::amount::of_level;
 use crate::scene::Kind;
 
@@ -52,7 +52,8 @@ impl Table<'_> {
             Shows::Mechanism => Level::Position,
             Shows::Polygon(level) => level,
         };
-        let (words, mu) = self.maker().caption(which);
+        let maker = self.maker();
+        let (words, mu) = maker.caption(which);
         // The first pose may have no polygon.
         let mu = match column.shows {
             Shows::Polygon(level) => {
@@ -61,7 +62,7 @@ impl Table<'_> {
             }
             Shows::Mechanism => mu,
         };
-        (Label::text(words), mu)
+        (Phrase::new(words).label(), mu)
     }
 
     /// Its two lines, under the middle of their upper edge.

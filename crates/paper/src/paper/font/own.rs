@@ -178,6 +178,8 @@ impl Fonts {
         let cut = match slant {
             // Signs share the axis and weight of the mathematical font.
             Slant::Symbol => return None,
+            // A text font has no bold of the same design in its file.
+            Slant::Bold => return None,
             // Chinese letters are never slanted.
             Slant::Italic if c as u32 >= 0x2E80 => Cut::Upright,
             Slant::Italic => Cut::Slanted,

@@ -227,6 +227,14 @@ impl Parser<'_> {
                     )),
                 }
             }
+            "bm" => {
+                let letters = self.argument();
+                if letters.chars().all(|c| c.is_ascii_alphabetic()) {
+                    row.push(Node::new(letters, Slant::Bold, Role::Ordinary));
+                } else {
+                    self.fault(both!("\\bm takes letters, not `{letters}`", "\\bm 的参数应为字母，而不是 `{letters}`"));
+                }
+            }
             "quad" => row.push(Node::space(1.0)),
             "sin" | "cos" | "tan" | "arctan" | "arcsin" | "arccos" => row.push(Node::new(name, Slant::Upright, Role::Function)),
             _ => match named(&name) {

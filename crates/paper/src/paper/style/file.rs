@@ -12,6 +12,7 @@ use crate::paper::font::own::Fonts;
 use crate::paper::item::Colour;
 use crate::paper::label::Label;
 use crate::paper::text;
+use crate::plan::notation::Vectors;
 
 /// A length that a style sets: its key, where it is kept, and its bounds in mm.
 type Length = (&'static str, fn(&mut Style) -> &mut f64, [f64; 2]);
@@ -58,9 +59,9 @@ const TEXT: &[Length] = &[
 
 const SECTIONS: &[(&str, &str, &[Length])] =
     &[("lines", "\"lines\"", LINES), ("heads", "\"heads\"", HEADS), ("symbols", "\"symbols\"", SYMBOLS), ("text", "\"text\"", TEXT)];
-const KEYS: &[&str] = &["name", "base", "lines", "heads", "symbols", "text", "fonts", "colours", "notation"];
+const KEYS: &[&str] = &["name", "base", "lines", "heads", "symbols", "text", "fonts", "colours", "notation", "captions"];
 const COLOURS: &[&str] = &["paper", "ink", "plate", "links"];
-const MARKS: &[&str] = &["pole", "coriolis", "sliding", "known", "unknown", "similar", "normal_end", "coriolis_end"];
+const MARKS: &[&str] = &["pole", "coriolis", "sliding", "known", "unknown", "similar", "normal_end", "coriolis_end", "vectors"];
 /// Most colours of a list: more cannot be told apart, and the bound limits the memory that a file can take.
 const LINKS_MAX: usize = 64;
 
@@ -139,6 +140,9 @@ fn style(root: &Node, usual: Style, open: &mut Open, faults: &mut Faults) -> Opt
     }
     if let Some(node) = f.get("notation") {
         marks(node, &mut style.marks, faults);
+    }
+    if let Some(node) = f.get("captions") {
+        style.captions.read(node, faults);
     }
     Some(style)
 }
@@ -232,12 +236,45 @@ fn marks(node: &Node, marks: &mut Marks, faults: &mut Faults) {
     one("similar", &mut marks.similar);
     one("normal_end", &mut marks.normal_end);
     one("coriolis_end", &mut marks.coriolis_end);
+    if let Some(word) = f.get("vectors").and_then(|n| word(n, "`vectors`", faults)) {
+        let known = Vectors::ALL.into_iter().find(|(name, _)| *name == word.text);
+        if known.is_none() {
+            let d = Diagnostic::error("mark", both!("`vectors` is `{}`", "`vectors` 为 `{}`", word.text)).at(word.span);
+            faults.push(d.help(suggest(&word.text, Vectors::ALL.into_iter().map(|(name, _)| name), both!("it is", "可取"))));
+        }
+        marks.vectors = known.map(|(_, vectors)| vectors);
+    }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::Captioned;
     use super::*;
     use crate::diag::Both;
+    use crate::mechanism::Level;
+    use crate::scene::Lang;
+
+    #[test]
+    fn captions_and_vectors_of_a_style() {
+        let source = r#"{ "captions": { "velocity": "Plan $v$", "results": { "zh": "结论" } }, "notation": { "vectors": "bold" } }"#;
+        let style = read(source.as_bytes()).unwrap();
+        let of = |what, lang| style.captions.of(what, lang);
+        assert_eq!(of(Captioned::Drawing(Level::Velocity), Lang::En), "Plan $v$");
+        assert_eq!(of(Captioned::Drawing(Level::Velocity), Lang::Zh), "Plan $v$");
+        assert_eq!((of(Captioned::Results, Lang::En), of(Captioned::Results, Lang::Zh)), ("Results", "结论"));
+        assert_eq!(of(Captioned::Equations(Level::Acceleration), Lang::En), "Accelerations");
+        assert_eq!(style.marks.vectors, Some(Vectors::Bold));
+        let long = "x".repeat(81);
+        let wrong = format!(
+            r#"{{ "captions": {{ "velo": "x", "velocity": "$\\nosuch$", "mechanism": "{long}", "results": {{ "de": "x", "zh": 7 }} }},
+            "notation": {{ "vectors": "fat" }} }}"#
+        );
+        let faults = read(wrong.as_bytes()).unwrap_err();
+        let mut codes: Vec<&str> = faults.list.iter().map(|d| d.code).collect();
+        codes.sort_unstable();
+        assert_eq!(codes, ["caption", "caption", "mark", "unknown-key", "unknown-key", "wrong-type"]);
+        assert!(faults.list.iter().all(|d| d.span.is_some()));
+    }
 
     #[test]
     fn all_faults_at_once_with_their_places() {

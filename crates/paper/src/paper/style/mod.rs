@@ -4,11 +4,13 @@
 use super::arrow::Head;
 use super::font::own::Fonts;
 use super::item::{Colour, Stroke};
-use crate::plan::notation::Notation;
+use crate::plan::notation::{Notation, Vectors};
 
+mod captions;
 mod file;
 mod palette;
 
+pub use captions::{Captioned, Captions};
 pub use file::{Open, read, read_with};
 pub use palette::Palette;
 
@@ -61,6 +63,8 @@ pub struct Style {
     pub palette: Palette,
     /// Marks that differ from those of the chosen notation profile.
     pub marks: Marks,
+    /// Captions and headings that differ from the usual ones.
+    pub captions: Captions,
     /// Fonts of the author's, asked before the embedded ones.
     pub fonts: Fonts,
 }
@@ -84,6 +88,8 @@ pub struct Marks {
     pub normal_end: Option<String>,
     /// The end of a Coriolis part where k′ is the image of a point K.
     pub coriolis_end: Option<String>,
+    /// How vectors are written in vector equations.
+    pub vectors: Option<Vectors>,
 }
 
 impl Marks {
@@ -99,6 +105,7 @@ impl Marks {
             unknown: or(&self.unknown, &profile.unknown),
             normal_end: or(&self.normal_end, &profile.normal_end),
             coriolis_end: or(&self.coriolis_end, &profile.coriolis_end),
+            vectors: self.vectors.unwrap_or(profile.vectors),
             ..profile.clone()
         }
     }
@@ -150,6 +157,7 @@ impl Style {
             small_mm: 0.0,
             palette: Palette::default(),
             marks: Marks::default(),
+            captions: Captions::default(),
             fonts: Fonts::default(),
         }
     }

@@ -44,6 +44,7 @@ pub(super) fn editable(set: &Typeset, size_mm: f64) -> String {
         match &run.face {
             Face::Roman => {}
             Face::Italic => out.push_str(" font-style=\"italic\""),
+            Face::Bold => out.push_str(" font-style=\"italic\" font-weight=\"bold\""),
             Face::Math | Face::Song => {
                 let _ = write!(out, " font-family=\"{}\"", family(&run.face));
             }
@@ -61,7 +62,7 @@ pub(super) fn editable(set: &Typeset, size_mm: f64) -> String {
 /// Fonts that look like the embedded ones, the same first.
 fn family(face: &Face) -> &'static str {
     match face {
-        Face::Roman | Face::Italic | Face::Own(_) => "Tinos,'Times New Roman','Liberation Serif',serif",
+        Face::Roman | Face::Italic | Face::Bold | Face::Own(_) => "Tinos,'Times New Roman','Liberation Serif',serif",
         Face::Math => "'STIX Two Math','Cambria Math',Tinos,'Times New Roman',serif",
         Face::Song => "'Noto Serif CJK SC','Source Han Serif SC',SimSun,serif",
     }
@@ -83,6 +84,7 @@ impl Letter {
         let face = match &self.face {
             Face::Roman => 'r',
             Face::Italic => 'i',
+            Face::Bold => 'b',
             Face::Math => 'm',
             Face::Song => 's',
             Face::Own(own) if own.cut() == Cut::Upright => 'o',
