@@ -10,7 +10,7 @@ use crate::diag::Diagnostic;
 use crate::digits::{direction_degrees, inked, significant};
 use crate::geom::Vec2;
 use crate::mechanism::Level;
-use crate::paper::phrase::{Phrase, sense, tr};
+use crate::paper::phrase::{Phrase, capital, sense, tr};
 use crate::plan::names::name_label;
 use crate::scene::quantity::composite::Part;
 use crate::scene::quantity::{Frame, RelativePath};
@@ -166,8 +166,8 @@ impl Words<'_> {
     pub fn heading(&self, c: &Choice) -> Phrase {
         let (point, frame) = (Writing::Marked.point(&name_of(self.scene, &c.of)), self.frame(c.frame, Writing::Marked));
         Phrase::new(&match (c.frame, self.lang) {
-            (Frame::Link(_), Lang::En) => format!("moving point {point}, frame fixed to {frame}"),
-            (Frame::Point(_), Lang::En) => format!("moving point {point}, frame {frame}"),
+            (Frame::Link(_), Lang::En) => format!("Moving point {point}, frame fixed to {frame}"),
+            (Frame::Point(_), Lang::En) => format!("Moving point {point}, frame {frame}"),
             (Frame::Link(_), Lang::Zh) => format!("动点 {point}，动系固连于{frame}"),
             (Frame::Point(_), Lang::Zh) => format!("动点 {point}，动系{frame}"),
         })
@@ -238,11 +238,11 @@ impl Words<'_> {
         let lang = self.lang;
         Phrase::new(&match s.choice.verdict {
             Verdict::Serves if s.slip.is_some() => {
-                tr(lang, "momentary contact: $v_{r}$ along the common tangent", "瞬时接触点：$v_{r}$ 沿公切线").to_owned()
+                tr(lang, "Momentary contact: $v_{r}$ along the common tangent", "瞬时接触点：$v_{r}$ 沿公切线").to_owned()
             }
-            Verdict::Serves => self.path(&s.choice, Writing::Marked),
+            Verdict::Serves => capital(&self.path(&s.choice, Writing::Marked)),
             Verdict::PathUnknown if !s.acceleration.is_empty() => {
-                let words = tr(lang, "relative path not known: $a_{r}$ is the closing side", "相对轨迹未知：$a_{r}$ 由封闭边得出");
+                let words = tr(lang, "Relative path not known: $a_{r}$ is the closing side", "相对轨迹未知：$a_{r}$ 由封闭边得出");
                 words.to_owned()
             }
             Verdict::PathUnknown | Verdict::PointChanges | Verdict::SameBody | Verdict::FrameFixed => self.verdict(s.choice.verdict).into(),
@@ -261,7 +261,7 @@ impl Words<'_> {
             [None, Some(_)] => "\\Omega^2\\rho",
             [Some(_), Some(_)] | [None, None] => "\\Omega^2\\rho_2 − (v_{s} − \\Omega\\rho_2)^2/(\\rho_1 + \\rho_2)",
         };
-        let first = tr(lang, "momentary contact: $v_{r}$ along the common tangent", "瞬时接触点：$v_{r}$ 沿公切线");
+        let first = tr(lang, "Momentary contact: $v_{r}$ along the common tangent", "瞬时接触点：$v_{r}$ 沿公切线");
         let normal = tr(lang, "along the outward normal of the frame's contour:", "沿动系轮廓外法线：");
         let equation = format!("$a^{{n}}_{{r}} = {formula} = {}$", told(Kind::Acceleration, slip.acceleration()));
         let numbers =
@@ -326,9 +326,9 @@ impl Words<'_> {
         };
         let equation = format!("{} = {}", side(&left), side(&right));
         let words = match lang {
-            Lang::En if rests => format!("projected on the perpendicular to the relative path (${degrees}$°){wanted}:"),
+            Lang::En if rests => format!("Projected on the perpendicular to the relative path (${degrees}$°){wanted}:"),
             Lang::Zh if rests => format!("向垂直于相对轨迹的方向（${degrees}$°）投影{wanted}："),
-            Lang::En => format!("projected on the perpendicular to ${unwanted}$ (${degrees}$°){wanted}:"),
+            Lang::En => format!("Projected on the perpendicular to ${unwanted}$ (${degrees}$°){wanted}:"),
             Lang::Zh => format!("向垂直于 ${unwanted}$ 的方向（${degrees}$°）投影{wanted}："),
         };
         (words, equation)

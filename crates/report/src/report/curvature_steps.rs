@@ -6,15 +6,12 @@ use crate::curvature::known::{Known, Why};
 use crate::curvature::plane::End;
 use crate::curvature::{OfLink, OfPoint};
 use crate::geom::Vec2;
-use crate::paper::phrase::{Phrase, tr};
+use crate::paper::phrase::{Phrase, capital, tr};
 use crate::scene::{Lang, PointId};
 
 /// With a capital and a stop.
 fn sentence(text: String, lang: Lang) -> String {
-    let mut rest = text.chars();
-    let first = rest.next().map(|c| c.to_ascii_uppercase());
-    let stop = tr(lang, ".", "。");
-    first.into_iter().chain(rest).chain(stop.chars()).collect()
+    capital(&text) + tr(lang, ".", "。")
 }
 
 impl Words<'_> {
@@ -31,7 +28,7 @@ impl Words<'_> {
         }
         out.push(match lang {
             Lang::En => {
-                format!("draw the circle over ${pole}{j}$, the inflection circle; square to it in ${pole}$ stands the pole tangent $t$")
+                format!("draw the circle on the diameter ${pole}{j}$, the inflection circle; the pole tangent $t$ is perpendicular to it at ${pole}$")
             }
             Lang::Zh => format!("以 ${pole}{j}$ 为直径作圆，即拐点圆；过 ${pole}$ 作其垂线，即瞬心切线 $t$"),
         });
@@ -39,7 +36,7 @@ impl Words<'_> {
         if of.read.is_some() {
             let k = self.letter("K", of);
             out.push(match lang {
-                Lang::En => format!("turn ${pole}{j}$ about ${pole}$ by the angle whose tangent is $\\alpha/\\omega^{{2}}$; the foot of ${j}$ on it is the acceleration pole ${k}$"),
+                Lang::En => format!("turn ${pole}{j}$ about ${pole}$ by the angle whose tangent is $\\alpha/\\omega^{{2}}$; the foot of the perpendicular from ${j}$ to it is the acceleration pole ${k}$"),
                 Lang::Zh => format!("将 ${pole}{j}$ 绕 ${pole}$ 转过正切为 $\\alpha/\\omega^{{2}}$ 的角，由 ${j}$ 向其作垂线，垂足即加速度瞬心 ${k}$"),
             });
         }
@@ -63,27 +60,30 @@ impl Words<'_> {
         let (moving, fixed, lang) = (self.moving(k), self.fixed(k), self.lang);
         match (k.why, lang) {
             (Why::Crank(_, _, by), Lang::En) => {
-                format!("${moving}$ runs on a circle about ${fixed}$ (link {}): ray ${fixed}{moving}$", self.scene().link_name(by))
+                format!(
+                    "${moving}$ moves on a circle about ${fixed}$ (link {}): draw the ray ${fixed}{moving}$",
+                    self.scene().link_name(by)
+                )
             }
             (Why::Crank(_, _, by), Lang::Zh) => {
-                format!("${moving}$ 绕 ${fixed}$ 作圆周运动（构件 {}）：射线 ${fixed}{moving}$", self.scene().link_name(by))
+                format!("${moving}$ 绕 ${fixed}$ 作圆周运动（构件 {}）：作射线 ${fixed}{moving}$", self.scene().link_name(by))
             }
             (Why::Straight(..), Lang::En) => {
-                format!("${moving}$ runs straight: the ray is square to its guide, the centre lies at infinity")
+                format!("${moving}$ moves on a straight line: the ray is perpendicular to its guide, the centre lies at infinity")
             }
             (Why::Straight(..), Lang::Zh) => format!("${moving}$ 沿直线运动：射线垂直于导路，曲率中心在无穷远处"),
-            (Why::Arc(..), Lang::En) => format!("${moving}$ runs in an arc about ${fixed}$: ray ${fixed}{moving}$"),
-            (Why::Arc(..), Lang::Zh) => format!("${moving}$ 沿以 ${fixed}$ 为中心的圆弧运动：射线 ${fixed}{moving}$"),
+            (Why::Arc(..), Lang::En) => format!("${moving}$ moves on an arc about ${fixed}$: draw the ray ${fixed}{moving}$"),
+            (Why::Arc(..), Lang::Zh) => format!("${moving}$ 沿以 ${fixed}$ 为中心的圆弧运动：作射线 ${fixed}{moving}$"),
             (Why::Through(..), Lang::En) => format!(
-                "a line of the link along its guide always leads through ${fixed}$: ray square to it through ${fixed}$, the moving point lies at infinity"
+                "a line of the link along its guide always leads through ${fixed}$: draw the ray perpendicular to it through ${fixed}$; the moving point lies at infinity"
             ),
             (Why::Through(..), Lang::Zh) => format!("构件上沿导路的直线始终通过 ${fixed}$：过 ${fixed}$ 作其垂线为射线，动点在无穷远处"),
             (Why::Borrowed(_, of), Lang::En) => format!(
-                "${moving}$ belongs to link {} too, whose drawing gives the centre ${fixed}$ of its path: ray ${fixed}{moving}$",
+                "${moving}$ belongs to link {} too, whose drawing gives the centre ${fixed}$ of its path: draw the ray ${fixed}{moving}$",
                 self.scene().link_name(of)
             ),
             (Why::Borrowed(_, of), Lang::Zh) => format!(
-                "${moving}$ 又在构件 {} 上，由该构件的作图得其轨迹的曲率中心 ${fixed}$：射线 ${fixed}{moving}$",
+                "${moving}$ 又在构件 {} 上，由该构件的作图得其轨迹的曲率中心 ${fixed}$：作射线 ${fixed}{moving}$",
                 self.scene().link_name(of)
             ),
         }
@@ -98,7 +98,7 @@ impl Words<'_> {
         let (lang, pole) = (self.lang, self.pole(of));
         let mut out: Vec<String> = rays.known.iter().map(|k| self.ray(k)).collect();
         out.push(match lang {
-            Lang::En => format!("the rays cross in the pole ${pole}$"),
+            Lang::En => format!("the rays intersect at the pole ${pole}$"),
             Lang::Zh => format!("两射线交于瞬心 ${pole}$"),
         });
         let [b, c] = &rays.known;
@@ -112,7 +112,7 @@ impl Words<'_> {
             let q = self.on_axis();
             out.push(match lang {
                 Lang::En => format!(
-                    "${}{}$ and ${}{}$ cross in ${q}${at}; ${pole}{q}$ is the collineation axis (Bobillier)",
+                    "${}{}$ and ${}{}$ intersect at ${q}${at}; ${pole}{q}$ is the collineation axis (Bobillier)",
                     moving.0, moving.1, fixed.0, fixed.1
                 ),
                 Lang::Zh => {
@@ -127,14 +127,14 @@ impl Words<'_> {
                 (How::Given, Lang::En) => format!("the path of ${m}$ is straight: ${j} = {m}$"),
                 (How::Given, Lang::Zh) => format!("${m}$ 的轨迹为直线：${j} = {m}$"),
                 (How::Collineation(End::Infinity(_)), Lang::En) => {
-                    format!("the parallel to the axis through ${o}$ meets the ray of ${m}$ in ${j}$")
+                    format!("the parallel to the axis through ${o}$ meets the ray of ${m}$ at ${j}$")
                 }
                 (How::Collineation(End::Infinity(_)), Lang::Zh) => format!("过 ${o}$ 作共线轴的平行线，交 ${m}$ 的射线于 ${j}$"),
                 (How::Collineation(End::At(_)), _) => {
                     let (q, a) = (format!("{}_{{{}}}", self.on_axis(), 2 - k), self.fixed(other));
                     match lang {
                         Lang::En => format!(
-                            "the parallel to the ray of ${m}$ through ${a}$ meets the axis in ${q}$; ${q}{o}$ meets the ray in ${j}$"
+                            "the parallel to the ray of ${m}$ through ${a}$ meets the axis at ${q}$; ${q}{o}$ meets the ray at ${j}$"
                         ),
                         Lang::Zh => format!("过 ${a}$ 作 ${m}$ 的射线的平行线，交共线轴于 ${q}$；${q}{o}$ 交该射线于 ${j}$"),
                     }
@@ -150,7 +150,7 @@ impl Words<'_> {
         let (jb, jc, j) = (self.straight(b), self.straight(c), self.letter("J", of));
         let stands = rays.normal() == Vec2::ZERO;
         out.push(match (lang, stands) {
-            (Lang::En, false) => format!("the perpendiculars to the rays in ${jb}$ and ${jc}$ cross in the inflection pole ${j}$"),
+            (Lang::En, false) => format!("the perpendiculars to the rays at ${jb}$ and ${jc}$ intersect at the inflection pole ${j}$"),
             (Lang::Zh, false) => format!("过 ${jb}$、${jc}$ 分别作射线的垂线，交于拐点极 ${j}$"),
             (Lang::En, true) => format!("both fall on ${pole}$: it stands still, there is no inflection circle"),
             (Lang::Zh, true) => format!("两点都落在 ${pole}$ 上：瞬心不动，没有拐点圆"),
@@ -184,7 +184,7 @@ impl Words<'_> {
             (End::Infinity(_), Lang::En) => format!("${e}$ lies on the inflection circle: its path is straight"),
             (End::Infinity(_), Lang::Zh) => format!("${e}$ 在拐点圆上：其轨迹为直"),
             (End::At(_), Lang::En) => format!(
-                "perpendicular to ${pole}{e}$ in ${pole}$, to ${e}{j}$ in ${h}$; the parallel to ${pole}{j}$ through ${h}$ meets ${pole}{e}$ in ${centre}$, the centre of the path of ${e}$"
+                "draw the perpendicular to ${pole}{e}$ at ${pole}$: it meets ${e}{j}$ at ${h}$; the parallel to ${pole}{j}$ through ${h}$ meets ${pole}{e}$ at ${centre}$, the centre of the path of ${e}$"
             ),
             (End::At(_), Lang::Zh) => format!(
                 "过 ${pole}$ 作 ${pole}{e}$ 的垂线，交 ${e}{j}$ 于 ${h}$；过 ${h}$ 作 ${pole}{j}$ 的平行线，交 ${pole}{e}$ 于 ${centre}$，即 ${e}$ 轨迹的曲率中心"

@@ -261,7 +261,7 @@ impl Wish for Press {
             let half = Line::ray(Point::new(0.0, board.mm(self.stroke) / 2.0), 0.0);
             let e = lay(p).cross(&half)?;
             board.step(both!(
-                "Draw the rocker's limits from D; a parallel at H/2 over the horizontal meets the upper one in E1: DE",
+                "Draw the rocker's limits from D; a parallel at H/2 over the horizontal meets the upper one at E1: DE",
                 "由 D 作摇杆两极限方向；在水平线上方 H/2 处作平行线，与上极限方向交于 E1，得 DE"
             ));
             board.line(half.at, e, Weight::Thin).read("DE", d, e);

@@ -61,7 +61,7 @@ impl Body {
                     })
                     .collect();
                 board.step(both!(
-                    "Mark {pin} in all positions; the bisectors of its places meet in {pivot}",
+                    "Mark {pin} in all positions; the bisectors of its places meet at {pivot}",
                     "标出 {pin} 的各位置，其中垂线交于 {pivot}"
                 ));
                 for (k, at) in places.iter().enumerate() {
@@ -82,7 +82,7 @@ impl Body {
                     board.mark(&format!("{pivot}_{}'", k + 1), back);
                     places.push(back);
                 }
-                board.step(both!("The bisectors of these places meet in {pin}1", "这些点的中垂线交于 {pin}1"));
+                board.step(both!("The bisectors of these places meet at {pin}1", "这些点的中垂线交于 {pin}1"));
                 (places, pin)
             }
         };
@@ -122,7 +122,7 @@ impl Body {
         ));
         let [p12, p23, p14, p34, p13] = [(0, 1), (1, 2), (0, 3), (2, 3), (0, 2)].map(|(i, j)| self.pole(board, i, j));
         let quadrilateral = [p12?, p23?, p14?, p34?];
-        board.step(both!("Circle over P12P23 and circle over P14P34 with the same inscribed angle cross in centre points; as the angle varies they trace the centre-point curve", "在 P12P23 与 P14P34 上作圆周角相等的圆，交点为圆心点；令圆周角变化得圆心曲线"));
+        board.step(both!("Circle over P12P23 and circle over P14P34 with the same inscribed angle intersect at centre points; as the angle varies they trace the centre-point curve", "在 P12P23 与 P14P34 上作圆周角相等的圆，交点为圆心点；令圆周角变化得圆心曲线"));
         let curve = centre_points(quadrilateral);
         for piece in &curve {
             piece.windows(2).for_each(|w| {
@@ -144,7 +144,7 @@ impl Body {
         let near = |at: Point| roots.iter().copied().min_by(|p, q| p.distance(at).total_cmp(&q.distance(at)));
         let (a, d) = (near(wanted("A")?)?, near(wanted("D")?)?);
         board.step(both!(
-            "Moving pins: P12M and P13M turned about P12 and P13 by half the turning, backward, cross in the pin of M",
+            "Moving pins: P12M and P13M turned about P12 and P13 by half the turning, backward, intersect at the pin of M",
             "动铰链：P12M、P13M 分别绕 P12、P13 反向转过半转角，交点即为 M 的动铰链"
         ));
         let half = |j: usize| -(self.positions[j].angle - self.positions[0].angle) / 2.0;
@@ -197,7 +197,7 @@ impl Body {
             Among::Angles(angles) => {
                 let [a, d] = angles.map(|b| significant(b.to_degrees(), 4));
                 board.step(both!(
-                    "The circles of the inscribed angle {a}° cross in A, those of {d}° in D",
+                    "The circles of the inscribed angle {a}° intersect at A, those of {d}° at D",
                     "圆周角为 {a}° 的两圆交于 A，圆周角为 {d}° 的两圆交于 D"
                 ));
                 for angle in angles {

@@ -45,7 +45,7 @@ impl Function {
         let c = match turned[..] {
             [b1, b2] => {
                 board.step(both!(
-                    "The bisector of B1B2' meets the follower's first direction in C1",
+                    "The bisector of B1B2' meets the follower's first direction at C1",
                     "B1B2' 的中垂线与从动杆第一位置的方向线交于 C1"
                 ));
                 let follower = Line::ray(d, phi + self.steps[0][1]);
@@ -55,7 +55,7 @@ impl Function {
                 c
             }
             _ => {
-                board.step(both!("The bisectors of B1, B2', B3' meet in C1", "B1、B2'、B3' 的中垂线交于 C1"));
+                board.step(both!("The bisectors of B1, B2', B3' meet at C1", "B1、B2'、B3' 的中垂线交于 C1"));
                 board.centre(turned[0], turned[1], turned[2])?
             }
         };

@@ -40,7 +40,7 @@ pub fn by_turns(board: &mut Board, e: &[Point], [a, d]: [Point; 2], turns: &[f64
     }
     let pins = numbered("B", "", 2..=e.len());
     board.step(both!(
-        "The bisectors of E1, E2', E3' meet in B1; {} lie on the crank's circle",
+        "The bisectors of E1, E2', E3' meet at B1; {} lie on the crank's circle",
         "E1、E2'、E3' 的中垂线交于 B1；在曲柄圆上得 {}",
         pins
     ));
@@ -85,7 +85,7 @@ fn follower(board: &mut Board, [a, d]: [Point; 2], e: &[Point], b: &[Point]) -> 
         board.mark(&format!("D_{}'", k + 1), back);
         places.push(back);
     }
-    board.step(both!("The bisectors of D, D2', D3' meet in C1", "D、D2'、D3' 的中垂线交于 C1"));
+    board.step(both!("The bisectors of D, D2', D3' meet at C1", "D、D2'、D3' 的中垂线交于 C1"));
     let c = board.centre(places[0], places[1], places[2])?;
     board.mark("C_1", c).read("CD", c, d);
     for further in places.iter().skip(3) {

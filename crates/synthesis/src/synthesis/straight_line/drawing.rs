@@ -200,7 +200,7 @@ fn peaucellier(draft: &Draft, board: &Board) -> Sheet {
         circles: vec![(k, crank), (o, long)],
         guide: None,
         moved: both!(
-            "In the positions lay off KC; OX about O and CX about C cross in X and Y, CX about these in E",
+            "In the positions lay off KC; OX about O and CX about C intersect at X and Y, CX about these at E",
             "在各位置作 KC；以 O 为圆心、OX 为半径与以 C 为圆心、CX 为半径交于 X、Y，再以 X、Y 为圆心、CX 为半径交于 E"
         ),
         at: Box::new(at),

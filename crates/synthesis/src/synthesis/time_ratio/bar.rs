@@ -102,7 +102,7 @@ impl Bar {
         board.circle(c1, opening, Weight::Thin);
         let h = board.circles(c1, opening, other, wide)?[k];
         board.mark(letter, h);
-        board.step(both!("The line C1{} meets the first circle again in A", "直线 C1{} 与第一个圆再交于 A", letter));
+        board.step(both!("The line C1{} meets the first circle again at A", "直线 C1{} 与第一个圆再交于 A", letter));
         let crossings = board.cut(&Line::through(c1, h)?, centre, radius)?;
         crossings.into_iter().max_by(|p, q| p.distance(c1).total_cmp(&q.distance(c1)))
     }

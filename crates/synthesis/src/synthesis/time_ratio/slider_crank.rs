@@ -150,7 +150,7 @@ impl SliderCrank {
                 let level = Line::ray(Point::new(0.0, -board.mm(offset)), 0.0);
                 let a = board.cut(&level, centre, radius)?[k];
                 board.step(both!(
-                    "The parallel to the guide at the offset {} meets the circle in A",
+                    "The parallel to the guide at the offset {} meets the circle at A",
                     "在偏距 {} 处作导路的平行线，与圆交于 A",
                     metres(offset)
                 ));

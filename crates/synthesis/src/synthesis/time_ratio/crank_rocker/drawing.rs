@@ -56,7 +56,7 @@ impl CrankRocker {
         }
         let theta = significant(self.ratio.theta.to_degrees(), 4);
         board.step(both!(
-            "Draw AC1 and turn it about A by θ = {theta}°: the ray meets the circle in C2",
+            "Draw AC1 and turn it about A by θ = {theta}°: the ray meets the circle at C2",
             "连 AC1，绕 A 转过 θ = {theta}°，射线与圆交于 C2"
         ));
         board.line(a, c1, Weight::Thin).line(a, c2, Weight::Thin).line(d, c2, Weight::Given).mark("C_2", c2);

@@ -28,7 +28,7 @@ impl Slotted {
             let radius = board.mm(self.crank);
             let b = Line::ray(a, -half).place(radius);
             let c = Line::ray(b, lever).cross(&Line::ray(a, -FRAC_PI_2))?;
-            board.step(both!("Draw the crank circle about A; lay off θ/2 = {named}° below the horizontal: B1; the tangent there meets the vertical through A in C", "以 A 为圆心作曲柄圆；由水平线向下量 θ/2 = {named}° 得 B1；过 B1 的切线与过 A 的铅垂线交于 C"));
+            board.step(both!("Draw the crank circle about A; lay off θ/2 = {named}° below the horizontal: B1; the tangent there meets the vertical through A at C", "以 A 为圆心作曲柄圆；由水平线向下量 θ/2 = {named}° 得 B1；过 B1 的切线与过 A 的铅垂线交于 C"));
             board.circle(a, radius, Weight::Given).line(a, b, Weight::Given).line(c, b, Weight::Thin).line(a, c, Weight::Thin);
             board.mark("A", a).mark("B_1", b).mark("C", c).read("AC", a, c);
             return Some((c, b));
@@ -37,7 +37,7 @@ impl Slotted {
         let ray = Line::ray(c, lever);
         let b = ray.cross(&ray.square(a))?;
         board.step(both!(
-            "Lay off the frame AC; under θ/2 = {named}° from it draw the lever's limit; the perpendicular from A meets it in B1",
+            "Lay off the frame AC; under θ/2 = {named}° from it draw the lever's limit; the perpendicular from A meets it at B1",
             "作机架 AC；在 C 处与其成 θ/2 = {named}° 作导杆极限位置；由 A 作垂线，垂足为 B1"
         ));
         board.line(a, c, Weight::Given).line(c, b, Weight::Thin).line(a, b, Weight::Result).mark("A", a).mark("B_1", b).mark("C", c);
@@ -57,7 +57,7 @@ impl Slotted {
             let b = [1.0, -1.0].map(|s| down(s).place(radius));
             let c = Line::through(b[0], b[1])?.cross(&Line::ray(a, -FRAC_PI_2))?;
             board.step(both!(
-                "Draw the crank circle about A; B1 and B2 lie under 180°/(K + 1) = {named}° from the downward line; their chord meets it in C",
+                "Draw the crank circle about A; B1 and B2 lie under 180°/(K + 1) = {named}° from the downward line; their chord meets it at C",
                 "以 A 为圆心作曲柄圆；由向下的铅垂线两侧各量 180°/(K + 1) = {named}° 得 B1、B2；弦 B1B2 与铅垂线交于 C"
             ));
             board.circle(a, radius, Weight::Given);
@@ -67,7 +67,7 @@ impl Slotted {
             let level = Line::ray(c, 0.0);
             let b = [down(1.0).cross(&level)?, down(-1.0).cross(&level)?];
             board.step(both!(
-                "Lay off the frame AC; rays from A under 180°/(K + 1) = {named}° to both sides meet the level line through C in B1, B2",
+                "Lay off the frame AC; rays from A under 180°/(K + 1) = {named}° to both sides meet the level line through C at B1, B2",
                 "作机架 AC；由 A 在两侧作与 AC 成 180°/(K + 1) = {named}° 的射线，与过 C 的水平线交于 B1、B2"
             ));
             board.circle(a, a.distance(b[0]), Weight::Thin);
@@ -91,7 +91,7 @@ fn ram(board: &mut Board, c: Point, b: Point, stroke: f64) -> Option<()> {
     let d1 = lever.cross(&Line::ray(Point::new(c.x + half, c.y), FRAC_PI_2))?;
     let d2 = Point::new(2.0 * c.x - d1.x, d1.y);
     board.step(both!(
-        "At H/2 beside the vertical through C draw a parallel: it meets the lever in D1; D2 is its mirror image",
+        "At H/2 beside the vertical through C draw a parallel: it meets the lever at D1; D2 is its mirror image",
         "在过 C 的铅垂线一侧 H/2 处作平行线，与导杆交于 D1；D2 与其对称"
     ));
     board.line(c, d1, Weight::Result).line(c, d2, Weight::Thin).line(d1, d2, Weight::Thin).line(
