@@ -308,7 +308,7 @@ fn curvature_and_inversions_are_told() {
     let run = hodograph().args(["curvature", &scene, "--steps", "--point", "E"]).assert().success();
     let said = text(&run.get_output().stdout);
     for line in
-        ["inflection pole", "acceleration pole", "Ball's point", "collineation axis (Bobillier)", "in E_0, the centre of the path of E"]
+        ["inflection pole", "acceleration pole", "Ball's point", "collineation axis (Bobillier)", "at E_0, the centre of the path of E"]
     {
         assert!(said.contains(line), "{line} is not in\n{said}");
     }
