@@ -83,7 +83,7 @@ impl Scales {
 fn figure(w: &Wanted, worked: &Worked, each: &[Solved]) -> Figure {
     let maker = Maker { scene: w.scene, worked, options: w.options, certified: Vec::new() };
     let scales = Scales::of(w, each);
-    let words = Words { scene: w.scene, lang: w.options.lang };
+    let words = Words { scene: w.scene, lang: w.options.lang, vectors: w.options.notation.vectors };
     let mut parts: Vec<Part> = Vec::new();
     let mut add = |part: Part| {
         parts.push(part);

@@ -12,6 +12,7 @@ use crate::geom::Vec2;
 use crate::mechanism::Level;
 use crate::paper::phrase::{Phrase, capital, sense, tr};
 use crate::plan::names::name_label;
+use crate::plan::notation::Vectors;
 use crate::scene::quantity::composite::Part;
 use crate::scene::quantity::{Frame, RelativePath};
 use crate::scene::{GuidePath, Kind, Lang, Scene};
@@ -24,7 +25,7 @@ const PER_LINE: usize = 3;
 
 /// The report as text.
 pub fn text(scene: &Scene, all: &[Choice], solved: &[Solved], lang: Lang) -> String {
-    let w = Words { scene, lang };
+    let w = Words { scene, lang, vectors: Vectors::Plain };
     let mut lines = Vec::new();
     let title = scene.title.get(lang);
     if !title.is_empty() {
@@ -59,6 +60,8 @@ pub struct Words<'a> {
     pub scene: &'a Scene,
     /// The language.
     pub lang: Lang,
+    /// How vectors are written in vector equations.
+    pub vectors: Vectors,
 }
 
 impl Words<'_> {
@@ -192,7 +195,8 @@ impl Words<'_> {
             Some(slip) if !s.acceleration.is_empty() => self.contact(&slip, per_line),
             Some(_) | None => vec![self.first(s)],
         };
-        out.push(Phrase::new(&format!("${} = {} + {}$", "v_{a}", "v_{e}", "v_{r}")));
+        let [whole, carried, relative] = ["v_{a}", "v_{e}", "v_{r}"].map(|symbol| self.vectors.write(symbol.to_owned()));
+        out.push(Phrase::new(&format!("${whole} = {carried} + {relative}$")));
         let [a, e, r] = s.velocity;
         out.extend(self.values(&[("v_{a}".into(), a), ("v_{e}".into(), e), ("v_{r}".into(), r)], Kind::Velocity, per_line));
         let projections = projections(s);
@@ -204,8 +208,9 @@ impl Words<'_> {
         };
         out.extend(projected(Level::Velocity));
         if !s.acceleration.is_empty() {
-            let symbols: Vec<String> = s.acceleration.iter().skip(1).map(|(p, _)| symbol(*p, Level::Acceleration, lang)).collect();
-            out.push(Phrase::new(&format!("$a_{{a}} = {}$", symbols.join(" + "))));
+            let written = |p| self.vectors.write(symbol(p, Level::Acceleration, lang));
+            let symbols: Vec<String> = s.acceleration.iter().skip(1).map(|(p, _)| written(*p)).collect();
+            out.push(Phrase::new(&format!("${} = {}$", self.vectors.write("a_{a}".to_owned()), symbols.join(" + "))));
             let each: Vec<(String, Vec2)> = s.acceleration.iter().map(|(p, v)| (symbol(*p, Level::Acceleration, lang), *v)).collect();
             out.extend(self.values(&each, Kind::Acceleration, per_line));
             out.extend(projected(Level::Acceleration));
@@ -355,7 +360,7 @@ pub fn symbol(part: Option<Part>, level: Level, lang: Lang) -> String {
 /// The choices for programs, in SI.
 pub fn json(staged: &Staged, all: &[Choice], solved: &[Solved], notes: &[Diagnostic]) -> Json {
     let scene = &staged.scene;
-    let w = Words { scene, lang: Lang::En };
+    let w = Words { scene, lang: Lang::En, vectors: Vectors::Plain };
     let frame = |f: Frame| match f {
         Frame::Link(l) => json!({"link": scene.link_name(l)}),
         Frame::Point(p) => json!({"point": name_of(scene, &p)}),
