@@ -7,6 +7,8 @@ const STEPS: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
 const DEGREES: [f64; 8] = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0];
 /// More decades than these have a tick at every fifth only.
 const DECADES_MAX: f64 = 12.0;
+/// More values than these at one place, and more than a tenth of all, and a curve stays there.
+const STAYS: usize = 8;
 /// A range with ticks.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::figure) struct Axis {
@@ -40,6 +42,12 @@ impl Axis {
         let step = own.or_else(|| steps.into_iter().find(|s| round(*s))).unwrap_or(least);
         // A hair beyond a tick is at the tick: 360.00000000000006° ends at 360°.
         let (from, to) = (libm::floor(lo / step + 1e-9) * step, libm::ceil(hi / step - 1e-9) * step);
+        // A curve that stays at an end would lie on the frame; at zero it is the frame that is meant.
+        let stays = |end: f64| {
+            let there = values.iter().filter(|v| (**v - end).abs() < step * 1e-6).count();
+            end != 0.0 && there > STAYS.max(values.len() / 10)
+        };
+        let (from, to) = (if stays(from) { from - step } else { from }, if stays(to) { to + step } else { to });
         Axis { from, to, step, powers: false }
     }
 
@@ -115,6 +123,9 @@ mod tests {
         let y = Axis::of(&[-0.31, 0.58], false, 6);
         assert_eq!((y.name(y.from), y.name(y.to), y.ticks().count()), ("−0.4".into(), "0.6".into(), 6));
         assert_eq!(Axis::of(&[2.0], false, 6).ticks().count(), 5);
+        let constant: Vec<f64> = (0..20).map(|k| 0.06 * f64::from(k)).chain([1.2; 20]).collect();
+        assert!((Axis::of(&constant, false, 6).to - 1.4).abs() < 1e-12);
+        assert_eq!(Axis::of(&[[0.0; 20], [1.2; 20]].concat()[..21], false, 6).from, 0.0);
         assert!(Axis::of(&[], false, 6).ticks().all(f64::is_finite));
         assert_eq!(Axis::of(&[0.0, 1e-9], false, 5).name(4e-10), "4.00 \\times 10^{−10}");
     }
