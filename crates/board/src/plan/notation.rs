@@ -36,11 +36,10 @@ pub struct Notation {
 }
 
 /// How vectors are written in vector equations.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Vectors {
     /// As their magnitudes.
-    #[default]
     Plain,
     /// In bold italics.
     Bold,

@@ -334,13 +334,12 @@ impl Writer<'_> {
     /// left, then the others, each after an equals sign.
     pub fn columns(&self, level: Level, target: VertexId, chains: &[Chain]) -> Vec<Column> {
         let mut out: Vec<Column> = Vec::new();
-        let bold = |symbol| self.notation.vectors.write(symbol);
         // A chain alone has nothing unknown.
         let absolute_left = !self.plan.vertex(chains[0].start).fixed || chains.len() == 1 && chains[0].known.len() > 1;
         if absolute_left {
             out.push(Column {
                 joint: "",
-                symbol: bold(self.vector(level, target)),
+                symbol: self.summand(level, target),
                 direction: self.notation.unknown.clone(),
                 magnitude: self.notation.unknown.clone(),
                 term: None,
@@ -361,12 +360,12 @@ impl Writer<'_> {
             };
             if !self.plan.vertex(chain.start).fixed {
                 let (direction, magnitude) = self.known_vector(level, chain.start);
-                out.push(Column { joint: joint(), symbol: bold(self.vector(level, chain.start)), direction, magnitude, term: None });
+                out.push(Column { joint: joint(), symbol: self.summand(level, chain.start), direction, magnitude, term: None });
             }
             for t in chain.known.iter().chain(&chain.unknown) {
                 out.push(Column {
                     joint: joint(),
-                    symbol: bold(self.symbol(level, t)),
+                    symbol: self.notation.vectors.write(self.symbol(level, t)),
                     direction: self.direction(t),
                     magnitude: self.magnitude(level, t),
                     term: Some(*t),
@@ -374,6 +373,11 @@ impl Writer<'_> {
             }
         }
         out
+    }
+
+    /// A point's vector as it stands in a vector equation.
+    pub fn summand(&self, level: Level, v: VertexId) -> String {
+        self.notation.vectors.write(self.vector(level, v))
     }
 
     /// Direction and magnitude of a vertex known before: those of its own single term, else "known".

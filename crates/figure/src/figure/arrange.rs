@@ -161,17 +161,10 @@ pub(super) fn arrange_in(pieces: Pieces, width_mm: f64) -> (Vec<Item>, [f64; 2])
     (parts.into_iter().flat_map(|p| p.items).collect(), size)
 }
 
-/// Whether a block is looked at or read.
-#[derive(Clone, Copy, PartialEq)]
-enum Kind {
-    Drawn,
-    Written,
-}
-
-/// Blocks in rows of at most this width and of the least height in sum, the shortest way from the first block to the last; a block that
-/// is wider has a row of its own.
-fn lines(blocks: Vec<(Tree, Kind)>, width_mm: f64, parts: &[Part]) -> Vec<Tree> {
-    let sizes: Vec<[f64; 2]> = blocks.iter().map(|(tree, _)| tree.size(parts)).collect();
+/// Blocks, of which the first so many are drawings, in rows of at most this width and of the least height in sum: the shortest way from
+/// the first block to the last. A block that is wider has a row of its own.
+fn lines(blocks: Vec<Tree>, drawings: usize, width_mm: f64, parts: &[Part]) -> Vec<Tree> {
+    let sizes: Vec<[f64; 2]> = blocks.iter().map(|tree| tree.size(parts)).collect();
     // For each number of blocks: the least height of their rows, and where the last of these begins.
     let mut least = vec![(0.0_f64, 0)];
     for end in 1..=blocks.len() {
@@ -197,10 +190,8 @@ fn lines(blocks: Vec<(Tree, Kind)>, width_mm: f64, parts: &[Part]) -> Vec<Tree> 
     let mut blocks = blocks.into_iter();
     let rows = starts.iter().rev().zip(starts.iter().rev().skip(1));
     rows.map(|(start, end)| {
-        let row: Vec<(Tree, Kind)> = blocks.by_ref().take(end - start).collect();
-        let read = row.iter().all(|(_, kind)| *kind == Kind::Written);
-        let trees = row.into_iter().map(|(tree, _)| tree).collect();
-        if read { Tree::text_row(trees) } else { Tree::row(trees) }
+        let row = blocks.by_ref().take(end - start).collect();
+        if *start < drawings { Tree::row(row) } else { Tree::text_row(row) }
     })
     .collect()
 }
@@ -261,9 +252,8 @@ impl Layout {
         let by_level = || self.equations.iter().map(|e| Tree::text_column(e.iter().map(|k| Tree::Leaf(*k)).collect())).collect();
         let beside = |columns| vec![Tree::text_row(self.text_columns(columns))];
         let rows = |equations: Vec<Tree>, width_mm: f64| {
-            let drawn = self.drawings.iter().map(|k| (Tree::Leaf(*k), Kind::Drawn));
-            let written = equations.into_iter().chain([Tree::Leaf(self.results)]).map(|tree| (tree, Kind::Written));
-            let rows = lines(drawn.chain(written).collect(), width_mm, &self.parts);
+            let blocks = self.drawings.iter().map(|k| Tree::Leaf(*k)).chain(equations).chain([Tree::Leaf(self.results)]);
+            let rows = lines(blocks.collect(), self.drawings.len(), width_mm, &self.parts);
             Tree::column(self.title.map(Tree::Leaf).into_iter().chain(rows).collect())
         };
         let all = std::iter::once(by_level()).chain((1..=4).map(beside));

@@ -140,22 +140,29 @@ fn sheet_of(w: &Wanted, part: f64, room: Room) -> Result<Warned<Pages>, [f64; 2]
 }
 
 /// The same in a column, whose height is free: each drawing as large as the column holds it by itself, type of this part. `None` where
-/// the room is none, or does not hold them so.
+/// the room is no column, nothing grows, or all together become too wide.
 fn grown(w: &Wanted, part: f64, room: Room) -> Result<Option<Warned<Pages>>, Faults> {
     let Room::Column(_) = room else { return Ok(None) };
     let mut parts = [part; 3];
     for level in Level::ALL {
-        for larger in PARTS.into_iter().take_while(|p| *p > part) {
+        // Upwards to the first that is too wide: crowded names, which take longest to place, are sought seldom.
+        for larger in PARTS.into_iter().rev().filter(|p| *p > part) {
             let mut only = [part; 3];
             only[level as usize] = larger;
             let tried = Smaller::of(w, part, only)?;
             let wanted = tried.wanted(w.extras);
-            let drawn = drawing(wanted.scene, wanted.worked, wanted.options, level);
-            if drawn.is_none_or(|figure| figure.width_mm - 2.0 * MARGIN_MM <= room.inner()[0]) {
-                parts = std::array::from_fn(|k| if k == level as usize { larger } else { parts[k] });
+            let fits = |width_mm: f64| width_mm <= room.inner()[0];
+            // Lines that are too wide need no names.
+            let lines_fit = wanted.worked.construction.polygon(level).is_none_or(|p| fits(p.extent()[0] / p.mu));
+            let drawn = || drawing(wanted.scene, wanted.worked, wanted.options, level);
+            if !lines_fit || !drawn().is_none_or(|figure| fits(figure.width_mm - 2.0 * MARGIN_MM)) {
                 break;
             }
+            parts[level as usize] = larger;
         }
+    }
+    if parts == [part; 3] {
+        return Ok(None);
     }
     let smaller = Smaller::of(w, part, parts)?;
     Ok(sheet_of(&smaller.wanted(w.extras), part, room).ok())

@@ -68,7 +68,7 @@ pub fn sheet(scene: &Scene, worked: &Worked, options: &Options) -> Result<Figure
     let maker = Maker { scene, worked, options, certified };
     let title = maker.title();
     let drawings = maker.drawings(true);
-    let equations = maker.equations(&steps(scene, worked, None));
+    let equations = maker.equations(&steps(scene, worked, None), None);
     let results = results::results(&options.style, &maker.answers());
     let pieces = Pieces { title, drawings, equations, results };
     let (items, size) = arrange(pieces, scene.paper.size_mm, MARGIN_MM)?;
@@ -93,11 +93,10 @@ pub fn sheet_in(scene: &Scene, worked: &Worked, options: &Options, width_mm: f64
     let mut out = Vec::new();
     let fits = |part: &Part| part.bounds.width_mm() <= width_mm;
     let title = maker.title().and_then(|whole| if fits(&whole) { Some(whole) } else { maker.title_in(width_mm) });
-    let numbers = steps(scene, worked, None);
-    let mut equations = maker.equations(&numbers);
+    let broken = fewer >= Fewer::Words;
+    let mut equations = maker.equations(&steps(scene, worked, None), broken.then_some(width_mm));
     let mut results = results::results(&options.style, &maker.answers());
-    if fewer >= Fewer::Words {
-        equations = maker.equations_in(&numbers, width_mm);
+    if broken {
         let count = |e: &[(Part, Vec<Part>)]| e.iter().map(|(_, lines)| lines.len()).sum::<usize>();
         let all = count(&equations);
         equations.iter_mut().for_each(|(_, lines)| lines.retain(fits));
@@ -151,7 +150,7 @@ pub fn drawing(scene: &Scene, worked: &Worked, options: &Options, level: Level) 
 /// The equations of all levels alone; `None` where the scene calls for none.
 pub fn equations(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure> {
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
-    Some(maker.alone(column(maker.equations(&steps(scene, worked, None)))?))
+    Some(maker.alone(column(maker.equations(&steps(scene, worked, None), None))?))
 }
 
 /// The results alone.
@@ -202,17 +201,10 @@ impl Maker<'_> {
     }
 
     /// The equations of each level with their heading; nothing where there are none. `steps` are the certified numbers of the
-    /// construction.
-    pub fn equations(&self, steps: &Steps) -> Vec<(Part, Vec<Part>)> {
+    /// construction; in a column of a width long ones are broken.
+    pub fn equations(&self, steps: &Steps, width_mm: Option<f64>) -> Vec<(Part, Vec<Part>)> {
         let writer = self.writer();
-        let tables = self.tables(&writer, steps);
-        Level::RATES.map(|l| (self.heading(l), tables.parts(l))).into()
-    }
-
-    /// The same in a column of this width.
-    fn equations_in(&self, steps: &Steps, width_mm: f64) -> Vec<(Part, Vec<Part>)> {
-        let writer = self.writer();
-        let tables = Tables { width_mm: Some(width_mm), ..self.tables(&writer, steps) };
+        let tables = Tables { width_mm, ..self.tables(&writer, steps) };
         Level::RATES.map(|l| (self.heading(l), tables.parts(l))).into()
     }
 

@@ -31,7 +31,7 @@ pub fn figures(scene: &Scene, worked: &Worked, options: &Options) -> Vec<Figure>
     let told = certified::steps(scene, worked, None);
     let levels: Vec<Steps> = Level::RATES
         .into_iter()
-        .zip(maker.equations(&told))
+        .zip(maker.equations(&told, None))
         .filter_map(|(level, (_, written))| Some(Steps::of(&maker, worked.construction.polygon(level)?, &told, &written)))
         .collect();
     let diagram = maker.captioned(maker.mechanism(), "", Level::Position);

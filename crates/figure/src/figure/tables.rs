@@ -72,8 +72,7 @@ impl Tables<'_> {
                     Step::Image { target, from, .. } => parts.push(self.image(level, *target, *from, &step_class)),
                     Step::Same { target, from, link } => {
                         let w = self.writer;
-                        let bold = |symbol| w.notation.vectors.write(symbol);
-                        let formula = format!("{} = {}", bold(w.vector(level, *target)), bold(w.vector(level, *from)));
+                        let formula = format!("{} = {}", w.summand(level, *target), w.summand(level, *from));
                         let why = self.words().no_turning.replace("{}", w.scene.link_name(*link));
                         parts.push(self.line(level, &formula, Some(Label::text(why)), &step_class));
                     }
@@ -93,13 +92,12 @@ impl Tables<'_> {
 
     fn equation(&self, level: Level, target: VertexId, chains: &[Chain], step: &str) -> Vec<Part> {
         let (w, book) = (self.writer, &self.writer.scene.book);
-        let bold = |symbol| w.notation.vectors.write(symbol);
         if let [chain] = chains {
             let [term] = chain.known[..] else {
                 // Nothing is added: the point moves as one known before.
                 if chain.known.is_empty() {
-                    let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { bold(w.vector(level, chain.start)) };
-                    let formula = format!("{} = {start}", bold(w.vector(level, target)));
+                    let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.summand(level, chain.start) };
+                    let formula = format!("{} = {start}", w.summand(level, target));
                     return (chain.start != target).then(|| self.line(level, &formula, None, step)).into_iter().collect();
                 }
                 return self.table(level, target, chains, step);

@@ -42,8 +42,7 @@ pub fn written(w: &Writer, paper: &Construction, level: Level, step: &Step) -> O
         }
         Step::Same { target, from, link } => {
             let why = words(w.lang).no_turning.replace("{}", w.scene.link_name(*link));
-            let bold = |v| w.notation.vectors.write(w.vector(level, v));
-            let formula = format!("{} = {}", bold(*target), bold(*from));
+            let formula = format!("{} = {}", w.summand(level, *target), w.summand(level, *from));
             line(format!("${formula}${}{why}", tr(w.lang, ": ", "：")))
         }
     }
@@ -67,8 +66,8 @@ fn equation(w: &Writer, level: Level, target: VertexId, chains: &[Chain]) -> Opt
         && chain.known.is_empty()
         && chain.unknown.is_empty()
     {
-        let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.vector(level, chain.start) };
-        let [vector, start] = [vector, start].map(|symbol| w.notation.vectors.write(symbol));
+        let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.summand(level, chain.start) };
+        let vector = w.summand(level, target);
         return if chain.start == target { None } else { line(format!("${vector} = {start}$")) };
     }
     Some(Written::Table(w.columns(level, target, chains)))

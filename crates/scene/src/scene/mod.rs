@@ -49,7 +49,7 @@ pub use write::write;
 pub use written::Told;
 
 use crate::diag::{Diagnostic, Faults, Severity, Span, Warned, both};
-use crate::json;
+use crate::json::{self, Node, Word};
 use raw::Extent;
 
 /// Reads the error of a pencil as `"paper": {"pencil": ...}` would say it, such as `0.1 mm`; in mm.
@@ -66,6 +66,11 @@ pub fn pencil(text: &str) -> Result<f64, Faults> {
     let quantity = raw::RawQuantity { text: text.to_owned(), span: Span::new(0, text.len()), bare: true };
     let read = resolve::pencil(&quantity, text, &mut faults);
     read.filter(|_| !faults.has_errors()).ok_or(faults)
+}
+
+/// Reads a text, or one in each language, of no more than so many characters: English and Chinese, `None` where one is not given.
+pub fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) -> [Option<Word>; 2] {
+    decode::localized(node, what, most, faults).map_or([None, None], |raw| [raw.en, raw.zh])
 }
 
 /// Reads the width of a page, such as `80 mm`; in mm.

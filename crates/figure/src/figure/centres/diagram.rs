@@ -109,12 +109,10 @@ impl Over<'_, '_> {
     /// The arrows at the edge of the paper, each centre named once.
     fn arrows(&mut self, ray: &Ray, owner: u32) {
         for a in &ray.arrows {
-            let Some(along) = (a.tip - if a.tip == ray.from { ray.to } else { ray.from }).unit() else { continue };
             // What is named is the end behind the last centre on the line.
-            let from_tip = |c: &Centre| if let Some(Spot::On(at)) = self.paper.spot(c) { Some(a.tip - at) } else { None };
-            let on_line = self.found.list.iter().filter_map(from_tip).filter(|d| d.cross(along).abs() < SAME_MM);
-            let last = on_line.map(|d| d.dot(along)).filter(|t| *t > SAME_MM).fold(ray.from.distance(ray.to), f64::min);
-            let base = a.tip - along * ARROW_MM.min(LAST_PART * last);
+            let back = a.last - a.tip;
+            let Some(along) = back.unit() else { continue };
+            let base = a.tip + along * ARROW_MM.min(LAST_PART * back.norm());
             self.arrow(a.to, a.from, base, a.tip, owner);
         }
     }

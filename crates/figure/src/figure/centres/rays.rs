@@ -75,6 +75,8 @@ pub struct Ray {
 pub struct Arrow {
     /// Its tip (mm).
     pub tip: Point,
+    /// The last centre before it, or where the line begins (mm).
+    pub last: Point,
     /// The centre (index).
     pub to: usize,
     /// The centre (index) on this line from which the other is measured.
@@ -191,8 +193,10 @@ impl Paper<'_> {
         );
         let at = |t: f64| line.through + line.along * t;
         let measured = line.members.iter().copied().filter(|k| matches!(self.spot(&self.found.list[*k]), Some(Spot::On(_)))).min();
-        let arrow = |(k, t): (Option<usize>, f64)| Some(Arrow { tip: at(t), to: k?, from: measured });
-        let arrows = [(ends[0], from), (ends[1], to)].into_iter().filter_map(arrow).collect();
+        let arrow = |(k, tip, last): (Option<usize>, f64, f64)| Some(Arrow { tip: at(tip), last: at(last), to: k?, from: measured });
+        // A line without a centre on the paper runs from edge to edge.
+        let (before, behind) = if measured.is_some() || line.normal { (first, last) } else { (to, from) };
+        let arrows = [(ends[0], from, before), (ends[1], to, behind)].into_iter().filter_map(arrow).collect();
         (to > from).then(|| Ray { from: at(from), to: at(to), normal: line.normal, arrows })
     }
 }

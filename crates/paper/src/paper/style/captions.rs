@@ -1,13 +1,13 @@
 //! Names under drawings and over what is written that a style gives in place of the usual ones, for each language.
 
 use crate::diag::{Diagnostic, Faults, both};
-use crate::json::fields::{Fields, word};
-use crate::json::{Kind, Node};
+use crate::json::fields::Fields;
+use crate::json::{Node, Word};
 use crate::mechanism::Level;
 use crate::paper::phrase::Phrase;
 use crate::paper::text;
 use crate::paper::words::{Words, words};
-use crate::scene::Lang;
+use crate::scene::{Lang, localized};
 
 /// Longest caption: a line of A4.
 const LONGEST: usize = 80;
@@ -32,7 +32,6 @@ const ALL: [(&str, Captioned); 6] = [
     ("acceleration_equations", Captioned::Equations(Level::Acceleration)),
     ("results", Captioned::Results),
 ];
-const LANGS: [(&str, Lang); 2] = [("en", Lang::En), ("zh", Lang::Zh)];
 
 /// The captions that a style gives.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -51,23 +50,13 @@ impl Captions {
         let Some(f) = Fields::open(node, "\"captions\"", &keys, faults) else { return };
         for (key, what) in ALL {
             let Some(node) = f.get(key) else { continue };
-            let told = format!("`{key}`");
-            if matches!(node.kind, Kind::Text(_)) {
-                let text = caption(node, &told, faults);
-                LANGS.iter().for_each(|(_, lang)| self.put(what, *lang, text.clone()));
-            } else if let Some(each) = Fields::open(node, told.as_str(), &LANGS.map(|(l, _)| l), faults) {
-                for (name, lang) in LANGS {
-                    let text = each.get(name).and_then(|n| caption(n, &told, faults));
-                    self.put(what, lang, text);
-                }
+            let texts = localized(node, key, LONGEST, faults).map(|word| word.and_then(|w| sound(w, faults)));
+            for (lang, text) in [Lang::En, Lang::Zh].into_iter().zip(texts) {
+                let Some(text) = text else { continue };
+                self.0.retain(|(w, l, _)| (*w, *l) != (what, lang));
+                self.0.push((what, lang, text));
             }
         }
-    }
-
-    fn put(&mut self, what: Captioned, lang: Lang, text: Option<String>) {
-        let Some(text) = text else { return };
-        self.0.retain(|(w, l, _)| (*w, *l) != (what, lang));
-        self.0.push((what, lang, text));
     }
 }
 
@@ -81,18 +70,13 @@ fn usual(words: &'static Words, what: Captioned) -> &'static str {
 }
 
 /// A caption that can be set.
-fn caption(node: &Node, told: &str, faults: &mut Faults) -> Option<String> {
-    let word = word(node, told, faults)?;
-    let fault = |message| Diagnostic::error("caption", message).at(word.span).help(both!("write another caption", "请换一个图名"));
-    if word.text.chars().count() > LONGEST {
-        faults.push(fault(both!("{told} has more than {LONGEST} characters", "{told} 超过 {LONGEST} 个字符")));
+fn sound(word: Word, faults: &mut Faults) -> Option<String> {
+    let Some(fault) = text::set(&Phrase::new(&word.text).label()).faults.first().cloned() else { return Some(word.text) };
+    // One text for both languages has its fault once.
+    let told = |d: &Diagnostic| d.code == "caption" && d.span == Some(word.span);
+    if faults.list.iter().any(told) {
         return None;
     }
-    match text::set(&Phrase::new(&word.text).label()).faults.first() {
-        Some(found) => {
-            faults.push(fault(found.message.clone()));
-            None
-        }
-        None => Some(word.text),
-    }
+    faults.push(Diagnostic::error("caption", fault.message).at(word.span).help(both!("write another caption", "请换一个图名")));
+    None
 }

@@ -272,7 +272,7 @@ mod tests {
         let faults = read(wrong.as_bytes()).unwrap_err();
         let mut codes: Vec<&str> = faults.list.iter().map(|d| d.code).collect();
         codes.sort_unstable();
-        assert_eq!(codes, ["caption", "caption", "mark", "unknown-key", "unknown-key", "wrong-type"]);
+        assert_eq!(codes, ["caption", "mark", "too-long", "unknown-key", "unknown-key", "wrong-type"]);
         assert!(faults.list.iter().all(|d| d.span.is_some()));
     }
 
