@@ -183,7 +183,7 @@ pub use hodograph_analytic::analytic;
 pub use hodograph_base::{cam, diag, digits, geom, number, trig};
 pub use hodograph_board::{construct, plan};
 pub use hodograph_figure::figure;
-pub use hodograph_mechanism::{answer, mechanism, motion, position};
+pub use hodograph_mechanism::{answer, mechanism, motion, position, stated};
 pub use hodograph_methods::{attempts, centres, composite, curvature, gears, inversions, particle, trains};
 pub use hodograph_paper::{paper, render};
 pub use hodograph_report::report;

@@ -1,7 +1,7 @@
 //! What moves: links, pairs and groups of a scene, where they are, how fast they move.
 //!
 //! Rooms: [`mechanism`] (links, pairs and drivers as a graph, each pair a value that demands a form; Assur groups in solving order),
-//! [`position`] (where everything is; what a form measures is written once, in any number),
+//! [`position`] (where everything is; what a form measures is written once, in any number), [`stated`] (proof of positions against the scene),
 //! [`answer`] (what a question means), [`motion`] (velocities and accelerations group by group, in any number).
 
 #![forbid(unsafe_code)]
@@ -20,3 +20,4 @@ pub mod answer;
 pub mod mechanism;
 pub mod motion;
 pub mod position;
+pub mod stated;

@@ -13,7 +13,7 @@
 use hodograph_analytic::analytic;
 use hodograph_base::{diag, digits, geom, number};
 use hodograph_board::{construct, plan};
-use hodograph_mechanism::{answer, mechanism, motion, position};
+use hodograph_mechanism::{answer, mechanism, motion, position, stated};
 use hodograph_scene::scene;
 use hodograph_sweep::sweep;
 

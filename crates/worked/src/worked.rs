@@ -29,6 +29,7 @@ use crate::plan::{self, Plan};
 use crate::position::redundant::Verdict;
 use crate::position::{self, Configuration};
 use crate::scene::{Find, LinkId, PointId, Scene};
+use crate::stated::{self, Moment};
 
 /// How much is wanted beyond the scene's questions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -168,6 +169,7 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     let placed = position::configure(scene, &mechanism, &demand)?;
     notes.extend(placed.notes);
     let configuration = settled(scene, &mechanism, &demand, placed.value);
+    stated::proved(scene, &mechanism, &configuration, Moment::Instant)?;
     let Warned { value: mut worked, notes: more } = stages(scene, mechanism, demand, configuration, Digits::Measured)?;
     notes.extend(more);
     let drawn = worked.drawn(scene);

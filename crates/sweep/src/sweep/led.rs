@@ -83,6 +83,8 @@ pub struct Lift {
     pub offset: f64,
     /// Where the follower's own coordinate stands at q = 0.
     pub origin: f64,
+    /// +1 where that grows with q, else −1.
+    pub out: f64,
 }
 
 impl Kernel<6, 5> for Lift {
@@ -106,7 +108,7 @@ impl Kernel<6, 5> for Lift {
         let rest = h + across * e + a * (e * e);
         let (num, den) = (along.past(0.0, along + root, rest + rest), along.past(0.0, a + a, along - root));
         let q = num / den;
-        [q + self.origin, q, gx, gy, root]
+        [q * self.out + self.origin, q, gx, gy, root]
     }
 }
 
@@ -123,6 +125,8 @@ pub struct LiftRate {
     pub offset: f64,
     /// θ̇, θ̈.
     pub rates: [f64; 2],
+    /// +1 where the follower's own coordinate grows with q, else −1.
+    pub out: f64,
 }
 
 impl Kernel<5, 2> for LiftRate {
@@ -142,7 +146,7 @@ impl Kernel<5, 2> for LiftRate {
         // G⊥·P and G·P of P = q d − e d⊥; G⊥·d = −across, G⊥·d⊥ = along.
         let q1 = (-(q * across) + along * -e) * inverse;
         let q2 = (q1 * across * -2.0 + (across * e - q * along) - a * q1 * q1 * 2.0) * inverse;
-        [q1 * w, q2 * (w * w) + q1 * acceleration]
+        [q1 * (self.out * w), q2 * (self.out * (w * w)) + q1 * (self.out * acceleration)]
     }
 }
 
@@ -161,6 +165,8 @@ pub struct Faced {
     pub origin: f64,
     /// θ̇, θ̈.
     pub rates: [f64; 2],
+    /// +1 where the follower's own coordinate grows with q, else −1.
+    pub out: f64,
 }
 
 impl Kernel<5, 3> for Faced {
@@ -173,11 +179,11 @@ impl Kernel<5, 3> for Faced {
     /// The follower's coordinate and its rates.
     #[inline(always)]
     fn eval<N: Lane>(&self, [kx, ky, rho, c, s]: [N; 5]) -> [N; 3] {
-        let (d, [w, acceleration]) = (self.direction, self.rates);
+        let (d, out, [w, acceleration]) = (self.direction, self.out, self.rates);
         let s = s * self.way;
         let (kx, ky) = (kx * c - ky * s, kx * s + ky * c);
         let (along, across) = (kx * d.x + ky * d.y, ky * d.x + kx * -d.y);
-        [along + rho + self.origin, -across * w, along * -(w * w) + across * -acceleration]
+        [(along + rho) * out + self.origin, -across * (out * w), along * -(out * (w * w)) + across * -(out * acceleration)]
     }
 }
 

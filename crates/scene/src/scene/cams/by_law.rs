@@ -5,7 +5,7 @@ use super::super::raw::{RawQuantity, RawScene};
 use super::super::units::Wanted;
 use super::Turning;
 use super::carrier::Lacking;
-use super::expand::{One, Pending, follower_sense};
+use super::expand::{One, Pending};
 use super::law::{self, LawText, StageText};
 use super::place::{self, Carried, OnPivot, Told};
 use super::raw::*;
@@ -129,6 +129,7 @@ impl One<'_> {
             return self.no_contact(faults);
         }
         let phi = turn * (on.angle.value - start);
+        let disc = self.on_its_side(disc, phi, (on.frame, on.spot.at()), point);
         let along = if on.rate * turn < 0.0 { Side::Before } else { Side::After };
         // The mark that tells the direction of a lever with a face is the last point of its link.
         let point = match (&carried, &face) {
@@ -162,7 +163,7 @@ impl One<'_> {
         }
         let by_law = Some(raw.drivers.len());
         raw.drivers.push(written.driver);
-        let (origin, outward) = place::origin(&carried, on.spot.at(), follower_sense(&disc));
+        let (origin, outward) = place::origin(&carried, on.spot.at(), &disc.follower);
         let turning = Turning {
             frame: on.frame,
             pivot: PointId(0),

@@ -5,7 +5,7 @@ use super::super::raw::{RawQuantity, RawScene};
 use super::super::units::Wanted;
 use super::Turning;
 use super::carrier::Lacking;
-use super::expand::{One, Pending, follower_sense, note};
+use super::expand::{One, Pending, note};
 use super::pairs::{Contact, Worded, numbers};
 use super::place::{self, Carried, OnPivot, Told};
 use super::raw::*;
@@ -74,11 +74,12 @@ impl One<'_> {
             let turn = if backward { -1.0 } else { 1.0 };
             let disc = Disc { follower, touch, motion: Motion::Profile(segments), sense: turn };
             let phi = turn * on.angle.value;
+            let disc = self.on_its_side(disc, phi, (on.frame, on.spot.at()), point);
             let Some(found) = disc.touched(phi, Side::After) else { return self.no_contact(faults) };
             touched = found;
             self.joint(&disc, phi, on, faults);
             pending.rough = self.sketch(raw, &disc, phi, (on, &follows));
-            let (origin, outward) = place::origin(carried, on.spot.at(), follower_sense(&disc));
+            let (origin, outward) = place::origin(carried, on.spot.at(), &disc.follower);
             let turning = Turning {
                 frame: on.frame,
                 pivot: PointId(0),

@@ -225,8 +225,9 @@ impl One<'_> {
             match &face.angle {
                 None if face.line.is_none() && !face.square => {
                     face.angle = Some(RawQuantity { text: format!("({})+90 deg", guide.text), span: self.raw.span, bare: false });
-                    face.left = Some(true);
+                    face.left = Some(face.left.unwrap_or(true));
                 }
+                // The positive sense of the guide is the rise, unless the scene says on which side the cam lies.
                 Some(q) if face.left.is_none() => {
                     let u = Vec2::from_angle(self.told(q, Wanted::Angle, faults)?.value);
                     face.left = Some(u.perp().dot(Vec2::from_angle(guide.value)) < 0.0);
@@ -244,6 +245,31 @@ impl One<'_> {
         let angle = face.angle.as_ref().and_then(|q| self.told(q, Wanted::Angle, &mut Faults::default()));
         // Nine digits of an angle are what a person types.
         face.line.is_none() && face.offset.is_none() && angle.is_none_or(|a| libm::cos(a.value - guide).abs() < 1e-9)
+    }
+
+    /// −1 where a face runs along its guide turned by +90°, +1 where it runs the other way.
+    fn turned_from_guide(&self, guide: f64) -> f64 {
+        let RawFollows::Face(face) = &self.raw.follows else { return -1.0 };
+        let angle = face.angle.as_ref().and_then(|q| self.told(q, Wanted::Angle, &mut Faults::default()));
+        angle.map_or(-1.0, |a| if libm::sin(a.value - guide) < 0.0 { 1.0 } else { -1.0 })
+    }
+
+    /// The cam with its follower on the side on which the scene puts the point that touches: where a round end can lie on both sides of the cam in its
+    /// guide, on that which is nearer to the coordinates or the sketch of its centre.
+    pub(super) fn on_its_side(&self, disc: Disc, phi: f64, (frame, centre): (LinkId, Vec2), point: PointId) -> Disc {
+        let (Touch::Point { .. }, Follower::Translating { direction, offset }) = (disc.touch, disc.follower) else { return disc };
+        let told = place::spot(self.bare, point).map(|s| s.at()).or(self.bare.points[point.0].sketch.map(|[x, y]| Vec2::new(x, y)));
+        let Some(told) = told.filter(|_| frame == self.bare.ground) else { return disc };
+        let other = Disc { follower: Follower::Translating { direction: -direction, offset: -offset }, ..disc.clone() };
+        let off = |d: &Disc| {
+            let at = d.follower.point(d.coordinate(phi, Side::After)?).order(0);
+            Some((centre + at - told).norm())
+        };
+        match (off(&disc), off(&other)) {
+            (Some(a), Some(b)) if b < a => other,
+            (None, Some(_)) => other,
+            (Some(_) | None, _) => disc,
+        }
     }
 
     /// Whether a face is known by its pivot alone, or by a line that begins there.
@@ -264,7 +290,9 @@ impl One<'_> {
         let (cam, carried) = placed;
         let face = matches!(self.raw.follows, RawFollows::Face(_));
         let (arm, sense) = match carried {
-            Carried::Guide { pin, angle, .. } if *pin == point && self.stands_squarely(angle.value) => (None, 1.0),
+            Carried::Guide { pin, angle, .. } if *pin == point && self.stands_squarely(angle.value) => {
+                (None, if face { sense * self.turned_from_guide(angle.value) } else { 1.0 })
+            }
             Carried::Guide { .. } => return None,
             Carried::Pivot { pivot, .. } if face => {
                 return (*pivot == point && self.goes_out_from(*pivot)).then(|| {
@@ -340,14 +368,6 @@ impl One<'_> {
             self.raw.follower.text
         );
         faults.push(Diagnostic::note("joint", message).at(self.raw.span));
-    }
-}
-
-/// The sense in which an oscillating follower goes out.
-pub(super) fn follower_sense(disc: &Disc) -> f64 {
-    match disc.follower {
-        Follower::Translating { .. } => 1.0,
-        Follower::Oscillating { sense, .. } => sense,
     }
 }
 

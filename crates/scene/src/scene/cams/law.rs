@@ -5,7 +5,7 @@
 
 use super::super::model::{Given, PointId, Scene};
 use super::super::raw::{RawDriver, RawDriverKind, RawQuantity};
-use super::place::{Carried, OnPivot, direction, distance};
+use super::place::{Carried, OnPivot, direction, distance, outward};
 use crate::cam::{Disc, Program, Side, Touch, Way};
 use crate::diag::Span;
 use crate::json::Word;
@@ -98,6 +98,10 @@ pub(super) fn driver(at: &At, disc: &Disc, program: &Program, law: &LawText, (ph
         Some((ds, dds)) => (format!("{ds}*{w}"), format!("{dds}*{w}^2+{ds}*{a}")),
         None => (format!("0 {rate_unit}"), format!("0 {unit_2}")),
     };
+    let out = if outward(at.carried, &disc.follower) < 0.0 { "-" } else { "+" };
+    if out == "-" {
+        (rate, acceleration) = (format!("-({rate})"), format!("-({acceleration})"));
+    }
     let word = |text: String| Word { text, span: at.span };
     let quantity = |text: String| RawQuantity { text, span: at.span, bare: false };
     let kind = match at.carried {
@@ -113,7 +117,7 @@ pub(super) fn driver(at: &At, disc: &Disc, program: &Program, law: &LawText, (ph
                 }
                 _ => format!("({})", law.base),
             };
-            let place = define("place", format!("{foot}+{reach}+{s}"));
+            let place = define("place", if out == "-" { format!("{foot}-{reach}-({s})") } else { format!("{foot}+{reach}+{s}") });
             RawDriverKind::Slide { slide: word(at.follower.to_owned()), position: Some(quantity(place)) }
         }
         Carried::Pivot { pivot, spot } => {
@@ -128,14 +132,7 @@ pub(super) fn driver(at: &At, disc: &Disc, program: &Program, law: &LawText, (ph
                 }
             };
             let rest = define("rest", rest);
-            let sense = match disc.follower {
-                crate::cam::Follower::Oscillating { sense, .. } if sense < 0.0 => "-",
-                crate::cam::Follower::Oscillating { .. } | crate::cam::Follower::Translating { .. } => "+",
-            };
-            if sense == "-" {
-                (rate, acceleration) = (format!("-({rate})"), format!("-({acceleration})"));
-            }
-            let place = define("place", format!("{}{sense}({rest}+{s})", direction(spot, &at.cam.spot)));
+            let place = define("place", format!("{}{out}({rest}+{s})", direction(spot, &at.cam.spot)));
             let line = format!("{},{}", at.scene.point_name(*pivot), at.scene.point_name(at.point));
             RawDriverKind::Turn {
                 link: word(at.follower.to_owned()),

@@ -87,7 +87,7 @@ fn slid(raw: &mut RawScene, index: usize) {
             // The positive sense of the guide is the rise: the cam lies behind.
             face.square = !grounded;
             face.angle = square.filter(|_| grounded);
-            face.left = face.left.filter(|_| !named_point).or((face.square || face.angle.is_some()).then_some(true));
+            face.left = face.left.or((face.square || face.angle.is_some()).then_some(true));
         }
     }
 }

@@ -210,21 +210,31 @@ pub(super) fn sense(scene: &Scene, pivot: PointId, centre: PointId, point: Point
     }
 }
 
-/// The follower for the geometry of a cam whose pivot is at `centre`.
+/// The follower for the geometry of a cam whose pivot is at `centre`: `sense` is +1 where it goes out along its guide, or counter-clockwise.
 pub(super) fn geometry(carried: &Carried, centre: Vec2, arm: f64, sense: f64) -> Follower {
     match carried {
         Carried::Guide { through, angle, .. } => {
-            let direction = Vec2::from_angle(angle.value);
+            let direction = Vec2::from_angle(angle.value) * sense;
             Follower::Translating { direction, offset: -(through.at() - centre).dot(direction.perp()) }
         }
         Carried::Pivot { spot, .. } => Follower::Oscillating { pivot: spot.at() - centre, arm, sense },
     }
 }
 
-/// Where the follower's own coordinate stands as that of the cam's geometry is zero, and whether the two grow together.
-pub(super) fn origin(carried: &Carried, centre: Vec2, sense: f64) -> (f64, f64) {
-    match carried {
-        Carried::Guide { through, angle, .. } => ((centre - through.at()).dot(Vec2::from_angle(angle.value)), 1.0),
-        Carried::Pivot { spot, .. } => ((centre - spot.at()).angle(), sense),
+/// Where the follower's own coordinate stands as that of the cam's geometry is zero, and +1 where the two grow together, else −1.
+pub(super) fn origin(carried: &Carried, centre: Vec2, follower: &Follower) -> (f64, f64) {
+    let start = match carried {
+        Carried::Guide { through, angle, .. } => (centre - through.at()).dot(Vec2::from_angle(angle.value)),
+        Carried::Pivot { spot, .. } => (centre - spot.at()).angle(),
+    };
+    (start, outward(carried, follower))
+}
+
+/// The sense in which the follower goes out: +1 along the direction of its guide, or counter-clockwise about its pivot, else −1.
+pub(super) fn outward(carried: &Carried, follower: &Follower) -> f64 {
+    match (carried, follower) {
+        (Carried::Guide { angle, .. }, Follower::Translating { direction, .. }) => direction.dot(Vec2::from_angle(angle.value)).signum(),
+        (_, Follower::Oscillating { sense, .. }) => *sense,
+        (Carried::Pivot { .. }, Follower::Translating { .. }) => 1.0,
     }
 }

@@ -141,7 +141,9 @@ impl One<'_> {
     ) -> Option<(usize, Option<(PointId, Vec2)>)> {
         let slides = self.bare.guides.iter().any(|g| g.slider == Some(follower));
         let geometry = if slides {
-            let (through, direction) = known.slide(follower)?;
+            let (through, rise) = known.slide(follower)?;
+            // A face stands square to its guide, turned from it by +90°; the cam lies left or right of it.
+            let direction = if t.end.is_none() { rise * -t.face.0 } else { rise };
             Follower::Translating { direction, offset: -(through - t.origin).dot(direction.perp()) }
         } else {
             match t.end {
@@ -159,6 +161,7 @@ impl One<'_> {
             None => Touch::Flat { lever: if slides { 0.0 } else { t.face.1 } },
         };
         let disc = Disc { follower: geometry, touch, motion: Motion::Profile(t.segments.to_vec()), sense: 1.0 };
+        let disc = self.on_its_side(disc, t.angle, (self.bare.ground, t.origin), point);
         let (touched, q) = match self.on {
             Some(piece) => (piece, t.segments[piece].coordinate(&disc.follower, &disc.touch, Jet::variable(t.angle))),
             None => (disc.touched(t.angle, Side::After)?, disc.coordinate(t.angle, Side::After)?),

@@ -248,13 +248,13 @@ impl Compiler<'_> {
         let two = |first: Reg| [first, Reg(first.0 + 1)];
         match (t.disc.follower, t.disc.touch) {
             (Follower::Translating { direction, offset }, Touch::Point { .. }) => {
-                let out = self.emit(P, Lift { piece, turn, way, direction, offset, origin: t.origin }, 5);
+                let out = self.emit(P, Lift { piece, turn, way, direction, offset, origin: t.origin, out: t.outward }, 5);
                 let lift = std::array::from_fn(|i| Reg(out.0 + 1 + i as u32));
-                let rate = self.emit(V, LiftRate { lift, a: piece[0], direction, offset, rates }, 2);
+                let rate = self.emit(V, LiftRate { lift, a: piece[0], direction, offset, rates, out: t.outward }, 2);
                 Led { place: Place::Way(out), rates: two(rate) }
             }
             (Follower::Translating { direction, .. }, Touch::Flat { .. }) => {
-                let out = self.emit(P, Faced { piece, turn, way, direction, origin: t.origin, rates }, 3);
+                let out = self.emit(P, Faced { piece, turn, way, direction, origin: t.origin, rates, out: t.outward }, 3);
                 Led { place: Place::Way(out), rates: two(Reg(out.0 + 1)) }
             }
             (Follower::Oscillating { pivot, arm, sense }, touch) => {

@@ -1,0 +1,198 @@
+//! Contact without penetration: the whole profile of a cam against the whole end of its follower.
+//!
+//! A round end keeps its radius from the nearest point of the profile and lies outside; a flat face lies on the support line of the profile in the
+//! direction of its normal. Which piece of the profile the solver took plays no part.
+
+use super::Judge;
+use crate::cam::{Disc, Follower, Motion, Segment, Side, Touch};
+use crate::geom::{Point, Vec2};
+use crate::scene::{Cam, DriverKind, PointId, Turning};
+
+/// How a follower stands to its cam.
+pub(super) struct Contact {
+    /// Distance between the two (m); less than zero: by so much the follower cuts into the cam.
+    pub clearance: f64,
+    /// A place near the contact.
+    pub at: Point,
+}
+
+/// A frame in the plane: origin and x axis.
+#[derive(Clone, Copy)]
+struct Frame {
+    origin: Point,
+    axis: Vec2,
+}
+
+impl Frame {
+    fn local(&self, at: Point) -> Vec2 {
+        (at - self.origin).divide_by(self.axis)
+    }
+
+    fn turned_back(&self, way: Vec2) -> Vec2 {
+        way.divide_by(self.axis)
+    }
+}
+
+impl Judge<'_> {
+    /// How a follower stands to its cam; `None` where the two are not placed, or the direction of a face is left to its pair.
+    pub(super) fn contact(&self, cam: &Cam) -> Option<Contact> {
+        if let Some(t) = &cam.disc
+            && let Motion::Law { .. } = t.disc.motion
+        {
+            return self.by_law(cam, t);
+        }
+        let (frame, segments) = self.profile(cam)?;
+        if let Some(radius) = cam.follows.radius() {
+            let at = self.place(cam.follows.point())?;
+            return Some(Contact { clearance: outside(&segments, frame.local(at))? - radius, at });
+        }
+        let (through, normal) = self.face(cam)?;
+        let n = frame.turned_back(normal);
+        Some(Contact { clearance: frame.local(through).dot(n) - support(&segments, n)?, at: through })
+    }
+
+    /// The profile of arcs and lines, with the frame in which it is told.
+    fn profile(&self, cam: &Cam) -> Option<(Frame, Vec<Segment>)> {
+        if let Some((centre, radius)) = cam.circle {
+            let frame = Frame { origin: self.place(centre)?, axis: Vec2::unit_x() };
+            return Some((frame, vec![Segment::Arc { centre: Vec2::ZERO, radius, normals: [0.0, std::f64::consts::TAU] }]));
+        }
+        if let Some(pieces) = &cam.posed {
+            let [from, to] = pieces.frame;
+            let origin = self.place(from)?;
+            return Some((Frame { origin, axis: (self.place(to)? - origin).unit()? }, pieces.segments.clone()));
+        }
+        let t = cam.disc.as_ref()?;
+        let Motion::Profile(segments) = &t.disc.motion else { return None };
+        Some((self.cam_frame(cam, t)?, segments.clone()))
+    }
+
+    /// The frame of a cam on a pivot: origin there, x along its first two points; of a cam that is the ground along the x axis.
+    fn cam_frame(&self, cam: &Cam, t: &Turning) -> Option<Frame> {
+        Some(Frame { origin: self.place(t.pivot)?, axis: self.axis(cam.cam, None)? })
+    }
+
+    /// A point of the face and its normal out of the cam, as the scene states them.
+    fn face(&self, cam: &Cam) -> Option<(Point, Vec2)> {
+        let Some(g) = cam.contact else { return self.face_of_driven(cam) };
+        let (through, along) = self.line_of(g)?;
+        let normal = if cam.left { -along.perp() } else { along.perp() };
+        // The pair that stands for the contact runs beside the face at the radius of the piece that is touched.
+        Some((through + normal * cam.touched_radius()?, normal))
+    }
+
+    /// The face of a follower whose contact a driver stands for.
+    fn face_of_driven(&self, cam: &Cam) -> Option<(Point, Vec2)> {
+        let t = cam.disc.as_ref()?;
+        let at = self.place(cam.follows.point())?;
+        match (t.disc.follower, t.disc.touch) {
+            (Follower::Translating { direction, .. }, _) => Some((at, direction.rotate_by(self.carrier_axis(t)?))),
+            (Follower::Oscillating { sense, .. }, Touch::Flat { lever }) => {
+                let (a, b) = self.line_of_driver(t.by_law?)?;
+                let normal = (self.place(b)? - self.place(a)?).unit()?.perp() * sense;
+                Some((at + normal * lever, normal))
+            }
+            (Follower::Oscillating { .. }, Touch::Point { .. }) => None,
+        }
+    }
+
+    fn line_of_driver(&self, driver: usize) -> Option<(PointId, PointId)> {
+        match self.scene.drivers[driver].kind {
+            DriverKind::Turn { line, .. } => line,
+            DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
+        }
+    }
+
+    /// The x axis of the link that carries cam and follower.
+    fn carrier_axis(&self, t: &Turning) -> Option<Vec2> {
+        match t.axis(self.scene) {
+            Some([a, b]) => (self.place(b)? - self.place(a)?).unit(),
+            None => Some(Vec2::unit_x()),
+        }
+    }
+
+    /// How far the follower of a law stands from where the law puts it, counted outward.
+    fn by_law(&self, cam: &Cam, t: &Turning) -> Option<Contact> {
+        let frame = self.cam_frame(cam, t)?;
+        let carrier = self.carrier_axis(t)?;
+        // The law counts from its start in the sense in which the cam turns in its carrier.
+        let phi = t.disc.sense * (frame.axis.divide_by(carrier).angle() - t.start);
+        let at = self.place(cam.follows.point())?;
+        let here = self.coordinate(&t.disc, frame.origin, carrier, at, t.by_law)?;
+        // At a jump of the law both sides are its places.
+        let off = [Side::Before, Side::After].into_iter().filter_map(|side| {
+            let due = t.disc.coordinate(phi, side)?.value();
+            let off = here - due;
+            Some(match t.disc.follower {
+                Follower::Translating { .. } => off,
+                Follower::Oscillating { pivot, arm, .. } => {
+                    (off - std::f64::consts::TAU * libm::round(off / std::f64::consts::TAU)) * if arm > 0.0 { arm } else { pivot.norm() }
+                }
+            })
+        });
+        let clearance = off.min_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+        Some(Contact { clearance, at })
+    }
+
+    /// The coordinate of a placed follower, as its geometry counts it.
+    fn coordinate(&self, disc: &Disc, centre: Point, carrier: Vec2, at: Point, driver: Option<usize>) -> Option<f64> {
+        match disc.follower {
+            Follower::Translating { direction, .. } => Some((at - centre).dot(direction.rotate_by(carrier))),
+            Follower::Oscillating { pivot, sense, .. } => {
+                let (a, b) = self.line_of_driver(driver?)?;
+                let arm = (self.place(b)? - self.place(a)?).divide_by(carrier);
+                Some((arm.divide_by(Vec2::ZERO - pivot)).angle() * sense)
+            }
+        }
+    }
+}
+
+/// The distance of a place from a closed profile, less than zero within it.
+fn outside(segments: &[Segment], at: Vec2) -> Option<f64> {
+    segments.iter().map(|s| nearest(s, at)).min_by(|a, b| a.abs().total_cmp(&b.abs()))
+}
+
+/// The signed distance of a place from the nearest point of one piece.
+fn nearest(segment: &Segment, at: Vec2) -> f64 {
+    match *segment {
+        Segment::Line { normal, distance, ends: [from, to] } => {
+            let n = Vec2::from_angle(normal);
+            let (along, above) = (n.perp().dot(at), n.dot(at) - distance);
+            if (from.min(to)..=from.max(to)).contains(&along) {
+                return above;
+            }
+            let end = if (along - from).abs() < (along - to).abs() { from } else { to };
+            (n * distance + n.perp() * end - at).norm().copysign(above)
+        }
+        Segment::Arc { centre, radius, normals: [from, to] } => {
+            let way = at - centre;
+            // The outward normal points away from the centre, of a hollow arc toward it.
+            let outward = if radius < 0.0 { -way } else { way };
+            if segment.faces(outward.angle()) {
+                return if radius < 0.0 { -radius - way.norm() } else { way.norm() - radius };
+            }
+            let ends = [from, to].map(|n| {
+                let n = Vec2::from_angle(n);
+                let off = at - (centre + n * radius);
+                off.norm().copysign(n.dot(off))
+            });
+            if ends[0].abs() < ends[1].abs() { ends[0] } else { ends[1] }
+        }
+    }
+}
+
+/// The support of a profile in a direction: how far it reaches that way from the origin of its frame.
+fn support(segments: &[Segment], n: Vec2) -> Option<f64> {
+    let reach = |s: &Segment| match *s {
+        Segment::Line { normal, distance, ends } => {
+            let m = Vec2::from_angle(normal);
+            ends.map(|t| n.dot(m * distance + m.perp() * t)).into_iter().fold(f64::NEG_INFINITY, f64::max)
+        }
+        Segment::Arc { centre, radius, normals } => {
+            let within = radius >= 0.0 && s.faces(n.angle());
+            let ends = normals.map(|a| n.dot(centre + Vec2::from_angle(a) * radius));
+            ends.into_iter().chain(within.then(|| n.dot(centre) + radius)).fold(f64::NEG_INFINITY, f64::max)
+        }
+    };
+    segments.iter().map(reach).max_by(f64::total_cmp)
+}

@@ -1,0 +1,404 @@
+//! Proof of a configuration against what the scene states: lengths, coordinates, sides, guides, drivers, rolling pairs, contacts of cams.
+//!
+//! Drawing and loop equations share the positions, so neither of them proves these. This check reads the scene and the places that were found, and
+//! nothing of the solver: no loci, no closures, no guides that the solver laid into the plane. A configuration that breaks a statement is no answer.
+//!
+//! A distance counts as met within [`SAME`] of the size of the mechanism, which is what ten typed digits tell; an angle within that many radians.
+
+mod cams;
+
+use crate::diag::{Both, Diagnostic, Faults, both};
+use crate::digits::significant;
+use crate::geom::{Point, Vec2};
+use crate::mechanism::{Mechanism, Opened};
+use crate::position::Configuration;
+use crate::scene::{
+    Angle, Contours, Direction, DriverKind, Given, GuideId, GuidePath, LinkId, Place, PointId, Rolling, Scene, Sizes, Through,
+};
+use crate::trig::sin_cos;
+use cams::Contact;
+use std::f64::consts::TAU;
+
+/// Part of the mechanism's size, or radians, by which a statement may be missed.
+const SAME: f64 = 1e-9;
+
+/// A statement of the scene that a configuration does not meet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Breach {
+    /// The item and the amount in words.
+    pub words: Both,
+    /// The amount: metres, or radians where an angle is stated.
+    pub off: f64,
+    /// The statement in the file.
+    pub span: crate::diag::Span,
+}
+
+impl Breach {
+    /// The breach as an error.
+    pub fn diagnostic(&self) -> Diagnostic {
+        Diagnostic::error("position-unproven", both!("the position found is not that of the scene: {}", "所得位置与题设不符：{}", self.words))
+            .at(self.span)
+            .help(both!(
+                "check what the scene gives here; where several assemblies are possible, say with \"side\", \"sketch\" or coordinates which one is meant",
+                "请检查此处的给定条件；若有多种装配，请用 \"side\"、\"sketch\" 或坐标说明取哪一种"
+            ))
+    }
+}
+
+/// The moment at which a configuration is judged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Moment<'a> {
+    /// The scene's own instant: everything that the scene states holds.
+    Instant,
+    /// Another position of its motion: drivers stand elsewhere, sides may have changed, what was given for the instant has moved with its links.
+    /// Links keep the form that they have at the instant, which is this one.
+    Later(&'a Configuration),
+}
+
+/// Statements of the scene that a configuration breaks, the largest amount first; what is not placed is not judged.
+pub fn breaches(scene: &Scene, mechanism: &Mechanism, at: &Configuration, moment: Moment<'_>) -> Vec<Breach> {
+    let mut judge = Judge { scene, mechanism, at, moment, size: at.extent(), found: Vec::new() };
+    judge.lengths();
+    judge.places();
+    judge.guides();
+    judge.rolling();
+    judge.cams();
+    match moment {
+        Moment::Instant => {
+            judge.sides();
+            judge.drivers();
+        }
+        Moment::Later(instant) => judge.forms(instant),
+    }
+    judge.found.sort_by(|a, b| b.off.abs().total_cmp(&a.off.abs()));
+    judge.found
+}
+
+/// Checks that a configuration meets what the scene states.
+///
+/// # Errors
+/// `position-unproven`, one for each statement that is broken.
+pub fn proved(scene: &Scene, mechanism: &Mechanism, at: &Configuration, moment: Moment<'_>) -> Result<(), Faults> {
+    let mut faults = Faults::default();
+    faults.list.extend(breaches(scene, mechanism, at, moment).iter().map(Breach::diagnostic));
+    if faults.has_errors() { Err(faults) } else { Ok(()) }
+}
+
+/// The unit vector at an angle from the x axis.
+fn way_of(angle: &Angle) -> Vec2 {
+    let (sine, cosine) = sin_cos(*angle);
+    Vec2::new(cosine, sine)
+}
+
+struct Judge<'a> {
+    scene: &'a Scene,
+    mechanism: &'a Mechanism,
+    at: &'a Configuration,
+    moment: Moment<'a>,
+    size: f64,
+    found: Vec<Breach>,
+}
+
+impl Judge<'_> {
+    fn place(&self, p: PointId) -> Option<Point> {
+        self.at.points[p.0]
+    }
+
+    fn name(&self, p: PointId) -> &str {
+        self.scene.point_name(p)
+    }
+
+    /// The length (m) by which a distance at a place may be missed.
+    fn slack(&self, at: Point) -> f64 {
+        SAME * self.size + 16.0 * f64::EPSILON * at.to_vec2().norm()
+    }
+
+    /// Notes a length that is missed by `off` (m) at a place.
+    fn length_off(&mut self, off: f64, at: Point, span: crate::diag::Span, words: impl FnOnce(&Self) -> Both) {
+        // What is no number is no proof.
+        if off.abs() <= self.slack(at) {
+            return;
+        }
+        let words = words(self);
+        self.found.push(Breach { words, off, span });
+    }
+
+    /// Notes an angle that is missed by `off` (rad).
+    fn angle_off(&mut self, off: f64, span: crate::diag::Span, words: impl FnOnce(String) -> Both) {
+        let off = off - TAU * libm::round(off / TAU);
+        if off.abs() <= SAME {
+            return;
+        }
+        let degrees = format!("{}°", significant(off.to_degrees(), 4));
+        self.found.push(Breach { words: words(degrees), off, span });
+    }
+
+    fn lengths(&mut self) {
+        for l in &self.scene.lengths {
+            let (Some(a), Some(b)) = (self.place(l.a), self.place(l.b)) else { continue };
+            if self.is_opened_length(l.a, l.b) {
+                continue;
+            }
+            let is = a.distance(b);
+            let (span, given) = (l.value.span, l.value.text.clone());
+            self.length_off(is - l.value.value, a, span, |j| {
+                let (a, b) = (j.name(l.a), j.name(l.b));
+                let is = j.scene.length_words(is);
+                both!("{a}{b} comes out as {is}, given is {given}", "{a}{b} 得 {is}，题设为 {given}")
+            });
+        }
+    }
+
+    /// Whether a length is that of a link, or ends in a pin, that repeats other pairs and is judged as a virtual constraint.
+    fn is_opened_length(&self, a: PointId, b: PointId) -> bool {
+        let on = |l: LinkId| [a, b].iter().all(|p| self.scene.links[l.0].points.contains(p));
+        let opened = |l: LinkId| {
+            self.mechanism.is_opened(&Opened::Link(l)) || [a, b].iter().any(|p| self.mechanism.is_opened(&Opened::Pin(*p, l)))
+        };
+        (0..self.scene.links.len()).map(LinkId).filter(|l| on(*l)).any(opened)
+    }
+
+    fn places(&mut self) {
+        for (i, point) in self.scene.points.iter().enumerate() {
+            let Some(at) = self.place(PointId(i)) else { continue };
+            let stated = match &point.place {
+                Place::Unknown => continue,
+                Place::At([x, y]) => {
+                    let fixed = self.scene.links[self.scene.ground.0].points.contains(&PointId(i));
+                    if !fixed && self.moment != Moment::Instant {
+                        continue;
+                    }
+                    Some(Point::new(x.value, y.value))
+                }
+                Place::InLink { base: (a, b), xy: [x, y] } => self.from_base(*a, *b, Vec2::new(x.value, y.value)),
+                Place::Polar { base: (a, b), length, angle } => {
+                    self.from_base(*a, *b, way_of(&angle.value) * length.value)
+                }
+            };
+            let Some(stated) = stated else { continue };
+            if self.scene.carriers(PointId(i)).any(|l| self.mechanism.is_opened(&Opened::Pin(PointId(i), l))) {
+                continue;
+            }
+            let off = at.distance(stated);
+            self.length_off(off, at, point.span, |j| {
+                let (name, off) = (&point.name, j.scene.length_words(off));
+                both!("{name} lies {off} from its given place", "{name} 偏离给定位置 {off}")
+            });
+        }
+    }
+
+    /// The place at given coordinates in the frame with its origin in `a` and x toward `b`.
+    fn from_base(&self, a: PointId, b: PointId, xy: Vec2) -> Option<Point> {
+        let origin = self.place(a)?;
+        Some(origin + xy.rotate_by((self.place(b)? - origin).unit()?))
+    }
+
+    /// Two points of a link are as far apart as at the instant.
+    fn forms(&mut self, instant: &Configuration) {
+        for (l, link) in self.scene.links.iter().enumerate() {
+            let opened = |p: PointId| self.mechanism.is_opened(&Opened::Pin(p, LinkId(l)));
+            if self.mechanism.is_opened(&Opened::Link(LinkId(l))) {
+                continue;
+            }
+            let known: Vec<(PointId, Point, Point)> = (link.points.iter().copied().filter(|p| !opened(*p)))
+                .filter_map(|p| Some((p, self.place(p)?, instant.points[p.0]?)))
+                .collect();
+            // Two points fix the others: each is held to both.
+            for (k, (p, now, then)) in known.iter().enumerate().skip(1) {
+                for (q, from, was) in known.iter().take(k.min(2)) {
+                    let off = now.distance(*from) - then.distance(*was);
+                    self.length_off(off, *now, link.span, |j| {
+                        let (p, q, off) = (j.name(*p), j.name(*q), j.scene.length_words(off.abs()));
+                        both!("{q}{p} of link {} has changed by {off}", "构件 {} 上 {q}{p} 变化了 {off}", link.name)
+                    });
+                }
+            }
+        }
+    }
+
+    fn sides(&mut self) {
+        for side in &self.scene.sides {
+            let (Some(p), Some(a), Some(b)) = (self.place(side.point), self.place(side.from), self.place(side.to)) else { continue };
+            let Some(along) = (b - a).unit() else { continue };
+            // To the left of the line by so much.
+            let aside = along.cross(p - a);
+            let wrong = if side.left { -aside } else { aside };
+            if wrong <= 0.0 {
+                continue;
+            }
+            self.length_off(wrong, p, side.span, |j| {
+                let [p, a, b] = [side.point, side.from, side.to].map(|p| j.name(p));
+                let off = j.scene.length_words(wrong);
+                match side.left {
+                    true => both!("{p} lies {off} to the right of {a}{b}", "{p} 在 {a}{b} 右侧 {off} 处"),
+                    false => both!("{p} lies {off} to the left of {a}{b}", "{p} 在 {a}{b} 左侧 {off} 处"),
+                }
+            });
+        }
+    }
+
+    /// The line of a straight guide in the plane by what the scene says of it: a point of it and its direction. `None` where the scene leaves one
+    /// of them to the pose.
+    fn line_of(&self, g: GuideId) -> Option<(Point, Vec2)> {
+        let guide = &self.scene.guides[g.0];
+        let GuidePath::Line { through, direction, offset } = &guide.path else { return None };
+        let along = self.direction_of(guide.on, direction)?;
+        let at = match through {
+            Through::Point(p) => self.place(*p)?,
+            Through::At([x, y]) => Point::new(x.value, y.value),
+            Through::Pin => return None,
+        };
+        Some((offset.as_ref().map_or(at, |o| at + along.perp() * o.value), along))
+    }
+
+    /// The direction of a straight guide on a link.
+    fn direction_of(&self, on: LinkId, direction: &Direction) -> Option<Vec2> {
+        let turned = |way: Vec2, angle: &Given<Angle>| way.rotate_by(way_of(&angle.value));
+        match direction {
+            Direction::Instant(angle) => {
+                let told = on == self.scene.ground || self.moment == Moment::Instant || self.mechanism.never_turns[on.0];
+                told.then(|| way_of(&angle.value))
+            }
+            Direction::Along(a, b, turn) => {
+                let way = (self.place(*b)? - self.place(*a)?).unit()?;
+                Some(turn.as_ref().map_or(way, |t| turned(way, t)))
+            }
+            // The link has no line but its guide: its pose tells it.
+            Direction::Own => self.at.poses[on.0].map(|pose| pose.axis),
+            Direction::Slid(angle) => {
+                let along = self.scene.guides.iter().find(|g| g.slider == Some(on))?;
+                let GuidePath::Line { direction, .. } = &along.path else { return None };
+                Some(turned(self.direction_of(along.on, direction)?, angle))
+            }
+        }
+    }
+
+    fn guides(&mut self) {
+        for (i, guide) in self.scene.guides.iter().enumerate() {
+            let g = GuideId(i);
+            let contact = self.scene.cams.iter().any(|c| c.contact == Some(g));
+            let (Some(pin), false) = (guide.pin, contact) else { continue };
+            let (Some(at), false) = (self.place(pin), self.mechanism.is_opened(&Opened::Guide(g))) else { continue };
+            let off = match &guide.path {
+                GuidePath::Line { .. } => self.line_of(g).map(|(through, along)| along.cross(at - through)),
+                GuidePath::Arc { centre, radius } => {
+                    radius.as_ref().and_then(|r| Some(at.distance(self.place(*centre)?) - r.value)).filter(|_| guide.rolling.is_none())
+                }
+            };
+            let Some(off) = off else { continue };
+            self.length_off(off, at, guide.span, |j| {
+                let (pin, link, off) = (j.name(pin), j.scene.link_name(guide.on), j.scene.length_words(off.abs()));
+                both!("{pin} lies {off} beside its guide on link {link}", "{pin} 偏离构件 {link} 上的导路 {off}")
+            });
+        }
+    }
+
+    /// The direction from which an angle of a link counts: that of the given line, else of its first two points; of the ground the x axis.
+    fn axis(&self, link: LinkId, line: Option<(PointId, PointId)>) -> Option<Vec2> {
+        let points = &self.scene.links[link.0].points;
+        let (a, b) = match line {
+            Some(line) => line,
+            None if link == self.scene.ground => return Some(Vec2::unit_x()),
+            None => (*points.first()?, *points.get(1)?),
+        };
+        (self.place(b)? - self.place(a)?).unit()
+    }
+
+    fn drivers(&mut self) {
+        for driver in &self.scene.drivers {
+            match &driver.kind {
+                DriverKind::Turn { link, against, line, against_line, angle: Some(angle) } => {
+                    let (Some(of), Some(from)) = (self.axis(*link, *line), self.axis(*against, *against_line)) else { continue };
+                    let off = of.divide_by(from).divide_by(way_of(&angle.value)).angle();
+                    let name = self.scene.link_name(*link).to_owned();
+                    self.angle_off(off, angle.span, |off| {
+                        both!("link {name} is turned {off} from its driver's angle", "构件 {name} 与原动件角度相差 {off}")
+                    });
+                }
+                DriverKind::Slide { guide, position: Some(position) } => {
+                    let Some(pin) = self.scene.guides[guide.0].pin else { continue };
+                    let Some(at) = self.place(pin) else { continue };
+                    let Some((through, along)) = self.line_of(*guide) else { continue };
+                    let off = along.dot(at - through) - position.value;
+                    self.length_off(off, at, position.span, |j| {
+                        let (pin, off) = (j.name(pin), j.scene.length_words(off.abs()));
+                        both!("{pin} lies {off} from its driver's position", "{pin} 与原动件位置相差 {off}")
+                    });
+                }
+                DriverKind::Cylinder { a, b, length: Some(length), .. } => {
+                    let (Some(p), Some(q)) = (self.place(*a), self.place(*b)) else { continue };
+                    let off = p.distance(q) - length.value;
+                    self.length_off(off, p, length.span, |j| {
+                        let (a, b, off) = (j.name(*a), j.name(*b), j.scene.length_words(off.abs()));
+                        both!("cylinder {a}{b} is {off} off its length", "缸 {a}{b} 的长度相差 {off}")
+                    });
+                }
+                DriverKind::Turn { angle: None, .. } | DriverKind::Slide { position: None, .. } | DriverKind::Cylinder { length: None, .. } => {}
+            }
+        }
+    }
+
+    fn rolling(&mut self) {
+        for pair in &self.scene.rolling {
+            self.distance_of_centres(pair);
+            if self.moment == Moment::Instant {
+                self.phase(pair);
+            }
+        }
+    }
+
+    /// Two circles of given radii touch; a wheel keeps its radius from its track.
+    fn distance_of_centres(&mut self, pair: &Rolling) {
+        match &pair.contours {
+            Contours::Circles { centres: [p, q], sizes: Sizes::Radii([a, b]), hollow, .. } => {
+                let (Some(at), Some(to)) = (self.place(*p), self.place(*q)) else { return };
+                let apart = if hollow.is_some() { (a.value - b.value).abs() } else { a.value + b.value };
+                let off = at.distance(to) - apart;
+                self.length_off(off, at, pair.span, |j| {
+                    let (p, q, off) = (j.name(*p), j.name(*q), j.scene.length_words(off.abs()));
+                    both!("{p}{q} is {off} off the distance at which the wheels touch", "{p}{q} 与两轮相切的中心距相差 {off}")
+                });
+            }
+            Contours::Track { .. } | Contours::Circles { .. } | Contours::Belt { .. } => {}
+        }
+    }
+
+    /// The phase of two wheels: φ₂ + φ₁ρ₁/ρ₂ = phase, both angles counted from the line of centres and less than half a turn.
+    fn phase(&mut self, pair: &Rolling) {
+        let (Some(phase), Some([p, q])) = (&pair.phase, pair.round()) else { return };
+        let (Some(a), Some(b)) = (self.place(p), self.place(q)) else { return };
+        let Some(line) = (b - a).unit() else { return };
+        let [Some(first), Some(second)] = pair.links.map(|l| self.axis(l, None)) else { return };
+        let inside = |hollow: &Option<usize>| if hollow.is_some() { -1.0 } else { 1.0 };
+        let ratio = match &pair.contours {
+            Contours::Circles { sizes: Sizes::Radii([a, b]), hollow, .. } => inside(hollow) * a.value / b.value,
+            Contours::Circles { sizes: Sizes::Teeth([a, b]), hollow, .. } => inside(hollow) * f64::from(*a) / f64::from(*b),
+            Contours::Belt { radii: [a, b], crossed, .. } => (if *crossed { 1.0 } else { -1.0 }) * a.value / b.value,
+            Contours::Track { .. } => return,
+        };
+        let [first, second] = [first, second].map(|axis| axis.divide_by(line).angle());
+        let off = second + first * ratio - phase.value.radians();
+        let names = pair.links.map(|l| self.scene.link_name(l).to_owned());
+        self.angle_off(off, phase.span, |off| {
+            let [a, b] = &names;
+            both!("wheel {b} is turned {off} from its phase on wheel {a}", "轮 {b} 相对轮 {a} 的相位相差 {off}")
+        });
+    }
+
+    fn cams(&mut self) {
+        for cam in &self.scene.cams {
+            if cam.contact.is_some_and(|g| self.mechanism.is_opened(&Opened::Guide(g))) {
+                continue;
+            }
+            let Some(Contact { clearance, at }) = self.contact(cam) else { continue };
+            self.length_off(clearance, at, cam.span, |j| {
+                let (cam, follower) = (j.scene.link_name(cam.cam), j.scene.link_name(cam.follower));
+                let off = j.scene.length_words(clearance.abs());
+                match clearance < 0.0 {
+                    true => both!("follower {follower} cuts {off} into cam {cam}", "从动件 {follower} 切入凸轮 {cam} 达 {off}"),
+                    false => both!("follower {follower} stands {off} off cam {cam}", "从动件 {follower} 与凸轮 {cam} 相距 {off}"),
+                }
+            });
+        }
+    }
+}
