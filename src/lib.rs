@@ -49,6 +49,8 @@
 //!   pairs; Assur groups in solving order with their legs; the demand of the questions.
 //! - [`position`]: where everything is: a kernel for each dyad, triads, Newton's method for the rest;
 //!   whether what repeats other pairs holds by itself ([`position::redundant`]).
+//! - [`stated`]: proof of a configuration against what the scene states: lengths, sides, guides, drivers, contacts without penetration. It shares nothing with
+//!   the position solver.
 //! - [`motion`]: velocities and accelerations group by group, in any number; [`number`]: the numbers.
 //! - [`plan`]: the vector equations: legs to loci, images, notation profiles, words and symbols. Holds no numbers.
 //! - [`construct`]: the drawing board: the one door between SI and millimetres ([`construct::scale`]), polygons, readings.
@@ -89,7 +91,7 @@
 //! ```text
 //! base       diag json digits trig number geom cam
 //! scene      scene
-//! mechanism  mechanism position answer motion
+//! mechanism  mechanism position stated answer motion
 //! board      plan construct
 //! analytic   analytic
 //! sweep      sweep
@@ -115,16 +117,17 @@
 //! scene      diag json digits trig number geom cam
 //! mechanism  diag scene
 //! position   diag digits trig number geom cam scene mechanism
+//! stated     diag digits trig geom cam scene mechanism position
 //! answer     number geom scene mechanism position
 //! motion     number geom scene mechanism position answer
 //! plan       diag scene mechanism
 //! construct  diag digits number geom scene mechanism position answer plan
 //! analytic   diag geom scene mechanism position answer
-//! sweep      diag digits trig number geom cam scene mechanism position answer analytic
+//! sweep      diag digits trig number geom cam scene mechanism position stated answer analytic
 //! paper      diag json geom scene mechanism plan
 //! render     diag geom paper
 //! accuracy   diag digits number geom scene mechanism position answer motion plan construct analytic
-//! worked     diag digits geom scene mechanism position answer plan construct analytic accuracy
+//! worked     diag digits geom scene mechanism position stated answer plan construct analytic accuracy
 //! certified  diag digits number geom scene mechanism position answer motion plan construct accuracy worked
 //! effort     diag number geom scene mechanism position answer motion plan construct analytic sweep accuracy worked certified
 //! gears      geom

@@ -22,6 +22,7 @@ const NEVER: &[(&str, &str, &str)] = &[
     ("construct", "analytic", "their agreement is evidence only because the drawing does not know the loop equations"),
     ("analytic", "construct", "their agreement is evidence only because the loop equations do not know the drawing"),
     ("analytic", "plan", "the loop equations share the mechanism and its positions with the drawing, nothing else"),
+    ("stated", "motion", "what proves positions shares nothing with what finds them"),
     ("plan", "number", "a plan holds no numbers"),
     ("plan", "position", "a plan holds no numbers"),
 ];

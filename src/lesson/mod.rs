@@ -113,6 +113,7 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
     }
     let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, options.swept);
     let sweep = follower.sweep(options.positions.clamp(8, 360));
+    follower.proved(sweep.poses.iter().map(|p| &p.configuration))?;
     let maker = Maker {
         scene,
         mechanism: &worked.mechanism,

@@ -13,6 +13,7 @@ const KINDS: &[Kinds] = &[
         &[
             "crates/scene/src/scene/",
             "crates/mechanism/src/mechanism/survey.rs",
+            "crates/mechanism/src/stated/",
             "crates/methods/src/centres/",
             "crates/figure/src/figure/mechanism/marks.rs",
             "src/lesson/page.rs",
@@ -43,6 +44,7 @@ const KINDS: &[Kinds] = &[
             "crates/scene/src/scene/rolling.rs",
             "crates/scene/src/scene/cams/geared.rs",
             "crates/scene/src/scene/resolve/",
+            "crates/mechanism/src/stated/",
             "crates/figure/src/figure/mechanism/belts.rs",
             "crates/methods/src/inversions/",
             "crates/report/src/report/given/",

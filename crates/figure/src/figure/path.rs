@@ -83,6 +83,8 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
         &wanted.points,
         wanted.marks.clamp(1, MOST_MARKS),
     );
+    Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept)
+        .proved(moved.moments.iter().chain(&moved.marks).map(|m| &m.configuration))?;
     if moved.moments.len() < 2 {
         let d = Diagnostic::error(
             "no-motion",

@@ -152,9 +152,8 @@ impl Judge<'_> {
     /// Whether a length is that of a link, or ends in a pin, that repeats other pairs and is judged as a virtual constraint.
     fn is_opened_length(&self, a: PointId, b: PointId) -> bool {
         let on = |l: LinkId| [a, b].iter().all(|p| self.scene.links[l.0].points.contains(p));
-        let opened = |l: LinkId| {
-            self.mechanism.is_opened(&Opened::Link(l)) || [a, b].iter().any(|p| self.mechanism.is_opened(&Opened::Pin(*p, l)))
-        };
+        let opened =
+            |l: LinkId| self.mechanism.is_opened(&Opened::Link(l)) || [a, b].iter().any(|p| self.mechanism.is_opened(&Opened::Pin(*p, l)));
         (0..self.scene.links.len()).map(LinkId).filter(|l| on(*l)).any(opened)
     }
 
@@ -171,9 +170,7 @@ impl Judge<'_> {
                     Some(Point::new(x.value, y.value))
                 }
                 Place::InLink { base: (a, b), xy: [x, y] } => self.from_base(*a, *b, Vec2::new(x.value, y.value)),
-                Place::Polar { base: (a, b), length, angle } => {
-                    self.from_base(*a, *b, way_of(&angle.value) * length.value)
-                }
+                Place::Polar { base: (a, b), length, angle } => self.from_base(*a, *b, way_of(&angle.value) * length.value),
             };
             let Some(stated) = stated else { continue };
             if self.scene.carriers(PointId(i)).any(|l| self.mechanism.is_opened(&Opened::Pin(PointId(i), l))) {
@@ -333,7 +330,9 @@ impl Judge<'_> {
                         both!("cylinder {a}{b} is {off} off its length", "缸 {a}{b} 的长度相差 {off}")
                     });
                 }
-                DriverKind::Turn { angle: None, .. } | DriverKind::Slide { position: None, .. } | DriverKind::Cylinder { length: None, .. } => {}
+                DriverKind::Turn { angle: None, .. }
+                | DriverKind::Slide { position: None, .. }
+                | DriverKind::Cylinder { length: None, .. } => {}
             }
         }
     }

@@ -21,6 +21,7 @@ mod law;
 mod mistake;
 pub mod model;
 mod names;
+mod parameters;
 pub mod quantity;
 mod raw;
 pub mod readings;

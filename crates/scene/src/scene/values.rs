@@ -8,6 +8,7 @@ use super::exact;
 use super::expr::{self, Expr};
 use super::front::{self, Law};
 use super::model::{Angle, Given};
+use super::parameters;
 use super::raw::RawQuantity;
 use super::units::{Dim, Wanted};
 use crate::diag::{Both, Diagnostic, Faults, Span, both};
@@ -46,7 +47,7 @@ pub(super) struct Values<'a> {
 }
 
 impl<'a> Values<'a> {
-    /// Reads the `units` table and the parameters, in order.
+    /// Reads the `units` table and the parameters, each after those that it names; the parameters in this order.
     pub fn new(
         source: &'a str,
         units: &[(Word, Word)],
@@ -65,7 +66,9 @@ impl<'a> Values<'a> {
             values.unit(key, unit, faults);
         }
         let mut list = Vec::new();
-        for (name, quantity) in parameters {
+        let (order, circular) = parameters::by_dependence(parameters);
+        faults.list.extend(circular);
+        for (name, quantity) in order.into_iter().map(|i| &parameters[i]) {
             let value = match values.evaluate(quantity) {
                 Ok((_, value, ball)) => Some(Known { value, ball }),
                 Err(fault) => {

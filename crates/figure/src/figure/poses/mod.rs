@@ -80,6 +80,7 @@ impl Poses {
         let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept);
         let sweep = follower.sweep(STEPS);
         let poses = at_equal_steps(&follower, &sweep, wanted.count);
+        follower.proved(poses.iter().map(|p| &p.configuration))?;
         let work = |scene: &Scene, pose: &Pose| {
             let (m, demand) = (worked.mechanism.clone(), worked.demand.clone());
             work_placed(scene, m, demand, pose.configuration.clone()).ok().map(|w| w.value)

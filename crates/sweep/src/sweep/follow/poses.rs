@@ -8,10 +8,12 @@ use super::step::{Pose, STRAY, foretold, stray};
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
+use crate::diag::Faults;
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::{self, Configuration, newton};
 use crate::scene::{Given, LinkId, Scene, Swept};
 use crate::scene::{driver_position, with_driver_at};
+use crate::stated::{self, Moment};
 
 use crate::sweep::extreme::turns_seen;
 use crate::sweep::train::Train;
@@ -184,6 +186,14 @@ impl<'a> Follower<'a> {
         poses.push(start);
         poses.extend(up);
         Sweep { poses, full: false, limits: [low, high], turns: seen }
+    }
+
+    /// Checks that positions of this motion meet what the scene states.
+    ///
+    /// # Errors
+    /// `position-unproven`, those of the first position that breaks a statement.
+    pub fn proved<'c>(&self, positions: impl IntoIterator<Item = &'c Configuration>) -> Result<(), Faults> {
+        positions.into_iter().try_for_each(|at| stated::proved(&self.scene, self.mechanism, at, Moment::Later(self.base)))
     }
 
     /// The turns of the driver after which everything stands as it did; 0: never.
