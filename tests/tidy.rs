@@ -252,6 +252,29 @@ fn the_map_lists_every_room() {
     finish(&faults, "The crate's documentation in src/lib.rs lists every room that it and the crates under it declare.");
 }
 
+/// The proof of positions takes from the position solver the value that it proves, and nothing else.
+#[test]
+fn the_proof_of_positions_shares_nothing_with_their_solver() {
+    let (mut files, mut faults) = (0, Vec::new());
+    for (name, text) in code().into_iter().filter(|(name, _)| room_of(name) == "stated") {
+        files += 1;
+        for (i, _) in text.match_indices("position::") {
+            let rest = text[i + "position::".len()..].split([';', '\n']).next().unwrap_or_default();
+            if rest != "Configuration" {
+                faults.push(format!("{name}: position::{rest}"));
+            }
+        }
+        faults.extend(
+            ["guides[", "guide(", "closures", ".shapes"]
+                .iter()
+                .filter(|word| text.contains(&format!("at.{word}")))
+                .map(|word| format!("{name} reads `{word}` of the configuration: that is the solver's, the scene states it")),
+        );
+    }
+    assert!(files > 1, "{files}");
+    finish(&faults, "What proves positions reads the scene, and of the configuration places and directions of links alone.");
+}
+
 /// Cargo forbids a crate what it does not name; which rooms share one is the map's.
 #[test]
 fn crates_hold_the_rooms_that_the_map_says() {

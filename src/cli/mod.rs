@@ -48,7 +48,7 @@ use crate::plan::text::Writer;
 use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price, statement, trains};
 use crate::scene::{self, Lang, Scene, Swept};
 use crate::sweep::follow::course;
-use crate::worked::{Scope, Worked, joint, work};
+use crate::worked::{Scope, Worked, instant, work};
 use args::{Args, Command, Common};
 use clap::FromArgMatches;
 use draw::style_of;
@@ -261,10 +261,9 @@ impl Input {
 
     /// At a joint of two pieces of a cam's profile, on the piece that follows.
     fn going_on(mut self) -> Input {
-        if let Some((scene, note)) = joint::going_on(&self.scene) {
-            self.scene = scene;
-            self.notes.push(note);
-        }
+        let Warned { value, notes } = instant(self.scene);
+        self.scene = value;
+        self.notes.extend(notes);
         self
     }
 

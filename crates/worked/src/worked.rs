@@ -6,12 +6,13 @@
 pub mod contact;
 mod far;
 mod higher;
-pub mod joint;
+mod joint;
 mod sizes;
 #[cfg(test)]
 mod tests;
 
 pub use far::{Far, NoAnswer, Unanswered};
+pub use joint::instant;
 
 use self::sizes::Sizes;
 use crate::accuracy::Rung;
@@ -145,12 +146,13 @@ fn blur_of(pose: &Solution) -> f64 {
     crate::accuracy::ROUNDING + 16.0 * off
 }
 
-/// Works a scene through.
+/// Works a scene through; one that may stand at a joint of two pieces of a cam's profile is taken by [`instant`] first.
 ///
 /// # Errors
-/// The faults of the first stage that has any. A pose in which some parts have no motion is no fault: their questions are
+/// The faults of the first stage that has any; `position-unproven` where the position that was found breaks a statement of the scene. A pose in which some parts have no motion is no fault: their questions are
 /// [`Worked::unanswered`].
 pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
+    joint::goes_on(scene)?;
     let Warned { value: mechanism, mut notes } = Mechanism::new(scene)?;
     let mut demand = Demand::of(scene, &mechanism);
     // What only repeats the others is checked by its pins as far as the motion is asked for.

@@ -70,6 +70,13 @@ const PARALLEL: f64 = 1e-15;
 /// touch exactly, rounding may leave −4u of its terms. A radicand below that is a miss, not a touch.
 const TOUCH: f64 = 8.0 * f64::EPSILON;
 
+/// By how many times the distance of the centres may be smaller than the size of two circles before the slack of their inner touch is counted by that
+/// distance: where it is not small, the two measures differ by less than this.
+const CLOSE: f64 = 16.0;
+
+/// Part of the radius by which the point where two circles touch may be off them: rounding makes some 1e-8 of it, circles about one centre miss by all of it.
+const COINCIDE: f64 = 1e-6;
+
 /// Whether a radicand is negative beyond what its rounding explains; `size` is that of its terms. Numbers that know their error
 /// say so themselves: a middle is nothing to judge by where the bound is wide.
 fn misses<N: Real>(radicand: N, size: N) -> bool {
@@ -133,7 +140,14 @@ fn circles<N: Real>(p: Point<N>, r: N, q: Point<N>, s: N) -> Result<Vec<Point<N>
     if misses(inner, terms) {
         return Err(Miss::TooNear(((r - s).approx().abs() - d2.approx().sqrt()) / k));
     }
-    let [foot, side] = chord(d, d2, touching(outer, terms) * touching(inner, terms), r, s);
+    // d² − (r−s)² is off by what a rounded d makes of it: of circles about nearly one centre far less than their squares.
+    let close = N::from_f64(terms.approx().min(CLOSE * d2.approx().sqrt() * terms.approx().sqrt()));
+    let m = touching(outer, terms) * touching(inner, close);
+    let [foot, side] = chord(d, d2, m, r, s);
+    // Circles that touch do so at their radius from the centre; otherwise they coincide but for rounding, and meet everywhere.
+    if m.approx() == 0.0 && (foot.approx().norm() - r.approx()).abs() > COINCIDE * r.approx() {
+        return Err(Miss::Parallel((r - s).approx().abs() / k));
+    }
     Ok(vec![p + (foot + side) * back, p + (foot - side) * back])
 }
 
@@ -193,6 +207,18 @@ mod tests {
         assert!((two[0] - two[1]).norm() < 1e-8);
         assert_eq!(meet(circle(0.0, 0.0, 1.0), circle(5.0, 0.0, 3.0)), Err(Miss::TooFar(1.0)));
         assert_eq!(meet(circle(0.0, 0.0, 5.0), circle(1.0, 0.0, 1.0)), Err(Miss::TooNear(3.0)));
+    }
+
+    #[test]
+    fn equal_circles_about_nearly_one_centre_meet_on_both_or_coincide() {
+        for e in [-30, -36, -40, -44, -48] {
+            let d = libm::ldexp(0.15, e);
+            for p in meet(circle(0.0, 0.0, 0.15), circle(d, 0.0, 0.15)).unwrap_or_default() {
+                assert!((p.to_vec2().norm() - 0.15).abs() < 1e-12 && p.y.abs() > 0.14, "{e}: {p:?}");
+            }
+        }
+        assert!(meet(circle(0.0, 0.0, 0.15), circle(1e-13, 0.0, 0.15)).is_ok());
+        assert!(matches!(meet(circle(0.0, 0.0, 0.15), circle(1e-18, 0.0, 0.15)), Err(Miss::Parallel(_))));
     }
 
     #[test]

@@ -7,7 +7,7 @@
 
 use crate::analytic::{self, Solution};
 use crate::answer::{Source, Value};
-use crate::diag::{Both, Diagnostic, both};
+use crate::diag::{Both, Diagnostic, Faults, Severity, Warned, both};
 use crate::digits::significant;
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::position::{self, Configuration, pieces};
@@ -52,9 +52,36 @@ impl Moving {
     }
 }
 
-/// The scene as it goes on from its instant, with the note that tells both accelerations where a joint of two pieces is touched; `None` where none
-/// is.
-pub fn going_on(scene: &Scene) -> Option<(Scene, Diagnostic)> {
+/// The scene as it goes on from its instant: at a joint of two pieces of a cam's profile it touches the piece that follows, and a note tells both
+/// accelerations. Everywhere else it is the scene itself.
+pub fn instant(scene: Scene) -> Warned<Scene> {
+    match at_joint(&scene) {
+        Some(Joint { next: Some(next), note }) => Warned { value: next, notes: vec![note] },
+        Some(Joint { next: None, note }) => Warned { value: scene, notes: vec![note] },
+        None => Warned { value: scene, notes: Vec::new() },
+    }
+}
+
+/// Refuses a scene whose follower leaves the piece that it touches at this very instant.
+///
+/// # Errors
+/// `joint`: the scene is to be taken by [`instant`] first.
+pub(super) fn goes_on(scene: &Scene) -> Result<(), Faults> {
+    let Some(Joint { next: Some(_), note }) = at_joint(scene) else { return Ok(()) };
+    let d = Diagnostic { severity: Severity::Error, ..note };
+    Err(d.help(both!("take the scene by `worked::instant`, which chooses the piece", "请先用 `worked::instant` 取定所接触的廓线段")).into())
+}
+
+/// A pose in which two pieces of a profile meet.
+struct Joint {
+    /// The scene on the other piece, where that is the one that follows.
+    next: Option<Scene>,
+    /// Both accelerations.
+    note: Diagnostic,
+}
+
+/// The joint that is touched in the pose, if one is and the accelerations jump there.
+fn at_joint(scene: &Scene) -> Option<Joint> {
     let told = |c: &Cam| c.posed.as_ref().is_some_and(|p| !p.others.is_empty());
     let (index, cam) = scene.cams.iter().enumerate().find(|(_, c)| told(c))?;
     let pieces = cam.posed.as_ref()?;
@@ -76,7 +103,7 @@ pub fn going_on(scene: &Scene) -> Option<(Scene, Diagnostic)> {
         Both::join(&jumps, ", ", "、")
     );
     let note = Diagnostic::note("joint", message).at(cam.span);
-    Some((if onward { taken_over(scene, index, beside)? } else { scene.clone() }, note))
+    Some(Joint { next: if onward { Some(taken_over(scene, index, beside)?) } else { None }, note })
 }
 
 /// The scene on another piece of a cam, which knows the rest of them.
