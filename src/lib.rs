@@ -122,7 +122,7 @@
 //! motion     number geom scene mechanism position answer
 //! plan       diag scene mechanism
 //! construct  diag digits number geom scene mechanism position answer plan
-//! analytic   diag geom scene mechanism position answer
+//! analytic   diag geom cam scene mechanism position answer
 //! sweep      diag digits trig number geom cam scene mechanism position stated answer analytic
 //! paper      diag json geom scene mechanism plan
 //! render     diag geom paper

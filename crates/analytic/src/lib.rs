@@ -11,7 +11,7 @@
 // The maps name private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
-use hodograph_base::{diag, geom};
+use hodograph_base::{cam, diag, geom};
 use hodograph_mechanism::{answer, mechanism, position};
 use hodograph_scene::scene;
 

@@ -10,6 +10,7 @@
 
 mod asked;
 mod blocks;
+mod cams;
 mod factor;
 mod fork;
 mod jet;

@@ -3,6 +3,7 @@
 //! Lengths are divided by a power of two near the size of the mechanism, so that rows of lengths and of angles compare,
 //! and so that scaling the scene by 2^k changes no digit.
 
+use super::cams::is_of_law;
 use super::relation::{Handle, Pair, Relation, Row};
 use super::{LinkMotion, Solution};
 use crate::geom::{Point, Vec2};
@@ -137,7 +138,8 @@ impl Layout {
         let mut rows = Vec::new();
         self.revolutes(scene, at, &mut rows);
         let demanded = |item: Item, of: Pair| constraints_of(scene, item).map(move |c| (c.form(), of));
-        for g in (0..scene.guides.len()).map(GuideId).filter(|g| self.holds[g.0]) {
+        self.by_laws(scene, at, &mut rows);
+        for g in (0..scene.guides.len()).map(GuideId).filter(|g| self.holds[g.0] && !is_of_law(scene, *g)) {
             let (turning, places): (Vec<_>, Vec<_>) =
                 demanded(Item::Guide(g), Pair::Guide(g)).partition(|(form, _)| matches!(form, Form::Angles { .. }));
             turning.into_iter().for_each(|(form, of)| self.demand(scene, at, form, of, &mut rows));
@@ -229,7 +231,7 @@ impl Layout {
     }
 
     /// ω_a − ω_b = rate.
-    fn lock(&self, scene: &Scene, a: LinkId, b: LinkId, drive: [f64; 2], of: Pair) -> Option<Row> {
+    pub(super) fn lock(&self, scene: &Scene, a: LinkId, b: LinkId, drive: [f64; 2], of: Pair) -> Option<Row> {
         let (ha, hb) = (self.body(scene, a, Point::ORIGIN)?, self.body(scene, b, Point::ORIGIN)?);
         let mut c = Vec::new();
         if let Some(i) = ha.first {
@@ -268,7 +270,7 @@ impl Layout {
         }
     }
 
-    fn along_path(
+    pub(super) fn along_path(
         &self,
         scene: &Scene,
         at: &Configuration,

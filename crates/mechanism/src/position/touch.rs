@@ -43,7 +43,7 @@ fn by_pair<N: Real>(scene: &Scene, cam: &Cam, guide: GuideId, points: &[Option<P
         // The end's centre runs about that of the arc: outside it, in a hollow between it and the arc.
         (Path::Arc { centre, .. }, Some(end)) => {
             let away = (pin - centre).unit()?;
-            let normal = if cam.touched_radius()? < 0.0 { -away } else { away };
+            let normal = if cam.touched_radius()? + end < 0.0 { -away } else { away };
             Some(Touch { at: pin - normal * number(end)?, normal })
         }
         // Lines of a profile run counter-clockwise round the cam, which lies to their left.

@@ -4,7 +4,7 @@
 //! direction of its normal. Which piece of the profile the solver took plays no part.
 
 use super::Judge;
-use crate::cam::{Disc, Follower, Motion, Segment, Side, Touch};
+use crate::cam::{Follower, Motion, Segment, Side, Touch};
 use crate::geom::{Point, Vec2};
 use crate::scene::{Cam, DriverKind, PointId, Turning};
 
@@ -118,7 +118,7 @@ impl Judge<'_> {
         // The law counts from its start in the sense in which the cam turns in its carrier.
         let phi = t.disc.sense * (frame.axis.divide_by(carrier).angle() - t.start);
         let at = self.place(cam.follows.point())?;
-        let here = self.coordinate(&t.disc, frame.origin, carrier, at, t.by_law)?;
+        let here = self.coordinate(cam, t, frame.origin, carrier)?;
         // At a jump of the law both sides are its places.
         let off = [Side::Before, Side::After].into_iter().filter_map(|side| {
             let due = t.disc.coordinate(phi, side)?.value();
@@ -135,13 +135,24 @@ impl Judge<'_> {
     }
 
     /// The coordinate of a placed follower, as its geometry counts it.
-    fn coordinate(&self, disc: &Disc, centre: Point, carrier: Vec2, at: Point, driver: Option<usize>) -> Option<f64> {
-        match disc.follower {
-            Follower::Translating { direction, .. } => Some((at - centre).dot(direction.rotate_by(carrier))),
+    fn coordinate(&self, cam: &Cam, t: &Turning, centre: Point, carrier: Vec2) -> Option<f64> {
+        let end = cam.follows.point();
+        match t.disc.follower {
+            Follower::Translating { direction, .. } => Some((self.place(end)? - centre).dot(direction.rotate_by(carrier))),
             Follower::Oscillating { pivot, sense, .. } => {
-                let (a, b) = self.line_of_driver(driver?)?;
-                let arm = (self.place(b)? - self.place(a)?).divide_by(carrier);
-                Some((arm.divide_by(Vec2::ZERO - pivot)).angle() * sense)
+                let arm = match (t.by_law, t.disc.touch) {
+                    (Some(driver), _) => {
+                        let (a, b) = self.line_of_driver(driver)?;
+                        self.place(b)? - self.place(a)?
+                    }
+                    // The outward normal is the direction of the face turned by a quarter, in the sense in which it goes out.
+                    (None, Touch::Flat { .. }) => self.face(cam)?.1.perp() * -sense,
+                    (None, Touch::Point { .. }) => {
+                        let shared = |p: &&PointId| **p != end && self.scene.links[t.frame.0].points.contains(*p);
+                        self.place(end)? - self.place(*self.scene.links[cam.follower.0].points.iter().find(shared)?)?
+                    }
+                };
+                Some(arm.divide_by(carrier).divide_by(Vec2::ZERO - pivot).angle() * sense)
             }
         }
     }

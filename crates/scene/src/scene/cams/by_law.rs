@@ -1,4 +1,4 @@
-//! A profile by a law: the stages read, the driver written that stands for the contact.
+//! A profile by a law: the stages read, and written what stands for the contact.
 
 use super::super::model::*;
 use super::super::raw::{RawQuantity, RawScene};
@@ -6,7 +6,8 @@ use super::super::units::Wanted;
 use super::Turning;
 use super::carrier::Lacking;
 use super::expand::{One, Pending};
-use super::law::{self, LawText, StageText};
+use super::law::{self, LawText, StageText, Stands};
+use super::pairs::Contact;
 use super::place::{self, Carried, OnPivot, Told};
 use super::raw::*;
 use crate::cam::{Disc, Law, Motion, Program, Side, Stage, Surveyed, Touch, Way};
@@ -143,9 +144,11 @@ impl One<'_> {
             Touch::Point { .. } => Some(end.map_or_else(|| "0 mm".to_owned(), |r| r.text)),
             Touch::Flat { .. } => None,
         };
+        let far_out = offset.clone();
         let lever = offset.map(|o| if sense < 0.0 { format!("-({})", o.text) } else { o.text });
         let at = law::At {
             scene: self.bare,
+            of: self.names.link(&self.raw.cam).ok()?,
             cam: &on,
             carried: &carried,
             point,
@@ -155,14 +158,37 @@ impl One<'_> {
             follower: &self.raw.follower.text,
             span: self.raw.span,
         };
-        let written = law::driver(&at, &disc, &program, &text, (phi, along), &self.name)?;
+        let written = law::written(&at, &disc, &program, &text, (phi, along), &self.name)?;
         self.joint(&disc, phi, &on, faults);
         let quantity = |text: String| RawQuantity { text, span: self.raw.span, bare: false };
         for (name, text) in written.parameters {
             raw.parameters.push((Word { text: name, span: self.raw.span }, quantity(text)));
         }
-        let by_law = Some(raw.drivers.len());
-        raw.drivers.push(written.driver);
+        let by_law = match written.stands {
+            Stands::Driver(driver) => {
+                raw.drivers.push(driver);
+                Some(raw.drivers.len() - 1)
+            }
+            Stands::Arc { place, radius } => {
+                let station = disc.station(phi, along)?;
+                let (follows, value) = match &face {
+                    Some(face) => (RawFollows::Face(face.clone()), station.rho),
+                    None => (self.raw.follows.clone(), station.rho_pitch.abs()),
+                };
+                pending.rough = self.sketch(raw, &disc, phi, (&on, &follows));
+                let contact = Contact {
+                    cam: &self.raw.cam.text,
+                    follower: &self.raw.follower.text,
+                    follows: &follows,
+                    end: None,
+                    offset: far_out,
+                    span: self.raw.span,
+                };
+                pending.contact = Some(raw.guides.len());
+                contact.about(raw, place, &Told { value, text: radius })?;
+                None
+            }
+        };
         let (origin, outward) = place::origin(&carried, on.spot.at(), &disc.follower);
         let turning = Turning {
             frame: on.frame,

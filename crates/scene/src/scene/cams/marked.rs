@@ -38,8 +38,8 @@ pub(in crate::scene) fn marked(raw: &RawScene) -> RawScene {
             let pair = format!("{},{name}", found.points[0].text);
             found.points.push(Word { text: name, span: cam.span });
             out.lengths.push((Word { text: pair.clone(), span: cam.span }, radius.clone()));
-            if let (RawFollows::Face(face), RawProfile::Parts(_), "W") = (&mut out.cams[i].follows, &cam.profile, proposed) {
-                face.line = Some(Word { text: pair, span: cam.span });
+            if let (RawFollows::Face(face), "W") = (&mut out.cams[i].follows, proposed) {
+                face.line.get_or_insert(Word { text: pair, span: cam.span });
             }
         }
     }

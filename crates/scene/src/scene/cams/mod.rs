@@ -3,7 +3,8 @@
 //! A cam is replaced before the scene is resolved, so that everything after sees lower pairs only:
 //! - a circle against a round end: the follower's point runs in a slot of the cam about the circle's centre; a line: in a straight slot;
 //! - a circle against a flat face: its centre runs in a straight guide of the follower;
-//! - a law: the follower is a driver of its own, whose place, rate and acceleration are s, s′ω, s″ω² + s′α.
+//! - a law: an arc about the centre of curvature of its profile at the contact; where that is too far off the follower is a driver of its own, whose place, rate
+//!   and acceleration are s, s′ω, s″ω² + s′α.
 //!
 //! Right for velocity and acceleration at the instant, exact along circles and lines. Of a profile of several pieces the one that is touched in
 //! the pose is taken; at a joint of two, that which follows in the driver's sense.
@@ -108,7 +109,7 @@ impl Cam {
         self.posed.as_ref().is_some_and(|p| p.led.as_ref().is_some_and(|(k, _)| *k == driver))
     }
 
-    /// The radius of the arc that is touched in the pose (m), minus where it is hollow; nothing of a line, and of a law.
+    /// The radius of curvature of the profile where it is touched in the pose (m), minus where it is hollow; nothing of a line.
     pub fn touched_radius(&self) -> Option<f64> {
         let of = |segments: &[Segment], i: usize| match segments.get(i) {
             Some(Segment::Arc { radius, .. }) => Some(*radius),
@@ -116,7 +117,7 @@ impl Cam {
         };
         let of_disc = |t: &Turning| match &t.disc.motion {
             Motion::Profile(segments) => of(segments, t.touched?),
-            Motion::Law { .. } => None,
+            Motion::Law { .. } => t.disc.station(t.phi, t.side).map(|s| s.rho),
         };
         let several = || self.posed.as_ref().and_then(|p| of(&p.segments, p.touched));
         self.circle.map(|c| c.1).or_else(|| self.disc.as_ref().and_then(of_disc)).or_else(several)

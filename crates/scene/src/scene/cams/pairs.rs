@@ -1,6 +1,6 @@
 //! A piece of a profile as a pair: a slot about the centre of a circle, a straight slot, or a guide of the follower for a circle's centre.
 
-use super::super::raw::{RawGuide, RawQuantity, RawScene};
+use super::super::raw::{RawGuide, RawPlace, RawQuantity, RawScene};
 use super::place::Told;
 use super::raw::{RawFace, RawFollows};
 use crate::cam::outline::Part;
@@ -79,6 +79,23 @@ impl Contact<'_> {
             offset: Some(self.quantity(text)),
             ..self.blank()
         }
+    }
+
+    /// Writes the pair of an arc whose centre is a point of the cam at a place of its own: about it runs the centre of a round end, at this radius, or a face keeps
+    /// that distance from it.
+    pub fn about(&self, raw: &mut RawScene, place: RawPlace, radius: &Told) -> Option<()> {
+        let centre = fresh(raw, &["K", "F", "G", "H"]);
+        let none = Told { value: 0.0, text: "0 mm".into() };
+        let guide = match self.follows {
+            RawFollows::Face(face) => self.face(face, &centre, radius),
+            RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. } => {
+                self.slot(self.follows.pin()?, &centre, radius, &none)
+            }
+        };
+        raw.points.push((self.word(&centre), place));
+        raw.links.iter_mut().find(|l| l.name.text == self.cam)?.points.push(self.word(&centre));
+        raw.guides.push(guide);
+        Some(())
     }
 
     /// Writes the pair of one part of the profile into the scene. `None` where a face would lie on a line.
