@@ -72,6 +72,13 @@ impl Judge<'_> {
         Some(Frame { origin: self.place(t.pivot)?, axis: self.axis(cam.cam, None)? })
     }
 
+    /// By how much a cam is turned from the angle in its carrier that the scene gives it (rad); `None` of one circle, whose piece needs no angle.
+    pub(super) fn turned_off(&self, cam: &Cam) -> Option<f64> {
+        let t = cam.disc.as_ref().filter(|_| cam.circle.is_none())?;
+        let is = self.cam_frame(cam, t)?.axis.divide_by(self.carrier_axis(t)?).angle();
+        Some(is - t.start - t.disc.sense * t.phi)
+    }
+
     /// A point of the face and its normal out of the cam, as the scene states them.
     fn face(&self, cam: &Cam) -> Option<(Point, Vec2)> {
         let Some(g) = cam.contact else { return self.face_of_driven(cam) };

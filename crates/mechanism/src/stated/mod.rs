@@ -362,7 +362,7 @@ impl Judge<'_> {
         }
     }
 
-    /// The phase of two wheels: φ₂ + φ₁ρ₁/ρ₂ = phase, both angles counted from the line of centres and less than half a turn.
+    /// The phase of two wheels: φ₂ + φ₁ρ₁/ρ₂ = phase, both angles counted from the line of centres, φ₁ with as many turns as the phase means.
     fn phase(&mut self, pair: &Rolling) {
         let (Some(phase), Some([p, q])) = (&pair.phase, pair.round()) else { return };
         let (Some(a), Some(b)) = (self.place(p), self.place(q)) else { return };
@@ -376,7 +376,14 @@ impl Judge<'_> {
             Contours::Track { .. } => return,
         };
         let [first, second] = [first, second].map(|axis| axis.divide_by(line).angle());
-        let off = second + first * ratio - phase.value.radians();
+        let stated = phase.value.radians();
+        let turns = libm::ceil((stated / ratio / TAU).abs()).min(64.0) as i32;
+        let turns = if stated.abs() > std::f64::consts::PI { -turns..=turns } else { 0..=0 };
+        let off = |k: i32| {
+            let off = second + (first + TAU * f64::from(k)) * ratio - stated;
+            off - TAU * libm::round(off / TAU)
+        };
+        let off = turns.map(off).min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(f64::NAN);
         let names = pair.links.map(|l| self.scene.link_name(l).to_owned());
         self.angle_off(off, phase.span, |off| {
             let [a, b] = &names;
@@ -388,6 +395,12 @@ impl Judge<'_> {
         for cam in &self.scene.cams {
             if cam.contact.is_some_and(|g| self.mechanism.is_opened(&Opened::Guide(g))) {
                 continue;
+            }
+            if let (Some(off), Moment::Instant) = (self.turned_off(cam), self.moment) {
+                let name = self.scene.link_name(cam.cam).to_owned();
+                self.angle_off(off, cam.span, |off| {
+                    both!("cam {name} is turned {off} from its given angle", "凸轮 {name} 与给定角度相差 {off}")
+                });
             }
             let Some(Contact { clearance, at }) = self.contact(cam) else { continue };
             self.length_off(clearance, at, cam.span, |j| {
