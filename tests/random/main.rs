@@ -6,6 +6,7 @@
 
 mod asked;
 mod bad;
+mod cam_digits;
 mod cams;
 mod centres;
 mod composite;

@@ -9,6 +9,7 @@ use super::expand::{One, Pending, follower_sense};
 use super::law::{self, LawText, StageText};
 use super::place::{self, Carried, OnPivot, Told};
 use super::raw::*;
+use super::texts::MotionTexts;
 use crate::cam::{Disc, Law, Motion, Program, Side, Stage, Surveyed, Touch, Way};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
@@ -130,6 +131,7 @@ impl One<'_> {
         }
         let phi = turn * (on.angle.value - start);
         let along = if on.rate * turn < 0.0 { Side::Before } else { Side::After };
+        let end_point = point;
         // The mark that tells the direction of a lever with a face is the last point of its link.
         let point = match (&carried, &face) {
             (Carried::Pivot { .. }, Some(_)) => {
@@ -143,6 +145,8 @@ impl One<'_> {
             Touch::Flat { .. } => None,
         };
         let lever = offset.map(|o| if sense < 0.0 { format!("-({})", o.text) } else { o.text });
+        let touching = lever.clone().or_else(|| radius.clone());
+        let texts = self.texts((&on, &carried), (end_point, touching), (phi, &text.start), Some(MotionTexts::of_law(&text)));
         let at = law::At {
             scene: self.bare,
             cam: &on,
@@ -179,6 +183,7 @@ impl One<'_> {
             touched: None,
             rough: None,
             side: along,
+            texts,
         };
         pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
         Some(())
