@@ -4,7 +4,8 @@
 //! solve: a joint has a closed form, or is where two pieces hold the follower equally far out; an extreme is where a derivative is zero. The zero is found
 //! by the secant and lies surely between two places where the signs of the function differ.
 
-use super::survey::{Peak, Phase};
+use super::survey::Phase;
+use super::turn::Peak;
 use super::{Branch, Disc, Motion, Side, Station, Survey, Surveyed, Touch, in_half_turns, whole_turns};
 use crate::number::Real;
 use std::f64::consts::TAU;

@@ -14,17 +14,21 @@ pub mod jet;
 pub mod law;
 pub mod outline;
 pub mod program;
+mod round;
 pub mod survey;
 #[cfg(test)]
 mod tests;
+mod turn;
 
-pub use disc::{Branch, Disc, Follower, Motion, Station, Touch, round};
+pub use disc::{Branch, Disc, Follower, Motion, Station, Touch};
 pub use exact::Exact;
 pub use jet::Jet;
 pub use law::Law;
 pub use outline::Segment;
 pub use program::{Jump, Program, Shock, Stage, Way};
+pub use round::round;
 pub use survey::{Fault, Survey, Surveyed};
+pub use turn::Peak;
 
 use crate::number::Real;
 

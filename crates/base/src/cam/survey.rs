@@ -1,6 +1,7 @@
 //! A whole turn of a cam: strokes and their angles, extremes, shocks, least radius of curvature, undercut and the base circle that avoids it.
 
 use super::program::{Jump, Shock};
+use super::turn::{Peak, Turn, sampled, zero};
 use super::{Disc, Motion, Side, Station, Touch};
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
@@ -46,23 +47,6 @@ pub enum Fault {
 /// An extreme of a quantity: where and how much.
 pub type Extreme = (f64, f64);
 
-/// An extreme with the side of a joint from which it is seen.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Peak {
-    /// The angle of the cam (rad), from 0 on.
-    pub phi: f64,
-    /// At a joint the side on which the value is so great.
-    pub side: Side,
-    /// How much.
-    pub value: f64,
-}
-
-impl Peak {
-    fn extreme(self) -> Extreme {
-        (self.phi, self.value)
-    }
-}
-
 /// A piece of the turn in which the follower goes out, rests, or comes back.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phase {
@@ -107,8 +91,8 @@ pub struct Survey {
     pub faults: Vec<Fault>,
 }
 
-/// Samples between two corners.
-const SAMPLES: usize = 240;
+/// What some ten operations lose, as a part of the largest number among them.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// A jump is one of more than this part of the largest value of its kind.
 const JUMP: f64 = 1e-7;
 
@@ -182,11 +166,21 @@ impl Survey {
         survey
     }
 
-    /// The lift and its derivatives at an angle.
+    /// The lift and its derivatives at an angle; zero where rounding of the follower's coordinate makes as much.
     pub fn lift(&self, disc: &Disc, phi: f64, side: Side) -> Option<[f64; 4]> {
         let mut q = disc.coordinate(phi, side)?.0;
-        q[0] -= self.rest;
+        let (lift, rounding) = match &disc.motion {
+            Motion::Law { program, .. } => (program.lift(phi, side).value(), ROUNDING * self.stroke),
+            Motion::Profile(_) => (q[0] - self.rest, ROUNDING * self.rest.abs().max(self.stroke)),
+        };
+        q[0] = lift;
+        let most = [rounding, ROUNDING * self.greatest(&self.velocity), ROUNDING * self.greatest(&self.acceleration)];
+        q.iter_mut().zip(most).filter(|(x, rounding)| x.abs() <= *rounding).for_each(|(x, _)| *x = 0.0);
         Some(q)
+    }
+
+    fn greatest(&self, [low, high]: &[Extreme; 2]) -> f64 {
+        low.1.abs().max(high.1.abs())
     }
 
     /// Looks for what does not work.
@@ -233,82 +227,6 @@ impl Survey {
     /// The phases of a kind.
     pub(super) fn phases_of(&self, way: i8, out: bool) -> impl Iterator<Item = &Phase> {
         self.phases.iter().filter(move |p| p.way == way && (way != 0 || p.out == out))
-    }
-}
-
-/// A turn cut at its corners.
-struct Turn {
-    corners: Vec<f64>,
-    spans: Vec<[f64; 2]>,
-}
-
-/// Angles through a span, its ends seen from within.
-fn sampled([from, to]: [f64; 2]) -> impl Iterator<Item = (f64, Side)> {
-    (0..=SAMPLES).map(move |k| match k {
-        0 => (from, Side::After),
-        SAMPLES => (to, Side::Before),
-        k => (from + (to - from) * k as f64 / SAMPLES as f64, Side::After),
-    })
-}
-
-impl Turn {
-    fn of(disc: &Disc) -> Turn {
-        let corners = disc.corners();
-        let mut at = if corners.is_empty() { vec![0.0] } else { corners.clone() };
-        at.dedup_by(|a, b| (*a - *b).abs() < 1e-10);
-        let ends: Vec<f64> = at.iter().skip(1).copied().chain([at[0] + TAU]).collect();
-        let spans = at.into_iter().zip(ends).map(|(a, b)| [a, b]).filter(|[a, b]| b - a > 1e-10).collect();
-        Turn { corners, spans }
-    }
-
-    /// The greatest value of a function, given with its derivative by φ: at an end of a span as it is seen from within, or where between two samples
-    /// the derivative passes through zero from above.
-    fn best(&self, f: impl Fn(f64, Side) -> Option<[f64; 2]>) -> Option<Peak> {
-        let mut most: Option<Peak> = None;
-        let mut consider = |phi: f64, side: Side, value: f64| {
-            // The first of equals.
-            if most.is_none_or(|m| value > m.value + 1e-13 * m.value.abs()) {
-                most = Some(Peak { phi: super::in_turn(phi), side, value });
-            }
-        };
-        // Without corners the turn has no ends: it is looked at a step further, beyond its start.
-        let round = self.corners.is_empty();
-        for &[from, to] in &self.spans {
-            let beyond = (round).then(|| (to + (to - from) / SAMPLES as f64, Side::After));
-            let samples: Vec<(f64, Side, Option<[f64; 2]>)> =
-                sampled([from, to]).chain(beyond).map(|(phi, side)| (phi, side, f(phi, side))).collect();
-            for (k, &(phi, side, here)) in samples.iter().enumerate() {
-                let Some([value, slope]) = here else { continue };
-                let end = k == 0 || k + 1 == samples.len();
-                // Of what stays the same the first place is taken.
-                if end && !round || k == 0 && slope == 0.0 {
-                    consider(phi, side, value);
-                }
-                let Some(&(next, _, Some([_, then]))) = samples.get(k + 1) else { continue };
-                if slope > 0.0 && then <= 0.0 {
-                    let at = zero([phi, next], |phi| f(phi, Side::After).map(|v| v[1]));
-                    if let Some([value, _]) = f(at, Side::After) {
-                        consider(at, Side::After, value);
-                    }
-                }
-            }
-        }
-        most.or_else(|| f(0.0, Side::After).map(|[value, _]| Peak { phi: 0.0, side: Side::After, value }))
-    }
-}
-
-/// Where a function that is greater than zero at the first end and not at the second passes through zero, by bisection, to rounding.
-fn zero([mut a, mut b]: [f64; 2], f: impl Fn(f64) -> Option<f64>) -> f64 {
-    loop {
-        let middle = 0.5 * (a + b);
-        if middle <= a || middle >= b {
-            return b;
-        }
-        match f(middle) {
-            Some(v) if v > 0.0 => a = middle,
-            Some(_) => b = middle,
-            None => return middle,
-        }
     }
 }
 

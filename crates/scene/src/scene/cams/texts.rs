@@ -112,6 +112,14 @@ fn inputs<N: Real>(scene: &Scene) -> Inputs<'_, N> {
 }
 
 impl Turning {
+    /// The text of the angle at which its driver stands.
+    fn driver_angle<'s>(&self, scene: &'s Scene) -> Option<&'s str> {
+        match &scene.drivers.get(self.driver)?.kind {
+            DriverKind::Turn { angle, .. } => angle.as_ref().map(|a| a.text.as_str()),
+            DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
+        }
+    }
+
     /// The cam in numbers of a kind, and φ; `None` where the scene has no text for one of its numbers.
     pub fn exact<N: Real>(&self, scene: &Scene) -> Option<(Exact<'_, N>, N)> {
         let texts = self.texts.as_ref()?;
@@ -160,12 +168,16 @@ impl Turning {
             (Motion::Law { .. }, MotionTexts::Profile(_)) | (Motion::Profile(_), MotionTexts::Law(..)) => return None,
         };
         let disc = Disc { follower, touch, motion, sense: self.disc.sense };
-        // Where the scene stands at its own instant the texts tell the angle; put elsewhere, it stands at a number of double precision.
+        let start = inputs.text(&texts.angle[1])?;
+        let turned = |angle: N| if self.disc.sense < 0.0 { start - angle } else { angle - start };
+        // Where the scene stands at its own instant the texts tell the angle; put elsewhere, its driver does, and behind wheels double precision.
         let phi = if (self.phi - texts.phi).abs() <= 4.0 * f64::EPSILON * texts.phi.abs() {
-            let turned = inputs.text(&texts.angle[0])? - inputs.text(&texts.angle[1])?;
-            if self.disc.sense < 0.0 { -turned } else { turned }
+            turned(inputs.text(&texts.angle[0])?)
         } else {
-            N::from_f64(self.phi)
+            let told = self.driver_angle(scene).filter(|_| self.is_drivers_own()).and_then(|text| inputs.text(text));
+            let told = told.map(|angle| turned(if self.way < 0.0 { -angle } else { angle }));
+            let rounding = 8.0 * f64::EPSILON * (self.phi.abs() + self.start.abs() + self.from.abs());
+            told.filter(|phi| (phi.approx() - self.phi).abs() <= rounding).unwrap_or_else(|| N::from_f64(self.phi).widened(rounding))
         };
         Some((Exact::new(&self.disc, &self.survey, disc), phi))
     }
