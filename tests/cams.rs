@@ -9,6 +9,7 @@ use hodograph::sweep::{self, Placed, Stations, Width};
 use hodograph::worked::{Scope, work};
 
 mod cams {
+    pub mod asked;
     pub mod compiled;
     pub mod geared;
     pub mod touch;

@@ -48,7 +48,7 @@ use crate::plan::text::Writer;
 use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price, statement, trains};
 use crate::scene::{self, Lang, Scene, Swept};
 use crate::sweep::follow::course;
-use crate::worked::{Scope, Worked, instant, work};
+use crate::worked::{NoAnswer, Scope, Unanswered, Worked, instant, work};
 use args::{Args, Command, Common};
 use clap::FromArgMatches;
 use draw::style_of;
@@ -326,9 +326,10 @@ fn choices(scene: &Scene, common: &Common) -> (Lang, Notation) {
     (lang, notation.unwrap_or_else(|| Notation::of_language(lang)))
 }
 
-/// 3 where drawing and analysis disagree, 4 where an answer does not exist in the pose, else 0.
+/// 3 where drawing and analysis disagree, 4 where an answer does not exist in the pose, else 0; that a radius is infinite is an answer.
 fn verdict(worked: &Worked) -> ExitCode {
-    match (agrees(worked), worked.unanswered.is_empty()) {
+    let infinite = |u: &Unanswered| matches!(u.why, NoAnswer::Infinite(_));
+    match (agrees(worked), worked.unanswered.iter().all(infinite)) {
         (false, _) => ExitCode::from(3),
         (true, false) => ExitCode::from(4),
         (true, true) => ExitCode::SUCCESS,

@@ -71,7 +71,8 @@ impl Tally {
                         } else {
                             r.scale
                         };
-                        if n.zero && e.enclosure().largest() <= 10f64.powi(-(*digits as i32 + 10)) * whole {
+                        let nothing = (10f64.powi(-(*digits as i32 + 10)) * whole).max(r.noise);
+                        if n.zero && e.enclosure().largest() <= nothing {
                             continue;
                         }
                         let truth = e.text(certain).map_or_else(|| format!("{e:?}"), |t| t.0);

@@ -6,6 +6,8 @@
 
 mod asked;
 mod bad;
+mod cam_digits;
+mod cam_truth;
 mod cams;
 mod centres;
 mod composite;

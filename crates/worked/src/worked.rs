@@ -154,6 +154,7 @@ fn blur_of(pose: &Solution) -> f64 {
 pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     joint::goes_on(scene)?;
     let Warned { value: mechanism, mut notes } = Mechanism::new(scene)?;
+    notes.extend(crate::scene::quantity::notes(scene));
     let mut demand = Demand::of(scene, &mechanism);
     // What only repeats the others is checked by its pins as far as the motion is asked for.
     for (a, b) in (0..scene.links.len()).filter_map(|l| mechanism.held(LinkId(l))) {
@@ -320,7 +321,8 @@ fn stages(
                 at_infinity.push(centre);
                 continue;
             }
-            unanswered.push(Unanswered { find: i, why: NoAnswer::NoValue(find.what.no_value(scene)) });
+            let undefined = || NoAnswer::NoValue(find.what.no_value(scene));
+            unanswered.push(Unanswered { find: i, why: find.what.infinite(scene).map_or_else(undefined, NoAnswer::Infinite) });
             continue;
         };
         let level = find.what.level();

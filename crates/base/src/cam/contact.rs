@@ -6,12 +6,66 @@
 //! where both hold the follower equally far out, or where one ceases to reach it; that is found by bisection.
 
 use super::disc::{BESIDE, Disc, Follower, Motion, Touch};
+use super::jet::Jet;
 use super::outline::Segment;
 use super::{Side, in_turn};
 use crate::geom::Vec2;
+use crate::number::Real;
 
 /// Angles nearer than this (rad) are one joint: two ends that meet are computed in two ways.
 const ONE_JOINT: f64 = 1e-11;
+
+impl<N: Real> Disc<N> {
+    /// The angles of the cam at which the follower stands at an end of a piece, whether it touches there or not.
+    pub(super) fn ends(&self, segment: &Segment<N>) -> Vec<N> {
+        let turns: Vec<N> = match (segment, self.touch) {
+            (Segment::Arc { normals: [from, to], .. }, _) if (*to - *from).approx().abs() >= std::f64::consts::TAU => Vec::new(),
+            (Segment::Arc { centre, radius, normals }, Touch::Point { radius: r }) => {
+                normals.iter().flat_map(|n| self.turns_to(*centre + Vec2::from_angle(*n) * (*radius + r))).collect()
+            }
+            (Segment::Line { normal, distance, ends }, Touch::Point { radius: r }) => {
+                let n = Vec2::from_angle(*normal);
+                ends.iter().flat_map(|t| self.turns_to(n * (*distance + r) + n.perp() * *t)).collect()
+            }
+            (Segment::Arc { centre, radius, normals }, Touch::Flat { lever }) => {
+                normals.iter().flat_map(|n| self.turns_facing(*n, Vec2::from_angle(*n).dot(*centre) + *radius - lever)).collect()
+            }
+            (Segment::Line { .. }, Touch::Flat { .. }) => Vec::new(),
+        };
+        turns.into_iter().map(|turn| if self.sense < 0.0 { -turn } else { turn }).collect()
+    }
+
+    /// By which angles the cam is turned where the follower's point is at a place of the cam.
+    fn turns_to(&self, place: Vec2<N>) -> [N; 2] {
+        let reach = place.norm();
+        let places = match self.follower {
+            Follower::Translating { direction, offset } => {
+                let along = (reach * reach - offset * offset).sqrt();
+                [along, -along].map(|q| direction * q - direction.perp() * offset)
+            }
+            Follower::Oscillating { pivot, arm, .. } => {
+                let d = pivot.norm();
+                let foot = (reach * reach + d * d - arm * arm) / (N::from_f64(2.0) * d);
+                let aside = (reach * reach - foot * foot).sqrt();
+                let u = pivot * (N::from_f64(1.0) / d);
+                [aside, -aside].map(|h| u * foot + u.perp() * h)
+            }
+        };
+        places.map(|at| at.angle() - place.angle())
+    }
+
+    /// By which angles the cam is turned where a face has a normal of the cam, the point of the cam that it touches being `out` along the
+    /// normal, less the face's distance from its pivot.
+    fn turns_facing(&self, normal: N, out: N) -> [N; 2] {
+        match self.follower {
+            Follower::Translating { direction, .. } => [direction.angle() - normal; 2],
+            Follower::Oscillating { pivot, .. } => {
+                let aside = Jet::constant(out / pivot.norm()).arc_cosine().value();
+                [aside, -aside].map(|a| pivot.angle() + a - normal)
+            }
+        }
+    }
+}
 
 impl Disc {
     /// The stretches of a turn in which one piece of the profile is touched: the angle at which each begins, from 0 on, and the piece; `None` where
@@ -55,56 +109,6 @@ impl Disc {
         let mut out: Vec<f64> = out.into_iter().map(in_turn).collect();
         out.sort_by(f64::total_cmp);
         out
-    }
-
-    /// The angles of the cam at which the follower stands at an end of a piece, whether it touches there or not.
-    fn ends(&self, segment: &Segment) -> Vec<f64> {
-        let turns: Vec<f64> = match (segment, self.touch) {
-            (Segment::Arc { normals: [from, to], .. }, _) if (to - from).abs() >= std::f64::consts::TAU => Vec::new(),
-            (Segment::Arc { centre, radius, normals }, Touch::Point { radius: r }) => {
-                normals.iter().flat_map(|n| self.turns_to(*centre + Vec2::from_angle(*n) * (radius + r))).collect()
-            }
-            (Segment::Line { normal, distance, ends }, Touch::Point { radius: r }) => {
-                let n = Vec2::from_angle(*normal);
-                ends.iter().flat_map(|t| self.turns_to(n * (distance + r) + n.perp() * *t)).collect()
-            }
-            (Segment::Arc { centre, radius, normals }, Touch::Flat { lever }) => {
-                normals.iter().flat_map(|n| self.turns_facing(*n, Vec2::from_angle(*n).dot(*centre) + radius - lever)).collect()
-            }
-            (Segment::Line { .. }, Touch::Flat { .. }) => Vec::new(),
-        };
-        turns.into_iter().map(|turn| self.sense * turn).collect()
-    }
-
-    /// By which angles the cam is turned where the follower's point is at a place of the cam.
-    fn turns_to(&self, place: Vec2) -> [f64; 2] {
-        let reach = place.norm();
-        let places = match self.follower {
-            Follower::Translating { direction, offset } => {
-                let along = (reach * reach - offset * offset).sqrt();
-                [along, -along].map(|q| direction * q - direction.perp() * offset)
-            }
-            Follower::Oscillating { pivot, arm, .. } => {
-                let d = pivot.norm();
-                let foot = (reach * reach + d * d - arm * arm) / (2.0 * d);
-                let aside = (reach * reach - foot * foot).sqrt();
-                let u = pivot * (1.0 / d);
-                [aside, -aside].map(|h| u * foot + u.perp() * h)
-            }
-        };
-        places.map(|at| at.angle() - place.angle())
-    }
-
-    /// By which angles the cam is turned where a face has a normal of the cam, the point of the cam that it touches being `out` along the
-    /// normal, less the face's distance from its pivot.
-    fn turns_facing(&self, normal: f64, out: f64) -> [f64; 2] {
-        match self.follower {
-            Follower::Translating { direction, .. } => [direction.angle() - normal; 2],
-            Follower::Oscillating { pivot, .. } => {
-                let aside = libm::acos(out / pivot.norm());
-                [aside, -aside].map(|a| pivot.angle() + a - normal)
-            }
-        }
     }
 
     /// The places where the piece that is touched changes, each to rounding.

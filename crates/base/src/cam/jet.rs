@@ -1,182 +1,207 @@
-//! A value with its first three derivatives by φ, and the arithmetic of such values (Leibniz, Faà di Bruno).
+//! A value with its first three derivatives by φ, and the arithmetic of such values (Leibniz, Faà di Bruno), in any kind of number.
 
+use crate::geom::Vec2;
+use crate::number::Real;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// f, f′, f″, f‴.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Jet(pub [f64; 4]);
+pub struct Jet<N = f64>(pub [N; 4]);
 
-impl Jet {
+impl<N: Real> Jet<N> {
     /// A value that stays.
-    pub const fn constant(x: f64) -> Jet {
-        Jet([x, 0.0, 0.0, 0.0])
+    pub fn constant(x: N) -> Self {
+        let zero = N::from_f64(0.0);
+        Jet([x, zero, zero, zero])
     }
 
     /// φ itself.
-    pub const fn variable(phi: f64) -> Jet {
-        Jet([phi, 1.0, 0.0, 0.0])
+    pub fn variable(phi: N) -> Self {
+        let zero = N::from_f64(0.0);
+        Jet([phi, N::from_f64(1.0), zero, zero])
     }
 
     /// The value.
-    pub fn value(self) -> f64 {
+    pub fn value(self) -> N {
         self.0[0]
     }
 
     /// The value of a function whose derivatives at the value are `g`.
-    fn of(self, g: [f64; 4]) -> Jet {
+    fn of(self, g: [N; 4]) -> Self {
         let [_, a, b, c] = self.0;
-        Jet([g[0], g[1] * a, g[2] * a * a + g[1] * b, g[3] * a * a * a + 3.0 * g[2] * a * b + g[1] * c])
+        let three = N::from_f64(3.0);
+        Jet([g[0], g[1] * a, g[2] * a * a + g[1] * b, g[3] * a * a * a + three * g[2] * a * b + g[1] * c])
     }
 
-    /// Square root; not a number where there is none.
-    pub fn sqrt(self) -> Jet {
+    /// Square root; undecided where there is none.
+    pub fn sqrt(self) -> Self {
         let x = self.0[0];
-        let r = if x < 0.0 { f64::NAN } else { x.sqrt() };
-        self.of([r, 0.5 / r, -0.25 / (x * r), 0.375 / (x * x * r)])
+        let r = x.sqrt();
+        let [half, quarter, more] = [0.5, -0.25, 0.375].map(N::from_f64);
+        self.of([r, half / r, quarter / (x * r), more / (x * x * r)])
     }
 
     /// One over the value.
-    pub fn recip(self) -> Jet {
-        let i = 1.0 / self.0[0];
-        self.of([i, -i * i, 2.0 * i * i * i, -6.0 * i * i * i * i])
+    pub fn recip(self) -> Self {
+        let i = N::from_f64(1.0) / self.0[0];
+        self.of([i, -i * i, N::from_f64(2.0) * i * i * i, N::from_f64(-6.0) * i * i * i * i])
     }
 
     /// Sine and cosine.
-    pub fn sine_cosine(self) -> (Jet, Jet) {
-        let (s, c) = libm::sincos(self.0[0]);
+    pub fn sine_cosine(self) -> (Self, Self) {
+        let (s, c) = self.0[0].sin_cos();
         (self.of([s, c, -s, -c]), self.of([c, -s, -c, s]))
     }
 
-    /// The angle of a sine, from −π/2 to π/2.
-    pub fn arc_sine(self) -> Jet {
+    /// The angle of a sine, from −π/2 to π/2; undecided where there is none.
+    pub fn arc_sine(self) -> Self {
         let x = self.0[0];
-        let q = 1.0 - x * x;
-        let w = if q < 0.0 { f64::NAN } else { q.sqrt() };
-        self.of([libm::asin(x), 1.0 / w, x / (q * w), (1.0 + 2.0 * x * x) / (q * q * w)])
+        let one = N::from_f64(1.0);
+        let q = (one - x) * (one + x);
+        let w = q.sqrt();
+        self.of([x.atan2(w), one / w, x / (q * w), (one + N::from_f64(2.0) * x * x) / (q * q * w)])
     }
 
-    /// The angle of a cosine, from 0 to π.
-    pub fn arc_cosine(self) -> Jet {
-        Jet::constant(std::f64::consts::FRAC_PI_2) - self.arc_sine()
+    /// The angle of a cosine, from 0 to π; undecided where there is none.
+    pub fn arc_cosine(self) -> Self {
+        Jet::constant(N::pi() * N::from_f64(0.5)) - self.arc_sine()
     }
 
     /// The direction of (x, y).
-    pub fn direction(y: Jet, x: Jet) -> Jet {
-        let at = libm::atan2(y.0[0], x.0[0]);
-        let (s, c) = libm::sincos(at);
-        let (u, v) = (x * c + y * s, y * c - x * s);
-        // The direction that is left is none at the value: atan has there the derivatives 1, 0, −2.
-        let rest = (v * u.recip()).of([0.0, 1.0, 0.0, -2.0]);
-        rest + Jet::constant(at)
+    pub fn direction(y: Self, x: Self) -> Self {
+        // θ′ = (x y′ − y x′)/(x² + y²), whose own derivatives are those of higher order.
+        let rate = (x * y.derivative() - y * x.derivative()) * (x * x + y * y).recip();
+        Jet([y.0[0].atan2(x.0[0]), rate.0[0], rate.0[1], rate.0[2]])
     }
 
     /// The same with one derivative fewer: f′, f″, f‴; the last is not known and counts as zero.
-    pub fn derivative(self) -> Jet {
-        Jet([self.0[1], self.0[2], self.0[3], 0.0])
+    pub fn derivative(self) -> Self {
+        Jet([self.0[1], self.0[2], self.0[3], N::from_f64(0.0)])
+    }
+
+    /// With a sign, +1 or −1.
+    pub fn signed(self, sign: f64) -> Self {
+        if sign < 0.0 { -self } else { self }
     }
 }
 
-impl Add for Jet {
-    type Output = Jet;
-    fn add(self, other: Jet) -> Jet {
+impl<N: Real> Add for Jet<N> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
         Jet(std::array::from_fn(|i| self.0[i] + other.0[i]))
     }
 }
 
-impl Sub for Jet {
-    type Output = Jet;
-    fn sub(self, other: Jet) -> Jet {
+impl<N: Real> Sub for Jet<N> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
         Jet(std::array::from_fn(|i| self.0[i] - other.0[i]))
     }
 }
 
-impl Neg for Jet {
-    type Output = Jet;
-    fn neg(self) -> Jet {
+impl<N: Real> Neg for Jet<N> {
+    type Output = Self;
+    fn neg(self) -> Self {
         Jet(self.0.map(|x| -x))
     }
 }
 
-impl Mul for Jet {
-    type Output = Jet;
-    fn mul(self, other: Jet) -> Jet {
+impl<N: Real> Mul for Jet<N> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
         let ([a, a1, a2, a3], [b, b1, b2, b3]) = (self.0, other.0);
-        Jet([a * b, a1 * b + a * b1, a2 * b + 2.0 * a1 * b1 + a * b2, a3 * b + 3.0 * (a2 * b1 + a1 * b2) + a * b3])
+        let [two, three] = [2.0, 3.0].map(N::from_f64);
+        Jet([a * b, a1 * b + a * b1, a2 * b + two * a1 * b1 + a * b2, a3 * b + three * (a2 * b1 + a1 * b2) + a * b3])
     }
 }
 
-impl Mul<f64> for Jet {
-    type Output = Jet;
-    fn mul(self, by: f64) -> Jet {
+impl<N: Real> Mul<N> for Jet<N> {
+    type Output = Self;
+    fn mul(self, by: N) -> Self {
         Jet(self.0.map(|x| x * by))
     }
 }
 
 /// A vector whose parts are jets.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plane {
+pub struct Plane<N = f64> {
     /// To the right.
-    pub x: Jet,
+    pub x: Jet<N>,
     /// Up.
-    pub y: Jet,
+    pub y: Jet<N>,
 }
 
-impl Plane {
+impl<N: Real> Plane<N> {
     /// A vector that stays.
-    pub fn constant(v: crate::geom::Vec2) -> Plane {
+    pub fn constant(v: Vec2<N>) -> Self {
         Plane { x: Jet::constant(v.x), y: Jet::constant(v.y) }
     }
 
     /// The direction at an angle.
-    pub fn direction(angle: Jet) -> Plane {
+    pub fn direction(angle: Jet<N>) -> Self {
         let (y, x) = angle.sine_cosine();
         Plane { x, y }
     }
 
     /// Turned by an angle, counter-clockwise.
-    pub fn turned(self, by: Jet) -> Plane {
+    pub fn turned(self, by: Jet<N>) -> Self {
         let (s, c) = by.sine_cosine();
         Plane { x: self.x * c - self.y * s, y: self.x * s + self.y * c }
     }
 
     /// The product of the lengths and the cosine of the angle between.
-    pub fn dot(self, other: Plane) -> Jet {
+    pub fn dot(self, other: Self) -> Jet<N> {
         self.x * other.x + self.y * other.y
     }
 
+    /// The product of the lengths and the sine of the angle from this to the other.
+    pub fn cross(self, other: Self) -> Jet<N> {
+        self.x * other.y - self.y * other.x
+    }
+
     /// Turned a quarter, counter-clockwise.
-    pub fn perp(self) -> Plane {
+    pub fn perp(self) -> Self {
         Plane { x: -self.y, y: self.x }
     }
 
     /// The direction as an angle.
-    pub fn angle(self) -> Jet {
+    pub fn angle(self) -> Jet<N> {
         Jet::direction(self.y, self.x)
     }
 
     /// The vector (0), or its derivative of an order.
-    pub fn order(self, k: usize) -> crate::geom::Vec2 {
-        crate::geom::Vec2::new(self.x.0[k], self.y.0[k])
+    pub fn order(self, k: usize) -> Vec2<N> {
+        Vec2::new(self.x.0[k], self.y.0[k])
+    }
+
+    /// The derivative, with one derivative fewer of its own.
+    pub fn derivative(self) -> Self {
+        Plane { x: self.x.derivative(), y: self.y.derivative() }
+    }
+
+    /// With a sign, +1 or −1.
+    pub fn signed(self, sign: f64) -> Self {
+        Plane { x: self.x.signed(sign), y: self.y.signed(sign) }
     }
 }
 
-impl Add for Plane {
-    type Output = Plane;
-    fn add(self, other: Plane) -> Plane {
+impl<N: Real> Add for Plane<N> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
         Plane { x: self.x + other.x, y: self.y + other.y }
     }
 }
 
-impl Sub for Plane {
-    type Output = Plane;
-    fn sub(self, other: Plane) -> Plane {
+impl<N: Real> Sub for Plane<N> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
         Plane { x: self.x - other.x, y: self.y - other.y }
     }
 }
 
-impl Mul<Jet> for Plane {
-    type Output = Plane;
-    fn mul(self, by: Jet) -> Plane {
+impl<N: Real> Mul<Jet<N>> for Plane<N> {
+    type Output = Self;
+    fn mul(self, by: Jet<N>) -> Self {
         Plane { x: self.x * by, y: self.y * by }
     }
 }

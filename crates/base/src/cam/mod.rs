@@ -9,20 +9,28 @@
 
 mod contact;
 pub mod disc;
+pub mod exact;
 pub mod jet;
 pub mod law;
 pub mod outline;
 pub mod program;
+mod round;
 pub mod survey;
 #[cfg(test)]
 mod tests;
+mod turn;
 
-pub use disc::{Disc, Follower, Motion, Station, Touch, round};
+pub use disc::{Branch, Disc, Follower, Motion, Station, Touch};
+pub use exact::Exact;
 pub use jet::Jet;
 pub use law::Law;
 pub use outline::Segment;
 pub use program::{Jump, Program, Shock, Stage, Way};
+pub use round::round;
 pub use survey::{Fault, Survey, Surveyed};
+pub use turn::Peak;
+
+use crate::number::Real;
 
 /// On which side of a joint of two pieces a value is taken, in the sense in which φ grows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +49,11 @@ pub fn in_turn(angle: f64) -> f64 {
 }
 
 /// An angle in the half turns on both sides of zero.
-pub fn in_half_turns(angle: f64) -> f64 {
-    angle - std::f64::consts::TAU * libm::rint(angle / std::f64::consts::TAU)
+pub fn in_half_turns<N: Real>(angle: N) -> N {
+    angle - whole_turns(libm::rint(angle.approx() / std::f64::consts::TAU))
+}
+
+/// So many whole turns (rad).
+fn whole_turns<N: Real>(turns: f64) -> N {
+    if turns == 0.0 { N::from_f64(0.0) } else { (N::pi() + N::pi()) * N::from_f64(turns) }
 }

@@ -4,67 +4,71 @@
 //! arc keeps at ρ from a flat face. These are the equivalent linkages 高副低代, exact on the whole piece; so is every derivative.
 
 use super::disc::{Follower, Touch};
-use super::in_half_turns;
 use super::jet::{Jet, Plane};
+use super::{in_half_turns, in_turn, whole_turns};
 use crate::geom::Vec2;
+use crate::number::Real;
 use std::f64::consts::TAU;
 
 /// A piece of a profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Segment {
+pub enum Segment<N = f64> {
     /// An arc.
     Arc {
         /// Its centre.
-        centre: Vec2,
+        centre: Vec2<N>,
         /// Radius (m): less than zero on a hollow flank, zero at a corner.
-        radius: f64,
+        radius: N,
         /// Directions of the outward normal where it begins and ends, going round counter-clockwise (rad); a whole turn apart on a circle.
-        normals: [f64; 2],
+        normals: [N; 2],
     },
     /// A straight flank.
     Line {
         /// Direction of the outward normal (rad).
-        normal: f64,
+        normal: N,
         /// Distance of the line from the origin (m).
-        distance: f64,
+        distance: N,
         /// Where it begins and ends, counted along the normal turned a quarter counter-clockwise (m).
-        ends: [f64; 2],
+        ends: [N; 2],
     },
 }
 
 /// What is beyond the end of a piece by less than this part of its size lies on it: joints are computed from both sides.
 const ON: f64 = 1e-12;
 
-impl Segment {
+impl<N: Real> Segment<N> {
     /// The radius of curvature, convex plus; a line has an infinite one.
-    pub fn radius(&self) -> f64 {
+    pub fn radius(&self) -> N {
         match self {
             Segment::Arc { radius, .. } => *radius,
-            Segment::Line { .. } => f64::INFINITY,
+            Segment::Line { .. } => N::from_f64(f64::INFINITY),
         }
     }
 
-    /// The follower's coordinate (see [`super::Disc`]) while it touches this piece, the cam turned by `turn`; not a number where it cannot.
-    pub fn coordinate(&self, follower: &Follower, touch: &Touch, turn: Jet) -> Jet {
+    /// The follower's coordinate (see [`super::Disc`]) while it touches this piece, the cam turned by `turn`; undecided where it cannot.
+    pub fn coordinate(&self, follower: &Follower<N>, touch: &Touch<N>, turn: Jet<N>) -> Jet<N> {
+        let nothing = || Jet::constant(N::from_f64(f64::NAN));
         match (self, *touch) {
             (Segment::Arc { centre, radius, .. }, Touch::Point { radius: r }) => {
                 let k = Plane::constant(*centre).turned(turn);
-                follower.at_distance(k, radius + r)
+                follower.at_distance(k, *radius + r)
             }
             (Segment::Arc { centre, radius, .. }, Touch::Flat { lever }) => {
-                if *radius < 0.0 {
-                    return Jet::constant(f64::NAN);
+                if radius.approx() < 0.0 {
+                    return nothing();
                 }
                 follower.faced(Plane::constant(*centre).turned(turn), *radius, lever)
             }
             (Segment::Line { normal, distance, .. }, Touch::Point { radius }) => {
-                follower.along_line(turn + Jet::constant(*normal), distance + radius)
+                follower.along_line(turn + Jet::constant(*normal), *distance + radius)
             }
             // Two lines touch at their ends only: these are corners.
-            (Segment::Line { .. }, Touch::Flat { .. }) => Jet::constant(f64::NAN),
+            (Segment::Line { .. }, Touch::Flat { .. }) => nothing(),
         }
     }
+}
 
+impl Segment {
     /// Whether the follower at this coordinate touches within the piece.
     pub fn holds(&self, follower: &Follower, touch: &Touch, turn: f64, coordinate: f64) -> bool {
         let back = Jet::constant(-turn);
@@ -162,13 +166,13 @@ impl Segment {
 
 /// What stands in a scene between two circles of a profile, or instead of one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Part {
+pub enum Part<N = f64> {
     /// An arc about a centre with a radius; zero makes a corner.
-    Circle(Vec2, f64),
+    Circle(Vec2<N>, N),
     /// The outer tangent of the circles before and after.
     Tangent,
     /// An arc of this radius that touches the circles before and after; less than zero: hollow.
-    Flank(f64),
+    Flank(N),
 }
 
 /// Why parts make no profile.
@@ -187,10 +191,10 @@ pub enum Broken {
 ///
 /// # Errors
 /// The first part that does not fit between its neighbours.
-pub fn segments(parts: &[Part]) -> Result<Vec<Segment>, Broken> {
+pub fn segments<N: Real>(parts: &[Part<N>]) -> Result<Vec<Segment<N>>, Broken> {
     let n = parts.len();
     if let [Part::Circle(centre, radius)] = parts {
-        return Ok(vec![Segment::Arc { centre: *centre, radius: *radius, normals: [0.0, TAU] }]);
+        return Ok(vec![Segment::Arc { centre: *centre, radius: *radius, normals: [N::from_f64(0.0), whole_turns(1.0)] }]);
     }
     let circle = |i: usize| match parts[i % n] {
         Part::Circle(c, r) => Some((c, r)),
@@ -200,8 +204,8 @@ pub fn segments(parts: &[Part]) -> Result<Vec<Segment>, Broken> {
         return Err(Broken::NoCircle);
     }
     // Where each circle begins and ends.
-    let mut ends = vec![[0.0; 2]; n];
-    let mut made: Vec<Option<Segment>> = vec![None; n];
+    let mut ends = vec![[N::from_f64(0.0); 2]; n];
+    let mut made: Vec<Option<Segment<N>>> = vec![None; n];
     for i in 0..n {
         let next = (i + 1) % n;
         match parts[i] {
@@ -227,41 +231,48 @@ pub fn segments(parts: &[Part]) -> Result<Vec<Segment>, Broken> {
         Part::Circle(centre, radius) => {
             let [from, to] = ends[i];
             // Counter-clockwise, less than a turn.
-            Some(Segment::Arc { centre, radius, normals: [from, from + super::in_turn(to - from)] })
+            Some(Segment::Arc { centre, radius, normals: [from, from + counter_clockwise(to - from)] })
         }
         Part::Tangent | Part::Flank(_) => made[i],
     };
     (0..n).map(one).collect::<Option<Vec<_>>>().ok_or(Broken::NoCircle)
 }
 
+/// An angle in the turn from 0 up to, and without, 2π.
+fn counter_clockwise<N: Real>(angle: N) -> N {
+    let nearest = angle.approx();
+    angle + whole_turns(libm::rint((in_turn(nearest) - nearest) / TAU))
+}
+
 /// The outer tangent on the right of the way from one centre to the other, and the direction of its normal, twice.
-fn tangent(a: Vec2, ra: f64, b: Vec2, rb: f64) -> Option<(Segment, f64, f64)> {
+fn tangent<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N) -> Option<(Segment<N>, N, N)> {
     let way = b - a;
     let cosine = (ra - rb) / way.norm();
-    if cosine.is_nan() || cosine.abs() > 1.0 {
+    if !cosine.is_decided() || cosine.approx().abs() > 1.0 {
         return None;
     }
-    let normal = way.angle() - libm::acos(cosine);
+    let normal = way.angle() - Jet::constant(cosine).arc_cosine().value();
     let n = Vec2::from_angle(normal);
     let along = n.perp();
     Some((Segment::Line { normal, distance: a.dot(n) + ra, ends: [a.dot(along), b.dot(along)] }, normal, normal))
 }
 
 /// An arc of a radius that touches two circles on the right of the way from one centre to the other.
-fn flank(a: Vec2, ra: f64, b: Vec2, rb: f64, radius: f64) -> Option<(Segment, f64, f64)> {
+fn flank<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N, radius: N) -> Option<(Segment<N>, N, N)> {
     let way = b - a;
-    let (d, la, lb) = (way.norm(), (radius - ra).abs(), (radius - rb).abs());
-    let foot = (d * d + la * la - lb * lb) / (2.0 * d);
+    let (d, la, lb) = (way.norm(), radius - ra, radius - rb);
+    let foot = (d * d + la * la - lb * lb) / (N::from_f64(2.0) * d);
     let height = (la * la - foot * foot).sqrt();
-    if !height.is_finite() {
+    if !height.is_decided() {
         return None;
     }
-    let u = way * (1.0 / d);
+    let u = way * (N::from_f64(1.0) / d);
+    let convex = radius.approx() > 0.0;
     // The centre of a convex flank lies on the other side of the line of centres, that of a hollow one on its own.
-    let centre = a + u * foot + u.perp() * if radius > 0.0 { height } else { -height };
-    let normal = |of: Vec2| if radius > 0.0 { (of - centre).angle() } else { (centre - of).angle() };
+    let centre = a + u * foot + u.perp() * if convex { height } else { -height };
+    let normal = |of: Vec2<N>| if convex { (of - centre).angle() } else { (centre - of).angle() };
     // A circle larger than the flank would be touched from within.
-    if radius > 0.0 && (radius <= ra || radius <= rb) {
+    if convex && (radius.approx() <= ra.approx() || radius.approx() <= rb.approx()) {
         return None;
     }
     let (from, to) = (normal(a), normal(b));
@@ -269,17 +280,17 @@ fn flank(a: Vec2, ra: f64, b: Vec2, rb: f64, radius: f64) -> Option<(Segment, f6
 }
 
 /// The directions of the normals of two circles at the point, on the right of the way between their centres, where they meet.
-fn crossing(a: Vec2, ra: f64, b: Vec2, rb: f64) -> Option<[f64; 2]> {
+fn crossing<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N) -> Option<[N; 2]> {
     let way = b - a;
     let d = way.norm();
-    let foot = (d * d + ra * ra - rb * rb) / (2.0 * d);
+    let foot = (d * d + ra * ra - rb * rb) / (N::from_f64(2.0) * d);
     let square = ra * ra - foot * foot;
     // Circles that touch miss by rounding.
-    if square.is_nan() || square < -1e-9 * ra * ra {
+    if !square.is_decided() || square.approx() < -1e-9 * ra.approx() * ra.approx() {
         return None;
     }
-    let u = way * (1.0 / d);
-    let at = a + u * foot - u.perp() * square.max(0.0).sqrt();
-    let direction = |of: Vec2, r: f64| if r > 0.0 { (at - of).angle() } else { way.angle() };
+    let u = way * (N::from_f64(1.0) / d);
+    let at = a + u * foot - u.perp() * square.sqrt_or_zero();
+    let direction = |of: Vec2<N>, r: N| if r.approx() > 0.0 { (at - of).angle() } else { way.angle() };
     Some([direction(a, ra), direction(b, rb)])
 }

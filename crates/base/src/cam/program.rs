@@ -1,35 +1,36 @@
 //! A turn of the cam as its stages: rises, dwells and returns, each by a law over an angle.
 
 use super::jet::Jet;
-use super::{Law, Side, in_turn};
+use super::{Law, Side, in_turn, whole_turns};
+use crate::number::Real;
 use std::f64::consts::TAU;
 
 /// What a stage does.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Way {
+pub enum Way<N = f64> {
     /// The follower goes so far out (m, rad) by a law.
-    Rise(f64, Law),
+    Rise(N, Law),
     /// It rests.
     Dwell,
     /// It comes back so far by a law.
-    Return(f64, Law),
+    Return(N, Law),
 }
 
 /// A stage and the angle over which it goes (rad).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stage {
+pub struct Stage<N = f64> {
     /// What it does.
-    pub way: Way,
+    pub way: Way<N>,
     /// Over which angle of the cam.
-    pub over: f64,
+    pub over: N,
 }
 
-impl Stage {
+impl<N: Real> Stage<N> {
     /// How much further out the follower is at its end.
-    pub fn gain(&self) -> f64 {
+    pub fn gain(&self) -> N {
         match self.way {
             Way::Rise(h, _) => h,
-            Way::Dwell => 0.0,
+            Way::Dwell => N::from_f64(0.0),
             Way::Return(h, _) => -h,
         }
     }
@@ -45,9 +46,9 @@ impl Stage {
 
 /// The stages of a turn, from the start of the law.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Program {
+pub struct Program<N = f64> {
     /// In order.
-    pub stages: Vec<Stage>,
+    pub stages: Vec<Stage<N>>,
 }
 
 /// Which derivative jumps.
@@ -73,17 +74,66 @@ pub struct Jump {
 /// Angles nearer than this (rad) are one place: a joint that is computed in two ways.
 const ONE_PLACE: f64 = 1e-11;
 
-impl Program {
+impl<N: Real> Program<N> {
     /// Where each stage begins, and where the last ends.
-    pub fn joints(&self) -> Vec<f64> {
-        let mut at = 0.0;
+    pub fn joints(&self) -> Vec<N> {
+        let mut at = N::from_f64(0.0);
         let ends = self.stages.iter().map(|s| {
-            at += s.over;
+            at = at + s.over;
             at
         });
-        std::iter::once(0.0).chain(ends).collect()
+        std::iter::once(N::from_f64(0.0)).chain(ends).collect()
     }
 
+    /// All places where pieces of the laws meet.
+    pub fn corners(&self) -> Vec<N> {
+        let mut out = Vec::new();
+        for (stage, start) in self.stages.iter().zip(self.joints()) {
+            out.push(start);
+            let pieces = stage.law().map_or(&[][..], Law::pieces);
+            out.extend(pieces.iter().map(|p| p.end).filter(|e| *e < 1.0).map(|e| start + N::from_f64(e) * stage.over));
+        }
+        out
+    }
+
+    /// The greatest lift.
+    pub fn stroke(&self) -> N {
+        let mut lift = N::from_f64(0.0);
+        self.stages.iter().fold(lift, |most, s| {
+            lift = lift + s.gain();
+            if lift.approx() > most.approx() { lift } else { most }
+        })
+    }
+
+    /// s, s′, s″, s‴ by the formula that holds in a piece of the law of a stage; whole turns of φ do not count. The piece of a dwell is 0.
+    pub fn lift_in(&self, (stage, piece): (usize, usize), phi: N) -> Option<Jet<N>> {
+        let before = self.stages.get(..stage)?;
+        let [start, lift] = before.iter().fold([N::from_f64(0.0); 2], |[at, lift], s| [at + s.over, lift + s.gain()]);
+        let stage = &self.stages[stage];
+        let Some(law) = stage.law() else { return Some(Jet::constant(lift)) };
+        let from_start = phi - start;
+        // An angle before the start by rounding is not one at the end of the turn.
+        let turns = libm::floor(from_start.approx() / TAU + ONE_PLACE);
+        let x = (from_start - whole_turns(turns)) / stage.over;
+        Some(stage.lifted(law.pieces().get(piece)?.at(x), lift))
+    }
+}
+
+impl<N: Real> Stage<N> {
+    /// A law of one over a way of one as what the stage makes of it, from a lift on.
+    fn lifted(&self, of_one: Jet<N>, lift: N) -> Jet<N> {
+        let mut scale = self.gain();
+        let mut out = of_one.0.map(|value| {
+            let scaled = scale * value;
+            scale = scale / self.over;
+            scaled
+        });
+        out[0] = out[0] + lift;
+        Jet(out)
+    }
+}
+
+impl Program {
     /// The stage in which φ lies, where it begins, and the lift there; at a joint the one of the side.
     pub fn stage(&self, phi: f64, side: Side) -> Option<(usize, f64, f64)> {
         let turn = in_turn(phi);
@@ -109,46 +159,31 @@ impl Program {
     pub fn lift(&self, phi: f64, side: Side) -> Jet {
         let Some((i, start, lift)) = self.stage(phi, side) else { return Jet::constant(0.0) };
         let stage = &self.stages[i];
-        let (gain, law) = match stage.way {
-            Way::Rise(h, law) => (h, law),
-            Way::Return(h, law) => (-h, law),
-            Way::Dwell => return Jet::constant(lift),
-        };
+        let Some(law) = stage.law() else { return Jet::constant(lift) };
+        let x = stage.part(start, phi, side);
+        // A joint inside a law is met to the last digit only by luck.
+        let near = law.pieces().iter().map(|p| p.end).find(|e| (e - x).abs() * stage.over < ONE_PLACE);
+        stage.lifted(Jet(law.at(near.unwrap_or(x), side)), lift)
+    }
+
+    /// The stage that holds at an angle of the cam, and the piece of its law.
+    pub fn branch(&self, phi: f64, side: Side) -> Option<(usize, usize)> {
+        let (i, start, _) = self.stage(phi, side)?;
+        let stage = &self.stages[i];
+        let Some(law) = stage.law() else { return Some((i, 0)) };
+        let x = stage.part(start, phi, side);
+        let near = law.pieces().iter().map(|p| p.end).find(|e| (e - x).abs() * stage.over < ONE_PLACE);
+        Some((i, law.place(near.unwrap_or(x), side == Side::Before)))
+    }
+}
+
+impl Stage {
+    /// Which part of a stage that begins at `start` is over at an angle of the cam.
+    fn part(&self, start: f64, phi: f64, side: Side) -> f64 {
         let turn = in_turn(phi);
         // Seen from before, the start of the turn is its end.
         let turn = if turn + ONE_PLACE < start || side == Side::Before && turn <= ONE_PLACE { turn + TAU } else { turn };
-        let x = ((turn - start) / stage.over).clamp(0.0, 1.0);
-        // A joint inside a law is met to the last digit only by luck.
-        let near = law.pieces().iter().map(|p| p.end).find(|e| (e - x).abs() * stage.over < ONE_PLACE);
-        let value = law.at(near.unwrap_or(x), side);
-        let mut scale = gain;
-        let mut out = [0.0; 4];
-        for (out, value) in out.iter_mut().zip(value) {
-            *out = scale * value;
-            scale /= stage.over;
-        }
-        out[0] += lift;
-        Jet(out)
-    }
-
-    /// All places where pieces of the laws meet.
-    pub fn corners(&self) -> Vec<f64> {
-        let mut out = Vec::new();
-        for (stage, start) in self.stages.iter().zip(self.joints()) {
-            out.push(start);
-            let pieces = stage.law().map_or(&[][..], Law::pieces);
-            out.extend(pieces.iter().map(|p| p.end).filter(|e| *e < 1.0).map(|e| start + e * stage.over));
-        }
-        out
-    }
-
-    /// The greatest lift.
-    pub fn stroke(&self) -> f64 {
-        let mut lift = 0.0f64;
-        self.stages.iter().fold(0.0f64, |most, s| {
-            lift += s.gain();
-            most.max(lift)
-        })
+        ((turn - start) / self.over).clamp(0.0, 1.0)
     }
 }
 

@@ -1,6 +1,7 @@
 //! A whole turn of a cam: strokes and their angles, extremes, shocks, least radius of curvature, undercut and the base circle that avoids it.
 
 use super::program::{Jump, Shock};
+use super::turn::{Peak, Turn, sampled, zero};
 use super::{Disc, Motion, Side, Station, Touch};
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
@@ -76,16 +77,22 @@ pub struct Survey {
     pub acceleration: [Extreme; 2],
     /// Greatest magnitude of the pressure angle as the follower goes out and as it comes back; of a face none.
     pub pressure: [Option<Extreme>; 2],
-    /// The least convex radius of the pitch curve (of the profile, for a flat face).
+    /// The least convex radius of the pitch curve; for a flat face the least radius of the profile, less than zero where it would need a hollow.
     pub least_rho: Option<Extreme>,
+    /// The same with the side of a joint.
+    pub sharpest: Option<Peak>,
+    /// Least and greatest coordinate of the follower.
+    pub ends: Option<[Peak; 2]>,
+    /// Angles at which pieces of the law or of the profile meet.
+    pub corners: Vec<f64>,
     /// The sharpest hollow: the greatest radius less than zero.
     pub hollow: Option<Extreme>,
     /// What does not work.
     pub faults: Vec<Fault>,
 }
 
-/// Samples between two corners.
-const SAMPLES: usize = 240;
+/// What some ten operations lose, as a part of the largest number among them.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// A jump is one of more than this part of the largest value of its kind.
 const JUMP: f64 = 1e-7;
 
@@ -112,39 +119,46 @@ impl Survey {
     /// Surveys a turn.
     pub fn of(disc: &Disc) -> Survey {
         let mut faults = Vec::new();
-        let spans = spans(disc);
+        let turn = Turn::of(disc);
         let lift = |phi: f64, side: Side| disc.coordinate(phi, side);
-        let samples: Vec<(f64, Side)> = spans.iter().flat_map(|s| sampled(*s)).collect();
+        let samples: Vec<(f64, Side)> = turn.spans.iter().flat_map(|s| sampled(*s)).collect();
         let known: Vec<Station> = samples.iter().filter_map(|(phi, side)| disc.station(*phi, *side)).collect();
         if let Some((phi, _)) = samples.iter().find(|(phi, side)| disc.station(*phi, *side).is_none()) {
             faults.push(Fault::NoContact { phi: *phi });
         }
         let most = |k: usize| known.iter().fold(0.0f64, |m, s| m.max(s.q.0[k].abs()));
         let (v_most, a_most) = (most(1), most(2));
-        let extreme = |k: usize, sign: f64| {
-            best(&spans, |phi, side| lift(phi, side).map(|q| sign * q.0[k])).map_or((0.0, 0.0), |(phi, v)| (phi, sign * v))
+        let peak = |k: usize, sign: f64| {
+            let found = turn.best(|phi, side| lift(phi, side).map(|q| [sign * q.0[k], sign * q.0[k + 1]]))?;
+            Some(Peak { value: sign * found.value, ..found })
         };
+        let extreme = |k: usize, sign: f64| peak(k, sign).map_or((0.0, 0.0), Peak::extreme);
+        let ends = peak(0, -1.0).zip(peak(0, 1.0)).map(|(low, high)| [low, high]);
+        let [low, high] = ends.map_or([0.0; 2], |ends| ends.map(|p| p.value));
         let rest = match &disc.motion {
             Motion::Law { base, .. } => disc.rest(*base),
-            Motion::Profile(_) => extreme(0, -1.0).1,
+            Motion::Profile(_) => low,
         };
-        let stroke = extreme(0, 1.0).1 - rest;
-        let jumps = jumps(disc, [v_most, a_most]);
+        let jumps = jumps(disc, &turn.corners, [v_most, a_most]);
         let pressure = [1.0, -1.0].map(|way| match disc.touch {
             Touch::Flat { .. } => None,
-            Touch::Point { .. } => greatest_pressure(disc, &spans, way, JUMP * v_most),
+            Touch::Point { .. } => greatest_pressure(disc, &turn, way, JUMP * v_most),
         });
-        let least_rho = least_convex(disc, &spans);
-        let hollow = best(&spans, |phi, side| disc.station(phi, side).map(|s| s.rho_pitch).filter(|r| *r < 0.0));
+        let sharpest = sharpest(disc, &turn);
+        let of_hollow = |s: Station| Some([s.rho_pitch, s.rho_slope]).filter(|r| r[0] < 0.0);
+        let hollow = turn.best(|phi, side| disc.station(phi, side).and_then(of_hollow)).map(Peak::extreme);
         let mut survey = Survey {
             rest,
-            stroke,
-            phases: phases(&known, &spans, v_most),
+            stroke: high - rest,
+            phases: phases(disc, &known, &turn.spans, v_most),
             jumps,
             velocity: [extreme(1, -1.0), extreme(1, 1.0)],
             acceleration: [extreme(2, -1.0), extreme(2, 1.0)],
             pressure,
-            least_rho,
+            least_rho: sharpest.map(Peak::extreme),
+            sharpest,
+            ends,
+            corners: turn.corners,
             hollow,
             faults,
         };
@@ -152,11 +166,21 @@ impl Survey {
         survey
     }
 
-    /// The lift and its derivatives at an angle.
+    /// The lift and its derivatives at an angle; zero where rounding of the follower's coordinate makes as much.
     pub fn lift(&self, disc: &Disc, phi: f64, side: Side) -> Option<[f64; 4]> {
         let mut q = disc.coordinate(phi, side)?.0;
-        q[0] -= self.rest;
+        let (lift, rounding) = match &disc.motion {
+            Motion::Law { program, .. } => (program.lift(phi, side).value(), ROUNDING * self.stroke),
+            Motion::Profile(_) => (q[0] - self.rest, ROUNDING * self.rest.abs().max(self.stroke)),
+        };
+        q[0] = lift;
+        let most = [rounding, ROUNDING * self.greatest(&self.velocity), ROUNDING * self.greatest(&self.acceleration)];
+        q.iter_mut().zip(most).filter(|(x, rounding)| x.abs() <= *rounding).for_each(|(x, _)| *x = 0.0);
         Some(q)
+    }
+
+    fn greatest(&self, [low, high]: &[Extreme; 2]) -> f64 {
+        low.1.abs().max(high.1.abs())
     }
 
     /// Looks for what does not work.
@@ -169,8 +193,7 @@ impl Survey {
                 }
             }
             Touch::Flat { .. } if law => {
-                let worst = self.hollow.map(|_| most_hollow(disc)).unwrap_or(self.least_rho.filter(|(_, rho)| *rho <= 0.0));
-                if let Some((phi, rho)) = worst {
+                if let Some((phi, rho)) = self.least_rho.filter(|(_, rho)| *rho <= 0.0) {
                     self.faults.push(Fault::Undercut { phi, rho, least_base: least_base(disc) });
                 }
             }
@@ -198,105 +221,34 @@ impl Survey {
 
     /// The angle of the first phase of a kind: the rise Φ, the outer dwell Φs, the return Φ′, the inner dwell Φs′.
     pub fn angle(&self, way: i8, out: bool) -> f64 {
-        self.phases.iter().filter(|p| p.way == way && (way != 0 || p.out == out)).map(|p| p.to - p.from).sum()
+        self.phases_of(way, out).map(|p| p.to - p.from).sum()
     }
-}
 
-/// A turn cut at its corners.
-fn spans(disc: &Disc) -> Vec<[f64; 2]> {
-    let mut at = disc.corners();
-    if at.is_empty() {
-        at.push(0.0);
+    /// The phases of a kind.
+    pub(super) fn phases_of(&self, way: i8, out: bool) -> impl Iterator<Item = &Phase> {
+        self.phases.iter().filter(move |p| p.way == way && (way != 0 || p.out == out))
     }
-    at.dedup_by(|a, b| (*a - *b).abs() < 1e-10);
-    let ends: Vec<f64> = at.iter().skip(1).copied().chain([at[0] + TAU]).collect();
-    at.into_iter().zip(ends).map(|(a, b)| [a, b]).filter(|[a, b]| b - a > 1e-10).collect()
-}
-
-/// Angles through a span, its ends seen from within.
-fn sampled([from, to]: [f64; 2]) -> impl Iterator<Item = (f64, Side)> {
-    (0..=SAMPLES).map(move |k| match k {
-        0 => (from, Side::After),
-        SAMPLES => (to, Side::Before),
-        k => (from + (to - from) * k as f64 / SAMPLES as f64, Side::After),
-    })
-}
-
-/// The greatest value of a function, its place found by golden section between samples; ends count as they are seen from within.
-fn best(spans: &[[f64; 2]], f: impl Fn(f64, Side) -> Option<f64>) -> Option<Extreme> {
-    let mut most: Option<Extreme> = None;
-    for span in spans {
-        let samples: Vec<(f64, Option<f64>)> = sampled(*span).map(|(phi, side)| (phi, f(phi, side))).collect();
-        for k in 0..samples.len() {
-            let Some(here) = samples[k].1 else { continue };
-            let beside = |j: Option<usize>| j.and_then(|j| samples.get(j)).and_then(|s| s.1);
-            let (low, high) = (beside(k.checked_sub(1)), beside(Some(k + 1)));
-            let top = low.is_some_and(|l| l <= here) && high.is_some_and(|h| h <= here);
-            let found = if top {
-                golden([samples[k - 1].0, samples[k + 1].0], |phi| f(phi, Side::After).unwrap_or(f64::NEG_INFINITY))
-            } else {
-                (samples[k].0, here)
-            };
-            let found = if found.1 >= here { found } else { (samples[k].0, here) };
-            // The first of equals.
-            if most.is_none_or(|m| found.1 > m.1 + 1e-13 * m.1.abs()) {
-                most = Some(found);
-            }
-        }
-    }
-    most.map(|(phi, v)| (super::in_turn(phi), v))
-}
-
-/// The maximum of a function with one between the ends, by golden section, its last digits by a parabola through three points.
-fn golden([mut a, mut b]: [f64; 2], f: impl Fn(f64) -> f64) -> Extreme {
-    const PART: f64 = 0.618_033_988_749_894_9;
-    let (mut c, mut d) = (b - PART * (b - a), a + PART * (b - a));
-    let (mut fc, mut fd) = (f(c), f(d));
-    for _ in 0..60 {
-        if fc >= fd {
-            (b, d, fd) = (d, c, fc);
-            c = b - PART * (b - a);
-            fc = f(c);
-        } else {
-            (a, c, fc) = (c, d, fd);
-            d = a + PART * (b - a);
-            fd = f(d);
-        }
-        // Below the root of the rounding values no longer tell the places apart.
-        if b - a < 1e-4 {
-            break;
-        }
-    }
-    let m = 0.5 * (a + b);
-    let h = 5e-4;
-    let (low, here, high) = (f(m - h), f(m), f(m + h));
-    let bend = low - 2.0 * here + high;
-    let at = if bend < 0.0 { m + 0.5 * h * (low - high) / bend } else { m };
-    let value = f(at);
-    if value >= here { (at, value) } else { (m, here) }
 }
 
 /// The pressure angle of the greatest magnitude as the follower goes one way; where it sets out and where it arrives belong to its way.
-fn greatest_pressure(disc: &Disc, spans: &[[f64; 2]], way: f64, rest: f64) -> Option<Extreme> {
+fn greatest_pressure(disc: &Disc, turn: &Turn, way: f64, rest: f64) -> Option<Extreme> {
     let rate = |s: &Station| way * s.q.0[1];
     let moves = |span: &&[f64; 2]| sampled(**span).filter_map(|(phi, side)| disc.station(phi, side)).any(|s| rate(&s) > rest);
-    let moving: Vec<[f64; 2]> = spans.iter().filter(moves).copied().collect();
+    let moving = Turn { corners: turn.corners.clone(), spans: turn.spans.iter().filter(moves).copied().collect() };
     let there = |phi: f64, side: Side| disc.station(phi, side).filter(|s| rate(s) >= -rest);
-    let (phi, most) = best(&moving, |phi, side| there(phi, side).map(|s| s.pressure.abs()))?;
-    // At a joint the side is that on which it is so great.
-    let sides = [Side::After, Side::Before].into_iter().filter_map(|side| there(phi, side));
-    sides.map(|s| s.pressure).min_by(|a, b| (a.abs() - most).abs().total_cmp(&(b.abs() - most).abs())).map(|angle| (phi, angle))
+    let magnitude = |s: Station| [s.pressure.abs(), s.pressure_slope * s.pressure.signum()];
+    let found = moving.best(|phi, side| there(phi, side).map(magnitude))?;
+    there(found.phi, found.side).map(|s| (found.phi, s.pressure))
 }
 
-/// The least convex radius.
-fn least_convex(disc: &Disc, spans: &[[f64; 2]]) -> Option<Extreme> {
-    best(spans, |phi, side| disc.station(phi, side).map(|s| s.rho_pitch).filter(|r| r.is_finite() && *r > 0.0).map(|r| -r))
-        .map(|(phi, v)| (phi, -v))
-}
-
-/// The deepest hollow that a flat face would need: the least radius.
-fn most_hollow(disc: &Disc) -> Option<Extreme> {
-    best(&spans(disc), |phi, side| disc.station(phi, side).map(|s| -s.rho)).map(|(phi, v)| (phi, -v))
+/// The least convex radius of the pitch curve of a round end, the least radius of the profile of a flat face.
+fn sharpest(disc: &Disc, turn: &Turn) -> Option<Peak> {
+    let of = |s: Station| match disc.touch {
+        Touch::Point { .. } => Some([-s.rho_pitch, -s.rho_slope]).filter(|r| r[0].is_finite() && r[0] < 0.0),
+        Touch::Flat { .. } => Some([-s.rho_pitch, -s.rho_slope]).filter(|r| r[0].is_finite()),
+    };
+    let found = turn.best(|phi, side| disc.station(phi, side).and_then(of))?;
+    Some(Peak { value: -found.value, ..found })
 }
 
 /// The least base circle whose profile is not undercut, by bisection: radii of curvature grow with it.
@@ -305,11 +257,11 @@ fn least_base(disc: &Disc) -> Option<f64> {
     let with = |base: f64| Disc { motion: Motion::Law { base, program: program.clone() }, ..disc.clone() };
     let good = |base: f64| {
         let disc = with(base);
-        let spans = spans(&disc);
-        match disc.touch {
-            Touch::Point { radius } => least_convex(&disc, &spans).is_none_or(|(_, rho)| rho >= radius),
-            Touch::Flat { .. } => most_hollow(&disc).is_none_or(|(_, rho)| rho >= 0.0),
-        }
+        let least = match disc.touch {
+            Touch::Point { radius } => radius,
+            Touch::Flat { .. } => 0.0,
+        };
+        sharpest(&disc, &Turn::of(&disc)).is_none_or(|p| p.value >= least)
     };
     let mut high = *base;
     for _ in 0..40 {
@@ -335,9 +287,9 @@ fn disc_holds(disc: &Disc) -> bool {
 }
 
 /// Where s′ or s″ jump.
-fn jumps(disc: &Disc, most: [f64; 2]) -> Vec<Jump> {
+fn jumps(disc: &Disc, corners: &[f64], most: [f64; 2]) -> Vec<Jump> {
     let mut out = Vec::new();
-    for phi in disc.corners() {
+    for &phi in corners {
         let sides = [Side::Before, Side::After].map(|side| disc.coordinate(phi, side));
         let [Some(before), Some(after)] = sides else { continue };
         for (k, shock) in [(1, Shock::Rigid), (2, Shock::Soft)] {
@@ -352,7 +304,7 @@ fn jumps(disc: &Disc, most: [f64; 2]) -> Vec<Jump> {
 }
 
 /// Rises, dwells and returns, in the order of the first rise.
-fn phases(known: &[Station], spans: &[[f64; 2]], v_most: f64) -> Vec<Phase> {
+fn phases(disc: &Disc, known: &[Station], spans: &[[f64; 2]], v_most: f64) -> Vec<Phase> {
     let mut out: Vec<Phase> = Vec::new();
     let way = |s: &Station| if s.q.0[1].abs() <= JUMP * v_most { 0 } else { s.q.0[1].signum() as i8 };
     for window in known.windows(2) {
@@ -377,7 +329,7 @@ fn phases(known: &[Station], spans: &[[f64; 2]], v_most: f64) -> Vec<Phase> {
     for k in 0..out.len() {
         let next = (k + 1) % out.len();
         if out[k].way * out[next].way == -1 {
-            let at = turning(known, out[k].to);
+            let at = turning(disc, known, out[k].to);
             let shift = out[next].from - out[k].to;
             (out[k].to, out[next].from) = (at, at + shift);
         }
@@ -397,14 +349,12 @@ fn phases(known: &[Station], spans: &[[f64; 2]], v_most: f64) -> Vec<Phase> {
     out
 }
 
-/// The zero of the velocity next to an angle, by one step of the secant through the samples around it.
-fn turning(known: &[Station], near: f64) -> f64 {
+/// The zero of the velocity next to an angle, between the samples around it.
+fn turning(disc: &Disc, known: &[Station], near: f64) -> f64 {
     let around = known.windows(2).filter(|w| w[1].phi > w[0].phi && w[0].q.0[1] * w[1].q.0[1] <= 0.0);
     let closest = around.min_by(|a, b| (a[0].phi - near).abs().total_cmp(&(b[0].phi - near).abs()));
     closest.map_or(near, |w| {
-        let (a, b) = (&w[0], &w[1]);
-        // Newton's method with the exact derivatives from the nearer end.
-        let s = if a.q.0[1].abs() < b.q.0[1].abs() { a } else { b };
-        if s.q.0[2] == 0.0 { s.phi } else { (s.phi - s.q.0[1] / s.q.0[2]).clamp(a.phi, b.phi) }
+        let sign = if w[0].q.0[1] > 0.0 || w[1].q.0[1] < 0.0 { 1.0 } else { -1.0 };
+        zero([w[0].phi, w[1].phi], |phi| disc.coordinate(phi, Side::After).map(|q| sign * q.0[1]))
     })
 }

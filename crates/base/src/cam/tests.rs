@@ -187,11 +187,84 @@ fn a_face_beside_its_pivot_has_a_pressure_angle() {
 fn inversion_finds_the_profile_from_which_the_motion_was_made() {
     let disc = tangent_cam();
     let Motion::Profile(parts) = &disc.motion else { panic!() };
+    let h = 1e-5;
     for k in 0..360 {
         let phi = deg(k as f64 + 0.37);
-        let s = disc.station(phi, Side::After).unwrap();
+        let [low, here, high] = [phi - h, phi, phi + h].map(|p| disc.station(p, Side::After).unwrap());
         let rho = parts[disc.touched(phi, Side::After).unwrap()].radius();
-        assert!((1.0 / s.rho - 1.0 / rho).abs() < 1e-9, "{k}: {} {rho}", s.rho);
+        assert_eq!(here.rho, rho, "{k}");
+        let turned = low.normal.cross(high.normal) / (high.contact - low.contact).norm();
+        assert!((turned.abs() - 1.0 / rho).abs() < 1e-6, "{k}: {turned} {rho}");
+    }
+}
+
+/// The same cams in numbers that know their error: what they enclose is what longer ones find, and what double precision says lies inside.
+#[test]
+fn longer_numbers_find_the_same_places() {
+    use crate::number::{Ball, Big, Dd, Real, decimal::Certain, within};
+    fn asked<N: Real>(disc: &Disc, survey: &Surveyed) -> Vec<Option<N>> {
+        let number = |x: f64| N::from_f64(x);
+        let v = |v: Vec2| Vec2::new(number(v.x), number(v.y));
+        let follower = match disc.follower {
+            Follower::Translating { direction, offset } => Follower::Translating { direction: v(direction), offset: number(offset) },
+            Follower::Oscillating { pivot, arm, sense } => Follower::Oscillating { pivot: v(pivot), arm: number(arm), sense },
+        };
+        let touch = match disc.touch {
+            Touch::Point { radius } => Touch::Point { radius: number(radius) },
+            Touch::Flat { lever } => Touch::Flat { lever: number(lever) },
+        };
+        let motion = match &disc.motion {
+            Motion::Law { base, program } => {
+                let stage = |s: &Stage| Stage {
+                    way: match s.way {
+                        Way::Rise(h, law) => Way::Rise(number(h), law),
+                        Way::Dwell => Way::Dwell,
+                        Way::Return(h, law) => Way::Return(number(h), law),
+                    },
+                    over: number(s.over),
+                };
+                Motion::Law { base: number(*base), program: Program { stages: program.stages.iter().map(stage).collect() } }
+            }
+            Motion::Profile(segments) => {
+                let segment = |s: &Segment| match *s {
+                    Segment::Arc { centre, radius, normals } => {
+                        Segment::Arc { centre: v(centre), radius: number(radius), normals: normals.map(number) }
+                    }
+                    Segment::Line { normal, distance, ends } => {
+                        Segment::Line { normal: number(normal), distance: number(distance), ends: ends.map(number) }
+                    }
+                };
+                Motion::Profile(segments.iter().map(segment).collect())
+            }
+        };
+        let exact = Exact::new(disc, survey, Disc { follower, touch, motion, sense: disc.sense });
+        let at = |phi: f64| (phi, Side::After);
+        let mut out = vec![exact.stroke(), exact.angle(1, false), exact.angle(0, false), exact.least_rho()];
+        for phi in [0.3, 1.1, 2.9, 4.7] {
+            out.push(exact.lift(at(phi), number(phi)));
+            out.push(exact.station(at(phi), number(phi)).map(|s| s.pressure));
+        }
+        out
+    }
+    for disc in [offset_roller(), tangent_cam()] {
+        let survey = Surveyed::default();
+        let plain = asked::<f64>(&disc, &survey);
+        within(400, || {
+            let truth: Vec<_> = asked::<Ball<Big>>(&disc, &survey).into_iter().map(|x| x.and_then(Certain::enclosure)).collect();
+            let seen = |all: Vec<Option<crate::number::decimal::Enclosure>>, most: f64| {
+                for (k, (seen, truth)) in all.iter().zip(&truth).enumerate() {
+                    let (Some(seen), Some(truth)) = (seen, truth) else { panic!("{k}: {seen:?} {truth:?}") };
+                    assert!(seen.meets(truth), "{k}: {seen:?} {truth:?}");
+                    assert!(seen.radius <= most * truth.approx.abs().max(1.0), "{k}: {seen:?}");
+                }
+            };
+            seen(asked::<Ball<f64>>(&disc, &survey).into_iter().map(|x| x.and_then(Certain::enclosure)).collect(), 1e-9);
+            seen(asked::<Ball<Dd>>(&disc, &survey).into_iter().map(|x| x.and_then(Certain::enclosure)).collect(), 1e-24);
+            for (k, (plain, truth)) in plain.iter().zip(&truth).enumerate() {
+                let (plain, truth) = (plain.unwrap(), truth.as_ref().unwrap().approx);
+                assert!((plain - truth).abs() <= 1e-11 * truth.abs().max(1.0), "{k}: {plain} {truth}");
+            }
+        });
     }
 }
 

@@ -1,14 +1,9 @@
 //! Where a cam and its follower touch, from the pair that stands for the contact; of a law from the geometry of the cam.
-//!
-//! Radii are in double precision: no more digits of the place are certain than they have.
 
 use super::{Configuration, Path};
 use crate::geom::{Point, Vec2};
 use crate::number::Real;
 use crate::scene::{Cam, GuideId, Scene};
-
-/// What double precision keeps of a length that is computed from given ones, relative to it.
-const LOST: f64 = 1e-12;
 
 /// Where two contours touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,22 +34,23 @@ pub(super) fn touch<N: Real>(scene: &Scene, cam: &Cam, points: &[Option<Point<N>
 
 fn by_pair<N: Real>(scene: &Scene, cam: &Cam, guide: GuideId, points: &[Option<Point<N>>], guides: &[Option<Path<N>>]) -> Option<Touch<N>> {
     let pin = points[scene.guides[guide.0].pin?.0]?;
+    let end = || cam.end_in::<N>(scene);
     match (guides[guide.0]?, cam.follows.radius()) {
         // The end's centre runs about that of the arc: outside it, in a hollow between it and the arc.
-        (Path::Arc { centre, .. }, Some(end)) => {
+        (Path::Arc { centre, .. }, Some(round)) => {
             let away = (pin - centre).unit()?;
-            let normal = if cam.touched_radius()? + end < 0.0 { -away } else { away };
-            Some(Touch { at: pin - normal * number(end)?, normal })
+            let normal = if cam.touched_radius()? + round < 0.0 { -away } else { away };
+            Some(Touch { at: pin - normal * end()?, normal })
         }
         // Lines of a profile run counter-clockwise round the cam, which lies to their left.
-        (Path::Line { direction, .. }, Some(end)) => {
+        (Path::Line { direction, .. }, Some(_)) => {
             let normal = -direction.perp();
-            Some(Touch { at: pin - normal * number(end)?, normal })
+            Some(Touch { at: pin - normal * end()?, normal })
         }
         // The arc's centre runs beside the face, behind which the cam lies.
         (Path::Line { direction, .. }, None) => {
             let normal = if cam.left { -direction.perp() } else { direction.perp() };
-            Some(Touch { at: pin + normal * number(cam.touched_radius()?)?, normal })
+            Some(Touch { at: pin + normal * cam.touched_radius_in(scene)?, normal })
         }
         (Path::Arc { .. }, None) => None,
     }
@@ -62,24 +58,16 @@ fn by_pair<N: Real>(scene: &Scene, cam: &Cam, guide: GuideId, points: &[Option<P
 
 fn by_station<N: Real>(scene: &Scene, cam: &Cam, points: &[Option<Point<N>>]) -> Option<Touch<N>> {
     let turning = cam.disc.as_ref()?;
-    let station = turning.disc.station(turning.phi, turning.side)?;
-    let in_plane = |v: Vec2| -> Option<Vec2<N>> {
-        let v = v.rotate_by(Vec2::from_angle(turning.disc.sense * turning.phi));
-        let v = Vec2 { x: number(v.x)?, y: number(v.y)? };
-        Some(match turning.axis(scene) {
-            Some([a, b]) => v.rotate_by((points[b.0]? - points[a.0]?).unit()?),
-            None => v,
-        })
+    let [contact, normal] = turning.contact_in::<N>(scene)?;
+    let axis = match turning.axis(scene) {
+        Some([a, b]) => Some((points[b.0]? - points[a.0]?).unit()?),
+        None => None,
     };
-    let normal = in_plane(station.normal)?;
+    let in_plane = |v: Vec2<N>| axis.map_or(v, |axis| v.rotate_by(axis));
+    let normal = in_plane(normal);
     let at = match cam.follows.radius() {
-        Some(0.0) => points[cam.follows.point().0]?,
-        Some(end) => points[cam.follows.point().0]? - normal * number(end)?,
-        None => points[turning.pivot.0]? + in_plane(station.contact)?,
+        Some(_) => points[cam.follows.point().0]? - normal * cam.end_in(scene)?,
+        None => points[turning.pivot.0]? + in_plane(contact),
     };
     Some(Touch { at, normal })
-}
-
-fn number<N: Real>(x: f64) -> Option<N> {
-    N::from_bounded(x, x.abs() * LOST)
 }

@@ -346,6 +346,7 @@ fn unanswered(scene: &Scene, worked: &Worked, u: &Unanswered) -> Json {
     let (unbounded, code, links) = match &u.why {
         NoAnswer::NoMotion(r) => (r.why == Refusal::DeadPoint, r.diagnostic.code, r.named.as_slice()),
         NoAnswer::NoValue(_) => (false, "not-defined", [].as_slice()),
+        NoAnswer::Infinite(_) => (true, "infinite", [].as_slice()),
     };
     let mut answer = json!({
         "find": scene.find[u.find].text,

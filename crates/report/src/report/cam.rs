@@ -3,6 +3,7 @@
 use crate::cam::{Disc, Fault, Follower, Jump, Law, Motion, Shock, Side, Station, Survey, Touch, Way, in_turn, round};
 use crate::diag::{Both, Diagnostic, both};
 use crate::digits::significant;
+use crate::number::{Ball, Real};
 use crate::paper::phrase::tr;
 use crate::scene::{Cam, Follows, Kind, Lang, Scene, Turning};
 use serde_json::{Value as Json, json};
@@ -72,12 +73,24 @@ impl Report<'_> {
         if self.swings() { ["ψ", "ω", "α"][order] } else { ["s", "v", "a"][order] }
     }
 
-    /// What is read at the instant.
+    /// What is read at the instant: s, v, a beside the rest. What is no more than the bound of its error is zero.
     fn now(&self) -> Option<(Station, [f64; 3])> {
-        let station = self.disc().station(self.turning.phi, self.turning.side)?;
+        let here = (self.turning.phi, self.turning.side);
+        let mut station = self.disc().station(here.0, here.1)?;
         let [w, a] = self.turning.rates(self.scene);
-        let [q, dq, ddq, _] = station.q.0;
-        Some((station, [q - self.survey.rest, dq * w, ddq * w * w + dq * a]))
+        let [mut s, mut v, mut acceleration, _] = self.survey.lift(self.disc(), here.0, here.1)?;
+        (v, acceleration) = (v * w, acceleration * w * w + v * a);
+        if let Some((cam, phi)) = self.turning.exact::<Ball<f64>>(self.scene)
+            && let Some(exact) = cam.station(here, phi)
+        {
+            let number = |x: Ball<f64>| if x.contains_zero() { 0.0 } else { x.approx() };
+            let [w, a] = [w, a].map(Ball::from_f64);
+            let [_, dq, ddq, _] = exact.q.0;
+            (v, acceleration) = (number(dq * w), number(ddq * w * w + dq * a));
+            s = cam.lift(here, phi).map_or(s, number);
+            station.pressure = number(exact.pressure);
+        }
+        Some((station, [s, v, acceleration]))
     }
 
     /// The report as text.
@@ -345,10 +358,10 @@ impl Report<'_> {
             if side == Side::Before && phi < TAU - 1e-9 {
                 continue;
             }
-            let [q, dq, ddq, _] = s.q.0;
+            let Some([lift, dq, ddq, _]) = self.survey.lift(self.disc(), phi, side) else { continue };
             let row = [
                 phi.to_degrees(),
-                (q - self.survey.rest) * factor,
+                lift * factor,
                 dq * factor,
                 ddq * factor,
                 s.pitch.x * 1e3,

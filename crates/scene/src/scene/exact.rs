@@ -184,6 +184,11 @@ impl<'a, N: Real> Inputs<'a, N> {
         }
     }
 
+    /// The value of a text in SI units.
+    pub(super) fn text(&self, text: &str) -> Option<N> {
+        self.read(text).map(Value::si).filter(|x| x.is_decided())
+    }
+
     fn read(&self, text: &str) -> Option<Value<N>> {
         let names: Vec<&str> = self.parameters.iter().map(|p| p.0).collect();
         let expr = expr::parse(text, &names).ok()?;

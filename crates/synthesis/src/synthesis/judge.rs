@@ -74,7 +74,7 @@ pub fn judge(draft: Draft, gamma: f64) -> Result<Candidate, Faults> {
     if !draft.course.is_empty() && !judged.rotates && judged.defects.is_empty() {
         judged.defects.extend(turned_otherwise(&draft, &drivers));
     }
-    judged.transmission = if judged.rotates { least(&limits) } else { walk.transmission(&drivers) };
+    judged.transmission = if judged.rotates { least(&limits) } else { walk.transmission(&drivers, least(&limits)) };
     if let Some((angle, _)) = judged.transmission.filter(|(angle, _)| *angle < gamma - 1e-9) {
         let message = both!(
             "the transmission angle falls to {}°; {}° is wanted",
@@ -265,12 +265,19 @@ impl Walk {
         found(&self.table(vec![self.drivers(0.0).first().copied().unwrap_or(self.range[0])])?, name, 0)
     }
 
-    /// The least transmission angle of a four-bar between the wanted positions.
-    fn transmission(&self, drivers: &[(usize, f64)]) -> Option<(f64, f64)> {
+    /// The least transmission angle of a four-bar between the wanted positions; `of_all` is the least one of the whole range, which has been solved for and
+    /// holds where it lies between them.
+    fn transmission(&self, drivers: &[(usize, f64)], of_all: Option<(f64, f64)>) -> Option<(f64, f64)> {
         const STEPS: usize = 360;
+        const NEAR: f64 = 1e-9;
         let low = drivers.iter().map(|d| d.1).fold(f64::INFINITY, f64::min);
         let high = drivers.iter().map(|d| d.1).fold(f64::NEG_INFINITY, f64::max);
         self.grashof?;
+        // A wanted position that is a limit misses it by the rounding of the lengths.
+        let between = |(_, at): &(f64, f64)| (low - NEAR * (high - low)..=high + NEAR * (high - low)).contains(at);
+        if let Some(least) = of_all.filter(between) {
+            return Some(least);
+        }
         let table = self.table((0..=STEPS).map(|i| low + (high - low) * i as f64 / STEPS as f64).collect())?;
         let angle = |row: usize| {
             let at = |name| found(&table, name, row);

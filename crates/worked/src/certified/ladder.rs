@@ -266,6 +266,7 @@ impl Climb for Look<'_> {
             let find = &scene.find[r.find];
             match evaluate(scene, &at, &motion, &find.what) {
                 Some(value) => parts(find.what.kind(), value, r.scale, self.digits)
+                    .map(|list| none_of_nothing(is_nothing(r.noise, value), list))
                     .and_then(|list| with_printed(&scene.book, &find.what, value, list))
                     .map(|list| (list, reading(scene, &at, r, value))),
                 None => Err(match motion.singular.first() {
@@ -287,6 +288,26 @@ pub type Parts = Result<Vec<(Part, Number)>, Why>;
 /// The same with the reading.
 type Seen = Result<(Vec<(Part, Number)>, Option<Reading>), Why>;
 
+/// Whether an answer is surely no more than what drawing and loop equations cannot tell from zero beside the largest of its kind. A place has no
+/// such size: it is counted from a chosen origin.
+fn is_nothing<N: Certain>(noise: f64, value: Value<N>) -> bool {
+    let size = match value {
+        Value::Vector(v) => v.norm(),
+        Value::Scalar(s) => s,
+        Value::Point(_) => return false,
+    };
+    size.enclosure().is_some_and(|e| e.largest() <= noise)
+}
+
+/// The numbers of an answer, all zero where it is; a direction of nothing is none.
+fn none_of_nothing(nothing: bool, mut list: Vec<(Part, Number)>) -> Vec<(Part, Number)> {
+    if nothing {
+        list.retain(|(part, _)| *part != Part::Direction);
+        list.iter_mut().for_each(|(_, n)| n.zero = true);
+    }
+    list
+}
+
 /// What the ruler gives: |v|/μ, or |ω| l/μ for an angular rate measured on a line of length l.
 fn reading<N: Certain>(scene: &Scene, at: &Configuration<N>, r: &Outcome, value: Value<N>) -> Option<Reading> {
     let m = r.drawn.as_ref()?.measured.as_ref()?;
@@ -303,7 +324,7 @@ fn reading<N: Certain>(scene: &Scene, at: &Configuration<N>, r: &Outcome, value:
     };
     let mut length_mm = number(size / mu)?;
     // Less than a thousandth of a millimetre is nothing that a ruler gives; beside an answer that is surely not zero it is told.
-    length_mm.zero = length_mm.enclosure.contains_zero() && length_mm.enclosure.largest() < 1e-3;
+    length_mm.zero = length_mm.enclosure.contains_zero() && length_mm.enclosure.largest() < 1e-3 || is_nothing(r.noise, value);
     Some(Reading { length_mm, arm: arm.and_then(|arm| number(scene.book.in_chosen(Kind::Length, arm))) })
 }
 

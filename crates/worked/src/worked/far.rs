@@ -38,7 +38,7 @@ impl Unanswered {
     pub fn refused(&self) -> Option<&Refused> {
         match &self.why {
             NoAnswer::NoMotion(refused) => Some(refused),
-            NoAnswer::NoValue(_) => None,
+            NoAnswer::NoValue(_) | NoAnswer::Infinite(_) => None,
         }
     }
 }
@@ -50,6 +50,8 @@ pub enum NoAnswer {
     NoMotion(Box<Refused>),
     /// The motion is known, and leaves the quantity undefined: the ratio to a link at rest, the radius of a straight path. In words.
     NoValue(Both),
+    /// It is infinite: the radius of a straight flank. In words.
+    Infinite(Both),
 }
 
 /// A centre that is nowhere in the plane: the two links turn alike.

@@ -1,7 +1,7 @@
 //! The usual motion laws, normalized: a rise of one over a way of one, S(x) with S(0) = 0 and S(1) = 1.
 //!
-//! Every law is written in pieces, each a polynomial and one wave, c₀ + c₁x + … + A sin(kx + p): numbers for [`f64`] and, beside each, the text
-//! of the same number for arithmetic in more digits. Derivatives are taken from the pieces, so none is typed twice.
+//! Every law is written in pieces, each a polynomial and one wave, c₀ + c₁x + … + A sin(kx + p), whose coefficients have a value in any kind of
+//! number and a text. Derivatives are taken from the pieces, so none is typed twice.
 //!
 //! # Source
 //! 孙桓《机械原理》, table of the laws of followers; R. L. Norton, *Cam Design and Manufacturing Handbook*, chapters 3 and 4.
@@ -10,8 +10,46 @@ mod elementary;
 mod modified;
 mod polynomial;
 
-/// A coefficient and the text of the same number.
-pub type Exact = (f64, &'static str);
+use super::jet::Jet;
+use crate::number::Real;
+
+/// A coefficient: (a + bπ + c/π)/(d + eπ).
+#[derive(Clone, Copy, Debug)]
+pub struct Exact {
+    over: [f64; 3],
+    under: [f64; 2],
+    /// The same number as an expression.
+    pub text: &'static str,
+}
+
+impl Exact {
+    /// A number that is a binary fraction.
+    const fn plain(value: f64, text: &'static str) -> Exact {
+        Exact { over: [value, 0.0, 0.0], under: [1.0, 0.0], text }
+    }
+
+    /// (a + bπ + c/π)/(d + eπ).
+    const fn of(over: [f64; 3], under: [f64; 2], text: &'static str) -> Exact {
+        Exact { over, under, text }
+    }
+
+    /// Whether it is zero.
+    pub fn is_zero(&self) -> bool {
+        self.over == [0.0; 3]
+    }
+
+    /// Its value; a binary fraction is exact.
+    pub fn value<N: Real>(&self) -> N {
+        let [a, b, c] = self.over;
+        let [d, e] = self.under;
+        if (b, c, d, e) == (0.0, 0.0, 1.0, 0.0) {
+            return N::from_f64(a);
+        }
+        let (pi, number) = (N::pi(), N::from_f64);
+        let over = number(a) + number(b) * pi + number(c) / pi;
+        over / (number(d) + number(e) * pi)
+    }
+}
 
 /// A piece of a law: a polynomial and a wave, up to its end.
 #[derive(Debug)]
@@ -25,31 +63,35 @@ pub struct Piece {
 }
 
 impl Piece {
-    /// S and its first three derivatives.
-    fn at(&self, x: f64) -> [f64; 4] {
-        let mut out = [0.0; 4];
-        let mut c: Vec<f64> = self.polynomial.iter().map(|c| c.0).collect();
+    /// S and its first three derivatives by x.
+    pub fn at<N: Real>(&self, x: N) -> Jet<N> {
+        let zero = N::from_f64(0.0);
+        let mut out = [zero; 4];
+        let mut c: Vec<N> = self.polynomial.iter().map(Exact::value).collect();
         for value in &mut out {
-            *value = c.iter().rev().fold(0.0, |sum, c| sum * x + c);
-            c = c.iter().enumerate().skip(1).map(|(i, c)| i as f64 * c).collect();
+            *value = c.iter().rev().fold(zero, |sum, c| sum * x + *c);
+            c = c.iter().enumerate().skip(1).map(|(i, c)| N::from_f64(i as f64) * *c).collect();
         }
-        if let Some(((amplitude, _), k, phase)) = self.wave {
-            let (s, c) = libm::sincos((k * x + phase).to_radians());
-            let k = k.to_radians();
-            for (n, wave) in [s, c, -s, -c].into_iter().enumerate() {
-                out[n] += amplitude * libm::pow(k, n as f64) * wave;
+        if let Some((amplitude, k, phase)) = &self.wave {
+            let (s, c) = (N::from_f64(*k) * x + N::from_f64(*phase)).sin_cos_degrees();
+            let rate = N::from_f64(*k) * N::pi() / N::from_f64(180.0);
+            let mut factor: N = amplitude.value();
+            for (out, wave) in out.iter_mut().zip([s, c, -s, -c]) {
+                *out = *out + factor * wave;
+                factor = factor * rate;
             }
         }
-        out
+        Jet(out)
     }
 
     /// The derivative of an order as an expression in a variable.
     fn text(&self, order: usize, x: &str) -> String {
         let mut terms: Vec<String> = Vec::new();
-        for (i, (value, text)) in self.polynomial.iter().enumerate().skip(order) {
-            if *value == 0.0 {
+        for (i, coefficient) in self.polynomial.iter().enumerate().skip(order) {
+            if coefficient.is_zero() {
                 continue;
             }
+            let text = coefficient.text;
             let factor: usize = (0..order).map(|j| i - j).product();
             let head = if factor == 1 { format!("({text})") } else { format!("{factor}*({text})") };
             terms.push(match i - order {
@@ -58,7 +100,7 @@ impl Piece {
                 n => format!("{head}*{x}^{n}"),
             });
         }
-        if let Some(((_, amplitude), k, phase)) = self.wave {
+        if let Some((Exact { text: amplitude, .. }, k, phase)) = &self.wave {
             let rate = if order == 0 { String::new() } else { format!("*({k}/180*pi)^{order}") };
             let shift = (phase + 90.0 * order as f64) % 360.0;
             terms.push(format!("({amplitude}){rate}*sin({k} deg*{x}+{shift} deg)"));
@@ -149,16 +191,19 @@ impl Law {
         }
     }
 
-    /// The piece in which x lies; at a joint that after it, or with `before` that before it.
+    /// The place in the list of the piece in which x lies; at a joint of that after it, or with `before` of that before it.
+    pub fn place(self, x: f64, before: bool) -> usize {
+        let on = |p: &Piece| if before { x <= p.end } else { x < p.end };
+        self.pieces().iter().position(on).unwrap_or(self.pieces().len() - 1)
+    }
+
     fn piece(self, x: f64, before: bool) -> &'static Piece {
-        let pieces = self.pieces();
-        let on = |p: &&Piece| if before { x <= p.end } else { x < p.end };
-        pieces.iter().find(on).unwrap_or(&pieces[pieces.len() - 1])
+        &self.pieces()[self.place(x, before)]
     }
 
     /// S, S′, S″, S‴ at x from 0 to 1.
     pub fn at(self, x: f64, side: super::Side) -> [f64; 4] {
-        self.piece(x, side == super::Side::Before).at(x)
+        self.piece(x, side == super::Side::Before).at(x).0
     }
 
     /// S, S′ and S″ of the piece in which x lies, as expressions in a variable.
@@ -173,7 +218,7 @@ impl Law {
         let mut start = 0.0;
         for piece in self.pieces() {
             for k in 0..=STEPS {
-                let at = piece.at(start + (piece.end - start) * k as f64 / STEPS as f64);
+                let at = piece.at(start + (piece.end - start) * k as f64 / STEPS as f64).0;
                 for (most, value) in most.iter_mut().zip(&at[1..]) {
                     *most = most.max(value.abs());
                 }

@@ -9,6 +9,7 @@ use crate::worked::{NoAnswer, Unanswered};
 pub fn verdict(u: &Unanswered, lang: Lang) -> &'static str {
     match &u.why {
         NoAnswer::NoValue(_) => tr(lang, "not defined", "无定义"),
+        NoAnswer::Infinite(_) => "∞",
         NoAnswer::NoMotion(refused) => match refused.why {
             Refusal::DeadPoint => tr(lang, "unbounded", "无界"),
             Refusal::Locked => tr(lang, "no motion", "不能运动"),
@@ -21,7 +22,7 @@ pub fn verdict(u: &Unanswered, lang: Lang) -> &'static str {
 pub fn reason(scene: &Scene, u: &Unanswered, lang: Lang) -> String {
     let Refused { why, named, words, .. } = match &u.why {
         NoAnswer::NoMotion(refused) => &**refused,
-        NoAnswer::NoValue(words) => {
+        NoAnswer::NoValue(words) | NoAnswer::Infinite(words) => {
             return match lang {
                 Lang::En => words.en.clone(),
                 Lang::Zh => words.zh.clone(),

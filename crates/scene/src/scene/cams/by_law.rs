@@ -10,6 +10,7 @@ use super::law::{self, LawText, StageText, Stands};
 use super::pairs::Contact;
 use super::place::{self, Carried, OnPivot, Told};
 use super::raw::*;
+use super::texts::MotionTexts;
 use crate::cam::{Disc, Law, Motion, Program, Side, Stage, Surveyed, Touch, Way};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
@@ -132,6 +133,7 @@ impl One<'_> {
         let phi = turn * (on.angle.value - start);
         let disc = self.on_its_side(disc, phi, (on.frame, on.spot.at()), point);
         let along = if on.rate * turn < 0.0 { Side::Before } else { Side::After };
+        let end_point = point;
         // The mark that tells the direction of a lever with a face is the last point of its link.
         let point = match (&carried, &face) {
             (Carried::Pivot { .. }, Some(_)) => {
@@ -146,6 +148,8 @@ impl One<'_> {
         };
         let far_out = offset.clone();
         let lever = offset.map(|o| if sense < 0.0 { format!("-({})", o.text) } else { o.text });
+        let touching = lever.clone().or_else(|| radius.clone());
+        let texts = self.texts((&on, &carried), (end_point, touching), (phi, &text.start), Some(MotionTexts::of_law(&text)));
         let at = law::At {
             scene: self.bare,
             of: self.names.link(&self.raw.cam).ok()?,
@@ -206,6 +210,7 @@ impl One<'_> {
             touched: None,
             rough: None,
             side: along,
+            texts,
         };
         pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
         Some(())

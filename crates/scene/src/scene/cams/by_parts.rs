@@ -34,6 +34,7 @@ impl One<'_> {
             }
             round @ (RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. }) => (round.clone(), None, 1.0),
         };
+        pending.radii = worded.iter().map(|w| w.radius().map(|r| r.text.clone())).collect();
         if let [Worded::Circle { centre, radius }] = worded.as_slice() {
             pending.circle = Some((centre.clone(), radius.value));
         }
@@ -48,6 +49,10 @@ impl One<'_> {
             return self.no_line(p.0.frame, faults);
         }
         let geometry = placed.as_ref().ok().filter(|p| !leans(p)).and_then(|p| self.follower(p, point, offset.as_ref(), sense));
+        let lever = match (&follows, &offset) {
+            (RawFollows::Face(_), Some(o)) => Some(if sense < 0.0 { format!("-({})", o.text) } else { o.text.clone() }),
+            _ => end.as_ref().map(|r| r.text.clone()),
+        };
         let contact = Contact {
             cam: &self.raw.cam.text,
             follower: &self.raw.follower.text,
@@ -96,6 +101,7 @@ impl One<'_> {
                 touched: Some(found),
                 rough: None,
                 side: Side::After,
+                texts: self.texts((on, carried), (point, lever), (phi, "0 deg"), self.profile_texts(cam, on, &worded)),
             };
             pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
         } else if worded.len() > 1 {

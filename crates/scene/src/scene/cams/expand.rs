@@ -36,6 +36,9 @@ pub(super) struct Pending {
     roller: Option<String>,
     /// Of a face: whether the cam lies left of it.
     pub left: bool,
+    end: Option<String>,
+    /// The texts of the radii of the pieces.
+    pub radii: Vec<Option<String>>,
     pub circle: Option<(String, f64)>,
     pub disc: Option<(String, Turning)>,
     pub contact: Option<usize>,
@@ -159,6 +162,8 @@ impl One<'_> {
                 RawFollows::Edge(_) | RawFollows::Arc { .. } | RawFollows::Face(_) => None,
             },
             left: true,
+            end: end.as_ref().map(|r| r.text.clone()),
+            radii: Vec::new(),
             circle: None,
             disc: None,
             contact: None,
@@ -388,6 +393,8 @@ impl Expanded {
                 left: p.left,
                 roller: p.roller,
                 at: p.at,
+                end: p.end,
+                radii: p.radii,
                 circle: p.circle.and_then(|(c, r)| Some((point(&c)?, r))),
                 disc,
                 contact: p.contact.map(GuideId),

@@ -10,7 +10,7 @@
 //! the pose is taken; at a joint of two, that which follows in the driver's sense.
 //!
 //! [`decode`] reads the section, [`marked`] adds what is understood, [`carrier`] and [`place`] find where cam and follower are, [`reckoned`] where things are that different links carry, [`expand`] writes the pairs in the words of the scene, so that
-//! longer numbers read the same texts; [`motion`] carries them on beyond the instant; what [`course`] hands in does where cam and follower move with different links.
+//! longer numbers read the same texts; [`motion`] carries them on beyond the instant; what [`course`] hands in does where cam and follower move with different links. [`texts`] keeps the numbers as they are written.
 
 mod by_law;
 mod by_parts;
@@ -28,9 +28,11 @@ mod place;
 pub(super) mod raw;
 mod reckoned;
 pub(super) mod rollers;
+mod texts;
 mod untold;
 
 pub use course::{Course, HangsOn, Leads, Led};
+pub use texts::Texts;
 
 use super::model::{GuideId, LinkId, PointId, Scene};
 use crate::cam::{Disc, Motion, Segment, Side, Surveyed};
@@ -85,6 +87,10 @@ pub struct Cam {
     pub touch: Option<PointId>,
     /// Of a face: whether the cam lies left of it, looking along it.
     pub left: bool,
+    /// The text of the radius of its round end.
+    pub end: Option<String>,
+    /// The texts of the radii of its pieces, nothing for a line; empty of a law.
+    pub radii: Vec<Option<String>>,
     /// A profile that is one circle: its centre and radius (m). It needs no pose.
     pub circle: Option<(PointId, f64)>,
     /// The cam on a pivot of the link in which its follower slides or turns, of the ground or a moving one: what it does over a whole turn. `None` where
@@ -121,6 +127,19 @@ impl Cam {
         };
         let several = || self.posed.as_ref().and_then(|p| of(&p.segments, p.touched));
         self.circle.map(|c| c.1).or_else(|| self.disc.as_ref().and_then(of_disc)).or_else(several)
+    }
+
+    /// The piece of the profile that is touched in the pose; nothing of a law.
+    fn touched(&self) -> Option<usize> {
+        let of_disc = || self.disc.as_ref().and_then(|t| t.touched);
+        self.circle.map(|_| 0).or_else(of_disc).or_else(|| self.posed.as_ref().map(|p| p.touched))
+    }
+
+    /// Whether a straight piece is touched in the pose.
+    pub fn is_touched_straight(&self) -> bool {
+        let straight = |segments: &[Segment]| self.touched().is_some_and(|i| matches!(segments.get(i), Some(Segment::Line { .. })));
+        let of_disc = |t: &Turning| matches!(&t.disc.motion, Motion::Profile(segments) if straight(segments));
+        self.disc.as_ref().is_some_and(of_disc) || self.posed.as_ref().is_some_and(|p| straight(&p.segments))
     }
 }
 
@@ -180,6 +199,8 @@ pub struct Turning {
     pub rough: Option<(PointId, Vec2)>,
     /// On which side of a joint the instant is seen: as it goes on in the driver's sense.
     pub side: Side,
+    /// The texts of its numbers, where each has one.
+    pub texts: Option<Texts>,
 }
 
 impl Turning {

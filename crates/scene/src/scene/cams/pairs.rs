@@ -18,6 +18,16 @@ pub(super) enum Worded {
     Flank { radius: Told },
 }
 
+impl Worded {
+    /// Its radius; a tangent has none.
+    pub fn radius(&self) -> Option<&Told> {
+        match self {
+            Worded::Circle { radius, .. } | Worded::Flank { radius } => Some(radius),
+            Worded::Tangent { .. } => None,
+        }
+    }
+}
+
 /// What the pair needs to know.
 pub(super) struct Contact<'a> {
     pub cam: &'a str,

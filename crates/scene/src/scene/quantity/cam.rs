@@ -1,13 +1,14 @@
 //! `s_3`, `psi_3`, `h_3`, `Psi_3`, `Phi_3`, `pressure_3`, `rho_2/3`, `rho_min_2`: of a disc cam and its follower.
 //!
-//! They follow from the geometry of the cam alone ([`crate::cam`]), in double precision: no more digits than those are vouched for. Where no one link
+//! They follow from the geometry of the cam alone ([`crate::cam`]), in the number at hand by the texts of the scene. Where no one link
 //! carries cam and follower, the pressure angle and the radius of curvature are those of the pose: of a round end's way against the normal at the contact,
 //! and of the arc that is touched.
 
 use super::along::along;
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
-use crate::cam::Follower;
+use crate::cam::{Fault, Follower, Motion, Touch, in_turn};
 use crate::diag::{Both, Diagnostic, both};
+use crate::digits::significant;
 use crate::geom::Vec2;
 use crate::number::Real;
 use crate::scene::book::Kind;
@@ -41,9 +42,6 @@ enum What {
 
 /// Rows of the table.
 const ROWS: [What; 7] = [What::Lift, What::Swing, What::Stroke, What::Angle, What::Rise, What::Pressure, What::Rho];
-
-/// What double precision keeps of a value that is computed from given lengths, relative to it.
-const LOST: f64 = 1e-11;
 
 impl Quantity for CamQuantity {
     const WRITTEN: &'static [Entry] = &[
@@ -157,32 +155,79 @@ impl Quantity for CamQuantity {
         })
     }
 
+    fn infinite(&self, scene: &Scene) -> Option<Both> {
+        let cam = self.pair(scene).filter(|c| self.what == What::Rho && c.is_touched_straight())?;
+        let name = scene.link_name(cam.cam);
+        Some(both!("the profile of cam {name} is straight there", "凸轮 {name} 的廓线在该处为直线"))
+    }
+
+    fn note(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
+        let (_, t) = self.cam(scene).filter(|_| self.what == What::RhoMin)?;
+        let survey = t.survey.of(&t.disc);
+        let undercut = survey.faults.iter().find_map(|f| match f {
+            Fault::Undercut { phi, .. } => Some(*phi),
+            Fault::RollerTooLarge { .. } | Fault::Pressure { .. } | Fault::NoContact { .. } => None,
+        })?;
+        let (cam, phi) = (scene.link_name(self.link), significant(in_turn(undercut).to_degrees(), 6));
+        let message = both!(
+            "the profile of cam `{cam}` is undercut: its radius of curvature changes sign, and is least at φ = {phi}°",
+            "凸轮 `{cam}` 的廓线运动失真：曲率半径变号，在 φ = {phi}° 处最小"
+        );
+        Some(Diagnostic::warning("undercut", message).at(find.span).help(both!(
+            "take a larger base circle, a smaller roller, a longer angle or a gentler law; `hodograph cam` tells the least base circle",
+            "请加大基圆或运动角，减小滚子，或改用较平缓的规律；`hodograph cam` 给出最小基圆"
+        )))
+    }
+
     fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
-        let Some((_, t)) = self.cam(known.scene()) else { return self.posed(known) };
-        let value = match self.what {
-            What::Lift | What::Swing => t.disc.coordinate(t.phi, t.side)?.value() - t.survey.of(&t.disc).rest,
-            What::Stroke | What::Angle => t.survey.of(&t.disc).stroke,
-            What::Rise => t.survey.of(&t.disc).angle(1, false),
-            What::Pressure => t.disc.station(t.phi, t.side)?.pressure,
-            What::Rho => t.disc.station(t.phi, t.side)?.rho,
-            What::RhoMin => least_radius(t)?,
-        };
-        let radius = LOST * value.abs().max(LOST);
-        N::from_bounded(value, radius).filter(|_| value.is_finite()).map(Value::Scalar)
+        let scene = known.scene();
+        let Some((_, t)) = self.cam(scene) else { return self.posed(known) };
+        let value = if N::refines() { self.exactly(scene, t)? } else { N::from_f64(self.doubly(t)?) };
+        value.is_decided().then_some(Value::Scalar(value))
     }
 }
 
-/// The least convex radius of the profile.
+/// The least radius of the profile.
 fn least_radius(t: &Turning) -> Option<f64> {
     let (_, rho) = t.survey.of(&t.disc).least_rho?;
     let end = match t.disc.touch {
-        crate::cam::Touch::Point { radius } => radius,
-        crate::cam::Touch::Flat { .. } => 0.0,
+        Touch::Point { radius } => radius,
+        Touch::Flat { .. } => 0.0,
     };
     Some(rho - end)
 }
 
 impl CamQuantity {
+    /// Its value in double precision.
+    fn doubly(&self, t: &Turning) -> Option<f64> {
+        let survey = || t.survey.of(&t.disc);
+        match self.what {
+            What::Lift | What::Swing => match &t.disc.motion {
+                Motion::Law { program, .. } => Some(program.lift(t.phi, t.side).value()),
+                Motion::Profile(_) => Some(t.disc.coordinate(t.phi, t.side)?.value() - survey().rest),
+            },
+            What::Stroke | What::Angle => Some(survey().stroke),
+            What::Rise => Some(survey().angle(1, false)),
+            What::Pressure => Some(t.disc.station(t.phi, t.side)?.pressure),
+            What::Rho => Some(t.disc.station(t.phi, t.side)?.rho),
+            What::RhoMin => least_radius(t),
+        }
+    }
+
+    /// Its value in numbers that know their error, or have more digits.
+    fn exactly<N: Real>(&self, scene: &Scene, t: &Turning) -> Option<N> {
+        let (cam, phi) = t.exact::<N>(scene)?;
+        let here = (t.phi, t.side);
+        match self.what {
+            What::Lift | What::Swing => cam.lift(here, phi),
+            What::Stroke | What::Angle => cam.stroke(),
+            What::Rise => cam.angle(1, false),
+            What::Pressure => Some(cam.station(here, phi)?.pressure),
+            What::Rho => Some(cam.station(here, phi)?.rho),
+            What::RhoMin => cam.least_rho(),
+        }
+    }
+
     /// The cam that is meant.
     fn cam<'s>(&self, scene: &'s Scene) -> Option<(&'s Cam, &'s Turning)> {
         let cam = self.pair(scene)?;
@@ -192,7 +237,7 @@ impl CamQuantity {
     /// Whether it is of the pose, whatever carries the cam.
     fn of_the_pose(&self, scene: &Scene, cam: &Cam) -> bool {
         match self.what {
-            What::Rho => cam.touched_radius().is_some(),
+            What::Rho => cam.touched_radius().is_some() || cam.is_touched_straight(),
             What::Pressure => {
                 cam.follows.radius().is_some() && (cam.contact.is_some() || cam.is_on_course()) && way_of(scene, cam).is_some()
             }
@@ -204,9 +249,8 @@ impl CamQuantity {
     fn posed<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
         let scene = known.scene();
         let cam = self.pair(scene)?;
-        let number = |x: f64| N::from_bounded(x, x.abs() * LOST);
         if self.what == What::Rho {
-            return number(cam.touched_radius()?.abs()).map(Value::Scalar);
+            return cam.touched_radius_in(scene).map(Value::Scalar);
         }
         let end = known.point(cam.follows.point())?;
         let normal = match cam.contact.map(|g| &scene.guides[g.0]) {

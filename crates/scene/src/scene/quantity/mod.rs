@@ -95,6 +95,16 @@ trait Quantity: Copy + Into<Asked> {
         both!("nothing defines it in this pose", "该位置此量无定义")
     }
 
+    /// Why it is infinite in the pose of the scene, if it is.
+    fn infinite(&self, _scene: &Scene) -> Option<Both> {
+        None
+    }
+
+    /// A remark on what the answer is of.
+    fn note(&self, _scene: &Scene, _find: &Find) -> Option<Diagnostic> {
+        None
+    }
+
     /// Its value where places, vectors and rates are known.
     fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
         self.meaning(known.scene())?.value(self.entry().level, known)
@@ -156,6 +166,15 @@ macro_rules! families {
             /// Why it has no value in a pose of which the motion is known.
             pub fn no_value(&self, scene: &Scene) -> Both {
                 match self { $(Asked::$Family(q) => q.no_value(scene)),+ }
+            }
+
+            /// Why it is infinite in the pose of the scene, if it is.
+            pub fn infinite(&self, scene: &Scene) -> Option<Both> {
+                match self { $(Asked::$Family(q) => q.infinite(scene)),+ }
+            }
+
+            fn note(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
+                match self { $(Asked::$Family(q) => q.note(scene, find)),+ }
             }
 
             fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
@@ -220,6 +239,17 @@ pub(in crate::scene) fn symbols() -> Vec<&'static Entry> {
     for entry in TABLES.iter().copied().flatten() {
         if !out.iter().any(|e| e.symbol == entry.symbol) {
             out.push(entry);
+        }
+    }
+    out
+}
+
+/// Remarks on what is asked, each once.
+pub fn notes(scene: &Scene) -> Vec<Diagnostic> {
+    let mut out: Vec<Diagnostic> = Vec::new();
+    for note in scene.find.iter().filter_map(|f| f.what.note(scene, f)) {
+        if !out.iter().any(|d| d.message == note.message) {
+            out.push(note);
         }
     }
     out

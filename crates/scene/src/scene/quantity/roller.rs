@@ -19,9 +19,6 @@ pub struct RollerSpin {
     on: Option<(PointId, LinkId, PointId)>,
 }
 
-/// What double precision keeps of the direction of a normal.
-const LOST: f64 = 1e-12;
-
 impl Quantity for RollerSpin {
     const WRITTEN: &'static [Entry] =
         &[Entry::new("spin", "spin_3", Kind::Omega, Form::Scalar, ["angular velocity of the roller", "滚子角速度"])
@@ -63,11 +60,10 @@ impl Quantity for RollerSpin {
     fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
         let (centre, cam, point) = self.on?;
         let pair = known.scene().cams.iter().find(|c| c.cam == cam && c.follower == self.follower)?;
-        let Follows::Roller(_, radius) = pair.follows else { return None };
+        let Follows::Roller(..) = pair.follows else { return None };
         let at = known.point(centre)?;
         let normal = normal(pair, known, at.to_vec2())?;
-        // The length is kept in double precision.
-        let radius = N::from_bounded(radius, radius * f64::EPSILON)?;
+        let radius: N = pair.end_in(known.scene())?;
         let contact = at + normal * -radius;
         let of_cam = known.vector(Level::Velocity, &OnLink { point, link: Some(cam) })?
             + (contact - known.point(point)?).perp() * known.turning(Level::Velocity, cam)?;
@@ -84,10 +80,7 @@ fn normal<N: Real, K: Known<N>>(pair: &Cam, known: &K, at: Vec2<N>) -> Option<Ve
         return (at - known.point(k)?.to_vec2()).unit();
     }
     let turning = pair.disc.as_ref()?;
-    let station = turning.disc.station(turning.phi, turning.side)?;
-    let n = station.normal.rotate_by(Vec2::from_angle(turning.disc.sense * turning.phi));
-    let number = |x: f64| N::from_bounded(x, LOST);
-    let n = Vec2 { x: number(n.x)?, y: number(n.y)? };
+    let n = turning.contact_in::<N>(known.scene())?[1];
     match turning.axis(known.scene()) {
         Some([a, b]) => Some(n.rotate_by((known.point(b)?.to_vec2() - known.point(a)?.to_vec2()).unit()?)),
         None => Some(n),

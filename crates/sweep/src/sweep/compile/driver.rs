@@ -341,12 +341,12 @@ impl Terms {
                     for piece in kind.pieces() {
                         let mut c = [0.0; 8];
                         let mut scale = gain;
-                        for (c, (value, _)) in c.iter_mut().zip(piece.polynomial) {
-                            *c = value * scale;
+                        for (c, coefficient) in c.iter_mut().zip(piece.polynomial) {
+                            *c = coefficient.value::<f64>() * scale;
                             scale /= stage.over;
                         }
-                        let wave = piece.wave.map_or([0.0; 3], |((amplitude, _), k, phase)| {
-                            [amplitude * gain, k.to_radians() / stage.over, phase.to_radians()]
+                        let wave = piece.wave.map_or([0.0; 3], |(amplitude, k, phase)| {
+                            [amplitude.value::<f64>() * gain, k.to_radians() / stage.over, phase.to_radians()]
                         });
                         let low = [start, still + c[0], c[1], c[2]];
                         out.push(Terms { from, groups: [low, [c[3], c[4], c[5], c[6]], [c[7], wave[0], wave[1], wave[2]]] });

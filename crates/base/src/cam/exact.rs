@@ -1,0 +1,166 @@
+//! What a turn shows, in any kind of number: the places that double precision has found are found again as roots of their equations, and enclosed.
+//!
+//! Double precision decides: which piece is touched, between which samples a derivative passes through zero, which of the extremes is the largest. Longer numbers
+//! solve: a joint has a closed form, or is where two pieces hold the follower equally far out; an extreme is where a derivative is zero. The zero is found
+//! by the secant and lies surely between two places where the signs of the function differ.
+
+use super::survey::Phase;
+use super::turn::Peak;
+use super::{Branch, Disc, Motion, Side, Station, Survey, Surveyed, Touch, in_half_turns, whole_turns};
+use crate::number::Real;
+use std::f64::consts::TAU;
+
+/// A cam in numbers of one kind beside the same in double precision.
+pub struct Exact<'a, N> {
+    double: &'a Disc,
+    survey: &'a Surveyed,
+    disc: Disc<N>,
+}
+
+/// A place nearer to a joint than this (rad) is the joint: both were found in double precision.
+const ON_THE_JOINT: f64 = 1e-12;
+
+/// An end of a piece nearer than this (rad) to a joint is the one that makes it: joints are found to some units in the last place, crossings of pieces as near
+/// to an end do not occur but by chance.
+const THE_SAME: f64 = 1e-8;
+
+impl<'a, N: Real> Exact<'a, N> {
+    /// A cam in numbers of a kind, `double` the same with its survey.
+    pub fn new(double: &'a Disc, survey: &'a Surveyed, disc: Disc<N>) -> Self {
+        Exact { double, survey, disc }
+    }
+
+    fn survey(&self) -> &'a Survey {
+        self.survey.of(self.double)
+    }
+
+    /// Everything at an angle, seen from a side, by the formula that holds there in double precision.
+    pub fn station(&self, (near, side): (f64, Side), phi: N) -> Option<Station<N>> {
+        self.disc.station_on(self.double.branch(near, side)?, phi)
+    }
+
+    /// How much further out the follower is than on the base circle.
+    pub fn lift(&self, (near, side): (f64, Side), phi: N) -> Option<N> {
+        match (&self.disc.motion, self.double.branch(near, side)?) {
+            (Motion::Law { program, .. }, Branch::Stage(stage, piece)) => program.lift_in((stage, piece), phi).map(|s| s.value()),
+            (_, branch) => Some(self.disc.coordinate_on(branch, phi)?.value() - self.end(0)?),
+        }
+    }
+
+    /// The greatest lift.
+    pub fn stroke(&self) -> Option<N> {
+        match &self.disc.motion {
+            Motion::Law { program, .. } => Some(program.stroke()),
+            Motion::Profile(_) => Some(self.end(1)? - self.end(0)?),
+        }
+    }
+
+    /// Least (0) or greatest (1) coordinate of the follower on a profile.
+    fn end(&self, which: usize) -> Option<N> {
+        let Peak { phi, side, .. } = self.survey().ends?[which];
+        let place = self.located(phi, side, &|s| s.q.0[1])?;
+        self.disc.coordinate_on(self.double.branch(phi, side)?, place).map(|q| q.value())
+    }
+
+    /// The sum of the angles of the phases of a kind: see [`Survey::angle`].
+    pub fn angle(&self, way: i8, out: bool) -> Option<N> {
+        let reversal = |phi: f64, side: Side| self.located(phi, side, &|s| s.q.0[1]);
+        let of = |p: &Phase| Some(reversal(p.to, Side::Before)? - reversal(p.from, Side::After)?);
+        self.survey().phases_of(way, out).try_fold(N::from_f64(0.0), |sum, p| Some(sum + of(p)?))
+    }
+
+    /// The least radius of curvature of the profile: see [`Survey::sharpest`].
+    pub fn least_rho(&self) -> Option<N> {
+        let Peak { phi, side, .. } = self.survey().sharpest?;
+        let branch = self.double.branch(phi, side)?;
+        if let (Motion::Profile(segments), Branch::Piece(piece)) = (&self.disc.motion, branch) {
+            return segments.get(piece).map(|s| s.radius());
+        }
+        let station = self.disc.station_on(branch, self.located(phi, side, &|s| s.rho_slope)?)?;
+        Some(match self.disc.touch {
+            Touch::Point { radius } => station.rho_pitch - radius,
+            Touch::Flat { .. } => station.rho,
+        })
+    }
+
+    /// The place again that double precision has found: a joint, else where a derivative is zero.
+    fn located(&self, phi: f64, side: Side, slope: &dyn Fn(&Station<N>) -> N) -> Option<N> {
+        let is = |corner: &&f64| in_half_turns(**corner - phi).abs() <= ON_THE_JOINT;
+        if self.survey().corners.iter().any(|c| is(&c)) {
+            return self.joint(phi);
+        }
+        let branch = self.double.branch(phi, side)?;
+        // What does not change is everywhere as it is here.
+        root(phi, &|x| self.disc.station_on(branch, x).map(|s| slope(&s))).or_else(|| {
+            let station = self.disc.station_on(branch, N::from_f64(phi))?;
+            let still = slope(&station);
+            (still.approx() == 0.0 && still.radius() == 0.0).then(|| N::from_f64(phi))
+        })
+    }
+
+    /// A joint again: an end of a stage, of a piece of its law, or of a piece of the profile; else where two pieces hold the follower equally far out.
+    fn joint(&self, phi: f64) -> Option<N> {
+        let ends: Vec<N> = match &self.disc.motion {
+            Motion::Law { program, .. } => program.corners(),
+            Motion::Profile(segments) => segments.iter().flat_map(|s| self.disc.ends(s)).collect(),
+        };
+        let off = |x: &N| in_half_turns(x.approx() - phi).abs();
+        let end = ends.into_iter().filter(|x| x.is_decided() && off(x) <= THE_SAME).min_by(|a, b| off(a).total_cmp(&off(b)));
+        if let Some(x) = end {
+            return Some(x - whole_turns(libm::rint((x.approx() - phi) / TAU)));
+        }
+        let [before, after] = [Side::Before, Side::After].map(|side| self.double.branch(phi, side));
+        let (before, after) = (before?, after?);
+        let of = |branch: Branch, x: N| self.disc.coordinate_on(branch, x).map(|q| q.value());
+        root(phi, &|x| Some(of(before, x)? - of(after, x)?))
+    }
+}
+
+/// The first two places of the secant lie so far (rad) on both sides of what double precision has found.
+const STEP: f64 = 1e-6;
+
+/// The places of the secant: each doubles the digits nearly, so that these are more than the longest numbers have.
+const ROUNDS: usize = 24;
+
+/// The zero of a function next to a place. Where the number knows its error, all numbers between two places where the signs of the function surely differ;
+/// `None` where none are found.
+fn root<N: Real>(near: f64, f: &dyn Fn(N) -> Option<N>) -> Option<N> {
+    let (mut a, mut b) = (N::from_f64(near - STEP), N::from_f64(near + STEP));
+    let (mut fa, mut fb) = (f(a)?, f(b)?);
+    let mut slope = f64::NAN;
+    for _ in 0..ROUNDS {
+        let (way, gain) = ((b - a).mid(), (fb - fa).mid());
+        if way.approx() == 0.0 || gain.approx() == 0.0 {
+            break;
+        }
+        slope = gain.approx() / way.approx();
+        let next = (b - fb.mid() * way / gain).mid();
+        if !next.is_decided() || (next.approx() - near).abs() > STEP {
+            break;
+        }
+        let (last, there) = (fb, f(next)?);
+        (a, fa, b, fb) = (b, fb, next, there);
+        // What is not told from zero gets no nearer to it, nor what gets no smaller.
+        if !told(fb) || fb.approx().abs() >= last.approx().abs() {
+            break;
+        }
+    }
+    if !N::knows_its_error() {
+        return Some(b);
+    }
+    let mut r = 2.0 * (fb.approx().abs() + fb.radius()) / slope.abs();
+    while r <= STEP {
+        let [low, high] = [-r, r].map(|r| f(b + N::from_f64(r)));
+        let (low, high) = (low?, high?);
+        if told(low) && told(high) && low.approx().signum() != high.approx().signum() {
+            return Some(b.widened(r));
+        }
+        r *= 4.0;
+    }
+    None
+}
+
+/// Whether a number is surely not zero.
+fn told<N: Real>(x: N) -> bool {
+    x.is_decided() && x.approx().abs() * (1.0 - 1e-15) > x.radius()
+}

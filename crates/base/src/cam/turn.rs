@@ -1,0 +1,105 @@
+//! Extremes over a turn: sampled between corners, each then found as the zero of a derivative.
+
+use super::survey::Extreme;
+use super::{Disc, Side, in_turn};
+use std::f64::consts::TAU;
+
+/// Samples between two corners.
+const SAMPLES: usize = 240;
+
+/// An extreme with the side of a joint from which it is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Peak {
+    /// The angle of the cam (rad), from 0 on.
+    pub phi: f64,
+    /// At a joint the side on which the value is so great.
+    pub side: Side,
+    /// How much.
+    pub value: f64,
+}
+
+impl Peak {
+    /// Without the side.
+    pub(super) fn extreme(self) -> Extreme {
+        (self.phi, self.value)
+    }
+}
+
+/// A turn cut at its corners.
+pub(super) struct Turn {
+    /// The angles of the corners.
+    pub corners: Vec<f64>,
+    /// From one to the next.
+    pub spans: Vec<[f64; 2]>,
+}
+
+/// Angles through a span, its ends seen from within.
+pub(super) fn sampled([from, to]: [f64; 2]) -> impl Iterator<Item = (f64, Side)> {
+    (0..=SAMPLES).map(move |k| match k {
+        0 => (from, Side::After),
+        SAMPLES => (to, Side::Before),
+        k => (from + (to - from) * k as f64 / SAMPLES as f64, Side::After),
+    })
+}
+
+impl Turn {
+    /// The turn of a disc.
+    pub fn of(disc: &Disc) -> Turn {
+        let corners = disc.corners();
+        let mut at = if corners.is_empty() { vec![0.0] } else { corners.clone() };
+        at.dedup_by(|a, b| (*a - *b).abs() < 1e-10);
+        let ends: Vec<f64> = at.iter().skip(1).copied().chain([at[0] + TAU]).collect();
+        let spans = at.into_iter().zip(ends).map(|(a, b)| [a, b]).filter(|[a, b]| b - a > 1e-10).collect();
+        Turn { corners, spans }
+    }
+
+    /// The greatest value of a function, given with its derivative by φ: at an end of a span as it is seen from within, or where between two samples
+    /// the derivative passes through zero from above.
+    pub fn best(&self, f: impl Fn(f64, Side) -> Option<[f64; 2]>) -> Option<Peak> {
+        let mut most: Option<Peak> = None;
+        let mut consider = |phi: f64, side: Side, value: f64| {
+            // The first of equals.
+            if most.is_none_or(|m| value > m.value + 1e-13 * m.value.abs()) {
+                most = Some(Peak { phi: in_turn(phi), side, value });
+            }
+        };
+        // Without corners the turn has no ends: it is looked at a step further, beyond its start.
+        let round = self.corners.is_empty();
+        for &[from, to] in &self.spans {
+            let beyond = round.then(|| (to + (to - from) / SAMPLES as f64, Side::After));
+            let samples: Vec<(f64, Side, Option<[f64; 2]>)> =
+                sampled([from, to]).chain(beyond).map(|(phi, side)| (phi, side, f(phi, side))).collect();
+            for (k, &(phi, side, here)) in samples.iter().enumerate() {
+                let Some([value, slope]) = here else { continue };
+                let end = k == 0 || k + 1 == samples.len();
+                // Of what stays the same the first place is taken.
+                if end && !round || k == 0 && slope == 0.0 {
+                    consider(phi, side, value);
+                }
+                let Some(&(next, _, Some([_, then]))) = samples.get(k + 1) else { continue };
+                if slope > 0.0 && then <= 0.0 {
+                    let at = zero([phi, next], |phi| f(phi, Side::After).map(|v| v[1]));
+                    if let Some([value, _]) = f(at, Side::After) {
+                        consider(at, Side::After, value);
+                    }
+                }
+            }
+        }
+        most.or_else(|| f(0.0, Side::After).map(|[value, _]| Peak { phi: 0.0, side: Side::After, value }))
+    }
+}
+
+/// Where a function that is greater than zero at the first end and not at the second passes through zero, by bisection, to rounding.
+pub(super) fn zero([mut a, mut b]: [f64; 2], f: impl Fn(f64) -> Option<f64>) -> f64 {
+    loop {
+        let middle = 0.5 * (a + b);
+        if middle <= a || middle >= b {
+            return b;
+        }
+        match f(middle) {
+            Some(v) if v > 0.0 => a = middle,
+            Some(_) => b = middle,
+            None => return middle,
+        }
+    }
+}
