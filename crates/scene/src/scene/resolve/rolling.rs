@@ -48,7 +48,8 @@ fn pair(
     faults: &mut Faults,
 ) -> Option<Rolling> {
     let sides: Vec<Option<Side>> = raw.sides.iter().map(|s| side(c, s, faults)).collect();
-    let phase = raw.phase.as_ref().map(|q| c.values.angle(q, faults));
+    // Its whole turns count.
+    let phase = raw.phase.as_ref().map(|q| c.values.angle_in_full(q, faults));
     let [Some(a), Some(b)] = sides[..] else { return None };
     if a.link == b.link {
         let message = both!("link `{}` cannot roll on itself", "构件 `{}` 不能在自身上滚动", c.link_name(a.link));
