@@ -77,7 +77,7 @@ pub(super) fn choose<N: Real>(
                 "side-impossible",
                 both!(
                     "in none of the {} assemblies of link{} does {} lie to the {} of {}{}",
-                    "构件{1}的 {0} 种装配中，{2} 都不在 {4}{5} 的{3}",
+                    "构件{1} 的 {0} 种装配形式中，{2} 都不在 {4}{5} 的{3}",
                     trials.len(),
                     link_names(),
                     scene.point_name(side.point),
@@ -147,7 +147,7 @@ pub(super) fn choose<N: Real>(
                 ))
             }
             None => {
-                let all = both!("link{} can be assembled in {} ways", "构件{}有 {} 种装配", link_names(), left.len());
+                let all = both!("link{} can be assembled in {} ways", "构件{} 有 {} 种装配形式", link_names(), left.len());
                 Diagnostic::note(
                     "assembly-by-default",
                     both!("{} and the scene does not say which: {}", "{}，机构文件没有说明取哪一种：{}", all, which),
@@ -179,7 +179,7 @@ fn fits_all(scene: &Scene, side: &Side, ways: usize, links: &Both) -> Both {
     let [point, from, to] = [side.point, side.from, side.to].map(|p| scene.point_name(p));
     both!(
         "{point} lies to the {0} of {from}{to} in all {ways} assemblies of link{1}: this side does not decide",
-        "构件{1}的 {ways} 种装配中 {point} 都在 {from}{to} 的{0}：这个 side 不起作用",
+        "构件{1} 的 {ways} 种装配形式中 {point} 都在 {from}{to} 的{0}：这个 side 不起作用",
         turned(side),
         links
     )

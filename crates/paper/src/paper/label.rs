@@ -18,6 +18,8 @@ use std::sync::{Arc, OnceLock};
 
 mod parse;
 
+pub use parse::greek;
+
 /// What is written at one place of a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {

@@ -67,7 +67,7 @@ pub struct Words<'a> {
 impl Words<'_> {
     fn table(&self, all: &[Choice]) -> Vec<Vec<String>> {
         let lang = self.lang;
-        let head = [tr(lang, "moving point", "动点"), tr(lang, "frame", "动系"), tr(lang, "at", "所在"), tr(lang, "verdict", "判断"), ""];
+        let head = [tr(lang, "moving point", "动点"), tr(lang, "frame", "动系"), tr(lang, "at", "位置"), tr(lang, "verdict", "结论"), ""];
         let row = |c: &Choice| {
             let point = name_of(self.scene, &c.of);
             vec![point, self.frame(c.frame, Writing::Plain), self.place(c), self.verdict(c.verdict).to_owned(), self.reason(c)]
@@ -105,7 +105,7 @@ impl Words<'_> {
         match verdict {
             Verdict::Serves => tr(self.lang, "serves", "可用"),
             Verdict::PathUnknown => tr(self.lang, "path not known", "轨迹未知"),
-            Verdict::PointChanges => tr(self.lang, "point changes", "动点变换"),
+            Verdict::PointChanges => tr(self.lang, "point changes", "不是固定点"),
             Verdict::SameBody => tr(self.lang, "same body", "同一物体"),
             Verdict::FrameFixed => tr(self.lang, "frame stands still", "动系不动"),
         }

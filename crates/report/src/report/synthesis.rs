@@ -29,7 +29,10 @@ pub fn text(task: &Task, design: &Design, lang: Lang) -> String {
         }
         out += &format!("   {}\n", motion(c, lang));
         for d in c.notes() {
-            out += &format!("   {}: {}\n", d.code, lang.of(&d.message));
+            out += &match lang {
+                Lang::En => format!("   {}: {}\n", d.code, d.message.en),
+                Lang::Zh => format!("   {}（{}）\n", d.message.zh, d.code),
+            };
         }
     }
     out + &format!("\n{}\n", taken(design, lang))
@@ -86,14 +89,14 @@ pub fn motion(c: &Candidate, lang: Lang) -> String {
         let (angle, at) = (significant(angle.to_degrees(), 5), significant(turn(at.to_degrees()), 5));
         parts.push(match lang {
             Lang::En => format!("least γ = {angle}° at {at}°"),
-            Lang::Zh => format!("原动件在 {at}° 时 γ 最小，为 {angle}°"),
+            Lang::Zh => format!("原动件转至 {at}° 时传动角最小，γ = {angle}°"),
         });
     }
     if let Some(k) = j.time_ratio {
         parts.push(format!("K = {}", significant(k, 6)));
     }
     if !c.draft.wanted.is_empty() {
-        parts.push(lang.of(&judge::accuracy(j)).to_owned());
+        parts.push(lang.of(&judge::accuracy(c)).to_owned());
     }
     parts.join(" · ")
 }
@@ -133,9 +136,9 @@ pub fn taken(design: &Design, lang: Lang) -> String {
         (true, true, _) => tr(
             lang,
             "no defect, a crank that turns fully, the best transmission angle among those",
-            "无缺陷，原动件整周转动，且其中传动角最好",
+            "无运动缺陷，原动件整周转动，且其中传动角最好",
         ),
-        (true, false, _) => tr(lang, "no defect, the best transmission angle among those", "无缺陷，且其中传动角最好"),
+        (true, false, _) => tr(lang, "no defect, the best transmission angle among those", "无运动缺陷，且其中传动角最好"),
     };
     match lang {
         Lang::En => format!("Taken: 1 ({why})."),
