@@ -3,6 +3,7 @@
 use super::Pose;
 use super::shape::given_at;
 use crate::diag::{Both, Diagnostic, both};
+use crate::digits::{direction_degrees, significant};
 use crate::geom::Point;
 use crate::number::Real;
 use crate::scene::{LinkId, PointId, Scene, Side};
@@ -135,7 +136,22 @@ pub(super) fn choose<N: Real>(
                 ),
                 both!("a rough place of {p} in \"sketch\"", "\"sketch\" 中 {p} 的大致位置"),
             ),
-            None => (both!("the first was taken", "取第一种"), both!("rough places in \"sketch\"", "\"sketch\" 中的大致位置")),
+            None => {
+                // A link known by one pin shows by its direction alone which assembly it is.
+                let turned = trials[pick].poses.iter().find_map(|(l, pose)| {
+                    let there = trials[other].poses.iter().find(|(k, _)| k == l)?.1.axis.approx();
+                    let [mine, there] = [pose.axis.approx(), there].map(|u| significant(direction_degrees(u.angle()), 5));
+                    (mine != there).then(|| (scene.link_name(*l), mine, there))
+                });
+                let which = match turned {
+                    Some((l, mine, there)) => both!(
+                        "the one with link {l} at {mine}° was taken, not the one with link {l} at {there}°",
+                        "取构件 {l} 在 {mine}° 方向的一种，而不是在 {there}° 方向的一种"
+                    ),
+                    None => both!("the first was taken", "取第一种"),
+                };
+                (which, both!("rough places in \"sketch\"", "\"sketch\" 中的大致位置"))
+            }
         };
         match idle {
             Some(side) => {

@@ -3,7 +3,7 @@
 use super::columns::columns;
 use crate::answer::Value;
 use crate::centres::{By, Centre, Centres, How, Motion, Pair, Place, Speed, Turning, omega, velocity};
-use crate::digits::{direction_degrees, significant};
+use crate::digits::{direction_degrees, line_degrees, significant};
 use crate::paper::phrase::tr;
 use crate::scene::{Kind, Lang, LinkId, Scene};
 
@@ -111,10 +111,8 @@ impl<'a> Words<'a> {
             let mut row = vec![c.step.pair.name(self.scene), c.round.to_string(), self.how(c)];
             match c.place {
                 Some(Place::At(p)) => row.extend([number(p.x, c), number(p.y, c)]),
-                Some(Place::Infinity(u)) => row.extend([
-                    tr(lang, "at infinity", "无穷远").to_owned(),
-                    format!("∠ {}°", significant(direction_degrees(u.angle()), DIGITS)),
-                ]),
+                Some(Place::Infinity(u)) => row
+                    .extend([tr(lang, "at infinity", "无穷远").to_owned(), format!("∠ {}°", significant(line_degrees(u.angle()), DIGITS))]),
                 None => row.extend([tr(lang, "not determined", "不定").to_owned(), String::new()]),
             }
             rows.push(row);

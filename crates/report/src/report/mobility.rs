@@ -93,6 +93,14 @@ fn repeats_words(survey: &Survey, i: usize, checked: Option<&Checked>) -> Both {
         Some(Checked { reason: reason @ Reason::Triangle(_), positions, .. }) => {
             both!("{} is none: {}", "{} 不是虚约束：{}", what, reason.words(scene, *positions))
         }
+        Some(Checked { verdict: Verdict::Shaky, off_m, .. }) => {
+            let off = scene.length_words(*off_m);
+            both!(
+                "{} is none: shaky, mobile to first order, it locks at a finite turn, off by {off}",
+                "{} 不是虚约束：仅瞬时可动（一阶），有限转角时卡死，偏差 {off}",
+                what
+            )
+        }
         Some(c) => {
             let off = scene.length_words(c.off_m);
             both!("{} is none: it locks the mechanism, off by {off}", "{} 不是虚约束：机构被卡死，偏差 {off}", what)
