@@ -22,7 +22,7 @@ pub use jet::Jet;
 pub use law::Law;
 pub use outline::Segment;
 pub use program::{Jump, Program, Shock, Stage, Way};
-pub use survey::{Fault, Survey, Surveyed};
+pub use survey::{Fault, Survey, Surveyed, least_base};
 
 /// On which side of a joint of two pieces a value is taken, in the sense in which φ grows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

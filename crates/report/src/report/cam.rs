@@ -183,7 +183,10 @@ impl Report<'_> {
 
     fn stage(&self, way: Way, out: bool, lang: Lang) -> String {
         let comma = tr(lang, ", ", "，");
-        let law = |l: Law| tr(lang, l.name(), l.name_zh());
+        let law = |l: Law| match lang {
+            Lang::En => format!("{} motion", l.name()),
+            Lang::Zh => l.name_zh().to_owned(),
+        };
         match way {
             Way::Rise(h, l) => format!("{} {}{comma}{}", tr(lang, "rise", "推程"), self.lift(h), law(l)),
             Way::Dwell => dwell(out, lang).to_owned(),

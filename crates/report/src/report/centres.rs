@@ -129,14 +129,17 @@ impl<'a> Words<'a> {
         let (residual, triple) = (to(found.worst_residual()), to(found.worst_triple));
         let none = found.list.iter().all(|c| c.residual.is_none());
         match self.lang {
-            _ if none => {
-                tr(self.lang, "the loop equations have no motion in this pose to check them by", "该位置回路方程无解，不能校核").to_owned()
-            }
+            _ if none => tr(
+                self.lang,
+                "the loop equations have no motion in this pose to check them by",
+                "该位置封闭矢量方程（解析法）无解，不能校核",
+            )
+            .to_owned(),
             Lang::En => format!(
                 "checked by the loop equations: each centre has the same velocity on both links ({residual}); the three centres of any three links are collinear ({triple})"
             ),
             Lang::Zh => {
-                format!("用回路方程校核：各瞬心在两构件上的速度相同（{residual}），任意三个构件的三个瞬心共线（{triple}）")
+                format!("用封闭矢量方程（解析法）校核：各瞬心在两构件上的速度相同（{residual}），任意三个构件的三个瞬心共线（{triple}）")
             }
         }
     }
@@ -286,7 +289,7 @@ impl<'a> Words<'a> {
     fn ways(&self) -> Vec<Vec<String>> {
         let lang = self.lang;
         let mut rows = vec![vec![
-            tr(lang, "magnitude", "大小").to_owned(),
+            tr(lang, "magnitude", "量").to_owned(),
             tr(lang, "by centres", "瞬心法").to_owned(),
             tr(lang, "drawn", "图解").to_owned(),
             tr(lang, "loop equations", "解析").to_owned(),

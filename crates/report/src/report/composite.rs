@@ -1,6 +1,8 @@
 //! Composite motion of a point as a table for people and as JSON for programs: which moving points and frames serve and why not, the parts
 //! of the motion, and the projection that leaves out the unwanted unknown. In the words of theoretical mechanics.
 
+mod motions;
+
 use super::answers::diagnostic;
 use super::columns::columns;
 use super::writing::Writing;
@@ -183,7 +185,7 @@ impl Words<'_> {
 
     /// All that is told of a choice: heading, path, equations with values, projections.
     pub fn lines(&self, s: &Solved) -> Vec<Phrase> {
-        let mut out = vec![self.heading(&s.choice)];
+        let mut out = vec![self.heading(&s.choice), self.three_motions(&s.choice)];
         out.extend(self.body(s, PER_LINE));
         out
     }

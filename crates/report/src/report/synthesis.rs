@@ -5,6 +5,7 @@ use crate::diag::{Both, Diagnostic, Severity};
 use crate::digits::{metres, shortest, significant};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Mechanism};
+use crate::paper::label::Label;
 use crate::paper::phrase::tr;
 use crate::position::{self, Configuration, Path};
 use crate::scene::{self, Book, Guide, Kind, Lang, PointId, Scene};
@@ -144,6 +145,19 @@ pub fn taken(design: &Design, lang: Lang) -> String {
         Lang::En => format!("Taken: 1 ({why})."),
         Lang::Zh => format!("取方案 1（{why}）。"),
     }
+}
+
+/// The construction as JSON: steps, the marks that each brings (m), what is read (mm of paper, rad).
+pub fn construction(board: &Board) -> Json {
+    let marks = |marks: &[(String, Point)]| -> Vec<Json> {
+        let told =
+            |(name, p): &(String, Point)| json!({"name": Label::math(name.as_str()).plain(), "x": p.x * board.mu_l, "y": p.y * board.mu_l});
+        marks.iter().map(told).collect()
+    };
+    let steps = board.steps.iter().map(|s| json!({"text": both(&s.text), "marks": marks(&s.marks)}));
+    let readings =
+        board.readings.iter().map(|r| json!({"name": r.name, "measured": r.measured, "angle": r.angle, "value": board.value(r)}));
+    json!({"mu_l": board.mu_l, "steps": steps.collect::<Vec<_>>(), "readings": readings.collect::<Vec<_>>()})
 }
 
 /// The candidates as JSON, in SI.
@@ -293,7 +307,17 @@ pub fn traced(candidate: &Candidate, point: &str) -> Vec<Vec<Point>> {
 pub fn steps(candidate: &Candidate, board: &Board, lang: Lang) -> String {
     let mut out = format!("\n{} (μ_l = {} m/mm)\n", tr(lang, "Construction", "作图"), shortest(board.mu_l));
     for (k, step) in board.steps.iter().enumerate() {
-        out += &format!("({}) {}\n", k + 1, lang.of(&step.text));
+        let at = |p: Point| {
+            [p.x, p.y].map(|x| significant(if (x * board.mu_l).abs() < 1e-12 { 0.0 } else { x * board.mu_l * 1e3 }, 6)).join(", ")
+        };
+        let marks = step.marks.iter().map(|(name, p)| format!("{} ({})", Label::math(name.as_str()).plain(), at(*p)));
+        let marks = marks.collect::<Vec<_>>().join(tr(lang, ", ", "，"));
+        let marks = match (marks.is_empty(), lang) {
+            (true, _) => String::new(),
+            (false, Lang::En) => format!(" [{marks} mm]"),
+            (false, Lang::Zh) => format!("［{marks} mm］"),
+        };
+        out += &format!("({}) {}{marks}\n", k + 1, lang.of(&step.text));
     }
     for r in &board.readings {
         let Some(formula) = candidate.number(&r.name) else { continue };

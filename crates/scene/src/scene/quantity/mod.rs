@@ -37,7 +37,7 @@ pub use cam::CamQuantity;
 pub use centre::InstantCentre;
 pub use combined::{Combined, Operand};
 pub use composite::Composite;
-pub use curvature::Curvature;
+pub use curvature::{Curvature, OfPath, OfPole};
 pub use entry::{Entry, Form, Of, Over};
 pub use frame::owns;
 pub use frame::{Frame, RelativePath, relative_path};
