@@ -121,6 +121,11 @@ impl<'a> Words<'a> {
         if all - turned < 1e-12 { 0.0 } else { turned }
     }
 
+    /// A coordinate as it is told: Chinese sentences have Greek letters.
+    fn told(&self, name: &str) -> String {
+        if self.lang == Lang::Zh { name.replacen("phi", "φ", 1) } else { name.to_owned() }
+    }
+
     fn value(&self, value: f64) -> String {
         let book = &self.scene.book;
         if self.angular { angle(book, self.wrapped(value)) } else { length(book, value) }
@@ -129,19 +134,19 @@ impl<'a> Words<'a> {
     fn at(&self, value: f64) -> String {
         match self.lang {
             Lang::En => format!(" at {} = {}", self.name, self.value(value)),
-            Lang::Zh => format!("（{} = {} 时）", self.name, self.value(value)),
+            Lang::Zh => format!("（{} = {} 时）", self.told(&self.name), self.value(value)),
         }
     }
 
     fn range(&self) -> String {
         let r = &self.limits.range;
         match &r.ends {
-            [None, None] if self.angular => format!("{} {}", self.name, tr(self.lang, "turns fully", "可整周转动")),
+            [None, None] if self.angular => format!("{} {}", self.told(&self.name), tr(self.lang, "turns fully", "可整周转动")),
             [low, high] => {
                 let end = |e: &Option<Event>| {
                     e.as_ref().map_or_else(|| tr(self.lang, "no limit found", "未见极限").to_owned(), |e| self.value(e.value))
                 };
-                format!("{} {} {} … {}", self.name, tr(self.lang, "goes", "的范围："), end(low), end(high))
+                format!("{} {} {} … {}", self.told(&self.name), tr(self.lang, "goes", "的范围："), end(low), end(high))
             }
         }
     }
@@ -204,7 +209,7 @@ impl<'a> Words<'a> {
     }
 
     fn swing(&self, s: &Swing) -> String {
-        let (lang, name) = (self.lang, self.output(s.output));
+        let (lang, name) = (self.lang, self.told(&self.output(s.output)));
         let Some(stroke) = s.stroke else { return format!("{name} {}", tr(lang, "has no extreme position", "无极限位置")) };
         let word = match s.output {
             Output::Turning(_) => tr(lang, "swings", "摆角"),
@@ -223,7 +228,7 @@ impl<'a> Words<'a> {
             (false, _) if s.extremes.iter().any(|e| e.at_limit) => String::new(),
             (false, _) => tr(self.lang, "  (a dead centre if it is driven from there)", "（若以该构件为原动件，此处为死点）").to_owned(),
         };
-        format!("{} = {}{}{remark}", self.output(s.output), self.size(s.output, e.output), self.at(e.driver))
+        format!("{} = {}{}{remark}", self.told(&self.output(s.output)), self.size(s.output, e.output), self.at(e.driver))
     }
 }
 
