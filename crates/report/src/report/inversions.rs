@@ -3,9 +3,9 @@
 use super::answers::diagnostic;
 use super::{limits, trains};
 use crate::diag::Diagnostic;
-use crate::inversions::Inversion;
+use crate::inversions::{Inversion, Part};
 use crate::paper::phrase::tr;
-use crate::scene::{GuidePath, Lang, LinkId, Scene};
+use crate::scene::{Lang, Scene};
 use crate::sweep::extreme::Output;
 use serde_json::{Value as Json, json};
 
@@ -57,35 +57,16 @@ pub fn words(i: &Inversion, lang: Lang) -> String {
     parts.join(tr(lang, "; ", "；"))
 }
 
-/// The name of an inversion of the slider-crank chain, by what its fixed link is in the chain: of four links the guide, the slider, the crank
-/// pinned to the guide, or the coupler pinned to the slider. `None` of other chains.
+/// The name of an inversion of the slider-crank chain; `None` of other chains.
 fn slider_crank(i: &Inversion, lang: Lang) -> Option<&'static str> {
-    let scene = &i.scene;
-    let [guide] = &scene.guides[..] else { return None };
-    let GuidePath::Line { .. } = guide.path else { return None };
-    let slider = guide.slider?;
-    if scene.links.len() != 4 || !scene.rolling.is_empty() || !scene.cams.is_empty() {
-        return None;
-    }
-    let joined = |a: LinkId, b: LinkId| {
-        scene.links[a.0].points.iter().any(|p| scene.links[b.0].points.contains(p)) || {
-            let pin = guide.pin.filter(|p| scene.links[a.0].points.contains(p) || scene.links[b.0].points.contains(p));
-            pin.is_some() && [a, b].contains(&slider)
-        }
-    };
-    let others: Vec<LinkId> = (0..4).map(LinkId).filter(|l| *l != guide.on && *l != slider).collect();
-    let coupler = *others.iter().find(|l| joined(**l, slider))?;
-    let crank = *others.iter().find(|l| **l != coupler)?;
-    if !(joined(crank, coupler) && joined(crank, guide.on)) {
-        return None;
-    }
-    let full = turning(i).iter().any(|name| name == scene.link_name(guide.on));
-    Some(match scene.ground {
-        ground if ground == guide.on => tr(lang, "crank-slider", "曲柄滑块机构"),
-        ground if ground == slider => tr(lang, "fixed slider", "定块机构"),
-        ground if ground == coupler => tr(lang, "swinging block", "曲柄摇块机构"),
-        _ if full => tr(lang, "turning guide", "转动导杆机构"),
-        _ => tr(lang, "oscillating guide", "摆动导杆机构"),
+    // With the crank as ground the link with the guide turns about its pin.
+    let full = || i.limits.range.full() && i.limits.swings.iter().all(|s| s.stroke.is_none());
+    Some(match i.part? {
+        Part::Guide => tr(lang, "crank-slider", "曲柄滑块机构"),
+        Part::Slider => tr(lang, "fixed slider", "定块机构"),
+        Part::Coupler => tr(lang, "swinging block", "曲柄摇块机构"),
+        Part::Crank if full() => tr(lang, "turning guide", "转动导杆机构"),
+        Part::Crank => tr(lang, "oscillating guide", "摆动导杆机构"),
     })
 }
 

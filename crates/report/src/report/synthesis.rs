@@ -305,7 +305,10 @@ pub fn traced(candidate: &Candidate, point: &str) -> Vec<Vec<Point>> {
 
 /// The construction step by step, with what is read off.
 pub fn steps(candidate: &Candidate, board: &Board, lang: Lang) -> String {
-    let mut out = format!("\n{} (μ_l = {} m/mm)\n", tr(lang, "Construction", "作图"), shortest(board.mu_l));
+    let mut out = match lang {
+        Lang::En => format!("\nConstruction (μ_l = {} m/mm)\n", shortest(board.mu_l)),
+        Lang::Zh => format!("\n作图（μ_l = {} m/mm）\n", shortest(board.mu_l)),
+    };
     for (k, step) in board.steps.iter().enumerate() {
         let at = |p: Point| {
             [p.x, p.y].map(|x| significant(if (x * board.mu_l).abs() < 1e-12 { 0.0 } else { x * board.mu_l * 1e3 }, 6)).join(", ")

@@ -115,7 +115,8 @@ impl Quantity for CamQuantity {
             return Ok(Some(CamQuantity { what, link, follower: Some(follower), end: None }));
         }
         // What slides and is no follower has a coordinate along its guide.
-        if what == What::Lift && !question.is_follower(names) {
+        let slides = || question.link(names).is_err() || !question.guides_of(names).is_empty();
+        if what == What::Lift && !question.is_follower(names) && slides() {
             return Ok(None);
         }
         let link = question.link(names)?;
