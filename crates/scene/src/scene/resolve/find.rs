@@ -90,7 +90,9 @@ fn spelt(symbol: &str) -> &str {
 
 /// Whether a text begins as a question does: a quantity's symbol and `_`.
 pub(in crate::scene) fn begins_a_question(text: &str) -> bool {
-    text.split_once('_').is_some_and(|(symbol, _)| quantity::symbols().iter().any(|e| e.symbol == spelt(symbol)))
+    with_underscore(text.trim_start())
+        .split_once('_')
+        .is_some_and(|(symbol, _)| quantity::symbols().iter().any(|e| e.symbol == spelt(symbol)))
 }
 
 /// A question, or two of them combined.
