@@ -12,7 +12,8 @@ use crate::number::Real;
 use crate::plan::{Asking, Body, Plan, Spot, Term, VertexId, asking};
 use crate::position::Configuration;
 use crate::scene::quantity::combined::combine;
-use crate::scene::quantity::{Frame, Meaning, Of, Seen};
+use crate::scene::quantity::composite::Part;
+use crate::scene::quantity::{Composite, Frame, Meaning, Of, Seen};
 use crate::scene::{Asked, Find, Kind, LinkId, OnLink, PointId, Scene};
 
 /// The answer to one question.
@@ -68,6 +69,9 @@ struct Found<N> {
     marks: [(Mark, Point<N>); 2],
     shown: Shown,
 }
+
+/// A relative velocity that is a smaller part of the transport velocity shows no direction on paper, and of its digits too few.
+const SHORT: f64 = 1e-4;
 
 struct OnPaper<'a, N> {
     scene: &'a Scene,
@@ -183,7 +187,7 @@ impl OnPaper<'_, f64> {
             }
             Some(Meaning::Vector(_) | Meaning::Relative(..)) => {}
             Some(Meaning::Seen(..)) if asking(self.scene, self.m, self.plan, what).is_none() && !vanishes(self.m, what, self.scene) => {
-                return None;
+                return self.dropped(at, find, what);
             }
             Some(Meaning::Seen(..)) => {}
             // No edge is of it.
@@ -202,6 +206,23 @@ impl OnPaper<'_, f64> {
             _ => Answer { find, value: Value::Vector(Vec2::ZERO), measured: None },
         })
     }
+
+    /// a_rⁿ and a_rᵗ where no pair gives the relative path: the tip of a_r dropped on the line of v_r, both of which are drawn.
+    fn dropped(&self, at: &Configuration, find: usize, what: &Asked) -> Option<Answer> {
+        let Asked::Composite(c) = what else { return None };
+        let of = |part| match self.answer(at, find, &Composite { part, ..*c }.into())?.value {
+            Value::Vector(v) => Some(v),
+            Value::Scalar(_) | Value::Point(_) => None,
+        };
+        if !matches!(c.part, Part::RelativeNormal | Part::RelativeTangential) {
+            return None;
+        }
+        let [whole, v_r, v_e] = [of(Part::Relative)?, of(Part::RelativeVelocity)?, of(Part::TransportVelocity)?];
+        let way = v_r.unit().filter(|_| v_r.norm() > SHORT * v_e.norm())?;
+        let along = way * way.dot(whole);
+        let value = if c.part == Part::RelativeTangential { along } else { whole - along };
+        Some(Answer { find, value: Value::Vector(value), measured: None })
+    }
 }
 
 /// What a pencil's owner reads: the answers from a drawing made [`by_hand`](super::by_hand), each length read with the same
@@ -217,6 +238,10 @@ pub fn read_by_hand<P: Pencil>(
     let mu_l = paper.diagram.mu_l;
     let drawn = read(scene, m, shown, plan, paper);
     let mut measure = |find: &Find, answer: Option<Answer>| -> Option<Value> {
+        // What is put together from two is calculated.
+        if matches!(find.what, Asked::Combined(_)) {
+            return Some(answer?.value);
+        }
         let level = find.what.level();
         Some(match (answer?.value, paper.polygon(level)) {
             (Value::Vector(v), Some(p)) => Value::Vector(pencil.read(level, v * (1.0 / p.mu)) * p.mu),
