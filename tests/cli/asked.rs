@@ -160,6 +160,23 @@ fn what_a_figure_draws_is_a_drawing_in_the_json() {
     }
 }
 
+/// The parts of a relative acceleration are drawn along and square to the drawn v_r.
+#[test]
+fn parts_along_a_path_that_no_pair_gives_are_drawn() {
+    for (template, frame) in [("lathe", "T/2"), ("cam-offset-roller", "B3/2"), ("cam-eccentric", "E3/2")] {
+        let find = ["ve", "vr", "ar", "arn", "art"].map(|symbol| format!("{symbol}_{frame}"));
+        let find: Vec<&str> = find.iter().map(String::as_str).collect();
+        for answer in answers(template, &find) {
+            let drawn = &answer["drawing"];
+            assert!(!drawn.is_null(), "{template}: {answer}");
+            for axis in ["x", "y"] {
+                let [a, b] = [drawn, &answer["value"]].map(|v| v[axis].as_f64().unwrap());
+                assert!((a - b).abs() < 1e-9 * b.abs().max(1.0), "{template}: {answer}");
+            }
+        }
+    }
+}
+
 /// The construction of a design as JSON: each mark with its place.
 #[test]
 fn the_construction_of_a_design_for_programs() {
@@ -200,7 +217,7 @@ fn the_point_of_a_face_says_on_which_side_it_lies() {
     let run = hodograph().args(["solve", "-"]).write_stdin(lever(r#""offset": "6.8 mm""#, "")).assert().success();
     let note = text(&run.get_output().stderr);
     assert!(note.contains("the one with W at") && note.contains("a rough place of W"), "{note}");
-    let sides = [r#", "side": {"W": "left of FG"}"#, r#", "side": {"W": "right of FG"}"#].map(of);
+    let sides = [r#", "side": {"W": "left of FD"}"#, r#", "side": {"W": "right of FD"}"#].map(of);
     assert!((sides[0] - sides[1]).abs() > 1e-3, "{sides:?}");
     let sketched = [r#", "sketch": {"W": [64, 89]}"#, r#", "sketch": {"W": [180, 150]}"#].map(of);
     for value in sketched {

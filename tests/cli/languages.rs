@@ -164,8 +164,8 @@ fn chinese_has_its_own_punctuation() {
         &["curvature", "--steps"],
         &["attempts"],
     ];
-    let scenes =
-        hodograph::scene::templates::list().iter().step_by(every(8)).map(|t| (t.name, hodograph::scene::templates::get(t.name).unwrap()));
+    let list = hodograph::scene::templates::list();
+    let scenes = list.iter().step_by(every(8)).map(|t| (t.name, hodograph::scene::templates::get(t.name).unwrap()));
     let tasks = hodograph::synthesis::templates::names().step_by(every(2));
     let tasks = tasks.map(|name| (name, hodograph::synthesis::templates::get(name).unwrap()));
     let of_tasks: &[&[&str]] = &[&["synth", "--steps"]];
@@ -199,4 +199,21 @@ fn chinese_has_its_own_punctuation() {
     }
     assert!(looked > 1000 / every(8), "only {looked} lines");
     assert!(faults.is_empty(), "{} lines:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// What is given of a motion is told in values and signs, not in the names and units of the file.
+#[test]
+fn givens_of_a_motion_are_values() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, out) = (folder.path().join("plate.json"), folder.path().join("plate.md"));
+    std::fs::write(&file, hodograph::particle::templates::get("plate-in-space").unwrap()).unwrap();
+    for lang in ["en", "zh"] {
+        hodograph().args(["worksheet", "--lang", lang, "--problem-only"]).arg(&file).arg("-o").arg(&out).assert().success();
+        let said = std::fs::read_to_string(&out).unwrap();
+        let given: String = said.lines().filter(|l| l.starts_with("- ")).collect::<Vec<_>>().join("\n");
+        assert!(given.contains("60°") && given.contains("90°") && given.contains("ω = 1/3 rad/s"), "{given}");
+        for name in ["deg", "theta", "omega"] {
+            assert!(!given.contains(name), "{name} in\n{given}");
+        }
+    }
 }

@@ -68,6 +68,9 @@ const WORDS: [(What, &str, What); 9] = [
 /// What double precision keeps of a value that is computed from given lengths, relative to it.
 const LOST: f64 = 1e-11;
 
+/// The same of what is read at a place that is found between samples.
+const FOUND: f64 = 1e-6;
+
 impl Quantity for CamQuantity {
     const WRITTEN: &'static [Entry] = &[
         Entry::new("s", "s_3", Kind::Length, Form::Scalar, ["lift of the follower", "从动件位移"]),
@@ -245,7 +248,12 @@ impl Quantity for CamQuantity {
             What::BaseMin => least_base(&t.disc)?,
             What::FaceHalf => face_half(t)?,
         };
-        let radius = LOST * value.abs().max(LOST);
+        let lost = match (self.what, &t.disc.motion) {
+            // Where a profile begins to lift is found between samples.
+            (What::PressureStart, Motion::Profile(_)) => FOUND,
+            _ => LOST,
+        };
+        let radius = lost * value.abs().max(lost);
         N::from_bounded(value, radius).filter(|_| value.is_finite()).map(Value::Scalar)
     }
 }
