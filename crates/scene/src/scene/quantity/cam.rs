@@ -117,11 +117,6 @@ impl Quantity for CamQuantity {
             let (link, follower) = (question.link(cam.trim())?, question.link(follower.trim())?);
             return Ok(Some(CamQuantity { what, link, follower: Some(follower), end: None }));
         }
-        // What slides and is no follower has a coordinate along its guide.
-        let slides = || question.link(names).is_err() || !question.guides_of(names).is_empty();
-        if what == What::Lift && !question.is_follower(names) && slides() {
-            return Ok(None);
-        }
         let link = question.link(names)?;
         let end = (what == What::Pressure).then(|| question.end_of(link)).flatten();
         Ok(Some(CamQuantity { what, link, follower: None, end }))

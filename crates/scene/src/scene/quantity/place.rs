@@ -68,6 +68,10 @@ impl Quantity for Place {
             }
             ALONG => {
                 let names = question.names();
+                // The lift of a cam's follower, and what asks for one of another link, is a quantity of cams.
+                if question.is_follower(names) || question.guides_of(names).is_empty() && question.link(names).is_ok() {
+                    return Ok(None);
+                }
                 let (guide, pin) = match question.guides_of(names)[..] {
                     [one] => one,
                     [] => {

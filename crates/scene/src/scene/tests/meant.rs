@@ -134,7 +134,7 @@ fn a_unit_stands_behind_any_expression() {
         "2*k",
         "-sqrt(2)",
         "5/sqrt(2)",
-        "sqrt(k)/(2)",
+        "sqrt(2)/(2)",
     ];
     let value = |text: &str| {
         let scene = read(&with("parameters", &format!(r#"{{"k": "1.5", "q": "{text}"}}"#))).unwrap_or_else(|f| panic!("{text}: {f}")).value;
