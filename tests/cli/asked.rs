@@ -104,6 +104,8 @@ fn a_cam_answers_what_its_report_prints() {
     for (k, path) in paths.iter().enumerate() {
         near(number(&found[k]), of(path), find[k]);
     }
+    // The follower slides in a guide, and its lift is that of the cam all the same.
+    near(number(&answers("cam-offset-roller", &["s_3"])[0]), of("/now/s"), "s_3");
     // tan α = e/(s₀) at rest: the offset over √((r₀ + r_r)² − e²).
     near(number(&found[6]).abs().tan(), 10.0 / (40f64 * 40.0 - 100.0).sqrt(), find[6]);
     // A cam with this base circle is not undercut, one with a smaller is.
