@@ -6,6 +6,8 @@
 
 #[path = "tidy/kinds.rs"]
 mod kinds;
+#[path = "tidy/wording.rs"]
+mod wording;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

@@ -46,7 +46,7 @@ fn asked(scene: &Scene, a: &args::Curvature) -> Result<Asked, Failure> {
     if links.contains(&frame) {
         let name = scene.link_name(frame);
         let message = both!("link {name} does not move, seen from itself", "构件 {name} 相对自身不动");
-        let d = Diagnostic::error("link", message).help(both!("name a moving link", "请写活动构件"));
+        let d = Diagnostic::error("link", message).help(both!("name a moving link", "请指定活动构件"));
         return Err(Failure::argument("--link", name, d));
     }
     if !links.is_empty() {

@@ -111,7 +111,7 @@ fn output(path: &str) -> Result<(), Faults> {
             Err(d
                 .help(both!(
                     "write -o figure.svg, -o figure.png or -o figure.pdf; a folder of that name is -o {path}/",
-                    "请写 -o figure.svg、-o figure.png 或 -o figure.pdf；若是文件夹请写 -o {path}/"
+                    "请写 -o figure.svg、-o figure.png 或 -o figure.pdf；若是文件夹请指定 -o {path}/"
                 ))
                 .into())
         }
@@ -249,7 +249,9 @@ fn names(a: &args::Draw, scene: &str, figures: &[(String, Figure)]) -> Result<Ve
             "output",
             both!("{} is one file; {} figures are asked for", "{} 是一个文件，而要画 {} 个图", a.output, figures.len()),
         );
-        return Err(d.help(both!("name a folder, such as -o out/, or ask for one figure", "请写文件夹，如 -o out/，或只画一个图")).into());
+        return Err(d
+            .help(both!("name a folder, such as -o out/, or ask for one figure", "请指定文件夹，如 -o out/，或只画一个图"))
+            .into());
     }
     let stem = files::stem(scene, "sheet");
     let file = |word: &str, f: Format| {

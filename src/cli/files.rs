@@ -40,7 +40,7 @@ pub fn scene(path: &str) -> Result<(String, Vec<u8>), Diagnostic> {
 fn from_file(path: &str) -> Result<Vec<u8>, Diagnostic> {
     let help = both!(
         "name a scene file; `hodograph new crank-rocker -o scene.json` writes one",
-        "请写机构文件；可用 `hodograph new crank-rocker -o scene.json` 生成一个"
+        "请指定机构文件；可用 `hodograph new crank-rocker -o scene.json` 生成一个"
     );
     bounded(Path::new(path), LARGEST, help)
 }
@@ -60,13 +60,13 @@ pub fn style(path: &str) -> Result<Vec<u8>, Diagnostic> {
     bounded(
         Path::new(path),
         LARGEST,
-        both!("name a style file, or one of the styles print, slides, dark", "请写样式文件，或样式 print、slides、dark 之一"),
+        both!("name a style file, or one of the styles print, slides, dark", "请指定样式文件，或样式 print、slides、dark 之一"),
     )
 }
 
 /// Reads a font's file.
 pub fn font(path: &Path) -> Result<Vec<u8>, Diagnostic> {
-    bounded(path, own::LARGEST as u64 + 1, both!("name a font file: .otf or .ttf", "请写字体文件：.otf 或 .ttf"))
+    bounded(path, own::LARGEST as u64 + 1, both!("name a font file: .otf or .ttf", "请指定字体文件：.otf 或 .ttf"))
 }
 
 fn bounded(path: &Path, most: u64, help: Both) -> Result<Vec<u8>, Diagnostic> {

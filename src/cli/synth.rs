@@ -40,7 +40,7 @@ pub struct Synth {
     #[arg(long)]
     pub json: bool,
     /// The construction with ruler and paper too, step by step, with the lengths measured
-    #[arg(long, conflicts_with = "json")]
+    #[arg(long)]
     pub steps: bool,
     /// Of a search: how long it took, and how many positions it evaluated a second (on standard error)
     #[arg(long)]
@@ -127,7 +127,12 @@ pub fn run(a: Synth) -> Run {
     }
     let candidate = &solved.design.candidates[picked];
     if a.json {
-        files::print(&format!("{:#}\n", report::json(&solved.task, &solved.design)))?;
+        let mut all = report::json(&solved.task, &solved.design);
+        if a.steps {
+            let board = figure::to_scale(&solved.task, candidate).map_err(|f| solved.failed(f))?;
+            all["construction"] = board.map_or(serde_json::Value::Null, |board| report::construction(&board));
+        }
+        files::print(&format!("{all:#}\n"))?;
     } else if let Some(path) = &a.output {
         files::print_names(&format!("{path}\n"))?;
     } else {

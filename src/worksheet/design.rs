@@ -195,8 +195,8 @@ impl Maker<'_> {
         let course = &self.candidate.draft.course;
         blocks.push(self.heading(2, "Structural error", "结构误差"));
         blocks.push(picture("deviation", figure));
-        let wanted = tr(self.lang(), "wanted", "预期");
-        let real = tr(self.lang(), "real", "实际");
+        let wanted = tr(self.lang(), "wanted function", "期望函数");
+        let real = tr(self.lang(), "generated function", "再现函数");
         let head = ["$x$".to_owned(), "$\\varphi$".into(), format!("$\\psi$ {wanted}"), format!("$\\psi$ {real}"), "$\\Delta\\psi$".into()];
         let mut rows = vec![head.iter().map(|h| Phrase::new(h)).collect::<Vec<_>>()];
         let turned = |a: f64| degrees(a, 6);
@@ -262,7 +262,7 @@ impl Maker<'_> {
         let grashof = c.judged.grashof.map(|g| grashof_words(g, self.lang()).to_owned());
         let defects = c.judged.defects.iter().map(|d| self.lang().of(&d.message).to_owned());
         let all: Vec<String> = grashof.into_iter().chain(defects).collect();
-        if all.is_empty() { tr(self.lang(), "no defect", "无缺陷").to_owned() } else { all.join(tr(self.lang(), "; ", "；")) }
+        if all.is_empty() { tr(self.lang(), "no defect", "无运动缺陷").to_owned() } else { all.join(tr(self.lang(), "; ", "；")) }
     }
 }
 

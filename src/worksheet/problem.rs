@@ -10,6 +10,7 @@ use crate::plan::text::point_label;
 use crate::report::amount::symbol;
 use crate::report::given::Givens;
 use crate::report::statement::paragraphs;
+use crate::scene::quantity::combined::Operation;
 use crate::scene::quantity::{Frame, Meaning, Of};
 use crate::scene::{Asked, Find, Lang, LinkId, OnLink, PointId};
 use crate::worked::Worked;
@@ -111,6 +112,24 @@ impl Maker<'_> {
                 (None, Lang::Zh) => format!("构件 {} 与构件 {} 的{name}", self.link(a), self.link(b)),
                 (Some(h), Lang::En) => format!("{name} of link {} to link {}, both relative to the arm {h}", self.link(a), self.link(b)),
                 (Some(h), Lang::Zh) => format!("构件 {} 与构件 {} 相对系杆 {h} 的{name}", self.link(a), self.link(b)),
+            };
+        }
+        if let Asked::Combined(c) = what {
+            let [a, b] = c.operands.map(|q| self.asked(&q.asked()));
+            return match (c.operation, self.lang()) {
+                (Operation::Sum, Lang::En) => format!("the sum of the {a} and the {b}"),
+                (Operation::Difference, Lang::En) => format!("the difference of the {a} and the {b}"),
+                (Operation::Ratio, Lang::En) => format!("the ratio of the {a} to the {b}"),
+                (Operation::Sum, Lang::Zh) => format!("{a}与{b}之和"),
+                (Operation::Difference, Lang::Zh) => format!("{a}与{b}之差"),
+                (Operation::Ratio, Lang::Zh) => format!("{a}与{b}之比"),
+            };
+        }
+        if let Asked::FromCentre(q) = what {
+            let ([a, b], point) = (q.centre.links.map(|(l, _)| self.link(l)), self.point(q.point));
+            return match self.lang() {
+                Lang::En => format!("distance of {point} from the instantaneous centre of links {a} and {b}"),
+                Lang::Zh => format!("{point} 到构件 {a}、{b} 的瞬心的距离"),
             };
         }
         match (what.of(), self.lang()) {

@@ -5,8 +5,8 @@ use super::{Block, Maker, Table, TableKind};
 use crate::answer::Value;
 use crate::certified::ladder::Why;
 use crate::digits::shortest;
-use crate::figure::remarks::{agreement, remarks};
-use crate::figure::results::{Answers, by_lines, crossings_agree, drawn_centres, measured, named};
+use crate::figure::remarks::remarks;
+use crate::figure::results::{Answers, by_lines, drawn_centres, measured, named};
 use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, fill};
 use crate::report::amount::{amount, number, sense, symbol};
@@ -63,7 +63,6 @@ impl Maker<'_> {
         blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
         let answers = Answers { scene, worked: self.worked, certified: self.certified, notation: self.notation(), words, digits };
         said.extend(remarks(&answers));
-        said.extend(centres.as_ref().and_then(|found| crossings_agree(found, scene, self.worked, words)));
         said.dedup();
         if !said.is_empty() {
             blocks.push(Block::List { numbered: false, members: said });
@@ -72,7 +71,9 @@ impl Maker<'_> {
     }
 
     fn comparison(&self, blocks: &mut Vec<Block>) {
-        let Some(agreed) = agreement(self.worked, self.words()) else { return };
+        if !self.worked.results.iter().any(|r| r.agreement.is_some()) {
+            return;
+        }
         let by_hand = self.worked.by_hand(self.scene);
         blocks.push(self.heading(2, "Comparison with the loop equations", "与解析法比较"));
         let [v, a] = self.worked.solution.size;
@@ -99,7 +100,6 @@ impl Maker<'_> {
             ]);
         }
         blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
-        blocks.push(Block::Paragraph(agreed));
     }
 
     /// A vector by its magnitude, a number as it is, a place by its coordinates, with the unit in which it is printed.

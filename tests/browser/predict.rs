@@ -135,12 +135,12 @@ fn a_construction_is_predicted_by_keys() {
         }
         b.key("Enter");
         let said = text(&mut b, "verdict");
-        assert!(said.starts_with(if k == 0 { "Right now." } else { "Right." }), "{k}: {answer:?}: {said}");
+        assert!(said.starts_with(if k == 0 { "Correct." } else { "Right." }), "{k}: {answer:?}: {said}");
         b.key("Enter");
     }
     assert!(!asking(&mut b));
     let marks = all.iter().filter(|a| matches!(a, Answer::Mark(_))).count();
-    let want = format!("{} of {} right at once", all.len() - marks - 1, all.len());
+    let want = format!("{} of {} at the first try", all.len() - marks - 1, all.len());
     assert!(text(&mut b, "verdict").contains(&want), "{} instead of {want}", text(&mut b, "verdict"));
     b.key("q");
     assert_eq!(b.eval("document.getElementById('predict').getAttribute('aria-pressed')"), "false");

@@ -134,14 +134,46 @@ fn faults_of_arguments_are_told_in_chinese() {
     }
 }
 
-/// Chinese sentences have the marks of their language: no English comma, colon or semicolon stands in them, but in brackets and in what is quoted.
+/// A code for programs at the head of a sentence: `slow-stroke: ...`.
+fn headed_by_a_code(line: &str) -> bool {
+    let head = line.trim_start().split(':').next().unwrap_or_default();
+    line.contains(':') && head.contains('-') && head.bytes().all(|b| b.is_ascii_lowercase() || b == b'-')
+}
+
+/// A Chinese character, and right behind it a mark of the other script.
+fn half_width(text: &str) -> bool {
+    let chars: Vec<char> = text.chars().collect();
+    chars.windows(2).any(|w| is_chinese(&w[0].to_string()) && [',', ':', ';'].contains(&w[1]))
+}
+
+/// Chinese sentences have the marks of their language: no English comma, colon or semicolon stands in them, but in brackets and in what is quoted,
+/// none right behind a character anywhere, and no code begins one.
 #[test]
 fn chinese_has_its_own_punctuation() {
     let (mut looked, mut faults) = (0, Vec::new());
-    for t in hodograph::scene::templates::list().iter().step_by(every(8)) {
-        let scene = hodograph::scene::templates::get(t.name).unwrap();
-        for command in ["plan", "solve", "mobility", "limits", "centres", "composite"] {
-            let (said, printed) = told(&[command, "-", "--lang", "zh"], scene);
+    let of_scenes: &[&[&str]] = &[
+        &["plan"],
+        &["solve"],
+        &["solve", "--steps"],
+        &["mobility"],
+        &["limits"],
+        &["centres"],
+        &["composite"],
+        &["cam"],
+        &["inversions"],
+        &["curvature", "--steps"],
+        &["attempts"],
+    ];
+    let list = hodograph::scene::templates::list();
+    let scenes = list.iter().step_by(every(8)).map(|t| (t.name, hodograph::scene::templates::get(t.name).unwrap()));
+    let tasks = hodograph::synthesis::templates::names().step_by(every(2));
+    let tasks = tasks.map(|name| (name, hodograph::synthesis::templates::get(name).unwrap()));
+    let of_tasks: &[&[&str]] = &[&["synth", "--steps"]];
+    let all = scenes.map(|s| (s, of_scenes)).chain(tasks.map(|t| (t, of_tasks)));
+    for ((name, scene), commands) in all {
+        for command in commands {
+            let arguments = [&command[..1], &["-", "--lang", "zh"], &command[1..]].concat();
+            let (said, printed) = told(&arguments, scene);
             for line in said.lines().chain(printed.lines()).filter(|l| is_chinese(l) && !l.contains('│')) {
                 looked += 1;
                 let mut depth = 0;
@@ -155,12 +187,33 @@ fn chinese_has_its_own_punctuation() {
                         depth == 0
                     })
                     .collect();
-                if [", ", "; ", ": "].iter().any(|mark| bare.replace("\": ", "").contains(mark)) {
-                    faults.push(format!("{} {command}: {line}", t.name));
+                let unquoted = line.split('`').step_by(2).collect::<Vec<_>>().join(" ");
+                if [", ", "; ", ": "].iter().any(|mark| bare.replace("\": ", "").contains(mark))
+                    || headed_by_a_code(line)
+                    || half_width(&unquoted)
+                {
+                    faults.push(format!("{name} {command:?}: {line}"));
                 }
             }
         }
     }
     assert!(looked > 1000 / every(8), "only {looked} lines");
     assert!(faults.is_empty(), "{} lines:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// What is given of a motion is told in values and signs, not in the names and units of the file.
+#[test]
+fn givens_of_a_motion_are_values() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, out) = (folder.path().join("plate.json"), folder.path().join("plate.md"));
+    std::fs::write(&file, hodograph::particle::templates::get("plate-in-space").unwrap()).unwrap();
+    for lang in ["en", "zh"] {
+        hodograph().args(["worksheet", "--lang", lang, "--problem-only"]).arg(&file).arg("-o").arg(&out).assert().success();
+        let said = std::fs::read_to_string(&out).unwrap();
+        let given: String = said.lines().filter(|l| l.starts_with("- ")).collect::<Vec<_>>().join("\n");
+        assert!(given.contains("60°") && given.contains("90°") && given.contains("ω = 1/3 rad/s"), "{given}");
+        for name in ["deg", "theta", "omega"] {
+            assert!(!given.contains(name), "{name} in\n{given}");
+        }
+    }
 }

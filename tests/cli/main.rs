@@ -1,5 +1,6 @@
 //! The program as its user meets it: exit codes, files, help, and the commands of the documents.
 
+mod asked;
 mod cams;
 mod designs;
 mod documents;

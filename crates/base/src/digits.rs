@@ -73,6 +73,13 @@ pub fn direction_degrees(angle_rad: f64) -> f64 {
     }
 }
 
+/// The direction of a line in degrees, in [0, 180): both of its senses are one, as both ends of a line are one point at infinity.
+pub fn line_degrees(angle_rad: f64) -> f64 {
+    let degrees = direction_degrees(angle_rad).rem_euclid(180.0);
+    // What lies below zero by less than half a unit of 180 is rounded up to it.
+    if degrees >= 180.0 { 0.0 } else { degrees }
+}
+
 /// A number as short as it can be written, for scales and given values: `0.002`, `60`, `2.5`.
 pub fn shortest(value: f64) -> String {
     if !value.is_finite() {

@@ -8,10 +8,10 @@
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::number::Real;
-use crate::position::Configuration;
+use crate::position::{Configuration, Path};
 pub use crate::scene::quantity::Value;
 use crate::scene::quantity::{Asked, Known};
-use crate::scene::{LinkId, OnLink, PointId, Scene};
+use crate::scene::{GuideId, LinkId, OnLink, PointId, Scene};
 
 /// Where vectors and rates are looked up.
 pub trait Source<N = f64> {
@@ -48,6 +48,13 @@ impl<N: Real, S: Source<N>> Known<N> for Instant<'_, N, S> {
 
     fn point(&self, p: PointId) -> Option<Point<N>> {
         self.at.points[p.0]
+    }
+
+    fn guide(&self, g: GuideId) -> Option<(Point<N>, Vec2<N>)> {
+        match self.at.guides[g.0]? {
+            Path::Line { through, direction } => Some((through, direction)),
+            Path::Arc { .. } => None,
+        }
     }
 
     fn direction(&self, link: LinkId) -> Option<Vec2<N>> {

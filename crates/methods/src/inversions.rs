@@ -19,10 +19,12 @@ use crate::position::{Configuration, Path};
 use crate::scene::{self, GuidePath, LinkId, PointId, Scene};
 use crate::sweep::extreme::{self, Limits};
 use crate::worked::{Scope, Worked, work};
+pub use chain::{Part, part};
 use serde_json::{Map, Value as Json, json};
 
 mod belts;
 mod cams;
+mod chain;
 mod pairs;
 
 /// Scenes with more links are refused: each link makes a figure.
@@ -35,6 +37,8 @@ pub struct Inversion {
     pub ground: LinkId,
     /// Whether it is the ground of the scene itself.
     pub original: bool,
+    /// What the ground is in the slider-crank chain, where the scene is one.
+    pub part: Option<Part>,
     /// Its scene as a file.
     pub text: String,
     /// The same, read.
@@ -117,7 +121,8 @@ fn read(scene: &Scene, ground: LinkId, text: String, driver: String) -> Result<I
     let Warned { value: worked, .. } = work(&inverted, Scope::Figure)?;
     let mechanism = Mechanism::new(&inverted)?.value;
     let limits = extreme::limits(&inverted, &mechanism, 0)?;
-    Ok(Inversion { ground, original: ground == scene.ground, text, scene: inverted, worked, driver, limits })
+    let part = part(scene, ground);
+    Ok(Inversion { ground, original: ground == scene.ground, part, text, scene: inverted, worked, driver, limits })
 }
 
 /// Points of a link, and the pins of the guides in which it slides: the latter belong to it once it is the ground.

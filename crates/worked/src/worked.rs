@@ -406,7 +406,7 @@ fn near_singular(words: &Both, regular: &Regular) -> Diagnostic {
         "near-singular",
         both!(
             "{} but for a hair: as written the pose is not singular, but only numbers of more digits than double precision tell its answers ({numbers}); they are theirs, neither drawn nor checked by the loop equations",
-            "几乎是{}：按所给数值该位置并非奇异，但其结果须由高于双精度的数值（{numbers}）求得；结果取自该数值，未作图，也未用回路方程校核",
+            "几乎是{}：按所给数值该位置并非奇异，但其结果须由高于双精度的数值（{numbers}）求得；结果取自该数值，未作图，也未用封闭矢量方程（解析法）校核",
             words
         ),
     )

@@ -10,35 +10,36 @@ use crate::report::particle::symbol;
 use crate::scene::Lang;
 use crate::scene::front::Law;
 
-/// An expression as it is printed.
-fn told(law: &Law) -> String {
-    printed(&law.text)
+/// An expression as it is printed; a parameter alone is its value.
+fn told(problem: &Problem, law: &Law) -> String {
+    let value = problem.parameters.iter().find(|(name, _)| name == law.text.trim()).map(|(_, value)| value.as_str());
+    printed(value.unwrap_or(&law.text))
 }
 
 /// Parameters, plates, motions and the instant, a line each.
 pub fn given(problem: &Problem, lang: Lang) -> Vec<Phrase> {
     let mut out: Vec<Both> = Vec::new();
     if !problem.parameters.is_empty() {
-        let all: Vec<String> = problem.parameters.iter().map(|(name, value)| format!("{name} = {}", printed(value))).collect();
+        let all: Vec<String> = problem.parameters.iter().map(|(name, value)| format!("{} = {}", printed(name), printed(value))).collect();
         out.push(Both { en: all.join(", "), zh: all.join("，") });
     }
-    out.extend(problem.plates.iter().map(plate));
+    out.extend(problem.plates.iter().map(|p| plate(problem, p)));
     out.extend(problem.motions.iter().map(|m| motion(problem, m)));
-    out.push(both!("the instant: t = {}", "所求时刻：t = {}", told(&problem.time)));
+    out.push(both!("the instant: t = {}", "所求时刻：t = {}", told(problem, &problem.time)));
     out.iter().map(|said| Phrase::new(lang.of(said))).collect()
 }
 
-fn plate(p: &Plate) -> Both {
+fn plate(problem: &Problem, p: &Plate) -> Both {
     let axis = p.axis.letter();
     let place = match &p.offset {
-        Some(offset) => both!("lies {} beside the axis {}", "与 {1} 轴相距 {0}", told(offset), axis),
+        Some(offset) => both!("lies {} beside the axis {}", "与 {1} 轴相距 {0}", told(problem, offset), axis),
         None => both!("contains the axis {axis}", "过 {axis} 轴"),
     };
     let turning = match &p.turning {
-        Turning::Law(law) => both!("φ = {}", "φ = {}", told(law)),
+        Turning::Law(law) => both!("φ = {}", "φ = {}", told(problem, law)),
         Turning::Now { angle, omega, alpha } => {
-            let alpha = alpha.as_ref().map_or(String::new(), |a| format!(", α = {}", told(a)));
-            both!("at the instant φ = {}, ω = {}{}", "该时刻 φ = {}，ω = {}{}", told(angle), told(omega), alpha)
+            let alpha = alpha.as_ref().map_or_else(Both::default, |a| both!(", α = {0}", "，α = {0}", told(problem, a)));
+            both!("at the instant φ = {}, ω = {}{}", "该时刻 φ = {}，ω = {}{}", told(problem, angle), told(problem, omega), alpha)
         }
     };
     let from = p.axis.order()[0];
@@ -53,7 +54,7 @@ fn plate(p: &Plate) -> Both {
 }
 
 fn motion(problem: &Problem, m: &Motion) -> Both {
-    let at = |place: &[Law; 2]| format!("({}, {})", told(&place[0]), told(&place[1]));
+    let at = |place: &[Law; 2]| format!("({}, {})", told(problem, &place[0]), told(problem, &place[1]));
     let point = &m.point;
     match &m.kind {
         Kind::Toward { from, target, speed } => both!(
@@ -61,49 +62,51 @@ fn motion(problem: &Problem, m: &Motion) -> Both {
             "${point}$ 自 {} 出发，始终朝向 ${}$ 运动，速率 {}",
             at(from),
             problem.motions[*target].point,
-            told(speed)
+            told(problem, speed)
         ),
         Kind::Fixed(Way::Free(place)) if place.iter().all(|law| !law.depends_on_time()) => {
             both!("${point}$ is at rest at {}", "${point}$ 静止于 {}", at(place))
         }
-        Kind::Fixed(way) => path(point, &both!("moves", "运动："), way, &both!("from the axis x", "与 x 轴夹角")),
+        Kind::Fixed(way) => path(problem, point, &both!("moves", "运动："), way, &both!("from the axis x", "与 x 轴夹角")),
         Kind::OnPlate(k, way) => {
             let link = &problem.plates[*k].link;
-            path(point, &both!("moves on plate {link}", "在平板 {link} 上运动："), way, &both!("from the axis", "与转轴夹角"))
+            path(problem, point, &both!("moves on plate {link}", "在平板 {link} 上运动："), way, &both!("from the axis", "与转轴夹角"))
         }
     }
 }
 
-fn path(point: &str, moves: &Both, way: &Way, measured: &Both) -> Both {
-    let at = |place: &[Law; 2]| format!("({}, {})", told(&place[0]), told(&place[1]));
+fn path(problem: &Problem, point: &str, moves: &Both, way: &Way, measured: &Both) -> Both {
+    let at = |place: &[Law; 2]| format!("({}, {})", told(problem, &place[0]), told(problem, &place[1]));
     match way {
         Way::Line { from, angle, s, .. } => both!(
             "${point}$ {} along a line from {} at {} {}, s = {}",
             "${point}$ {}沿直线，起点 {}，角度 {}（{}），s = {}",
             moves,
             at(from),
-            told(angle),
+            told(problem, angle),
             measured,
-            told(s)
+            told(problem, s)
         ),
         Way::Circle { centre, radius, angle, s } => both!(
             "${point}$ {} round a circle about {} of radius {}, s = {} of arc counter-clockwise from {}",
             "${point}$ {}沿圆周，圆心 {}，半径 {}，弧长 s = {}，自 {} 逆时针量起",
             moves,
             at(centre),
-            told(radius),
-            told(s),
-            angle.as_ref().map_or_else(|| "0°".to_owned(), told)
+            told(problem, radius),
+            told(problem, s),
+            angle.as_ref().map_or_else(|| "0°".to_owned(), |a| told(problem, a))
         ),
         Way::Polar { pole, r, phi } => both!(
             "${point}$ {} about {}, r = {}, φ = {} (polar coordinates)",
             "${point}$ {}极点 {}，极坐标 r = {}，φ = {}",
             moves,
             at(pole),
-            told(r),
-            told(phi)
+            told(problem, r),
+            told(problem, phi)
         ),
-        Way::Free([x, y]) => both!("${point}$ {} by x = {}, y = {}", "${point}$ {}x = {}，y = {}", moves, told(x), told(y)),
+        Way::Free([x, y]) => {
+            both!("${point}$ {} by x = {}, y = {}", "${point}$ {}x = {}，y = {}", moves, told(problem, x), told(problem, y))
+        }
     }
 }
 

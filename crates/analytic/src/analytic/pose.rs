@@ -254,8 +254,10 @@ fn note(s: &Singularity) -> Diagnostic {
         ),
         None => Both::default(),
     };
-    let undrawn =
-        both!("their velocities are not crossed on paper, they come from the loop equations", "其速度不由作图求交，而由回路方程求得");
+    let undrawn = both!(
+        "their velocities are not crossed on paper, they come from the loop equations",
+        "其速度不由作图求交，而由封闭矢量方程（解析法）求得"
+    );
     match s.kind {
         SingularKind::ChangePoint if s.other.is_some() => Diagnostic::note(
             "change-point",

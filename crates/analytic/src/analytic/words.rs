@@ -93,6 +93,7 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[R
     };
     let bars: Vec<Both> = links.iter().map(|l| both!("link {}{}", "构件 {}{}", scene.link_name(*l), letters(*l))).collect();
     let guide = |g: &GuideId| match (scene.guides[g.0].pin, scene.guides[g.0].slider) {
+        _ if scene.contact_words(*g).is_some() => both!("the line of {}", "{}的导向线", scene.guide_words(*g)),
         (Some(p), _) => both!("the guide of {}", "{} 的导路", scene.point_name(p)),
         (None, Some(s)) => both!("the guide of link {}", "构件 {} 的导路", scene.link_name(s)),
         (None, None) => both!("the guide", "导路"),

@@ -27,7 +27,7 @@ pub use law::Law;
 pub use outline::Segment;
 pub use program::{Jump, Program, Shock, Stage, Way};
 pub use round::round;
-pub use survey::{Fault, Survey, Surveyed};
+pub use survey::{Fault, Survey, Surveyed, least_base};
 pub use turn::Peak;
 
 use crate::number::Real;

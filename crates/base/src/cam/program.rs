@@ -134,6 +134,13 @@ impl<N: Real> Stage<N> {
 }
 
 impl Program {
+    /// Of each stage, whether the last motion before it goes out: a dwell behind a rise is the outer one.
+    pub fn outer(&self) -> Vec<bool> {
+        let behind =
+            |k: usize| self.stages[..k].iter().rev().chain(self.stages[k..].iter().rev()).map(Stage::gain).find(|gain| *gain != 0.0);
+        (0..self.stages.len()).map(|k| behind(k).is_some_and(|gain| gain > 0.0)).collect()
+    }
+
     /// The stage in which φ lies, where it begins, and the lift there; at a joint the one of the side.
     pub fn stage(&self, phi: f64, side: Side) -> Option<(usize, f64, f64)> {
         let turn = in_turn(phi);
@@ -221,6 +228,7 @@ mod tests {
         let [before, after] = [Side::Before, Side::After].map(|side| p.lift(deg(180.0), side).0[2]);
         assert!(before == 0.0 && after < -20.0, "{before} {after}");
         assert_eq!((p.corners().len(), p.stroke()), (4, 20.0));
+        assert_eq!(p.outer(), [false, true, true, false]);
         let both = [Side::Before, Side::After].map(|side| p.lift(0.0, side).0[0]);
         assert_eq!(both, [0.0, 0.0]);
     }

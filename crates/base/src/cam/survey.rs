@@ -251,8 +251,9 @@ fn sharpest(disc: &Disc, turn: &Turn) -> Option<Peak> {
     Some(Peak { value: -found.value, ..found })
 }
 
-/// The least base circle whose profile is not undercut, by bisection: radii of curvature grow with it.
-fn least_base(disc: &Disc) -> Option<f64> {
+/// The least base circle whose profile is not undercut, by bisection: radii of curvature grow with it. `None` of a profile that is given, and where
+/// none avoids it.
+pub fn least_base(disc: &Disc) -> Option<f64> {
     let Motion::Law { base, program } = &disc.motion else { return None };
     let with = |base: f64| Disc { motion: Motion::Law { base, program: program.clone() }, ..disc.clone() };
     let good = |base: f64| {
@@ -263,11 +264,12 @@ fn least_base(disc: &Disc) -> Option<f64> {
         };
         sharpest(&disc, &Turn::of(&disc)).is_none_or(|p| p.value >= least)
     };
+    let holds = good(*base);
     let mut high = *base;
     for _ in 0..40 {
-        high *= 1.5;
+        high *= if holds { 1.0 } else { 1.5 };
         if disc_holds(&with(high)) && good(high) {
-            let mut low = *base;
+            let mut low = if holds { 0.0 } else { *base };
             for _ in 0..44 {
                 let middle = 0.5 * (low + high);
                 if disc_holds(&with(middle)) && good(middle) { high = middle } else { low = middle }

@@ -11,7 +11,9 @@ use crate::mechanism::{Level, Mechanism, Passive};
 use crate::number::Real;
 use crate::plan::{Asking, Body, Plan, Spot, Term, VertexId, asking};
 use crate::position::Configuration;
-use crate::scene::quantity::{Frame, Meaning, Of, Seen};
+use crate::scene::quantity::combined::combine;
+use crate::scene::quantity::composite::Part;
+use crate::scene::quantity::{Composite, Frame, Meaning, Of, Seen};
 use crate::scene::{Asked, Find, Kind, LinkId, OnLink, PointId, Scene};
 
 /// The answer to one question.
@@ -67,6 +69,9 @@ struct Found<N> {
     marks: [(Mark, Point<N>); 2],
     shown: Shown,
 }
+
+/// A relative velocity that is a smaller part of the transport velocity shows no direction on paper, and of its digits too few.
+const SHORT: f64 = 1e-4;
 
 struct OnPaper<'a, N> {
     scene: &'a Scene,
@@ -145,41 +150,53 @@ fn vanishes(m: &Mechanism, what: &Asked, scene: &Scene) -> bool {
 /// The answers from the drawing board; `None` for what was not drawn ([`Plan::undrawable`]).
 pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Construction) -> Vec<Option<Answer>> {
     let source = OnPaper { scene, m, plan, paper };
-    let one = |(find, f): (usize, &Find)| {
-        let level = f.what.level();
-        if level == Level::Position {
-            return Some(Answer { find, value: place(scene, at, &f.what)?, measured: None });
+    scene.find.iter().enumerate().map(|(find, f)| source.answer(at, find, &f.what)).collect()
+}
+
+impl OnPaper<'_, f64> {
+    /// The answer to a question.
+    fn answer(&self, at: &Configuration, find: usize, what: &Asked) -> Option<Answer> {
+        let level = what.level();
+        // What is put together from two is drawn where both are.
+        if let Asked::Combined(c) = what {
+            let [a, b] = c.operands.map(|q| self.answer(at, find, &q.asked()));
+            return Some(Answer { find, value: combine(c.operation, a?.value, b?.value)?, measured: None });
         }
-        match f.what.meaning(scene) {
+        if level == Level::Position {
+            return Some(Answer { find, value: place(self.scene, at, what)?, measured: None });
+        }
+        match what.meaning(self.scene) {
             Some(Meaning::Turning(l, None)) => {
-                let reading = paper.rates.iter().find(|r| r.level == level && r.body == source.body(l));
-                let measured = reading.zip(paper.polygon(level)).and_then(|(r, p)| {
+                let reading = self.paper.rates.iter().find(|r| r.level == level && r.body == self.body(l));
+                let measured = reading.zip(self.paper.polygon(level)).and_then(|(r, p)| {
                     let m = r.measured?;
-                    let arm_of = points_of(at, plan, m.line, m.arm);
+                    let arm_of = points_of(at, self.plan, m.line, m.arm);
                     Some(Measured { length_mm: m.length, mu: p.mu, arm_m: Some(m.arm), arm_of, marks: m.marks, shown: None })
                 });
-                return Some(Answer { find, value: Value::Scalar(source.turning(level, l)?), measured });
+                return Some(Answer { find, value: Value::Scalar(self.turning(level, l)?), measured });
             }
             Some(Meaning::Turning(l, Some(against))) => {
-                let value = source.turning(level, l)? - source.turning(level, against)?;
+                let value = self.turning(level, l)? - self.turning(level, against)?;
                 return Some(Answer { find, value: Value::Scalar(value), measured: None });
             }
             Some(Meaning::Ratio(links, arm)) => {
-                let of = |l| source.turning(level, l);
+                let of = |l| self.turning(level, l);
                 let arm = arm.map_or(Some(0.0), of)?;
                 let value = (of(links[0])? - arm) / (of(links[1])? - arm);
                 return value.is_finite().then_some(Answer { find, value: Value::Scalar(value), measured: None });
             }
             Some(Meaning::Vector(_) | Meaning::Relative(..)) => {}
-            Some(Meaning::Seen(..)) if asking(scene, m, plan, &f.what).is_none() && !vanishes(m, &f.what, scene) => return None,
+            Some(Meaning::Seen(..)) if asking(self.scene, self.m, self.plan, what).is_none() && !vanishes(self.m, what, self.scene) => {
+                return self.dropped(at, find, what);
+            }
             Some(Meaning::Seen(..)) => {}
             // No edge is of it.
             Some(Meaning::Place(_)) | None => return None,
         }
-        if !source.is_drawn(&f.what) {
+        if !self.is_drawn(what) {
             return None;
         }
-        Some(match (source.find(&f.what), paper.polygon(level)) {
+        Some(match (self.find(what), self.paper.polygon(level)) {
             (Some(Found { marks, shown }), Some(p)) => {
                 let drawn = marks[1].1 - marks[0].1;
                 let measured = Measured { length_mm: drawn.norm(), mu: p.mu, arm_m: None, arm_of: None, marks, shown: Some(shown) };
@@ -188,8 +205,24 @@ pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper
             // Both images are there, and no edge between them: this part vanishes.
             _ => Answer { find, value: Value::Vector(Vec2::ZERO), measured: None },
         })
-    };
-    scene.find.iter().enumerate().map(one).collect()
+    }
+
+    /// a_rⁿ and a_rᵗ where no pair gives the relative path: the tip of a_r dropped on the line of v_r, both of which are drawn.
+    fn dropped(&self, at: &Configuration, find: usize, what: &Asked) -> Option<Answer> {
+        let Asked::Composite(c) = what else { return None };
+        let of = |part| match self.answer(at, find, &Composite { part, ..*c }.into())?.value {
+            Value::Vector(v) => Some(v),
+            Value::Scalar(_) | Value::Point(_) => None,
+        };
+        if !matches!(c.part, Part::RelativeNormal | Part::RelativeTangential) {
+            return None;
+        }
+        let [whole, v_r, v_e] = [of(Part::Relative)?, of(Part::RelativeVelocity)?, of(Part::TransportVelocity)?];
+        let way = v_r.unit().filter(|_| v_r.norm() > SHORT * v_e.norm())?;
+        let along = way * way.dot(whole);
+        let value = if c.part == Part::RelativeTangential { along } else { whole - along };
+        Some(Answer { find, value: Value::Vector(value), measured: None })
+    }
 }
 
 /// What a pencil's owner reads: the answers from a drawing made [`by_hand`](super::by_hand), each length read with the same
@@ -205,6 +238,10 @@ pub fn read_by_hand<P: Pencil>(
     let mu_l = paper.diagram.mu_l;
     let drawn = read(scene, m, shown, plan, paper);
     let mut measure = |find: &Find, answer: Option<Answer>| -> Option<Value> {
+        // What is put together from two is calculated.
+        if matches!(find.what, Asked::Combined(_)) {
+            return Some(answer?.value);
+        }
         let level = find.what.level();
         Some(match (answer?.value, paper.polygon(level)) {
             (Value::Vector(v), Some(p)) => Value::Vector(pencil.read(level, v * (1.0 / p.mu)) * p.mu),

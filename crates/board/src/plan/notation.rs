@@ -13,6 +13,8 @@ pub struct Notation {
     pub pole: String,
     /// Superscript of the Coriolis part.
     pub coriolis: String,
+    /// Superscript of tangential parts.
+    pub tangential: String,
     /// Superscript of sliding parts.
     pub sliding: String,
     /// The sign for "known" in tables, in the label language.

@@ -164,25 +164,27 @@ impl Writer<'_> {
         let fixed_guide = self.is_absolute(level, t);
         match (t.kind, t.by) {
             // The part square to the line: the whole has the part along it too.
-            (TermKind::Relative, By::Turning(Body::Cylinder(_))) => "t".into(),
+            (TermKind::Relative, By::Turning(Body::Cylinder(_))) => self.notation.tangential.clone(),
             (TermKind::Relative, _) => String::new(),
             (TermKind::Normal, _) => "n".into(),
-            (TermKind::Tangential, _) => "t".into(),
+            (TermKind::Tangential, _) => self.notation.tangential.clone(),
             (TermKind::Coriolis, _) => self.notation.coriolis.clone(),
             (TermKind::Extension, _) => self.notation.sliding.clone(),
             // On a fixed straight guide sliding is the point's whole motion.
             (TermKind::Slide, By::Guide { guide, .. }) if fixed_guide => {
                 if level == Level::Acceleration && self.is_arc(guide) {
-                    "t".into()
+                    self.notation.tangential.clone()
                 } else {
                     String::new()
                 }
             }
             (TermKind::SlideNormal, _) if fixed_guide => "n".into(),
             (TermKind::Slide, By::Guide { guide, .. }) if level == Level::Acceleration && self.is_arc(guide) => {
-                format!("{}\\,t", self.notation.sliding)
+                format!("{}\\,{}", self.notation.sliding, self.notation.tangential)
             }
-            (TermKind::Slide, By::Frame { about: Some(_), .. }) if level == Level::Acceleration => format!("{}\\,t", self.notation.sliding),
+            (TermKind::Slide, By::Frame { about: Some(_), .. }) if level == Level::Acceleration => {
+                format!("{}\\,{}", self.notation.sliding, self.notation.tangential)
+            }
             (TermKind::Slide, _) => self.notation.sliding.clone(),
             (TermKind::SlideNormal, _) => format!("{}\\,n", self.notation.sliding),
             (TermKind::Roll, _) if level == Level::Acceleration && !fixed_guide => "ro".into(),

@@ -132,14 +132,14 @@ fn check(scene: &Scene, wanted: &Wanted) -> Result<(), Faults> {
     }
     if wanted.points.is_empty() {
         faults.push(
-            Diagnostic::error("no-path", both!("no point is named", "没有写点"))
-                .help(both!("name one with --point", "请用 --point 写一个点")),
+            Diagnostic::error("no-path", both!("no point is named", "未指定点"))
+                .help(both!("name one with --point", "请用 --point 指定一个点")),
         );
     }
     let stands = |p: &&PointId| scene.mover(**p).is_none() || scene.links[scene.ground.0].points.contains(p);
     for p in wanted.points.iter().filter(stands) {
         let d = Diagnostic::error("no-path", both!("point {} stands still: it has no path", "点 {} 静止，没有轨迹", scene.point_name(*p)));
-        faults.push(d.at(scene.points[p.0].span).help(both!("name a point that moves", "请写一个运动的点")));
+        faults.push(d.at(scene.points[p.0].span).help(both!("name a point that moves", "请指定一个运动的点")));
     }
     if faults.has_errors() { Err(faults) } else { Ok(()) }
 }

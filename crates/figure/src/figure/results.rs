@@ -249,7 +249,7 @@ pub fn crossings_agree(found: &Centres, scene: &Scene, worked: &Worked, words: &
     let digits = if worst < 1e-15 { 15 } else { (-libm::ceil(libm::log10(worst))).max(0.0) as usize };
     Some(Phrase::new(&match words.lang() {
         Lang::En => format!("Centres by lines and by the velocities of the loop equations agree to {digits} digits."),
-        Lang::Zh => format!("瞬心作图与回路方程的速度结果有 {digits} 位数字一致。"),
+        Lang::Zh => format!("瞬心作图与解析法的速度结果有 {digits} 位数字一致。"),
     }))
 }
 

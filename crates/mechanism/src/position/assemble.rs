@@ -205,16 +205,12 @@ impl<'a, N: Real> Assembly<'a, N> {
     /// The guide in the plane, or what is missing.
     pub(super) fn need_guide(&self, g: GuideId) -> Result<Path<N>, Diagnostic> {
         self.guide_in_plane(g).ok_or_else(|| {
-            let on = self.scene.link_name(self.scene.guides[g.0].on);
-            Diagnostic::error(
-                "guide-not-placed",
-                both!(
-                    "the guide on link {on} is not placed: nothing says through which point it runs",
-                    "构件 {on} 上的导路位置未定：没有说明它通过哪一点"
-                ),
-            )
-            .at(self.scene.guides[g.0].span)
-            .help(both!(
+            let message = both!(
+                "{} is not placed: nothing says through which point it runs",
+                "{}位置未定：没有说明它通过哪一点",
+                self.scene.guide_words(g)
+            );
+            Diagnostic::error("guide-not-placed", message).at(self.scene.guides[g.0].span).help(both!(
                 "give \"through\" (a point of that link, or coordinates on ground), or the pin's coordinates in \"points\"",
                 "请给出 \"through\"（该构件上的点，或机架上的坐标），或在 \"points\" 中给出销的坐标"
             ))
@@ -393,12 +389,9 @@ impl<'a, N: Real> Assembly<'a, N> {
     }
 
     pub(super) fn degenerate(&self, g: GuideId, why: Both) -> Diagnostic {
-        let on = self.scene.link_name(self.scene.guides[g.0].on);
-        Diagnostic::error(
-            "degenerate-guide",
-            both!("the guide on link {on} gives it no direction: {}", "构件 {on} 上的导路不能确定其方向：{}", why),
-        )
-        .at(self.scene.guides[g.0].span)
+        let guide = self.scene.guide_words(g);
+        Diagnostic::error("degenerate-guide", both!("{} gives it no direction: {}", "{}不能确定其方向：{}", guide, why))
+            .at(self.scene.guides[g.0].span)
     }
 
     /// Where a driven runner is in the frame of the link that carries its guide.

@@ -3,6 +3,7 @@
 use super::Pose;
 use super::shape::given_at;
 use crate::diag::{Both, Diagnostic, both};
+use crate::digits::{direction_degrees, significant};
 use crate::geom::Point;
 use crate::number::Real;
 use crate::scene::{LinkId, PointId, Scene, Side};
@@ -77,7 +78,7 @@ pub(super) fn choose<N: Real>(
                 "side-impossible",
                 both!(
                     "in none of the {} assemblies of link{} does {} lie to the {} of {}{}",
-                    "构件{1}的 {0} 种装配中，{2} 都不在 {4}{5} 的{3}",
+                    "构件{1} 的 {0} 种装配形式中，{2} 都不在 {4}{5} 的{3}",
                     trials.len(),
                     link_names(),
                     scene.point_name(side.point),
@@ -135,7 +136,22 @@ pub(super) fn choose<N: Real>(
                 ),
                 both!("a rough place of {p} in \"sketch\"", "\"sketch\" 中 {p} 的大致位置"),
             ),
-            None => (both!("the first was taken", "取第一种"), both!("rough places in \"sketch\"", "\"sketch\" 中的大致位置")),
+            None => {
+                // A link known by one pin shows by its direction alone which assembly it is.
+                let turned = trials[pick].poses.iter().find_map(|(l, pose)| {
+                    let there = trials[other].poses.iter().find(|(k, _)| k == l)?.1.axis.approx();
+                    let [mine, there] = [pose.axis.approx(), there].map(|u| significant(direction_degrees(u.angle()), 5));
+                    (mine != there).then(|| (scene.link_name(*l), mine, there))
+                });
+                let which = match turned {
+                    Some((l, mine, there)) => both!(
+                        "the one with link {l} at {mine}° was taken, not the one with link {l} at {there}°",
+                        "取构件 {l} 在 {mine}° 方向的一种，而不是在 {there}° 方向的一种"
+                    ),
+                    None => both!("the first was taken", "取第一种"),
+                };
+                (which, both!("rough places in \"sketch\"", "\"sketch\" 中的大致位置"))
+            }
         };
         match idle {
             Some(side) => {
@@ -147,7 +163,7 @@ pub(super) fn choose<N: Real>(
                 ))
             }
             None => {
-                let all = both!("link{} can be assembled in {} ways", "构件{}有 {} 种装配", link_names(), left.len());
+                let all = both!("link{} can be assembled in {} ways", "构件{} 有 {} 种装配形式", link_names(), left.len());
                 Diagnostic::note(
                     "assembly-by-default",
                     both!("{} and the scene does not say which: {}", "{}，机构文件没有说明取哪一种：{}", all, which),
@@ -179,7 +195,7 @@ fn fits_all(scene: &Scene, side: &Side, ways: usize, links: &Both) -> Both {
     let [point, from, to] = [side.point, side.from, side.to].map(|p| scene.point_name(p));
     both!(
         "{point} lies to the {0} of {from}{to} in all {ways} assemblies of link{1}: this side does not decide",
-        "构件{1}的 {ways} 种装配中 {point} 都在 {from}{to} 的{0}：这个 side 不起作用",
+        "构件{1} 的 {ways} 种装配形式中 {point} 都在 {from}{to} 的{0}：这个 side 不起作用",
         turned(side),
         links
     )

@@ -38,7 +38,7 @@ pub fn configure(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Resul
         let names = Both::join(&names, ", of ", "、");
         let hint = both!(
             "or say with \"side\" or \"sketch\" which assembly of {} is meant",
-            "或用 \"side\" 或 \"sketch\" 说明{}取哪一种装配",
+            "或用 \"side\" 或 \"sketch\" 说明{}取哪一种装配形式",
             names
         );
         let mut faults = first.faults;

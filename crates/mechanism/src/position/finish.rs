@@ -127,20 +127,29 @@ impl Assembly<'_, f64> {
                     (at.distance(centre) - given).abs()
                 }
             };
+            let contact = self.scene.contact_words(GuideId(g));
             let beside = || {
-                both!(
-                    "pin {} lies {} beside its guide on link {}",
-                    "销 {} 偏离构件 {2} 上的导路 {1}",
-                    self.scene.point_name(p),
-                    self.scene.length_words(off),
-                    self.scene.link_name(guide.on)
-                )
+                let (pin, off) = (self.scene.point_name(p), self.scene.length_words(off));
+                match &contact {
+                    Some(contact) => both!("{} is missed by {off} at {pin}", "{}相差 {off}（{pin} 处）", contact),
+                    None => {
+                        let on = self.scene.link_name(guide.on);
+                        both!("pin {pin} lies {off} beside its guide on link {on}", "销 {pin} 偏离构件 {on} 上的导路 {off}")
+                    }
+                }
             };
             if off > same_place(extent, at) {
-                self.faults.push(Diagnostic::error("pin-off-guide", beside()).at(guide.span).help(both!(
-                    "correct its coordinates or the guide, or leave out what can be derived",
-                    "请改正其坐标或导路，或去掉可推出的数据"
-                )));
+                let d = match &contact {
+                    Some(_) => Diagnostic::error("contact-missed", beside()).help(both!(
+                        "correct the coordinates, the radius or where the face or track lies, or leave out what can be derived",
+                        "请改正坐标、半径或平底（轨道）的位置，或去掉可推出的数据"
+                    )),
+                    None => Diagnostic::error("pin-off-guide", beside()).help(both!(
+                        "correct its coordinates or the guide, or leave out what can be derived",
+                        "请改正其坐标或导路，或去掉可推出的数据"
+                    )),
+                };
+                self.faults.push(d.at(guide.span));
             } else if off > told_apart(extent, at) {
                 let what = match guide.path {
                     GuidePath::Arc { .. } => both!("the radius is what they make it", "半径由坐标确定"),

@@ -363,7 +363,7 @@ impl<N: Real> Assembly<'_, N> {
         let why = match why {
             Unproven::NoRoot => both!("Newton's method does not settle", "牛顿法不收敛"),
             Unproven::NotUnique => {
-                both!("another assembly may lie closer than the numbers can tell", "另一种装配可能过于接近，数值无法区分")
+                both!("another assembly may lie closer than the numbers can tell", "另一种装配形式可能过于接近，数值无法区分")
             }
             Unproven::NotWritten => both!("its pose is not told by lengths and drivers alone", "仅由长度和原动件不能确定其位置"),
         };

@@ -117,7 +117,7 @@ impl<N: Real> Assembly<'_, N> {
                     Strut::Ram { link, .. } => both!("link {}", "构件 {} ", name(link)),
                 }
             }
-            Hold::Guide { guide, .. } => both!("the guide on link {}", "构件 {} 上的导路", name(self.scene.guides[guide.0].on)),
+            Hold::Guide { guide, .. } => self.scene.guide_words(guide),
             Hold::Slot { .. } | Hold::Glide { .. } | Hold::Rolls { .. } => both!("the joint at {p}", "{p} 处的运动副"),
         }
     }

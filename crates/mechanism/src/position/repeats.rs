@@ -271,12 +271,12 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
 
 /// The contact of a cam for which a guide stands.
 fn contact_words(scene: &Scene, g: GuideId) -> (Both, Span) {
-    let Some(cam) = scene.cams.iter().find(|c| c.contact == Some(g)) else { return (Both::default(), scene.guides[g.0].span) };
+    let Some(cam) = scene.cams.iter().find(|c| c.contact == Some(g)) else { return (scene.guide_words(g), scene.guides[g.0].span) };
     let [own, follower] = [cam.cam, cam.follower].map(|l| scene.link_name(l));
     let words = match contact_of(scene, g) {
         Some((2, _)) => both!("the second contact of cam {own} and follower {follower}", "凸轮 {own} 与从动件 {follower} 的第二处接触"),
         Some((1, 2..)) => both!("the first contact of cam {own} and follower {follower}", "凸轮 {own} 与从动件 {follower} 的第一处接触"),
-        Some(_) | None => both!("the contact of cam {own} and follower {follower}", "凸轮 {own} 与从动件 {follower} 的接触"),
+        Some(_) | None => scene.guide_words(g),
     };
     (words, cam.span)
 }
@@ -366,8 +366,8 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
         Verdict::Shaky => Diagnostic::error(
             "shaky",
             both!(
-                "{} locks the mechanism, mobility F = {freedom}: it holds in this pose and to first order about it only, and is off by {off} {}",
-                "{} 使机构卡死，自由度 F = {freedom}：仅在该位置及其一阶邻域成立，{1}偏差 {off}",
+                "{} makes the mechanism shaky, mobility F = {freedom}: mobile to first order in this pose, it locks at a finite turn, off by {off} {}",
+                "{} 使机构仅瞬时可动，自由度 F = {freedom}：该位置一阶可动，有限转角时卡死，{1}偏差 {off}",
                 what,
                 when
             ),

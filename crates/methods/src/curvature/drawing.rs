@@ -143,9 +143,10 @@ impl Rays {
     }
 
     /// Ball's point by the cubic of stationary curvature through the two points, whose centres last: 1/r = 1/(M sin ψ) + 1/(N cos ψ) on a
-    /// ray at ψ from the pole tangent, crossed with the inflection circle r = d sin ψ. `None` where a centre does not last, a moving
-    /// point lies at infinity or in the pole, or on the tangent or the normal.
-    pub fn ball(&self) -> Option<Point> {
+    /// ray at ψ from the pole tangent, crossed with the inflection circle r = d sin ψ. With x = r/cos ψ and y = r/sin ψ, where the perpendicular
+    /// to the ray meets tangent and normal, the cubic is the line x/N + y/M = 1 and the circle the line y = d. `None` where a centre does not
+    /// last, a moving point lies at infinity or in the pole, or on the tangent or the normal.
+    pub fn ball(&self) -> Option<Ball> {
         let normal = self.normal();
         let (d, n) = (normal.norm(), normal.unit()?);
         let t = -n.perp();
@@ -174,9 +175,33 @@ impl Rays {
         if cubic.norm() * d < FLAT {
             return None;
         }
-        let along = cubic.unit()?;
-        Some(self.pole + along * along.dot(normal))
+        let through = |at: Point, along: Vec2| Line { through: Some(at), along };
+        let corner = |k: Known| {
+            let moving = k.moving.at()?;
+            let square = through(moving, (moving - self.pole).perp());
+            let [x, y] = [t, n].map(|axis| meet(square, through(self.pole, axis)).and_then(End::at));
+            Some(x? + (y? - self.pole))
+        };
+        let corners = [corner(self.known[0])?, corner(self.known[1])?];
+        let crossing = meet(End::At(corners[0]).join(End::At(corners[1])), through(self.inflection, t))?.at()?;
+        let on_tangent = self.pole + t * (crossing - self.pole).dot(t);
+        let square = (self.inflection - on_tangent).unit()?;
+        Some(Ball { corners, crossing, on_tangent, at: on_tangent + square * (self.pole - on_tangent).dot(square) })
     }
+}
+
+/// The drawing of Ball's point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ball {
+    /// Of each of the two moving points the corner opposite to the pole, where the perpendicular to its ray cuts off a rectangle on tangent and
+    /// normal.
+    pub corners: [Point; 2],
+    /// Where the line of the corners meets the parallel to the tangent through J.
+    pub crossing: Point,
+    /// Its foot on the tangent.
+    pub on_tangent: Point,
+    /// The point itself, the foot of the perpendicular from P on the line from there to J.
+    pub at: Point,
 }
 
 /// The point of a ray whose path is straight: 1/PJ = 1/PB − 1/PA along it, with what lies at infinity.

@@ -117,7 +117,7 @@ impl OfLink {
     /// The same by drawing.
     pub fn drawn(&self) -> Option<Drawn> {
         let (pole, normal, ball) = match &self.drawing {
-            Drawing::Rays(r) => (r.pole, r.normal(), r.ball()),
+            Drawing::Rays(r) => (r.pole, r.normal(), r.ball().map(|b| b.at)),
             Drawing::Rolling(r) => (r.pole, r.inflection - r.pole, None),
             Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => return None,
         };

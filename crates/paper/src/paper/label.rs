@@ -18,6 +18,8 @@ use std::sync::{Arc, OnceLock};
 
 mod parse;
 
+pub use parse::greek;
+
 /// What is written at one place of a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
@@ -93,7 +95,7 @@ impl Label {
     /// A sentence: every character upright and as it stands.
     pub fn text(source: impl Into<String>) -> Label {
         let source = source.into();
-        let row = vec![Node::new(in_letters(&source), Slant::Upright, Role::Ordinary)];
+        let row = vec![Node::new(source.as_str(), Slant::Upright, Role::Ordinary)];
         Label { source, row, faults: Vec::new(), fonts: Fonts::default(), kept: Kept::default() }
     }
 
@@ -146,19 +148,6 @@ impl Label {
         plain_row(&self.row, &mut out);
         out
     }
-}
-
-/// Roman numerals that Chinese texts write as one character, in letters: no embedded font has them.
-fn in_letters(text: &str) -> String {
-    const NUMERALS: [&str; 12] = ["I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX", "X", "XI", "XII"];
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match u32::from(c).checked_sub(0x2160).and_then(|k| NUMERALS.get(k as usize)) {
-            Some(letters) => out.push_str(letters),
-            None => out.push(c),
-        }
-    }
-    out
 }
 
 fn plain_row(row: &[Node], out: &mut String) {
@@ -279,7 +268,7 @@ mod tests {
         assert_eq!(Label::math(r"\mu_l = 0.002 m/mm").plain(), "μ_l = 0.002 m/mm");
         assert_eq!(Label::math(r"\angle -90.00").plain(), "∠−90.00");
         assert_eq!(Label::text("Velocity polygon").plain(), "Velocity polygon");
-        assert_eq!(Label::text("Ⅱ级杆组").plain(), "II级杆组");
+        assert_eq!(Label::text("Ⅱ级杆组").plain(), "Ⅱ级杆组");
         assert_eq!(Label::text("Link 2, ").then(Label::math(r"\omega_2 = 3 rad/s")).plain(), "Link 2, ω_2 = 3 rad/s");
     }
 

@@ -8,21 +8,36 @@ use crate::paper::label::Label;
 use crate::paper::words::Words;
 use crate::plan::names::{name_label, point_label};
 use crate::plan::notation::Notation;
-use crate::scene::quantity::{Of, Over};
+use crate::scene::quantity::combined::halves_of;
+use crate::scene::quantity::{Asked, Of, Over};
 use crate::scene::{Book, Find, Kind};
 
 /// A question's symbol: `vr_B2B3` → `v^{r}_{B2B3}`.
 pub fn symbol(find: &Find, notation: &Notation) -> String {
-    // Names may be parted by a comma or a hyphen; a hyphen would be read as a minus.
-    let sub = find.text.split_once('_').map_or("", |(_, s)| s).replace('-', ",");
+    if let Asked::Combined(c) = find.what
+        && let Some(halves) = halves_of(&c, &find.text)
+    {
+        let [a, b] = [0, 1].map(|k| {
+            let half = Find { what: c.operands[k].asked(), text: halves[k].to_owned(), span: find.span };
+            symbol(&half, notation)
+        });
+        return format!("{a}{}{b}", c.operation.sign());
+    }
+    // Names may be parted by a comma or a hyphen; a hyphen would be read as a minus. `P13D` has no underscore.
+    let sub = find.text.split_once('_').map_or_else(|| find.text.strip_prefix('P').unwrap_or_default(), |(_, s)| s).replace('-', ",");
     let entry = find.what.entry();
+    // Of a tangential part the notation has its mark.
+    let part = |sign: &str| match sign.strip_suffix('t') {
+        Some(before) => format!("{before}{}", notation.tangential),
+        None => sign.to_owned(),
+    };
     let sup = match entry.over {
         Over::Nothing => String::new(),
         // The roller of a follower as a link of its own: `omega_5` as of any link.
         Over::Sign(_) if !find.text.starts_with(entry.symbol) => String::new(),
-        Over::Sign(sign) => sign.to_owned(),
+        Over::Sign(sign) => part(sign),
         Over::Sliding => notation.sliding.clone(),
-        Over::SlidingPart(part) => format!("{}\\,{part}", notation.sliding),
+        Over::SlidingPart(sign) => format!("{}\\,{}", notation.sliding, part(sign)),
         Over::Coriolis => notation.coriolis.clone(),
     };
     // A coordinate is of the point itself, and so is written below as it stands on the diagram.

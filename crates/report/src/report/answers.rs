@@ -17,6 +17,7 @@ use crate::worked::{Far, NoAnswer, Outcome, Unanswered, Worked};
 use serde_json::{Value as Json, json};
 use unicode_width::UnicodeWidthStr;
 
+mod elsewhere;
 mod none;
 
 pub use none::{reason, verdict};
@@ -234,6 +235,7 @@ fn agreement_words(r: &Outcome, lang: Lang) -> String {
 pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, notes: &[Diagnostic]) -> Json {
     let notation = Notation::of_language(Lang::En);
     let w = Writer { scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
+    let elsewhere = elsewhere::drawn(scene, worked);
     let answers: Vec<Json> = lines(worked, certified)
         .into_iter()
         .map(|line| {
@@ -250,7 +252,7 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
                 "certified": certificate(c, digits),
                 "value": value(r.value()),
                 "in_unit": in_unit(&scene.book, find, r.value(), c, digits),
-                "drawing": r.drawn.as_ref().map(|a| value(a.value)),
+                "drawing": r.drawn.as_ref().map(|a| a.value).or(elsewhere[r.find]).map(value),
                 "analysis": r.longer.is_none().then(|| value(r.computed)),
                 "longer_numbers": r.longer.map(|rung| rung.name()),
                 "measured_mm": r.drawn.as_ref().and_then(|a| a.measured.as_ref()).map(|m| m.length_mm),

@@ -96,6 +96,7 @@ impl Report<'_> {
     /// The report as text.
     pub fn text(&self, lang: Lang) -> String {
         let mut out = String::new();
+        let comma = tr(lang, ", ", "，");
         let mut line = |text: String| {
             out.push_str(&text);
             out.push('\n');
@@ -134,24 +135,20 @@ impl Report<'_> {
                 .join("  ")
         ));
         if let Motion::Law { program, .. } = &self.disc().motion {
-            for (stage, start) in program.stages.iter().zip(program.joints()) {
-                line(format!("  {:>8} – {:<8} {}", degrees(start), degrees(start + stage.over), self.stage(stage.way, lang)));
+            for ((stage, start), out) in program.stages.iter().zip(program.joints()).zip(program.outer()) {
+                line(format!("  {:>8} – {:<8} {}", degrees(start), degrees(start + stage.over), self.stage(stage.way, out, lang)));
             }
         }
         let w = self.omega();
         for (order, list) in [(1, s.velocity), (2, s.acceleration)] {
             let [low, high] = list;
             let factor = if order == 1 { w } else { w * w };
-            line(format!(
-                "  {}: {} {} φ = {}, {} {} φ = {}",
-                self.symbol(order),
-                self.rate(order, high.1 * factor),
-                tr(lang, "at", "于"),
-                degrees(high.0),
-                self.rate(order, low.1 * factor),
-                tr(lang, "at", "于"),
-                degrees(low.0)
-            ));
+            let [high, low] = [high, low].map(|e| (degrees(e.0), self.rate(order, e.1 * factor)));
+            let symbol = self.symbol(order);
+            line(match lang {
+                Lang::En => format!("  {symbol}: {} at φ = {}, {} at φ = {}", high.1, high.0, low.1, low.0),
+                Lang::Zh => format!("  φ = {} 时 {symbol} = {}，φ = {} 时 {symbol} = {}", high.0, high.1, low.0, low.1),
+            });
         }
         for j in &s.jumps {
             line(format!("  {}", self.jump(j, lang)));
@@ -160,7 +157,7 @@ impl Report<'_> {
             [tr(lang, "greatest pressure angle, out", "推程最大压力角"), tr(lang, "greatest pressure angle, back", "回程最大压力角")];
         for (name, found) in names.into_iter().zip(s.pressure) {
             if let Some((phi, angle)) = found {
-                line(format!("  {name}: {} {} φ = {}", degrees(angle.abs()), tr(lang, "at", "于"), degrees(phi)));
+                line(format!("  {name}{}", valued(degrees(angle.abs()), phi, lang)));
             }
         }
         if let Some((phi, rho)) = s.least_rho {
@@ -168,40 +165,45 @@ impl Report<'_> {
                 Touch::Point { .. } => tr(lang, "least convex radius of the pitch curve", "理论廓线外凸部分的最小曲率半径"),
                 Touch::Flat { .. } => tr(lang, "least radius of the profile", "廓线的最小曲率半径"),
             };
-            line(format!("  {name}: {} {} φ = {}", self.length(rho), tr(lang, "at", "于"), degrees(phi)));
+            line(format!("  {name}{}", valued(self.length(rho), phi, lang)));
         }
         if let Some((station, [lift, v, a])) = self.now() {
             line(format!(
-                "  {} φ = {}: {} = {}, {} = {}, {} = {}",
+                "  {} φ = {}{}{}",
                 tr(lang, "at the instant", "图示位置"),
                 degrees(in_turn(self.turning.phi)),
-                self.symbol(0),
-                self.lift(lift),
-                self.symbol(1),
-                self.rate(1, v),
-                self.symbol(2),
-                self.rate(2, a)
+                tr(lang, ": ", "："),
+                [
+                    format!("{} = {}", self.symbol(0), self.lift(lift)),
+                    format!("{} = {}", self.symbol(1), self.rate(1, v)),
+                    format!("{} = {}", self.symbol(2), self.rate(2, a))
+                ]
+                .join(comma)
             ));
             let alpha = match self.disc().touch {
-                Touch::Point { .. } => format!("{} {}, ", tr(lang, "pressure angle", "压力角"), degrees(station.pressure)),
+                Touch::Point { .. } => format!("{} {}{comma}", tr(lang, "pressure angle", "压力角"), degrees(station.pressure)),
                 Touch::Flat { .. } => String::new(),
             };
             let pitch = if station.rho_pitch == station.rho {
                 String::new()
             } else {
-                format!(", {} {}", tr(lang, "of the pitch curve", "理论廓线"), self.length(station.rho_pitch))
+                format!("{comma}{} {}", tr(lang, "of the pitch curve", "理论廓线"), self.length(station.rho_pitch))
             };
             line(format!("    {alpha}ρ = {}{pitch}", self.length(station.rho)));
         }
         out
     }
 
-    fn stage(&self, way: Way, lang: Lang) -> String {
-        let law = |l: Law| tr(lang, l.name(), l.name_zh());
+    fn stage(&self, way: Way, out: bool, lang: Lang) -> String {
+        let comma = tr(lang, ", ", "，");
+        let law = |l: Law| match lang {
+            Lang::En => format!("{} motion", l.name()),
+            Lang::Zh => l.name_zh().to_owned(),
+        };
         match way {
-            Way::Rise(h, l) => format!("{} {}, {}", tr(lang, "rise", "推程"), self.lift(h), law(l)),
-            Way::Dwell => tr(lang, "dwell", "休止").to_owned(),
-            Way::Return(h, l) => format!("{} {}, {}", tr(lang, "return", "回程"), self.lift(h), law(l)),
+            Way::Rise(h, l) => format!("{} {}{comma}{}", tr(lang, "rise", "推程"), self.lift(h), law(l)),
+            Way::Dwell => dwell(out, lang).to_owned(),
+            Way::Return(h, l) => format!("{} {}{comma}{}", tr(lang, "return", "回程"), self.lift(h), law(l)),
         }
     }
 
@@ -375,6 +377,19 @@ impl Report<'_> {
             columns.iter_mut().zip(row).for_each(|(c, v)| c.push(v));
         }
         (names.map(|(n, u)| (n.to_owned(), u)).to_vec(), columns)
+    }
+}
+
+/// A dwell by its place: `outer` where the follower is farthest out.
+pub fn dwell(outer: bool, lang: Lang) -> &'static str {
+    if outer { tr(lang, "outer dwell", "远休止") } else { tr(lang, "inner dwell", "近休止") }
+}
+
+/// A value with the angle of the cam at which it is reached, behind its name: `: 30° at φ = 60°`, `：30°（φ = 60° 时）`.
+fn valued(value: String, phi: f64, lang: Lang) -> String {
+    match lang {
+        Lang::En => format!(": {value} at φ = {}", degrees(phi)),
+        Lang::Zh => format!("：{value}（φ = {} 时）", degrees(phi)),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::columns::columns;
 use crate::answer::Value;
 use crate::centres::{By, Centre, Centres, How, Motion, Pair, Place, Speed, Turning, omega, velocity};
-use crate::digits::{direction_degrees, significant};
+use crate::digits::{direction_degrees, line_degrees, significant};
 use crate::paper::phrase::tr;
 use crate::scene::{Kind, Lang, LinkId, Scene};
 
@@ -111,10 +111,8 @@ impl<'a> Words<'a> {
             let mut row = vec![c.step.pair.name(self.scene), c.round.to_string(), self.how(c)];
             match c.place {
                 Some(Place::At(p)) => row.extend([number(p.x, c), number(p.y, c)]),
-                Some(Place::Infinity(u)) => row.extend([
-                    tr(lang, "at infinity", "无穷远").to_owned(),
-                    format!("∠ {}°", significant(direction_degrees(u.angle()), DIGITS)),
-                ]),
+                Some(Place::Infinity(u)) => row
+                    .extend([tr(lang, "at infinity", "无穷远").to_owned(), format!("∠ {}°", significant(line_degrees(u.angle()), DIGITS))]),
                 None => row.extend([tr(lang, "not determined", "不定").to_owned(), String::new()]),
             }
             rows.push(row);
@@ -131,14 +129,17 @@ impl<'a> Words<'a> {
         let (residual, triple) = (to(found.worst_residual()), to(found.worst_triple));
         let none = found.list.iter().all(|c| c.residual.is_none());
         match self.lang {
-            _ if none => {
-                tr(self.lang, "the loop equations have no motion in this pose to check them by", "该位置回路方程无解，不能校核").to_owned()
-            }
+            _ if none => tr(
+                self.lang,
+                "the loop equations have no motion in this pose to check them by",
+                "该位置封闭矢量方程（解析法）无解，不能校核",
+            )
+            .to_owned(),
             Lang::En => format!(
                 "checked by the loop equations: each centre has the same velocity on both links ({residual}); the three centres of any three links are collinear ({triple})"
             ),
             Lang::Zh => {
-                format!("用回路方程校核：各瞬心在两构件上的速度相同（{residual}），任意三个构件的三个瞬心共线（{triple}）")
+                format!("用封闭矢量方程（解析法）校核：各瞬心在两构件上的速度相同（{residual}），任意三个构件的三个瞬心共线（{triple}）")
             }
         }
     }
@@ -288,7 +289,7 @@ impl<'a> Words<'a> {
     fn ways(&self) -> Vec<Vec<String>> {
         let lang = self.lang;
         let mut rows = vec![vec![
-            tr(lang, "magnitude", "大小").to_owned(),
+            tr(lang, "magnitude", "量").to_owned(),
             tr(lang, "by centres", "瞬心法").to_owned(),
             tr(lang, "drawn", "图解").to_owned(),
             tr(lang, "loop equations", "解析").to_owned(),

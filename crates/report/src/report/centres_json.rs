@@ -5,7 +5,7 @@ use super::centres::Words;
 use super::writing::Writing;
 use crate::centres::{Centres, How, Origin, Pair, Place};
 use crate::diag::Diagnostic;
-use crate::digits::direction_degrees;
+use crate::digits::line_degrees;
 use crate::scene::Lang;
 use serde_json::{Value as Json, json};
 
@@ -20,7 +20,7 @@ pub fn json(found: &Centres, notes: &[Diagnostic]) -> Json {
         .map(|c| {
             let (at, direction) = match c.place {
                 Some(Place::At(p)) => (Some([p.x, p.y]), None),
-                Some(Place::Infinity(u)) => (None, Some(direction_degrees(u.angle()))),
+                Some(Place::Infinity(u)) => (None, Some(line_degrees(u.angle()))),
                 None => (None, None),
             };
             let lines: Vec<String> = match c.origin {

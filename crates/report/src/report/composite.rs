@@ -1,6 +1,8 @@
 //! Composite motion of a point as a table for people and as JSON for programs: which moving points and frames serve and why not, the parts
 //! of the motion, and the projection that leaves out the unwanted unknown. In the words of theoretical mechanics.
 
+mod motions;
+
 use super::answers::diagnostic;
 use super::columns::columns;
 use super::writing::Writing;
@@ -67,7 +69,7 @@ pub struct Words<'a> {
 impl Words<'_> {
     fn table(&self, all: &[Choice]) -> Vec<Vec<String>> {
         let lang = self.lang;
-        let head = [tr(lang, "moving point", "动点"), tr(lang, "frame", "动系"), tr(lang, "at", "所在"), tr(lang, "verdict", "判断"), ""];
+        let head = [tr(lang, "moving point", "动点"), tr(lang, "frame", "动系"), tr(lang, "at", "位置"), tr(lang, "verdict", "结论"), ""];
         let row = |c: &Choice| {
             let point = name_of(self.scene, &c.of);
             vec![point, self.frame(c.frame, Writing::Plain), self.place(c), self.verdict(c.verdict).to_owned(), self.reason(c)]
@@ -105,7 +107,7 @@ impl Words<'_> {
         match verdict {
             Verdict::Serves => tr(self.lang, "serves", "可用"),
             Verdict::PathUnknown => tr(self.lang, "path not known", "轨迹未知"),
-            Verdict::PointChanges => tr(self.lang, "point changes", "动点变换"),
+            Verdict::PointChanges => tr(self.lang, "point changes", "不是固定点"),
             Verdict::SameBody => tr(self.lang, "same body", "同一物体"),
             Verdict::FrameFixed => tr(self.lang, "frame stands still", "动系不动"),
         }
@@ -183,7 +185,7 @@ impl Words<'_> {
 
     /// All that is told of a choice: heading, path, equations with values, projections.
     pub fn lines(&self, s: &Solved) -> Vec<Phrase> {
-        let mut out = vec![self.heading(&s.choice)];
+        let mut out = vec![self.heading(&s.choice), self.three_motions(&s.choice)];
         out.extend(self.body(s, PER_LINE));
         out
     }

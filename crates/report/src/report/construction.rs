@@ -96,7 +96,7 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
             let (symbol, magnitude, direction) = (w.symbol(level, t), w.magnitude(level, t), w.direction(t));
             let given = if magnitude == w.notation.known { String::new() } else { format!(" = {magnitude}") };
             match w.lang {
-                Lang::En => format!("From ${from}$ lay off ${symbol}{given}$, {}, ${direction}$, locating ${to}$.", edge(0, *i)),
+                Lang::En => format!("From ${from}$ lay off ${symbol}{given}$, {}, ${direction}$, which gives ${to}$.", edge(0, *i)),
                 Lang::Zh => format!("自 ${from}$ 作 ${symbol}{given}$，长 {}，${direction}$，得 ${to}$。", edge(0, *i)),
             }
         }

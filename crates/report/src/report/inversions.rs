@@ -3,7 +3,7 @@
 use super::answers::diagnostic;
 use super::{limits, trains};
 use crate::diag::Diagnostic;
-use crate::inversions::Inversion;
+use crate::inversions::{Inversion, Part};
 use crate::paper::phrase::tr;
 use crate::scene::{Lang, Scene};
 use crate::sweep::extreme::Output;
@@ -45,6 +45,7 @@ pub fn heading(i: &Inversion, lang: Lang) -> String {
 /// Type and turning links.
 pub fn words(i: &Inversion, lang: Lang) -> String {
     let mut parts: Vec<String> = i.limits.grashof.iter().map(|(kind, _)| limits::grashof_words(*kind, lang).to_owned()).collect();
+    parts.extend(slider_crank(i, lang).map(str::to_owned));
     let turning = turning(i);
     parts.push(match (lang, turning.len()) {
         (Lang::En, 0) => "no link on the ground turns fully".to_owned(),
@@ -54,6 +55,19 @@ pub fn words(i: &Inversion, lang: Lang) -> String {
         (Lang::Zh, _) => format!("构件 {} 整周转动", turning.join("、")),
     });
     parts.join(tr(lang, "; ", "；"))
+}
+
+/// The name of an inversion of the slider-crank chain; `None` of other chains.
+fn slider_crank(i: &Inversion, lang: Lang) -> Option<&'static str> {
+    // With the crank as ground the link with the guide turns about its pin.
+    let full = || i.limits.range.full() && i.limits.swings.iter().all(|s| s.stroke.is_none());
+    Some(match i.part? {
+        Part::Guide => tr(lang, "crank-slider", "曲柄滑块机构"),
+        Part::Slider => tr(lang, "fixed slider", "定块机构"),
+        Part::Coupler => tr(lang, "swinging block", "曲柄摇块机构"),
+        Part::Crank if full() => tr(lang, "turning guide", "转动导杆机构"),
+        Part::Crank => tr(lang, "oscillating guide", "摆动导杆机构"),
+    })
 }
 
 /// The links of the ground that turn fully.

@@ -42,7 +42,11 @@ pub fn text(scene: &Scene, driver: usize, limits: &Limits, lang: Lang) -> String
     if let Some((kind, [a, b, c, d])) = limits.grashof {
         let sums = format!("{} {} {} {}", scene.length_words(a), scene.length_words(b), scene.length_words(c), scene.length_words(d));
         let of = tr(lang, "driver, coupler, output, frame", "原动件、连杆、从动件、机架");
-        line(format!("{}{} ({of}: {sums})", tr(lang, "Grashof: ", "杆长条件："), grashof_words(kind, lang)));
+        let kind = grashof_words(kind, lang);
+        line(match lang {
+            Lang::En => format!("Grashof: {kind} ({of}: {sums})"),
+            Lang::Zh => format!("杆长条件：{kind}（{of}：{sums}）"),
+        });
     }
     for s in &limits.swings {
         line(w.swing(s));
@@ -54,7 +58,7 @@ pub fn text(scene: &Scene, driver: usize, limits: &Limits, lang: Lang) -> String
         line(tr(lang, "smallest transmission angles γ:", "最小传动角 γ：").to_owned());
         for t in &limits.transmission {
             let mark = if std::ptr::eq(t, worst) && limits.transmission.len() > 1 { tr(lang, "  (the worst)", "（最小）") } else { "" };
-            line(format!("  {} γ = {} {}{mark}", w.joint(&t.links, t.pin), angle(&scene.book, t.angle), w.at(t.driver)));
+            line(format!("  {} γ = {}{}{mark}", w.joint(&t.links, t.pin), angle(&scene.book, t.angle), w.at(t.driver)));
         }
     }
     out
@@ -117,24 +121,32 @@ impl<'a> Words<'a> {
         if all - turned < 1e-12 { 0.0 } else { turned }
     }
 
+    /// A coordinate as it is told: Chinese sentences have Greek letters.
+    fn told(&self, name: &str) -> String {
+        if self.lang == Lang::Zh { name.replacen("phi", "φ", 1) } else { name.to_owned() }
+    }
+
     fn value(&self, value: f64) -> String {
         let book = &self.scene.book;
         if self.angular { angle(book, self.wrapped(value)) } else { length(book, value) }
     }
 
     fn at(&self, value: f64) -> String {
-        format!("{} {} = {}", tr(self.lang, "at", "位于"), self.name, self.value(value))
+        match self.lang {
+            Lang::En => format!(" at {} = {}", self.name, self.value(value)),
+            Lang::Zh => format!("（{} = {} 时）", self.told(&self.name), self.value(value)),
+        }
     }
 
     fn range(&self) -> String {
         let r = &self.limits.range;
         match &r.ends {
-            [None, None] if self.angular => format!("{} {}", self.name, tr(self.lang, "turns fully", "可整周转动")),
+            [None, None] if self.angular => format!("{} {}", self.told(&self.name), tr(self.lang, "turns fully", "可整周转动")),
             [low, high] => {
                 let end = |e: &Option<Event>| {
                     e.as_ref().map_or_else(|| tr(self.lang, "no limit found", "未见极限").to_owned(), |e| self.value(e.value))
                 };
-                format!("{} {} {} … {}", self.name, tr(self.lang, "goes", "的范围："), end(low), end(high))
+                format!("{} {} {} … {}", self.told(&self.name), tr(self.lang, "goes", "的范围："), end(low), end(high))
             }
         }
     }
@@ -175,7 +187,7 @@ impl<'a> Words<'a> {
         };
         let line = || format!("{} {}", self.joint(&e.links, e.pin), tr(self.lang, "in line", "共线"));
         let why = e.toggle.as_ref().map_or_else(line, |t| t.words(self.scene, self.lang));
-        format!("{what} {}{}{why}", self.at(e.value), tr(self.lang, ": ", "："))
+        format!("{what}{}{}{why}", self.at(e.value), tr(self.lang, ": ", "："))
     }
 
     fn output(&self, output: Output) -> String {
@@ -197,7 +209,7 @@ impl<'a> Words<'a> {
     }
 
     fn swing(&self, s: &Swing) -> String {
-        let (lang, name) = (self.lang, self.output(s.output));
+        let (lang, name) = (self.lang, self.told(&self.output(s.output)));
         let Some(stroke) = s.stroke else { return format!("{name} {}", tr(lang, "has no extreme position", "无极限位置")) };
         let word = match s.output {
             Output::Turning(_) => tr(lang, "swings", "摆角"),
@@ -205,7 +217,7 @@ impl<'a> Words<'a> {
         };
         let ratio = s.time_ratio.map_or(String::new(), |k| {
             let theta = std::f64::consts::PI * (k - 1.0) / (k + 1.0);
-            format!("{} K = {} (θ = {})", tr(lang, ", time ratio", "，行程速比系数"), significant(k, 6), angle(&self.scene.book, theta))
+            format!("{} K = {} (θ = {})", tr(lang, ", time ratio", "，行程速度变化系数"), significant(k, 6), angle(&self.scene.book, theta))
         });
         format!("{name} {word} {}{ratio}", self.size(s.output, stroke))
     }
@@ -214,9 +226,9 @@ impl<'a> Words<'a> {
         let remark = match (e.at_limit, s.output) {
             (true, _) => tr(self.lang, "  (the driver goes no farther)", "（原动件到达极限）").to_owned(),
             (false, _) if s.extremes.iter().any(|e| e.at_limit) => String::new(),
-            (false, _) => format!("  ({})", tr(self.lang, "a dead centre if it is driven from there", "若由此从动件驱动则为死点")),
+            (false, _) => tr(self.lang, "  (a dead centre if it is driven from there)", "（若以该构件为原动件，此处为死点）").to_owned(),
         };
-        format!("{} = {} {}{remark}", self.output(s.output), self.size(s.output, e.output), self.at(e.driver))
+        format!("{} = {}{}{remark}", self.told(&self.output(s.output)), self.size(s.output, e.output), self.at(e.driver))
     }
 }
 

@@ -2,11 +2,11 @@
 
 use super::plan::{dyad, grade, group_words};
 use crate::diag::{Both, both};
-use crate::mechanism::{Assur, Counts, ForDrivers, Local, Opened, Survey};
+use crate::mechanism::{Assur, Counts, ForDrivers, Item, Local, Opened, Survey};
 use crate::paper::phrase::{Phrase, tr};
 use crate::plan::names::name_label;
 use crate::position::redundant::{Checked, Reason, Verdict, by_topology, look, opened_words};
-use crate::scene::{Lang, PointId, Scene};
+use crate::scene::{GuideId, Lang, PointId, Rolling, Scene};
 use serde_json::{Value as Json, json};
 
 /// Whether a pair repeats others, as far as it is known.
@@ -92,6 +92,14 @@ fn repeats_words(survey: &Survey, i: usize, checked: Option<&Checked>) -> Both {
         Some(c) if known(checked) == Known::Repeats => both!("{}: {}", "{}：{}", what, c.reason.words(scene, c.positions)),
         Some(Checked { reason: reason @ Reason::Triangle(_), positions, .. }) => {
             both!("{} is none: {}", "{} 不是虚约束：{}", what, reason.words(scene, *positions))
+        }
+        Some(Checked { verdict: Verdict::Shaky, off_m, .. }) => {
+            let off = scene.length_words(*off_m);
+            both!(
+                "{} is none: shaky, mobile to first order, it locks at a finite turn, off by {off}",
+                "{} 不是虚约束：仅瞬时可动（一阶），有限转角时卡死，偏差 {off}",
+                what
+            )
         }
         Some(c) => {
             let off = scene.length_words(c.off_m);
@@ -188,6 +196,29 @@ fn lower_words(scene: &Scene, compound: &[(PointId, usize)], point: impl Fn(&str
     hinges.chain(rolls).collect()
 }
 
+/// Why a toothed pair counts two: nothing else keeps its links at their distance.
+fn doubled(scene: &Scene, survey: &Survey) -> Vec<Both> {
+    let holds = |g: GuideId| survey.choices.first().is_none_or(|c| c.mechanism.constraints.iter().any(|c| c.item() == Item::Guide(g)));
+    let (higher, slots) =
+        (|r: &&Rolling| !r.kind.is_lower(), scene.guides.iter().filter(|g| g.rolling.is_none() && g.slider.is_none()).count());
+    let twice: Vec<&Rolling> = scene.rolling.iter().filter(higher).filter(|r| r.guide().is_some_and(holds)).collect();
+    // Without drivers that move it nothing tells which of them hold, but that all do.
+    let all = scene.rolling.iter().filter(higher).count() + slots + twice.len();
+    if survey.choices.is_empty() && (survey.counts.higher != all || !scene.cams.is_empty()) {
+        return Vec::new();
+    }
+    twice
+        .into_iter()
+        .map(|r| {
+            let [a, b] = r.links.map(|l| scene.link_name(l));
+            both!(
+                "links {a} and {b}: no other pair keeps their distance, the teeth touch on both flanks and count two",
+                "构件 {a} 与 {b}：没有其他运动副保持其距离，轮齿两侧接触，计 2 个高副"
+            )
+        })
+        .collect()
+}
+
 /// The same with points set as points.
 pub fn lower_set(scene: &Scene, compound: &[(PointId, usize)], lang: Lang) -> Vec<Phrase> {
     let told = lower_words(scene, compound, |name| format!("${}$", name_label(name)));
@@ -211,6 +242,7 @@ pub fn text(scene: &Scene, survey: &Survey, checked: &[Option<Checked>], lang: L
     line(say(both!("lower pairs p_l = {lower}", "低副数 p_l = {lower}")));
     lower_words(scene, &survey.compound, str::to_owned).into_iter().for_each(|why| line(format!("  {}", say(why))));
     line(say(both!("higher pairs p_h = {higher}", "高副数 p_h = {higher}")));
+    doubled(scene, survey).into_iter().for_each(|why| line(format!("  {}", say(why))));
     line(say(both!("local freedoms F′ = {}", "局部自由度 F′ = {}", survey.local.len())));
     survey.local.iter().for_each(|l| line(format!("  {}", say(local_words(l)))));
     let (sure, open) = repeated(survey, checked);

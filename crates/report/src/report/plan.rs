@@ -170,7 +170,7 @@ pub(super) fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) 
             let at = guide.pin.map(|p| scene.point_name(p)).or(guide.slider.map(|s| scene.link_name(s))).unwrap_or_default();
             match lang {
                 Lang::En => format!("Coriolis acceleration at {at} in the guide on link {on}"),
-                Lang::Zh => format!("{at} 相对构件 {on} 上导路的哥氏加速度"),
+                Lang::Zh => format!("{at} 相对构件 {on} 上导路的科氏加速度"),
             }
         }
         Effect::Group(g) => {
@@ -190,7 +190,7 @@ pub(super) fn reason_words(r: Reason, lang: Lang) -> &'static str {
         Reason::NotAsked => tr(lang, "no question calls for it", "题目未涉及"),
         Reason::Accelerated => tr(lang, "it is given", "题目给出"),
         Reason::AtRest => tr(lang, "the driver is at rest at this instant", "原动件该瞬时静止"),
-        Reason::ConstantRate => tr(lang, "its rate is constant", "速度恒定"),
+        Reason::ConstantRate => tr(lang, "its rate is constant", "原动件匀速"),
         Reason::GuideTurns => tr(lang, "the guide turns", "导路转动"),
         Reason::GuideDoesNotTurn => tr(lang, "the guide does not turn", "导路不转动"),
         Reason::GuideNotReached => tr(lang, "no question calls for this guide", "题目未涉及该导路"),

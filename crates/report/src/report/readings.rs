@@ -75,7 +75,7 @@ fn value_words(scene: &Scene, find: &Find, value: Value) -> String {
 pub fn text(all: &[Read], lang: Lang) -> String {
     let name = |r: &Read| match (r.name.as_str(), lang) {
         ("", Lang::En) => "as given".to_owned(),
-        ("", Lang::Zh) => "原文件".to_owned(),
+        ("", Lang::Zh) => "原题读法".to_owned(),
         (name, Lang::En) => format!("reading {name}"),
         (name, Lang::Zh) => format!("读法 {name}"),
     };

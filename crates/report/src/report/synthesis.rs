@@ -5,6 +5,7 @@ use crate::diag::{Both, Diagnostic, Severity};
 use crate::digits::{metres, shortest, significant};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Mechanism};
+use crate::paper::label::Label;
 use crate::paper::phrase::tr;
 use crate::position::{self, Configuration, Path};
 use crate::scene::{self, Book, Guide, Kind, Lang, PointId, Scene};
@@ -29,7 +30,10 @@ pub fn text(task: &Task, design: &Design, lang: Lang) -> String {
         }
         out += &format!("   {}\n", motion(c, lang));
         for d in c.notes() {
-            out += &format!("   {}: {}\n", d.code, lang.of(&d.message));
+            out += &match lang {
+                Lang::En => format!("   {}: {}\n", d.code, d.message.en),
+                Lang::Zh => format!("   {}（{}）\n", d.message.zh, d.code),
+            };
         }
     }
     out + &format!("\n{}\n", taken(design, lang))
@@ -86,14 +90,14 @@ pub fn motion(c: &Candidate, lang: Lang) -> String {
         let (angle, at) = (significant(angle.to_degrees(), 5), significant(turn(at.to_degrees()), 5));
         parts.push(match lang {
             Lang::En => format!("least γ = {angle}° at {at}°"),
-            Lang::Zh => format!("原动件在 {at}° 时 γ 最小，为 {angle}°"),
+            Lang::Zh => format!("原动件转至 {at}° 时传动角最小，γ = {angle}°"),
         });
     }
     if let Some(k) = j.time_ratio {
         parts.push(format!("K = {}", significant(k, 6)));
     }
     if !c.draft.wanted.is_empty() {
-        parts.push(lang.of(&judge::accuracy(j)).to_owned());
+        parts.push(lang.of(&judge::accuracy(c)).to_owned());
     }
     parts.join(" · ")
 }
@@ -133,14 +137,27 @@ pub fn taken(design: &Design, lang: Lang) -> String {
         (true, true, _) => tr(
             lang,
             "no defect, a crank that turns fully, the best transmission angle among those",
-            "无缺陷，原动件整周转动，且其中传动角最好",
+            "无运动缺陷，原动件整周转动，且其中传动角最好",
         ),
-        (true, false, _) => tr(lang, "no defect, the best transmission angle among those", "无缺陷，且其中传动角最好"),
+        (true, false, _) => tr(lang, "no defect, the best transmission angle among those", "无运动缺陷，且其中传动角最好"),
     };
     match lang {
         Lang::En => format!("Taken: 1 ({why})."),
         Lang::Zh => format!("取方案 1（{why}）。"),
     }
+}
+
+/// The construction as JSON: steps, the marks that each brings (m), what is read (mm of paper, rad).
+pub fn construction(board: &Board) -> Json {
+    let marks = |marks: &[(String, Point)]| -> Vec<Json> {
+        let told =
+            |(name, p): &(String, Point)| json!({"name": Label::math(name.as_str()).plain(), "x": p.x * board.mu_l, "y": p.y * board.mu_l});
+        marks.iter().map(told).collect()
+    };
+    let steps = board.steps.iter().map(|s| json!({"text": both(&s.text), "marks": marks(&s.marks)}));
+    let readings =
+        board.readings.iter().map(|r| json!({"name": r.name, "measured": r.measured, "angle": r.angle, "value": board.value(r)}));
+    json!({"mu_l": board.mu_l, "steps": steps.collect::<Vec<_>>(), "readings": readings.collect::<Vec<_>>()})
 }
 
 /// The candidates as JSON, in SI.
@@ -288,9 +305,22 @@ pub fn traced(candidate: &Candidate, point: &str) -> Vec<Vec<Point>> {
 
 /// The construction step by step, with what is read off.
 pub fn steps(candidate: &Candidate, board: &Board, lang: Lang) -> String {
-    let mut out = format!("\n{} (μ_l = {} m/mm)\n", tr(lang, "Construction", "作图"), shortest(board.mu_l));
+    let mut out = match lang {
+        Lang::En => format!("\nConstruction (μ_l = {} m/mm)\n", shortest(board.mu_l)),
+        Lang::Zh => format!("\n作图（μ_l = {} m/mm）\n", shortest(board.mu_l)),
+    };
     for (k, step) in board.steps.iter().enumerate() {
-        out += &format!("({}) {}\n", k + 1, lang.of(&step.text));
+        let at = |p: Point| {
+            [p.x, p.y].map(|x| significant(if (x * board.mu_l).abs() < 1e-12 { 0.0 } else { x * board.mu_l * 1e3 }, 6)).join(", ")
+        };
+        let marks = step.marks.iter().map(|(name, p)| format!("{} ({})", Label::math(name.as_str()).plain(), at(*p)));
+        let marks = marks.collect::<Vec<_>>().join(tr(lang, ", ", "，"));
+        let marks = match (marks.is_empty(), lang) {
+            (true, _) => String::new(),
+            (false, Lang::En) => format!(" [{marks} mm]"),
+            (false, Lang::Zh) => format!("［{marks} mm］"),
+        };
+        out += &format!("({}) {}{marks}\n", k + 1, lang.of(&step.text));
     }
     for r in &board.readings {
         let Some(formula) = candidate.number(&r.name) else { continue };

@@ -1,8 +1,27 @@
 //! How drivers and lengths of a scene are called when a person is told of them.
 
+use super::model::GuideId;
 use super::{DriverKind, Kind, PointId, Scene};
+use crate::diag::{Both, both};
 
 impl Scene {
+    /// The contact for which a guide stands, in the words of the file; `None` of the file's own guides.
+    pub fn contact_words(&self, g: GuideId) -> Option<Both> {
+        if let Some(cam) = self.cams.iter().find(|c| c.contact == Some(g)) {
+            let [cam, follower] = [cam.cam, cam.follower].map(|l| self.link_name(l));
+            return Some(both!("the contact of cam {cam} and follower {follower}", "凸轮 {cam} 与从动件 {follower} 的接触"));
+        }
+        let rolling = &self.rolling[self.guides[g.0].rolling?.0];
+        let [a, b] = rolling.links.map(|l| self.link_name(l));
+        Some(both!("the contact of links {a} and {b}", "构件 {a} 与构件 {b} 的接触"))
+    }
+
+    /// A guide, or the contact for which it stands: `the guide on link 3`.
+    pub fn guide_words(&self, g: GuideId) -> Both {
+        let on = self.link_name(self.guides[g.0].on);
+        self.contact_words(g).unwrap_or_else(|| both!("the guide on link {on}", "构件 {on} 上的导路"))
+    }
+
     /// Name of a driver's position, and what it is: an angle or a length.
     pub fn driver_name(&self, driver: usize) -> (String, Kind) {
         let point = |p: PointId| self.point_name(p);

@@ -336,9 +336,16 @@ fn driven_by(scene: &Json, link: &str, from: &Wanted, to: &Wanted) -> bool {
 const ROUNDING: f64 = 1e-12;
 
 /// In words, with its size: how far the finished scene is from what was wanted.
-pub fn accuracy(judged: &Judged) -> Both {
+pub fn accuracy(candidate: &Candidate) -> Both {
+    let judged = &candidate.judged;
     if judged.off_m <= ROUNDING * judged.size_m {
-        return both!("what was wanted is met exactly (size {})", "精确满足要求（机构尺寸 {}）", metres(judged.size_m));
+        let size = metres(judged.size_m);
+        // Between its precision points a function is missed by its structural error.
+        return if candidate.draft.course.is_empty() {
+            both!("what was wanted is met exactly (size {size})", "精确满足要求（机构尺寸 {size}）")
+        } else {
+            both!("the precision points are met exactly (size {size})", "在各结点处精确满足（机构尺寸 {size}）")
+        };
     }
     both!("greatest deviation {} (size {})", "最大偏差 {}（机构尺寸 {}）", metres(judged.off_m), metres(judged.size_m))
 }

@@ -120,9 +120,9 @@ pub fn angle(value_rad: f64) -> String {
     format!("{open}a{value_rad:e}{close}")
 }
 
-/// A number that stands behind a sign: in brackets where it has one of its own.
-pub fn signed(value: f64) -> String {
-    if value < 0.0 { format!("({})", number(value)) } else { number(value) }
+/// A number that is subtracted, with its sign: `− 0.5`, and `+ 0.5` for what is negative.
+pub fn subtracted(value: f64) -> String {
+    format!("{} {}", if value < 0.0 { "+" } else { "−" }, number(value.abs()))
 }
 
 /// A place in the label language.

@@ -78,7 +78,7 @@ impl Kept {
         let digits = (-libm::log10(worst)).floor();
         let said = both!(
             "{} but for a hair: the condition number is {}; double precision keeps about {digits} digits of the answers, in the drawing and in the loop equations",
-            "几乎是{}：条件数为 {}；作图和回路方程用双精度约保留结果的 {digits} 位数字",
+            "几乎是{}：条件数为 {}；作图和封闭矢量方程（解析法）用双精度约保留结果的 {digits} 位数字",
             near.words,
             significant(condition, 2)
         );
@@ -102,7 +102,7 @@ pub fn estimated(near: &Near, condition: f64) -> Option<Diagnostic> {
             "near-singular",
             both!(
                 "{} but for a hair: the condition number is {}, and double precision may keep {} of the velocities there in the drawing and in the loop equations, fewer of the accelerations",
-                "几乎是{}：条件数为 {}；作图和回路方程用双精度，速度可能只保留{}数字，加速度更少",
+                "几乎是{}：条件数为 {}；作图和封闭矢量方程（解析法）用双精度，速度可能只保留{}数字，加速度更少",
                 near.words,
                 significant(condition, 2),
                 left

@@ -135,7 +135,7 @@ impl Why {
             (Why::Singular(links), Lang::En) => format!("the equations of links {} may be singular in this pose", links.en),
             (Why::Singular(links), Lang::Zh) => format!("构件 {} 的方程在该位置可能奇异", links.zh),
             (Why::NextOrder(_), Lang::En) => "singular pose, from the next order of the loop equations".into(),
-            (Why::NextOrder(_), Lang::Zh) => "奇异位置，由高一阶回路方程求得".into(),
+            (Why::NextOrder(_), Lang::Zh) => "奇异位置，由高一阶封闭矢量方程求得".into(),
             (Why::NoValue, Lang::En) => "it has no value in this pose".into(),
             (Why::NoValue, Lang::Zh) => "该位置无确定值".into(),
             (Why::Double, Lang::En) => "it is computed in double precision only".into(),

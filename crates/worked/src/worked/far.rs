@@ -3,7 +3,7 @@
 use crate::analytic::{Refused, Solution};
 use crate::answer::Value;
 use crate::diag::Both;
-use crate::digits::direction_degrees;
+use crate::digits::line_degrees;
 use crate::geom::Vec2;
 use crate::position::Configuration;
 use crate::scene::quantity::{Asked, PointMotion, Rate, Turning};
@@ -19,7 +19,7 @@ const BEYOND: f64 = 1e12;
 /// Whether a centre's place is no more than rounding.
 pub(super) fn is_nowhere(what: &Asked, value: &Value, extent_m: f64) -> bool {
     match (what, value) {
-        (Asked::InstantCentre(_), Value::Point(p)) => p.to_vec2().norm() > BEYOND * extent_m,
+        (Asked::InstantCentre(_), Value::Point(p)) => extent_m > 0.0 && p.to_vec2().norm() > BEYOND * extent_m,
         (_, Value::Point(_) | Value::Vector(_) | Value::Scalar(_)) => false,
     }
 }
@@ -81,6 +81,6 @@ pub(super) fn far(scene: &Scene, solution: &Solution, at: &Configuration, find: 
     let ((v, a), (w, b)) = (motion(centre.links[0])?, motion(centre.links[1])?);
     let relative = v - w;
     let moves = relative.norm() > ROUNDING * a.max(b);
-    let square = || direction_degrees(relative.perp().angle()).rem_euclid(180.0);
+    let square = || line_degrees(relative.perp().angle());
     Some(Far { find, direction_deg: moves.then(square) })
 }

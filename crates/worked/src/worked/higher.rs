@@ -33,7 +33,7 @@ pub(super) fn notes(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Di
             let message = both!(
                 "links {} form a group higher than class III: {} roll on one another, and no link of the group is held along two lines whose crossing would be the \
                  special point to begin with; it is answered from the loop equations and not drawn",
-                "构件 {} 组成高于Ⅲ级的杆组：{}相互滚动，且组内没有一个构件受两条相交约束线控制，得不到可供起步的特殊点；由回路方程求解，不作图",
+                "构件 {} 组成高于Ⅲ级的杆组：{}相互滚动，且组内没有一个构件受两条相交约束线控制，得不到可供起步的特殊点；由封闭矢量方程（解析法）求解，不作图",
                 names,
                 Both::listed(&between)
             );
@@ -45,7 +45,7 @@ pub(super) fn notes(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Di
         let message = if plan.undrawable.contains(&g) {
             both!(
                 "links {} form a group higher than class III: it is answered from the loop equations and not drawn",
-                "构件 {} 组成高于Ⅲ级的杆组：由回路方程求解，不作图",
+                "构件 {} 组成高于Ⅲ级的杆组：由封闭矢量方程（解析法）求解，不作图",
                 names
             )
         } else {

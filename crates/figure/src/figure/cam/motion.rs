@@ -13,7 +13,7 @@ use crate::paper::style::Style;
 use crate::paper::text;
 use crate::paper::words::words;
 use crate::report::amount::number;
-use crate::report::cam::Report;
+use crate::report::cam::{Report, dwell};
 use crate::scene::{Book, Kind, Lang};
 
 /// A plot's size, room around it, in mm.
@@ -241,7 +241,7 @@ fn stages(plot: &mut Plot, report: &Report, lang: Lang) {
             (-1, Lang::En) => "return",
             (-1, Lang::Zh) => "回程",
             (_, Lang::En) => "dwell",
-            (_, Lang::Zh) => "休止",
+            (_, Lang::Zh) => dwell(p.out, lang),
         };
         // A stage over the start stands at its longer piece.
         let turn = std::f64::consts::TAU;

@@ -34,6 +34,23 @@ pub struct Panel {
     pub curves: Vec<Curve>,
 }
 
+impl Panel {
+    /// What is shown, in the label language: the symbol of its one curve, or the letters of several.
+    pub fn quantity(&self) -> String {
+        if let [one] = &self.curves[..] {
+            return one.symbol.clone();
+        }
+        let letter = |c: &Curve| c.symbol.trim_matches('|').split(['_', '^']).next().unwrap_or_default().to_owned();
+        let mut letters: Vec<String> = Vec::new();
+        for found in self.curves.iter().map(letter) {
+            if !letters.contains(&found) {
+                letters.push(found);
+            }
+        }
+        letters.join(" ,\\, ")
+    }
+}
+
 /// What is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagram {

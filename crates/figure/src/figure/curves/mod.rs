@@ -83,7 +83,7 @@ fn page(scene: &Scene, diagram: &Diagram, panels: &[Panel], [width_mm, height_mm
         let mut plot = Plot::new(format!("panel-{k}"), style, frame, [x.clone(), y]);
         let last = k + 1 == panels.len();
         let [driver, unit] = &diagram.driver;
-        plot.axes(last.then(|| Label::math(over(driver, unit))), Label::math(panel.unit.as_str()));
+        plot.axes(last.then(|| Label::math(over(driver, unit))), Label::math(over(&panel.quantity(), &panel.unit)));
         curves(&mut plot, panel, diagram, &mut said);
         items.extend(plot.finish(Rect::new(frame.min - Vec2::new(0.0, 1.0), frame.max + Vec2::new(RIGHT_MM, BETWEEN_MM / 2.0))));
     }

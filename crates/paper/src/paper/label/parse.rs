@@ -299,6 +299,11 @@ enum Kind {
     Sign,
 }
 
+/// The Greek letter of a name: `omega`, `Phi`.
+pub fn greek(name: &str) -> Option<char> {
+    named(name).filter(|(_, kind)| !matches!(kind, Kind::Sign)).map(|(letter, _)| letter)
+}
+
 fn named(name: &str) -> Option<(char, Kind)> {
     let letter = match name {
         "alpha" => 'α',

@@ -61,7 +61,8 @@ const SECTIONS: &[(&str, &str, &[Length])] =
     &[("lines", "\"lines\"", LINES), ("heads", "\"heads\"", HEADS), ("symbols", "\"symbols\"", SYMBOLS), ("text", "\"text\"", TEXT)];
 const KEYS: &[&str] = &["name", "base", "lines", "heads", "symbols", "text", "fonts", "colours", "notation", "captions"];
 const COLOURS: &[&str] = &["paper", "ink", "plate", "links"];
-const MARKS: &[&str] = &["pole", "coriolis", "sliding", "known", "unknown", "similar", "normal_end", "coriolis_end", "vectors"];
+const MARKS: &[&str] =
+    &["pole", "coriolis", "tangential", "sliding", "known", "unknown", "similar", "normal_end", "coriolis_end", "vectors"];
 /// Most colours of a list: more cannot be told apart, and the bound limits the memory that a file can take.
 const LINKS_MAX: usize = 64;
 
@@ -230,6 +231,7 @@ fn marks(node: &Node, marks: &mut Marks, faults: &mut Faults) {
     };
     one("pole", &mut marks.pole);
     one("coriolis", &mut marks.coriolis);
+    one("tangential", &mut marks.tangential);
     one("sliding", &mut marks.sliding);
     one("known", &mut marks.known);
     one("unknown", &mut marks.unknown);

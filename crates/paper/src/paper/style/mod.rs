@@ -76,6 +76,8 @@ pub struct Marks {
     pub pole: Option<String>,
     /// Superscript of the Coriolis part.
     pub coriolis: Option<String>,
+    /// Superscript of tangential parts.
+    pub tangential: Option<String>,
     /// Superscript of sliding parts.
     pub sliding: Option<String>,
     /// The sign for "known" in tables.
@@ -99,6 +101,7 @@ impl Marks {
         Notation {
             pole: or(&self.pole, &profile.pole),
             coriolis: or(&self.coriolis, &profile.coriolis),
+            tangential: or(&self.tangential, &profile.tangential),
             sliding: or(&self.sliding, &profile.sliding),
             known: or(&self.known, &profile.known),
             similar: or(&self.similar, &profile.similar),

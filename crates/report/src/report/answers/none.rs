@@ -33,9 +33,9 @@ pub fn reason(scene: &Scene, u: &Unanswered, lang: Lang) -> String {
     match (lang, why) {
         (Lang::En, Refusal::DeadPoint) => format!("dead centre: {}", words.en),
         (Lang::En, _) => words.en.clone(),
-        (Lang::Zh, Refusal::DeadPoint) => format!("构件{}处于死点位置", names.join("、")),
-        (Lang::Zh, Refusal::Locked) => format!("构件{}在该位置被锁住", names.join("、")),
-        (Lang::Zh, Refusal::Loose | Refusal::Several) => format!("构件{}在该位置有多余的自由度", names.join("、")),
-        (Lang::Zh, Refusal::NoAcceleration) => format!("构件{}在该位置的加速度不确定", names.join("、")),
+        (Lang::Zh, Refusal::DeadPoint) => format!("构件 {} 处于死点位置", names.join("、")),
+        (Lang::Zh, Refusal::Locked) => format!("构件 {} 在该位置被锁住", names.join("、")),
+        (Lang::Zh, Refusal::Loose | Refusal::Several) => format!("构件 {} 在该位置有多余的自由度", names.join("、")),
+        (Lang::Zh, Refusal::NoAcceleration) => format!("构件 {} 在该位置的加速度不确定", names.join("、")),
     }
 }

@@ -1,6 +1,7 @@
 //! Cams as given things: the profile or the law, and with what the follower touches. The pairs and drivers that stand for a contact are part of the
 //! solution, and are not told among what is given.
 
+use super::super::cam::dwell;
 use super::Givens;
 use crate::cam::{Law, Motion, Segment, Way};
 use crate::scene::{Cam, Follows, GuideId, Lang, PointId};
@@ -41,13 +42,13 @@ impl Givens<'_> {
                 let gain = |h: f64| if swings { degrees(h) } else { length(h) };
                 let law = |l: Law| self.tr(l.name(), l.name_zh());
                 let over = |a: f64| degrees(a);
-                let stages = program.stages.iter().map(|s| match (s.way, self.lang()) {
+                let stages = program.stages.iter().zip(program.outer()).map(|(s, out)| match (s.way, self.lang()) {
                     (Way::Rise(h, l), Lang::En) => format!("rise {} over {} ({})", gain(h), over(s.over), law(l)),
                     (Way::Rise(h, l), Lang::Zh) => format!("推程 {}，转角 {}（{}）", gain(h), over(s.over), law(l)),
                     (Way::Return(h, l), Lang::En) => format!("return {} over {} ({})", gain(h), over(s.over), law(l)),
                     (Way::Return(h, l), Lang::Zh) => format!("回程 {}，转角 {}（{}）", gain(h), over(s.over), law(l)),
                     (Way::Dwell, Lang::En) => format!("dwell {}", over(s.over)),
-                    (Way::Dwell, Lang::Zh) => format!("休止 {}", over(s.over)),
+                    (Way::Dwell, Lang::Zh) => format!("{} {}", dwell(out, Lang::Zh), over(s.over)),
                 });
                 let stages: Vec<String> = stages.collect();
                 let base = length(*base);

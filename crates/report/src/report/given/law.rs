@@ -1,24 +1,34 @@
 //! Laws of time: as a problem gives them, and what they give at the instant, as a solution begins.
 
 use super::Givens;
+use crate::paper::label::greek;
 use crate::paper::phrase::Phrase;
 use crate::plan::names::name_label;
 use crate::scene::{Kind, Position, TimeLaw};
 
-/// An expression as it is printed.
+/// An expression as it is printed: `2*omega*t` is `2·ω·t`, `60 deg` is `60°`.
 pub fn printed(text: &str) -> String {
     let plain = text.replace("^2", "²").replace("^3", "³").replace('*', "·").replace('-', "−");
-    let letter = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
     let mut out = String::new();
-    for (at, c) in plain.char_indices() {
-        let pi = plain[at..].starts_with("pi")
-            && !out.ends_with(|c: char| letter(Some(c)) && !c.is_ascii_digit())
-            && !letter(plain[at + 2..].chars().next());
-        match c {
-            'p' if pi => out.push('π'),
-            'i' if out.ends_with('π') && plain[..at].ends_with('p') => {}
-            c => out.push(c),
+    let mut rest = plain.as_str();
+    while let Some(c) = rest.chars().next() {
+        // A name begins with a letter and goes on with letters, digits and underscores.
+        let name = |c: char| c.is_alphanumeric() || c == '_';
+        let end = if c.is_alphabetic() { rest.find(|c| !name(c)).unwrap_or(rest.len()) } else { c.len_utf8() };
+        let (word, behind) = rest.split_at(end);
+        let letters = word.split('_').next().unwrap_or(word);
+        match greek(letters) {
+            _ if word == "deg" && out.trim_end().ends_with(|c: char| c.is_ascii_digit()) => {
+                out.truncate(out.trim_end().len());
+                out.push('°');
+            }
+            Some(letter) => {
+                out.push(letter);
+                out.push_str(&word[letters.len()..]);
+            }
+            None => out.push_str(word),
         }
+        rest = behind;
     }
     out
 }

@@ -19,12 +19,10 @@ pub(in crate::scene) fn marked(raw: &RawScene) -> RawScene {
             }),
             RawProfile::Untold => None,
         };
-        // A driver that moves the lever needs a line of it; only a circle is exact everywhere without one.
+        // A driver that moves the lever needs a line of it, and so does whoever says on which side of the cam it lies.
         let driven = match &cam.profile {
             RawProfile::Law { .. } => true,
-            RawProfile::Parts(parts) => {
-                parts.len() > 1 && matches!(&cam.follows, RawFollows::Face(f) if f.line.is_none() && f.angle.is_none())
-            }
+            RawProfile::Parts(_) => matches!(&cam.follows, RawFollows::Face(f) if f.line.is_none() && f.angle.is_none()),
             RawProfile::Untold => false,
         };
         let lever =

@@ -1,14 +1,15 @@
 //! The parser of expressions: a winnow parser for each rule of the grammar.
 //!
-//! The grammar, in which a unit directly after a number binds tighter than any operator (10 rad/s = (10 rad)/s), and so does a
-//! parenthesis (0.05 (m/s)/mm = (0.05*(m/s))/mm):
+//! The grammar, in which a unit directly after a value binds tighter than any operator (10 rad/s = (10 rad)/s), and so does a
+//! parenthesis (0.05 (m/s)/mm = (0.05*(m/s))/mm). After a quotient of numbers it belongs to the quotient (sqrt(3)/2 m = (sqrt(3)/2) m), but
+//! for a unit of time, which is that of a period (2π/3 s = 2π/(3 s)):
 //! ```text
 //! sum      = product (("+" | "-") product)*
 //! product  = signed (("*" | "/") signed)*
 //! signed   = ("+" | "-")* power
 //! power    = atom raised?
 //! raised   = "^" ("+" | "-")* (number | pi | call | group | name) | "⁻"? ("⁰" | ... | "⁹")+
-//! atom     = arc | (number pi? | pi | group) tail? | call | name | "°"
+//! atom     = arc | (number pi? | pi | group) tail? | call unit? | parameter unit? | name | "°"
 //! arc      = number ("°" | "deg") (number "′" (number "″")? | number "″")
 //! tail     = (group | unit) raised?
 //! call     = name "(" sum ")"
@@ -22,10 +23,10 @@
 //! The first token of a rule tells which one it is, and what follows may not fail without failing the whole (`cut_err`): a fault is where the
 //! input stands.
 
-use super::{Expr, ExprKind, FUNCTIONS, Function, Op};
+use super::{Expr, ExprKind, FUNCTIONS, Function, Op, is_bare};
 use crate::diag::{Both, Diagnostic, Span, both};
 use crate::json::fields::suggest;
-use crate::scene::units::{OF_ARC, UNITS, Unit, unit_named};
+use crate::scene::units::{Dim, OF_ARC, UNITS, Unit, unit_named};
 use winnow::ascii::{digit0, digit1};
 use winnow::combinator::{alt, cut_err, eof, not, opt, peek, preceded, repeat, terminated};
 use winnow::error::{EmptyError, ErrMode};
@@ -40,13 +41,15 @@ type Read<O> = ModalResult<O, EmptyError>;
 #[derive(Debug)]
 struct Names<'a> {
     parameters: &'a [&'a str],
+    /// Where the last value with a unit behind it ends.
+    tailed: usize,
     /// The first name without a meaning: told only of texts that keep to the grammar.
     unknown: Option<Diagnostic>,
 }
 
 /// Reads a whole text.
 pub(super) fn whole(text: &str, parameters: &[&str]) -> Result<Expr, Diagnostic> {
-    let mut input = Input { input: LocatingSlice::new(text), state: Names { parameters, unknown: None } };
+    let mut input = Input { input: LocatingSlice::new(text), state: Names { parameters, tailed: 0, unknown: None } };
     match terminated(sum, token(eof)).parse_next(&mut input) {
         Ok(tree) => input.state.unknown.map_or(Ok(tree), Err),
         Err(_) => Err(unreadable(text, input.current_token_start())),
@@ -135,7 +138,19 @@ fn sum(i: &mut Input) -> Read<Expr> {
 fn product(i: &mut Input) -> Read<Expr> {
     let mut left = signed(i, power)?;
     while let Some(sign) = opt(sign(FACTORS)).parse_next(i)? {
-        left = binary(if sign == '/' { Op::Div } else { Op::Mul }, left, signed(i, power)?);
+        let right = signed(i, power)?;
+        left = match right.kind {
+            ExprKind::Binary(Op::Mul, value, unit)
+                if sign == '/'
+                    && i.state.tailed == i.current_token_start()
+                    && is_bare(&left)
+                    && is_bare(&value)
+                    && !matches!(unit.kind, ExprKind::Unit(u) if u.dim == Dim::TIME) =>
+            {
+                binary(Op::Mul, binary(Op::Div, left, *value), *unit)
+            }
+            kind => binary(if sign == '/' { Op::Div } else { Op::Mul }, left, Expr { kind, span: right.span }),
+        };
     }
     Ok(left)
 }
@@ -179,16 +194,25 @@ fn superscript(i: &mut Input) -> Read<Expr> {
 }
 
 fn atom(i: &mut Input) -> Read<Expr> {
+    token(alt((arc, with_unit, name, unit))).map(|(atom, _)| atom).parse_next(i)
+}
+
+/// A value, and the unit that may stand behind it.
+fn with_unit(i: &mut Input) -> Read<Expr> {
     let multiple = (number, opt(pi)).map(|(n, pi)| match pi {
         Some(pi) => binary(Op::Mul, n, pi),
         None => n,
     });
-    let value = (alt((multiple, pi, group)), opt(tail)).map(|(value, tail)| match tail {
-        Some(tail) => binary(Op::Mul, value, tail),
+    let value = (alt((multiple, pi, group)), opt(tail));
+    let named = (alt((call, parameter)), opt(known_tail));
+    let (value, tail) = alt((value, named)).parse_next(i)?;
+    Ok(match tail {
+        Some(tail) => {
+            i.state.tailed = i.current_token_start();
+            binary(Op::Mul, value, tail)
+        }
         None => value,
-    });
-    let (atom, _) = token(alt((arc, value, call, name, unit))).parse_next(i)?;
-    Ok(atom)
+    })
 }
 
 /// Degrees with minutes, seconds, or both.
@@ -225,6 +249,14 @@ fn part(i: &mut Input, unit: &'static Unit, marks: &[&'static str]) -> Read<Expr
 fn tail(i: &mut Input) -> Read<Expr> {
     let factor = alt((group, unit)).parse_next(i)?;
     cut_err(|i: &mut Input| raised(i, factor.clone())).parse_next(i)
+}
+
+/// A unit behind what is not a number; a word that is none belongs to no value.
+fn known_tail(i: &mut Input) -> Read<Expr> {
+    let turns = terminated("r/min", not(one_of(is_letter)));
+    let known = token(alt(("°", turns, word))).verify_map(|(name, span)| Some(Expr { kind: ExprKind::Unit(unit_named(name)?), span }));
+    let unit = terminated(known, peek(not(token('(')))).parse_next(i)?;
+    raised(i, unit)
 }
 
 fn exponent(i: &mut Input) -> Read<Expr> {
@@ -276,6 +308,16 @@ fn call(i: &mut Input) -> Read<Expr> {
     // Without a function there is a diagnosis, and the tree is dropped.
     let kind = ExprKind::Call(function.unwrap_or(Function::Abs), Box::new(argument));
     Ok(Expr { kind, span: Span::new(at.start, i.current_token_start()) })
+}
+
+/// A parameter.
+fn parameter(i: &mut Input) -> Read<Expr> {
+    let parameters = i.state.parameters;
+    let known = |(name, span): (&str, Span)| {
+        let kind = ExprKind::Parameter(name.to_owned());
+        parameters.contains(&name).then_some(Expr { kind, span })
+    };
+    token(word).verify_map(known).parse_next(i)
 }
 
 /// A name that stands alone: a parameter or a unit.

@@ -1,4 +1,5 @@
-//! `s_3`, `psi_3`, `h_3`, `Psi_3`, `Phi_3`, `pressure_3`, `rho_2/3`, `rho_min_2`: of a disc cam and its follower.
+//! `s_3`, `psi_3`, `h_3`, `Psi_3`, `Phi_3`, `pressure_3`, `rho_2/3`, `rho_min_2`: of a disc cam and its follower; over its whole turn also `Phi_far_3`,
+//! `Phi_back_3`, `Phi_near_3`, `pressure_start_3`, `pressure_out_3`, `pressure_back_3`, `rb_min_2`, `face_half_3`.
 //!
 //! They follow from the geometry of the cam alone ([`crate::cam`]), in the number at hand by the texts of the scene. Where no one link
 //! carries cam and follower, the pressure angle and the radius of curvature are those of the pose: of a round end's way against the normal at the contact,
@@ -6,7 +7,7 @@
 
 use super::along::along;
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
-use crate::cam::{Fault, Follower, Motion, Touch, in_turn};
+use crate::cam::{Fault, Follower, Motion, Side, Touch, in_turn, least_base};
 use crate::diag::{Both, Diagnostic, both};
 use crate::digits::significant;
 use crate::geom::Vec2;
@@ -38,10 +39,35 @@ enum What {
     Pressure,
     Rho,
     RhoMin,
+    Far,
+    Back,
+    Near,
+    PressureStart,
+    PressureOut,
+    PressureBack,
+    BaseMin,
+    FaceHalf,
 }
 
 /// Rows of the table.
-const ROWS: [What; 7] = [What::Lift, What::Swing, What::Stroke, What::Angle, What::Rise, What::Pressure, What::Rho];
+const ROWS: [What; 9] =
+    [What::Lift, What::Swing, What::Stroke, What::Angle, What::Rise, What::Pressure, What::Rho, What::BaseMin, What::FaceHalf];
+
+/// Quantities that a word behind the symbol of another tells: `Phi_far_3`.
+const WORDS: [(What, &str, What); 9] = [
+    (What::Rho, "min_", What::RhoMin),
+    (What::Rise, "far_", What::Far),
+    (What::Rise, "back_", What::Back),
+    (What::Rise, "near_", What::Near),
+    (What::Pressure, "start_", What::PressureStart),
+    (What::Pressure, "out_", What::PressureOut),
+    (What::Pressure, "back_", What::PressureBack),
+    (What::BaseMin, "min_", What::BaseMin),
+    (What::FaceHalf, "half_", What::FaceHalf),
+];
+
+/// What double precision keeps of a place or a size that is found on the whole turn, relative to it; of where a profile begins to lift, less.
+const FOUND: [f64; 2] = [1e-8, 1e-6];
 
 impl Quantity for CamQuantity {
     const WRITTEN: &'static [Entry] = &[
@@ -54,15 +80,27 @@ impl Quantity for CamQuantity {
         Entry::new("pressure", "pressure_3", Kind::Angle, Form::Scalar, ["pressure angle", "压力角"]).printed("\\alpha", Over::Sign("p")),
         Entry::new("rho", "rho_2/3", Kind::Length, Form::Scalar, ["radius of curvature of the profile", "廓线曲率半径"])
             .printed("\\rho", Over::Nothing),
+        Entry::new("rb", "rb_min_2", Kind::Length, Form::Scalar, ["least base radius without undercut", "不失真的最小基圆半径"])
+            .printed("r", Over::Nothing),
+        Entry::new("face", "face_half_3", Kind::Length, Form::Scalar, ["half length of the face", "平底的最小半长"])
+            .printed("l", Over::Nothing),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<CamQuantity>, Diagnostic> {
         let what = ROWS[question.row(Self::WRITTEN)];
         let names = question.names();
+        let worded = WORDS
+            .iter()
+            .find_map(|(of, word, what)| Some((*what, names.strip_prefix(word)?)).filter(|_| *of == ROWS[question.row(Self::WRITTEN)]));
+        if let Some((what, name)) = worded {
+            return Ok(Some(CamQuantity { what, link: question.link(name.trim())?, follower: None, end: None }));
+        }
+        if matches!(what, What::BaseMin | What::FaceHalf) {
+            let message = both!("`{}` is not a quantity that can be asked", "`{}` 不是可求的量", question.text());
+            let example = Self::WRITTEN[question.row(Self::WRITTEN)].example;
+            return Err(question.fault(message).help(both!("write {example}", "请写 {example}")));
+        }
         if what == What::Rho {
-            if let Some(cam) = names.strip_prefix("min_") {
-                return Ok(Some(CamQuantity { what: What::RhoMin, link: question.link(cam.trim())?, follower: None, end: None }));
-            }
             let Some((cam, follower)) = names.split_once('/') else {
                 let d = question.fault(both!(
                     "`{}` does not say of which cam and follower",
@@ -83,7 +121,7 @@ impl Quantity for CamQuantity {
     }
 
     fn entry(&self) -> &'static Entry {
-        let what = if self.what == What::RhoMin { What::Rho } else { self.what };
+        let what = WORDS.iter().find(|w| w.2 == self.what).map_or(self.what, |w| w.0);
         &Self::WRITTEN[ROWS.iter().position(|w| *w == what).unwrap_or(0)]
     }
 
@@ -102,7 +140,20 @@ impl Quantity for CamQuantity {
             What::Rho => {
                 both!("the profile of cam {link} is straight there, or touches nothing", "凸轮 {link} 的廓线在该处为直线，或没有接触")
             }
-            What::Lift | What::Swing | What::Stroke | What::Angle | What::Rise | What::Pressure => {
+            What::BaseMin => both!("no base circle of cam {link} avoids an undercut", "加大凸轮 {link} 的基圆也不能避免失真"),
+            What::PressureStart | What::PressureOut | What::PressureBack => {
+                both!("follower {link} does not move so", "从动件 {link} 没有该运动")
+            }
+            What::Lift
+            | What::Swing
+            | What::Stroke
+            | What::Angle
+            | What::Rise
+            | What::Pressure
+            | What::Far
+            | What::Back
+            | What::Near
+            | What::FaceHalf => {
                 both!("the follower {link} touches nothing in this pose", "从动件 {link} 在该位置没有接触")
             }
         }
@@ -139,10 +190,24 @@ impl Quantity for CamQuantity {
             });
         };
         let swings = matches!(t.disc.follower, Follower::Oscillating { .. });
+        if let Some(needed) = self.lacking(t) {
+            return Some(Diagnostic::error("find", both!("`{}` is of {}", "`{}` 属于{}", find.text, needed)).at(find.span));
+        }
         let wrong = match self.what {
             What::Lift | What::Stroke => swings,
             What::Swing | What::Angle => !swings,
-            What::Rise | What::Pressure | What::Rho | What::RhoMin => false,
+            What::Rise
+            | What::Pressure
+            | What::Rho
+            | What::RhoMin
+            | What::Far
+            | What::Back
+            | What::Near
+            | What::PressureStart
+            | What::PressureOut
+            | What::PressureBack
+            | What::BaseMin
+            | What::FaceHalf => false,
         };
         wrong.then(|| {
             let name = scene.link_name(cam.follower);
@@ -197,6 +262,15 @@ fn least_radius(t: &Turning) -> Option<f64> {
     Some(rho - end)
 }
 
+/// How far a flat face must reach to both sides of its point: the greatest distance of the contact over a turn, where s′ is greatest or least.
+fn face_half(t: &Turning) -> Option<f64> {
+    let reach = |phi: f64| {
+        let sides = [Side::Before, Side::After].map(|side| t.disc.station(phi, side).map(|s| (s.contact - s.pitch).norm()));
+        sides.into_iter().flatten().reduce(f64::max)
+    };
+    t.survey.of(&t.disc).velocity.iter().filter_map(|(phi, _)| reach(*phi)).reduce(f64::max)
+}
+
 impl CamQuantity {
     /// Its value in double precision.
     fn doubly(&self, t: &Turning) -> Option<f64> {
@@ -211,6 +285,17 @@ impl CamQuantity {
             What::Pressure => Some(t.disc.station(t.phi, t.side)?.pressure),
             What::Rho => Some(t.disc.station(t.phi, t.side)?.rho),
             What::RhoMin => least_radius(t),
+            What::Far => Some(survey().angle(0, true)),
+            What::Back => Some(survey().angle(-1, false)),
+            What::Near => Some(survey().angle(0, false)),
+            What::PressureStart => {
+                let start = survey().phases.iter().find(|p| p.way == 1)?.from;
+                Some(t.disc.station(start, Side::After)?.pressure)
+            }
+            What::PressureOut => Some(survey().pressure[0]?.1.abs()),
+            What::PressureBack => Some(survey().pressure[1]?.1.abs()),
+            What::BaseMin => least_base(&t.disc),
+            What::FaceHalf => face_half(t),
         }
     }
 
@@ -225,6 +310,39 @@ impl CamQuantity {
             What::Pressure => Some(cam.station(here, phi)?.pressure),
             What::Rho => Some(cam.station(here, phi)?.rho),
             What::RhoMin => cam.least_rho(),
+            What::Far => cam.angle(0, true),
+            What::Back => cam.angle(-1, false),
+            What::Near => cam.angle(0, false),
+            What::PressureStart | What::PressureOut | What::PressureBack | What::BaseMin | What::FaceHalf => {
+                let value = self.doubly(t)?;
+                let begins = self.what == What::PressureStart && matches!(t.disc.motion, Motion::Profile(_));
+                N::from_bounded(value, FOUND[usize::from(begins)] * value.abs())
+            }
+        }
+    }
+
+    /// Of which kind of cam it is, where this one is another.
+    fn lacking(&self, t: &Turning) -> Option<Both> {
+        let flat = matches!((t.disc.touch, t.disc.follower), (Touch::Flat { .. }, Follower::Translating { .. }));
+        match self.what {
+            What::FaceHalf if !flat => Some(both!("a sliding flat-faced follower", "直动平底从动件")),
+            What::BaseMin if !matches!(t.disc.motion, Motion::Law { .. }) => Some(both!("a cam by a law", "按运动规律给定的凸轮")),
+            What::FaceHalf
+            | What::BaseMin
+            | What::Lift
+            | What::Swing
+            | What::Stroke
+            | What::Angle
+            | What::Rise
+            | What::Pressure
+            | What::Rho
+            | What::RhoMin
+            | What::Far
+            | What::Back
+            | What::Near
+            | What::PressureStart
+            | What::PressureOut
+            | What::PressureBack => None,
         }
     }
 
@@ -241,7 +359,20 @@ impl CamQuantity {
             What::Pressure => {
                 cam.follows.radius().is_some() && (cam.contact.is_some() || cam.is_on_course()) && way_of(scene, cam).is_some()
             }
-            What::Lift | What::Swing | What::Stroke | What::Angle | What::Rise | What::RhoMin => false,
+            What::Lift
+            | What::Swing
+            | What::Stroke
+            | What::Angle
+            | What::Rise
+            | What::RhoMin
+            | What::Far
+            | What::Back
+            | What::Near
+            | What::PressureStart
+            | What::PressureOut
+            | What::PressureBack
+            | What::BaseMin
+            | What::FaceHalf => false,
         }
     }
 
@@ -273,8 +404,23 @@ impl CamQuantity {
     fn pair<'s>(&self, scene: &'s Scene) -> Option<&'s Cam> {
         let meant = |c: &&Cam| match (self.what, self.follower) {
             (What::Rho, follower) => c.cam == self.link && follower == Some(c.follower),
-            (What::RhoMin, _) => c.cam == self.link,
-            (What::Lift | What::Swing | What::Stroke | What::Angle | What::Rise | What::Pressure, _) => c.follower == self.link,
+            (What::RhoMin | What::BaseMin, _) => c.cam == self.link,
+            (
+                What::Lift
+                | What::Swing
+                | What::Stroke
+                | What::Angle
+                | What::Rise
+                | What::Pressure
+                | What::Far
+                | What::Back
+                | What::Near
+                | What::PressureStart
+                | What::PressureOut
+                | What::PressureBack
+                | What::FaceHalf,
+                _,
+            ) => c.follower == self.link,
         };
         scene.cams.iter().find(meant)
     }

@@ -26,24 +26,7 @@ impl Quantity for InstantCentre {
         .at_level(Level::Velocity)];
 
     fn read(question: &Question<'_>) -> Result<Option<InstantCentre>, Diagnostic> {
-        let links = question.two_links()?;
-        // A link without a point of its own, a slider or a rack, moves as its plane does: any point of the scene is one of that plane.
-        let own = links.map(|l| question.first_point(l));
-        let other = own.into_iter().flatten().next().or_else(|| question.any_point());
-        let mut of = [(links[0], None), (links[1], None)];
-        for ((link, point), own) in of.iter_mut().zip(own) {
-            if question.is_ground(*link) {
-                continue;
-            }
-            *point = own.or(other);
-            if point.is_none() {
-                let message = both!("`{}`: the scene has no point", "`{}`：题目中没有点", question.text());
-                return Err(question
-                    .fault(message)
-                    .help(both!("`hodograph centres` tells all centres", "`hodograph centres` 给出所有瞬心")));
-            }
-        }
-        Ok(Some(InstantCentre { links: of }))
+        Self::of_links(question, question.two_links()?).map(Some)
     }
 
     fn entry(&self) -> &'static Entry {
@@ -86,5 +69,31 @@ impl Quantity for InstantCentre {
         }
         let at = base + (v - w).perp() * (N::from_f64(1.0) / (a - b));
         at.is_finite().then_some(Value::Point(at))
+    }
+}
+
+impl InstantCentre {
+    /// The centre of two links.
+    ///
+    /// # Errors
+    /// A scene without points.
+    pub(super) fn of_links(question: &Question<'_>, links: [LinkId; 2]) -> Result<InstantCentre, Diagnostic> {
+        // A link without a point of its own, a slider or a rack, moves as its plane does: any point of the scene is one of that plane.
+        let own = links.map(|l| question.first_point(l));
+        let other = own.into_iter().flatten().next().or_else(|| question.any_point());
+        let mut of = [(links[0], None), (links[1], None)];
+        for ((link, point), own) in of.iter_mut().zip(own) {
+            if question.is_ground(*link) {
+                continue;
+            }
+            *point = own.or(other);
+            if point.is_none() {
+                let message = both!("`{}`: the scene has no point", "`{}`：题目中没有点", question.text());
+                return Err(question
+                    .fault(message)
+                    .help(both!("`hodograph centres` tells all centres", "`hodograph centres` 给出所有瞬心")));
+            }
+        }
+        Ok(InstantCentre { links: of })
     }
 }

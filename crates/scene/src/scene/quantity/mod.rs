@@ -11,10 +11,12 @@
 mod along;
 mod cam;
 mod centre;
+pub mod combined;
 pub mod composite;
 pub mod curvature;
 mod entry;
 mod frame;
+mod from_centre;
 mod joined;
 mod level;
 mod meaning;
@@ -33,11 +35,13 @@ mod value;
 
 pub use cam::CamQuantity;
 pub use centre::InstantCentre;
+pub use combined::{Combined, Operand};
 pub use composite::Composite;
-pub use curvature::Curvature;
+pub use curvature::{Curvature, OfPath, OfPole};
 pub use entry::{Entry, Form, Of, Over};
 pub use frame::owns;
 pub use frame::{Frame, RelativePath, relative_path};
+pub use from_centre::FromCentre;
 pub use joined::{Joined, joined};
 pub use level::{Level, Need, Rate};
 pub use meaning::ratio;
@@ -201,6 +205,8 @@ families! {
     Curvature,
     /// `s_3`, `pressure_3`, `rho_2/3`: of a cam and its follower.
     CamQuantity,
+    /// `P_13D`: the distance of a point from the instantaneous centre of two links.
+    FromCentre,
     /// `P_24`: the instantaneous centre of two links.
     InstantCentre,
     /// `i_24`: the transmission ratio of two links.
@@ -209,6 +215,8 @@ families! {
     RollerSpin,
     /// `gamma_C`: the transmission angle at a pin.
     Transmission,
+    /// `omega_2 + omega_4`, `P13D/P13A`: the sum, the difference or the ratio of two.
+    Combined,
 }
 
 impl Asked {

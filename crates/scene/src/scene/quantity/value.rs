@@ -3,7 +3,7 @@
 use super::{Form, Level};
 use crate::geom::{Point, Vec2};
 use crate::number::Real;
-use crate::scene::model::{LinkId, OnLink, PointId, Scene};
+use crate::scene::model::{GuideId, LinkId, OnLink, PointId, Scene};
 
 /// The value of an answer, in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,6 +90,8 @@ pub trait Known<N> {
     fn scene(&self) -> &Scene;
     /// The place of a point.
     fn point(&self, p: PointId) -> Option<Point<N>>;
+    /// A straight guide in the plane: where its coordinate is zero, and its direction.
+    fn guide(&self, g: GuideId) -> Option<(Point<N>, Vec2<N>)>;
     /// The direction from which a link's angle is counted.
     fn direction(&self, link: LinkId) -> Option<Vec2<N>>;
     /// The vector of the point of a link (or of the pin itself).

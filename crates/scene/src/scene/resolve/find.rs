@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::scene::cams::raw::RawFollows;
-use crate::scene::quantity::{self, Asked, Entry, Frame, Level, Of, PointMotion, Rate, Turning};
+use crate::scene::quantity::combined::halves;
+use crate::scene::quantity::{self, Asked, Combined, Entry, Frame, Level, Of, PointMotion, Rate, Turning};
+use std::borrow::Cow;
 
 pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
     let mut out: Vec<Find> = Vec::new();
@@ -88,12 +90,42 @@ fn spelt(symbol: &str) -> &str {
 
 /// Whether a text begins as a question does: a quantity's symbol and `_`.
 pub(in crate::scene) fn begins_a_question(text: &str) -> bool {
-    text.split_once('_').is_some_and(|(symbol, _)| quantity::symbols().iter().any(|e| e.symbol == spelt(symbol)))
+    with_underscore(text.trim_start())
+        .split_once('_')
+        .is_some_and(|(symbol, _)| quantity::symbols().iter().any(|e| e.symbol == spelt(symbol)))
 }
 
+/// A question, or two of them combined.
 pub(super) fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
+    one(c, word).or_else(|d| combined(c, word).unwrap_or(Err(d)))
+}
+
+/// The sum, the difference or the ratio of two quantities; `None` of a text that is none.
+fn combined(c: &Context, word: &Word) -> Option<Result<Asked, Diagnostic>> {
+    let part = |text: &str| one(c, &Word { text: text.to_owned(), span: word.span }).ok();
+    let (operation, operands) = halves(&word.text).find_map(|(operation, [a, b])| Some((operation, [part(a)?, part(b)?])))?;
+    Some(Combined::new(operation, operands).map(Asked::from).ok_or_else(|| {
+        let [a, b] = operands.map(|q| q.kind().si());
+        let d = Diagnostic::error("find", both!("`{}` combines {a} with {b}", "`{}` 组合了 {a} 与 {b}", word.text)).at(word.span);
+        d.help(both!(
+            "a sum is of two quantities of one kind, and a ratio has a unit of length, velocity, acceleration or turning, or none",
+            "和、差的两个量须同类；比值须为长度、速度、加速度、角速度、角加速度或无量纲"
+        ))
+    }))
+}
+
+/// A text with the underscore that the name of a centre may lack: `P13D`.
+fn with_underscore(text: &str) -> Cow<'_, str> {
+    match text.strip_prefix('P') {
+        Some(rest) if rest.starts_with(|c: char| c.is_ascii_digit()) => Cow::Owned(format!("P_{rest}")),
+        Some(_) | None => Cow::Borrowed(text),
+    }
+}
+
+fn one(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
+    let text = with_underscore(&word.text);
     let fault = |message: Both| Diagnostic::error("find", message).at(word.span);
-    let Some((symbol, rest)) = word.text.split_once('_') else {
+    let Some((symbol, rest)) = text.split_once('_') else {
         let d = fault(both!("`{}` is not a quantity that can be asked", "`{}` 不是可求的量", word.text));
         if matches!(word.text.as_str(), "F" | "class") {
             return Err(d.help(both!(
@@ -167,6 +199,11 @@ impl Question<'_> {
         self.c.names.link_in(name, self.word)
     }
 
+    /// The point of a name, if there is one.
+    pub fn point(&self, name: &str) -> Option<PointId> {
+        self.c.names.point(&Word { text: name.to_owned(), span: self.word.span }).ok()
+    }
+
     /// Two different links, their names one after the other: `24`, `2,10`, `2/4`.
     ///
     /// # Errors
@@ -209,6 +246,19 @@ impl Question<'_> {
             let cam = self.c.names.link(&cam.cam).ok()?;
             Some((self.c.names.point(pin).ok()?, cam, self.first_point(cam)?))
         })
+    }
+
+    /// The guides of the file in which a pin or a slider of this name runs, each with the pin.
+    pub fn guides_of(&self, name: &str) -> Vec<(GuideId, Option<PointId>)> {
+        let is = |word: &Option<Word>| word.as_ref().is_some_and(|w| w.text == name.trim());
+        let mine = |(_, g): &(usize, &RawGuide)| !g.contact && (is(&g.pin) || is(&g.slider));
+        let pin = |g: &RawGuide| g.pin.as_ref().and_then(|p| self.c.names.point(p).ok());
+        self.c.raw.guides.iter().enumerate().filter(mine).map(|(k, g)| (GuideId(k), pin(g))).collect()
+    }
+
+    /// Whether a link is the follower of a cam.
+    pub fn is_follower(&self, name: &str) -> bool {
+        self.c.raw.cams.iter().any(|cam| cam.follower.text == name.trim())
     }
 
     /// The point of a follower's round end that touches a cam.

@@ -112,9 +112,40 @@ fn a_driver_of_what_touches_means_its_guide() {
 
 #[test]
 fn a_unit_in_the_divisor_is_told() {
-    let said = faults(&with("lengths", r#"{"AB": "sqrt(3)/2 m", "BC": "1/(2 mm)"}"#));
-    assert!(said.contains("write \"(sqrt(3)/2) m\""), "{said}");
+    let said = faults(&with("lengths", r#"{"AB": "2*pi/3 s", "BC": "1/(2 mm)"}"#));
+    assert!(said.contains("write \"(2*pi/3) s\""), "{said}");
     assert!(said.contains("`1/(2 mm)` is a quantity in 1/m (write it in mm)"), "{said}");
+}
+
+/// Behind whatever gives a number a unit makes it a quantity, as a product with one of the unit does.
+#[test]
+fn a_unit_stands_behind_any_expression() {
+    let numbers = [
+        "3",
+        "2π",
+        "pi",
+        "sqrt(3)",
+        "0.5*sqrt(3)",
+        "sqrt(3)/2",
+        "3/4",
+        "2*sqrt(3)/3",
+        "(1+sqrt(2))",
+        "k",
+        "2*k",
+        "-sqrt(2)",
+        "5/sqrt(2)",
+        "sqrt(2)/(2)",
+    ];
+    let value = |text: &str| {
+        let scene = read(&with("parameters", &format!(r#"{{"k": "1.5", "q": "{text}"}}"#))).unwrap_or_else(|f| panic!("{text}: {f}")).value;
+        scene.parameters.iter().find(|(name, _)| name == "q").unwrap().1.value
+    };
+    for number in numbers {
+        for unit in ["mm", "m", "deg", "rpm", "m/s", "mm^2", "rad/s", "m/s^2"] {
+            let (behind, product) = (value(&format!("{number} {unit}")), value(&format!("({number})*(1 {unit})")));
+            assert!((behind - product).abs() <= 1e-15 * product.abs(), "{number} {unit}: {behind} {product}");
+        }
+    }
 }
 
 #[test]

@@ -5,7 +5,7 @@ use super::{Compiler, NoKernel, Spot};
 use crate::diag::{Diagnostic, both};
 use crate::mechanism::{Joined, Level, joined};
 use crate::scene::quantity::{Meaning, Place, Split};
-use crate::scene::{Axis, Find, LinkId, OnLink, PointId};
+use crate::scene::{Axis, Find, GuideId, LinkId, OnLink, PointId};
 use crate::sweep::carry::{Arm, Twist};
 use crate::sweep::extreme::Output;
 use crate::sweep::kernel::{Pair, Reg};
@@ -38,6 +38,10 @@ impl Compiler<'_> {
                 let v = self.line(a, b)?;
                 let length = self.emit(P, Length { v }, 1);
                 one(self, length)
+            }
+            Meaning::Place(Place::Along(guide, ..)) => {
+                let (way, ..) = self.along(guide)?;
+                one(self, way)
             }
             Meaning::Vector(p) => {
                 let v = self.vector(&p, level)?;
@@ -107,21 +111,26 @@ impl Compiler<'_> {
                 [self.emit(P, Direction { v }, 1), self.turning(l, V)?, self.turning(l, A)?]
             }
             Output::Sliding(g) => {
-                let guide = &self.scene.guides[g.0];
-                let (slot, runner) = match (self.slot(g)?, guide.pin, guide.slider) {
-                    (Some(slot), Some(p), _) => (slot, Spot::Pin(p)),
-                    (Some(slot), None, Some(l)) => (slot, Spot::Own(l)),
-                    _ => return Err(self.lost(guide.on)),
-                };
-                let (from, to) = (slot.through, self.spot(runner, P)?);
-                let way = self.emit_pair(P, Arm { from, to });
+                let (way, u, runner) = self.along(g)?;
                 let (v, a) = (self.spot(runner, V)?, self.spot(runner, A)?);
-                let u = slot.direction;
-                [self.emit(P, Dot { u, v: way }, 1), self.emit(V, Dot { u, v }, 1), self.emit(A, Dot { u, v: a }, 1)]
+                [way, self.emit(V, Dot { u, v }, 1), self.emit(A, Dot { u, v: a }, 1)]
             }
         };
         self.columns.extend(regs);
         Ok(())
+    }
+
+    /// How far the runner of a straight guide is along it, the guide's direction, and the runner.
+    fn along(&mut self, g: GuideId) -> Result<(Reg, Pair, Spot), NoKernel> {
+        let guide = &self.scene.guides[g.0];
+        let (slot, runner) = match (self.slot(g)?, guide.pin, guide.slider) {
+            (Some(slot), Some(p), _) => (slot, Spot::Pin(p)),
+            (Some(slot), None, Some(l)) => (slot, Spot::Own(l)),
+            _ => return Err(self.lost(guide.on)),
+        };
+        let (from, to, u) = (slot.through, self.spot(runner, P)?, slot.direction);
+        let way = self.emit_pair(P, Arm { from, to });
+        Ok((self.emit(P, Dot { u, v: way }, 1), u, runner))
     }
 
     fn vector(&mut self, p: &OnLink, level: Level) -> Result<Pair, NoKernel> {
@@ -194,7 +203,7 @@ impl Compiler<'_> {
 }
 
 fn no_kernel(find: &Find) -> NoKernel {
-    Diagnostic::note("no-kernel", both!("{} has no kernel", "{} 没有编译形式", find.text)).at(find.span)
+    Diagnostic::note("no-kernel", both!("{} has no kernel", "{} 不能预编译，逐位置求解（较慢）", find.text)).at(find.span)
 }
 
 /// The columns of a question: name and unit of each.

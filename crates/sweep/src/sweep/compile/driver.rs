@@ -181,7 +181,7 @@ impl Compiler<'_> {
     /// A follower that leads something for which there is no operation.
     fn not_led(&self, d: usize) -> NoKernel {
         let name = self.scene.driver_name(d).0;
-        Diagnostic::note("no-kernel", both!("what {name} moves has no compiled form", "{name} 所带动的构件没有编译形式"))
+        Diagnostic::note("no-kernel", both!("what {name} moves has no compiled form", "{name} 所带动的构件不能预编译，逐位置求解（较慢）"))
     }
 
     /// A driver that a cam on the swept one leads.

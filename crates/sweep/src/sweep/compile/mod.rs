@@ -194,7 +194,7 @@ impl<'a> Compiler<'a> {
         let (links, pins, kind) = (Both::names(&names), Both::names(&pins), g.kind());
         let message = both!(
             "links {} with joints {} ({kind}) have no compiled form: the mechanism is followed by Newton's method from position to position",
-            "构件 {} 与铰链 {} 没有编译形式：用牛顿法逐个位置求解",
+            "构件 {} 与铰链 {} 不能预编译，用牛顿法逐位置求解（较慢）",
             links,
             pins
         );
@@ -255,8 +255,11 @@ impl<'a> Compiler<'a> {
 
     /// A link that nothing places.
     fn lost(&self, l: LinkId) -> NoKernel {
-        Diagnostic::note("no-kernel", both!("link {} has no compiled form", "构件 {} 没有编译形式", self.scene.link_name(l)))
-            .at(self.scene.links[l.0].span)
+        Diagnostic::note(
+            "no-kernel",
+            both!("link {} has no compiled form", "构件 {} 不能预编译，逐位置求解（较慢）", self.scene.link_name(l)),
+        )
+        .at(self.scene.links[l.0].span)
     }
 
     /// A point of the scene: place, velocity or acceleration.
@@ -277,7 +280,7 @@ impl<'a> Compiler<'a> {
         }
         let carrier = self.scene.carriers(p).find(|l| !self.m.is_passive(*l) && self.at.shapes.local(*l, p).is_some());
         let Some((l, local)) = carrier.and_then(|l| Some((l, self.at.shapes.local(l, p)?))) else {
-            let message = both!("point {} has no compiled form", "点 {} 没有编译形式", self.scene.point_name(p));
+            let message = both!("point {} has no compiled form", "点 {} 不能预编译，逐位置求解（较慢）", self.scene.point_name(p));
             return Err(Diagnostic::note("no-kernel", message));
         };
         let pair = self.spot(Spot::Fixed(l, local), level)?;

@@ -3,7 +3,7 @@
 use super::{Function, Target};
 use crate::diag::{Both, both};
 use crate::synthesis::candidate::Draft;
-use crate::synthesis::told::{angle, length, number, of, signed};
+use crate::synthesis::told::{angle, length, number, of, subtracted};
 use crate::synthesis::{Proof, Statement};
 
 /// Pairs that stand in a list of what is given, and equations in a proof; of more the first are told.
@@ -97,7 +97,7 @@ impl Function {
             let [phi, psi] = at(k);
             let (phi, psi) = (phi - turned(0), psi - turned(1));
             let near = |v: f64| libm::atan2(libm::sin(v), libm::cos(v));
-            format!("{}\\,K_1 − {}\\,K_2 + K_3 = {}", number(libm::cos(psi)), signed(libm::cos(phi)), number(libm::cos(near(phi - psi))))
+            format!("{}\\,K_1 {}\\,K_2 + K_3 = {}", number(libm::cos(psi)), subtracted(libm::cos(phi)), number(libm::cos(near(phi - psi))))
         };
         let mut formulas = vec!["K_1\\cos\\psi − K_2\\cos\\varphi + K_3 = \\cos(\\varphi − \\psi)".to_owned()];
         formulas.push(

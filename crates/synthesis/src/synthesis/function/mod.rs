@@ -69,6 +69,14 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     let fit = if form.has("fit") { form.choice("fit", &["points", "minimax"])? } else { "points" };
     let frame = if form.has("frame") { Some(form.size("frame")?) } else { None };
     let crank = if form.has("crank") { Some(form.size("crank")?) } else { None };
+    if form.has("function") && form.has("pairs") {
+        let message =
+            both!("`function` and `pairs` are both given: each alone says what is wanted", "同时给出了 `function` 和 `pairs`，应只给其一");
+        form.fault(
+            Diagnostic::error("wrong-given", message).at(form.span("pairs")).help(both!("leave one of the two out", "请去掉其中一个")),
+        );
+        return None;
+    }
     for (key, with) in [("points", "pairs"), ("relative", "function")] {
         if form.has(key) && form.has(with) {
             let message = both!("`{key}` has no meaning beside `{with}`", "`{key}` 与 `{with}` 不能同时给出");

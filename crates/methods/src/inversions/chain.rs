@@ -1,0 +1,39 @@
+//! The slider-crank chain: what each of its four links is in it.
+
+use crate::scene::{GuidePath, LinkId, Scene};
+
+/// A link of the slider-crank chain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// It carries the guide.
+    Guide,
+    /// It slides in the guide.
+    Slider,
+    /// It is pinned to the link with the guide.
+    Crank,
+    /// It is pinned to crank and slider.
+    Coupler,
+}
+
+/// What a link is in the slider-crank chain; `None` in every other chain.
+pub fn part(scene: &Scene, link: LinkId) -> Option<Part> {
+    let [guide] = &scene.guides[..] else { return None };
+    let (GuidePath::Line { .. }, Some(slider)) = (&guide.path, guide.slider) else { return None };
+    if scene.links.len() != 4 || !scene.rolling.is_empty() || !scene.cams.is_empty() {
+        return None;
+    }
+    let points = |l: LinkId| &scene.links[l.0].points;
+    let pinned = |a: LinkId, b: LinkId| points(a).iter().any(|p| points(b).contains(p));
+    let on_slider = |l: LinkId| guide.pin.is_some_and(|p| points(l).contains(&p)) || pinned(l, slider);
+    let mut others = (0..4).map(LinkId).filter(|l| *l != guide.on && *l != slider);
+    let (a, b) = (others.next()?, others.next()?);
+    let (crank, coupler) = if on_slider(b) { (a, b) } else { (b, a) };
+    let closes = on_slider(coupler) && pinned(crank, coupler) && pinned(crank, guide.on) && !on_slider(crank);
+    let of = |l: LinkId| match l {
+        l if l == guide.on => Part::Guide,
+        l if l == slider => Part::Slider,
+        l if l == crank => Part::Crank,
+        _ => Part::Coupler,
+    };
+    closes.then(|| of(link))
+}
