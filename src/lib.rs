@@ -113,7 +113,7 @@
 //! trig       -
 //! number     trig
 //! geom       number
-//! cam        geom
+//! cam        number geom
 //! scene      diag json digits trig number geom cam
 //! mechanism  diag scene
 //! position   diag digits trig number geom cam scene mechanism

@@ -1,9 +1,9 @@
 //! What is asked of cams at places where double precision has no digits: next to the start of a law, next to an inflection, at a reversal, on a straight flank, at rest.
 
-use super::super::{OMEGA, scene};
+use crate::OMEGA;
 use hodograph::certified::ladder::{Part, certify};
 use hodograph::report::answers;
-use hodograph::scene::{self, Lang, Scene};
+use hodograph::scene::{Lang, Scene, read};
 use hodograph::worked::{NoAnswer, Scope, Worked, work};
 use serde_json::Value as Json;
 
@@ -20,7 +20,7 @@ fn translating(offset: &str, cam: &str, profile: &str, angle: &str, find: &str) 
         "cams": [{{"cam": "2", "follower": "3", {cam}, "profile": {profile}}}],
         "driver": {{"link": "2", "angle": "{angle}", "omega": "{OMEGA} rad/s"}}, "find": ["{find}"]}}"#
     );
-    scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value
+    read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value
 }
 
 fn law(base: &str, gain: &str, rise: &str, dwell: &str, back: &str) -> String {
@@ -89,7 +89,7 @@ fn an_undercut_profile_is_said_to_be_one() {
 #[test]
 fn what_is_zero_is_printed_as_zero() {
     for kind in ["law harmonic", "law 3-4-5", "tangent", "rocker", "hollow"] {
-        let scene = scene(kind, "200 deg");
+        let scene = crate::scene(kind, "200 deg");
         for cam in &scene.cams {
             let t = cam.disc.as_ref().unwrap();
             let survey = t.survey.of(&t.disc);
@@ -102,7 +102,7 @@ fn what_is_zero_is_printed_as_zero() {
         }
     }
     // The pose of a press at its limit, its lengths rounded: the velocity is rounding, and so it is said.
-    let scene = scene::read(include_str!("press-at-its-limit.json")).unwrap().value;
+    let scene = read(include_str!("press-at-its-limit.json")).unwrap().value;
     let (worked, _) = worked(&scene);
     let certified = certify(&scene, &worked, 6);
     let text = answers::text(&scene, &worked, &certified, 6, Lang::En);

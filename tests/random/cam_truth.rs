@@ -1,6 +1,7 @@
 //! Random cams with their scenes, and what is asked of them by formulas of this file in long numbers: derivatives are differences, angles of phases come
 //! from triangles.
 
+use crate::cam_laws::{ends, normal};
 use crate::rng::Rng;
 use hodograph::geom::Vec2;
 use hodograph::number::{Big, Real};
@@ -34,7 +35,7 @@ impl Number {
     }
 }
 
-fn whole(n: i32) -> Big {
+pub fn whole(n: i32) -> Big {
     Big::from_f64(f64::from(n))
 }
 
@@ -87,12 +88,12 @@ impl Cam {
                 [Number::of(&mut rng, 70.0, 140.0), Number::of(&mut rng, 10.0, 60.0), Number::of(&mut rng, 70.0, 140.0)];
             let rest = Number(format!("{:.4}", 360.0 - rise.approx() - dwell.approx() - back.approx()));
             let [out, home] = [LAWS[rng.below(7)], LAWS[rng.below(7)]];
-            let none = || Number("0".into());
+            let none = Number("0".into());
             Profile::Law(vec![
                 (out, gain.clone(), rise),
-                ("", none(), dwell),
+                ("", none.clone(), dwell),
                 (home, Number(format!("-{}", gain.0)), back),
-                ("", none(), rest),
+                ("", none.clone(), rest),
             ])
         } else {
             let flank = match (rng.below(3), &follower) {
@@ -172,40 +173,6 @@ impl Cam {
     }
 }
 
-/// S(x) of a law, by the half of its way that is told.
-fn normal(law: &str, x: Big, half: usize) -> Big {
-    let pi = Big::pi();
-    let sine = |t: Big| t.sin_cos().0;
-    let power = |n: i32| (0..n).fold(whole(1), |p, _| p * x);
-    match law {
-        "uniform" => x,
-        "parabolic" if half == 0 => whole(2) * x * x,
-        "parabolic" => whole(1) - whole(2) * (whole(1) - x) * (whole(1) - x),
-        "harmonic" => (whole(1) - (pi * x).sin_cos().1) / whole(2),
-        "cycloidal" => x - sine(whole(2) * pi * x) / (whole(2) * pi),
-        "3-4-5" => whole(10) * power(3) - whole(15) * power(4) + whole(6) * power(5),
-        "4-5-6-7" => whole(35) * power(4) - whole(84) * power(5) + whole(70) * power(6) - whole(20) * power(7),
-        "modified-sine" => {
-            let over = whole(4) + pi;
-            match half {
-                0 => (pi * x - sine(whole(4) * pi * x) / whole(4)) / over,
-                1 => (whole(2) + pi * x - whole(9) / whole(4) * sine(whole(4) * pi * x / whole(3) + pi / whole(3))) / over,
-                _ => (whole(4) + pi * x - sine(whole(4) * pi * x) / whole(4)) / over,
-            }
-        }
-        other => panic!("{other}"),
-    }
-}
-
-/// Ends of the parts of a law that have formulas of their own.
-fn ends(law: &str) -> &'static [f64] {
-    match law {
-        "parabolic" => &[0.5, 1.0],
-        "modified-sine" => &[0.125, 0.875, 1.0],
-        _ => &[1.0],
-    }
-}
-
 /// The steps of differences: their square is less than what rounding leaves of 640 bits over the same square.
 fn step() -> Big {
     Big::from_f64(2f64.powi(-140))
@@ -256,7 +223,7 @@ impl ByLaw<'_> {
     }
 
     fn sense(&self) -> Big {
-        whole(if self.cam.clockwise { -1 } else { 1 })
+        whole(1 - 2 * i32::from(self.cam.clockwise))
     }
 
     /// The follower's point in the plane and the direction in which it goes out.

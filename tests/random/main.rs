@@ -7,6 +7,7 @@
 mod asked;
 mod bad;
 mod cam_digits;
+mod cam_laws;
 mod cam_truth;
 mod cams;
 mod centres;

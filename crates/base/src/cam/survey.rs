@@ -140,9 +140,10 @@ impl Survey {
             Motion::Profile(_) => low,
         };
         let jumps = jumps(disc, &turn.corners, [v_most, a_most]);
-        let pressure = [1.0, -1.0].map(|way| match disc.touch {
+        let phases = phases(disc, &known, &turn.spans, v_most);
+        let pressure = [1, -1].map(|way| match disc.touch {
             Touch::Flat { .. } => None,
-            Touch::Point { .. } => greatest_pressure(disc, &turn, way, JUMP * v_most),
+            Touch::Point { .. } => greatest_pressure(disc, &turn, phases.iter().filter(|p| p.way == way)),
         });
         let sharpest = sharpest(disc, &turn);
         let of_hollow = |s: Station| Some([s.rho_pitch, s.rho_slope]).filter(|r| r[0] < 0.0);
@@ -150,7 +151,7 @@ impl Survey {
         let mut survey = Survey {
             rest,
             stroke: high - rest,
-            phases: phases(disc, &known, &turn.spans, v_most),
+            phases,
             jumps,
             velocity: [extreme(1, -1.0), extreme(1, 1.0)],
             acceleration: [extreme(2, -1.0), extreme(2, 1.0)],
@@ -230,15 +231,20 @@ impl Survey {
     }
 }
 
-/// The pressure angle of the greatest magnitude as the follower goes one way; where it sets out and where it arrives belong to its way.
-fn greatest_pressure(disc: &Disc, turn: &Turn, way: f64, rest: f64) -> Option<Extreme> {
-    let rate = |s: &Station| way * s.q.0[1];
-    let moves = |span: &&[f64; 2]| sampled(**span).filter_map(|(phi, side)| disc.station(phi, side)).any(|s| rate(&s) > rest);
-    let moving = Turn { corners: turn.corners.clone(), spans: turn.spans.iter().filter(moves).copied().collect() };
-    let there = |phi: f64, side: Side| disc.station(phi, side).filter(|s| rate(s) >= -rest);
+/// The pressure angle of the greatest magnitude in some phases; where the follower sets out and where it arrives belong to its way.
+fn greatest_pressure<'p>(disc: &Disc, turn: &Turn, phases: impl Iterator<Item = &'p Phase>) -> Option<Extreme> {
+    let cut = |p: &Phase| {
+        let within = |c: &f64| *c > p.from + 1e-10 && *c < p.to - 1e-10;
+        let mut at: Vec<f64> = turn.corners.iter().flat_map(|c| [*c, c + TAU]).filter(within).chain([p.from, p.to]).collect();
+        at.sort_by(f64::total_cmp);
+        at.windows(2).map(|w| [w[0], w[1]]).collect::<Vec<_>>()
+    };
+    let spans: Vec<[f64; 2]> = phases.flat_map(cut).collect();
+    // The ends of a phase are ends, whether there are corners or not.
+    let moving = Turn { corners: vec![spans.first()?[0]], spans };
     let magnitude = |s: Station| [s.pressure.abs(), s.pressure_slope * s.pressure.signum()];
-    let found = moving.best(|phi, side| there(phi, side).map(magnitude))?;
-    there(found.phi, found.side).map(|s| (found.phi, s.pressure))
+    let found = moving.best(|phi, side| disc.station(phi, side).map(magnitude))?;
+    disc.station(found.phi, found.side).map(|s| (found.phi, s.pressure))
 }
 
 /// The least convex radius of the pitch curve of a round end, the least radius of the profile of a flat face.
