@@ -405,6 +405,6 @@ fn turning(known: &[Station], near: f64) -> f64 {
         let (a, b) = (&w[0], &w[1]);
         // Newton's method with the exact derivatives from the nearer end.
         let s = if a.q.0[1].abs() < b.q.0[1].abs() { a } else { b };
-        if s.q.0[2] == 0.0 { s.phi } else { (s.phi - s.q.0[1] / s.q.0[2]).clamp(a.phi, b.phi) }
+        if s.q.0[2] == 0.0 { s.phi } else { (s.phi - s.q.0[1] / s.q.0[2]).max(a.phi).min(b.phi) }
     })
 }

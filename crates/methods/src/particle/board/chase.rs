@@ -19,6 +19,9 @@ pub const SIGHTS: usize = 8;
 pub const FINE: usize = 12;
 /// Of the time to the meeting, so much is drawn: there the two stand on each other.
 const NEARLY: f64 = 1.0 - 1e-6;
+/// A perpendicular shorter than this part of the vector from whose tip it falls has lost to rounding what drawing and analysis promise one another, 1e-9:
+/// a handful of operations may lose thirty-two units in the last place each.
+const LEAST: f64 = 32.0 * f64::EPSILON / 1e-9;
 
 /// A pursuit from its start to its end.
 struct Whole {
@@ -84,6 +87,9 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
     let foot = along * along.dot(tip_b);
     let across = tip_b - foot;
     let (arm, rate) = (on_paper_a.distance(on_paper_b), across.norm());
+    // The direction of the line is known to the rounding of the places.
+    let blurred = (on_paper_a.to_vec2().norm() + on_paper_b.to_vec2().norm()) / arm;
+    let seen = rate == 0.0 || rate > LEAST * tip_b.norm() * (1.0 + blurred);
     let omega = rate * mu_v / (arm * mu_l) * if along.cross(tip_b) < 0.0 { -1.0 } else { 1.0 };
     let (a_t, a_n) = (speed[1], tip_a.norm() * mu_v * omega);
     let whole = along * a_t + along.perp() * a_n;
@@ -111,7 +117,7 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
             m.point,
             m.point
         ),
-        both!(
+        if seen { both!(
             "The perpendicular from the tip of $v_{{{target}}}$ on $v_{{{}}}$ measures {} mm: $\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s; {}",
             "由 $v_{{{target}}}$ 的端点向 $v_{{{}}}$ 作垂线，量得 {} mm：$\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s；{}",
             m.point,
@@ -125,7 +131,12 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
             } else {
                 both!("the distance shrinks by {} m/s", "距离以 {} m/s 减小", mm(closing))
             }
-        ),
+        ) } else { both!(
+            "The tip of $v_{{{target}}}$ lies on the line of $v_{{{}}}$ as far as the paper tells: $\\omega_{{{}{target}}}$ is not read but calculated",
+            "$v_{{{target}}}$ 的端点在图上落在 $v_{{{}}}$ 的作用线上：$\\omega_{{{}{target}}}$ 不由作图量取，而由计算得到",
+            m.point,
+            m.point
+        ) },
         if a_t == 0.0 {
             both!(
                 "Draw $a_{{{}}} = v\\omega$ square to the line, for $v$ is constant: it measures {} mm",
@@ -143,13 +154,15 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
         },
     ];
     let (v, acc) = (tip_a * mu_v, (tip_t + tip_n) * mu_a);
-    let readings = vec![
-        (Asked::Distance(k), vec![arm * mu_l]),
-        (Asked::LineOmega(k), vec![omega]),
-        (Asked::Velocity(k), vec![v.x, v.y]),
-        (Asked::Acceleration(k), vec![acc.x, acc.y]),
-        (Asked::Curvature(k), vec![(tip_a.norm() * mu_v / omega).abs()]),
-    ];
+    let mut readings = vec![(Asked::Distance(k), vec![arm * mu_l]), (Asked::Velocity(k), vec![v.x, v.y])];
+    if seen {
+        readings.extend([
+            (Asked::LineOmega(k), vec![omega]),
+            (Asked::Acceleration(k), vec![acc.x, acc.y]),
+            (Asked::Curvature(k), vec![(tip_a.norm() * mu_v / omega).abs()]),
+        ]);
+    }
+    let unread = (!seen).then(|| nearly_straight(&m.point, target));
     let views = Views::Chase {
         course: run.places.iter().map(|pair| pair.map(|p| (p.to_vec2() * (1.0 / mu_l)).to_point())).collect(),
         until: run.until,
@@ -159,5 +172,16 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
         foot: foot.to_point(),
         accelerations,
     };
-    Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps: steps.into_iter().map(Both::sentence).collect(), readings, views }))
+    let steps = steps.into_iter().map(Both::sentence).collect();
+    Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps, readings, calculated: false, unread, views }))
+}
+
+/// What is said where the target moves along the line of sight but for less than the paper shows.
+fn nearly_straight(point: &str, target: &str) -> Diagnostic {
+    let message = both!(
+        "`{target}` moves along the line {point}{target} but for a hair: the drawing does not show how that line turns; ω, the acceleration of {point} and its radius of curvature are those of the analysis alone",
+        "`{target}` 几乎沿连线 {point}{target} 运动：图上量不出该连线的转动；ω、{point} 的加速度和曲率半径仅由解析法给出"
+    );
+    let help = both!("choose an earlier instant to see them drawn", "如需作图，请取较早的时刻");
+    Diagnostic::note("nearly-straight", message).help(help)
 }
