@@ -117,26 +117,30 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
             m.point,
             m.point
         ),
-        if seen { both!(
-            "The perpendicular from the tip of $v_{{{target}}}$ on $v_{{{}}}$ measures {} mm: $\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s; {}",
-            "由 $v_{{{target}}}$ 的端点向 $v_{{{}}}$ 作垂线，量得 {} mm：$\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s；{}",
-            m.point,
-            mm(rate),
-            m.point,
-            mm(rate),
-            mm(arm),
-            mm(omega),
-            if closing < 0.0 {
-                both!("the distance grows by {} m/s", "距离以 {} m/s 增大", mm(-closing))
-            } else {
-                both!("the distance shrinks by {} m/s", "距离以 {} m/s 减小", mm(closing))
-            }
-        ) } else { both!(
-            "The tip of $v_{{{target}}}$ lies on the line of $v_{{{}}}$ as far as the paper tells: $\\omega_{{{}{target}}}$ is not read but calculated",
-            "$v_{{{target}}}$ 的端点在图上落在 $v_{{{}}}$ 的作用线上：$\\omega_{{{}{target}}}$ 不由作图量取，而由计算得到",
-            m.point,
-            m.point
-        ) },
+        if seen {
+            both!(
+                "The perpendicular from the tip of $v_{{{target}}}$ on $v_{{{}}}$ measures {} mm: $\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s; {}",
+                "由 $v_{{{target}}}$ 的端点向 $v_{{{}}}$ 作垂线，量得 {} mm：$\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s；{}",
+                m.point,
+                mm(rate),
+                m.point,
+                mm(rate),
+                mm(arm),
+                mm(omega),
+                if closing < 0.0 {
+                    both!("the distance grows by {} m/s", "距离以 {} m/s 增大", mm(-closing))
+                } else {
+                    both!("the distance shrinks by {} m/s", "距离以 {} m/s 减小", mm(closing))
+                }
+            )
+        } else {
+            both!(
+                "The tip of $v_{{{target}}}$ lies on the line of $v_{{{}}}$ as far as the paper tells: $\\omega_{{{}{target}}}$ is not read but calculated",
+                "$v_{{{target}}}$ 的端点在图上落在 $v_{{{}}}$ 的作用线上：$\\omega_{{{}{target}}}$ 不由作图量取，而由计算得到",
+                m.point,
+                m.point
+            )
+        },
         if a_t == 0.0 {
             both!(
                 "Draw $a_{{{}}} = v\\omega$ square to the line, for $v$ is constant: it measures {} mm",
