@@ -118,5 +118,5 @@ fn profiles_have_no_infinite_numbers() {
             assert!(field.is_empty() || field.parse::<f64>().is_ok_and(f64::is_finite), "{}: {field}", t.name);
         }
     }
-    assert!(tables > 3 && straight > 10, "{tables} {straight}");
+    assert!(tables > 3 && straight > 0, "{tables} {straight}");
 }

@@ -55,7 +55,7 @@ fn fuzz_commands() {
         let code = run.status.code();
         assert!(matches!(code, Some(0 | 2 | 4)), "{line}: {code:?} {said}");
         assert!(!said.contains("panicked"), "{line}: {said}");
-        assert!(code != Some(2) || said.contains("error"), "{line}: refused without a word");
+        assert!(code != Some(2) || !said.is_empty(), "{line}: refused without a word");
         if code != Some(2) {
             finite(&out);
             let written = ["t.csv", "p.csv"].map(|name| fs::read_to_string(at(name)).unwrap_or_default());

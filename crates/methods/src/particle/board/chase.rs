@@ -19,9 +19,10 @@ pub const SIGHTS: usize = 8;
 pub const FINE: usize = 12;
 /// Of the time to the meeting, so much is drawn: there the two stand on each other.
 const NEARLY: f64 = 1.0 - 1e-6;
-/// A perpendicular shorter than this part of the vector from whose tip it falls has lost to rounding what drawing and analysis promise one another, 1e-9:
-/// a handful of operations may lose thirty-two units in the last place each.
-const LEAST: f64 = 32.0 * f64::EPSILON / 1e-9;
+/// What a handful of operations may lose to rounding, relative: thirty-two units in the last place.
+const ROUNDING: f64 = 32.0 * f64::EPSILON;
+/// What drawing and analysis promise one another, relative: a reading that has lost more is none.
+const PROMISED: f64 = 1e-9;
 
 /// A pursuit from its start to its end.
 struct Whole {
@@ -89,7 +90,8 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
     let (arm, rate) = (on_paper_a.distance(on_paper_b), across.norm());
     // The direction of the line is known to the rounding of the places.
     let blurred = (on_paper_a.to_vec2().norm() + on_paper_b.to_vec2().norm()) / arm;
-    let seen = rate == 0.0 || rate > LEAST * tip_b.norm() * (1.0 + blurred);
+    let lost = ROUNDING * tip_b.norm() * (1.0 + blurred);
+    let seen = lost <= PROMISED * rate;
     let omega = rate * mu_v / (arm * mu_l) * if along.cross(tip_b) < 0.0 { -1.0 } else { 1.0 };
     let (a_t, a_n) = (speed[1], tip_a.norm() * mu_v * omega);
     let whole = along * a_t + along.perp() * a_n;
@@ -160,11 +162,13 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
     let (v, acc) = (tip_a * mu_v, (tip_t + tip_n) * mu_a);
     let mut readings = vec![(Asked::Distance(k), vec![arm * mu_l]), (Asked::Velocity(k), vec![v.x, v.y])];
     if seen {
-        readings.extend([
-            (Asked::LineOmega(k), vec![omega]),
-            (Asked::Acceleration(k), vec![acc.x, acc.y]),
-            (Asked::Curvature(k), vec![(tip_a.norm() * mu_v / omega).abs()]),
-        ]);
+        readings.push((Asked::LineOmega(k), vec![omega]));
+        readings.push((Asked::Curvature(k), vec![(tip_a.norm() * mu_v / omega).abs()]));
+    }
+    // Of an acceleration along the line a turning that is not seen leaves the reading what it is.
+    let lost = tip_a.norm() * mu_v * (lost * mu_v / (arm * mu_l));
+    if lost <= PROMISED * whole.norm() {
+        readings.push((Asked::Acceleration(k), vec![acc.x, acc.y]));
     }
     let unread = (!seen).then(|| nearly_straight(&m.point, target));
     let views = Views::Chase {
@@ -183,8 +187,8 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
 /// What is said where the target moves along the line of sight but for less than the paper shows.
 fn nearly_straight(point: &str, target: &str) -> Diagnostic {
     let message = both!(
-        "`{target}` moves along the line {point}{target} but for a hair: the drawing does not show how that line turns; ω, the acceleration of {point} and its radius of curvature are those of the analysis alone",
-        "`{target}` 几乎沿连线 {point}{target} 运动：图上量不出该连线的转动；ω、{point} 的加速度和曲率半径仅由解析法给出"
+        "`{target}` moves along the line {point}{target}, or nearly so: the drawing does not show how that line turns; ω and what rests on it are those of the analysis alone",
+        "`{target}` 沿连线 {point}{target} 运动或几乎如此：图上量不出该连线的转动；ω 及由它求得的量仅由解析法给出"
     );
     let help = both!("choose an earlier instant to see them drawn", "如需作图，请取较早的时刻");
     Diagnostic::note("nearly-straight", message).help(help)
