@@ -72,7 +72,8 @@ mod tests {
         assert!(seen > 50, "{seen}");
     }
 
-    /// Of `body` the given origins E are laid off once, not at each use.
+    /// Of `body` the given origins E are laid off once, not at each use: B and C of a position miss by what is laid off from its one E, and BC by two
+    /// lengths laid off and two ends read, each by σ = 0.1 mm/2.448 along it: 1.96 σ √4 = 0.160 mm.
     #[test]
     fn given_positions_are_laid_off_once() {
         let task = read(templates::get("body").unwrap()).unwrap().value;
@@ -80,7 +81,7 @@ mod tests {
         let board = construct(&task, &design.candidates[0], 1e-3).unwrap().unwrap();
         let at = board.readings.iter().position(|r| r.name == "BC").unwrap();
         let off_mm = tolerances(&task, &design.candidates[0], &board)[at].unwrap() / board.mu_l;
-        assert!((0.30..0.34).contains(&off_mm), "{off_mm}");
+        assert!((0.144..0.176).contains(&off_mm), "{off_mm}");
     }
 
     /// A blunter pencil misses by more: in proportion, but where circles nearly touch, whose crossings go with the root; no reading of a template is hopeless; the same on every run.
