@@ -42,7 +42,7 @@ fn corpus(folders: &[&str]) -> Vec<String> {
 /// A count that wraps and an assertion that fails are found: `cargo test` runs with both checks, in whatever profile.
 #[test]
 fn checks_are_on() {
-    assert!(cfg!(debug_assertions), "Cargo.toml: the profile of these tests has no debug assertions");
+    assert!(std::hint::black_box(cfg!(debug_assertions)), "Cargo.toml: the profile of these tests has no debug assertions");
     let least = std::hint::black_box(0usize);
     assert!(catch_unwind(|| least - 1).is_err(), "Cargo.toml: the profile of these tests has no overflow checks");
 }
