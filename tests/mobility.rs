@@ -207,14 +207,19 @@ fn counts_are_those_of_brute_force() {
         all.sort();
         all.dedup();
         let lower: i64 = all.iter().map(|p| joined(p) - 1).sum();
-        // A disc on a pin of moving links turns for nobody.
-        let idle =
-            on.iter().filter(|(l, own)| *l != "0" && own.len() == 1 && joined(&own[0]) > 1 && !on["0"].contains(&own[0])).count() as i64;
+        // A disc on a pin of moving links turns for nobody; of discs on a pin of their own one is what the others turn about.
+        let discs = |p: &String| on.iter().filter(|(l, own)| *l != "0" && **own == [p.clone()]).count() as i64;
+        let loose: Vec<&&String> = all.iter().filter(|p| joined(p) > 1 && !on["0"].contains(p)).collect();
+        let idle: i64 = loose.iter().map(|p| discs(p).min(joined(p) - 1)).sum();
         let survey = Survey::of(&scene);
         let freedom = 3 * links as i64 - 2 * lower;
         assert_eq!((survey.counts.moving as u64, survey.counts.lower as i64, survey.counts.higher), (links, lower, 0), "{round}: {text}");
         assert_eq!(survey.local.len() as i64, idle, "{round}: {text}");
         assert_eq!(survey.counts.freedom(0, survey.local.len()), freedom - idle, "{round}: {text}");
+        // With every higher pair as a link and two lower ones, and without what turns for nobody, the freedom is the same.
+        let lean = survey.substituted(|_| false);
+        assert!(lean.moving <= links as usize && lean.lower as i64 <= lower, "{round}: {lean:?} {text}");
+        assert_eq!(lean.freedom(0, 0), freedom - idle, "{round}: {lean:?} {text}");
         let compound: Vec<(String, i64)> = all.iter().map(|p| ((*p).clone(), joined(p))).filter(|(_, k)| *k > 2).collect();
         let mut told: Vec<(String, i64)> = survey.compound.iter().map(|(p, k)| (scene.point_name(*p).to_owned(), *k as i64)).collect();
         told.sort();

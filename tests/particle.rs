@@ -58,7 +58,7 @@ fn cases_of_motions_without_a_mechanism() {
             let tolerance = expect["tolerance"].as_f64().unwrap() * exact.abs();
             let found = pick(value.vector().or_else(|| value.scalar().map(|s| vec![s])).unwrap());
             assert!((found - exact).abs() <= tolerance, "{}: {find} {found} {exact}", case["case"]);
-            if let Some(read) = report::drawn(&drawn, problem.find[at].what) {
+            if let Some(read) = shown(&drawn, problem.find[at].what) {
                 assert!((pick(read.to_vec()) - exact).abs() <= tolerance.max(1e-9 * exact.abs()), "{}: {find} drawn", case["case"]);
             }
             seen += 1;
@@ -132,7 +132,12 @@ fn a_slower_pursuer_is_told_apart() {
     assert_eq!(d.code, "never-meets");
 }
 
-/// By drawing and analysis alike, of all templates and of plates in every direction; the parts make up the whole.
+/// What the board shows of a question, read or calculated.
+fn shown(all: &[board::Drawn], what: Asked) -> Option<&[f64]> {
+    all.iter().flat_map(|d| &d.readings).find(|r| r.0 == what).map(|r| r.1.as_slice())
+}
+
+/// By the board and analysis alike, of all templates and of plates in every direction; the parts make up the whole.
 #[test]
 fn parts_make_up_the_whole_and_drawing_agrees() {
     let ring = templates::get("ring-in-space").unwrap();
@@ -150,7 +155,7 @@ fn parts_make_up_the_whole_and_drawing_agrees() {
         let drawn = board::draw(&problem).unwrap();
         for a in &found.answers {
             let what = problem.find[a.find].what;
-            if let Some(read) = report::drawn(&drawn, what) {
+            if let Some(read) = shown(&drawn, what) {
                 let off = report::apart(&a.value, read, report::largest(&problem, &found, what)).unwrap_or(0.0);
                 assert!(off < 1e-11, "{}: {off} {text}", problem.find[a.find].text);
             }
@@ -387,4 +392,44 @@ fn two_points_are_seen_from_one_another() {
         near(p[k], q[k], 1e-13);
         near(pp[k], qq[k], 1e-12);
     }
+}
+
+/// The vectors of a plate are calculated: they are said to be, in both languages, and stand beside no answer as a drawing.
+#[test]
+fn what_is_calculated_is_not_drawn() {
+    for name in templates::names() {
+        let (problem, found) = solved(templates::get(name).unwrap());
+        let drawn = board::draw(&problem).unwrap();
+        let calculated = drawn.iter().all(|d| d.calculated);
+        assert_eq!(calculated, !name.starts_with("pursuit"), "{name}");
+        for (lang, words, claim) in [(Lang::En, "alculated", "drawing differs by"), (Lang::Zh, "计算所得", "作图相差")] {
+            let said = report::text(&problem, &found, &drawn, 6, true, lang);
+            assert_eq!(said.contains(words), calculated, "{name}: {said}");
+            assert_eq!(said.contains(claim), !calculated, "{name}: {said}");
+            assert!(!calculated || !said.contains("measure") && !said.contains("量得"), "{name}: {said}");
+        }
+        let json = report::json(&problem, &found, &drawn, 6, &[]);
+        let any = json["answers"].as_array().unwrap().iter().any(|a| !a["drawn"].is_null());
+        assert_eq!(any, !calculated, "{name}");
+    }
+}
+
+/// Toward the meeting the line of sight turns ever less: what the board cannot show any more is not read from it, and that is said; what it shows agrees.
+#[test]
+fn nothing_is_read_that_the_board_cannot_show() {
+    let (mut unread, mut read_off) = (0, 0);
+    for t in (0..10).map(|k| 70.0 * f64::from(k)).chain((0..8).map(|k| 1300.0 + 50.0 * f64::from(k))).chain([1660.0, 1666.5, 1666.66]) {
+        let text = templates::get("pursuit").unwrap().replace("\"t1\": \"0 s\"", &format!("\"t1\": \"{t} s\""));
+        let (problem, found) = solved(&text);
+        let drawn = board::draw(&problem).unwrap();
+        unread += usize::from(drawn[0].unread.is_some());
+        for a in &found.answers {
+            let what = problem.find[a.find].what;
+            let Some(read) = report::drawn(&drawn, what) else { continue };
+            let off = report::apart(&a.value, read, report::largest(&problem, &found, what)).unwrap_or(0.0);
+            assert!(off <= 1e-9, "{t} s: {} {off:e}", problem.find[a.find].text);
+            read_off += usize::from(matches!(what, Asked::LineOmega(_)));
+        }
+    }
+    assert!(unread > 2 && read_off > 10, "{unread} {read_off}");
 }

@@ -331,6 +331,31 @@ fn clippy_is_told_of_the_same_functions() {
     }
 }
 
+/// `f64::clamp` panics where a bound is not a number, or the lower one lies above the upper one: what a file can reach takes `max` and `min`.
+#[test]
+fn bounds_of_clamp_are_constants() {
+    let mut faults = Vec::new();
+    for (file, code) in code() {
+        for (at, _) in code.match_indices(".clamp(") {
+            let rest = &code[at + ".clamp(".len()..];
+            let mut open = 1;
+            let end = rest.find(|c| {
+                open += i32::from(c == '(') - i32::from(c == ')');
+                open == 0
+            });
+            let bounds = &rest[..end.unwrap_or(rest.len())];
+            let constant = |w: &str| w.starts_with(|c: char| c.is_uppercase() || c.is_ascii_digit()) || CONSTANT.contains(&w);
+            if !words(bounds).all(|(_, w, _)| constant(w)) {
+                faults.push(format!("{file}:{}: clamp({bounds})", code[..at].lines().count()));
+            }
+        }
+    }
+    finish(&faults, "bounds of `clamp` are constants: others may be no numbers");
+}
+
+/// Words in the bounds of `clamp` that are no variables.
+const CONSTANT: [&str; 7] = ["as", "f64", "f32", "u16", "usize", "from", "e"];
+
 #[test]
 fn files_are_short_enough_to_be_overseen() {
     let mut faults = Vec::new();

@@ -321,3 +321,49 @@ fn the_phase_of_wheels_that_wait_for_one_another_is_kept() {
         }
     }
 }
+
+/// A train told by its numbers of teeth alone is laid along the x axis, however long it is.
+#[test]
+fn a_train_by_teeth_is_as_long_as_one_likes() {
+    for count in [3, 66, 67, 100, 200, 480] {
+        let teeth = |k: usize| 17 + 7 * k % 23;
+        let name = |k: usize| (k + 1).to_string();
+        let mut links = serde_json::Map::new();
+        links.insert("0".into(), (0..count).map(|k| format!("G{k}")).collect());
+        (0..count).for_each(|k| drop(links.insert(name(k), serde_json::json!([format!("G{k}")]))));
+        let gears: Vec<serde_json::Value> = (1..count)
+            .map(|k| {
+                serde_json::json!({"links": [name(k - 1), name(k)], "centres": [format!("G{}", k - 1), format!("G{k}")], "teeth": [teeth(k - 1), teeth(k)]})
+            })
+            .collect();
+        let scene = serde_json::json!({"links": links, "ground": "0", "gears": gears, "driver": {"link": "1", "omega": "10 rad/s"},
+            "find": [format!("omega_{count}")]});
+        let scene = scene::read(scene.to_string()).unwrap_or_else(|f| panic!("{count} gears: {f}")).value;
+        let done = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{count} gears: {f}")).value;
+        let sign = if count % 2 == 0 { -1.0 } else { 1.0 };
+        let due = sign * 10.0 * teeth(0) as f64 / teeth(count - 1) as f64;
+        let Value::Scalar(found) = done.results[0].value() else { panic!("no number") };
+        assert!((found - due).abs() < 1e-9 * due.abs(), "{count} gears: {found} {due}");
+    }
+}
+
+/// A pair with a fault leaves nothing behind for others to stumble over: whatever name its contact bears, whoever drives its centre, the fault is told.
+#[test]
+fn the_contact_of_a_wheel_with_any_name() {
+    for at in ["C", "S", "P", "1", "2", "4", "Q", "X", "A'"] {
+        for driven in ["C", "P", "S", "4", "Q"] {
+            let text = format!(
+                r#"{{"units": {{"length": "mm"}}, "links": {{"2": ["C", "P"], "3": ["P", "S"]}}, "ground": "1",
+                "rolling": [{{"wheel": "2", "centre": "C", "radius": 50, "angle": "0 deg", "at": "{at}"}}],
+                "guides": [{{"pin": "S", "slider": "4", "angle": "0 deg"}}], "points": {{"C": [0, 0], "P": [0, 30], "S": [90, 0]}},
+                "driver": {{"slide": "{driven}", "velocity": "1 m/s"}}, "find": ["v_C"]}}"#
+            );
+            let told = scene::read(&text);
+            let reused = ["C", "S", "P"].contains(&at);
+            assert!(!reused || told.as_ref().is_err_and(|f| f.list.iter().any(|d| d.code == "contact-point")), "{at} {driven}: {told:?}");
+            // What the faulty pair would have brought is not missed.
+            let missed = told.err().is_some_and(|f| f.list.iter().any(|d| d.code == "driver"));
+            assert!(!(reused && driven == "C" && missed), "{at}: the wheel's centre is said to run nowhere");
+        }
+    }
+}

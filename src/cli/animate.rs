@@ -3,6 +3,7 @@
 use super::args::Animate;
 use super::draw::style_of;
 use super::sweep::swept_of;
+use super::together::Together;
 use super::{Failure, Input, Run, choices, files};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::poses::{Wanted, turn};
@@ -87,11 +88,12 @@ fn of_figure(d: Diagnostic) -> Failure {
 fn frames(path: &str, all: &[String], dpi: f64) -> Result<String, Failure> {
     let pictures: Result<Vec<Vec<u8>>, Diagnostic> = all.par_iter().map(|svg| png::render(svg, dpi)).collect();
     let stem = Path::new(path).with_extension("");
-    let mut names = String::new();
+    let (mut together, mut names) = (Together::default(), String::new());
     for (k, bytes) in pictures.map_err(of_figure)?.iter().enumerate() {
         let name = format!("{}-{:03}.png", stem.display(), k + 1);
-        files::write(Path::new(&name), bytes)?;
+        together.add(Path::new(&name), bytes)?;
         names.push_str(&format!("{name}\n"));
     }
+    together.appear()?;
     Ok(names)
 }

@@ -65,6 +65,16 @@ pub(super) fn put(
     figures: Vec<(String, Figure)>,
     failed: impl Fn(Faults) -> Failure,
 ) -> Result<Vec<Diagnostic>, Failure> {
+    if figures.is_empty() {
+        let d = Diagnostic::error("no-figure", both!("there is nothing to draw", "没有可画的图"));
+        return Err(failed(
+            d.help(both!(
+                "of what the scene asks no step is drawn: leave --steps out, or ask for velocities or accelerations in \"find\"",
+                "所求各量没有作图步骤：请去掉 --steps，或在 \"find\" 中求速度或加速度"
+            ))
+            .into(),
+        ));
+    }
     if files::ending(&a.output).as_deref() == Some(Format::Pdf.ending()) {
         let pages: Vec<Figure> = figures.into_iter().map(|(_, f)| f).collect();
         let file = pdf::pdf(&pages).map_err(&failed)?;

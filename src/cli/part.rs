@@ -66,16 +66,14 @@ impl Part {
         let file = match found {
             Ok(Some(file)) => file,
             Ok(None) => {
-                // The journal comes first: a part without one is somebody else's.
+                let made = begun_anew((!begun).then_some(&mut journal), &path, out);
                 if !begun {
-                    journal.seek(SeekFrom::Start(0))?;
-                    journal.write_all(journal::MARK)?;
                     text = journal::MARK.to_vec();
+                    if made.is_err() {
+                        let _ = std::fs::remove_file(beside(&path, ".journal"));
+                    }
                 }
-                let file = created(&path)?;
-                // Permissions are set before the first byte, so that a protected file is never readable while it is written.
-                as_before(&file, out)?;
-                file
+                made?
             }
             Err(e) => {
                 if !begun {
@@ -197,6 +195,21 @@ impl Part {
         }
         Ok(())
     }
+}
+
+/// A part that is not there yet. The journal comes first, where it has not begun: a part without one is somebody else's.
+fn begun_anew(journal: Option<&mut File>, path: &Path, out: &Path) -> io::Result<File> {
+    if let Some(journal) = journal {
+        journal.seek(SeekFrom::Start(0))?;
+        journal.write_all(journal::MARK)?;
+    }
+    let file = created(path)?;
+    // Permissions are set before the first byte, so that a protected file is never readable while it is written.
+    if let Err(e) = as_before(&file, out) {
+        let _ = std::fs::remove_file(path);
+        return Err(e);
+    }
+    Ok(file)
 }
 
 /// The CRC-32 of the next bytes; `None` where there are fewer.

@@ -50,6 +50,7 @@ impl Input {
         let Warned { value: problem, notes } = particle::read(&bytes).map_err(failed)?;
         let solved = particle::solve(&problem).map_err(failed)?;
         let board = board::draw(&problem).map_err(|d| failed(d.into()))?;
+        let notes = notes.into_iter().chain(board.iter().filter_map(|d| d.unread.clone())).collect();
         Ok(Input { name, source, problem, solved, board, notes })
     }
 

@@ -211,7 +211,7 @@ impl Maker<'_> {
             cells.iter().map(|c| Phrase::new(c)).collect::<Vec<_>>()
         };
         let steps = course.len().clamp(2, ROWS) - 1;
-        rows.extend((0..=steps).filter_map(|k| course.get(k * (course.len() - 1) / steps)).map(row));
+        rows.extend((0..=steps).filter_map(|k| course.get(k * course.len().saturating_sub(1) / steps)).map(row));
         blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
     }
 

@@ -40,7 +40,10 @@ pub fn particle(problem: &Problem, solved: &Solved, board: &[Drawn], options: &O
         for d in board {
             blocks.extend(equations(problem, d, lang));
             let figure = within_text(problem, solved, d, &options.sheet.style, lang)?;
-            blocks.push(heading(2, "Drawing", "作图"));
+            blocks.push(match d.calculated {
+                true => heading(2, "Calculated, shown to scale", "计算所得，按比例示出"),
+                false => heading(2, "Drawing", "作图"),
+            });
             blocks.push(Block::Figure { name: "motion", figure: Box::new(figure) });
             let steps = d.steps.iter().map(|s| Phrase::new(lang.of(s))).collect();
             blocks.push(Block::List { numbered: true, members: steps });

@@ -98,3 +98,25 @@ fn a_swinging_face_goes_over_its_joints_with_a_line_and_without() {
         assert!((a - b).abs() <= 1e-9 * b.abs().max(1.0), "{bare:?}\n{lined:?}");
     }
 }
+
+/// Every field of a profile is a number or empty: a straight flank has no radius.
+#[test]
+fn profiles_have_no_infinite_numbers() {
+    let out = tempfile::tempdir().unwrap();
+    let csv = out.path().join("p.csv");
+    let (mut tables, mut straight) = (0, 0);
+    for t in hodograph::scene::templates::list() {
+        let scene = super::templates_path(t.name);
+        let mut run = hodograph();
+        if !run.args(["cam", &scene, "--cam", "1", "--steps", "90", "--profile"]).arg(&csv).output().unwrap().status.success() {
+            continue;
+        }
+        tables += 1;
+        let table = std::fs::read_to_string(&csv).unwrap();
+        for field in table.lines().skip(1).flat_map(|l| l.split(',')) {
+            straight += usize::from(field.is_empty());
+            assert!(field.is_empty() || field.parse::<f64>().is_ok_and(f64::is_finite), "{}: {field}", t.name);
+        }
+    }
+    assert!(tables > 3 && straight > 0, "{tables} {straight}");
+}

@@ -257,3 +257,16 @@ fn gears_and_wheels_have_line_diagrams() {
         run.write_stdin(case["scene"].to_string()).assert().success();
     }
 }
+
+/// A drawing without a figure is no drawing: what was asked for has no step.
+#[test]
+fn no_figure_is_told() {
+    let out = tempfile::tempdir().unwrap();
+    for target in ["dir/", "steps.pdf"] {
+        let target = out.path().join(target);
+        let asked = ["draw", "tests/cli/no-steps.json", "--steps", "--format", "svg", "-o"];
+        let run = hodograph().args(asked).arg(target).assert().code(2);
+        assert!(text(&run.get_output().stderr).contains("no-figure"), "{}", text(&run.get_output().stderr));
+        assert_eq!(std::fs::read_dir(out.path()).unwrap().count(), 0);
+    }
+}

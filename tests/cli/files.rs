@@ -254,6 +254,7 @@ fn files_of_one_command_appear_together_or_not_at_all() {
             "shaper-mechanism.svg",
             &["shaper-velocity.svg", "shaper-velocity.png"],
         ),
+        ("animate templates/crank-rocker.json --frames 4 --dpi 40 -o turn.png", "turn-003.png", &["turn-001.png", "turn-002.png"]),
     ] {
         // One of the names is taken by a folder; of the others one stands there already.
         fs::create_dir(at(barred)).unwrap();
@@ -323,4 +324,29 @@ fn endings_may_be_written_large() {
     fs::File::create(&style).unwrap().write_all(b"{ \"base\": \"dark\" }").unwrap();
     let out = folder.path().join("dark.svg");
     hodograph().args(["draw", "templates/crank-rocker.json", "--style"]).arg(style).arg("-o").arg(out).assert().success();
+}
+
+/// Where the disk takes no byte more, nothing of a command is left behind.
+#[test]
+fn a_full_disk_leaves_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let root = env!("CARGO_MANIFEST_DIR");
+    for (command, blocks) in [
+        (format!("animate {root}/templates/crank-rocker.json --frames 6 --dpi 40 -o turn.png"), 0),
+        (format!("batch {root}/templates/crank-rocker.json --vary l_AB=60..100:4 --steps 20 --find a_C -o b.csv"), 0),
+        (format!("batch {root}/templates/crank-rocker.json --vary l_AB=60..100:40 --steps 200 --find a_C -o b.csv"), 2),
+        (format!("draw {root}/templates/crank-rocker.json -o out.svg"), 1),
+        (format!("cam {root}/templates/cam-offset-roller.json --profile p.csv"), 1),
+        (format!("sweep {root}/templates/crank-rocker.json --steps 2000 -o s.csv"), 2),
+        (format!("lesson {root}/templates/crank-rocker.json --positions 8 -o l.html"), 1),
+    ] {
+        // A file may have so many blocks of 512 bytes; the signal that the shell's limit sends is not what a full disk does.
+        let limited = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" {command}");
+        let run =
+            std::process::Command::new("sh").args(["-c", &limited, env!("CARGO_BIN_EXE_hodograph")]).current_dir(folder.path()).output();
+        let run = run.unwrap();
+        assert_eq!(run.status.code(), Some(1), "{command}: {}", text(&run.stderr));
+        assert!(run.stdout.is_empty(), "{command}: {}", text(&run.stdout));
+        assert_eq!(count(folder.path()), 0, "{command}: something is left behind");
+    }
 }

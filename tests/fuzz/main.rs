@@ -1,9 +1,11 @@
-//! Mutated input, as long as one likes: scenes, style files, arguments; wishes and motions ([`tasks`]). (Journals: `src/cli/part/tests.rs`.)
+//! Mutated input, as long as one likes: scenes, style files, arguments; scenes through all commands ([`commands`]); wishes and motions ([`tasks`]).
+//! (Journals: `src/cli/part/tests.rs`.)
 //!
 //! A few seconds of it run with every `cargo test`, always the same inputs. `HODOGRAPH_FUZZ_SECONDS=60 cargo test fuzz` runs each target
 //! for a minute, `HODOGRAPH_FUZZ_SEED=7` with others. The seeds of scenes are all templates and the scenes of `tests/bad` and `tests/repro`. An
 //! input that breaks something is printed with the failure.
 
+mod commands;
 mod mutate;
 mod tasks;
 
@@ -35,6 +37,14 @@ fn corpus(folders: &[&str]) -> Vec<String> {
     files.sort();
     assert!(!files.is_empty());
     files.iter().map(|f| fs::read_to_string(f).unwrap()).collect()
+}
+
+/// A count that wraps and an assertion that fails are found: `cargo test` runs with both checks, in whatever profile.
+#[test]
+fn checks_are_on() {
+    assert!(std::hint::black_box(cfg!(debug_assertions)), "Cargo.toml: the profile of these tests has no debug assertions");
+    let least = std::hint::black_box(0usize);
+    assert!(catch_unwind(|| least - 1).is_err(), "Cargo.toml: the profile of these tests has no overflow checks");
 }
 
 /// Feeds mutated inputs to a target: so many, or for as long as is asked for. Prints how many were accepted.

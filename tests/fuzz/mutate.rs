@@ -65,6 +65,9 @@ const HOSTILE: [&str; 40] = [
     "1/0",
 ];
 
+/// Names are so long at most (bytes).
+const LONGEST_NAME: usize = 8;
+
 /// Makes inputs of a corpus.
 pub struct Mutator<'a> {
     seeds: &'a [String],
@@ -75,13 +78,17 @@ impl<'a> Mutator<'a> {
         Mutator { seeds }
     }
 
-    /// One of the texts after one to four mutations. Of two inputs one is changed in its numbers only: it still is what it was, and
-    /// comes further.
+    /// One of the texts after one to four mutations. Of five inputs two are changed in their numbers only and one in its names: they still are what
+    /// they were, and come further.
     pub fn input(&self, rng: &mut Rng) -> Vec<u8> {
         let mut text = self.seeds[rng.below(self.seeds.len())].clone().into_bytes();
-        let gentle = rng.below(2) == 0;
+        let kind = rng.below(5);
         for _ in 0..1 + rng.below(4) {
-            if gentle { Mutator::digit(&mut text, rng) } else { self.mutate(&mut text, rng) }
+            match kind {
+                0 | 1 => Mutator::digit(&mut text, rng),
+                2 => Mutator::name(&mut text, rng),
+                _ => self.mutate(&mut text, rng),
+            }
         }
         text
     }
@@ -91,6 +98,17 @@ impl<'a> Mutator<'a> {
         let digits: Vec<usize> = (0..text.len()).filter(|i| text[*i].is_ascii_digit()).collect();
         if let Some(&at) = digits.get(rng.below(digits.len())) {
             text[at] = b'0' + rng.below(10) as u8;
+        }
+    }
+
+    /// A word between quotation marks for another one of the same text: a point, link or key that is in use already.
+    fn name(text: &mut Vec<u8>, rng: &mut Rng) {
+        let marks: Vec<usize> = (0..text.len()).filter(|i| text[*i] == b'"').collect();
+        let words: Vec<[usize; 2]> = marks.chunks_exact(2).map(|m| [m[0] + 1, m[1]]).filter(|[a, b]| b - a <= LONGEST_NAME).collect();
+        let (one, other) = (words.get(rng.below(words.len())), words.get(rng.below(words.len())));
+        if let (Some([a, b]), Some([c, d])) = (one, other) {
+            let word = text[*c..*d].to_vec();
+            text.splice(*a..*b, word);
         }
     }
 

@@ -222,7 +222,7 @@ fn stages(
 ) -> Result<Warned<Worked>, Faults> {
     let mut notes = Vec::new();
     let mut solution = analytic::solve(scene, &mechanism, &configuration, &demand)?;
-    let mut singular = singular_groups(&mechanism, &solution);
+    let mut singular = singular_groups(scene, &mechanism, &solution);
     let mut written = if singular.is_empty() { None } else { regular(scene, &mechanism, &demand, &configuration, &scene.find) };
     if let Some(written) = &written {
         solution.taken_for_singular(|words| near_singular(words, written));
@@ -312,7 +312,7 @@ fn stages(
         };
         let Some(computed) = computed.filter(|c| !far::is_nowhere(&find.what, c, sizes.extent)) else {
             let asked = Demand::of_questions(scene, &mechanism, [find]);
-            let rests_on = |r: &&Refused| groups_of(&mechanism, &r.links, &r.pins).iter().any(|g| asked.groups[*g].is_some());
+            let rests_on = |r: &&Refused| groups_of(scene, &mechanism, (&r.links, &r.pins)).iter().any(|g| asked.groups[*g].is_some());
             if let Some(refused) = solution.refused.iter().find(rests_on) {
                 unanswered.push(Unanswered { find: i, why: NoAnswer::NoMotion(Box::new(refused.clone())) });
                 continue;
@@ -387,7 +387,7 @@ fn magnified(paper: &Construction, level: Level) -> f64 {
 
 /// The nearly singular groups on which answers rest that double precision has lost; where none of them is, all on which they rest.
 fn lost_groups(scene: &Scene, m: &Mechanism, solution: &Solution, lost: &[usize]) -> Vec<usize> {
-    let near: Vec<usize> = solution.near.iter().flat_map(|n| groups_of(m, &n.links, &n.pins)).collect();
+    let near: Vec<usize> = solution.near.iter().flat_map(|n| groups_of(scene, m, (&n.links, &n.pins))).collect();
     let mut groups: Vec<usize> = Vec::new();
     for i in lost {
         let all = groups_of_question(scene, m, &scene.find[*i]);
@@ -414,14 +414,21 @@ fn near_singular(words: &Both, regular: &Regular) -> Diagnostic {
 }
 
 /// The groups that are singular in the pose: their lines coincide, so that no crossing on paper tells anything.
-fn singular_groups(m: &Mechanism, solution: &Solution) -> Vec<usize> {
-    let answered = solution.singular.iter().flat_map(|s| groups_of(m, &s.links, &s.pins));
-    let mut groups: Vec<usize> = answered.chain(solution.refused.iter().flat_map(|r| groups_of(m, &r.links, &r.pins))).collect();
+fn singular_groups(scene: &Scene, m: &Mechanism, solution: &Solution) -> Vec<usize> {
+    let answered = solution.singular.iter().flat_map(|s| groups_of(scene, m, (&s.links, &s.pins)));
+    let refused = solution.refused.iter().flat_map(|r| groups_of(scene, m, (&r.links, &r.pins)));
+    let mut groups: Vec<usize> = answered.chain(refused).collect();
     groups.sort_unstable();
     groups.dedup();
     groups
 }
 
-fn groups_of(m: &Mechanism, links: &[LinkId], pins: &[PointId]) -> Vec<usize> {
-    links.iter().filter_map(|l| m.group_of_link[l.0]).chain(pins.iter().filter_map(|p| m.group_of_pin[p.0])).collect()
+/// The groups of links and pins; a link that follows others has none of its own and counts as its pins.
+fn groups_of(scene: &Scene, m: &Mechanism, (links, pins): (&[LinkId], &[PointId])) -> Vec<usize> {
+    let of_pins = |pins: &[PointId]| pins.iter().filter_map(|p| m.group_of_pin[p.0]).collect::<Vec<usize>>();
+    let of_link = |l: &LinkId| m.group_of_link[l.0].map_or_else(|| of_pins(&scene.links[l.0].points), |g| vec![g]);
+    let mut groups: Vec<usize> = links.iter().flat_map(of_link).chain(of_pins(pins)).collect();
+    groups.sort_unstable();
+    groups.dedup();
+    groups
 }

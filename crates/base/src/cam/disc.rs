@@ -362,7 +362,12 @@ impl Disc {
             Side::Before => phi - BESIDE,
             Side::After => phi + BESIDE,
         };
-        let turn = self.sense * beside;
+        // Where the follower leaves its cam nothing is touched beside the pose on that side, but in the pose.
+        self.farthest(segments, self.sense * beside).or_else(|| self.farthest(segments, self.sense * phi))
+    }
+
+    /// The piece that holds the follower farthest out, the cam turned by so much.
+    fn farthest(&self, segments: &[Segment], turn: f64) -> Option<usize> {
         let mut best: Option<(usize, f64)> = None;
         for (i, segment) in segments.iter().enumerate() {
             let q = segment.coordinate(&self.follower, &self.touch, Jet::constant(turn)).value();

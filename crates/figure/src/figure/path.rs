@@ -351,11 +351,11 @@ pub(super) fn turned(radians: f64, factor: f64, full: bool) -> f64 {
 /// Title, drawings and table on the page: the mechanism beside the hodographs, these in one row or one column for each kind,
 /// whichever comes nearer to A4.
 fn stand(title: Option<Part>, drawings: Vec<Part>, text: Part) -> (Vec<Item>, [f64; 2]) {
-    let per_level = (drawings.len() - 1) / 2;
+    let per_level = drawings.len().saturating_sub(1) / 2;
     let mut parts = drawings;
     let leaves = |from: usize, count: usize| (from..from + count).map(Tree::Leaf).collect::<Vec<_>>();
     let (table, heading) = (parts.len(), title.is_some().then_some(parts.len() + 1));
-    let levels = (parts.len() - 1).div_ceil(per_level.max(1));
+    let levels = parts.len().saturating_sub(1).div_ceil(per_level.max(1));
     parts.push(text);
     parts.extend(title);
     let level = |k: usize| leaves(1 + k * per_level, per_level);

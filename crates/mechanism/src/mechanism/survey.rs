@@ -100,7 +100,10 @@ impl Survey {
     /// The same with so many drivers at least.
     pub fn driven_by(scene: &Scene, least: usize) -> Survey {
         let (counts, compound, mut local) = counted(scene);
-        let idle: Vec<LinkId> = (0..scene.links.len()).map(LinkId).filter(|l| is_idle(scene, *l)).collect();
+        let mut idle: Vec<LinkId> = (0..scene.links.len()).map(LinkId).filter(|l| is_idle(scene, *l)).collect();
+        // Of discs on a pin that nothing else carries one stays, about which the others turn.
+        let on_nothing: Vec<LinkId> = (0..scene.points.len()).filter_map(|p| alone(scene, PointId(p), &idle)).collect();
+        idle.retain(|l| !on_nothing.contains(l));
         local.extend(idle.iter().map(|l| {
             let link = &scene.links[l.0];
             let pin = link.points.iter().find(|p| scene.carriers(**p).count() > 1).or(link.points.first());
@@ -139,7 +142,8 @@ impl Survey {
 fn counted(scene: &Scene) -> (Counts, Vec<(PointId, usize)>, Vec<Local>) {
     let closed = Opening { passive: super::find_passive(scene), redundant: Vec::new(), touches: None };
     let mobility = super::mobility::count(scene, &closed.pins_and_constraints(scene).1);
-    let bare = |p: PointId| scene.carriers(p).next().is_none();
+    let is_end = |p: PointId| scene.drivers.iter().any(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p)));
+    let bare = |p: PointId| scene.carriers(p).next().is_none() && !is_end(p);
     let mut local: Vec<Local> = Vec::new();
     for p in scene.guides.iter().filter(|g| g.slider.is_none() && g.rolling.is_none()).filter_map(|g| g.pin).filter(|p| bare(*p)) {
         let pin = scene.point_name(p).to_owned();
@@ -171,6 +175,13 @@ fn is_idle(scene: &Scene, l: LinkId) -> bool {
     let driven = scene.drivers.iter().any(|d| d.kind.turns_link(l) || ends_there(&d.kind));
     let grounded = scene.links[scene.ground.0].points.contains(&pin);
     l != scene.ground && !grounded && scene.carriers(pin).count() > 1 && !slides && !driven
+}
+
+/// The first link on a pin that idle links alone carry.
+fn alone(scene: &Scene, pin: PointId, idle: &[LinkId]) -> Option<LinkId> {
+    let first = scene.carriers(pin).next()?;
+    let is_end = scene.drivers.iter().any(|d| d.kind.ends().is_some_and(|ends| ends.contains(&pin)));
+    (!is_end && scene.carriers(pin).all(|l| idle.contains(&l))).then_some(first)
 }
 
 /// The same scene without some links, on which nothing hangs.
@@ -239,13 +250,15 @@ fn substituted(scene: Option<&Scene>, counts: Counts, local: &[Local], repeated:
     for _ in local.iter().filter(|l| !l.bare) {
         (moving, lower) = (moving - 1, lower - 1);
     }
+    let Some(scene) = scene else { return replaced(Counts { moving, lower, higher }, local) };
+    let opened: Vec<LinkId> = repeated.iter().filter_map(|r| if let Opened::Link(l) = r.opened { Some(l) } else { None }).collect();
+    // A pin joins so many links less; one alone it does not join.
+    let gone = |p: PointId| scene.carriers(p).filter(|l| opened.contains(l)).count().min(scene.carriers(p).count().saturating_sub(1));
+    moving -= opened.len();
+    lower -= (0..scene.points.len()).map(|p| gone(PointId(p))).sum::<usize>();
     for r in repeated {
-        let Some(scene) = scene else { continue };
         match r.opened {
-            Opened::Link(l) => {
-                moving -= 1;
-                lower -= scene.links[l.0].points.iter().filter(|p| scene.carriers(**p).count() > 1).count();
-            }
+            Opened::Link(_) => {}
             // With its block: the guide and the pin.
             Opened::Guide(g) if scene.guides[g.0].slider.is_some_and(|s| is_block(scene, s)) => (moving, lower) = (moving - 1, lower - 2),
             Opened::Guide(g) if scene.guides[g.0].slider.is_some() => lower -= 1,
@@ -257,7 +270,11 @@ fn substituted(scene: Option<&Scene>, counts: Counts, local: &[Local], repeated:
             Opened::Pin(..) => lower -= 1,
         }
     }
-    // The body of a bare pin becomes one of the two blocks.
+    replaced(Counts { moving, lower, higher }, local)
+}
+
+/// The same with every higher pair as a link with two lower pairs. The body of a bare pin becomes one of the two blocks.
+fn replaced(Counts { moving, lower, higher }: Counts, local: &[Local]) -> Counts {
     let bare = local.iter().filter(|l| l.bare).count().min(higher);
     Counts { moving: moving + higher - bare, lower: lower + 2 * higher - bare, higher: 0 }
 }

@@ -1,8 +1,9 @@
-//! The same by ruler and paper, at the instant: places, velocities and accelerations to scale, what is wanted measured.
+//! The same on paper, at the instant: places, velocities and accelerations to scale.
 //!
-//! Given to the board are places, the laws' speeds and second derivatives along their ways, and the turning of a plate; directions are carried over with
-//! the ruler, lengths measured, angular rates are quotients of measured lengths. Where a pursuer is at the instant no ruler tells: that place is
-//! integrated, and the sentences say so, their symbols between dollar signs. Nothing of [`super::solve`] is used.
+//! A pursuit is drawn: given to the board are places and the laws' speeds along their ways; directions are carried over with the ruler, lengths
+//! measured, angular rates are quotients of measured lengths. Where a pursuer is at the instant no ruler tells: that place is
+//! integrated, and the sentences say so, their symbols between dollar signs. Nothing of [`super::solve`] is used. The vectors of a plate are calculated
+//! from the laws and shown to scale: nothing is measured on them, and they prove no answer.
 
 mod chase;
 
@@ -48,8 +49,12 @@ pub struct Drawn {
     pub mu: [f64; 3],
     /// What is done, sentence by sentence.
     pub steps: Vec<Both>,
-    /// What is read: vectors by their components, in SI.
+    /// What is read, or calculated: vectors by their components, in SI.
     pub readings: Vec<(Asked, Vec<f64>)>,
+    /// Whether the vectors are calculated and shown to scale, none of them read.
+    pub calculated: bool,
+    /// Why some answers are not read.
+    pub unread: Option<Diagnostic>,
     /// What is drawn.
     pub views: Views,
 }
@@ -118,7 +123,7 @@ fn rounded(jet: Jet<Big>) -> Jet3 {
     jet.0.map(|x| x.approx())
 }
 
-/// Draws all motions that have something to draw: chases and points on plates.
+/// Draws all motions that have something to draw: pursuits, and points on plates as they are calculated.
 ///
 /// # Errors
 /// Laws without a value.
@@ -268,24 +273,24 @@ fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagn
     ];
     let steps = vec![
         both!(
-            "View on the plate: lay off $v_r$ along the path, {} mm; across the axis it measures {} mm, along it {} mm, which is $v_{{{}}}$",
-            "板面视图：沿轨迹作 $v_r$，长 {} mm；量得垂直于轴的分量 {} mm，沿轴的分量 {} mm，即 $v_{{{}}}$",
+            "View on the plate: $v_r$ along the path is {} mm long; its part across the axis is {} mm, along it {} mm, which is $v_{{{}}}$",
+            "板面视图：$v_r$ 沿轨迹，长 {} mm；垂直于轴的分量为 {} mm，沿轴的分量为 {} mm，即 $v_{{{}}}$",
             mm(paper_v(on.velocity).norm()),
             mm(across.abs()),
             mm(paper_v(on.velocity).y.abs()),
             plate.axis.letter()
         ),
         both!(
-            "View along the axis: the arm measures {} mm; $v_e$ = $\\omega$ · {} m square to it, $v_r'$ = {} mm along the plate; the diagonal is {} mm",
-            "沿轴视图：量得臂长 {} mm；$v_e$ = $\\omega$ · {} m，与臂垂直；$v_r'$ = {} mm，沿板；对角线长 {} mm",
+            "View along the axis: the arm is {} mm long; $v_e$ = $\\omega$ · {} m square to it, $v_r'$ = {} mm along the plate; the diagonal is {} mm",
+            "沿轴视图：臂长 {} mm；$v_e$ = $\\omega$ · {} m，与臂垂直；$v_r'$ = {} mm，沿板；对角线长 {} mm",
             mm(arm.norm()),
             mm(reach),
             mm(across.abs()),
             mm(v_top_whole.norm())
         ),
         both!(
-            "View on the plate: the relative acceleration $a_r$ measures {} mm, its part across the axis {} mm",
-            "板面视图：相对加速度 $a_r$ 量得 {} mm，其垂直于轴的分量 {} mm",
+            "View on the plate: the relative acceleration $a_r$ is {} mm long, its part across the axis {} mm",
+            "板面视图：相对加速度 $a_r$ 长 {} mm，其垂直于轴的分量 {} mm",
             mm(paper_a(a_r).norm()),
             mm(paper_a(a_r).x.abs())
         ),
@@ -296,8 +301,8 @@ fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagn
             mm(ak.norm())
         ),
         both!(
-            "View along the axis: $a^n_e$ = $\\omega^2$ · {} m toward the axis{}; the sum of all parts measures {} mm; along the axis $a_{{{}}}$ = {} mm in the view on the plate",
-            "沿轴视图：$a^n_e$ = $\\omega^2$ · {} m，指向轴{}；各分量之和量得 {} mm；板面视图上沿轴 $a_{{{}}}$ = {} mm",
+            "View along the axis: $a^n_e$ = $\\omega^2$ · {} m toward the axis{}; the sum of all parts is {} mm long; along the axis $a_{{{}}}$ = {} mm in the view on the plate",
+            "沿轴视图：$a^n_e$ = $\\omega^2$ · {} m，指向轴{}；各分量之和长 {} mm；板面视图上沿轴 $a_{{{}}}$ = {} mm",
             mm(reach),
             if alpha == 0.0 {
                 both!("", "")
@@ -310,5 +315,6 @@ fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagn
         ),
     ];
     let views = Views::Plate { places: [front, top], along, velocities: [v_front, v_top], accelerations: [a_front, a_top] };
-    Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps: steps.into_iter().map(Both::sentence).collect(), readings, views }))
+    let steps = steps.into_iter().map(Both::sentence).collect();
+    Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps, readings, calculated: true, unread: None, views }))
 }

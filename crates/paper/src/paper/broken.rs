@@ -92,8 +92,10 @@ impl Way {
         match self {
             Way::Straight(corners) => {
                 let wanted = t * self.length_mm();
-                let k = corners.partition_point(|c| c.1 < wanted).clamp(1, corners.len() - 1);
-                let [(from, before), (to, length)] = [corners[k - 1], corners[k]];
+                let k = corners.partition_point(|c| c.1 < wanted).min(corners.len().saturating_sub(1)).max(1);
+                let (Some((from, before)), Some((to, length))) = (corners.get(k - 1).copied(), corners.get(k).copied()) else {
+                    return corners.first().map_or(Point::ORIGIN, |c| c.0);
+                };
                 if length > before { from + (to - from) * ((wanted - before) / (length - before)) } else { to }
             }
             Way::Bent { centre, radius_mm, from_rad, sweep_rad } => on_circle(*centre, *radius_mm, from_rad + sweep_rad * t),

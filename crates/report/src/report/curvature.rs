@@ -201,6 +201,15 @@ impl Words<'_> {
         out.iter().map(|s| Phrase::new(s)).collect()
     }
 
+    /// What a figure says of the places that it takes from the analysis.
+    pub fn calculated(&self) -> Phrase {
+        Phrase::new(tr(
+            self.lang,
+            "pole, inflection circle and centres of curvature are shown where they are calculated",
+            "图中速度瞬心、拐点圆和曲率中心的位置由计算得到",
+        ))
+    }
+
     /// Why there is no drawing.
     fn not_drawn(&self, of: &OfLink) -> Option<String> {
         let (lang, pole) = (self.lang, self.pole(of));

@@ -106,9 +106,9 @@ pub fn apart(answer: &Value, drawn: &[f64], largest: f64) -> Option<f64> {
     Some(if size > 0.0 { off / size } else { off })
 }
 
-/// The drawn value of an answer.
+/// The drawn value of an answer: what is calculated is not drawn.
 pub fn drawn(all: &[Drawn], what: Asked) -> Option<&[f64]> {
-    all.iter().flat_map(|d| &d.readings).find(|r| r.0 == what).map(|r| r.1.as_slice())
+    all.iter().filter(|d| !d.calculated).flat_map(|d| &d.readings).find(|r| r.0 == what).map(|r| r.1.as_slice())
 }
 
 /// The report.
@@ -131,13 +131,21 @@ pub fn text(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, 
     }
     if steps {
         for d in board {
-            out += &format!("\n{}{}\n", tr(lang, "Drawing: ", "作图："), Phrase::new(&scales(&problem.book, d.mu)).plain());
+            out += &format!("\n{}{}\n", head(d, lang), Phrase::new(&scales(&problem.book, d.mu)).plain());
             for (k, s) in d.steps.iter().enumerate() {
                 out += &format!("{}. {}\n", k + 1, Phrase::new(lang.of(s)).plain());
             }
         }
     }
     out
+}
+
+/// The words over the steps of a drawing.
+fn head(drawn: &Drawn, lang: Lang) -> &'static str {
+    match drawn.calculated {
+        true => tr(lang, "Calculated, shown to scale: ", "计算所得，按比例示出："),
+        false => tr(lang, "Drawing: ", "作图："),
+    }
 }
 
 /// The scales of a drawing in the label language.

@@ -68,6 +68,8 @@ pub struct Board {
     pub readings: Vec<Reading>,
     /// A hand that misses; none puts every mark where it is meant.
     hand: RefCell<Option<Blunt>>,
+    /// The places that the hand has laid off (m), each with its mark: a place is marked once.
+    laid: RefCell<Vec<(Point, Point)>>,
 }
 
 /// Circles whose lines are nearer than this are seen to touch (mm).
@@ -122,7 +124,7 @@ impl Line {
 impl Board {
     /// An empty sheet.
     pub fn new(mu_l: f64) -> Board {
-        Board { mu_l, steps: Vec::new(), readings: Vec::new(), hand: RefCell::new(None) }
+        Board { mu_l, steps: Vec::new(), readings: Vec::new(), hand: RefCell::default(), laid: RefCell::default() }
     }
 
     /// An empty sheet for a pencil that misses: what is laid off and pricked, openings of the compasses, readings.
@@ -173,9 +175,15 @@ impl Board {
         length + self.pricked(Point::ORIGIN).x
     }
 
-    /// A place on paper.
+    /// A place on paper. One that has been laid off before is the mark that is there.
     pub fn at(&self, place: Point) -> Point {
-        self.pricked(Point::new(place.x / self.mu_l, place.y / self.mu_l))
+        let mut laid = self.laid.borrow_mut();
+        if let Some((_, mark)) = laid.iter().find(|(known, _)| *known == place) {
+            return *mark;
+        }
+        let mark = self.pricked(Point::new(place.x / self.mu_l, place.y / self.mu_l));
+        laid.push((place, mark));
+        mark
     }
 
     /// Begins a step.

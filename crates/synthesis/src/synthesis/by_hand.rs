@@ -41,7 +41,48 @@ pub fn pencil_mm(task: &Task) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geom::Point;
     use crate::synthesis::{KINDS, construct, read, solve, templates};
+
+    /// A point has one mark, however often the construction comes back to it.
+    #[test]
+    fn a_point_is_marked_once() {
+        let mut seen = 0;
+        for kind in KINDS {
+            let task = read(templates::get(kind.name).unwrap()).unwrap().value;
+            let design = solve(&task).unwrap();
+            for candidate in &design.candidates {
+                let Some(board) = construct(&task, candidate, 1e-3).unwrap() else { continue };
+                let mut hand = Board::by_hand(board.mu_l, Blunt::new(0.1, 3));
+                if task.wish.construct(&candidate.draft, &mut hand).is_none() {
+                    continue;
+                }
+                let mut marks: Vec<&str> = hand.steps.iter().flat_map(|s| &s.marks).map(|m| m.0.as_str()).collect();
+                let exact = board.steps.iter().flat_map(|s| &s.marks).count();
+                assert_eq!(marks.len(), exact, "{}: {marks:?}", kind.name);
+                marks.sort_unstable();
+                let all = marks.len();
+                marks.dedup();
+                assert_eq!(marks.len(), all, "{}", kind.name);
+                let place = Point::new(0.125, -0.25);
+                assert_eq!(hand.at(place), hand.at(place));
+                seen += all;
+            }
+        }
+        assert!(seen > 50, "{seen}");
+    }
+
+    /// Of `body` the given origins E are laid off once, not at each use: B and C of a position miss by what is laid off from its one E, and BC by two
+    /// lengths laid off and two ends read, each by σ = 0.1 mm/2.448 along it: 1.96 σ √4 = 0.160 mm.
+    #[test]
+    fn given_positions_are_laid_off_once() {
+        let task = read(templates::get("body").unwrap()).unwrap().value;
+        let design = solve(&task).unwrap();
+        let board = construct(&task, &design.candidates[0], 1e-3).unwrap().unwrap();
+        let at = board.readings.iter().position(|r| r.name == "BC").unwrap();
+        let off_mm = tolerances(&task, &design.candidates[0], &board)[at].unwrap() / board.mu_l;
+        assert!((0.144..0.176).contains(&off_mm), "{off_mm}");
+    }
 
     /// A blunter pencil misses by more: in proportion, but where circles nearly touch, whose crossings go with the root; no reading of a template is hopeless; the same on every run.
     #[test]

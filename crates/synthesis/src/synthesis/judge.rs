@@ -228,7 +228,7 @@ impl Walk {
         }
         let [low, high] = self.range;
         let inside = |x: &f64| (low - REACHED..=high + REACHED).contains(x);
-        [near, near + TAU, near - TAU].into_iter().filter(inside).map(|x| x.clamp(low, high)).collect()
+        [near, near + TAU, near - TAU].into_iter().filter(inside).map(|x| x.max(low).min(high)).collect()
     }
 
     /// The driver's position at which all places are as wanted, and the largest distance left.

@@ -1,7 +1,7 @@
 //! The construction of pole, inflection circle and centres of curvature over the mechanism; its steps and values as text below.
 //!
-//! What the ruler has drawn is drawn from the ruler's places ([`crate::curvature::drawing`]); where it finds nothing, the places of the
-//! analysis are shown without construction lines.
+//! Rays, collineation axis and helping points stand where the ruler finds them ([`crate::curvature::drawing`]); pole, inflection circle, poles of the
+//! motion and centres of curvature stand where the analysis has them, so the figure says that they are calculated and proves nothing.
 
 use crate::curvature::drawing::{Drawing as Ruler, How, Rays};
 use crate::curvature::known::Known;
@@ -73,6 +73,9 @@ fn text(w: &Wanted, words: &Words, of: &OfLink) -> Part {
     let mut lines: Vec<Label> = Vec::new();
     let mut add = |phrase: &Phrase| lines.extend(wrapped(phrase, TEXT_MM, style.small_mm, &style.fonts));
     words.remarks(of).iter().for_each(&mut add);
+    if of.pole().is_some() {
+        add(&words.calculated());
+    }
     for (k, step) in words.steps(of).iter().enumerate() {
         add(&Phrase::of_pieces(Phrase::new(&format!("{}. ", k + 1)).pieces().iter().chain(step.pieces()).cloned().collect()));
     }

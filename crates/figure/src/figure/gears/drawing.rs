@@ -179,7 +179,7 @@ impl Drawn<'_> {
         let at = |t: f64| (along * (t * k)).to_point();
         let [n1, n2] = pair.tangents();
         let [b2, b1] = pair.contact();
-        let cut = |t: f64| t.clamp(-FAR * reach / k, FAR * reach / k);
+        let cut = |t: f64| t.max(-FAR * reach / k).min(FAR * reach / k);
         let (first, last) = (n1.min(n2), n1.max(b1).max(n2));
         let last = if last.is_finite() { last } else { b1 * 1.6 };
         d.shape("action", "line", Shape::Line { from: at(cut(first * 1.12)), to: at(cut(last * 1.12)), stroke: style.thin });

@@ -193,9 +193,11 @@ impl Draft<'_> {
                 let pieces = c.posed.as_ref()?;
                 Some(pieces.segments.iter().flat_map(|s| s.points(TAU / STEPS as f64)).map(self.of_pieces(pieces)?).collect())
             };
-            let Some(points) = of_disc().or_else(of_pieces) else { return self.d.of_link(None) };
-            let points: Vec<Point> = points;
+            let points: Vec<Point> = of_disc().or_else(of_pieces).unwrap_or_default();
             let n = points.len();
+            if n == 0 {
+                return self.d.of_link(None);
+            }
             let ends = self.freest((0..PLACES).map(|k| [points[k * n / PLACES], points[(k * n / PLACES + n / 12) % n]]));
             (self.d.shape(&id, "cam", Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None }), ends)
         };

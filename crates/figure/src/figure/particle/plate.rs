@@ -45,7 +45,11 @@ impl Maker<'_> {
         }
         self.named(&mut d, &motion.point, m);
         d.label("link", "link", LabelRequest::at_point(Label::math(&plate.link), style.label_mm, sheet[1] + Vec2::new(-5.0, 5.0), 0.0));
-        Ok(View { part: d.finish(), caption: both!("View on the plate", "板面视图"), scales: self.scales(drawn, level) })
+        let caption = match level {
+            Level::Position => both!("View on the plate", "板面视图"),
+            Level::Velocity | Level::Acceleration => both!("View on the plate (calculated)", "板面视图（计算所得）"),
+        };
+        Ok(View { part: d.finish(), caption, scales: self.scales(drawn, level) })
     }
 
     /// The path on the plate in millimetres: a line beyond the point and its beginning, a whole circle, a stretch of another way.
@@ -141,7 +145,7 @@ impl Maker<'_> {
         let caption = match level {
             Level::Position => both!("View along the axis", "沿轴视图"),
             Level::Velocity | Level::Acceleration => {
-                both!("View along the axis ($v'$, $a'$ as they are seen there)", "沿轴视图（$v'$、$a'$ 为其投影）")
+                both!("View along the axis (calculated; $v'$, $a'$ as they are seen there)", "沿轴视图（计算所得；$v'$、$a'$ 为其投影）")
             }
         };
         View { part: d.finish(), caption, scales: self.scales(drawn, level) }

@@ -9,6 +9,13 @@ const DEGREES: [f64; 8] = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0];
 const DECADES_MAX: f64 = 12.0;
 /// More values than these at one place, and more than a tenth of all, and a curve stays there.
 const STAYS: usize = 8;
+/// What differs by less than this part of itself is one value: between its rounded numbers there is no room for ticks.
+const ONE_VALUE: f64 = 1e-9;
+/// An axis ends at these numbers at most, so that its length is a number too.
+const FARTHEST: f64 = 1e307;
+/// A shorter axis has no numbers for its ticks.
+const SHORTEST: f64 = 1e-290;
+
 /// A range with ticks.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::figure) struct Axis {
@@ -24,10 +31,11 @@ pub(in crate::figure) struct Axis {
 impl Axis {
     /// The range of these values, widened to ticks; at most `most` steps.
     pub fn of(values: &[f64], degrees: bool, most: usize) -> Axis {
-        let lo = values.iter().copied().fold(f64::INFINITY, f64::min);
-        let hi = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let finite = || values.iter().copied().filter(|v| v.is_finite()).map(|v| v.clamp(-FARTHEST, FARTHEST));
+        let lo = finite().fold(f64::INFINITY, f64::min);
+        let hi = finite().fold(f64::NEG_INFINITY, f64::max);
         // Nothing, or one value alone: a range around it.
-        let (lo, hi) = if lo < hi {
+        let (lo, hi) = if hi - lo > (ONE_VALUE * lo.abs().max(hi.abs())).max(SHORTEST) {
             (lo, hi)
         } else if lo.is_finite() {
             (lo - 0.5 * lo.abs().max(1.0), lo + 0.5 * lo.abs().max(1.0))
@@ -65,7 +73,8 @@ impl Axis {
     /// Where a value stands, from 0 to 1; what lies outside stands at the end, zero on an axis of powers at the lower one.
     pub fn part(&self, value: f64) -> f64 {
         let [from, to, value] = [self.from, self.to, value].map(|v| self.scaled(v));
-        ((value - from) / (to - from)).clamp(0.0, 1.0)
+        let part = (value - from) / (to - from);
+        if part.is_nan() { 0.0 } else { part.clamp(0.0, 1.0) }
     }
 
     /// The values at the ticks, upwards.
@@ -127,6 +136,21 @@ mod tests {
         assert!((Axis::of(&constant, false, 6).to - 1.4).abs() < 1e-12);
         assert_eq!(Axis::of(&[[0.0; 20], [1.2; 20]].concat()[..21], false, 6).from, 0.0);
         assert!(Axis::of(&[], false, 6).ticks().all(f64::is_finite));
+        // Values that differ by rounding alone, numbers at the ends of their range, and no numbers.
+        for [a, b] in [
+            [7.000000000007, 7.000000000007001],
+            [-1e308, 1e308],
+            [0.0, 5e-324],
+            [f64::INFINITY, 1.0],
+            [f64::NAN, f64::NAN],
+            [1e300, 1.0000000000000002e300],
+            [f64::MIN, f64::MIN],
+        ] {
+            let axis = Axis::of(&[a, b], false, 6);
+            let all = [a, b, axis.from, axis.to, 0.0].map(|v| axis.part(v));
+            assert!(axis.from < axis.to && all.iter().all(|p| (0.0..=1.0).contains(p)), "{a} {b}: {axis:?} {all:?}");
+            assert!((2..20).contains(&axis.ticks().count()) && axis.ticks().all(f64::is_finite), "{a} {b}: {axis:?}");
+        }
         assert_eq!(Axis::of(&[0.0, 1e-9], false, 5).name(4e-10), "4.00 \\times 10^{−10}");
     }
 }

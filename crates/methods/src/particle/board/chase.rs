@@ -19,6 +19,10 @@ pub const SIGHTS: usize = 8;
 pub const FINE: usize = 12;
 /// Of the time to the meeting, so much is drawn: there the two stand on each other.
 const NEARLY: f64 = 1.0 - 1e-6;
+/// What a handful of operations may lose to rounding, relative: thirty-two units in the last place.
+const ROUNDING: f64 = 32.0 * f64::EPSILON;
+/// What drawing and analysis promise one another, relative: a reading that has lost more is none.
+const PROMISED: f64 = 1e-9;
 
 /// A pursuit from its start to its end.
 struct Whole {
@@ -84,6 +88,10 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
     let foot = along * along.dot(tip_b);
     let across = tip_b - foot;
     let (arm, rate) = (on_paper_a.distance(on_paper_b), across.norm());
+    // The direction of the line is known to the rounding of the places.
+    let blurred = (on_paper_a.to_vec2().norm() + on_paper_b.to_vec2().norm()) / arm;
+    let lost = ROUNDING * tip_b.norm() * (1.0 + blurred);
+    let seen = lost <= PROMISED * rate;
     let omega = rate * mu_v / (arm * mu_l) * if along.cross(tip_b) < 0.0 { -1.0 } else { 1.0 };
     let (a_t, a_n) = (speed[1], tip_a.norm() * mu_v * omega);
     let whole = along * a_t + along.perp() * a_n;
@@ -111,21 +119,30 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
             m.point,
             m.point
         ),
-        both!(
-            "The perpendicular from the tip of $v_{{{target}}}$ on $v_{{{}}}$ measures {} mm: $\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s; {}",
-            "由 $v_{{{target}}}$ 的端点向 $v_{{{}}}$ 作垂线，量得 {} mm：$\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s；{}",
-            m.point,
-            mm(rate),
-            m.point,
-            mm(rate),
-            mm(arm),
-            mm(omega),
-            if closing < 0.0 {
-                both!("the distance grows by {} m/s", "距离以 {} m/s 增大", mm(-closing))
-            } else {
-                both!("the distance shrinks by {} m/s", "距离以 {} m/s 减小", mm(closing))
-            }
-        ),
+        if seen {
+            both!(
+                "The perpendicular from the tip of $v_{{{target}}}$ on $v_{{{}}}$ measures {} mm: $\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s; {}",
+                "由 $v_{{{target}}}$ 的端点向 $v_{{{}}}$ 作垂线，量得 {} mm：$\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s；{}",
+                m.point,
+                mm(rate),
+                m.point,
+                mm(rate),
+                mm(arm),
+                mm(omega),
+                if closing < 0.0 {
+                    both!("the distance grows by {} m/s", "距离以 {} m/s 增大", mm(-closing))
+                } else {
+                    both!("the distance shrinks by {} m/s", "距离以 {} m/s 减小", mm(closing))
+                }
+            )
+        } else {
+            both!(
+                "The tip of $v_{{{target}}}$ lies on the line of $v_{{{}}}$ as far as the paper tells: $\\omega_{{{}{target}}}$ is not read but calculated",
+                "$v_{{{target}}}$ 的端点在图上落在 $v_{{{}}}$ 的作用线上：$\\omega_{{{}{target}}}$ 不由作图量取，而由计算得到",
+                m.point,
+                m.point
+            )
+        },
         if a_t == 0.0 {
             both!(
                 "Draw $a_{{{}}} = v\\omega$ square to the line, for $v$ is constant: it measures {} mm",
@@ -143,13 +160,17 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
         },
     ];
     let (v, acc) = (tip_a * mu_v, (tip_t + tip_n) * mu_a);
-    let readings = vec![
-        (Asked::Distance(k), vec![arm * mu_l]),
-        (Asked::LineOmega(k), vec![omega]),
-        (Asked::Velocity(k), vec![v.x, v.y]),
-        (Asked::Acceleration(k), vec![acc.x, acc.y]),
-        (Asked::Curvature(k), vec![(tip_a.norm() * mu_v / omega).abs()]),
-    ];
+    let mut readings = vec![(Asked::Distance(k), vec![arm * mu_l]), (Asked::Velocity(k), vec![v.x, v.y])];
+    if seen {
+        readings.push((Asked::LineOmega(k), vec![omega]));
+        readings.push((Asked::Curvature(k), vec![(tip_a.norm() * mu_v / omega).abs()]));
+    }
+    // Of an acceleration along the line a turning that is not seen leaves the reading what it is.
+    let lost = tip_a.norm() * mu_v * (lost * mu_v / (arm * mu_l));
+    if lost <= PROMISED * whole.norm() {
+        readings.push((Asked::Acceleration(k), vec![acc.x, acc.y]));
+    }
+    let unread = (!seen).then(|| nearly_straight(&m.point, target));
     let views = Views::Chase {
         course: run.places.iter().map(|pair| pair.map(|p| (p.to_vec2() * (1.0 / mu_l)).to_point())).collect(),
         until: run.until,
@@ -159,5 +180,16 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
         foot: foot.to_point(),
         accelerations,
     };
-    Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps: steps.into_iter().map(Both::sentence).collect(), readings, views }))
+    let steps = steps.into_iter().map(Both::sentence).collect();
+    Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps, readings, calculated: false, unread, views }))
+}
+
+/// What is said where the target moves along the line of sight but for less than the paper shows.
+fn nearly_straight(point: &str, target: &str) -> Diagnostic {
+    let message = both!(
+        "`{target}` moves along the line {point}{target}, or nearly so: the drawing does not show how that line turns; ω and what rests on it are those of the analysis alone",
+        "`{target}` 沿连线 {point}{target} 运动或几乎如此：图上量不出该连线的转动；ω 及由它求得的量仅由解析法给出"
+    );
+    let help = both!("choose an earlier instant to see them drawn", "如需作图，请取较早的时刻");
+    Diagnostic::note("nearly-straight", message).help(help)
 }

@@ -243,5 +243,5 @@ fn side_cost(u: Vec2, wanted: &Wanted) -> f64 {
 
 /// The point of a box nearest to `p`.
 pub(super) fn nearest(rect: Rect, p: Point) -> Point {
-    Point::new(p.x.clamp(rect.min.x, rect.max.x), p.y.clamp(rect.min.y, rect.max.y))
+    Point::new(p.x.max(rect.min.x).min(rect.max.x), p.y.max(rect.min.y).min(rect.max.y))
 }

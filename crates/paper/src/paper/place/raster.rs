@@ -155,7 +155,7 @@ impl Raster {
 
     /// The cells of a box, as far as they are on the paper: columns and rows, end exclusive.
     fn range(&self, rect: Rect) -> [usize; 4] {
-        let index = |mm: f64, most: usize| (mm / self.cell_mm).floor().clamp(0.0, most as f64) as usize;
+        let index = |mm: f64, most: usize| (mm / self.cell_mm).floor().max(0.0).min(most as f64) as usize;
         let [a, b] = [rect.min, rect.max].map(|p| p - self.corner);
         let end = |mm: f64, most: usize| if mm < 0.0 { 0 } else { (index(mm, most) + 1).min(most) };
         [index(a.x, self.columns), end(b.x, self.columns), index(a.y, self.rows), end(b.y, self.rows)]

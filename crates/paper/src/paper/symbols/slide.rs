@@ -87,7 +87,7 @@ pub fn cylinder(style: &Style, base: Point, tip: Point, barrel_mm: f64) -> Vec<I
     let bottom = base + u * (3.0 * style.pin_radius_mm);
     let mouth = bottom + u * barrel_mm;
     let margin = style.pin_radius_mm;
-    let stroke_mm = (tip.distance(bottom) - barrel_mm).clamp(margin, (barrel_mm - margin).max(margin));
+    let stroke_mm = (tip.distance(bottom) - barrel_mm).min(barrel_mm - margin).max(margin);
     let piston = bottom + u * stroke_mm;
     let barrel = vec![bottom + n, mouth + n, mouth - n, bottom - n];
     vec![

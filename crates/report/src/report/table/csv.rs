@@ -1,5 +1,5 @@
 //! Comma-separated values (RFC 4180): notes are lines that begin with `#`, then the labels, then a line for each row. Numbers are the
-//! shortest that read back to the same `f64`.
+//! shortest that read back to the same `f64`; what is none, infinite ones among it, is an empty field.
 
 use super::{Format, Head, Piece, Standing};
 use crate::diag::Diagnostic;
@@ -28,8 +28,12 @@ impl Csv {
         let (mut real, mut whole) = (zmij::Buffer::new(), itoa::Buffer::new());
         for i in rows {
             for (column, heading) in columns.iter().zip(&self.head.columns) {
-                // A whole number of f64 is below 2^53.
-                let number = if heading.whole { whole.format(column[i] as i64) } else { real.format(column[i]) };
+                // A whole number of f64 is below 2^53. What is no number, such as the radius of a straight line, has an empty field.
+                let number = match (heading.whole, column[i].is_finite()) {
+                    (true, _) => whole.format(column[i] as i64),
+                    (false, true) => real.format_finite(column[i]),
+                    (false, false) => "",
+                };
                 text.extend_from_slice(number.as_bytes());
                 text.push(b',');
             }

@@ -192,12 +192,16 @@ fn slide(
             // The centre of a wheel runs along its track.
             let wheel = |g: &Guide| {
                 g.pin.is_some_and(|p| c.point_name(p) == word.text)
-                    && g.rolling.is_some_and(|r| rolling.rolling[r.0].kind == RollingKind::Wheel)
+                    && g.rolling.and_then(|r| rolling.rolling.get(r.0)).is_some_and(|r| r.kind == RollingKind::Wheel)
             };
             if let Some(i) = rolling.guides.iter().position(wheel) {
                 return Some(DriverKind::Slide { guide: GuideId(guides.len() + i), position });
             }
             let wheels = c.raw.rolling.iter().filter(|p| p.kind == RollingKind::Wheel).filter_map(|p| p.sides[1].centre.as_ref());
+            // A wheel that has been left out for its own fault is not missed here.
+            if wheels.clone().any(|centre| centre.text == word.text) {
+                return None;
+            }
             let runners = c.raw.guides.iter().flat_map(|g| [&g.pin, &g.slider]).flatten().chain(wheels).map(|w| w.text.as_str());
             let nothing = runners.clone().next().is_none();
             let d = Diagnostic::error("driver", both!("no guide has a pin or slider `{}`", "没有导路以 `{}` 为销或滑块", word.text))

@@ -86,7 +86,7 @@ fn lay(
     let (x, y) = (x.clone(), y.clone());
     // A bare 0 has no dimension to which a length could be added.
     let bare = x.text.trim().parse::<f64>().is_ok();
-    let text = if bare { distance.text.clone() } else { format!("({})+({})", x.text, distance.text) };
+    let text = if bare { distance.text.clone() } else { summed(&x.text, &distance.text, laid.contains(&from)) };
     let Some(x) = c.values.si(&RawQuantity { text, span: distance.span, bare: false }, Wanted::Length, &mut Faults::default()) else {
         return;
     };
@@ -166,6 +166,21 @@ fn neighbours(rolling: &rolling::Resolved, centre: PointId) -> impl Iterator<Ite
 /// Whether a link carries a guide or slides in one.
 fn guided(c: &Context, link: LinkId) -> bool {
     c.raw.guides.iter().any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == c.link_name(link)))
+}
+
+/// The text of a coordinate and a length behind it. Expressions are read only so deep and so long: what [`by_teeth`] makes is added up, and the sum
+/// that a laid centre has goes on without brackets.
+fn summed(x: &str, distance: &str, is_sum: bool) -> String {
+    let tenths = |text: &str| {
+        let (whole, tenth) = text.strip_suffix(" mm")?.split_once('.')?;
+        let digits = |t: &str| t.bytes().all(|b| b.is_ascii_digit());
+        (digits(whole) && digits(tenth) && tenth.len() == 1).then(|| format!("{whole}{tenth}").parse::<u64>().ok())?
+    };
+    match (tenths(x).zip(tenths(distance)).and_then(|(a, b)| a.checked_add(b)), is_sum) {
+        (Some(sum), _) => format!("{}.{} mm", sum / 10, sum % 10),
+        (None, true) => format!("{x}+({distance})"),
+        (None, false) => format!("({x})+({distance})"),
+    }
 }
 
 /// The distance of the centres of two gears of 1 mm module; of two pulleys, whose distance is free, that at which the gap between them is as wide

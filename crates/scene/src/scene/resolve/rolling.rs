@@ -28,10 +28,15 @@ pub(super) fn rolling(c: &Context, places: &[Place], lengths: &[Length], first_g
     let mut out = Resolved::default();
     for (raw, at) in c.raw.rolling.iter().zip(c.contacts) {
         let mut found = Faults::default();
+        let before = (out.guides.len(), out.lengths.len());
         if let Some(pair) = pair(c, raw, *at, (places, lengths), first_guide, &mut out, &mut found)
             && !found.has_errors()
         {
             out.rolling.push(pair);
+        } else {
+            // A guide or a length of a pair with a fault would name a pair that is not there.
+            out.guides.truncate(before.0);
+            out.lengths.truncate(before.1);
         }
         faults.list.extend(found.list);
     }

@@ -166,7 +166,7 @@ impl Follow for Whole<'_> {
                 (gone, left) = (reached, MOST_STEPS);
             }
             left -= 1;
-            step = step.clamp(-most, most);
+            step = step.max(-most).min(most);
             let value = state.now.travel;
             if value == to {
                 return Ok(state);

@@ -12,21 +12,14 @@ use std::f64::consts::PI;
 
 impl Body {
     pub(super) fn drawn(&self, draft: &Draft, board: &mut Board) -> Option<()> {
-        self.positions_drawn(board);
+        let bodies = self.positions_drawn(board);
         match self.method() {
             Method::Bisectors => {
-                let ends = [self.side(draft, board, 0)?, self.side(draft, board, 1)?];
+                let ends = [self.side(draft, board, &bodies, 0)?, self.side(draft, board, &bodies, 1)?];
                 finished(board, ends)
             }
-            Method::Curve | Method::Burmester => self.curve(draft, board),
+            Method::Curve | Method::Burmester => self.curve(draft, board, &bodies),
         }
-    }
-
-    /// Two points of the body in a position: its origin and one along its direction.
-    fn body_points(&self, board: &Board, p: &Position) -> [Point; 2] {
-        let reach = self.reach(board);
-        let origin = board.at(p.origin);
-        [origin, Line::ray(origin, p.angle).place(reach)]
     }
 
     /// A length that suits the drawing: a quarter of the way that the body goes.
@@ -35,31 +28,33 @@ impl Body {
         board.mm(if far > 0.0 { far / 3.0 } else { 0.05 })
     }
 
-    fn positions_drawn(&self, board: &mut Board) {
+    /// Lays off the positions: in each two points of the body, its origin and one along its direction, with one opening of the compasses for all.
+    fn positions_drawn(&self, board: &mut Board) -> Vec<[Point; 2]> {
         board.step(both!(
             "Lay off the given positions of the body: its origin E and its direction",
             "按给定数据作出连杆各位置：原点 E 及方向"
         ));
-        for (k, p) in self.positions.iter().enumerate() {
-            let [origin, tip] = self.body_points(board, p);
-            board.line(origin, tip, Weight::Given).mark(&format!("E_{}", k + 1), origin);
+        let reach = self.reach(board);
+        let of_position = |p: &Position| {
+            let origin = board.at(p.origin);
+            [origin, Line::ray(origin, p.angle).place(reach)]
+        };
+        let bodies: Vec<[Point; 2]> = self.positions.iter().map(of_position).collect();
+        for (k, [origin, tip]) in bodies.iter().enumerate() {
+            board.line(*origin, *tip, Weight::Given).mark(&format!("E_{}", k + 1), *origin);
         }
+        bodies
     }
 
     /// Pin in position 1 and pivot of one side.
-    fn side(&self, draft: &Draft, board: &mut Board, side: usize) -> Option<[Point; 2]> {
+    fn side(&self, draft: &Draft, board: &mut Board, bodies: &[[Point; 2]], side: usize) -> Option<[Point; 2]> {
         let [pin, pivot] = [["B", "C"], ["A", "D"]].map(|n| n[side]);
-        let bodies: Vec<[Point; 2]> = self.positions.iter().map(|p| self.body_points(board, p)).collect();
         let (places, sought) = match self.moving[side] {
             Some(local) => {
-                let places: Vec<Point> = self
-                    .positions
-                    .iter()
-                    .map(|p| {
-                        Line::ray(board.at(p.origin), p.angle).place(board.mm(local.x))
-                            + Vec2::from_angle(p.angle).perp() * board.mm(local.y)
-                    })
-                    .collect();
+                let of_position = |(p, body): (&Position, &[Point; 2])| {
+                    Line::ray(body[0], p.angle).place(board.mm(local.x)) + Vec2::from_angle(p.angle).perp() * board.mm(local.y)
+                };
+                let places: Vec<Point> = self.positions.iter().zip(bodies).map(of_position).collect();
                 board.step(both!(
                     "Mark {pin} in all positions; the bisectors of its places meet at {pivot}",
                     "标出 {pin} 的各位置，其中垂线交于 {pivot}"
@@ -106,8 +101,8 @@ impl Body {
     }
 
     /// A pole: bisectors of two points of the body.
-    fn pole(&self, board: &mut Board, i: usize, j: usize) -> Option<Point> {
-        let (p, q) = (self.body_points(board, &self.positions[i]), self.body_points(board, &self.positions[j]));
+    fn pole(&self, board: &mut Board, bodies: &[[Point; 2]], [i, j]: [usize; 2]) -> Option<Point> {
+        let (p, q) = (bodies.get(i)?, bodies.get(j)?);
         let (one, other) = (bisector(p[0], q[0])?, bisector(p[1], q[1])?);
         let at = one.cross(&other)?;
         board.line(one.at, at, Weight::Thin).line(other.at, at, Weight::Thin).mark(&format!("P_{{{}{}}}", i + 1, j + 1), at);
@@ -115,12 +110,12 @@ impl Body {
     }
 
     /// The centre-point curve by the opposite-pole quadrilateral: circles over P₁₂P₂₃ and P₁₄P₃₄ with the same inscribed angle.
-    fn curve(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+    fn curve(&self, draft: &Draft, board: &mut Board, bodies: &[[Point; 2]]) -> Option<()> {
         board.step(both!(
             "Find the poles of the positions: in each two bisectors of the places of points of the body meet",
             "求各位置的转动极：连杆上两点对应位置的中垂线交点"
         ));
-        let [p12, p23, p14, p34, p13] = [(0, 1), (1, 2), (0, 3), (2, 3), (0, 2)].map(|(i, j)| self.pole(board, i, j));
+        let [p12, p23, p14, p34, p13] = [[0, 1], [1, 2], [0, 3], [2, 3], [0, 2]].map(|of| self.pole(board, bodies, of));
         let quadrilateral = [p12?, p23?, p14?, p34?];
         board.step(both!("Circle over P12P23 and circle over P14P34 with the same inscribed angle intersect at centre points; as the angle varies they trace the centre-point curve", "在 P12P23 与 P14P34 上作圆周角相等的圆，交点为圆心点；令圆周角变化得圆心曲线"));
         let curve = centre_points(quadrilateral);
@@ -134,7 +129,7 @@ impl Body {
                 Some(among) => self.among_them(draft, board, among, &curve, quadrilateral),
                 None => self.on_the_line(board, &curve, quadrilateral)?,
             },
-            Method::Burmester => self.on_both(board, &curve, quadrilateral)?,
+            Method::Burmester => self.on_both(board, bodies, &curve, quadrilateral)?,
         };
         // The design's two pivots are meant.
         let wanted = |name: &str| {
@@ -213,12 +208,12 @@ impl Body {
     }
 
     /// Where the curves of 1234 and of 1235 cross: the angles over P₁₂P₂₃ and P₁₅P₃₅ are equal too.
-    fn on_both(&self, board: &mut Board, curve: &[Vec<Found>], poles: [Point; 4]) -> Option<Vec<Point>> {
+    fn on_both(&self, board: &mut Board, bodies: &[[Point; 2]], curve: &[Vec<Found>], poles: [Point; 4]) -> Option<Vec<Point>> {
         board.step(both!(
             "The same with P15 and P35: where both curves cross are Burmester's centre points",
             "用 P15、P35 再作一条：两曲线交点即布尔梅斯特圆心点"
         ));
-        let (p15, p35) = (self.pole(board, 0, 4)?, self.pole(board, 2, 4)?);
+        let (p15, p35) = (self.pole(board, bodies, [0, 4])?, self.pole(board, bodies, [2, 4])?);
         let off = |m: Point| {
             let angle = |p: Point, q: Point| libm::atan2((p - m).cross(q - m), (p - m).dot(q - m));
             libm::sin(angle(poles[0], poles[1]) - angle(p15, p35))
