@@ -1,0 +1,469 @@
+//! A sweep says what `solve` says: every quantity that a scene can ask, at eight positions of each of its drivers, against the scene that is written
+//! for that position and solved by itself. Told are the driver's position, the coordinates of what moves, and roughly where joints are.
+
+use crate::wide::every;
+use hodograph::analytic;
+use hodograph::geom::Vec2;
+use hodograph::mechanism::Mechanism;
+use hodograph::scene::{self, Find, Place, Scene, Swept, Through, edit, templates};
+use hodograph::sweep::batch::{Batch, Choice};
+use hodograph::sweep::follow::course::over_a_turn;
+use hodograph::sweep::long::Long;
+use hodograph::sweep::pieces::gather;
+use hodograph::sweep::timed::Timed;
+use hodograph::sweep::vary::Variation;
+use hodograph::sweep::{self, Placed, Stations, Steps, Table, Width, compile, extreme, station};
+use rayon::prelude::*;
+use serde_json::{Value as Json, json};
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+/// Positions of a driver.
+const POSITIONS: usize = 8;
+
+/// Where the first of them lies, as a part of the step: no multiple of what people write.
+const OFF: f64 = 0.37;
+
+/// The templates, the cases, the problems, and scenes that once were swept wrongly.
+fn scenes() -> Vec<(String, Json)> {
+    let read = |path: &str| std::fs::read_to_string(path).unwrap();
+    let parsed = |text: &str| serde_json::from_str::<Json>(text).unwrap();
+    let root = env!("CARGO_MANIFEST_DIR");
+    let files = |folder: &str| {
+        let all = std::fs::read_dir(format!("{root}/{folder}")).unwrap().map(|f| f.unwrap().path());
+        let mut files: Vec<_> = all.filter(|p| p.extension().is_some_and(|e| e == "json")).collect();
+        files.sort();
+        files
+    };
+    let mut out: Vec<(String, Json)> = templates::list().iter().map(|t| (t.name.to_owned(), parsed(templates::get(t.name).unwrap()))).collect();
+    for path in files("tests/cases") {
+        let case = parsed(&read(path.to_str().unwrap()));
+        if case["scene"].is_object() {
+            out.push((format!("cases/{}", path.file_stem().unwrap().display()), case["scene"].clone()));
+        }
+    }
+    for file in ["motion", "centres"] {
+        for problem in parsed(&read(&format!("{root}/tests/problems/{file}.json"))).as_array().unwrap() {
+            out.push((format!("problems/{}", problem["name"].as_str().unwrap()), problem["scene"].clone()));
+        }
+    }
+    for path in files("tests/sweep") {
+        out.push((format!("sweep/{}", path.file_stem().unwrap().display()), parsed(&read(path.to_str().unwrap()))));
+    }
+    out
+}
+
+fn read(json: &Json, find: &[String]) -> Option<Scene> {
+    let mut json = json.clone();
+    json["find"] = json!(find);
+    let scene = scene::read(json.to_string()).ok()?.value;
+    Mechanism::new(&scene).ok().map(|_| scene)
+}
+
+/// Every question that the scene can ask: all symbols, with all points, links, pairs and frames for which they are taken.
+fn askable(json: &Json, plain: &Scene) -> Vec<String> {
+    let points: Vec<&str> = plain.points.iter().map(|p| p.name.as_str()).collect();
+    let links: Vec<&str> = plain.links.iter().map(|l| l.name.as_str()).collect();
+    let mut all: Vec<String> = plain.find.iter().map(|f| f.text.clone()).collect();
+    let mut ask = |symbols: &[&str], of: &str| all.extend(symbols.iter().map(|s| format!("{s}_{of}")));
+    for p in &points {
+        ask(&["x", "y", "v", "a", "rho", "O", "gamma"], p);
+        for q in points.iter().filter(|q| *q > p) {
+            ask(&["l", "v", "a", "an", "at"], &format!("{p}{q}"));
+        }
+        let on: Vec<&str> = links.iter().copied().filter(|l| plain.links.iter().any(|k| k.name == *l && k.points.iter().any(|q| plain.point_name(*q) == *p))).collect();
+        for l in &links {
+            ask(&["v", "a"], &format!("{p}{l}"));
+            ask(&["ve", "vr", "ae", "aen", "aet", "ar", "arn", "art", "ak", "path"], &format!("{p}/{l}"));
+            for k in links.iter().filter(|k| *k != l && on.contains(k)) {
+                ask(&["vr", "ar", "ak"], &format!("{p}{k}{p}{l}"));
+            }
+        }
+    }
+    for l in &links {
+        ask(&["phi", "omega", "alpha", "J", "d", "K", "u", "p", "s", "psi", "h", "Psi", "Phi", "pressure", "rho_min", "spin"], l);
+        for k in links.iter().filter(|k| *k != l) {
+            ask(&["omega", "alpha", "rho"], &format!("{l}/{k}"));
+            if k > l {
+                ask(&["P", "i"], &format!("{l}{k}"));
+            }
+        }
+    }
+    all.sort();
+    all.dedup();
+    let mut out = Vec::new();
+    taken(json, all, &mut out);
+    out
+}
+
+/// Those of some questions that can be asked.
+fn taken(json: &Json, mut all: Vec<String>, out: &mut Vec<String>) {
+    if all.is_empty() {
+        return;
+    }
+    if read(json, &all).is_some() {
+        out.append(&mut all);
+    } else if all.len() > 1 {
+        let rest = all.split_off(all.len() / 2);
+        taken(json, all, out);
+        taken(json, rest, out);
+    }
+}
+
+/// The answers of the loop equations to a scene as it stands; `None` of what is not defined there.
+struct Single {
+    answers: BTreeMap<String, Option<Vec<f64>>>,
+    condition: f64,
+    /// Where the driver stands.
+    value: f64,
+}
+
+fn solved(scene: &Scene, driver: Option<usize>) -> Option<Single> {
+    let m = Mechanism::new(scene).ok()?.value;
+    let placed = Placed::new(scene, &m).ok()?;
+    let solution = analytic::solve(scene, &m, &placed.at, &placed.demand).ok()?;
+    let answer = |f: &Find| {
+        let columns = solution.answer(scene, &placed.at, &f.what)?.columns();
+        columns.iter().all(|v| v.is_finite()).then_some(columns)
+    };
+    let answers = scene.find.iter().map(|f| (f.text.clone(), answer(f))).collect();
+    let condition = if solution.singular.is_empty() { solution.condition } else { f64::INFINITY };
+    Some(Single { answers, condition, value: driver.map_or(0.0, |d| station::position_now(scene, &placed.at, d)) })
+}
+
+/// A scene of the file's own words that is told to stand elsewhere.
+struct Moved<'a> {
+    json: &'a Json,
+    plain: &'a Scene,
+    driver: usize,
+}
+
+impl Moved<'_> {
+    /// Whether the scene says where its driver stands.
+    fn told(&self) -> bool {
+        self.plain.drivers[self.driver].kind.position().is_some()
+    }
+
+    /// Whether a point that moves is given by coordinates.
+    fn posed(&self, p: usize) -> bool {
+        let fixed = self.plain.links[self.plain.ground.0].points.iter().any(|q| q.0 == p);
+        !fixed && matches!(self.plain.points[p].place, Place::At(_) | Place::Polar { .. })
+    }
+
+    /// The scene with its driver at `value`, the points at their places and the links turned by so much; `None` where its words cannot say it.
+    fn at(&self, value: f64, places: &BTreeMap<String, [f64; 2]>, turned: &BTreeMap<String, f64>) -> Option<Json> {
+        let (plain, mut json) = (self.plain, self.json.clone());
+        let posed: Vec<usize> = (0..plain.points.len()).filter(|p| self.posed(*p)).collect();
+        if !self.told() && posed.is_empty() {
+            return None;
+        }
+        if self.told() {
+            let kind = &plain.drivers[self.driver].kind;
+            let (key, unit) = match (kind.turns(), kind.guide().is_some()) {
+                (true, _) => ("angle", "rad"),
+                (false, true) => ("position", "m"),
+                (false, false) => ("length", "m"),
+            };
+            let own = match &mut json["driver"] {
+                Json::Array(list) => list.get_mut(self.driver)?,
+                one => one,
+            };
+            own[key] = json!(format!("{value:?} {unit}"));
+        }
+        let written = |[x, y]: [f64; 2]| json!([format!("{x:?} m"), format!("{y:?} m")]);
+        for p in posed {
+            let name = &plain.points[p].name;
+            json["points"][name] = written(*places.get(name)?);
+        }
+        if let Some(sketch) = json.get_mut("sketch").and_then(Json::as_object_mut) {
+            sketch.iter_mut().filter_map(|(p, at)| Some((at, places.get(p)?))).for_each(|(at, place)| *at = written(*place));
+        }
+        for (g, guide) in plain.guides.iter().enumerate().filter(|(_, g)| g.on != plain.ground && g.rolling.is_none()) {
+            let scene::GuidePath::Line { through, direction, .. } = &guide.path else { continue };
+            if matches!(through, Through::At(_)) {
+                return None;
+            }
+            if let scene::Direction::Instant(angle) = direction {
+                let by = turned.get(plain.link_name(guide.on))?;
+                json["guides"].get_mut(g)?["angle"] = json!(format!("{:?} rad", angle.value.radians() + by));
+            }
+        }
+        Some(json)
+    }
+}
+
+/// What was compared, and what differs.
+#[derive(Default)]
+struct Tally {
+    faults: Vec<String>,
+    scenes: usize,
+    compared: usize,
+    /// Positions that the scene's words cannot say, and those next to a singular pose.
+    unsaid: usize,
+    singular: usize,
+}
+
+impl Tally {
+    fn join(mut self, other: Tally) -> Tally {
+        self.faults.extend(other.faults);
+        self.scenes += other.scenes;
+        self.compared += other.compared;
+        self.unsaid += other.unsaid;
+        self.singular += other.singular;
+        self
+    }
+
+    /// Compares a number of a table with what is expected.
+    fn check(&mut self, what: &dyn Fn() -> String, unit: &str, [got, expected]: [f64; 2], size: f64, condition: f64) {
+        self.compared += 1;
+        let off = (got - expected).abs();
+        let off = if unit == "rad" { off.min((off - TAU).abs()) } else { off };
+        // What lies far off is a crossing of lines that are nearly parallel.
+        let size = size.max(expected.abs());
+        let allowed = 1e-9 * size * (1.0 + expected.abs() / size.max(f64::MIN_POSITIVE)) * (1e-2 * condition).max(1.0);
+        if off > allowed || got.is_nan() {
+            self.faults.push(format!("{}: {got:e}, solve says {expected:e}", what()));
+        }
+    }
+}
+
+/// The size of what has a unit: that of the mechanism and its drivers.
+fn size(unit: &str, scene: &Scene, extent: f64) -> f64 {
+    let rate = scene.drivers.iter().map(|d| d.rate.value.abs() / if d.kind.turns() { 1.0 } else { extent }).fold(0.0f64, f64::max);
+    match unit {
+        "m" => extent,
+        "m/s" => extent * rate,
+        "m/s²" => extent * rate * rate,
+        "rad/s" => rate,
+        "rad/s²" => rate * rate,
+        _ => 1.0,
+    }
+}
+
+/// The rows of a table by the value of what is swept.
+fn rows(table: &Table, values: &[f64]) -> Vec<Option<usize>> {
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs().max(1e-3);
+    values.iter().map(|v| table.columns[0].values.iter().position(|x| near(*x, *v))).collect()
+}
+
+/// Eight values of a driver: of a turn, or of the way that it can go.
+fn values(swept: &Scene, m: &Mechanism, placed: &Placed, driver: usize) -> Vec<f64> {
+    let now = station::position_now(swept, &placed.at, driver);
+    let [low, high] = if swept.drivers[driver].kind.turns() {
+        [now, now + TAU]
+    } else {
+        extreme::limits(swept, m, driver).map_or([now, now], |l| l.range.bounds())
+    };
+    (0..POSITIONS).map(|k| low + (high - low) * (k as f64 + OFF) / POSITIONS as f64).collect()
+}
+
+fn asking(scene: &Scene, find: &[Find]) -> Scene {
+    Scene { find: find.to_vec(), ..scene.clone() }
+}
+
+/// The same scene swept by each of the ways of the program.
+fn tables(scene: &Scene, m: &Mechanism, driver: usize, values: &[f64]) -> Vec<(&'static str, Table)> {
+    let placed = match Placed::new(scene, m) {
+        Ok(placed) => placed,
+        Err(_) => return Vec::new(),
+    };
+    let per_value = station::angle_per_value(scene, &placed.at, driver);
+    let stations = Stations::of_values(values.to_vec(), per_value);
+    let mut out = vec![("curves", sweep::run(&placed, driver, &stations, Width::Widest).unwrap())];
+    let [first, last] = [values[0], values[values.len() - 1]];
+    let way = if scene.drivers[driver].kind.turns() {
+        station::Way::Turn(scene::Angle::Rad(first), scene::Angle::Rad(last))
+    } else {
+        station::Way::Slide { from: first, to: last, per_value }
+    };
+    out.push(("sweep", gather(&mut Long::new(&placed, driver, Steps { way, steps: values.len() - 1 }))));
+    if let Ok(variation) = Variation::new(scene, &[]) {
+        let batch = Batch { scene, mechanism: m, variation, values: Vec::new(), choice: Choice::Grid, driver, stations: Some(stations) };
+        let block = batch.block(0, 1);
+        let heads = batch.columns().into_iter().zip(block.columns).skip(1);
+        let columns = heads.map(|((name, unit), values)| sweep::Column { name, unit, values }).collect();
+        out.push(("batch", Table { columns, notes: Vec::new() }));
+    }
+    out
+}
+
+/// Compares every question of a scene, its driver at eight places.
+fn compare(name: &str, json: &Json, tally: &mut Tally) {
+    let Some(plain) = read(json, &[]).or_else(|| scene::read(json.to_string()).ok().map(|s| s.value)) else { return };
+    if plain.drivers.is_empty() || plain.has_laws_of_time() {
+        return;
+    }
+    let find = askable(json, &plain);
+    let Some(plain) = read(json, &find) else {
+        tally.faults.push(format!("{name}: the questions are not taken together"));
+        return;
+    };
+    if solved(&plain, None).is_none() {
+        return;
+    }
+    tally.scenes += 1;
+    let swept = over_a_turn(&plain);
+    let m = match Mechanism::new(&swept) {
+        Ok(m) => m.value,
+        Err(f) => return tally.faults.push(format!("{name}: {f}")),
+    };
+    let placed = match Placed::new(&swept, &m) {
+        Ok(placed) => placed,
+        Err(f) => return tally.faults.push(format!("{name}: {f}")),
+    };
+    let extent = placed.at.extent();
+    for driver in (0..plain.drivers.len()).filter(|d| !swept.is_led(*d)) {
+        let values = values(&swept, &m, &placed, driver);
+        // Where everything is, to tell what the single scenes are told.
+        let of_places = |f: &&Find| ["x_", "y_", "phi_"].iter().any(|s| f.text.starts_with(s));
+        let places: Vec<Find> = swept.find.iter().filter(of_places).cloned().collect();
+        let scene = asking(&swept, &places);
+        let Ok(there) = Placed::new(&scene, &m) else { continue };
+        let Some(table) = sweep::of_values(&there, driver, values.clone()) else { continue };
+        let at = rows(&table, &values);
+        let base = sweep::of_values(&there, driver, vec![station::position_now(&scene, &there.at, driver)]);
+        let number = |name: &str, row: usize| table.column(name).map(|c| c.values[row]);
+        let moved = Moved { json, plain: &plain, driver };
+        let mut singles: Vec<Option<Single>> = Vec::new();
+        let mut said: Vec<bool> = Vec::new();
+        for (value, row) in values.iter().zip(&at) {
+            let place = |p: &scene::Point| {
+                let row = (*row)?;
+                Some((p.name.clone(), [number(&format!("x_{}", p.name), row)?, number(&format!("y_{}", p.name), row)?]))
+            };
+            let turn = |l: &scene::Link| {
+                let column = format!("phi_{}", l.name);
+                Some((l.name.clone(), number(&column, (*row)?)? - base.as_ref()?.column(&column)?.values.first()?))
+            };
+            let places = swept.points.iter().filter_map(place).collect();
+            let turned = swept.links.iter().filter_map(turn).collect();
+            let written = moved.at(*value, &places, &turned);
+            said.push(written.is_some());
+            let single = written.and_then(|json| read(&json, &find)).and_then(|scene| solved(&scene, Some(driver)));
+            singles.push(single.filter(|s| row.is_some() || moved.told() || s.value.is_finite()));
+        }
+        for (k, single) in singles.iter().enumerate() {
+            let Some(single) = single else { continue };
+            let turns = swept.drivers[driver].kind.turns();
+            let off = if turns { Vec2::from_angle(single.value - values[k]).angle() } else { (single.value - values[k]) / extent };
+            if off.abs() > 1e-9 && single.condition < 1e6 {
+                let at = values[k];
+                tally.faults.push(format!("{name} driver {driver} at {at}: by the places of the sweep it stands at {}", single.value));
+            }
+        }
+        let compiled = |f: &Find| compile(&swept, &m, &placed.at, Some(driver), std::slice::from_ref(f)).is_ok();
+        // What every position answers is asked together, apart by whether it has a kernel; all else by itself.
+        let everywhere = |f: &Find| singles.iter().flatten().all(|s| s.answers.get(&f.text).is_some_and(Option::is_some));
+        let (whole, parts): (Vec<Find>, Vec<Find>) = swept.find.iter().cloned().partition(everywhere);
+        let (kernels, others): (Vec<Find>, Vec<Find>) = whole.into_iter().partition(compiled);
+        let alone = parts.iter().step_by(if every(2) == 1 { 1 } else { (parts.len() / 4).max(1) }).map(|f| vec![f.clone()]);
+        for group in [kernels, others].into_iter().filter(|g| !g.is_empty()).chain(alone) {
+            let scene = asking(&swept, &group);
+            for (way, table) in tables(&scene, &m, driver, &values) {
+                let at = rows(&table, &values);
+                for (k, single) in singles.iter().enumerate() {
+                    if !said[k] {
+                        tally.unsaid += 1;
+                        continue;
+                    }
+                    let here = |what: &str| format!("{name} {way} over {} at {:?}: {what}", swept.driver_name(driver).0, values[k]);
+                    let answered = single.as_ref().filter(|s| s.answers.get(&group[0].text).is_some_and(Option::is_some));
+                    if single.as_ref().is_some_and(|s| s.condition > 1e6) {
+                        tally.singular += 1;
+                        continue;
+                    }
+                    let (Some(single), Some(row)) = (answered, at[k]) else {
+                        if answered.is_some() != at[k].is_some() {
+                            let told = if at[k].is_some() { "a row that solve refuses" } else { "no row, solve answers" };
+                            let notes: Vec<_> = table.notes.iter().map(|n| n.message.en.as_str()).collect();
+                            tally.faults.push(here(&format!("{told}: {} ({}) {notes:?}", group[0].text, group.len())));
+                        }
+                        continue;
+                    };
+                    let columns = &table.columns[1..];
+                    let mut of = 0;
+                    for f in &group {
+                        let expected = single.answers[&f.text].as_ref().unwrap();
+                        let largest = expected.iter().fold(0.0f64, |a, b| a.max(b.abs()));
+                        for (c, e) in columns[of..].iter().zip(expected) {
+                            let size = size(c.unit, &swept, extent).max(largest);
+                            tally.check(&|| here(&c.name), c.unit, [c.values[row], *e], size, single.condition);
+                        }
+                        of += expected.len();
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The same through time, where drivers move by laws of it.
+fn compare_in_time(name: &str, json: &Json, tally: &mut Tally) {
+    let Ok(plain) = scene::read(json.to_string()) else { return };
+    if !plain.value.has_laws_of_time() {
+        return;
+    }
+    let find = askable(json, &plain.value);
+    let Some(plain) = read(json, &find) else { return };
+    let swept = over_a_turn(&plain);
+    let m = Mechanism::new(&swept).unwrap().value;
+    let placed = Placed::new(&swept, &m).unwrap();
+    tally.scenes += 1;
+    let (timed, [from, to]) = Timed::new(&placed, [None, None]).unwrap();
+    let times: Vec<f64> = (0..POSITIONS).map(|k| from + (to - from) * (k as f64 + OFF) / POSITIONS as f64).collect();
+    let text = json.to_string();
+    let at = |t: &f64| {
+        let text = edit::with_parameters(&text, &[("t", &format!("{t:?} s"))]).unwrap();
+        read(&serde_json::from_str(&text).unwrap(), &find).and_then(|scene| solved(&scene, None))
+    };
+    let singles: Vec<Option<Single>> = times.iter().map(at).collect();
+    for f in &swept.find {
+        let scene = asking(&swept, std::slice::from_ref(f));
+        let placed = Placed::new(&scene, &m).unwrap();
+        let (timed, _) = Timed::new(&placed, [Some(from), Some(to)]).unwrap();
+        let table = timed.table(times.clone());
+        for ((single, row), t) in singles.iter().zip(rows(&table, &times)).zip(&times) {
+            let here = |what: &str| format!("{name} at {t} s: {what}");
+            let expected = single.as_ref().and_then(|s| Some((s.answers.get(&f.text)?.as_ref()?, s.condition)));
+            match (expected, row) {
+                (Some((expected, condition)), Some(row)) => {
+                    for (c, e) in table.columns[1..].iter().zip(expected) {
+                        let size = size(c.unit, &swept, placed.at.extent()).max(1.0);
+                        tally.check(&|| here(&c.name), c.unit, [c.values[row], *e], size, condition);
+                    }
+                }
+                (None, None) => {}
+                (expected, _) => tally.faults.push(here(&format!("{} is answered by solve: {}", f.text, expected.is_some()))),
+            }
+        }
+    }
+    drop(timed);
+}
+
+#[test]
+fn a_sweep_says_what_solve_says() {
+    let only = std::env::var("SAYS").unwrap_or_default();
+    let all = scenes();
+    let picked = |(n, (name, _)): &(usize, &(String, Json))| {
+        if only.is_empty() { n % every(24) == 0 || name.starts_with("sweep/") } else { name.contains(&only) }
+    };
+    let some: Vec<&(String, Json)> = all.iter().enumerate().filter(picked).map(|(_, s)| s).collect();
+    let one = |(name, json): &&(String, Json)| {
+        let mut tally = Tally::default();
+        compare(name, json, &mut tally);
+        compare_in_time(name, json, &mut tally);
+        tally
+    };
+    let tally = some.par_iter().map(one).reduce(Tally::default, Tally::join);
+    println!(
+        "{} of {} scenes, {} numbers compared; {} positions cannot be told, {} are singular; {} faults",
+        tally.scenes,
+        all.len(),
+        tally.compared,
+        tally.unsaid,
+        tally.singular,
+        tally.faults.len()
+    );
+    assert!(tally.faults.is_empty(), "{}", tally.faults.join("\n"));
+    assert!(tally.compared > 1000, "{}", tally.compared);
+}
