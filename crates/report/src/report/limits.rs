@@ -77,8 +77,7 @@ pub fn json(scene: &Scene, driver: usize, limits: &Limits) -> Json {
         .swings
         .iter()
         .map(|s| {
-            let extremes: Vec<Json> =
-                s.extremes.iter().map(|e| json!({"driver": w.wrapped(e.driver), "output": e.output, "at_limit": e.at_limit})).collect();
+            let extremes: Vec<Json> = s.extremes.iter().map(|e| w.extreme_json(e)).collect();
             json!({"output": w.output(s.output), "extremes": extremes, "stroke": s.stroke, "time_ratio": s.time_ratio})
         })
         .collect();
@@ -211,12 +210,17 @@ impl<'a> Words<'a> {
     }
 
     fn extreme(&self, s: &Swing, e: &Extreme) -> String {
-        let remark = match (e.at_limit, s.output) {
-            (true, _) => tr(self.lang, "  (the driver goes no farther)", "（原动件到达极限）").to_owned(),
-            (false, _) if s.extremes.iter().any(|e| e.at_limit) => String::new(),
-            (false, _) => format!("  ({})", tr(self.lang, "a dead centre if it is driven from there", "若由此从动件驱动则为死点")),
+        let remark = match e.until {
+            _ if e.at_limit => tr(self.lang, "  (the driver goes no farther)", "（原动件到达极限）").to_owned(),
+            Some(until) => tr(self.lang, " to {}  (a dwell)", " 至 {}（停歇）").replace("{}", &self.value(until)),
+            None if s.extremes.iter().any(|e| e.at_limit) => String::new(),
+            None => format!("  ({})", tr(self.lang, "a dead centre if it is driven from there", "若由此从动件驱动则为死点")),
         };
         format!("{} = {} {}{remark}", self.output(s.output), self.size(s.output, e.output), self.at(e.driver))
+    }
+
+    fn extreme_json(&self, e: &Extreme) -> Json {
+        json!({"driver": self.wrapped(e.driver), "until": e.until.map(|x| self.wrapped(x)), "output": e.output, "at_limit": e.at_limit})
     }
 }
 

@@ -29,17 +29,36 @@ impl<'a> General<'a> {
         self.placed.scene
     }
 
+    /// The scene where it stands at the instant.
+    pub fn placed(&self) -> &'a Placed<'a> {
+        self.placed
+    }
+
+    /// The driver that moves.
+    pub fn driver(&self) -> usize {
+        self.driver
+    }
+
+    /// The scene with its driver at a station.
+    pub fn scene_at(&self, stations: &Stations, row: usize) -> Scene {
+        with_driver_at(self.placed.scene, self.driver, stations.place(row, self.placed.scene, self.driver))
+    }
+
+    /// Whether every station is where closed forms put it on the closures of the instant.
+    pub fn is_closed_everywhere(&self) -> bool {
+        self.placed.scene.is_told_everywhere() && !Whole::new(self.placed, self.driver).counts_turns()
+    }
+
     /// One row by the position solver, with the closures of the instant, and the loop equations; at a change point one for
     /// each way on.
     pub fn solve(&self, stations: &Stations, row: usize) -> Result<Vec<Vec<f64>>, Faults> {
         let p = self.placed;
-        let scene = with_driver_at(p.scene, self.driver, stations.place(row, p.scene, self.driver));
+        let scene = self.scene_at(stations, row);
         unfollowed(&scene)?;
-        let moved = Whole::new(p, self.driver);
-        // Closed forms do not tell on which turn wheels stand.
-        let at = match moved.counts_turns() {
-            true => moved.standing(stations.values[row])?,
-            false => position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?,
+        // Closed forms do not tell on which turn wheels stand, nor the pose beside one that is given by coordinates.
+        let at = match self.is_closed_everywhere() {
+            false => Whole::new(p, self.driver).standing(stations.values[row])?,
+            true => position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?,
         };
         self.answers(&scene, &at)
     }

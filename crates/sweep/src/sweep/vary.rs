@@ -7,7 +7,7 @@ use super::chunks::{Rows, run_program};
 use super::general::General;
 use super::pieces::{Gaps, Pieces, Stop, never};
 use super::station::{Stations, position_now};
-use super::{Placed, Width, follow::whole};
+use super::{Placed, Width, without_program};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::shortest;
 use crate::mechanism::Mechanism;
@@ -361,13 +361,14 @@ impl Pieces for Varied<'_> {
 
 /// The answers at one station, by the program where there is one.
 fn one_row(placed: &Placed, stations: &Stations) -> Result<Rows, Faults> {
+    let general = General::new(placed, 0);
     let mut rows = match super::compile(placed.scene, placed.mechanism, &placed.at, Some(0), &placed.scene.find) {
         Ok(program) => {
             let mut rows = run_program(&program, placed, 0, stations, Width::Widest);
-            rows.complete(&General::new(placed, 0), stations, &never, &|_| None);
+            rows.complete(&general, stations, &never, &|_| None);
             rows
         }
-        Err(_) => whole::follow(placed, 0, stations).0,
+        Err(why) => without_program(&general, stations, &why).0,
     };
     match rows.missing.remove(&0) {
         Some(why) => Err(why),
