@@ -164,7 +164,7 @@ impl<'a> Sweep<'a> {
 
 /// How the rows of questions are made that have no program.
 enum Beside {
-    /// Each by the general solver: followers of cams move by laws.
+    /// Each by the general solver: followers of cams move by laws, or the scene is read again for each.
     Each,
     /// The positions have a program.
     Stood(Box<Stood>),
@@ -175,7 +175,7 @@ enum Beside {
 impl Beside {
     fn of(placed: &Placed, driver: usize) -> Beside {
         let laws = placed.scene.has_laws(driver);
-        if laws && General::new(placed, driver).is_closed_everywhere() {
+        if General::new(placed, driver).is_read_again() || laws && General::new(placed, driver).is_closed_everywhere() {
             return Beside::Each;
         }
         match Stood::of(placed, driver) {
@@ -210,8 +210,36 @@ fn without_program(general: &General, stations: &Stations, why: &Diagnostic) -> 
     (rows, notes)
 }
 
+/// The topology of a scene for its whole motion ([`follow::course::over_a_turn`]). Questions about the contact of a cam are allowed that the scene
+/// defines where it is read, though a driver stands for the contact.
+///
+/// # Errors
+/// Those of [`Mechanism::new`].
+pub fn mechanism(scene: &Scene) -> Result<Mechanism, Faults> {
+    let own = Mechanism::new(scene);
+    match own {
+        Err(_) if scene.source.is_some() && (0..scene.drivers.len()).any(|d| scene.is_led(d)) => {
+            Mechanism::new(&scene.read_again(&|_| None)?)?;
+            Ok(Mechanism::new(&Scene { find: Vec::new(), ..scene.clone() })?.value)
+        }
+        own => Ok(own?.value),
+    }
+}
+
 /// The program of a driver.
 fn compiled(placed: &Placed, driver: usize) -> Result<Program, Diagnostic> {
+    if General::new(placed, driver).is_read_again()
+        && let Some(cam) = placed.scene.kept_cams().next()
+    {
+        let (cam, follower) = (placed.scene.link_name(cam.cam), placed.scene.link_name(cam.follower));
+        let message = both!(
+            "the contact of cam {} with {} has no compiled form: each position is solved by itself",
+            "凸轮 {} 与 {} 的接触没有编译形式：逐个位置求解",
+            cam,
+            follower
+        );
+        return Err(Diagnostic::note("no-kernel", message));
+    }
     compile(placed.scene, placed.mechanism, &placed.at, Some(driver), &placed.scene.find)
 }
 

@@ -28,7 +28,8 @@ impl Stood {
     /// The positions of a placed mechanism that is moved by a driver; `None` where a group has no kernel, or is followed.
     pub fn of(placed: &Placed, driver: usize) -> Option<Stood> {
         let (scene, m, at) = (placed.scene, placed.mechanism, &placed.at);
-        let points: Vec<PointId> = (0..scene.points.len()).map(PointId).filter(|p| at.points[p.0].is_some() && m.pins.contains(p)).collect();
+        let points: Vec<PointId> =
+            (0..scene.points.len()).map(PointId).filter(|p| at.points[p.0].is_some() && m.pins.contains(p)).collect();
         let moves = |l: &LinkId| at.poses[l.0].is_some() && *l != scene.ground && !m.is_passive(*l);
         let links: Vec<LinkId> = (0..scene.links.len()).map(LinkId).filter(moves).collect();
         let program = compile::places(scene, m, at, driver, &points, &links).ok().filter(|p| p.tracks.is_empty())?;

@@ -81,6 +81,8 @@ pub struct Variation {
     fixed: Vec<Option<Value>>,
     /// Indices into [`slots`] of what depends on them.
     dependent: Vec<(usize, Expr)>,
+    /// Whether the scene has cams, whose geometry is read again for other values.
+    cams: bool,
 }
 
 impl Variation {
@@ -97,7 +99,7 @@ impl Variation {
             let d = Diagnostic::error("cam-varied", message);
             return Err(d.help(both!("run `solve` or `cam` with --set for each value", "请对每个值用 --set 运行 `solve` 或 `cam`")).into());
         }
-        Variation::of(scene, names)
+        Ok(Variation { cams: !scene.cams.is_empty() && scene.source.is_some(), ..Variation::of(scene, names)? })
     }
 
     /// See [`Variation::new`]; cams stay as they stand in the scene.
@@ -147,7 +149,7 @@ impl Variation {
             }
         }
         let moves: Vec<bool> = known.iter().map(|name| moving.contains(name)).collect();
-        let mut variation = Variation { parameters, varied, fixed: Vec::new(), dependent };
+        let mut variation = Variation { parameters, varied, fixed: Vec::new(), dependent, cams: false };
         let usual = variation.values(&[])?;
         variation.fixed = usual.into_iter().zip(moves).map(|(value, moves)| (!moves).then_some(value)).collect();
         Ok(variation)
@@ -235,6 +237,15 @@ impl Variation {
     /// A length that becomes zero or negative, a value that is no number.
     pub fn set(&self, scene: &mut Scene, varied: &[Value]) -> Result<(), Faults> {
         let values = self.values(varied)?;
+        if self.cams {
+            let written = |value: &Value| match value.degrees {
+                true => format!("({:?}) deg", value.number),
+                false => format!("({:?}) {}", value.si(), self.unit(value)).replace('²', "^2"),
+            };
+            let texts: Vec<(&str, String)> = self.names().zip(varied.iter().map(written)).collect();
+            *scene = scene.read_with(&texts)?;
+            return Ok(());
+        }
         let mut slots = slots(scene);
         for (i, expr) in &self.dependent {
             let value = self.evaluate(expr, &values)?;

@@ -194,7 +194,11 @@ impl Compiler<'_> {
 }
 
 fn no_kernel(find: &Find) -> NoKernel {
-    Diagnostic::note("no-kernel", both!("{} has no kernel", "{} 没有编译形式", find.text)).at(find.span)
+    Diagnostic::note(
+        "no-kernel",
+        both!("{} has no compiled form: each position is solved by itself", "{} 没有编译形式：逐个位置求解", find.text),
+    )
+    .at(find.span)
 }
 
 /// The columns of a question: name and unit of each.
