@@ -7,7 +7,7 @@ use hodograph::diag::Faults;
 use hodograph::geom::Vec2;
 use hodograph::mechanism::Mechanism;
 use hodograph::position;
-use hodograph::scene::{self, Find, LinkId, Place, Scene, Through, edit, templates};
+use hodograph::scene::{self, Find, LinkId, Place, PointId, Scene, Through, edit, templates};
 use hodograph::sweep::batch::{Batch, Choice};
 use hodograph::sweep::follow::course::over_a_turn;
 use hodograph::sweep::long::Long;
@@ -65,7 +65,10 @@ fn read(json: &Json, find: &[String]) -> Result<Scene, Faults> {
 
 /// Every question that the scene can ask: all symbols, with all points, links, pairs and frames for which they are taken.
 fn askable(json: &Json, plain: &Scene) -> Vec<String> {
-    let points: Vec<&str> = plain.points.iter().map(|p| p.name.as_str()).collect();
+    // Not the points of the linkage that stands for a cam, which is another at every piece.
+    let file = json.to_string();
+    let own = |name: &&str| plain.cams.is_empty() || is_named(&file, name);
+    let points: Vec<&str> = plain.points.iter().map(|p| p.name.as_str()).filter(own).collect();
     let links: Vec<&str> = plain.links.iter().map(|l| l.name.as_str()).collect();
     let mut all: Vec<String> = plain.find.iter().map(|f| f.text.clone()).collect();
     let mut ask = |symbols: &[&str], of: &str| all.extend(symbols.iter().map(|s| format!("{s}_{of}")));
@@ -96,7 +99,7 @@ fn askable(json: &Json, plain: &Scene) -> Vec<String> {
             }
         }
     }
-    all.retain(|q| !is_of_no_line(plain, q));
+    all.retain(|q| !is_of_no_line(plain, q, &file));
     all.sort();
     all.dedup();
     let mut out = Vec::new();
@@ -105,19 +108,26 @@ fn askable(json: &Json, plain: &Scene) -> Vec<String> {
 }
 
 /// Whether a link has a line: a wheel, say, that has none lies as the plane does in every scene that is written, and turns in a sweep.
-fn has_line(scene: &Scene, l: LinkId) -> bool {
-    scene.links[l.0].points.len() > 1 || position::guide_of(scene, l).is_some()
+fn has_line(scene: &Scene, l: LinkId, file: &str) -> bool {
+    let own = |p: &&PointId| scene.cams.is_empty() || is_named(file, scene.point_name(**p));
+    let touches = scene.cams.iter().any(|c| c.cam == l || c.follower == l);
+    scene.links[l.0].points.iter().filter(own).count() > 1 || !touches && position::guide_of(scene, l).is_some()
+}
+
+/// Whether a file names a point, by itself or in a pair of points.
+fn is_named(file: &str, point: &str) -> bool {
+    file.contains(&format!("\"{point}\""))
 }
 
 /// Whether a question is about the axes of a link that has no line.
-fn is_of_no_line(scene: &Scene, question: &str) -> bool {
+fn is_of_no_line(scene: &Scene, question: &str, file: &str) -> bool {
     let Some((symbol, of)) = question.split_once('_') else { return false };
     let link = match symbol {
         "phi" | "p" => of,
         "path" => of.split_once('/').map_or(of, |(_, frame)| frame),
         _ => return false,
     };
-    (0..scene.links.len()).map(LinkId).any(|l| scene.link_name(l) == link && !has_line(scene, l))
+    (0..scene.links.len()).map(LinkId).any(|l| scene.link_name(l) == link && !has_line(scene, l, file))
 }
 
 /// Those of some questions that can be asked.
@@ -160,6 +170,8 @@ struct Moved<'a> {
     json: &'a Json,
     plain: &'a Scene,
     driver: usize,
+    /// Where the driver stands.
+    now: f64,
 }
 
 impl Moved<'_> {
@@ -171,13 +183,15 @@ impl Moved<'_> {
     /// Whether a point that moves is given by coordinates.
     fn posed(&self, p: usize) -> bool {
         let fixed = self.plain.links[self.plain.ground.0].points.iter().any(|q| q.0 == p);
-        !fixed && matches!(self.plain.points[p].place, Place::At(_))
+        let written = self.json["points"].get(&self.plain.points[p].name).is_some();
+        written && !fixed && matches!(self.plain.points[p].place, Place::At(_))
     }
 
     /// The scene with its driver at `value`, the points at their places and the links turned by so much; `None` where its words cannot say it.
     fn at(&self, value: f64, places: &BTreeMap<String, [f64; 2]>, turned: &BTreeMap<String, f64>) -> Option<Json> {
         let (plain, mut json) = (self.plain, self.json.clone());
         let posed: Vec<usize> = (0..plain.points.len()).filter(|p| self.posed(*p)).collect();
+        let own_guides = json["guides"].as_array().map_or(0, Vec::len);
         if !self.told() && posed.is_empty() {
             return None;
         }
@@ -202,7 +216,7 @@ impl Moved<'_> {
         if let Some(sketch) = json.get_mut("sketch").and_then(Json::as_object_mut) {
             sketch.iter_mut().filter_map(|(p, at)| Some((at, places.get(p)?))).for_each(|(at, place)| *at = written(*place));
         }
-        for (g, guide) in plain.guides.iter().enumerate().filter(|(_, g)| g.on != plain.ground && g.rolling.is_none()) {
+        for (g, guide) in plain.guides.iter().enumerate().take(own_guides).filter(|(_, g)| g.on != plain.ground) {
             let scene::GuidePath::Line { through, direction, .. } = &guide.path else { continue };
             if matches!(through, Through::At(_)) {
                 return None;
@@ -210,6 +224,12 @@ impl Moved<'_> {
             if let scene::Direction::Instant(angle) = direction {
                 let by = turned.get(plain.link_name(guide.on))?;
                 json["guides"].get_mut(g)?["angle"] = json!(format!("{:?} rad", angle.value.radians() + by));
+            }
+        }
+        // How a cam behind wheels stands is told for the pose.
+        for (i, cam) in plain.cams.iter().enumerate() {
+            if let (Some(angle), Some(t)) = (json["cams"][i]["angle"].as_str().map(str::to_owned), &cam.disc) {
+                json["cams"][i]["angle"] = json!(format!("({angle}) + ({:?} rad)", t.way * (value - self.now)));
             }
         }
         Some(json)
@@ -356,7 +376,7 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
         let at = rows(&table, &values);
         let base = sweep::of_values(&there, driver, vec![station::position_now(&scene, &there.at, driver)]);
         let number = |name: &str, row: usize| table.column(name).map(|c| c.values[row]);
-        let moved = Moved { json, plain: &plain, driver };
+        let moved = Moved { json, plain: &plain, driver, now: station::position_now(&swept, &placed.at, driver) };
         let mut singles: Vec<Result<Single, String>> = Vec::new();
         let mut said: Vec<bool> = Vec::new();
         for (value, row) in values.iter().zip(&at) {
@@ -380,7 +400,7 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
             let Ok(single) = single else { continue };
             let turns = swept.drivers[driver].kind.turns();
             let off = if turns { Vec2::from_angle(single.value - values[k]).angle() } else { (single.value - values[k]) / extent };
-            let lies = swept.drivers[driver].kind.turned().is_none_or(|(l, _)| has_line(&plain, l));
+            let lies = swept.drivers[driver].kind.turned().map_or(moved.told(), |(l, _)| has_line(&plain, l, &json.to_string()));
             if off.abs() > 1e-9 && single.condition < 1e6 && lies {
                 let at = values[k];
                 tally.faults.push(format!("{name} driver {driver} at {at}: by the places of the sweep it stands at {}", single.value));
@@ -408,7 +428,8 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
                         continue;
                     }
                     let (Some(single), Some(row)) = (answered, at[k]) else {
-                        if answered.is_some() != at[k].is_some() {
+                        // What cannot be read at a position is not told there by the file; the mechanism may go there all the same.
+                        if answered.is_some() != at[k].is_some() && (answered.is_some() || single.is_ok()) {
                             let told = if at[k].is_some() { "a row that solve refuses" } else { "no row, solve answers" };
                             let notes: Vec<_> = table.notes.iter().map(|n| n.message.en.as_str()).collect();
                             tally.faults.push(here(&format!(
@@ -574,7 +595,9 @@ fn a_sweep_says_what_solve_says() {
         tally.singular,
         tally.faults.len()
     );
-    println!("nothing compared of\n{}", tally.idle.join("\n"));
+    if !tally.idle.is_empty() {
+        println!("nothing is compared of\n{}", tally.idle.join("\n"));
+    }
     assert!(tally.faults.is_empty(), "{}", tally.faults.join("\n"));
     assert!(tally.compared > 1000, "{}", tally.compared);
 }

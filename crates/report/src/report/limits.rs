@@ -197,7 +197,12 @@ impl<'a> Words<'a> {
 
     fn swing(&self, s: &Swing) -> String {
         let (lang, name) = (self.lang, self.output(s.output));
-        let Some(stroke) = s.stroke else { return format!("{name} {}", tr(lang, "has no extreme position", "无极限位置")) };
+        let Some(stroke) = s.stroke else {
+            return match s.extremes.is_empty() {
+                true => format!("{name} {}", tr(lang, "has no extreme position", "无极限位置")),
+                false => format!("{name} {}", tr(lang, "has no stroke, as no limit of the driver was found", "无行程（未见原动件的极限）")),
+            };
+        };
         let word = match s.output {
             Output::Turning(_) => tr(lang, "swings", "摆角"),
             Output::Sliding(_) => tr(lang, "has a stroke of", "行程"),

@@ -42,8 +42,13 @@ impl Scene {
     /// roughly those whose assembly is to be the same.
     ///
     /// # Errors
-    /// Those of reading; `no-source` for a scene without cams, or one that was not read.
+    /// Those of reading; `no-source` for a scene without cams, one that was not read, or one whose file tells how a cam behind wheels stands.
     pub fn read_again(&self, place: &dyn Fn(&str) -> Option<[f64; 2]>) -> Result<Scene, Faults> {
+        let by_wheels = |(raw, _): &(RawScene, String)| raw.cams.iter().any(|c| c.angle.is_some());
+        if self.source.as_ref().is_some_and(|Source(source)| by_wheels(source)) {
+            let message = both!("how a cam behind wheels stands is told for one pose", "轮系带动的凸轮，其位置只对一个位置给定");
+            return Err(Diagnostic::error("no-source", message).into());
+        }
         let fixed = |name: &str| self.links[self.ground.0].points.iter().any(|p| self.point_name(*p) == name);
         self.reread(|raw| {
             for (own, driver) in raw.drivers.iter_mut().zip(&self.drivers) {

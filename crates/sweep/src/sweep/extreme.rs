@@ -50,7 +50,7 @@ pub struct Swing {
     pub output: Output,
     /// Its extremes in the order of the driver's positions.
     pub extremes: Vec<Extreme>,
-    /// From the lowest to the highest position (rad or m); `None` where it turns fully.
+    /// From the lowest to the highest position (rad or m); `None` where it turns fully, or the driver has no end.
     pub stroke: Option<f64>,
     /// The crank angle of the slower of two strokes over that of the faster one, without the dwells between them; where a full turn has just two
     /// extremes.

@@ -110,7 +110,9 @@ pub(super) fn swing(
     extremes.sort_by(|a, b| a.driver.total_cmp(&b.driver));
     let least = extremes.iter().map(|e| e.output).fold(f64::INFINITY, f64::min);
     let most = extremes.iter().map(|e| e.output).fold(f64::NEG_INFINITY, f64::max);
-    Swing { output, stroke: (most >= least).then_some(most - least), extremes, time_ratio }
+    // A way that is known on one side only, or on none, has no stroke; nor has one of which more is missing than what is at its ends.
+    let whole = (period.is_some() || range.ends.iter().all(Option::is_some)) && known.len() + 4 >= x.len();
+    Swing { output, stroke: (whole && most >= least).then_some(most - least), extremes, time_ratio }
 }
 
 /// The stretch about a zero of the rate on which the output stands still, if it does; `[before, zero, after]` of it.
