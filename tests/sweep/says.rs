@@ -507,7 +507,7 @@ fn limits_hold(name: &str, swept: &Scene, m: &Mechanism, driver: usize, singles:
             let found: Vec<f64> = singles.iter().flatten().filter_map(position).collect();
             let moved = found.iter().any(|a| (a - found[0]).abs() > 1e-9 * size);
             if matches!(s.output, extreme::Output::Sliding(_)) && turns && limits.range.full() && moved && rate != 0.0 {
-                tally.faults.push(format!("{what}: no extreme, solve says {found:?}"));
+                tally.faults.push(format!("{what}: no extreme from {:?}, solve says {found:?}", limits.range.bounds()));
             }
             continue;
         };
@@ -521,7 +521,9 @@ fn limits_hold(name: &str, swept: &Scene, m: &Mechanism, driver: usize, singles:
             }
             tally.compared += 1;
             if stroke < TAU && !(-1e-7 * size..=stroke + 1e-7 * size).contains(&over) {
-                tally.faults.push(format!("{what}: from {lowest} on by {stroke}, solve says {at} at {}", single.value));
+                tally
+                    .faults
+                    .push(format!("{what}: from {lowest} on by {stroke}, solve says {at} at {}: {s:?} {:?}", single.value, limits.range));
             }
         }
     }

@@ -149,8 +149,7 @@ impl Afresh {
 
 /// Refuses a scene whose follower does not get where its cam leads.
 fn unfollowed(scene: &Scene) -> Result<(), Faults> {
-    let lost = |d: &usize| scene.is_on_a_course(*d) && scene.drivers[*d].kind.position().is_some_and(|at| at.value().is_nan());
-    let Some(cam) = (0..scene.drivers.len()).find(lost).and_then(|d| scene.cams.iter().find(|c| c.is_led_by(d))) else { return Ok(()) };
+    let Some(cam) = scene.lost_follower() else { return Ok(()) };
     let (cam, follower) = (scene.link_name(cam.cam), scene.link_name(cam.follower));
     let message =
         both!("the follower `{follower}` cannot be moved so far on cam `{cam}`", "从动件 `{follower}` 在凸轮 `{cam}` 上不能运动到此处");

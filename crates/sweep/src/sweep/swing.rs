@@ -66,7 +66,9 @@ pub(super) fn swing(
         Output::Sliding(_) => here,
     };
     let (x, period) = (&course.stations.values, course.period);
-    let rounding = ROUNDING * (0..v.len()).filter(|&i| there(i)).map(|i| v[i].abs()).fold(0.0, f64::max);
+    // Beside a limit a rate grows beyond all bounds: how fast the output goes on the whole is told by its positions.
+    let gone = |i: usize| if there(i) && there(i - 1) { (position[i] - position[i - 1]).abs() } else { 0.0 };
+    let rounding = ROUNDING * (1..x.len()).map(gone).fold(0.0, f64::max) / course.step();
     // Samples with a rate; one that meets a zero is passed over. After a full turn the first comes again.
     let mut moving: Vec<(f64, usize)> = (0..x.len()).filter(|&i| there(i) && v[i].abs() > rounding).map(|i| (x[i], i)).collect();
     if let (Some(period), Some(&(first, i))) = (period, moving.first()) {

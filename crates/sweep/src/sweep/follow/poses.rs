@@ -283,6 +283,9 @@ impl<'a> Follower<'a> {
         }
         let gone = self.gone(travel)?;
         let (scene, time) = self.later(&gone, travel);
+        if scene.lost_follower().is_some() {
+            return None;
+        }
         let later = |meant: &Configuration| position::later(&scene, self.mechanism, self.demand, meant, self.base, time);
         let mut best = match later(guess) {
             Ok(found) => found,
@@ -347,6 +350,9 @@ impl<'a> Follower<'a> {
         let own = gone.iter().enumerate().filter(|(d, _)| !self.scene.is_led(*d));
         own.for_each(|(d, by)| values.0[d] += by);
         let scene = self.with_followers(&gone);
+        if scene.lost_follower().is_some() {
+            return None;
+        }
         for k in (0..scene.drivers.len()).filter(|k| scene.is_led(*k)) {
             let place = |s: &Scene| driver_position(s, k);
             values.0[k] += place(&scene).zip(place(&self.scene)).map_or(0.0, |(there, here)| there - here);
