@@ -5,8 +5,6 @@
 mod class_iv;
 #[path = "sweep/long.rs"]
 mod long;
-#[path = "sweep/says.rs"]
-mod says;
 mod wide;
 
 use class_iv::class_iv;

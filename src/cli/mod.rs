@@ -293,14 +293,6 @@ impl Input {
         kept.into_iter().for_each(|d| self.notes.push(d));
     }
 
-    /// The same for a table: its rows follow every piece of a profile, by reading the scene again for each where no driver does.
-    fn over_a_table(&mut self) {
-        self.over_a_turn();
-        if self.scene.is_told_everywhere() {
-            self.notes.retain(|d| d.code != "cam-piece");
-        }
-    }
-
     /// The scene worked through, its notes added.
     fn work(&mut self, scope: Scope) -> Result<Worked, Failure> {
         match work(&self.scene, scope) {

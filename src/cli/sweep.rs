@@ -31,6 +31,16 @@ pub fn sweep(a: Sweep) -> Run {
     Ok(ExitCode::SUCCESS)
 }
 
+impl Input {
+    /// The scene for its whole motion, for a table: its rows follow every piece of a profile, by reading the scene again for each where no driver does.
+    pub(super) fn over_a_table(&mut self) {
+        self.over_a_turn();
+        if self.scene.is_told_everywhere() {
+            self.notes.retain(|d| d.code != "cam-piece");
+        }
+    }
+}
+
 /// Writes the table to where it belongs; returns its notes.
 fn sweep_into(input: &Input, a: &Sweep) -> Result<Vec<Diagnostic>, Failure> {
     let title = input.scene.title.get(choices(&input.scene, &a.common).0);

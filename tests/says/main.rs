@@ -1,13 +1,16 @@
 //! A sweep says what `solve` says: every quantity that a scene can ask, at eight positions of each of its drivers, against the scene that is written
 //! for that position and solved by itself. Told are the driver's position, the coordinates of what moves, and roughly where joints are.
 
-use crate::wide::every;
-use hodograph::analytic;
+mod moved;
+mod scenes;
+#[path = "../wide/mod.rs"]
+mod wide;
+
 use hodograph::diag::Faults;
 use hodograph::geom::Vec2;
 use hodograph::mechanism::Mechanism;
 use hodograph::position;
-use hodograph::scene::{self, Find, LinkId, Place, PointId, Scene, Through, edit, templates};
+use hodograph::scene::{self, Find, Scene, edit};
 use hodograph::sweep::batch::{Batch, Choice};
 use hodograph::sweep::follow::course::over_a_turn;
 use hodograph::sweep::long::Long;
@@ -15,226 +18,18 @@ use hodograph::sweep::pieces::gather;
 use hodograph::sweep::timed::Timed;
 use hodograph::sweep::vary::Variation;
 use hodograph::sweep::{self, Placed, Stations, Steps, Table, Width, compile, extreme, station};
+use moved::{Moved, Single, solved};
 use rayon::prelude::*;
-use serde_json::{Value as Json, json};
-use std::collections::BTreeMap;
+use scenes::{askable, has_line, read, scenes};
+use serde_json::Value as Json;
 use std::f64::consts::TAU;
+use wide::every;
 
 /// Positions of a driver.
 const POSITIONS: usize = 8;
 
 /// Where the first of them lies, as a part of the step: no multiple of what people write.
 const OFF: f64 = 0.37;
-
-/// The templates, the cases, the problems, and scenes that once were swept wrongly.
-fn scenes() -> Vec<(String, Json)> {
-    let read = |path: &str| std::fs::read_to_string(path).unwrap();
-    let parsed = |text: &str| serde_json::from_str::<Json>(text).unwrap();
-    let root = env!("CARGO_MANIFEST_DIR");
-    let files = |folder: &str| {
-        let all = std::fs::read_dir(format!("{root}/{folder}")).unwrap().map(|f| f.unwrap().path());
-        let mut files: Vec<_> = all.filter(|p| p.extension().is_some_and(|e| e == "json")).collect();
-        files.sort();
-        files
-    };
-    let mut out: Vec<(String, Json)> =
-        templates::list().iter().map(|t| (t.name.to_owned(), parsed(templates::get(t.name).unwrap()))).collect();
-    for path in files("tests/cases") {
-        let case = parsed(&read(path.to_str().unwrap()));
-        if case["scene"].is_object() {
-            out.push((format!("cases/{}", path.file_stem().unwrap().display()), case["scene"].clone()));
-        }
-    }
-    for file in ["motion", "centres"] {
-        for problem in parsed(&read(&format!("{root}/tests/problems/{file}.json"))).as_array().unwrap() {
-            out.push((format!("problems/{}", problem["name"].as_str().unwrap()), problem["scene"].clone()));
-        }
-    }
-    for path in files("tests/sweep") {
-        out.push((format!("sweep/{}", path.file_stem().unwrap().display()), parsed(&read(path.to_str().unwrap()))));
-    }
-    out
-}
-
-fn read(json: &Json, find: &[String]) -> Result<Scene, Faults> {
-    let mut json = json.clone();
-    json["find"] = json!(find);
-    let scene = scene::read(json.to_string())?.value;
-    Mechanism::new(&scene).map(|_| scene)
-}
-
-/// Every question that the scene can ask: all symbols, with all points, links, pairs and frames for which they are taken.
-fn askable(json: &Json, plain: &Scene) -> Vec<String> {
-    // Not the points of the linkage that stands for a cam, which is another at every piece.
-    let file = json.to_string();
-    let own = |name: &&str| plain.cams.is_empty() || is_named(&file, name);
-    let points: Vec<&str> = plain.points.iter().map(|p| p.name.as_str()).filter(own).collect();
-    let links: Vec<&str> = plain.links.iter().map(|l| l.name.as_str()).collect();
-    let mut all: Vec<String> = plain.find.iter().map(|f| f.text.clone()).collect();
-    let mut ask = |symbols: &[&str], of: &str| all.extend(symbols.iter().map(|s| format!("{s}_{of}")));
-    for p in &points {
-        ask(&["x", "y", "v", "a", "rho", "O", "gamma"], p);
-        for q in points.iter().filter(|q| *q > p) {
-            ask(&["l", "v", "a", "an", "at"], &format!("{p}{q}"));
-        }
-        let on: Vec<&str> = links
-            .iter()
-            .copied()
-            .filter(|l| plain.links.iter().any(|k| k.name == *l && k.points.iter().any(|q| plain.point_name(*q) == *p)))
-            .collect();
-        for l in &links {
-            ask(&["v", "a"], &format!("{p}{l}"));
-            ask(&["ve", "vr", "ae", "aen", "aet", "ar", "arn", "art", "ak", "path"], &format!("{p}/{l}"));
-            for k in links.iter().filter(|k| *k != l && on.contains(k)) {
-                ask(&["vr", "ar", "ak"], &format!("{p}{k}{p}{l}"));
-            }
-        }
-    }
-    for l in &links {
-        ask(&["phi", "omega", "alpha", "J", "d", "K", "u", "p", "s", "psi", "h", "Psi", "Phi", "pressure", "rho_min", "spin"], l);
-        for k in links.iter().filter(|k| *k != l) {
-            ask(&["omega", "alpha", "rho"], &format!("{l}/{k}"));
-            if k > l {
-                ask(&["P", "i"], &format!("{l}{k}"));
-            }
-        }
-    }
-    all.retain(|q| !is_of_no_line(plain, q, &file));
-    all.sort();
-    all.dedup();
-    let mut out = Vec::new();
-    taken(json, all, &mut out);
-    out
-}
-
-/// Whether a link has a line: a wheel, say, that has none lies as the plane does in every scene that is written, and turns in a sweep.
-fn has_line(scene: &Scene, l: LinkId, file: &str) -> bool {
-    let own = |p: &&PointId| scene.cams.is_empty() || is_named(file, scene.point_name(**p));
-    let touches = scene.cams.iter().any(|c| c.cam == l || c.follower == l);
-    scene.links[l.0].points.iter().filter(own).count() > 1 || !touches && position::guide_of(scene, l).is_some()
-}
-
-/// Whether a file names a point, by itself or in a pair of points.
-fn is_named(file: &str, point: &str) -> bool {
-    file.contains(&format!("\"{point}\""))
-}
-
-/// Whether a question is about the axes of a link that has no line.
-fn is_of_no_line(scene: &Scene, question: &str, file: &str) -> bool {
-    let Some((symbol, of)) = question.split_once('_') else { return false };
-    let link = match symbol {
-        "phi" | "p" => of,
-        "path" => of.split_once('/').map_or(of, |(_, frame)| frame),
-        _ => return false,
-    };
-    (0..scene.links.len()).map(LinkId).any(|l| scene.link_name(l) == link && !has_line(scene, l, file))
-}
-
-/// Those of some questions that can be asked.
-fn taken(json: &Json, mut all: Vec<String>, out: &mut Vec<String>) {
-    if all.is_empty() {
-        return;
-    }
-    if read(json, &all).is_ok() {
-        out.append(&mut all);
-    } else if all.len() > 1 {
-        let rest = all.split_off(all.len() / 2);
-        taken(json, all, out);
-        taken(json, rest, out);
-    }
-}
-
-/// The answers of the loop equations to a scene as it stands; `None` of what is not defined there.
-struct Single {
-    answers: BTreeMap<String, Option<Vec<f64>>>,
-    condition: f64,
-    /// Where the driver stands.
-    value: f64,
-}
-
-fn solved(scene: &Scene, driver: Option<usize>) -> Result<Single, Faults> {
-    let m = Mechanism::new(scene)?.value;
-    let placed = Placed::new(scene, &m)?;
-    let solution = analytic::solve(scene, &m, &placed.at, &placed.demand)?;
-    let answer = |f: &Find| {
-        let columns = solution.answer(scene, &placed.at, &f.what)?.columns();
-        columns.iter().all(|v| v.is_finite()).then_some(columns)
-    };
-    let answers = scene.find.iter().map(|f| (f.text.clone(), answer(f))).collect();
-    let condition = if solution.singular.is_empty() { solution.condition } else { f64::INFINITY };
-    Ok(Single { answers, condition, value: driver.map_or(0.0, |d| station::position_now(scene, &placed.at, d)) })
-}
-
-/// A scene of the file's own words that is told to stand elsewhere.
-struct Moved<'a> {
-    json: &'a Json,
-    plain: &'a Scene,
-    driver: usize,
-    /// Where the driver stands.
-    now: f64,
-}
-
-impl Moved<'_> {
-    /// Whether the scene says where its driver stands.
-    fn told(&self) -> bool {
-        self.plain.drivers[self.driver].kind.position().is_some()
-    }
-
-    /// Whether a point that moves is given by coordinates.
-    fn posed(&self, p: usize) -> bool {
-        let fixed = self.plain.links[self.plain.ground.0].points.iter().any(|q| q.0 == p);
-        let written = self.json["points"].get(&self.plain.points[p].name).is_some();
-        written && !fixed && matches!(self.plain.points[p].place, Place::At(_))
-    }
-
-    /// The scene with its driver at `value`, the points at their places and the links turned by so much; `None` where its words cannot say it.
-    fn at(&self, value: f64, places: &BTreeMap<String, [f64; 2]>, turned: &BTreeMap<String, f64>) -> Option<Json> {
-        let (plain, mut json) = (self.plain, self.json.clone());
-        let posed: Vec<usize> = (0..plain.points.len()).filter(|p| self.posed(*p)).collect();
-        let own_guides = json["guides"].as_array().map_or(0, Vec::len);
-        if !self.told() && posed.is_empty() {
-            return None;
-        }
-        if self.told() {
-            let kind = &plain.drivers[self.driver].kind;
-            let (key, unit) = match (kind.turns(), kind.guide().is_some()) {
-                (true, _) => ("angle", "rad"),
-                (false, true) => ("position", "m"),
-                (false, false) => ("length", "m"),
-            };
-            let own = match &mut json["driver"] {
-                Json::Array(list) => list.get_mut(self.driver)?,
-                one => one,
-            };
-            own[key] = json!(format!("{value:?} {unit}"));
-        }
-        let written = |[x, y]: [f64; 2]| json!([format!("{x:?} m"), format!("{y:?} m")]);
-        for p in posed {
-            let name = &plain.points[p].name;
-            json["points"][name] = written(*places.get(name)?);
-        }
-        if let Some(sketch) = json.get_mut("sketch").and_then(Json::as_object_mut) {
-            sketch.iter_mut().filter_map(|(p, at)| Some((at, places.get(p)?))).for_each(|(at, place)| *at = written(*place));
-        }
-        for (g, guide) in plain.guides.iter().enumerate().take(own_guides).filter(|(_, g)| g.on != plain.ground) {
-            let scene::GuidePath::Line { through, direction, .. } = &guide.path else { continue };
-            if matches!(through, Through::At(_)) {
-                return None;
-            }
-            if let scene::Direction::Instant(angle) = direction {
-                let by = turned.get(plain.link_name(guide.on))?;
-                json["guides"].get_mut(g)?["angle"] = json!(format!("{:?} rad", angle.value.radians() + by));
-            }
-        }
-        // How a cam behind wheels stands is told for the pose.
-        for (i, cam) in plain.cams.iter().enumerate() {
-            if let (Some(angle), Some(t)) = (json["cams"][i]["angle"].as_str().map(str::to_owned), &cam.disc) {
-                json["cams"][i]["angle"] = json!(format!("({angle}) + ({:?} rad)", t.way * (value - self.now)));
-            }
-        }
-        Some(json)
-    }
-}
 
 /// What was compared, and what differs.
 #[derive(Default)]
@@ -578,7 +373,7 @@ fn a_sweep_says_what_solve_says() {
     let only = std::env::var("SAYS").unwrap_or_default();
     let all = scenes();
     let picked = |(n, (name, _)): &(usize, &(String, Json))| {
-        if only.is_empty() { n % every(24) == 0 || name.starts_with("sweep/") } else { name.contains(&only) }
+        if only.is_empty() { n % every(24) == 0 || name.starts_with("says/") } else { name.contains(&only) }
     };
     let some: Vec<&(String, Json)> = all.iter().enumerate().filter(picked).map(|(_, s)| s).collect();
     let one = |(name, json): &&(String, Json)| {
