@@ -26,10 +26,10 @@ pub fn run(a: Curves) -> Run {
         None => with_positions(&input)?.join(","),
     };
     ask(&mut input, Some(&find))?;
-    input.over_a_turn();
+    input.over_a_table();
     // Displacements were added to the scene's questions: they have no place in a file to point at.
     input.asked = a.range.find.clone();
-    let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;
+    let mechanism = sweep::mechanism(&input.scene).map_err(|f| input.failed(f))?;
     let swept = swept_of(&input.scene, a.range.over.as_deref())?;
     let placed = Placed::new(&input.scene, &mechanism).map_err(|f| input.failed(f))?;
     let steps = within(a.range.steps.unwrap_or(STEPS), MOST_STEPS, both!("a diagram", "线图"))?;

@@ -12,7 +12,7 @@ use crate::sweep::pieces::Pieces;
 use crate::sweep::station::{self, Way};
 use crate::sweep::timed::Timed;
 use crate::sweep::vary::{Span, Variation, Varied};
-use crate::sweep::{Placed, Stations, Steps};
+use crate::sweep::{self, Placed, Stations, Steps};
 use std::process::ExitCode;
 
 /// Steps of a sweep unless the command line says otherwise: one for each degree of a turn.
@@ -24,18 +24,28 @@ pub fn sweep(a: Sweep) -> Run {
         tables::ending(path, &tables::ALL)?;
     }
     ask(&mut input, a.range.find.as_deref())?;
-    input.over_a_turn();
+    input.over_a_table();
     let notes = sweep_into(&input, &a)?;
     input.notes.extend(notes);
     input.say_notes();
     Ok(ExitCode::SUCCESS)
 }
 
+impl Input {
+    /// The scene for its whole motion, for a table: its rows follow every piece of a profile, by reading the scene again for each where no driver does.
+    pub(super) fn over_a_table(&mut self) {
+        self.over_a_turn();
+        if self.scene.is_told_everywhere() {
+            self.notes.retain(|d| d.code != "cam-piece");
+        }
+    }
+}
+
 /// Writes the table to where it belongs; returns its notes.
 fn sweep_into(input: &Input, a: &Sweep) -> Result<Vec<Diagnostic>, Failure> {
     let title = input.scene.title.get(choices(&input.scene, &a.common).0);
     let scene = &input.scene;
-    let mechanism = Mechanism::new(scene).map_err(|f| input.failed(f))?.value;
+    let mechanism = sweep::mechanism(scene).map_err(|f| input.failed(f))?;
     let over = a.range.over.as_deref();
     let swept = over.map_or_else(|| Some(Swept::usual(scene)), |name| Swept::named(scene, name));
     if let (Some(name), None) = (over, swept) {

@@ -38,6 +38,7 @@ pub use rolling::Rolled;
 pub use touch::Touch;
 
 use crate::geom::{Point, Vec2};
+use crate::mechanism::Mechanism;
 use crate::number::Real;
 use crate::scene::{Direction, Guide, GuideId, GuidePath, LinkId, PointId, Scene};
 
@@ -256,6 +257,18 @@ impl<N: Real> Configuration<N> {
         let (a, b) = (self.points[pts.first()?.0]?, self.points[pts.get(1)?.0]?);
         Some(b - a)
     }
+}
+
+/// The configuration of these poses and points, completed by what follows from them. Shapes, closures and the records of what rolls are those
+/// of `meant`.
+pub fn laid(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    meant: &Configuration,
+    poses: Vec<Option<Pose>>,
+    points: Vec<Option<Point>>,
+) -> Configuration {
+    finish::complete(scene, mechanism, meant.shapes.clone(), (poses, points), meant.closures.clone(), &meant.rolled)
 }
 
 /// The straight guide whose direction is that of a link without a line of its own: one that lies on it at an angle told for the instant, else the

@@ -81,8 +81,7 @@ pub fn json(scene: &Scene, driver: usize, limits: &Limits) -> Json {
         .swings
         .iter()
         .map(|s| {
-            let extremes: Vec<Json> =
-                s.extremes.iter().map(|e| json!({"driver": w.wrapped(e.driver), "output": e.output, "at_limit": e.at_limit})).collect();
+            let extremes: Vec<Json> = s.extremes.iter().map(|e| w.extreme_json(e)).collect();
             json!({"output": w.output(s.output), "extremes": extremes, "stroke": s.stroke, "time_ratio": s.time_ratio})
         })
         .collect();
@@ -210,7 +209,12 @@ impl<'a> Words<'a> {
 
     fn swing(&self, s: &Swing) -> String {
         let (lang, name) = (self.lang, self.told(&self.output(s.output)));
-        let Some(stroke) = s.stroke else { return format!("{name} {}", tr(lang, "has no extreme position", "无极限位置")) };
+        let Some(stroke) = s.stroke else {
+            return match s.extremes.is_empty() {
+                true => format!("{name} {}", tr(lang, "has no extreme position", "无极限位置")),
+                false => format!("{name} {}", tr(lang, "has no stroke, as no limit of the driver was found", "无行程（未见原动件的极限）")),
+            };
+        };
         let word = match s.output {
             Output::Turning(_) => tr(lang, "swings", "摆角"),
             Output::Sliding(_) => tr(lang, "has a stroke of", "行程"),
@@ -223,12 +227,17 @@ impl<'a> Words<'a> {
     }
 
     fn extreme(&self, s: &Swing, e: &Extreme) -> String {
-        let remark = match (e.at_limit, s.output) {
-            (true, _) => tr(self.lang, "  (the driver goes no farther)", "（原动件到达极限）").to_owned(),
-            (false, _) if s.extremes.iter().any(|e| e.at_limit) => String::new(),
-            (false, _) => tr(self.lang, "  (a dead centre if it is driven from there)", "（若以该构件为原动件，此处为死点）").to_owned(),
+        let remark = match e.until {
+            _ if e.at_limit => tr(self.lang, "  (the driver goes no farther)", "（原动件到达极限）").to_owned(),
+            Some(until) => tr(self.lang, " to {}  (a dwell)", "，至 {}（停歇）").replace("{}", &self.value(until)),
+            None if s.extremes.iter().any(|e| e.at_limit) => String::new(),
+            None => tr(self.lang, "  (a dead centre if it is driven from there)", "（若以该构件为原动件，此处为死点）").to_owned(),
         };
         format!("{} = {}{}{remark}", self.told(&self.output(s.output)), self.size(s.output, e.output), self.at(e.driver))
+    }
+
+    fn extreme_json(&self, e: &Extreme) -> Json {
+        json!({"driver": self.wrapped(e.driver), "until": e.until.map(|x| self.wrapped(x)), "output": e.output, "at_limit": e.at_limit})
     }
 }
 

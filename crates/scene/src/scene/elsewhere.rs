@@ -1,6 +1,6 @@
 //! A scene with its driver elsewhere: the same mechanism at another instant of its motion.
 
-use super::{Angle, Direction, Given, GuidePath, LinkId, Position, PositionSlot, Scene};
+use super::{Angle, Direction, Given, GuidePath, LinkId, Place, Point, PointId, Position, PositionSlot, Scene};
 
 /// The position of a driver: radians for a turning one, metres for a slider or a cylinder; `None` where the pose is given by
 /// coordinates.
@@ -10,7 +10,7 @@ pub fn driver_position(scene: &Scene, driver: usize) -> Option<f64> {
 
 /// The same scene with a driver elsewhere: just the decimal that is printed for `position` (radians or metres).
 ///
-/// A scene whose driver has no position stays as it is.
+/// The cams that the driver turns stand there too. Of a scene whose pose is given by coordinates these stay as they are.
 pub fn with_driver_at(scene: &Scene, driver: usize, position: f64) -> Scene {
     let before = driver_position(scene, driver);
     let mut scene = scene.clone();
@@ -25,11 +25,20 @@ pub fn with_driver_at(scene: &Scene, driver: usize, position: f64) -> Scene {
         }
         PositionSlot::Angle(None) | PositionSlot::Coordinate(None) | PositionSlot::Distance(None) => {}
     }
-    scene.set_followers(driver, None);
+    scene.set_followers(driver, Some(position));
     if let (Some((link, _)), Some(before)) = (scene.drivers[driver].kind.turned(), before) {
         turn_guides(&mut scene, link, position - before);
     }
     scene
+}
+
+impl Scene {
+    /// Whether lengths and drivers tell the pose wherever the drivers stand; coordinates of a point that moves tell one pose only.
+    pub fn is_told_everywhere(&self) -> bool {
+        let fixed = |p: PointId| self.links[self.ground.0].points.contains(&p);
+        let posed = |(p, point): (usize, &Point)| matches!(point.place, Place::At(_)) && !fixed(PointId(p));
+        !self.points.iter().enumerate().any(posed) && self.drivers.iter().all(|d| d.kind.position().is_some())
+    }
 }
 
 /// Turns the guides whose direction is given at the instant with the links that carry them, which turn as a driven link does.

@@ -3,6 +3,7 @@
 //! Bytes → JSON tree with places (`json`) → `RawScene` (`decode`) → [`Scene`] (`resolve`). A later stage finds
 //! nothing in a [`Scene`] that it would have to interpret; an earlier one knows nothing of the rules of a later one.
 
+mod again;
 pub mod book;
 pub mod build;
 pub mod cams;
@@ -39,6 +40,7 @@ mod values;
 mod write;
 mod written;
 
+pub use again::Source;
 pub use book::{Book, Kind};
 pub use driver::{Position, PositionSlot};
 pub use elsewhere::{driver_position, with_driver_at};

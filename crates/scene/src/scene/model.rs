@@ -4,6 +4,7 @@
 //! Whether the given things suffice to fix the mechanism is *not* decided here but in `mechanism` and
 //! `position`.
 
+use super::again::Source;
 use super::book::Book;
 use super::quantity::{Asked, Frame};
 use super::rolling::{Rolling, RollingId};
@@ -394,6 +395,8 @@ pub struct Scene {
     pub length_unit: &'static Unit,
     /// The units in which answers, scales and tables are printed.
     pub book: Book,
+    /// What a scene with cams was read from.
+    pub source: Option<Source>,
 }
 
 impl Scene {

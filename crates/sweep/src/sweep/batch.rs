@@ -8,7 +8,7 @@ use super::general::General;
 use super::pieces::{Stop, never};
 use super::station::{Stations, angle_per_value};
 use super::vary::Variation;
-use super::{Placed, Width, beside, compile, follow::whole};
+use super::{Placed, Width, beside, compile, without_program};
 use crate::diag::Faults;
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::{self, Configuration};
@@ -177,7 +177,7 @@ impl Batch<'_> {
                 rows.complete(&general, &stations, &never, &|row| beside(&program, &placed, self.driver, stations.values[row]));
                 rows
             }
-            Err(_) => whole::follow(&placed, self.driver, &stations).0.copied_to(answers),
+            Err(why) => without_program(&general, &stations, &why).0.copied_to(answers),
         };
         Ok(rows.missing.into_keys().collect())
     }

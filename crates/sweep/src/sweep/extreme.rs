@@ -1,8 +1,8 @@
 //! What a driver's whole motion comes to: extreme positions of the outputs, strokes, time ratios, Grashof's type.
 //!
 //! An output is a link pinned to ground, or a pin or slider that runs along a straight guide on ground, and is not driven
-//! itself. Its extremes are the zeros of its rate, located by Newton's method on the rate with the acceleration as
-//! derivative, the driver running at unit speed. Where it stands still the mechanism is in a dead centre if it is driven from there.
+//! itself. Its extremes are the zeros of its rate ([`swing`](super::swing)), the driver running at unit speed. Where it stands still the mechanism
+//! is in a dead centre if it is driven from there.
 
 use super::chunks::{Rows, run_parts, run_program};
 use super::compile::outputs;
@@ -11,10 +11,14 @@ use super::follow::extremes::Walk;
 use super::limit::{Event, Probe, Range, range};
 use super::program::Program;
 use super::station::{Stations, angle_per_value, position_now};
+use super::swing::{Course, swing};
 use super::{Placed, Width};
+use crate::cam::Motion;
 use crate::diag::{Diagnostic, Faults, both};
 use crate::mechanism::{Core, Demand, Leg, Mechanism};
+use crate::scene::cams::Turning;
 use crate::scene::{Angle, Given, GuideId, GuidePath, LinkId, Place, PointId, PositionSlot, Scene};
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 /// What moves at the other end of the mechanism.
@@ -31,6 +35,8 @@ pub enum Output {
 pub struct Extreme {
     /// Position of the driver (rad or m).
     pub driver: f64,
+    /// Where the output goes on, if it dwells there; the driver's position then begins the dwell.
+    pub until: Option<f64>,
     /// Position of the output (rad or m); angles run on without jumps.
     pub output: f64,
     /// Whether it is one because the driver itself goes no farther.
@@ -44,9 +50,10 @@ pub struct Swing {
     pub output: Output,
     /// Its extremes in the order of the driver's positions.
     pub extremes: Vec<Extreme>,
-    /// From the lowest to the highest position (rad or m); `None` where it turns fully.
+    /// From the lowest to the highest position (rad or m); `None` where it turns fully, or the driver has no end.
     pub stroke: Option<f64>,
-    /// The crank angle of the slower of two strokes over that of the faster one; where a full turn has just two extremes.
+    /// The crank angle of the slower of two strokes over that of the faster one, without the dwells between them; where a full turn has just two
+    /// extremes.
     pub time_ratio: Option<f64>,
 }
 
@@ -102,9 +109,6 @@ pub(super) const MOST_TURNS: u64 = 12;
 
 /// Samples over the whole motion, between which a rate changes its sign at most once.
 const SAMPLES: usize = 720;
-
-/// A position or rate that is smaller than this part of the largest is zero.
-const ROUNDING: f64 = 1e-12;
 
 /// An angle of 90° to what rounding leaves of its sine.
 const SQUARE: f64 = std::f64::consts::FRAC_PI_2 - 1e-7;
@@ -228,13 +232,14 @@ fn walked(placed: &Placed, driver: usize, found: &[Output]) -> Limits {
     let (range, [low, high]) = (walk.range(), walk.span());
     let samples = SAMPLES * walk.turns() as usize;
     let stations = Stations::slid(low, high, samples, angle_per_value(placed.scene, &placed.at, driver));
+    let joints = joints(placed.scene, driver);
     let swing_of = |output: &Output| {
         let samples: Vec<Option<[f64; 3]>> = stations.values.iter().map(|x| walk.at(*x, *output)).collect();
-        let column = |level: usize| samples.iter().map(|s| s.map_or(f64::NAN, |s| s[level])).collect();
+        let column = |level: usize| -> Vec<f64> { samples.iter().map(|s| s.map_or(f64::NAN, |s| s[level])).collect() };
         let lost = samples.iter().enumerate().filter(|(_, s)| s.is_none());
-        let missing = lost.map(|(i, _)| (i, Faults::default())).collect();
-        let rows = Rows { columns: vec![column(0), column(1), column(2)], missing, open: Vec::new() };
-        swing(*output, 0, &rows, &stations, (&range, walk.period()), &|x| walk.at(x, *output))
+        let missing: BTreeMap<usize, Faults> = lost.map(|(i, _)| (i, Faults::default())).collect();
+        let course = Course { stations: &stations, range: &range, period: walk.period(), joints: &joints };
+        swing(*output, [&column(0), &column(1)], &missing, &course, &|x| walk.at(x, *output))
     };
     let swings = found.iter().map(swing_of).collect();
     let (turns, seen) = if range.full() { (walk.returns(), walk.turns()) } else { (1, 1) };
@@ -260,6 +265,19 @@ fn outputs_of(scene: &Scene, m: &Mechanism, driver: usize) -> Vec<Output> {
     out
 }
 
+/// The driver's positions at which cams go from one stage or piece to the next, each with the period after which it comes again (rad).
+fn joints(scene: &Scene, driver: usize) -> Vec<[f64; 2]> {
+    let turned = scene.cams.iter().filter_map(|c| c.disc.as_ref()).filter(|t| t.driver == driver);
+    let of = |t: &Turning| -> Vec<[f64; 2]> {
+        let angles = match &t.disc.motion {
+            Motion::Law { program, .. } => program.joints(),
+            Motion::Profile(_) => t.disc.stretches().into_iter().map(|(phi, _)| phi).collect(),
+        };
+        angles.into_iter().map(|phi| [(t.disc.sense * phi + t.start - t.from) / t.way, TAU / t.way.abs()]).collect()
+    };
+    turned.flat_map(of).collect()
+}
+
 /// Columns of an output in the program: position, rate, acceleration.
 fn column(rows: &Rows, output: usize, level: usize) -> &[f64] {
     &rows.columns[3 * output + level]
@@ -282,108 +300,9 @@ fn swings(program: &Program, placed: &Placed, driver: usize, found: &[Output], r
         rows.missing.is_empty().then(|| [0, 1, 2].map(|l| column(&rows, output, l)[0]))
     };
     let period = program.period().filter(|period| range.full() && (high - low - period).abs() < 1e-9);
-    found.iter().enumerate().map(|(k, output)| swing(*output, k, &rows, &stations, (range, period), &|x| at(x, k))).collect()
-}
-
-/// `period`: that after which the first station comes again, where the stations are all of it.
-fn swing(
-    output: Output,
-    k: usize,
-    rows: &Rows,
-    stations: &Stations,
-    (range, period): (&Range, Option<f64>),
-    at: &dyn Fn(f64) -> Option<[f64; 3]>,
-) -> Swing {
-    let (s, v) = (column(rows, k, 0), column(rows, k, 1));
-    let there = |i: usize| !rows.missing.contains_key(&i) && s[i].is_finite() && v[i].is_finite();
-    // Angles run on without jumps.
-    let mut position = s.to_vec();
-    if matches!(output, Output::Turning(_)) {
-        for i in 1..position.len() {
-            if there(i) && there(i - 1) {
-                position[i] -= libm::rint((position[i] - position[i - 1]) / TAU) * TAU;
-            }
-        }
-    }
-    // A position in the same turn as the sample beside it.
-    let near = |here: f64, i: usize| match output {
-        Output::Turning(_) => here - libm::rint((here - position[i]) / TAU) * TAU,
-        Output::Sliding(_) => here,
-    };
-    let x = &stations.values;
-    let rounding = ROUNDING * (0..v.len()).filter(|&i| there(i)).map(|i| v[i].abs()).fold(0.0, f64::max);
-    // Samples with a rate; one that meets a zero is passed over. After a full turn the first comes again.
-    let mut moving: Vec<(f64, usize)> = (0..x.len()).filter(|&i| there(i) && v[i].abs() > rounding).map(|i| (x[i], i)).collect();
-    if let (Some(period), Some(&(first, i))) = (period, moving.first()) {
-        moving.push((first + period, i));
-    }
-    let mut extremes: Vec<Extreme> = Vec::new();
-    for pair in moving.windows(2) {
-        let ((a, i), (b, k)) = (pair[0], pair[1]);
-        // A row that is missing in between parts the motion.
-        let joined = k < i || (i..=k).all(there);
-        if joined && (v[i] > 0.0) != (v[k] > 0.0) {
-            let driver = zero(a, b, v[i], at);
-            let Some([here, ..]) = at(driver) else { continue };
-            extremes.push(Extreme { driver, output: near(here, i), at_limit: false });
-        }
-    }
-    let known: Vec<usize> = (0..x.len()).filter(|&i| there(i)).collect();
-    let time_ratio = match (&extremes[..], period) {
-        ([a, b], Some(TAU)) => {
-            let first = (b.driver - a.driver).rem_euclid(TAU);
-            Some(first.max(TAU - first) / first.min(TAU - first))
-        }
-        _ => None,
-    };
-    if !range.full() {
-        let way = range.bounds()[1] - range.bounds()[0];
-        for ((event, end), inward) in range.ends.iter().zip([known.first(), known.last()]).zip([way, -way]) {
-            if let (Some(event), Some(&i)) = (event, end) {
-                let there = at_limit(event.value, inward, &|x| Some(near(at(x)?[0], i))).unwrap_or(position[i]);
-                extremes.push(Extreme { driver: event.value, output: there, at_limit: true });
-            }
-        }
-    }
-    // What is zero but for the rounding of the positions it comes from is zero.
-    let most = known.iter().map(|&i| position[i].abs()).fold(0.0, f64::max);
-    extremes.iter_mut().filter(|e| e.output.abs() < ROUNDING * most).for_each(|e| e.output = 0.0);
-    extremes.sort_by(|a, b| a.driver.total_cmp(&b.driver));
-    let least = extremes.iter().map(|e| e.output).fold(f64::INFINITY, f64::min);
-    let most = extremes.iter().map(|e| e.output).fold(f64::NEG_INFINITY, f64::max);
-    Swing { output, stroke: (most >= least).then_some(most - least), extremes, time_ratio }
-}
-
-/// A position at a limit of the driver, where the two branches meet: near it the position is a smooth function of the root of the
-/// distance from it. The polynomial through a few places on the way `inward` is taken back to the limit itself.
-fn at_limit(limit: f64, inward: f64, at: &dyn Fn(f64) -> Option<f64>) -> Option<f64> {
-    // At six places within this part of the whole way, what the polynomial leaves out is 1e-14 of the travel.
-    const NEAR: f64 = 1e-4;
-    const PLACES: [(f64, f64); 6] = [(1.0, 6.0), (2.0, -15.0), (3.0, 20.0), (4.0, -15.0), (5.0, 6.0), (6.0, -1.0)];
-    let place = |root: f64| at(limit + inward * NEAR * root * root / 36.0);
-    PLACES.iter().map(|(root, weight)| Some(weight * place(*root)?)).sum()
-}
-
-/// A zero of a rate between two positions: Newton's method with the acceleration, kept between the bounds.
-fn zero(a: f64, b: f64, rate_at_a: f64, at: &dyn Fn(f64) -> Option<[f64; 3]>) -> f64 {
-    let (mut inside, mut outside) = (a, b);
-    let mut x = 0.5 * (a + b);
-    for _ in 0..100 {
-        let Some([_, v, acceleration]) = at(x) else { return x };
-        if (v > 0.0) == (rate_at_a > 0.0) && v != 0.0 {
-            inside = x;
-        } else {
-            outside = x;
-        }
-        let newton = x - v / acceleration;
-        let within = (newton - inside) * (newton - outside) <= 0.0;
-        let next = if within { newton } else { 0.5 * (inside + outside) };
-        if next == x || (next - x).abs() <= 2.0 * f64::EPSILON * x.abs() {
-            return next;
-        }
-        x = next;
-    }
-    x
+    let course = Course { stations: &stations, range, period, joints: &joints(placed.scene, driver) };
+    let of = |k: usize| [column(&rows, k, 0), column(&rows, k, 1)];
+    found.iter().enumerate().map(|(k, output)| swing(*output, of(k), &rows.missing, &course, &|x| at(x, k))).collect()
 }
 
 /// The type of a four-bar: a crank on ground, a bar from it, and a bar from ground that meet in one pin.

@@ -7,9 +7,10 @@ use super::station::Stations;
 use crate::analytic::{self, Solution};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
+use crate::mechanism::Mechanism;
 use crate::position::{self, Configuration};
 use crate::scene::with_driver_at;
-use crate::scene::{Kind, Lang, LinkId, Scene};
+use crate::scene::{Find, Kind, Lang, LinkId, Scene};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -29,17 +30,46 @@ impl<'a> General<'a> {
         self.placed.scene
     }
 
+    /// The scene where it stands at the instant.
+    pub fn placed(&self) -> &'a Placed<'a> {
+        self.placed
+    }
+
+    /// The driver that moves.
+    pub fn driver(&self) -> usize {
+        self.driver
+    }
+
+    /// The scene with its driver at a station.
+    pub fn scene_at(&self, stations: &Stations, row: usize) -> Scene {
+        with_driver_at(self.placed.scene, self.driver, stations.place(row, self.placed.scene, self.driver))
+    }
+
+    /// Whether every station is where closed forms put it on the closures of the instant.
+    pub fn is_closed_everywhere(&self) -> bool {
+        self.placed.scene.is_told_everywhere() && !Whole::new(self.placed, self.driver).counts_turns()
+    }
+
+    /// Whether a cam's contact is right at the instant only, with no driver for it; then each position is that of the scene as it is read there.
+    pub fn is_read_again(&self) -> bool {
+        let scene = self.placed.scene;
+        scene.source.is_some() && scene.is_told_everywhere() && scene.kept_cams().next().is_some()
+    }
+
     /// One row by the position solver, with the closures of the instant, and the loop equations; at a change point one for
     /// each way on.
     pub fn solve(&self, stations: &Stations, row: usize) -> Result<Vec<Vec<f64>>, Faults> {
         let p = self.placed;
-        let scene = with_driver_at(p.scene, self.driver, stations.place(row, p.scene, self.driver));
+        let scene = self.scene_at(stations, row);
         unfollowed(&scene)?;
-        let moved = Whole::new(p, self.driver);
-        // Closed forms do not tell on which turn wheels stand.
-        let at = match moved.counts_turns() {
-            true => moved.standing(stations.values[row])?,
-            false => position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?,
+        if self.is_read_again() {
+            let there = Afresh::of(&scene, &|_| None)?;
+            return Ok(vec![finite(scene.find.iter().map(|f| there.answer(f)).collect::<Result<Vec<_>, _>>()?.concat())?]);
+        }
+        // Closed forms do not tell on which turn wheels stand, nor the pose beside one that is given by coordinates.
+        let at = match self.is_closed_everywhere() {
+            false => Whole::new(p, self.driver).standing(stations.values[row])?,
+            true => position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?,
         };
         self.answers(&scene, &at)
     }
@@ -54,23 +84,72 @@ impl<'a> General<'a> {
 
     fn row(&self, scene: &Scene, at: &Configuration, solution: &Solution) -> Result<Vec<f64>, Faults> {
         let mut row = Vec::new();
+        let mut afresh = None;
         for f in &scene.find {
-            let value = solution
-                .answer(scene, at, &f.what)
-                .ok_or_else(|| Diagnostic::error("not-defined", both!("{}: {}", "{}：{}", f.text, f.what.no_value(scene))).at(f.span))?;
-            row.extend(value.columns());
+            match solution.answer(scene, at, &f.what) {
+                Some(value) => row.extend(value.columns()),
+                // What is of the contact of a cam that a driver stands for.
+                None if scene.source.is_some() && (0..scene.drivers.len()).any(|d| scene.is_led(d)) => {
+                    let there = match afresh.take() {
+                        Some(there) => there,
+                        None => Afresh::of(scene, &place_of(scene, at))?,
+                    };
+                    row.extend(there.answer(f)?);
+                    afresh = Some(there);
+                }
+                None => return Err(not_defined(scene, f).into()),
+            }
         }
-        match row.iter().all(|v| v.is_finite()) {
-            true => Ok(row),
-            false => Err(Diagnostic::error("overflow", both!("a number is out of range", "数值超出范围")).into()),
-        }
+        finite(row)
+    }
+}
+
+fn not_defined(scene: &Scene, f: &Find) -> Diagnostic {
+    Diagnostic::error("not-defined", both!("{}: {}", "{}：{}", f.text, f.what.no_value(scene))).at(f.span)
+}
+
+fn finite(row: Vec<f64>) -> Result<Vec<f64>, Faults> {
+    match row.iter().all(|v| v.is_finite()) {
+        true => Ok(row),
+        false => Err(Diagnostic::error("overflow", both!("a number is out of range", "数值超出范围")).into()),
+    }
+}
+
+/// Where the points of a scene are, by their names.
+fn place_of<'a>(scene: &'a Scene, at: &'a Configuration) -> impl Fn(&str) -> Option<[f64; 2]> + 'a {
+    |name| {
+        let p = scene.points.iter().position(|p| p.name == name)?;
+        at.points[p].map(|p| [p.x, p.y])
+    }
+}
+
+/// The scene as it is read for one position.
+struct Afresh {
+    scene: Scene,
+    at: Configuration,
+    solution: Solution,
+}
+
+impl Afresh {
+    /// Reads a scene whose drivers stand at the position.
+    fn of(scene: &Scene, place: &dyn Fn(&str) -> Option<[f64; 2]>) -> Result<Afresh, Faults> {
+        let scene = scene.read_again(place)?;
+        let mechanism = Mechanism::new(&scene)?.value;
+        let Placed { at, demand, .. } = Placed::new(&scene, &mechanism)?;
+        let solution = analytic::solve(&scene, &mechanism, &at, &demand)?;
+        Ok(Afresh { at, solution, scene })
+    }
+
+    fn answer(&self, find: &Find) -> Result<Vec<f64>, Faults> {
+        let own = self.scene.find.iter().find(|f| f.text == find.text).unwrap_or(find);
+        let value = self.solution.answer(&self.scene, &self.at, &own.what);
+        Ok(value.ok_or_else(|| not_defined(&self.scene, own))?.columns())
     }
 }
 
 /// Refuses a scene whose follower does not get where its cam leads.
 fn unfollowed(scene: &Scene) -> Result<(), Faults> {
-    let lost = |d: &usize| scene.is_on_a_course(*d) && scene.drivers[*d].kind.position().is_some_and(|at| at.value().is_nan());
-    let Some(cam) = (0..scene.drivers.len()).find(lost).and_then(|d| scene.cams.iter().find(|c| c.is_led_by(d))) else { return Ok(()) };
+    let Some(cam) = scene.lost_follower() else { return Ok(()) };
     let (cam, follower) = (scene.link_name(cam.cam), scene.link_name(cam.follower));
     let message =
         both!("the follower `{follower}` cannot be moved so far on cam `{cam}`", "从动件 `{follower}` 在凸轮 `{cam}` 上不能运动到此处");

@@ -8,7 +8,8 @@ use super::follow::whole::{self, Whole};
 use super::general::{self, General};
 use super::pieces::{Gaps, Pieces, Stop};
 use super::program::Program;
-use super::{Placed, Stations, Steps, Width, beside, change_notes, change_points, compile, compiled, each, ends, span, stretches};
+use super::stood::Stood;
+use super::{Beside, Placed, Stations, Steps, Width, beside, change_notes, change_points, compile, compiled, each, ends, span, stretches};
 use crate::diag::Diagnostic;
 use std::ops::Range;
 
@@ -38,6 +39,8 @@ enum Way<'a> {
     Compiled { course: Box<Chains<Compiled<'a>>>, reach: Stations },
     /// Each by the general solver: followers of cams move by laws.
     Each,
+    /// Each by the loop equations, where the program of the positions puts everything; why there is no program of the questions.
+    Stood { stood: Box<Stood>, reach: Stations, now: f64, changes: [Changes; 2], why: Diagnostic },
     /// The whole mechanism is followed; why there is no program.
     Whole { course: Box<Chains<Whole<'a>>>, why: Diagnostic },
 }
@@ -59,8 +62,16 @@ impl<'a> Long<'a> {
                     Way::Compiled { course: Box::new(Compiled::course(program, placed, driver, count, &values)), reach }
                 }
             }
-            Err(_) if placed.scene.has_laws(driver) => Way::Each,
-            Err(why) => Way::Whole { course: Box::new(Whole::course(placed, driver, count, &values)), why },
+            Err(why) => match Beside::of(placed, driver) {
+                Beside::Each => Way::Each,
+                Beside::Stood(stood) => {
+                    let reach = Stations::of_values(vec![first, last], 0.0);
+                    let (now, bounds) = span(placed, driver, &reach);
+                    let changes = change_points(&stood.program, placed, driver, now, bounds);
+                    Way::Stood { stood, reach, now, changes, why }
+                }
+                Beside::Whole => Way::Whole { course: Box::new(Whole::course(placed, driver, count, &values)), why },
+            },
         };
         Long { placed, driver, steps, descending, way, general: General::new(placed, driver), gaps: Gaps::default() }
     }
@@ -82,6 +93,10 @@ impl<'a> Long<'a> {
                 (program, run_with(program, Some(&states), stations, Width::Widest))
             }
             Way::Each => return Some(each(general, stations)),
+            Way::Stood { stood, now, changes, .. } => {
+                let parts = stretches(stood.program.clone(), *now, changes, stations);
+                return stood.rows(&parts, general, stations, stop);
+            }
             Way::Whole { course, .. } => return whole::rows(course, general, part, stations, &values, &row, stop),
         };
         if !numbers.complete(general, stations, stop, &|row| beside(program, placed, driver, stations.values[row])) {
@@ -111,7 +126,7 @@ impl Pieces for Long<'_> {
         match self.way {
             Way::Free { .. } => 1 << 16,
             // As many as are gone over again from one state.
-            Way::Compiled { .. } | Way::Whole { .. } | Way::Each => STRIDE,
+            Way::Compiled { .. } | Way::Whole { .. } | Way::Each | Way::Stood { .. } => STRIDE,
         }
     }
 
@@ -133,6 +148,12 @@ impl Pieces for Long<'_> {
                 notes
             }
             Way::Each => Vec::new(),
+            Way::Stood { stood, reach, changes, why, .. } => {
+                let mut notes = vec![why.clone()];
+                notes.extend(change_notes(self.placed, self.driver, changes, span(self.placed, self.driver, reach).1));
+                notes.extend(limits(&stood.program, reach));
+                notes
+            }
             Way::Compiled { course, reach } => limits(course.follow().program(), reach),
             Way::Whole { course, why } => std::iter::once(why.clone()).chain(whole::ends(course)).collect(),
         };

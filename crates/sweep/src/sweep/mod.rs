@@ -6,7 +6,7 @@
 //! ([`lane`]); joints that may change their branch on the way are known by [`suspect`]; what rolls turns by the ratios of its [`train`], counted in whole [`turns`]; class III groups, and as a whole the mechanisms that have no program, are followed from one position to the next ([`follow`]). Positions at
 //! which the formulas have no value (a dead centre, a change point) are handed to the general solver one by one; those that
 //! cannot be assembled are left out, with the reason in the notes.
-//! [`long`] sweeps, those of parameters ([`vary`]) and those through time ([`timed`]), go piece by piece ([`pieces`]), [`batch`]es block by block. [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
+//! [`long`] sweeps, those of parameters ([`vary`]) and those through time ([`timed`]), go piece by piece ([`pieces`]), [`batch`]es block by block. [`stood`] answers what has no kernel where the program puts everything. [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
 //!
 //! Not decided here: what a question means ([`crate::answer`]) and how a single position is solved for drawing
 //! ([`crate::position`], [`crate::analytic`]); both are the check of this room.
@@ -35,7 +35,9 @@ mod rolling_tests;
 mod rows;
 mod run;
 pub mod station;
+mod stood;
 mod suspect;
+mod swing;
 pub mod table;
 pub mod timed;
 mod train;
@@ -60,6 +62,7 @@ use chunks::{run_on_branches, run_parts, sized};
 use general::General;
 use limit::Probe;
 use program::Program;
+use stood::Stood;
 
 /// A scene placed at its instant, ready to be swept.
 pub struct Placed<'a> {
@@ -147,11 +150,9 @@ impl<'a> Sweep<'a> {
                 }
                 rows
             }
-            Err(_) if placed.scene.has_laws(*driver) => each(&general, stations),
             Err(note) => {
-                notes.push(note.clone());
-                let (rows, limits) = follow::whole::follow(placed, *driver, stations);
-                notes.extend(limits);
+                let (rows, told) = without_program(&general, stations, note);
+                notes.extend(told);
                 rows
             }
         };
@@ -161,8 +162,84 @@ impl<'a> Sweep<'a> {
     }
 }
 
+/// How the rows of questions are made that have no program.
+enum Beside {
+    /// Each by the general solver: followers of cams move by laws, or the scene is read again for each.
+    Each,
+    /// The positions have a program.
+    Stood(Box<Stood>),
+    /// The whole mechanism is followed.
+    Whole,
+}
+
+impl Beside {
+    fn of(placed: &Placed, driver: usize) -> Beside {
+        let laws = placed.scene.has_laws(driver);
+        if General::new(placed, driver).is_read_again() || laws && General::new(placed, driver).is_closed_everywhere() {
+            return Beside::Each;
+        }
+        match Stood::of(placed, driver) {
+            Some(stood) => Beside::Stood(Box::new(stood)),
+            None if laws => Beside::Each,
+            None => Beside::Whole,
+        }
+    }
+}
+
+/// All rows of questions that have no program, for which there is a reason; and what is told of them.
+fn without_program(general: &General, stations: &Stations, why: &Diagnostic) -> (chunks::Rows, Vec<Diagnostic>) {
+    let (placed, driver) = (general.placed(), general.driver());
+    let mut notes = vec![why.clone()];
+    let rows = match Beside::of(placed, driver) {
+        Beside::Each => return (each(general, stations), Vec::new()),
+        Beside::Stood(stood) => {
+            let (parts, changes) = branches(stood.program.clone(), placed, driver, stations);
+            notes.extend(changes);
+            let rows = stood.rows(&parts, general, stations, &never).unwrap_or_default();
+            if !rows.missing.is_empty() {
+                notes.extend(ends(&stood.program, placed, driver, stations));
+            }
+            rows
+        }
+        Beside::Whole => {
+            let (rows, limits) = follow::whole::follow(placed, driver, stations);
+            notes.extend(limits);
+            rows
+        }
+    };
+    (rows, notes)
+}
+
+/// The topology of a scene for its whole motion ([`follow::course::over_a_turn`]). Questions about the contact of a cam are allowed that the scene
+/// defines where it is read, though a driver stands for the contact.
+///
+/// # Errors
+/// Those of [`Mechanism::new`].
+pub fn mechanism(scene: &Scene) -> Result<Mechanism, Faults> {
+    let own = Mechanism::new(scene);
+    match own {
+        Err(_) if scene.source.is_some() && (0..scene.drivers.len()).any(|d| scene.is_led(d)) => {
+            Mechanism::new(&scene.read_again(&|_| None)?)?;
+            Ok(Mechanism::new(&Scene { find: Vec::new(), ..scene.clone() })?.value)
+        }
+        own => Ok(own?.value),
+    }
+}
+
 /// The program of a driver.
 fn compiled(placed: &Placed, driver: usize) -> Result<Program, Diagnostic> {
+    if General::new(placed, driver).is_read_again()
+        && let Some(cam) = placed.scene.kept_cams().next()
+    {
+        let (cam, follower) = (placed.scene.link_name(cam.cam), placed.scene.link_name(cam.follower));
+        let message = both!(
+            "the contact of cam {} with {} has no compiled form: each position is solved by itself",
+            "凸轮 {} 与 {} 的接触没有编译形式：逐个位置求解",
+            cam,
+            follower
+        );
+        return Err(Diagnostic::note("no-kernel", message));
+    }
     compile(placed.scene, placed.mechanism, &placed.at, Some(driver), &placed.scene.find)
 }
 

@@ -42,9 +42,10 @@ impl Stations {
     }
 
     /// Where one puts a driver of a scene: its value, of an angle beyond a turn without the whole turns, as exactly as cosine and
-    /// sine have it.
+    /// sine have it; unless wheels stand elsewhere on every turn.
     pub(super) fn place(&self, i: usize, scene: &Scene, driver: usize) -> f64 {
-        let turned = scene.drivers[driver].kind.turns() && self.values[i].abs() > TAU;
+        // Behind wheels a turn of the driver is none of a cam.
+        let turned = scene.drivers[driver].kind.turns() && scene.rolling.is_empty() && self.values[i].abs() > TAU;
         if turned { libm::atan2(self.sines[i], self.cosines[i]) } else { self.values[i] }
     }
 

@@ -7,7 +7,7 @@ use super::chunks::{Rows, run_program};
 use super::general::General;
 use super::pieces::{Gaps, Pieces, Stop, never};
 use super::station::{Stations, position_now};
-use super::{Placed, Width, follow::whole};
+use super::{Placed, Width, without_program};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::shortest;
 use crate::mechanism::Mechanism;
@@ -81,6 +81,8 @@ pub struct Variation {
     fixed: Vec<Option<Value>>,
     /// Indices into [`slots`] of what depends on them.
     dependent: Vec<(usize, Expr)>,
+    /// Whether the scene has cams, whose geometry is read again for other values.
+    cams: bool,
 }
 
 impl Variation {
@@ -97,7 +99,7 @@ impl Variation {
             let d = Diagnostic::error("cam-varied", message);
             return Err(d.help(both!("run `solve` or `cam` with --set for each value", "请对每个值用 --set 运行 `solve` 或 `cam`")).into());
         }
-        Variation::of(scene, names)
+        Ok(Variation { cams: !scene.cams.is_empty() && scene.source.is_some(), ..Variation::of(scene, names)? })
     }
 
     /// See [`Variation::new`]; cams stay as they stand in the scene.
@@ -147,7 +149,7 @@ impl Variation {
             }
         }
         let moves: Vec<bool> = known.iter().map(|name| moving.contains(name)).collect();
-        let mut variation = Variation { parameters, varied, fixed: Vec::new(), dependent };
+        let mut variation = Variation { parameters, varied, fixed: Vec::new(), dependent, cams: false };
         let usual = variation.values(&[])?;
         variation.fixed = usual.into_iter().zip(moves).map(|(value, moves)| (!moves).then_some(value)).collect();
         Ok(variation)
@@ -235,6 +237,15 @@ impl Variation {
     /// A length that becomes zero or negative, a value that is no number.
     pub fn set(&self, scene: &mut Scene, varied: &[Value]) -> Result<(), Faults> {
         let values = self.values(varied)?;
+        if self.cams {
+            let written = |value: &Value| match value.degrees {
+                true => format!("({:?}) deg", value.number),
+                false => format!("({:?}) {}", value.si(), self.unit(value)).replace('²', "^2"),
+            };
+            let texts: Vec<(&str, String)> = self.names().zip(varied.iter().map(written)).collect();
+            *scene = scene.read_with(&texts)?;
+            return Ok(());
+        }
         let mut slots = slots(scene);
         for (i, expr) in &self.dependent {
             let value = self.evaluate(expr, &values)?;
@@ -361,13 +372,14 @@ impl Pieces for Varied<'_> {
 
 /// The answers at one station, by the program where there is one.
 fn one_row(placed: &Placed, stations: &Stations) -> Result<Rows, Faults> {
+    let general = General::new(placed, 0);
     let mut rows = match super::compile(placed.scene, placed.mechanism, &placed.at, Some(0), &placed.scene.find) {
         Ok(program) => {
             let mut rows = run_program(&program, placed, 0, stations, Width::Widest);
-            rows.complete(&General::new(placed, 0), stations, &never, &|_| None);
+            rows.complete(&general, stations, &never, &|_| None);
             rows
         }
-        Err(_) => whole::follow(placed, 0, stations).0,
+        Err(why) => without_program(&general, stations, &why).0,
     };
     match rows.missing.remove(&0) {
         Some(why) => Err(why),

@@ -124,6 +124,13 @@ impl Scene {
         }
     }
 
+    /// The cam whose follower, moved by a driver of its own, does not touch it where the drivers stand.
+    pub fn lost_follower(&self) -> Option<&Cam> {
+        let lost = |d: usize| self.drivers[d].kind.position().is_some_and(|at| at.value().is_nan());
+        let led = |c: &Cam| c.disc.as_ref().and_then(|t| t.by_law).or_else(|| Some(c.posed.as_ref()?.led.as_ref()?.0));
+        self.cams.iter().find(|c| led(c).is_some_and(lost))
+    }
+
     /// Puts a driver that stands for a contact somewhere, with its rate and acceleration (SI).
     fn put(&mut self, driver: usize, [place, rate, acceleration]: [f64; 3], span: Span) {
         let d = &mut self.drivers[driver];
@@ -195,8 +202,8 @@ impl Scene {
         self.rolling.iter_mut().filter_map(crate::scene::Rolling::guide_mut).for_each(shift);
     }
 
-    /// Puts the followers that are drivers where the cams hold them that a driver turns; the driver stands at `value` (rad), or where it is said
-    /// to. A follower that touches nothing stays.
+    /// Turns the cams of a driver on, and puts the followers that are drivers where these hold them; the driver stands at `value` (rad), or where it is
+    /// said to, or as in the pose that the file tells by coordinates. A follower that touches nothing has no place.
     pub fn set_followers(&mut self, driver: usize, value: Option<f64>) {
         let Some(lead) = self.drivers.get(driver) else { return };
         let stated = match &lead.kind {
@@ -207,11 +214,19 @@ impl Scene {
         for i in 0..self.cams.len() {
             let c = &mut self.cams[i];
             let (Some(t), span) = (&mut c.disc, c.span) else { continue };
-            let (true, Some(k), Some(at)) = (t.driver == driver, t.by_law, value.or(stated)) else { continue };
+            if t.driver != driver {
+                continue;
+            }
             let sense = t.disc.sense * t.way;
-            t.phi = t.disc.sense * (t.way * at + t.from - t.start);
+            if let Some(at) = value.or(stated) {
+                t.phi = t.disc.sense * (t.way * at + t.from - t.start);
+            }
             t.side = if rate * sense < 0.0 { Side::Before } else { Side::After };
-            let Some(q) = t.disc.coordinate(t.phi, t.side) else { continue };
+            let Some(k) = t.by_law else { continue };
+            let Some(q) = t.disc.coordinate(t.phi, t.side) else {
+                self.put(k, [f64::NAN, 0.0, 0.0], span);
+                continue;
+            };
             let Jet([q, dq, ddq, _]) = q;
             let (place, out) = (t.origin + t.outward * q, t.outward);
             let (v, a) = (out * dq * sense * rate, out * (ddq * (sense * rate) * (sense * rate) + dq * sense * acceleration));

@@ -18,6 +18,7 @@ mod places;
 mod rolling;
 mod statement;
 
+use super::again::Source;
 use super::book::Book;
 use super::cams::{expand, marked, rollers};
 use super::model::*;
@@ -175,6 +176,7 @@ fn with_cams(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene>
             pieces.others = others;
         }
     }
+    scene.source = Some(Source::of(raw, source));
     Some(scene)
 }
 
@@ -262,6 +264,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
             paper,
             length_unit,
             book,
+            source: None,
         }
     };
     composite::judged(&scene, faults);

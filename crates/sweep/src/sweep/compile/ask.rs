@@ -203,7 +203,11 @@ impl Compiler<'_> {
 }
 
 fn no_kernel(find: &Find) -> NoKernel {
-    Diagnostic::note("no-kernel", both!("{} has no kernel", "{} 不能预编译，逐位置求解（较慢）", find.text)).at(find.span)
+    Diagnostic::note(
+        "no-kernel",
+        both!("{} has no compiled form: each position is solved by itself", "{} 不能预编译，逐位置求解（较慢）", find.text),
+    )
+    .at(find.span)
 }
 
 /// The columns of a question: name and unit of each.

@@ -62,6 +62,31 @@ pub fn outputs(scene: &Scene, m: &Mechanism, at: &Configuration, driver: usize, 
     Ok(c.finish())
 }
 
+/// Compiles the places of points, and origin and x axis of the frames of links: two columns each.
+///
+/// # Errors
+/// The group that has no kernel.
+pub fn places(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    driver: usize,
+    points: &[PointId],
+    links: &[LinkId],
+) -> Result<Program, NoKernel> {
+    let mut c = Compiler::new(scene, m, at, Some(driver));
+    let mut pairs = Vec::new();
+    for p in points {
+        pairs.push(c.point(*p, Level::Position)?);
+    }
+    for l in links {
+        pairs.push(c.spot(Spot::Fixed(*l, Point::ORIGIN), Level::Position)?);
+        pairs.push(c.direction_on(*l, Vec2::new(1.0, 0.0))?);
+    }
+    c.columns.extend(pairs.into_iter().flat_map(|v| [v.x, v.y]));
+    Ok(c.finish())
+}
+
 /// A place that moves: a pin, a link's own point, or another point fixed in a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Spot {

@@ -2,9 +2,11 @@
 //!
 //! Laws of time are evaluated anew at every time ([`Variation`] over `t`); nothing is extrapolated from the instant.
 
+use crate::position::Configuration;
 use crate::scene::eval::Value;
 use crate::scene::front::TIME;
 use crate::scene::{Given, Scene, Swept, driver_position, with_driver_at};
+use crate::sweep::station::position_now;
 use crate::sweep::vary::Variation;
 use std::f64::consts::TAU;
 
@@ -20,6 +22,8 @@ const STEP: f64 = std::f64::consts::PI / 18.0;
 pub struct Clock {
     /// The scene at its instant.
     scene: Scene,
+    /// Where each driver stands at the instant (rad or m).
+    positions: Vec<f64>,
     /// What depends on t, and one second of it; `None` without laws of time.
     laws: Option<(Variation, Value)>,
 }
@@ -36,14 +40,15 @@ pub struct Gone {
 }
 
 impl Clock {
-    /// The clock of a scene.
-    pub fn of(scene: &Scene) -> Clock {
+    /// The clock of a scene that is placed at its instant.
+    pub fn of(scene: &Scene, at: &Configuration) -> Clock {
         let laws = scene.has_laws_of_time().then(|| {
             let variation = Variation::of(scene, &[TIME]).ok()?;
             let second = variation.value(scene, TIME, "1 s").ok()?;
             Some((variation, second))
         });
-        Clock { scene: scene.clone(), laws: laws.flatten() }
+        let positions = (0..scene.drivers.len()).map(|d| position_now(scene, at, d)).collect();
+        Clock { scene: scene.clone(), positions, laws: laws.flatten() }
     }
 
     /// The drivers `t` seconds after the instant; `None` where a law has no value.
@@ -82,9 +87,8 @@ impl Clock {
             driver.rate = given(g.rate, ["rad/s", "m/s"]);
             driver.acceleration = (g.acceleration != 0.0).then(|| given(g.acceleration, ["rad/s^2", "m/s^2"]));
             // Followers of cams are laid by the driver's rates.
-            if let Some(position) = driver_position(scene, d) {
-                there = with_driver_at(&there, d, position + g.by);
-            }
+            let position = driver_position(scene, d).unwrap_or(self.positions[d]);
+            there = with_driver_at(&there, d, position + g.by);
         }
         there
     }
@@ -139,10 +143,10 @@ pub(super) enum Course {
 }
 
 impl Course {
-    pub fn of(scene: &Scene, swept: Swept) -> Course {
+    pub fn of(scene: &Scene, at: &Configuration, swept: Swept) -> Course {
         match swept {
             Swept::Driver(d) => Course::Driver(d),
-            Swept::Time => Course::Time(Box::new(Clock::of(scene))),
+            Swept::Time => Course::Time(Box::new(Clock::of(scene, at))),
         }
     }
 }
@@ -150,7 +154,14 @@ impl Course {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mechanism::Mechanism;
     use crate::scene::{read, templates};
+    use crate::sweep::Placed;
+
+    fn clock(scene: &Scene) -> Clock {
+        let m = Mechanism::new(scene).unwrap().value;
+        Clock::of(scene, &Placed::new(scene, &m).unwrap().at)
+    }
 
     /// What the clock says of a time is what the scene says whose instant it is.
     #[test]
@@ -158,7 +169,7 @@ mod tests {
         for name in ["plate-by-law", "cart-by-law"] {
             let text = templates::get(name).unwrap();
             let scene = read(text).unwrap().value;
-            let clock = Clock::of(&scene);
+            let clock = clock(&scene);
             for t in [0.3, 1.7] {
                 let later = templates::instantiate(name, &[("t", &format!("{} s", scene.instant() + t))]).unwrap();
                 let (there, meant) = (clock.scene_at(&scene, t), read(&later).unwrap().value);
@@ -176,7 +187,7 @@ mod tests {
     #[test]
     fn drivers_without_laws_keep_their_accelerations() {
         let scene = read(templates::get("five-bar").unwrap()).unwrap().value;
-        let clock = Clock::of(&scene);
+        let clock = clock(&scene);
         let gone = clock.gone(0.01).unwrap();
         assert!(gone.len() > 1);
         for (g, d) in gone.iter().zip(&scene.drivers) {

@@ -17,6 +17,7 @@ use crate::scene::cams::{Course, HangsOn, Leads, Led};
 use crate::scene::{Cam, Given, GuideId, GuidePath, LinkId, Pieces, PointId, Scene};
 use crate::sweep::station::position_now;
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// A step of a driver that turns (rad): 5°.
@@ -216,6 +217,19 @@ impl Handed {
         self.advance(from, &to)
     }
 
+    /// The way to the same place of a driver that turns alone, round the other way; `None` where there is none.
+    fn other_way_round(&self, gone: &[f64]) -> Option<Vec<f64>> {
+        let mut moving = (0..gone.len()).filter(|d| gone[*d] != 0.0);
+        let (driver, None) = (moving.next()?, moving.next()) else { return None };
+        let scene = &self.variants[self.start.piece].as_ref()?.0.scene;
+        if !scene.drivers[driver].kind.turns() || !scene.rolling.is_empty() {
+            return None;
+        }
+        let mut other = gone.to_vec();
+        other[driver] -= TAU.copysign(gone[driver]);
+        Some(other)
+    }
+
     /// On a straight way of the drivers, from piece to piece.
     fn advance(&self, mut state: Standing, to: &[f64]) -> Option<Standing> {
         let extent = self.start.at.extent();
@@ -336,7 +350,10 @@ impl Handed {
 impl Leads for Handed {
     fn led(&self, drivers: &[[f64; 3]]) -> Option<Led> {
         let gone: Vec<f64> = drivers.iter().zip(&self.positions).map(|([at, ..], from)| at - from).collect();
-        let standing = self.standing(&gone).filter(|_| gone.iter().all(|by| by.is_finite()))?;
+        if !gone.iter().all(|by| by.is_finite()) {
+            return None;
+        }
+        let standing = self.standing(&gone).or_else(|| self.standing(&self.other_way_round(&gone)?))?;
         let (variant, hangs) = self.variants[standing.piece].as_ref()?;
         let mut scene = variant.scene.clone();
         for (driver, [_, rate, acceleration]) in scene.drivers.iter_mut().zip(drivers) {

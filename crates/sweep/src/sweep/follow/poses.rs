@@ -16,6 +16,7 @@ use crate::scene::{driver_position, with_driver_at};
 use crate::stated::{self, Moment};
 
 use crate::sweep::extreme::turns_seen;
+use crate::sweep::station::position_now;
 use crate::sweep::train::Train;
 
 /// The poses of a driver's travel, or of a time.
@@ -97,7 +98,7 @@ impl<'a> Follower<'a> {
         swept: impl Into<Swept>,
     ) -> Follower<'a> {
         let swept = swept.into();
-        let course = Course::of(scene, swept);
+        let course = Course::of(scene, base, swept);
         let back = matches!(swept, Swept::Driver(d) if scene.drivers[d].rate.value < 0.0);
         let mut scene = scene.clone();
         // Only the driver moves, by a unit in a unit of time: then time is its travel.
@@ -107,14 +108,16 @@ impl<'a> Follower<'a> {
         Follower { scene, mechanism, demand, base, course, back }
     }
 
+    /// Where a driver stands in the scene's own pose (rad or m).
+    fn start(&self, driver: usize) -> f64 {
+        driver_position(&self.scene, driver).unwrap_or_else(|| position_now(&self.scene, self.base, driver))
+    }
+
     /// A scene of the same drivers at a travel, as far as it says where they are: with one that moves, all rates are as they were; through time
     /// they are those of the time.
     pub fn scene_at(&self, scene: &Scene, travel: f64) -> Scene {
         match &self.course {
-            Course::Driver(d) => match driver_position(scene, *d) {
-                Some(start) => with_driver_at(scene, *d, start + travel),
-                None => scene.clone(),
-            },
+            Course::Driver(d) => with_driver_at(scene, *d, self.start(*d) + travel),
             Course::Time(clock) => clock.scene_at(scene, travel),
         }
     }
@@ -290,6 +293,9 @@ impl<'a> Follower<'a> {
         }
         let gone = self.gone(travel)?;
         let (scene, time) = self.later(&gone, travel);
+        if scene.lost_follower().is_some() {
+            return None;
+        }
         let later = |meant: &Configuration| position::later(&scene, self.mechanism, self.demand, meant, self.base, time);
         let mut best = match later(guess) {
             Ok(found) => found,
@@ -335,16 +341,14 @@ impl<'a> Follower<'a> {
     fn with_followers(&self, gone: &[f64]) -> Cow<'_, Scene> {
         let mut scene = Cow::Borrowed(&self.scene);
         for (d, by) in gone.iter().enumerate().filter(|(d, _)| self.scene.has_laws(*d)) {
-            if let Some(start) = driver_position(&self.scene, d) {
-                let scene = scene.to_mut();
-                let rate = std::mem::replace(&mut scene.drivers[d].rate.value, 0.0);
-                scene.set_followers(d, Some(start + by));
-                scene.drivers[d].rate.value = rate;
-            }
+            let scene = scene.to_mut();
+            let rate = std::mem::replace(&mut scene.drivers[d].rate.value, 0.0);
+            scene.set_followers(d, Some(self.start(d) + by));
+            scene.drivers[d].rate.value = rate;
         }
         if (0..self.scene.drivers.len()).any(|d| self.scene.is_on_a_course(d)) {
             let scene = scene.to_mut();
-            scene.set_courses(&|d| Some(driver_position(&self.scene, d)? + gone[d]));
+            scene.set_courses(&|d| Some(self.start(d) + gone[d]));
             (0..self.scene.drivers.len()).filter(|d| self.scene.is_on_a_course(*d)).for_each(|d| set_rate(scene, d, 0.0));
         }
         scene
@@ -356,6 +360,9 @@ impl<'a> Follower<'a> {
         let own = gone.iter().enumerate().filter(|(d, _)| !self.scene.is_led(*d));
         own.for_each(|(d, by)| values.0[d] += by);
         let scene = self.with_followers(&gone);
+        if scene.lost_follower().is_some() {
+            return None;
+        }
         for k in (0..scene.drivers.len()).filter(|k| scene.is_led(*k)) {
             let place = |s: &Scene| driver_position(s, k);
             values.0[k] += place(&scene).zip(place(&self.scene)).map_or(0.0, |(there, here)| there - here);

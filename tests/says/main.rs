@@ -1,0 +1,400 @@
+//! A sweep says what `solve` says: every quantity that a scene can ask, at eight positions of each of its drivers, against the scene that is written
+//! for that position and solved by itself. Told are the driver's position, the coordinates of what moves, and roughly where joints are.
+
+mod moved;
+mod scenes;
+#[path = "../wide/mod.rs"]
+mod wide;
+
+use hodograph::diag::Faults;
+use hodograph::geom::Vec2;
+use hodograph::mechanism::Mechanism;
+use hodograph::position;
+use hodograph::scene::{self, Find, Scene, edit};
+use hodograph::sweep::batch::{Batch, Choice};
+use hodograph::sweep::follow::course::over_a_turn;
+use hodograph::sweep::long::Long;
+use hodograph::sweep::pieces::gather;
+use hodograph::sweep::timed::Timed;
+use hodograph::sweep::vary::Variation;
+use hodograph::sweep::{self, Placed, Stations, Steps, Table, Width, compile, extreme, station};
+use moved::{Moved, Single, solved};
+use rayon::prelude::*;
+use scenes::{askable, has_line, read, scenes};
+use serde_json::Value as Json;
+use std::f64::consts::TAU;
+use wide::every;
+
+/// Positions of a driver.
+const POSITIONS: usize = 8;
+
+/// Where the first of them lies, as a part of the step: no multiple of what people write.
+const OFF: f64 = 0.37;
+
+/// What was compared, and what differs.
+#[derive(Default)]
+struct Tally {
+    faults: Vec<String>,
+    scenes: usize,
+    compared: usize,
+    /// Positions that the scene's words cannot say, and those next to a singular pose.
+    unsaid: usize,
+    singular: usize,
+    /// Scenes and drivers of which nothing was compared.
+    idle: Vec<String>,
+}
+
+impl Tally {
+    fn join(mut self, other: Tally) -> Tally {
+        self.faults.extend(other.faults);
+        self.scenes += other.scenes;
+        self.compared += other.compared;
+        self.unsaid += other.unsaid;
+        self.singular += other.singular;
+        self.idle.extend(other.idle);
+        self
+    }
+
+    /// Compares a number of a table with what is expected.
+    fn check(&mut self, what: &dyn Fn() -> String, unit: &str, [got, expected]: [f64; 2], size: f64, condition: f64) {
+        self.compared += 1;
+        let off = (got - expected).abs();
+        let off = if unit == "rad" { off.min((off - TAU).abs()) } else { off };
+        let size_of_unit = size;
+        // What lies far off is a crossing of lines that are nearly parallel.
+        let size = size.max(expected.abs());
+        // The radius of a straight piece is rounding of infinity.
+        if unit == "m" && got.abs().min(expected.abs()) > 1e9 * size_of_unit {
+            return;
+        }
+        let allowed = 1e-9 * size * (1.0 + expected.abs() / size.max(f64::MIN_POSITIVE)) * (1e-2 * condition).max(1.0);
+        if off > allowed || got.is_nan() {
+            self.faults.push(format!("{}: {got:e}, solve says {expected:e}", what()));
+        }
+    }
+}
+
+/// The size of what has a unit: that of the mechanism and its drivers.
+fn size(unit: &str, scene: &Scene, extent: f64) -> f64 {
+    let rate = scene.drivers.iter().map(|d| d.rate.value.abs() / if d.kind.turns() { 1.0 } else { extent }).fold(0.0f64, f64::max);
+    match unit {
+        "m" => extent,
+        "m/s" => extent * rate,
+        "m/s²" => extent * rate * rate,
+        "rad/s" => rate,
+        "rad/s²" => rate * rate,
+        _ => 1.0,
+    }
+}
+
+/// The rows of a table by the value of what is swept.
+fn rows(table: &Table, values: &[f64]) -> Vec<Option<usize>> {
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs().max(1e-3);
+    values.iter().map(|v| table.columns[0].values.iter().position(|x| near(*x, *v))).collect()
+}
+
+/// Eight values of a driver: of a turn, or of the way that it can go.
+fn values(swept: &Scene, m: &Mechanism, placed: &Placed, driver: usize) -> Vec<f64> {
+    let now = station::position_now(swept, &placed.at, driver);
+    let [low, high] = if swept.drivers[driver].kind.turns() {
+        [now, now + TAU]
+    } else {
+        extreme::limits(swept, m, driver).map_or([now, now], |l| l.range.bounds())
+    };
+    (0..POSITIONS).map(|k| low + (high - low) * (k as f64 + OFF) / POSITIONS as f64).collect()
+}
+
+fn asking(scene: &Scene, find: &[Find]) -> Scene {
+    Scene { find: find.to_vec(), ..scene.clone() }
+}
+
+/// The same scene swept by each of the ways of the program.
+fn tables(scene: &Scene, m: &Mechanism, driver: usize, values: &[f64]) -> Vec<(&'static str, Table)> {
+    let placed = match Placed::new(scene, m) {
+        Ok(placed) => placed,
+        Err(_) => return Vec::new(),
+    };
+    let per_value = station::angle_per_value(scene, &placed.at, driver);
+    let stations = Stations::of_values(values.to_vec(), per_value);
+    let mut out = vec![("curves", sweep::run(&placed, driver, &stations, Width::Widest).unwrap())];
+    let [first, last] = [values[0], values[values.len() - 1]];
+    let way = if scene.drivers[driver].kind.turns() {
+        station::Way::Turn(scene::Angle::Rad(first), scene::Angle::Rad(last))
+    } else {
+        station::Way::Slide { from: first, to: last, per_value }
+    };
+    out.push(("sweep", gather(&mut Long::new(&placed, driver, Steps { way, steps: values.len() - 1 }))));
+    if let Ok(variation) = Variation::new(scene, &[]) {
+        let batch = Batch { scene, mechanism: m, variation, values: Vec::new(), choice: Choice::Grid, driver, stations: Some(stations) };
+        let block = batch.block(0, 1);
+        let heads = batch.columns().into_iter().zip(block.columns).skip(1);
+        let columns = heads.map(|((name, unit), values)| sweep::Column { name, unit, values }).collect();
+        out.push(("batch", Table { columns, notes: Vec::new() }));
+    }
+    out
+}
+
+/// Compares every question of a scene, its driver at eight places.
+fn compare(name: &str, json: &Json, tally: &mut Tally) {
+    let Ok(plain) = scene::read(json.to_string()).map(|s| s.value) else { return };
+    if plain.drivers.is_empty() || plain.has_laws_of_time() {
+        return;
+    }
+    let find = askable(json, &plain);
+    let plain = match read(json, &find) {
+        Ok(plain) => plain,
+        Err(f) => return tally.faults.push(format!("{name}: the questions are not taken together: {f}")),
+    };
+    if solved(&plain, None).is_err() {
+        return;
+    }
+    tally.scenes += 1;
+    let swept = over_a_turn(&plain);
+    let m = match sweep::mechanism(&swept) {
+        Ok(m) => m,
+        Err(f) => return tally.faults.push(format!("{name}: {f}")),
+    };
+    let placed = match Placed::new(&swept, &m) {
+        Ok(placed) => placed,
+        Err(f) => return tally.faults.push(format!("{name}: {f}")),
+    };
+    let extent = placed.at.extent();
+    for driver in (0..plain.drivers.len()).filter(|d| !swept.is_led(*d)) {
+        let before = tally.compared;
+        let values = values(&swept, &m, &placed, driver);
+        // Where everything is, to tell what the single scenes are told.
+        let of_places = |f: &&Find| ["x_", "y_", "phi_"].iter().any(|s| f.text.starts_with(s));
+        let places: Vec<Find> = swept.find.iter().filter(of_places).cloned().collect();
+        let scene = asking(&swept, &places);
+        let Ok(there) = Placed::new(&scene, &m) else { continue };
+        let Some(table) = sweep::of_values(&there, driver, values.clone()) else { continue };
+        let at = rows(&table, &values);
+        let base = sweep::of_values(&there, driver, vec![station::position_now(&scene, &there.at, driver)]);
+        let number = |name: &str, row: usize| table.column(name).map(|c| c.values[row]);
+        let moved = Moved { json, plain: &plain, driver, now: station::position_now(&swept, &placed.at, driver) };
+        let mut singles: Vec<Result<Single, String>> = Vec::new();
+        let mut said: Vec<bool> = Vec::new();
+        for (value, row) in values.iter().zip(&at) {
+            let place = |p: &scene::Point| {
+                let row = (*row)?;
+                Some((p.name.clone(), [number(&format!("x_{}", p.name), row)?, number(&format!("y_{}", p.name), row)?]))
+            };
+            let turn = |l: &scene::Link| {
+                let column = format!("phi_{}", l.name);
+                Some((l.name.clone(), number(&column, (*row)?)? - base.as_ref()?.column(&column)?.values.first()?))
+            };
+            let places = swept.points.iter().filter_map(place).collect();
+            let turned = swept.links.iter().filter_map(turn).collect();
+            let written = moved.at(*value, &places, &turned);
+            said.push(written.is_some());
+            let single =
+                written.ok_or_else(Faults::default).and_then(|json| read(&json, &find)).and_then(|scene| solved(&scene, Some(driver)));
+            singles.push(single.map_err(|f| f.list.first().map_or(String::new(), |d| d.message.en.clone())));
+        }
+        for (k, single) in singles.iter().enumerate() {
+            let Ok(single) = single else { continue };
+            let turns = swept.drivers[driver].kind.turns();
+            let off = if turns { Vec2::from_angle(single.value - values[k]).angle() } else { (single.value - values[k]) / extent };
+            let lies = swept.drivers[driver].kind.turned().map_or(moved.told(), |(l, _)| has_line(&plain, l, &json.to_string()));
+            if off.abs() > 1e-9 && single.condition < 1e6 && lies {
+                let at = values[k];
+                tally.faults.push(format!("{name} driver {driver} at {at}: by the places of the sweep it stands at {}", single.value));
+            }
+        }
+        let compiled = |f: &Find| compile(&swept, &m, &placed.at, Some(driver), std::slice::from_ref(f)).is_ok();
+        // What every position answers is asked together, apart by whether it has a kernel; all else by itself.
+        let everywhere = |f: &Find| singles.iter().flatten().all(|s| s.answers.get(&f.text).is_some_and(Option::is_some));
+        let (whole, parts): (Vec<Find>, Vec<Find>) = swept.find.iter().cloned().partition(everywhere);
+        let (kernels, others): (Vec<Find>, Vec<Find>) = whole.into_iter().partition(compiled);
+        let alone = parts.iter().step_by(if every(2) == 1 { 1 } else { (parts.len() / 4).max(1) }).map(|f| vec![f.clone()]);
+        for group in [kernels, others].into_iter().filter(|g| !g.is_empty()).chain(alone) {
+            let scene = asking(&swept, &group);
+            for (way, table) in tables(&scene, &m, driver, &values) {
+                let at = rows(&table, &values);
+                for (k, single) in singles.iter().enumerate() {
+                    if !said[k] {
+                        tally.unsaid += 1;
+                        continue;
+                    }
+                    let here = |what: &str| format!("{name} {way} over {} at {:?}: {what}", swept.driver_name(driver).0, values[k]);
+                    let answered = single.as_ref().ok().filter(|s| s.answers.get(&group[0].text).is_some_and(Option::is_some));
+                    if single.as_ref().is_ok_and(|s| s.condition > 1e6) {
+                        tally.singular += 1;
+                        continue;
+                    }
+                    let (Some(single), Some(row)) = (answered, at[k]) else {
+                        // What cannot be read at a position is not told there by the file; the mechanism may go there all the same.
+                        if answered.is_some() != at[k].is_some() && (answered.is_some() || single.is_ok()) {
+                            let told = if at[k].is_some() { "a row that solve refuses" } else { "no row, solve answers" };
+                            let notes: Vec<_> = table.notes.iter().map(|n| n.message.en.as_str()).collect();
+                            tally.faults.push(here(&format!(
+                                "{told}: {} ({}) {notes:?} {:?}",
+                                group[0].text,
+                                group.len(),
+                                single.as_ref().err()
+                            )));
+                        }
+                        continue;
+                    };
+                    let columns = &table.columns[1..];
+                    let mut of = 0;
+                    for f in &group {
+                        let expected = single.answers[&f.text].as_ref().unwrap();
+                        let largest = expected.iter().fold(0.0f64, |a, b| a.max(b.abs()));
+                        for (c, e) in columns[of..].iter().zip(expected) {
+                            let size = if c.unit == "m" { extent } else { size(c.unit, &swept, extent).max(largest) };
+                            tally.check(&|| here(&c.name), c.unit, [c.values[row], *e], size, single.condition);
+                        }
+                        of += expected.len();
+                    }
+                }
+            }
+        }
+        limits_hold(name, &swept, &m, driver, &singles, tally);
+        if tally.compared == before {
+            let (placed, solved) = (at.iter().flatten().count(), singles.iter().flatten().count());
+            tally.idle.push(format!(
+                "{name} driver {driver}: {placed} positions have places, {solved} are solved: {:?} {:?}",
+                table.notes.first().map(|n| &n.message.en),
+                singles.iter().find_map(|s| s.as_ref().err())
+            ));
+        }
+    }
+}
+
+/// The extremes of `limits` hold all positions that solve finds between them, are told once, and there the output stands still.
+fn limits_hold(name: &str, swept: &Scene, m: &Mechanism, driver: usize, singles: &[Result<Single, String>], tally: &mut Tally) {
+    let Ok(placed) = Placed::new(swept, m) else { return };
+    let extent = placed.at.extent();
+    let limits = match extreme::limits(swept, m, driver) {
+        Ok(limits) => limits,
+        Err(f) => return tally.faults.push(format!("{name}: limits: {f}")),
+    };
+    let turns = swept.drivers[driver].kind.turns();
+    let rate = swept.drivers[driver].rate.value;
+    for s in &limits.swings {
+        let number = |single: &Single, of: String| single.answers.get(&of)?.as_ref().map(|v| v[0]);
+        let position = |single: &Single| match s.output {
+            extreme::Output::Turning(l) => number(single, format!("phi_{}", swept.link_name(l))),
+            extreme::Output::Sliding(g) => {
+                let guide = &swept.guides[g.0];
+                let (p, Some(position::Path::Line { through, direction })) = (swept.point_name(guide.pin?), placed.at.guides[g.0]) else {
+                    return None;
+                };
+                let at = Vec2::new(number(single, format!("x_{p}"))?, number(single, format!("y_{p}"))?);
+                Some(direction.dot(at - through.to_vec2()))
+            }
+        };
+        let what = format!("{name} driver {driver}: limits of {:?}", s.output);
+        let size = if matches!(s.output, extreme::Output::Turning(_)) { 1.0 } else { extent };
+        for (k, e) in s.extremes.iter().enumerate() {
+            let again = |o: &extreme::Extreme| {
+                let apart = if turns { Vec2::from_angle(o.driver - e.driver).angle() } else { (o.driver - e.driver) / extent };
+                limits.turns == 1 && apart.abs() < 1e-6 && (o.output - e.output).abs() < 1e-6 * size
+            };
+            if s.extremes[..k].iter().any(again) {
+                tally.faults.push(format!("{what}: {e:?} is told twice"));
+            }
+        }
+        let lowest = s.extremes.iter().map(|e| e.output).fold(f64::INFINITY, f64::min);
+        let Some(stroke) = s.stroke else {
+            // What has no extreme position goes on in one sense.
+            let found: Vec<f64> = singles.iter().flatten().filter_map(position).collect();
+            let moved = found.iter().any(|a| (a - found[0]).abs() > 1e-9 * size);
+            if matches!(s.output, extreme::Output::Sliding(_)) && turns && limits.range.full() && moved && rate != 0.0 {
+                tally.faults.push(format!("{what}: no extreme from {:?}, solve says {found:?}", limits.range.bounds()));
+            }
+            continue;
+        };
+        let [low, high] = limits.range.bounds();
+        let reached = |value: f64| limits.range.full() || !turns || low <= value + TAU * ((high - value) / TAU).floor();
+        for single in singles.iter().flatten().filter(|s| s.condition < 1e6 && reached(s.value)) {
+            let Some(at) = position(single) else { continue };
+            let mut over = at - lowest;
+            if matches!(s.output, extreme::Output::Turning(_)) {
+                over -= ((over - 0.5 * stroke) / TAU).round() * TAU;
+            }
+            tally.compared += 1;
+            if stroke < TAU && !(-1e-7 * size..=stroke + 1e-7 * size).contains(&over) {
+                tally
+                    .faults
+                    .push(format!("{what}: from {lowest} on by {stroke}, solve says {at} at {}: {s:?} {:?}", single.value, limits.range));
+            }
+        }
+    }
+}
+
+/// The same through time, where drivers move by laws of it.
+fn compare_in_time(name: &str, json: &Json, tally: &mut Tally) {
+    let Ok(plain) = scene::read(json.to_string()) else { return };
+    // Coordinates tell one instant only.
+    if !plain.value.has_laws_of_time() || !plain.value.is_told_everywhere() {
+        return;
+    }
+    let find = askable(json, &plain.value);
+    let Ok(plain) = read(json, &find) else { return };
+    let swept = over_a_turn(&plain);
+    let m = Mechanism::new(&swept).unwrap().value;
+    let placed = Placed::new(&swept, &m).unwrap();
+    tally.scenes += 1;
+    let (timed, [from, to]) = Timed::new(&placed, [None, None]).unwrap();
+    let times: Vec<f64> = (0..POSITIONS).map(|k| from + (to - from) * (k as f64 + OFF) / POSITIONS as f64).collect();
+    let text = json.to_string();
+    let at = |t: &f64| {
+        let text = edit::with_parameters(&text, &[("t", &format!("{t:?} s"))]).unwrap();
+        read(&serde_json::from_str(&text).unwrap(), &find).and_then(|scene| solved(&scene, None)).ok()
+    };
+    let singles: Vec<Option<Single>> = times.iter().map(at).collect();
+    for f in &swept.find {
+        let scene = asking(&swept, std::slice::from_ref(f));
+        let placed = Placed::new(&scene, &m).unwrap();
+        let (timed, _) = Timed::new(&placed, [Some(from), Some(to)]).unwrap();
+        let table = timed.table(times.clone());
+        for ((single, row), t) in singles.iter().zip(rows(&table, &times)).zip(&times) {
+            let here = |what: &str| format!("{name} at {t} s: {what}");
+            let expected = single.as_ref().and_then(|s| Some((s.answers.get(&f.text)?.as_ref()?, s.condition)));
+            match (expected, row) {
+                (Some((expected, condition)), Some(row)) => {
+                    for (c, e) in table.columns[1..].iter().zip(expected) {
+                        let size = size(c.unit, &swept, placed.at.extent()).max(1.0);
+                        tally.check(&|| here(&c.name), c.unit, [c.values[row], *e], size, condition);
+                    }
+                }
+                (None, None) => {}
+                (expected, _) => tally.faults.push(here(&format!("{} is answered by solve: {}", f.text, expected.is_some()))),
+            }
+        }
+    }
+    drop(timed);
+}
+
+#[test]
+fn a_sweep_says_what_solve_says() {
+    let only = std::env::var("SAYS").unwrap_or_default();
+    let all = scenes();
+    let picked = |(n, (name, _)): &(usize, &(String, Json))| {
+        if only.is_empty() { n % every(24) == 0 || name.starts_with("says/") } else { name.contains(&only) }
+    };
+    let some: Vec<&(String, Json)> = all.iter().enumerate().filter(picked).map(|(_, s)| s).collect();
+    let one = |(name, json): &&(String, Json)| {
+        let mut tally = Tally::default();
+        compare(name, json, &mut tally);
+        compare_in_time(name, json, &mut tally);
+        tally
+    };
+    let tally = some.par_iter().map(one).reduce(Tally::default, Tally::join);
+    println!(
+        "{} of {} scenes, {} numbers compared; {} positions cannot be told, {} are singular; {} faults",
+        tally.scenes,
+        all.len(),
+        tally.compared,
+        tally.unsaid,
+        tally.singular,
+        tally.faults.len()
+    );
+    if !tally.idle.is_empty() {
+        println!("nothing is compared of\n{}", tally.idle.join("\n"));
+    }
+    assert!(tally.faults.is_empty(), "{}", tally.faults.join("\n"));
+    assert!(tally.compared > 1000, "{}", tally.compared);
+}
