@@ -231,7 +231,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
                 }
                 Some(term) => {
                     let u = self.direction(term)?;
-                    p.actions.push(Action::Line { terms: chain.unknown.clone(), through: at.1, direction: u });
+                    p.actions.push(Action::Line { terms: chain.unknown.clone(), mark: at.0, through: at.1, direction: u });
                     let apart = self.drawn_length(term);
                     Some((self.pencil.mark(p.level, at.1), self.pencil.ruler(p.level, u, apart)))
                 }

@@ -100,6 +100,8 @@ pub enum Action<N = f64> {
     Line {
         /// The unknown terms along it.
         terms: Vec<Term>,
+        /// The mark through which it is drawn: two marks may lie at one place.
+        mark: Mark,
         /// Point on paper.
         through: Point<N>,
         /// Unit direction.

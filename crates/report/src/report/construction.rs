@@ -107,13 +107,8 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
                 Lang::Zh => format!("${symbol}$ = 0（原动件该瞬时静止），不作图。"),
             }
         }
-        Action::Line { terms, through, .. } => {
-            let from = p
-                .edges
-                .iter()
-                .flat_map(|e| [&e.from, &e.to])
-                .find(|m| m.1 == *through)
-                .map_or_else(|| place(w, p, *through), |m| mark(w, level, &m.0));
+        Action::Line { terms, mark: from, .. } => {
+            let from = mark(w, level, from);
             let (symbol, direction) = (symbols(w, level, terms), w.direction(&terms[0]));
             match w.lang {
                 Lang::En => format!("Through ${from}$ draw the direction of ${symbol}$, ${direction}$."),
@@ -258,10 +253,4 @@ fn moved(lang: Lang, pencil_mm: f64, by: &str) -> String {
         Lang::En => format!(", where a pencil error of {e} mm moves it by {by} mm"),
         Lang::Zh => format!("（{e} mm 的作图误差使交点偏移 {by} mm）"),
     }
-}
-
-/// The mark at a place of the polygon.
-fn place(w: &Writer, p: &Polygon, at: crate::geom::Point) -> String {
-    let v = p.images.iter().enumerate().position(|(i, q)| *q == Some(at) && !w.plan.vertex(VertexId(i)).fixed);
-    v.map_or_else(|| w.pole(p.level), |i| w.image(p.level, VertexId(i)))
 }
