@@ -8,7 +8,7 @@ use crate::certified::ladder::Certified;
 use crate::certified::{Steps, certify, steps as certified_steps};
 use crate::figure::results::DIGITS;
 use crate::mechanism::Level;
-use crate::paper::phrase::{Phrase, Piece};
+use crate::paper::phrase::Phrase;
 use crate::paper::words::words;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
@@ -54,16 +54,7 @@ fn in_both(said: impl Fn(usize) -> Vec<Option<String>>, formulas: &mut Formulas)
 fn of_level(frame: &Frame, told: &Steps, level: Level, notation: &Notation, lang: Lang) -> Vec<String> {
     let Some(p) = frame.worked.construction.polygon(level).filter(|_| !frame.end) else { return Vec::new() };
     let w = Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang };
-    sentences(&w, &frame.worked.construction, p, told).iter().map(source).collect()
-}
-
-/// A sentence with its formulas between dollar signs again.
-fn source(phrase: &Phrase) -> String {
-    let piece = |p: &Piece| match p {
-        Piece::Words(w) => w.clone(),
-        Piece::Formula(f) => format!("${f}$"),
-    };
-    phrase.pieces().iter().map(piece).collect()
+    sentences(&w, &frame.worked.construction, p, told).iter().map(Phrase::source).collect()
 }
 
 /// The answers: for each question its value in all frames, English and Chinese.

@@ -99,16 +99,27 @@ impl Builder<'_> {
             (Some(_), Some(_), _) => {}
             (Some(pin), None, [hold]) => {
                 let pivot = self.pin(pin);
-                let target = self.near(link, hold).expect("a slot gives a coincident point");
-                let (known, unknown) = self.turning(level, body, target, pivot, false);
-                let chain = self.chain(level, Some(link), hold, None);
-                self.equation(level, target, vec![Chain { start: pivot, known, unknown }, chain], Method::Coincident);
+                let target = self.rolled(level, link, hold).unwrap_or_else(|| {
+                    let target = self.near(link, hold).expect("a slot gives a coincident point");
+                    let (known, unknown) = self.turning(level, body, target, pivot, false);
+                    let chain = self.chain(level, Some(link), hold, None);
+                    self.equation(level, target, vec![Chain { start: pivot, known, unknown }, chain], Method::Coincident);
+                    target
+                });
                 self.source(level, body, Rate::Measured { of: target, to: pivot });
             }
             (None, Some(_), [hold @ Hold::Glide { driver: Some(_), .. }]) => {
                 let at = self.any_point(link);
                 let chain = self.chain(level, Some(link), hold, Some(at));
                 self.equation(level, at, vec![chain], Method::Driven);
+            }
+            (None, Some(_), [a, b]) if [a, b].into_iter().any(|h| self.rolled(level, link, h).is_some()) => {
+                for hold in [a, b] {
+                    if let Some(near) = self.near(link, hold) {
+                        self.ensure(level, near);
+                    }
+                    self.sources_of(level, hold);
+                }
             }
             (None, Some(_), [a, b]) => {
                 // A leg with a point of its own leads; a gliding leg serves any point.
@@ -140,14 +151,28 @@ impl Builder<'_> {
         vec![std::mem::take(&mut self.pending)]
     }
 
-    /// A link that touches a known one and rolls on it: at the contact both have one velocity, and of their accelerations the difference is
-    /// known, as if it were pinned there.
-    fn pinned_at_contact(&mut self, level: Level, link: LinkId, (pair, other): (RollingId, LinkId), third: &Hold) {
+    /// The velocity of the point of a link at which it rolls on a known one: it is that of the other's point there, whatever else holds the link.
+    /// `None` for accelerations, of which the two points differ along the normal, and where nothing rolls.
+    pub(super) fn rolled(&mut self, level: Level, link: LinkId, hold: &Hold) -> Option<VertexId> {
+        let Hold::Rolls { pair, other, .. } = *hold else { return None };
+        self.scene.rolling[pair.0].contact()?;
+        (level == Level::Velocity).then(|| self.at_contact(level, link, (pair, other)))
+    }
+
+    /// The point of a link at its contact with a known one, by all that the two points differ in.
+    fn at_contact(&mut self, level: Level, link: LinkId, (pair, other): (RollingId, LinkId)) -> VertexId {
         let rolling = &self.scene.rolling[pair.0];
         let (own, from) = (self.coincident(rolling.at_of(link), link), self.coincident(rolling.at_of(other), other));
         self.ensure(level, from);
         let known = self.roll(level, pair, own, from);
         self.equation(level, own, vec![Chain { start: from, known, unknown: Vec::new() }], Method::Coincident);
+        own
+    }
+
+    /// A link that touches a known one and rolls on it: at the contact both have one velocity, and of their accelerations the difference is
+    /// known, as if it were pinned there.
+    fn pinned_at_contact(&mut self, level: Level, link: LinkId, (pair, other): (RollingId, LinkId), third: &Hold) {
+        let own = self.at_contact(level, link, (pair, other));
         let near = self.near(link, third).expect("a leg of a triad has a point on the core");
         let (known, unknown) = self.turning(level, Body::Link(link), near, own, false);
         let chain = self.chain(level, Some(link), third, None);
@@ -181,22 +206,25 @@ impl Builder<'_> {
         for (i, j, k) in [(0, 1, 2), (0, 2, 1), (1, 2, 0)] {
             self.known[slot(level)].clone_from(&base);
             self.pending.clone_from(&shared);
-            let s = match contact_on_bar(self.scene, &holds[i], &holds[j]) {
-                Some(n) => nears[[i, j][n]],
+            let contact = contact_on_bar(self.scene, &holds[i], &holds[j]).map(|n| [i, j][n]);
+            let s = match contact {
+                Some(n) => nears[n],
                 None => {
                     let line = |n: usize| SpecialLine::Leg(holds[n].line().expect("a leg of a triad holds along a line"));
                     self.special(Special { group: g, link, lines: [line(i), line(j)], legs: Some((i, j)) })
                 }
             };
-            let mut chains = Vec::new();
-            for n in [i, j] {
-                let mut chain = self.chain(level, Some(link), &holds[n], None);
-                if nears[n] != s {
-                    self.extend_to_special(level, &mut chain, link, s, nears[n]);
+            if contact.and_then(|n| self.rolled(level, link, &holds[n])).is_none() {
+                let mut chains = Vec::new();
+                for n in [i, j] {
+                    let mut chain = self.chain(level, Some(link), &holds[n], None);
+                    if nears[n] != s {
+                        self.extend_to_special(level, &mut chain, link, s, nears[n]);
+                    }
+                    chains.push(chain);
                 }
-                chains.push(chain);
+                self.equation(level, s, chains, Method::Special);
             }
-            self.equation(level, s, chains, Method::Special);
             let (known, unknown) = self.turning(level, body, nears[k], s, false);
             let third = self.chain(level, Some(link), &holds[k], None);
             self.equation(level, nears[k], vec![Chain { start: s, known, unknown }, third], Method::SameLink);

@@ -134,16 +134,19 @@ impl Builder<'_> {
                 let special =
                     Special { group: g, link: member.link, lines: [special_line(self.scene, a), special_line(self.scene, b)], legs: None };
                 let s = contact.and_then(|(k, _)| ends[k][1]).unwrap_or_else(|| self.special(special));
-                let mut chains = Vec::new();
-                for line in [a, b] {
-                    let near = self.near_of(member.link, line);
-                    let mut chain = self.chain_of(level, member.link, line);
-                    if near != s {
-                        self.extend_to_special(level, &mut chain, member.link, s, near);
+                let rolls = contact.and_then(|(k, _)| if let Line::Leg(hold) = lines[k] { self.rolled(level, member.link, &hold) } else { None });
+                if rolls.is_none() {
+                    let mut chains = Vec::new();
+                    for line in [a, b] {
+                        let near = self.near_of(member.link, line);
+                        let mut chain = self.chain_of(level, member.link, line);
+                        if near != s {
+                            self.extend_to_special(level, &mut chain, member.link, s, near);
+                        }
+                        chains.push(chain);
                     }
-                    chains.push(chain);
+                    self.equation(level, s, chains, Method::Special);
                 }
-                self.equation(level, s, chains, Method::Special);
                 states[i].known.push(s);
                 states[i].used = vec![*a, *b];
                 true

@@ -9,7 +9,7 @@ use crate::mechanism::Level;
 use crate::paper::phrase::{Phrase, formula, sense, tr};
 use crate::plan::names::name_label;
 use crate::plan::text::Writer;
-use crate::plan::{Body, Rate, Term, VertexId};
+use crate::plan::{Body, Method, Rate, Step, Term, VertexId};
 use crate::report::amount::of_level;
 use crate::scene::{Book, Kind, Lang};
 
@@ -130,6 +130,12 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
         }
         Action::Reach(v) => {
             let (image, vector) = (w.image(level, *v), w.vector(level, *v));
+            if let Some(other) = touched(w, level, *v).map(|from| w.image(level, from)) {
+                return match w.lang {
+                    Lang::En => format!("At the contact the two points have one velocity: ${image}$ falls on ${other}$, ${vector}$ = {}.", from_pole(*v)),
+                    Lang::Zh => format!("纯滚动时接触点处两点速度相同：${image}$ 与 ${other}$ 重合，${vector}$ = {}。", from_pole(*v)),
+                };
+            }
             match w.lang {
                 Lang::En => format!("Nothing is added: ${image}$ lies where it starts, ${vector}$ = {}.", from_pole(*v)),
                 Lang::Zh => format!("无附加分量，${image}$ 即在起点，${vector}$ = {}。", from_pole(*v)),
@@ -223,6 +229,20 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
             }
         }
     }
+}
+
+/// The point of the other link at a contact without slip from which a point has its velocity.
+fn touched(w: &Writer, level: Level, v: VertexId) -> Option<VertexId> {
+    let moves = !w.plan.rest.is_all();
+    let alike = |s: &Step| match s {
+        Step::Equation { target, chains, method: Method::Coincident } if *target == v && moves => match &chains[..] {
+            [chain] if chain.known.is_empty() && chain.unknown.is_empty() => Some(chain.start),
+            _ => None,
+        },
+        Step::Equation { .. } | Step::Image { .. } | Step::Same { .. } => None,
+    };
+    let groups = w.plan.steps(level).iter();
+    groups.flat_map(|g| g.alternatives.iter().flatten().chain(&g.further)).find_map(alike)
 }
 
 /// Of a rate that is neither measured nor given against the ground: the others of which it is the sum.
