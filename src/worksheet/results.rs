@@ -1,9 +1,9 @@
 //! The results with their senses, and how the drawing compares with the loop equations.
 
-use super::centres::Task;
 use super::speak::Speak;
 use super::{Block, Maker, Table, TableKind};
 use crate::answer::Value;
+use crate::centres::Task;
 use crate::certified::ladder::Why;
 use crate::digits::shortest;
 use crate::figure::remarks::{agreement, remarks};

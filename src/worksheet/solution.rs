@@ -1,8 +1,8 @@
 //! The solution's side: freedom and groups, scales, then for each level equations, angular rates, polygon and steps.
 
-use super::centres::Task;
 use super::speak::Speak;
 use super::{Block, Maker, Table, TableKind};
+use crate::centres::Task;
 use crate::construct::Polygon;
 use crate::figure::sheet::drawing;
 use crate::figure::tables::special_line;

@@ -174,9 +174,11 @@ impl Builder<'_> {
     fn pinned_at_contact(&mut self, level: Level, link: LinkId, (pair, other): (RollingId, LinkId), third: &Hold) {
         let own = self.at_contact(level, link, (pair, other));
         let near = self.near(link, third).expect("a leg of a triad has a point on the core");
-        let (known, unknown) = self.turning(level, Body::Link(link), near, own, false);
-        let chain = self.chain(level, Some(link), third, None);
-        self.equation(level, near, vec![Chain { start: own, known, unknown }, chain], Method::SameLink);
+        if self.rolled(level, link, third).is_none() {
+            let (known, unknown) = self.turning(level, Body::Link(link), near, own, false);
+            let chain = self.chain(level, Some(link), third, None);
+            self.equation(level, near, vec![Chain { start: own, known, unknown }, chain], Method::SameLink);
+        }
         self.source(level, Body::Link(link), Rate::Measured { of: near, to: own });
         self.sources_of(level, third);
     }
@@ -225,9 +227,11 @@ impl Builder<'_> {
                 }
                 self.equation(level, s, chains, Method::Special);
             }
-            let (known, unknown) = self.turning(level, body, nears[k], s, false);
-            let third = self.chain(level, Some(link), &holds[k], None);
-            self.equation(level, nears[k], vec![Chain { start: s, known, unknown }, third], Method::SameLink);
+            if self.rolled(level, link, &holds[k]).is_none() {
+                let (known, unknown) = self.turning(level, body, nears[k], s, false);
+                let third = self.chain(level, Some(link), &holds[k], None);
+                self.equation(level, nears[k], vec![Chain { start: s, known, unknown }, third], Method::SameLink);
+            }
             for n in [i, j] {
                 if !self.is_known(level, nears[n]) {
                     self.pending.push(Step::Image { link, target: nears[n], from: (s, nears[k]) });

@@ -114,9 +114,12 @@ impl Builder<'_> {
                 let through = |k: &usize| !self.in_line(&[&ends[*k][..], &[Some(start)]].concat());
                 let Some(line) = (0..lines.len()).find(through).map(|k| &lines[k]) else { return false };
                 let near = self.near_of(member.link, line);
-                let (known, unknown) = self.turning(level, Body::Link(member.link), near, start, false);
-                let second = self.chain_of(level, member.link, line);
-                self.equation(level, near, vec![Chain { start, known, unknown }, second], Method::SameLink);
+                let rolls = if let Line::Leg(hold) = line { self.rolled(level, member.link, hold) } else { None };
+                if rolls.is_none() {
+                    let (known, unknown) = self.turning(level, Body::Link(member.link), near, start, false);
+                    let second = self.chain_of(level, member.link, line);
+                    self.equation(level, near, vec![Chain { start, known, unknown }, second], Method::SameLink);
+                }
                 self.known_at(states, members, near, i);
                 self.across(level, members, states, near);
                 true
@@ -134,7 +137,8 @@ impl Builder<'_> {
                 let special =
                     Special { group: g, link: member.link, lines: [special_line(self.scene, a), special_line(self.scene, b)], legs: None };
                 let s = contact.and_then(|(k, _)| ends[k][1]).unwrap_or_else(|| self.special(special));
-                let rolls = contact.and_then(|(k, _)| if let Line::Leg(hold) = lines[k] { self.rolled(level, member.link, &hold) } else { None });
+                let rolls =
+                    contact.and_then(|(k, _)| if let Line::Leg(hold) = lines[k] { self.rolled(level, member.link, &hold) } else { None });
                 if rolls.is_none() {
                     let mut chains = Vec::new();
                     for line in [a, b] {

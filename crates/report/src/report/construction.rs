@@ -100,11 +100,16 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
                 Lang::Zh => format!("自 ${from}$ 作 ${symbol}{given}$，长 {}，${direction}$，得 ${to}$。", edge(0, *i)),
             }
         }
-        Action::Nothing { term, .. } => {
-            let symbol = w.symbol(level, term);
-            match w.lang {
-                Lang::En => format!("${symbol}$ = 0, for the driver is at rest: nothing is laid off."),
-                Lang::Zh => format!("${symbol}$ = 0（原动件该瞬时静止），不作图。"),
+        Action::Nothing { terms, target, .. } => {
+            let symbols: Vec<String> = terms.iter().map(|t| w.symbol(level, t)).collect();
+            let (symbols, image) = (symbols.join(" = "), target.map(|v| w.image(level, v)));
+            match (w.lang, image) {
+                (Lang::En, None) => format!("${symbols}$ = 0, for the driver is at rest: nothing is laid off."),
+                (Lang::Zh, None) => format!("${symbols}$ = 0（原动件该瞬时静止），不作图。"),
+                (Lang::En, Some(image)) => {
+                    format!("${symbols}$ = 0, for the driver is at rest: nothing is laid off, ${image}$ lies where the vector would begin.")
+                }
+                (Lang::Zh, Some(image)) => format!("${symbols}$ = 0（原动件该瞬时静止），不作图，${image}$ 即在其起点。"),
             }
         }
         Action::Line { terms, mark: from, .. } => {
@@ -132,7 +137,10 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
             let (image, vector) = (w.image(level, *v), w.vector(level, *v));
             if let Some(other) = touched(w, level, *v).map(|from| w.image(level, from)) {
                 return match w.lang {
-                    Lang::En => format!("At the contact the two points have one velocity: ${image}$ falls on ${other}$, ${vector}$ = {}.", from_pole(*v)),
+                    Lang::En => format!(
+                        "At the contact the two points have one velocity: ${image}$ falls on ${other}$, ${vector}$ = {}.",
+                        from_pole(*v)
+                    ),
                     Lang::Zh => format!("纯滚动时接触点处两点速度相同：${image}$ 与 ${other}$ 重合，${vector}$ = {}。", from_pole(*v)),
                 };
             }
