@@ -124,9 +124,10 @@ impl Draft<'_> {
             };
             let radius = self.radius_off_hatching(at, (radius, crank), [reference, reference + sweep]);
             let mut arc = sym::angle(self.style, at, radius, reference, reference + sweep);
-            // A cam whose law counts the angle has no line of its own there.
+            // A cam that is no circle has no line of its own there.
             let own = Vec2::from_angle(reference + sweep);
-            if own.cross(u).abs() > OWN_LINE {
+            let round = self.scene.cams.iter().any(|c| c.cam == link && c.circle.is_some());
+            if own.cross(u).abs() > OWN_LINE || self.is_profile(link) && !round {
                 let (from, to) = (at + own * self.style.pin_radius_mm, at + own * (radius * 4.0 / 3.0));
                 arc.insert(0, Item::new("angle own", Shape::Line { from, to, stroke: self.style.thin }));
             }
