@@ -36,7 +36,7 @@ impl Maker<'_> {
         }
         self.drawn_centres(blocks);
         blocks.push(self.heading(2, "Velocities by the centres", "用瞬心求速度"));
-        blocks.push(Block::List { numbered: true, members: words.steps().iter().map(|s| Phrase::new(&s.replace("  ", " "))).collect() });
+        blocks.push(Block::List { numbered: true, members: words.steps().iter().map(|s| Phrase::new(s)).collect() });
     }
 
     fn drawn_centres(&self, blocks: &mut Vec<Block>) {

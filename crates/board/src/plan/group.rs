@@ -169,6 +169,31 @@ impl Builder<'_> {
         own
     }
 
+    /// The velocities of a link on three legs that rolls on a known link: its point at the contact is known, a second one is known by another contact or
+    /// by a leg whose line does not run through the first. Whether they are found so.
+    fn by_contacts(&mut self, level: Level, link: LinkId, holds: &[Hold], nears: &[VertexId]) -> bool {
+        let scene = self.scene;
+        let touches = |h: &Hold| matches!(*h, Hold::Rolls { pair, .. } if scene.rolling[pair.0].contact().is_some());
+        let Some(first) = holds.iter().position(touches).filter(|_| level == Level::Velocity) else { return false };
+        let others = || (0..holds.len()).filter(|n| *n != first);
+        let apart = |n: &usize| contact_on_bar(scene, &holds[first], &holds[*n]).is_none();
+        let Some(second) = others().find(|n| touches(&holds[*n])).or_else(|| others().find(apart)) else { return false };
+        let (own, near) = (nears[first], nears[second]);
+        self.rolled(level, link, &holds[first]);
+        if self.rolled(level, link, &holds[second]).is_none() {
+            let (known, unknown) = self.turning(level, Body::Link(link), near, own, false);
+            let chain = self.chain(level, Some(link), &holds[second], None);
+            self.equation(level, near, vec![Chain { start: own, known, unknown }, chain], Method::SameLink);
+        }
+        for n in others().filter(|n| *n != second) {
+            if !self.is_known(level, nears[n]) {
+                self.pending.push(Step::Image { link, target: nears[n], from: (own, near) });
+                self.learn(level, nears[n]);
+            }
+        }
+        true
+    }
+
     /// A link that touches a known one and rolls on it: at the contact both have one velocity, and of their accelerations the difference is
     /// known, as if it were pinned there.
     fn pinned_at_contact(&mut self, level: Level, link: LinkId, (pair, other): (RollingId, LinkId), third: &Hold) {
@@ -208,30 +233,29 @@ impl Builder<'_> {
         for (i, j, k) in [(0, 1, 2), (0, 2, 1), (1, 2, 0)] {
             self.known[slot(level)].clone_from(&base);
             self.pending.clone_from(&shared);
-            let contact = contact_on_bar(self.scene, &holds[i], &holds[j]).map(|n| [i, j][n]);
-            let s = match contact {
-                Some(n) => nears[n],
+            if self.by_contacts(level, link, holds, &nears) {
+                alternatives.push(std::mem::take(&mut self.pending));
+                continue;
+            }
+            let s = match contact_on_bar(self.scene, &holds[i], &holds[j]) {
+                Some(n) => nears[[i, j][n]],
                 None => {
                     let line = |n: usize| SpecialLine::Leg(holds[n].line().expect("a leg of a triad holds along a line"));
                     self.special(Special { group: g, link, lines: [line(i), line(j)], legs: Some((i, j)) })
                 }
             };
-            if contact.and_then(|n| self.rolled(level, link, &holds[n])).is_none() {
-                let mut chains = Vec::new();
-                for n in [i, j] {
-                    let mut chain = self.chain(level, Some(link), &holds[n], None);
-                    if nears[n] != s {
-                        self.extend_to_special(level, &mut chain, link, s, nears[n]);
-                    }
-                    chains.push(chain);
+            let mut chains = Vec::new();
+            for n in [i, j] {
+                let mut chain = self.chain(level, Some(link), &holds[n], None);
+                if nears[n] != s {
+                    self.extend_to_special(level, &mut chain, link, s, nears[n]);
                 }
-                self.equation(level, s, chains, Method::Special);
+                chains.push(chain);
             }
-            if self.rolled(level, link, &holds[k]).is_none() {
-                let (known, unknown) = self.turning(level, body, nears[k], s, false);
-                let third = self.chain(level, Some(link), &holds[k], None);
-                self.equation(level, nears[k], vec![Chain { start: s, known, unknown }, third], Method::SameLink);
-            }
+            self.equation(level, s, chains, Method::Special);
+            let (known, unknown) = self.turning(level, body, nears[k], s, false);
+            let third = self.chain(level, Some(link), &holds[k], None);
+            self.equation(level, nears[k], vec![Chain { start: s, known, unknown }, third], Method::SameLink);
             for n in [i, j] {
                 if !self.is_known(level, nears[n]) {
                     self.pending.push(Step::Image { link, target: nears[n], from: (s, nears[k]) });

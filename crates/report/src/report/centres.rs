@@ -183,8 +183,11 @@ impl<'a> Words<'a> {
         }
         steps.extend(uses.links.iter().map(|t| self.turning(t)));
         steps.extend(uses.points.iter().map(|s| self.speed(s)));
-        // Names beside one another are one formula.
-        steps.iter().map(|s| s.replace("$$", "")).collect()
+        match self.writing {
+            Writing::Plain => steps,
+            // Names beside one another are one formula; columns are those of a terminal.
+            Writing::Marked => steps.iter().map(|s| s.replace("$$", "").replace("  ", " ")).collect(),
+        }
     }
 
     fn sense(&self, omega: f64) -> &'static str {
