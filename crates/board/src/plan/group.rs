@@ -114,6 +114,12 @@ impl Builder<'_> {
                 self.equation(level, at, vec![chain], Method::Driven);
             }
             (None, Some(_), [a, b]) if [a, b].into_iter().any(|h| self.rolled(level, link, h).is_some()) => {
+                let target = [a, b].into_iter().find_map(|h| self.near(link, h)).expect("a contact is a point of the link");
+                for hold in [a, b] {
+                    // Its points on known links: the accelerations need what slides there.
+                    let _ = self.chain(level, Some(link), hold, Some(target));
+                }
+                self.ensure(level, target);
                 for hold in [a, b] {
                     if let Some(near) = self.near(link, hold) {
                         self.ensure(level, near);

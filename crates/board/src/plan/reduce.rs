@@ -115,9 +115,10 @@ impl Builder<'_> {
                 let Some(line) = (0..lines.len()).find(through).map(|k| &lines[k]) else { return false };
                 let near = self.near_of(member.link, line);
                 let rolls = if let Line::Leg(hold) = line { self.rolled(level, member.link, hold) } else { None };
+                // The points on known links are found in any case: the accelerations need what slides there.
+                let second = self.chain_of(level, member.link, line);
                 if rolls.is_none() {
                     let (known, unknown) = self.turning(level, Body::Link(member.link), near, start, false);
-                    let second = self.chain_of(level, member.link, line);
                     self.equation(level, near, vec![Chain { start, known, unknown }, second], Method::SameLink);
                 }
                 self.known_at(states, members, near, i);
@@ -139,16 +140,16 @@ impl Builder<'_> {
                 let s = contact.and_then(|(k, _)| ends[k][1]).unwrap_or_else(|| self.special(special));
                 let rolls =
                     contact.and_then(|(k, _)| if let Line::Leg(hold) = lines[k] { self.rolled(level, member.link, &hold) } else { None });
-                if rolls.is_none() {
-                    let mut chains = Vec::new();
-                    for line in [a, b] {
-                        let near = self.near_of(member.link, line);
-                        let mut chain = self.chain_of(level, member.link, line);
-                        if near != s {
-                            self.extend_to_special(level, &mut chain, member.link, s, near);
-                        }
-                        chains.push(chain);
+                let mut chains = Vec::new();
+                for line in [a, b] {
+                    let near = self.near_of(member.link, line);
+                    let mut chain = self.chain_of(level, member.link, line);
+                    if near != s {
+                        self.extend_to_special(level, &mut chain, member.link, s, near);
                     }
+                    chains.push(chain);
+                }
+                if rolls.is_none() {
                     self.equation(level, s, chains, Method::Special);
                 }
                 states[i].known.push(s);
