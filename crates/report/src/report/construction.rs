@@ -141,7 +141,7 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
                         "At the contact the two points have one velocity: ${image}$ falls on ${other}$, ${vector}$ = {}.",
                         from_pole(*v)
                     ),
-                    Lang::Zh => format!("纯滚动时接触点处两点速度相同：${image}$ 与 ${other}$ 重合，${vector}$ = {}。", from_pole(*v)),
+                    Lang::Zh => format!("接触点处两点速度相同：${image}$ 与 ${other}$ 重合，${vector}$ = {}。", from_pole(*v)),
                 };
             }
             match w.lang {
