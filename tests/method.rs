@@ -35,7 +35,7 @@ fn scenes() -> Vec<(String, Scene)> {
     files.sort();
     for path in files.iter().filter(|p| p.extension().is_some_and(|e| e == "json")) {
         let file: Json = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
-        if let Ok(scene) = scene::read(&file["scene"].to_string()) {
+        if let Ok(scene) = scene::read(file["scene"].to_string()) {
             out.push((path.display().to_string(), scene.value));
         }
     }
@@ -145,7 +145,7 @@ fn a_slider_without_a_pin_is_the_dyad_that_it_is_with_one() {
             g.as_object_mut().unwrap().remove("pin");
         });
         // A driver names what slides by its number then.
-        let Ok(without) = scene::read(&file.to_string()) else { continue };
+        let Ok(without) = scene::read(file.to_string()) else { continue };
         let without = without.value;
         assert_eq!(kinds(&with), kinds(&without), "{}", t.name);
         let (a, b) = (worked(&with), worked(&without));
