@@ -143,8 +143,8 @@
 //! report     diag digits number geom cam scene mechanism position answer plan construct analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions particle synthesis
 //! figure     diag digits geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions particle synthesis report
 //! webfont    -
-//! worksheet  diag digits geom scene mechanism answer plan construct paper render worked certified attempts particle synthesis report figure webfont
-//! lesson     diag digits geom scene mechanism position plan construct sweep paper render worked certified particle synthesis report figure webfont
+//! worksheet  diag digits geom scene mechanism answer plan construct paper render worked certified centres attempts particle synthesis report figure webfont
+//! lesson     diag digits geom scene mechanism position plan construct sweep paper render worked certified centres particle synthesis report figure webfont
 //! cli        diag json digits geom cam scene mechanism position plan sweep paper render worked certified effort centres composite attempts curvature inversions particle synthesis report figure worksheet lesson
 //! ```
 //!

@@ -60,6 +60,12 @@ pub fn run(a: Curves) -> Run {
     }
     let (lang, notation) = choices(&input.scene, &a.common);
     let diagram = Diagram::swept(&input.scene, swept, &table, &*swept_at, &style.marks.over(&notation));
+    if diagram.is_empty() {
+        let d = Diagnostic::error("no-curve", both!("nothing that is asked has a curve", "所求各量均无曲线可画"));
+        let mut faults: Faults = d.help(both!("ask for other quantities with --find", "请用 --find 另选所求的量")).into();
+        faults.list.extend(table.notes);
+        return Err(input.failed(faults));
+    }
     let (one, pages) = (|| curves::figure(&input.scene, &diagram, &style, lang), || curves::pages(&input.scene, &diagram, &style, lang));
     let notes = files::figure_or_pages(one, pages, &a.output)?;
     input.notes.extend(notes);

@@ -42,7 +42,7 @@ impl Act<'_> {
             Action::Cross { target, edges, .. } => json!(["x", self.links(&of_edges(edges)), target.0, -1]),
             Action::Copy { target, .. } => json!(["c", self.of_vertex(*target), target.0, -1]),
             Action::Reach(v) | Action::Same { target: v, .. } => json!(["", self.of_vertex(*v), v.0, -1]),
-            Action::Nothing { term, .. } => self.of_terms("", &[*term], formulas),
+            Action::Nothing { terms, .. } => self.of_terms("", terms, formulas),
             Action::Rate(r) => json!(["", self.paper.rates.get(*r).map_or_else(Vec::new, |r| of_body(self.w.scene, r.body)), -1, -1]),
         }
     }

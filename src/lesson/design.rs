@@ -4,6 +4,7 @@
 //! Decided here: what the page holds. The construction is that of [`crate::figure::synthesis`], the motion that of
 //! [`crate::sweep::follow`]; nothing is drawn or solved anew. The page fetches nothing and holds both languages.
 
+use super::LARGER;
 use super::page::{BASE, filled, terse, with_fonts};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
@@ -81,9 +82,6 @@ pub struct Options {
     /// Weights, sizes and fonts of the drawings; the colours are the page's.
     pub style: Style,
 }
-
-/// Names of the drawings over those of a sheet.
-const LARGER: f64 = 1.6;
 
 /// The page of a candidate of a synthesis task.
 ///

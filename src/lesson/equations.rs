@@ -69,8 +69,7 @@ fn drawn(p: &Polygon, action: usize) -> Vec<Term> {
     match &p.actions[action] {
         Action::LayOff(edge) => of_edges(&[*edge]),
         Action::Cross { edges, .. } => of_edges(edges),
-        Action::Nothing { term, .. } => vec![*term],
-        Action::Line { terms, .. } => terms.clone(),
+        Action::Nothing { terms, .. } | Action::Line { terms, .. } => terms.clone(),
         Action::Join(edge) => of_edges(&[*edge]),
         Action::Perpendicular { edges, .. } => of_edges(edges),
         Action::Reach(_) | Action::Copy { .. } | Action::Same { .. } | Action::Rate(_) => Vec::new(),

@@ -8,6 +8,7 @@
 
 mod acts;
 mod bank;
+mod centres;
 mod curve;
 pub mod design;
 mod equations;
@@ -27,6 +28,7 @@ mod zoom;
 pub use pack::told;
 pub use reveal::reveal;
 
+use crate::centres::Task;
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::paper::style::Style;
 use crate::plan::notation::Notation;
@@ -57,6 +59,9 @@ impl Options {
         Options { lang, notation: Notation::of_language(lang), positions: POSITIONS, swept: Swept::Driver(0), style: Style::default() }
     }
 }
+
+/// Names of the drawings over those of a sheet: read from the last row.
+const LARGER: f64 = 1.6;
 
 /// Poses through a turn unless others are asked for: every 5°.
 pub const POSITIONS: usize = 72;
@@ -114,6 +119,10 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
     let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, options.swept);
     let sweep = follower.sweep(options.positions.clamp(8, 360));
     follower.proved(sweep.poses.iter().map(|p| &p.configuration))?;
+    if let Some(task) = Task::of(scene).filter(|t| t.alone) {
+        let page = centres::lesson(scene, (worked, &task), options, (&follower, &sweep))?;
+        return Ok(Warned { value: page, notes });
+    }
     let maker = Maker {
         scene,
         mechanism: &worked.mechanism,

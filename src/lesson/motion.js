@@ -46,7 +46,7 @@
       e.querySelector(".moving").innerHTML = data.drawings[k][frame];
       e.querySelector(".scale").innerHTML = f.scales[k];
     });
-    $("travel").textContent = `t = ${f.t} s${frame === data.given ? ` (${words().given})` : ""}`;
+    $("travel").textContent = `${f.at}${frame === data.given ? ` (${words().given})` : ""}`;
     $("time").value = frame;
     $("answers").innerHTML = pick(f.answers);
     showStep();

@@ -3,6 +3,7 @@
 //! Decided here: which instants the page holds, and one set of scales for them. The drawings are those of [`crate::figure::particle`], the numbers those of
 //! [`crate::particle`]: at each instant the motion is solved and drawn anew. The page fetches nothing and holds both languages.
 
+use super::LARGER;
 use super::design::nameless;
 use super::pack::pressed;
 use super::page::{BASE, filled, terse, with_fonts};
@@ -65,8 +66,6 @@ const WORDS: [(&str, [&str; 2]); 15] = [
 
 /// Both languages, in the order of the page's pairs.
 const LANGS: [Lang; 2] = [Lang::En, Lang::Zh];
-/// Names of the drawings over those of a sheet: read from the last row.
-const LARGER: f64 = 1.6;
 /// At an instant whose vectors need a scale so much coarser than that of the given one, the scale changes: all others would be drawn too small.
 const COARSER: f64 = 4.0;
 /// Of the time to a meeting, so much is shown: at the end the two stand on each other, and no line has a direction.
@@ -151,47 +150,80 @@ pub fn lesson(problem: &Problem, options: &Options) -> Result<String, Faults> {
     for f in &frames {
         views.push(seen(&f.maker(&style, options.lang, &also), &f.drawn, still.as_ref())?);
     }
-    let mut elements: Vec<Elements> = Vec::new();
-    let mut drawings = Vec::new();
-    for k in 0..views[0].len() {
-        let ground = still.as_ref().filter(|_| k == 0);
-        let parts: Vec<&View> = views.iter().map(|v| &v[k]).collect();
-        drawings.push(Sequence::of(&parts, ground, &mut elements)?);
-    }
     let told: Vec<Value> = frames.iter().zip(&views).map(|(f, v)| told(f, v)).collect();
-    let pairs = |v: &View| LANGS.map(|lang| escaped(&Phrase::new(lang.of(&v.caption)).plain()));
-    let list = |lang: Lang| {
-        WORDS.iter().map(|(k, said)| ((*k).to_owned(), json!(said[usize::from(lang == Lang::Zh)]))).collect::<serde_json::Map<_, _>>()
-    };
     let title = &problem.title;
-    let data = json!({
-        "lang": figure_words(options.lang).tag.split('-').next().unwrap_or("en"),
-        "tags": {"en": figure_words(Lang::En).tag, "zh": figure_words(Lang::Zh).tag},
-        "words": {"en": list(Lang::En), "zh": list(Lang::Zh)},
-        "title": [title.en, title.zh],
-        "captions": views[base].iter().map(pairs).collect::<Vec<_>>(),
-        "given": base,
-        "frames": told,
-        "drawings": drawings.iter().map(|d| json!(d.frames)).collect::<Vec<_>>(),
-    });
-    let half = drawings.len().div_ceil(2).min(if still.is_some() { 1 } else { 2 });
-    let put = |range: std::ops::Range<usize>| {
-        range.map(|k| drawings[k].markup(k, base, &views[base][k], (options.lang, &problem.book))).collect::<String>()
+    let page = Page {
+        title: [title.en.as_str(), title.zh.as_str()],
+        lang: options.lang,
+        words: &WORDS,
+        book: &problem.book,
+        base,
+        still: still.as_ref(),
     };
-    Ok(filled(
-        PAGE,
-        &[
-            ("lang", figure_words(options.lang).tag),
-            ("title", &escaped(options.lang.of(title))),
-            ("style", &with_fonts(&STYLE)),
-            ("letters", &Elements::letters(&elements)),
-            ("left", &put(0..half)),
-            ("right", &put(half..drawings.len())),
-            ("noscript", &escaped(WORDS.iter().find(|w| w.0 == "noscript").map_or("", |w| w.1[usize::from(options.lang == Lang::Zh)]))),
-            ("data", &pressed(&data.to_string())),
-            ("script", &terse(SCRIPT)),
-        ],
-    ))
+    page.written(&views, &told)
+}
+
+/// A page of poses or instants, each with its drawings, the steps of its construction and its answers.
+pub(super) struct Page<'a> {
+    /// English and Chinese.
+    pub title: [&'a str; 2],
+    /// The language in which it opens.
+    pub lang: Lang,
+    /// What it says around the drawings.
+    pub words: &'a [(&'a str, [&'a str; 2])],
+    /// The units of scales.
+    pub book: &'a Book,
+    /// The given one among the instants.
+    pub base: usize,
+    /// What stands behind the first drawing at all of them.
+    pub still: Option<&'a View>,
+}
+
+impl Page<'_> {
+    /// The page, of the drawings of each instant and what is said at it: its name `at`, sentences of `steps`, `answers`, `scales`.
+    pub fn written(&self, views: &[Vec<View>], told: &[Value]) -> Result<String, Faults> {
+        let mut elements: Vec<Elements> = Vec::new();
+        let mut drawings = Vec::new();
+        for k in 0..views[self.base].len() {
+            let ground = self.still.filter(|_| k == 0);
+            let parts: Vec<&View> = views.iter().map(|v| &v[k]).collect();
+            drawings.push(Sequence::of(&parts, ground, &mut elements)?);
+        }
+        let pairs = |v: &View| LANGS.map(|lang| escaped(&Phrase::new(lang.of(&v.caption)).plain()));
+        let list = |lang: Lang| {
+            let word = |(key, said): &(&str, [&str; 2])| ((*key).to_owned(), json!(said[usize::from(lang == Lang::Zh)]));
+            self.words.iter().map(word).collect::<serde_json::Map<_, _>>()
+        };
+        let data = json!({
+            "lang": figure_words(self.lang).tag.split('-').next().unwrap_or("en"),
+            "tags": {"en": figure_words(Lang::En).tag, "zh": figure_words(Lang::Zh).tag},
+            "words": {"en": list(Lang::En), "zh": list(Lang::Zh)},
+            "title": self.title,
+            "captions": views[self.base].iter().map(pairs).collect::<Vec<_>>(),
+            "given": self.base,
+            "frames": told,
+            "drawings": drawings.iter().map(|d| json!(d.frames)).collect::<Vec<_>>(),
+        });
+        let half = drawings.len().div_ceil(2).min(if self.still.is_some() { 1 } else { 2 });
+        let put = |range: std::ops::Range<usize>| {
+            range.map(|k| drawings[k].markup(k, self.base, &views[self.base][k], (self.lang, self.book))).collect::<String>()
+        };
+        let own = usize::from(self.lang == Lang::Zh);
+        Ok(filled(
+            PAGE,
+            &[
+                ("lang", figure_words(self.lang).tag),
+                ("title", &escaped(self.title[own])),
+                ("style", &with_fonts(&STYLE)),
+                ("letters", &Elements::letters(&elements)),
+                ("left", &put(0..half)),
+                ("right", &put(half..drawings.len())),
+                ("noscript", &escaped(self.words.iter().find(|w| w.0 == "noscript").map_or("", |w| w.1[own]))),
+                ("data", &pressed(&data.to_string())),
+                ("script", &terse(SCRIPT)),
+            ],
+        ))
+    }
 }
 
 /// The instants, to one set of scales as far as that serves, and the place of the given one among them.
@@ -261,7 +293,8 @@ fn told(f: &Frame, views: &[View]) -> Value {
         lines.iter().map(|l| format!("<li>{}</li>", html(l))).collect()
     });
     let scales: Vec<String> = views.iter().map(|v| mathml(&Label::math(v.scale(&f.problem.book)))).collect();
-    json!({"t": significant(f.problem.instant(), 5), "steps": steps, "answers": answers, "scales": scales})
+    let at = format!("t = {} s", significant(f.problem.instant(), 5));
+    json!({"at": at, "steps": steps, "answers": answers, "scales": scales})
 }
 
 /// A drawing at all instants.

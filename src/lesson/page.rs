@@ -234,7 +234,7 @@ fn statement(scene: &Scene, lang: Lang, formulas: &mut Formulas) -> String {
 }
 
 /// What is moved, for the page.
-fn moved(scene: &Scene, swept: Swept) -> Value {
+pub(super) fn moved(scene: &Scene, swept: Swept) -> Value {
     match swept {
         Swept::Driver(k) => driver(scene, k),
         Swept::Time => json!({"turns": false, "time": true, "symbol": mathml(&Label::math("t")), "plain": "t", "start": scene.instant(),

@@ -8,7 +8,7 @@ use crate::certified::ladder::Certified;
 use crate::certified::{Steps, certify, steps as certified_steps};
 use crate::figure::results::DIGITS;
 use crate::mechanism::Level;
-use crate::paper::phrase::{Phrase, Piece};
+use crate::paper::phrase::{Phrase, tr};
 use crate::paper::words::words;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
@@ -30,8 +30,13 @@ pub fn steps(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> V
     let told: Vec<Steps> = frames.list.par_iter().map(|f| certified_steps(&f.scene, &f.worked, None)).collect();
     for level in Level::RATES {
         let of = |lang| frames.list.iter().zip(&told).map(|(f, t)| of_level(f, t, level, notation, lang)).collect::<Vec<_>>();
-        let said = LANGS.map(of);
+        let mut said = LANGS.map(of);
         let count = said[0].iter().map(Vec::len).max().unwrap_or(0);
+        // A pose in which fewer vectors are drawn has a sentence for the steps of the others, too.
+        for (lang, frames) in LANGS.into_iter().zip(&mut said) {
+            let rest = tr(lang, "In this position nothing more is drawn.", "该位置不再作图。");
+            frames.iter_mut().filter(|s| !s.is_empty()).for_each(|s| s.resize(count, rest.to_owned()));
+        }
         let split = frames.split[place(level)].as_ref();
         for n in 0..count {
             let [en, zh] = in_both(|l| said[l].iter().map(|s| s.get(n).cloned()).collect(), formulas);
@@ -54,16 +59,7 @@ fn in_both(said: impl Fn(usize) -> Vec<Option<String>>, formulas: &mut Formulas)
 fn of_level(frame: &Frame, told: &Steps, level: Level, notation: &Notation, lang: Lang) -> Vec<String> {
     let Some(p) = frame.worked.construction.polygon(level).filter(|_| !frame.end) else { return Vec::new() };
     let w = Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang };
-    sentences(&w, &frame.worked.construction, p, told).iter().map(source).collect()
-}
-
-/// A sentence with its formulas between dollar signs again.
-fn source(phrase: &Phrase) -> String {
-    let piece = |p: &Piece| match p {
-        Piece::Words(w) => w.clone(),
-        Piece::Formula(f) => format!("${f}$"),
-    };
-    phrase.pieces().iter().map(piece).collect()
+    sentences(&w, &frame.worked.construction, p, told).iter().map(Phrase::source).collect()
 }
 
 /// The answers: for each question its value in all frames, English and Chinese.
@@ -81,7 +77,7 @@ pub fn answers(frames: &Frames, swept: Swept, notation: &Notation, formulas: &mu
 
 /// The digits that are certain. A pose given by coordinates is not written anywhere else than in the scene: there nothing
 /// certifies the others.
-fn certified(frame: &Frame, swept: Swept) -> Vec<Certified> {
+pub(super) fn certified(frame: &Frame, swept: Swept) -> Vec<Certified> {
     if frame.end {
         return Vec::new();
     }
@@ -98,7 +94,7 @@ fn certified(frame: &Frame, swept: Swept) -> Vec<Certified> {
     list
 }
 
-fn answer(frame: &Frame, certified: &[Certified], i: usize, notation: &Notation, lang: Lang) -> Option<String> {
+pub(super) fn answer(frame: &Frame, certified: &[Certified], i: usize, notation: &Notation, lang: Lang) -> Option<String> {
     // In a dead centre some questions have no answer.
     let (r, c) = frame.worked.results.iter().zip(certified).find(|(r, _)| r.find == i)?;
     let find = &frame.scene.find[r.find];

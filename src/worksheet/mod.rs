@@ -8,6 +8,7 @@
 //! The problem's side holds the given things alone: no answer, no polygon, no special point, not even in the words that
 //! describe its figure to a screen reader.
 
+mod centres;
 mod design;
 mod display;
 pub mod html;

@@ -5,6 +5,7 @@ use super::{Block, Maker};
 use crate::figure::fit::to_part;
 use crate::figure::mechanism::Overlay;
 use crate::figure::sheet::problem_diagram;
+use crate::paper::item::Figure;
 use crate::paper::phrase::Phrase;
 use crate::plan::text::point_label;
 use crate::report::amount::symbol;
@@ -71,20 +72,28 @@ impl Maker<'_> {
 
     /// The mechanism as it is given, with the given lengths as dimensions: without what the solution finds on it, and described without answers.
     pub(super) fn given_mechanism(&self) -> Block {
-        let mut bare: Worked = self.worked.clone();
-        bare.construction.diagrams.clear();
-        let dimensioned = Overlay { dimensions: true, ..Overlay::default() };
-        let mut figure = problem_diagram(self.scene, &bare, self.options, &dimensioned);
-        // Dimensions need room; where the page would not hold it beside the text or above it, the mechanism is drawn to a smaller scale.
-        if figure.width_mm > HALF_MM && figure.height_mm > HIGH_MM {
-            let smaller = to_part(self.scene, self.worked, self.options, SMALLER);
-            if let Some((scene, mut worked)) = smaller {
-                worked.construction.diagrams.clear();
-                figure = problem_diagram(&scene, &worked, self.options, &dimensioned);
-            }
-        }
+        let mut figure = self.given_drawing().0;
         figure.desc = self.words().diagram.into();
         Block::Figure { name: "mechanism", figure: Box::new(figure) }
+    }
+
+    /// Its drawing, and μ_l of it (m/mm).
+    pub(super) fn given_drawing(&self) -> (Figure, f64) {
+        let bare = |worked: &Worked| {
+            let mut bare = worked.clone();
+            bare.construction.diagrams.clear();
+            bare
+        };
+        let dimensioned = Overlay { dimensions: true, ..Overlay::default() };
+        let figure = problem_diagram(self.scene, &bare(self.worked), self.options, &dimensioned);
+        // Dimensions need room; where the page would not hold it beside the text or above it, the mechanism is drawn to a smaller scale.
+        let large = figure.width_mm > HALF_MM && figure.height_mm > HIGH_MM;
+        match large.then(|| to_part(self.scene, self.worked, self.options, SMALLER)).flatten() {
+            Some((scene, worked)) => {
+                (problem_diagram(&scene, &bare(&worked), self.options, &dimensioned), worked.construction.diagram.mu_l)
+            }
+            None => (figure, self.worked.construction.diagram.mu_l),
+        }
     }
 
     pub(super) fn givens(&self) -> Givens<'_> {

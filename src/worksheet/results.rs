@@ -3,10 +3,11 @@
 use super::speak::Speak;
 use super::{Block, Maker, Table, TableKind};
 use crate::answer::Value;
+use crate::centres::Task;
 use crate::certified::ladder::Why;
 use crate::digits::shortest;
 use crate::figure::remarks::remarks;
-use crate::figure::results::{Answers, by_lines, drawn_centres, measured, named};
+use crate::figure::results::{Answers, by_lines, measured, named};
 use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, fill};
 use crate::report::amount::{amount, number, sense, symbol};
@@ -17,17 +18,19 @@ use crate::scene::{Find, Lang};
 use crate::worked::Outcome;
 
 /// Digits at which drawing and analysis stand side by side: more than are printed as results.
-const COMPARED: usize = 8;
+pub(super) const COMPARED: usize = 8;
 
 impl Maker<'_> {
-    pub(super) fn results(&self, blocks: &mut Vec<Block>) {
+    /// `task`: one that asks for centres.
+    pub(super) fn results(&self, blocks: &mut Vec<Block>, task: Option<&Task>) {
         let (scene, words, digits) = (self.scene, self.words(), self.options.digits);
         blocks.push(Block::Heading(2, words.results.into()));
         let head =
             [self.tr("quantity", "量"), self.tr("measured", "量取"), self.tr("value", "值"), self.tr("sense or direction", "转向或方向")];
         let mut rows = vec![head.map(Phrase::new).to_vec()];
         let mut said = Vec::new();
-        let centres = drawn_centres(scene);
+        let centres = task.map(|t| &t.found);
+        let alone = task.is_some_and(|t| t.alone);
         for line in lines(self.worked, self.certified) {
             let (r, c) = match line {
                 Line::Answer(r, c) => (r, c),
@@ -51,8 +54,8 @@ impl Maker<'_> {
             if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, Why::NextOrder(_))) {
                 said.push(Phrase::new(&fill(words.uncertain, &[("", &format!("${name}$")), ("why", &why.words(self.lang()))])));
             }
-            let by_ruler = centres.as_ref().and_then(|found| by_lines(found, find, words));
-            let read = by_ruler.or_else(|| measured(&scene.book, r, c, find, words));
+            let by_ruler = centres.and_then(|found| by_lines(found, find, words));
+            let read = by_ruler.or_else(|| measured(&scene.book, r, c, find, words).filter(|_| !alone));
             rows.push(vec![
                 math(&named(&self.writer(), find, r)),
                 read.map_or(Phrase::default(), |l| of_label(&l)),
@@ -62,19 +65,24 @@ impl Maker<'_> {
         }
         blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
         let answers = Answers { scene, worked: self.worked, certified: self.certified, notation: self.notation(), words, digits };
-        said.extend(remarks(&answers));
+        if !alone {
+            said.extend(remarks(&answers));
+        }
         said.dedup();
         if !said.is_empty() {
             blocks.push(Block::List { numbered: false, members: said });
         }
-        self.comparison(blocks);
+        match task.filter(|t| t.alone) {
+            Some(task) => {
+                self.loop_equations(blocks);
+                self.compared_centres(blocks, task);
+            }
+            None => self.comparison(blocks),
+        }
     }
 
-    fn comparison(&self, blocks: &mut Vec<Block>) {
-        if !self.worked.results.iter().any(|r| r.agreement.is_some()) {
-            return;
-        }
-        let by_hand = self.worked.by_hand(self.scene);
+    /// What the loop equations are.
+    fn loop_equations(&self, blocks: &mut Vec<Block>) {
         blocks.push(self.heading(2, "Comparison with the loop equations", "与解析法比较"));
         let [v, a] = self.worked.solution.size;
         blocks.push(Block::Paragraph(Phrase::new(&match (self.lang(), a) {
@@ -83,6 +91,14 @@ impl Maker<'_> {
             (Lang::Zh, 0) => format!("将机构全部约束方程对时间求导，得到关于 {v} 个未知速度的线性方程组，不作矢量多边形，直接联立求解。"),
             (Lang::Zh, _) => format!("将机构全部约束方程对时间求一阶和二阶导数，得到关于 {v} 个未知速度和 {a} 个未知加速度的线性方程组，不作矢量多边形，直接联立求解。"),
         })));
+    }
+
+    fn comparison(&self, blocks: &mut Vec<Block>) {
+        if !self.worked.results.iter().any(|r| r.agreement.is_some()) {
+            return;
+        }
+        let by_hand = self.worked.by_hand(self.scene);
+        self.loop_equations(blocks);
         self.components(blocks);
         let mm = shortest(by_hand.pencil_mm);
         let hand = format!("{} ({mm} mm)", self.tr("by hand", "手工作图误差"));
@@ -103,7 +119,7 @@ impl Maker<'_> {
     }
 
     /// A vector by its magnitude, a number as it is, a place by its coordinates, with the unit in which it is printed.
-    fn size(&self, find: &Find, value: Value, digits: usize) -> String {
+    pub(super) fn size(&self, find: &Find, value: Value, digits: usize) -> String {
         let (book, kind) = (&self.scene.book, find.what.kind());
         let told = |si: f64| number(book.value(kind, si), digits);
         let plain = match value {

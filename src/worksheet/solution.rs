@@ -2,6 +2,7 @@
 
 use super::speak::Speak;
 use super::{Block, Maker, Table, TableKind};
+use crate::centres::Task;
 use crate::construct::Polygon;
 use crate::figure::sheet::drawing;
 use crate::figure::tables::special_line;
@@ -30,6 +31,15 @@ impl Maker<'_> {
     /// `alone`: there is no problem side before it, so that the mechanism is shown here.
     pub(super) fn solution(&self, blocks: &mut Vec<Block>, alone: bool) {
         blocks.push(self.heading(1, "Solution", "解"));
+        let task = Task::of(self.scene);
+        if let Some(task) = &task {
+            self.laws(blocks);
+            self.counted(blocks, self.tr("Degree of freedom", "自由度"));
+            self.centres(blocks, task);
+            if task.alone {
+                return self.results(blocks, Some(task));
+            }
+        }
         let special = self
             .worked
             .plan
@@ -37,16 +47,20 @@ impl Maker<'_> {
             .iter()
             .enumerate()
             .any(|(v, vertex)| matches!(vertex.spot, Spot::Special(_)) && self.worked.construction.diagram.spots[v].is_some());
-        self.laws(blocks);
-        self.freedom(blocks);
-        if alone || special {
+        if task.is_none() {
+            self.laws(blocks);
+            self.counted(blocks, self.tr("Degree of freedom and groups", "自由度与杆组"));
+        }
+        self.groups(blocks);
+        let shown = alone || special;
+        if shown {
             blocks.extend(self.figure("construction", Level::Position));
         }
-        self.scales(blocks);
+        self.scales(blocks, shown);
         for level in Level::RATES {
             self.level(blocks, level);
         }
-        self.results(blocks);
+        self.results(blocks, task.as_ref());
     }
 
     fn figure(&self, name: &'static str, level: Level) -> Option<Block> {
@@ -62,10 +76,10 @@ impl Maker<'_> {
         }
     }
 
-    fn freedom(&self, blocks: &mut Vec<Block>) {
-        let m = &self.worked.mechanism;
-        let f = &m.mobility;
-        blocks.push(self.heading(2, "Degree of freedom and groups", "自由度与杆组"));
+    /// The degree of freedom, under a heading.
+    fn counted(&self, blocks: &mut Vec<Block>, heading: &str) {
+        let f = &self.worked.mechanism.mobility;
+        blocks.push(Block::Heading(2, heading.into()));
         let (n, low, high) = (f.moving, f.lower, f.higher);
         let known = match self.lang() {
             Lang::En => format!("Moving links $n = {n}$, lower pairs $p_l = {low}$, higher pairs $p_h = {high}$:"),
@@ -78,6 +92,11 @@ impl Maker<'_> {
         }
         let formula = format!("F = 3n - 2p_l - p_h = 3 \\times {n} - 2 \\times {low} - {high} = {}", f.freedom);
         blocks.push(Block::Formula(vec![Math::Row(Label::math(formula))]));
+    }
+
+    /// The groups in the order in which polygons are drawn for them.
+    fn groups(&self, blocks: &mut Vec<Block>) {
+        let m = &self.worked.mechanism;
         let drivers = self.scene.own_drivers();
         let verdict = match self.lang() {
             Lang::En if drivers == 1 => "With one driver its motion is determined. Groups in the order of solving:".to_owned(),
@@ -90,17 +109,18 @@ impl Maker<'_> {
         blocks.push(Block::List { numbered: true, members });
     }
 
-    /// The scales, and what the first thing drawn with each becomes on paper.
-    fn scales(&self, blocks: &mut Vec<Block>) {
+    /// The scales, and what the first length becomes on paper: on the solution's own drawing of the mechanism where that is `shown`, else on the problem's.
+    fn scales(&self, blocks: &mut Vec<Block>, shown: bool) {
         let paper = &self.worked.construction;
+        let mu_of_figure = if shown { paper.diagram.mu_l } else { self.given_drawing().1 };
         let mut members = Vec::new();
         let mm = |v: f64| format!("{} mm", number(v, RULER_DIGITS));
         let book = &self.scene.book;
-        let mut mu_l = format!("${}$", of_level(book, Level::Position, paper.diagram.mu_l));
+        let mut mu_l = format!("${}$", of_level(book, Level::Position, mu_of_figure));
         if let Some(l) = self.scene.lengths.first() {
             let (a, b) = (l.a.min(l.b), l.a.max(l.b));
             let ends = name_label(&format!("{}{}", self.scene.point_name(a), self.scene.point_name(b)));
-            let on_paper = mm(l.value.value / paper.diagram.mu_l);
+            let on_paper = mm(l.value.value / mu_of_figure);
             mu_l += &match self.lang() {
                 Lang::En => format!(": $l_{{{ends}}}$ is drawn ${on_paper}$ long"),
                 Lang::Zh => format!("：$l_{{{ends}}}$ 的图示长度为 ${on_paper}$"),

@@ -24,6 +24,8 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
             let terms = between.terms();
             let each = terms.iter().all(|t| self.plan.vanishes(self.scene, p.level, t) || p.edge_of(&[*t]).is_some());
             let shown = match between {
+                // Where nothing moves there are no edges: each vector that would be drawn is told to be nothing.
+                _ if self.stands(p.level) => false,
                 Between::Join(_) | Between::Perpendicular { .. } => each,
                 Between::LayOff { .. } => each && p.edge_of(&terms).is_some(),
             };
@@ -52,11 +54,18 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
 
     /// Draws a vector, or the parts of one, between two images.
     fn between(&mut self, p: &mut Polygon<N>, between: &Between) -> Result<(), Faults> {
-        if self.stands(p.level) {
-            return Ok(());
-        }
         let (of, to) = between.ends();
         let from = (self.mark(to), self.image(p, to));
+        if self.stands(p.level) {
+            let parts: Vec<Vec<Term>> = match between {
+                Between::Join(t) => vec![vec![*t]],
+                Between::Perpendicular { normal, tangential } => vec![vec![*normal, *tangential]],
+                Between::LayOff { known, rest } => known.iter().map(|t| vec![*t]).chain([rest.clone()]).collect(),
+            };
+            let told = parts.into_iter().filter(|terms| !terms.is_empty());
+            p.actions.extend(told.map(|terms| Action::Nothing { terms, at: from.1, target: None }));
+            return Ok(());
+        }
         let end = (self.mark(of), self.image(p, of));
         let edge = |terms: Vec<Term>, from, to, known| Edge { terms, from, to, known, between: true };
         match between {

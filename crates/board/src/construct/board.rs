@@ -217,7 +217,6 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
 
     fn equation(&mut self, p: &mut Polygon<N>, target: VertexId, chains: &[Chain]) -> Result<(), Faults> {
         let mut ends: Vec<(Mark, Point<N>, Option<Line<N>>)> = Vec::new();
-        let before = p.edges.len();
         for chain in chains {
             let start = (self.mark(chain.start), self.image(p, chain.start));
             // The last known vector of a chain without unknowns ends in the target itself.
@@ -226,12 +225,12 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             let vanishes = |t: &Term| self.plan.vanishes(self.scene, p.level, t);
             let line = match chain.unknown.first() {
                 Some(term) if vanishes(term) => {
-                    p.actions.extend(chain.unknown.iter().map(|t| Action::Nothing { term: *t, at: at.1 }));
+                    p.actions.push(Action::Nothing { terms: chain.unknown.clone(), at: at.1, target: None });
                     None
                 }
                 Some(term) => {
                     let u = self.direction(term)?;
-                    p.actions.push(Action::Line { terms: chain.unknown.clone(), through: at.1, direction: u });
+                    p.actions.push(Action::Line { terms: chain.unknown.clone(), mark: at.0, through: at.1, direction: u });
                     let apart = self.drawn_length(term);
                     Some((self.pencil.mark(p.level, at.1), self.pencil.ruler(p.level, u, apart)))
                 }
@@ -270,8 +269,8 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             // Two chains without a direction: nothing moves, and both end where they start.
             [(_, a, None)] | [(_, a, None), (_, _, None)] => {
                 p.images[target.0] = Some(a);
-                // A vector laid off ends in the target by itself; without one, the start is the target.
-                if p.edges.len() == before {
+                // The last known vector ends in the target by itself; without one, the start is the target.
+                if chains.len() == 2 || chains[0].known.is_empty() {
                     p.actions.push(Action::Reach(target));
                 }
             }
@@ -292,7 +291,8 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         let last_drawn = known.iter().rposition(|t| !self.plan.vanishes(self.scene, p.level, t));
         for (i, term) in known.iter().enumerate() {
             if self.plan.vanishes(self.scene, p.level, term) {
-                p.actions.push(Action::Nothing { term: *term, at: at.1 });
+                let reached = target.filter(|_| last_drawn.is_none() && i + 1 == known.len());
+                p.actions.push(Action::Nothing { terms: vec![*term], at: at.1, target: reached });
                 continue;
             }
             let end = at.1 + self.known_vector(p, term)?.laid_off(p.mu);

@@ -89,17 +89,21 @@ pub struct Crossed<N = f64> {
 pub enum Action<N = f64> {
     /// A known vector laid off: index of the edge.
     LayOff(usize),
-    /// A term that vanishes because a driver is at rest: nothing is laid off.
+    /// Terms along one line that vanish because a driver is at rest: nothing is laid off.
     Nothing {
-        /// The term.
-        term: Term,
-        /// Where it would begin and end.
+        /// The terms.
+        terms: Vec<Term>,
+        /// Where they would begin and end.
         at: Point<N>,
+        /// The vertex whose image lies there, if the last of them would end in it.
+        target: Option<VertexId>,
     },
     /// A line of known direction drawn from the end of the known part of a chain.
     Line {
         /// The unknown terms along it.
         terms: Vec<Term>,
+        /// The mark through which it is drawn: two marks may lie at one place.
+        mark: Mark,
         /// Point on paper.
         through: Point<N>,
         /// Unit direction.
@@ -180,12 +184,8 @@ impl<N> Action<N> {
             Action::Cross { target, .. } | Action::Reach(target) | Action::Copy { target, .. } | Action::Same { target, .. } => {
                 Some(*target)
             }
-            Action::LayOff(_)
-            | Action::Nothing { .. }
-            | Action::Line { .. }
-            | Action::Join(_)
-            | Action::Perpendicular { .. }
-            | Action::Rate(_) => None,
+            Action::Nothing { target, .. } => *target,
+            Action::LayOff(_) | Action::Line { .. } | Action::Join(_) | Action::Perpendicular { .. } | Action::Rate(_) => None,
         }
     }
 }

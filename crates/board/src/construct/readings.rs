@@ -7,9 +7,9 @@ use super::pencil::Pencil;
 use super::{Construction, Mark};
 use crate::answer::{Value, place};
 use crate::geom::{Point, Vec2};
-use crate::mechanism::{Level, Mechanism, Passive};
+use crate::mechanism::{Level, Mechanism};
 use crate::number::Real;
-use crate::plan::{Asking, Body, Plan, Spot, Term, VertexId, asking};
+use crate::plan::{Asking, Plan, Spot, Term, VertexId, asking, body_of};
 use crate::position::Configuration;
 use crate::scene::quantity::combined::combine;
 use crate::scene::quantity::composite::Part;
@@ -112,20 +112,12 @@ impl<N: Real> OnPaper<'_, N> {
         }
     }
 
-    /// The body with which a link turns.
-    fn body(&self, link: LinkId) -> Body {
-        match self.m.passive[link.0] {
-            Some(Passive::Cylinder(d)) => Body::Cylinder(d),
-            Some(Passive::Block(_) | Passive::Held(..)) | None => Body::Link(self.m.turns_as(self.scene, link)),
-        }
-    }
-
     fn turning(&self, level: Level, link: LinkId) -> Option<N> {
         // What turns as a link that never turns never turns itself.
         if self.m.never_turns[link.0] {
             return Some(N::from_f64(0.0));
         }
-        self.paper.rate(level, self.body(link))
+        self.paper.rate(level, body_of(self.scene, self.m, link))
     }
 }
 
@@ -167,7 +159,7 @@ impl OnPaper<'_, f64> {
         }
         match what.meaning(self.scene) {
             Some(Meaning::Turning(l, None)) => {
-                let reading = self.paper.rates.iter().find(|r| r.level == level && r.body == self.body(l));
+                let reading = self.paper.rates.iter().find(|r| r.level == level && r.body == body_of(self.scene, self.m, l));
                 let measured = reading.zip(self.paper.polygon(level)).and_then(|(r, p)| {
                     let m = r.measured?;
                     let arm_of = points_of(at, self.plan, m.line, m.arm);

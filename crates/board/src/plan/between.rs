@@ -37,9 +37,11 @@ pub(super) fn find_vertex(vertices: &[Vertex], scene: &Scene, p: PointId, on: Op
 }
 
 /// The body with which a link turns.
-pub(super) fn body_of(scene: &Scene, m: &Mechanism, l: LinkId) -> Body {
+pub(crate) fn body_of(scene: &Scene, m: &Mechanism, l: LinkId) -> Body {
     match m.passive[l.0] {
         Some(Passive::Cylinder(d)) => Body::Cylinder(d),
+        // A block on the ground turns as little as that does, and is not called by its number.
+        Some(Passive::Block(_) | Passive::Held(..)) | None if m.never_turns[l.0] => Body::Link(l),
         Some(Passive::Block(_) | Passive::Held(..)) | None => Body::Link(m.turns_as(scene, l)),
     }
 }

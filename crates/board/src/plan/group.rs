@@ -99,16 +99,33 @@ impl Builder<'_> {
             (Some(_), Some(_), _) => {}
             (Some(pin), None, [hold]) => {
                 let pivot = self.pin(pin);
-                let target = self.near(link, hold).expect("a slot gives a coincident point");
-                let (known, unknown) = self.turning(level, body, target, pivot, false);
-                let chain = self.chain(level, Some(link), hold, None);
-                self.equation(level, target, vec![Chain { start: pivot, known, unknown }, chain], Method::Coincident);
+                let target = self.rolled(level, link, hold).unwrap_or_else(|| {
+                    let target = self.near(link, hold).expect("a slot gives a coincident point");
+                    let (known, unknown) = self.turning(level, body, target, pivot, false);
+                    let chain = self.chain(level, Some(link), hold, None);
+                    self.equation(level, target, vec![Chain { start: pivot, known, unknown }, chain], Method::Coincident);
+                    target
+                });
                 self.source(level, body, Rate::Measured { of: target, to: pivot });
             }
             (None, Some(_), [hold @ Hold::Glide { driver: Some(_), .. }]) => {
                 let at = self.any_point(link);
                 let chain = self.chain(level, Some(link), hold, Some(at));
                 self.equation(level, at, vec![chain], Method::Driven);
+            }
+            (None, Some(_), [a, b]) if [a, b].into_iter().any(|h| self.rolled(level, link, h).is_some()) => {
+                let target = [a, b].into_iter().find_map(|h| self.near(link, h)).expect("a contact is a point of the link");
+                for hold in [a, b] {
+                    // Its points on known links: the accelerations need what slides there.
+                    let _ = self.chain(level, Some(link), hold, Some(target));
+                }
+                self.ensure(level, target);
+                for hold in [a, b] {
+                    if let Some(near) = self.near(link, hold) {
+                        self.ensure(level, near);
+                    }
+                    self.sources_of(level, hold);
+                }
             }
             (None, Some(_), [a, b]) => {
                 // A leg with a point of its own leads; a gliding leg serves any point.
@@ -140,18 +157,59 @@ impl Builder<'_> {
         vec![std::mem::take(&mut self.pending)]
     }
 
-    /// A link that touches a known one and rolls on it: at the contact both have one velocity, and of their accelerations the difference is
-    /// known, as if it were pinned there.
-    fn pinned_at_contact(&mut self, level: Level, link: LinkId, (pair, other): (RollingId, LinkId), third: &Hold) {
+    /// The velocity of the point of a link at which it rolls on a known one: it is that of the other's point there, whatever else holds the link.
+    /// `None` for accelerations, of which the two points differ along the normal, and where nothing rolls.
+    pub(super) fn rolled(&mut self, level: Level, link: LinkId, hold: &Hold) -> Option<VertexId> {
+        let Hold::Rolls { pair, other, .. } = *hold else { return None };
+        self.scene.rolling[pair.0].contact()?;
+        (level == Level::Velocity).then(|| self.at_contact(level, link, (pair, other)))
+    }
+
+    /// The point of a link at its contact with a known one, by all that the two points differ in.
+    fn at_contact(&mut self, level: Level, link: LinkId, (pair, other): (RollingId, LinkId)) -> VertexId {
         let rolling = &self.scene.rolling[pair.0];
         let (own, from) = (self.coincident(rolling.at_of(link), link), self.coincident(rolling.at_of(other), other));
         self.ensure(level, from);
         let known = self.roll(level, pair, own, from);
         self.equation(level, own, vec![Chain { start: from, known, unknown: Vec::new() }], Method::Coincident);
+        own
+    }
+
+    /// The velocities of a link on three legs that rolls on a known link: its point at the contact is known, a second one is known by another contact or
+    /// by a leg whose line does not run through the first. Whether they are found so.
+    fn by_contacts(&mut self, level: Level, link: LinkId, holds: &[Hold], nears: &[VertexId]) -> bool {
+        let scene = self.scene;
+        let touches = |h: &Hold| matches!(*h, Hold::Rolls { pair, .. } if scene.rolling[pair.0].contact().is_some());
+        let Some(first) = holds.iter().position(touches).filter(|_| level == Level::Velocity) else { return false };
+        let others = || (0..holds.len()).filter(|n| *n != first);
+        let apart = |n: &usize| contact_on_bar(scene, &holds[first], &holds[*n]).is_none();
+        let Some(second) = others().find(|n| touches(&holds[*n])).or_else(|| others().find(apart)) else { return false };
+        let (own, near) = (nears[first], nears[second]);
+        self.rolled(level, link, &holds[first]);
+        if self.rolled(level, link, &holds[second]).is_none() {
+            let (known, unknown) = self.turning(level, Body::Link(link), near, own, false);
+            let chain = self.chain(level, Some(link), &holds[second], None);
+            self.equation(level, near, vec![Chain { start: own, known, unknown }, chain], Method::SameLink);
+        }
+        for n in others().filter(|n| *n != second) {
+            if !self.is_known(level, nears[n]) {
+                self.pending.push(Step::Image { link, target: nears[n], from: (own, near) });
+                self.learn(level, nears[n]);
+            }
+        }
+        true
+    }
+
+    /// A link that touches a known one and rolls on it: at the contact both have one velocity, and of their accelerations the difference is
+    /// known, as if it were pinned there.
+    fn pinned_at_contact(&mut self, level: Level, link: LinkId, (pair, other): (RollingId, LinkId), third: &Hold) {
+        let own = self.at_contact(level, link, (pair, other));
         let near = self.near(link, third).expect("a leg of a triad has a point on the core");
-        let (known, unknown) = self.turning(level, Body::Link(link), near, own, false);
-        let chain = self.chain(level, Some(link), third, None);
-        self.equation(level, near, vec![Chain { start: own, known, unknown }, chain], Method::SameLink);
+        if self.rolled(level, link, third).is_none() {
+            let (known, unknown) = self.turning(level, Body::Link(link), near, own, false);
+            let chain = self.chain(level, Some(link), third, None);
+            self.equation(level, near, vec![Chain { start: own, known, unknown }, chain], Method::SameLink);
+        }
         self.source(level, Body::Link(link), Rate::Measured { of: near, to: own });
         self.sources_of(level, third);
     }
@@ -181,6 +239,10 @@ impl Builder<'_> {
         for (i, j, k) in [(0, 1, 2), (0, 2, 1), (1, 2, 0)] {
             self.known[slot(level)].clone_from(&base);
             self.pending.clone_from(&shared);
+            if self.by_contacts(level, link, holds, &nears) {
+                alternatives.push(std::mem::take(&mut self.pending));
+                continue;
+            }
             let s = match contact_on_bar(self.scene, &holds[i], &holds[j]) {
                 Some(n) => nears[[i, j][n]],
                 None => {

@@ -21,6 +21,7 @@ mod rest;
 mod step;
 pub mod text;
 
+pub(crate) use between::body_of;
 pub use between::{Asking, asking};
 pub use build::{plan, plan_without};
 pub use rest::Rest;

@@ -114,9 +114,13 @@ impl Builder<'_> {
                 let through = |k: &usize| !self.in_line(&[&ends[*k][..], &[Some(start)]].concat());
                 let Some(line) = (0..lines.len()).find(through).map(|k| &lines[k]) else { return false };
                 let near = self.near_of(member.link, line);
-                let (known, unknown) = self.turning(level, Body::Link(member.link), near, start, false);
+                let rolls = if let Line::Leg(hold) = line { self.rolled(level, member.link, hold) } else { None };
+                // The points on known links are found in any case: the accelerations need what slides there.
                 let second = self.chain_of(level, member.link, line);
-                self.equation(level, near, vec![Chain { start, known, unknown }, second], Method::SameLink);
+                if rolls.is_none() {
+                    let (known, unknown) = self.turning(level, Body::Link(member.link), near, start, false);
+                    self.equation(level, near, vec![Chain { start, known, unknown }, second], Method::SameLink);
+                }
                 self.known_at(states, members, near, i);
                 self.across(level, members, states, near);
                 true
@@ -134,6 +138,8 @@ impl Builder<'_> {
                 let special =
                     Special { group: g, link: member.link, lines: [special_line(self.scene, a), special_line(self.scene, b)], legs: None };
                 let s = contact.and_then(|(k, _)| ends[k][1]).unwrap_or_else(|| self.special(special));
+                let rolls =
+                    contact.and_then(|(k, _)| if let Line::Leg(hold) = lines[k] { self.rolled(level, member.link, &hold) } else { None });
                 let mut chains = Vec::new();
                 for line in [a, b] {
                     let near = self.near_of(member.link, line);
@@ -143,7 +149,9 @@ impl Builder<'_> {
                     }
                     chains.push(chain);
                 }
-                self.equation(level, s, chains, Method::Special);
+                if rolls.is_none() {
+                    self.equation(level, s, chains, Method::Special);
+                }
                 states[i].known.push(s);
                 states[i].used = vec![*a, *b];
                 true

@@ -5,7 +5,7 @@
 mod arrange;
 pub mod attempts;
 pub mod cam;
-mod centres;
+pub mod centres;
 mod cognates;
 mod composite;
 #[doc(hidden)]

@@ -299,7 +299,8 @@ pub fn found_by(p: &Polygon, v: VertexId) -> Option<usize> {
     let finds = |a: &Action| match a {
         Action::Cross { target, .. } | Action::Copy { target, .. } | Action::Same { target, .. } | Action::Reach(target) => *target == v,
         Action::LayOff(e) => p.edges[*e].to.0 == crate::construct::Mark::Image(v),
-        Action::Nothing { .. } | Action::Line { .. } | Action::Join(_) | Action::Perpendicular { .. } | Action::Rate(_) => false,
+        Action::Nothing { target, .. } => *target == Some(v),
+        Action::Line { .. } | Action::Join(_) | Action::Perpendicular { .. } | Action::Rate(_) => false,
     };
     p.actions.iter().position(finds)
 }

@@ -7,7 +7,7 @@
 //! # Source
 //! Sljoka, Shai, Whiteley, *Checking mobility and decomposition of linkages via pebble game algorithm*, ASME DETC 2011.
 
-use super::leg::{Entry, Leg};
+use super::leg::{Entry, Hold, Leg};
 use super::mobility::Assignment;
 use super::{Form, Mechanism, Node, Passive, Runner};
 use crate::scene::{GuideId, LinkId, PointId, Scene};
@@ -89,7 +89,7 @@ impl Group {
                 Some("III") => "triad",
                 _ => match Entry::of(legs) {
                     Entry { angle: Some(_), pivot: Some(_), .. } => "RP",
-                    Entry { angle: Some(_), pivot: None, .. } => "RPP",
+                    Entry { angle: Some(_), pivot: None, holds, .. } => sliding_dyad(&holds),
                     Entry { angle: None, .. } => "RPR",
                 },
             },
@@ -103,6 +103,21 @@ impl Group {
             Core::Pin { legs, .. } => Entry::of(legs).carrier.is_some(),
             Core::Link { .. } | Core::Higher => false,
         }
+    }
+}
+
+/// The kind of a dyad whose core slides on a known link without turning against it, by the other leg: a bar is RRP, a pin of the core in a
+/// further guide PRP, a slot of the core over a known pin RPP.
+fn sliding_dyad(holds: &[Hold]) -> &'static str {
+    let distances = holds.iter().filter(|h| matches!(h, Hold::Distance { .. })).count();
+    let guides = holds.iter().filter(|h| matches!(h, Hold::Guide { .. })).count();
+    let glides = holds.iter().any(|h| matches!(h, Hold::Glide { .. }));
+    match (distances, guides) {
+        (1.., _) => "RRP",
+        (0, 2..) => "PRP",
+        // Where one of two is a guide of the ground for a pin of the core, that may be the slide itself.
+        (0, 1) if glides => "PRP",
+        (0, _) => "RPP",
     }
 }
 

@@ -20,6 +20,7 @@ mod locate;
 mod normals;
 mod primary;
 mod rounds;
+mod task;
 mod uses;
 mod velocities;
 
@@ -28,14 +29,16 @@ pub use locate::{Centre, Origin, Undetermined};
 pub use normals::Normal as ByVelocity;
 pub use primary::{Normal, Primary};
 pub use rounds::{Closure, How, Line, Pair, Step};
+pub use task::Task;
 pub use uses::{By, Motion, Speed, Turning, Uses};
 
 use crate::answer::Value;
 use crate::diag::{Both, Diagnostic, Faults, Severity, Warned, both};
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Demand, Mechanism};
+use crate::position::Configuration;
 use crate::scene::quantity::{self, PointMotion, Rate};
 use crate::scene::{Asked, Find, LinkId, OnLink, PointId, Scene};
-use crate::worked::{Scope, Worked, work};
+use crate::worked::{Scope, Worked, work, work_placed};
 use velocities::Velocities;
 
 /// More links than this are refused: their centres are thousands, each with a line through every other link.
@@ -104,7 +107,24 @@ pub fn centres(scene: &Scene) -> Result<Warned<Centres>, Faults> {
         return Err(Diagnostic::error("too-many-links", message).help(help).into());
     }
     let (asking, at_rest) = asking_all(scene);
-    let Warned { value: worked, mut notes } = work(&asking, Scope::Figure)?;
+    let worked = work(&asking, Scope::Figure)?;
+    Ok(located(asking, worked, at_rest))
+}
+
+/// Finds all centres of a mechanism that has been followed to a pose.
+///
+/// # Errors
+/// Those of [`work_placed`].
+pub fn placed(scene: &Scene, mechanism: &Mechanism, at: &Configuration) -> Result<Warned<Centres>, Faults> {
+    let (asking, at_rest) = asking_all(scene);
+    let demand = Demand::of(&asking, mechanism).with_all_positions();
+    let worked = work_placed(&asking, mechanism.clone(), demand, at.clone())?;
+    Ok(located(asking, worked, at_rest))
+}
+
+/// The centres of a scene that asks for the velocities of everything.
+fn located(asking: Scene, worked: Warned<Worked>, at_rest: bool) -> Warned<Centres> {
+    let Warned { value: worked, mut notes } = worked;
     // Why the pose leaves a value undefined is reported once, as a remark; these values are not questions of the scene.
     notes.iter_mut().for_each(|d| d.severity = d.severity.min(Severity::Warning));
     let closure = rounds::closure(&asking, asking.drivers.len());
@@ -113,7 +133,7 @@ pub fn centres(scene: &Scene) -> Result<Warned<Centres>, Faults> {
     notes.extend(remarks(&asking, &closure, &list));
     let worst_triple = locate::worst_triple(&velocities, &closure, &list);
     let uses = uses::uses(&asking, &worked, &closure, &list);
-    Ok(Warned { value: Centres { closure, list, uses, scene: asking, worked, worst_triple, at_rest }, notes })
+    Warned { value: Centres { closure, list, uses, scene: asking, worked, worst_triple, at_rest }, notes }
 }
 
 /// The order of finding of a scene, for which nothing is computed.

@@ -11,9 +11,9 @@ mod projection;
 mod solved;
 
 pub use contact::Staged;
-pub use projection::{Projection, projections};
+pub use projection::{On, Projection, Term, projections};
 use solved::solved;
-pub use solved::{Known, Solved, Turned};
+pub use solved::{Closure, Known, Solved, Turned};
 
 use crate::mechanism::Level;
 use crate::scene::quantity::{Frame, RelativePath, owns, relative_path};

@@ -1,6 +1,9 @@
-//! The projection by which the unwanted unknown is left out: the equations on a line square to the relative path.
+//! The projections by which an equation of composite motion is solved: on a line square to the other unknown, so that it drops out.
+//!
+//! Which line that is follows from what is known beforehand ([`Closure`]), from topology alone.
 
 use super::Solved;
+use super::solved::{Closure, Known};
 use crate::geom::Vec2;
 use crate::mechanism::Level;
 use crate::scene::quantity::RelativePath;
@@ -9,47 +12,114 @@ use crate::scene::quantity::composite::Part;
 /// A part below this share of the largest stands square to the line, and has no part on it.
 const SQUARE: f64 = 1e-9;
 
+/// The line on which an equation is projected.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum On {
+    /// Square to the relative path, for the wanted motion.
+    Across,
+    /// Along the relative path, for the relative motion.
+    Along,
+    /// The x axis.
+    X,
+    /// The y axis.
+    Y,
+}
+
+/// A vector of a projected equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Term {
+    /// The motion of the point.
+    Absolute,
+    /// Its part toward the centre of its fixed circle.
+    AbsoluteNormal,
+    /// Its part along that circle.
+    AbsoluteTangential,
+    /// Its component along the line itself.
+    Component,
+    /// A part of the motion.
+    Part(Part),
+}
+
 /// An equation on a line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Projection {
     /// Of velocities or accelerations.
     pub level: Level,
-    /// The direction of the line (unit vector), square to v_r.
+    /// Which line it is.
+    pub on: On,
+    /// The direction of the line (unit vector).
     pub line: Vec2,
     /// Whether the point is at rest in the frame at the instant.
     pub rests: bool,
-    /// The vectors that have a part on it, each with its angle from the line (rad, from 0 to π): that of the point first.
-    pub terms: Vec<(Option<Part>, f64)>,
+    /// The vectors that have a part on it, each with its angle from the line (rad, from 0 to π): those of the point first.
+    pub terms: Vec<(Term, f64)>,
 }
 
-/// The projections of a choice; none where the path in the frame is not known, or the point rests in the frame for good.
+/// The projections of a choice; none where the equation has more than two unknowns, and where the point rests in the frame for good.
 pub fn projections(s: &Solved) -> Vec<Projection> {
-    let [absolute, transport, relative] = s.velocity;
+    let lines = lines(s);
+    let levels = [(Level::Velocity, velocities(s)), (Level::Acceleration, accelerations(s))];
+    let all = levels.iter().flat_map(|(level, vectors)| lines.iter().filter_map(|(on, line)| projected(s, *level, (*on, *line), vectors)));
+    all.collect()
+}
+
+/// The lines that the choice calls for.
+fn lines(s: &Solved) -> Vec<(On, Vec2)> {
+    let [absolute, _, relative] = s.velocity;
     let along = match s.slip {
         Some(slip) => Some(slip.normal.perp()),
         // A point at rest on a straight path tells its direction by its acceleration.
         None => relative.unit().or_else(|| tangential(s)?.unit()).filter(|_| !matches!(s.choice.path, RelativePath::Unknown)),
     };
-    let Some(along) = along else { return Vec::new() };
-    // The sense in which the velocity of the point counts as positive.
-    let line = along.perp();
-    let line = if absolute.dot(line) < -SQUARE * absolute.norm() { -line } else { line };
-    let velocities = [(None, absolute), (Some(Part::TransportVelocity), transport)];
-    let mut out = Vec::new();
-    for (level, vectors) in [(Level::Velocity, velocities.to_vec()), (Level::Acceleration, s.acceleration.clone())] {
-        let largest = vectors.iter().map(|v| v.1.norm()).fold(0.0, f64::max);
-        let on_line = |(part, v): &(Option<Part>, Vec2)| {
-            let u = v.unit()?;
-            let share = u.dot(line);
-            let angle = Vec2::new(share, u.cross(line).abs()).angle();
-            (share.abs() * v.norm() > SQUARE * largest).then_some((*part, angle))
-        };
-        let terms: Vec<_> = vectors.iter().filter_map(on_line).collect();
-        if terms.len() > 1 {
-            out.push(Projection { level, line, rests: relative.norm() <= SQUARE * absolute.norm(), terms });
+    match (s.closure, along) {
+        (Closure::Side, _) if matches!(s.choice.path, RelativePath::Unknown) && s.slip.is_none() => Vec::new(),
+        (Closure::Side, _) => vec![(On::X, Vec2::new(1.0, 0.0)), (On::Y, Vec2::new(0.0, 1.0))],
+        (Closure::Crossing, Some(along)) if s.known == Known::Both => vec![(On::Along, along)],
+        (Closure::Crossing, Some(along)) => {
+            // The sense in which the velocity of the point counts as positive.
+            let line = along.perp();
+            vec![(On::Across, if absolute.dot(line) < -SQUARE * absolute.norm() { -line } else { line })]
         }
+        (Closure::Crossing, None) | (Closure::Open, _) => Vec::new(),
     }
-    out
+}
+
+fn velocities(s: &Solved) -> Vec<(Term, Vec2)> {
+    let [absolute, transport, relative] = s.velocity;
+    vec![(Term::Absolute, absolute), (Term::Part(Part::TransportVelocity), transport), (Term::Part(Part::RelativeVelocity), relative)]
+}
+
+/// Of a point on a fixed circle whose motion is wanted a_aⁿ is known and a_aᵗ is not: the direction of a_a is not known either.
+fn accelerations(s: &Solved) -> Vec<(Term, Vec2)> {
+    let own = s.circle.filter(|_| s.known == Known::Transport && s.closure == Closure::Crossing);
+    let told = |(part, v): &(Option<Part>, Vec2)| match (part, own) {
+        (Some(part), _) => vec![(Term::Part(*part), *v)],
+        (None, Some(inward)) => {
+            let normal = inward * inward.dot(*v);
+            vec![(Term::AbsoluteNormal, normal), (Term::AbsoluteTangential, *v - normal)]
+        }
+        (None, None) => vec![(Term::Absolute, *v)],
+    };
+    s.acceleration.iter().flat_map(told).collect()
+}
+
+/// The equation of a level on a line.
+fn projected(s: &Solved, level: Level, (on, line): (On, Vec2), vectors: &[(Term, Vec2)]) -> Option<Projection> {
+    let largest = vectors.iter().map(|v| v.1.norm()).fold(0.0, f64::max);
+    let on_line = |(term, v): &(Term, Vec2)| {
+        let u = v.unit()?;
+        let share = u.dot(line);
+        let angle = Vec2::new(share, u.cross(line).abs()).angle();
+        (share.abs() * v.norm() > SQUARE * largest).then_some((*term, angle))
+    };
+    let mut terms: Vec<(Term, f64)> = vectors.iter().filter_map(on_line).collect();
+    if matches!(on, On::X | On::Y) {
+        terms.retain(|(term, _)| *term != Term::Absolute);
+        terms.insert(0, (Term::Component, 0.0));
+    }
+    let [absolute, _, relative] = s.velocity;
+    let rests = relative.norm() <= SQUARE * absolute.norm();
+    (terms.len() > 1).then_some(Projection { level, on, line, rests, terms })
 }
 
 /// a_rᵗ.

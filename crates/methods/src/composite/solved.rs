@@ -5,9 +5,10 @@ use super::{Choice, Staged};
 use crate::diag::{Faults, Warned};
 use crate::geom::Vec2;
 use crate::mechanism::Level;
+use crate::position::Path;
 use crate::scene::quantity::composite::Part;
-use crate::scene::quantity::{Composite, Frame, PointMotion, Rate, RelativePath};
-use crate::scene::{Asked, Find, LinkId, PointId, Scene};
+use crate::scene::quantity::{Composite, Frame, PointMotion, Rate, RelativePath, relative_path};
+use crate::scene::{Asked, Find, Guide, GuidePath, LinkId, OnLink, PointId, Scene};
 use crate::worked::{Outcome, Worked};
 
 /// The parts of one choice.
@@ -25,6 +26,21 @@ pub struct Solved {
     pub turning: Option<Turned>,
     /// Whether v_a is known before v_e (the point is nearer to the driver than the frame).
     pub known: Known,
+    /// How the equation is closed.
+    pub closure: Closure,
+    /// Of a point that runs on a circle about a fixed point the direction to that (unit vector).
+    pub circle: Option<Vec2>,
+}
+
+/// How the equation of a choice is closed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Closure {
+    /// Two magnitudes are unknown, each along a known direction.
+    Crossing,
+    /// The wanted motion is unknown in magnitude and direction, and all else is known.
+    Side,
+    /// There are more unknowns.
+    Open,
 }
 
 /// Turning about a fixed axis that follows from the motion of a point.
@@ -139,7 +155,55 @@ fn parts(staged: &Staged, scene: &Scene, worked: &Worked, c: &Choice, level: Lev
     }
     let known = known(scene, worked, c);
     let turning = turning(scene, worked, c, known, velocity, &acceleration);
-    Some(Solved { choice: *c, velocity, acceleration, slip, turning, known })
+    let (closure, circle) = (closure(scene, worked, c, known), circle(scene, worked, c));
+    Some(Solved { choice: *c, velocity, acceleration, slip, turning, known, closure, circle })
+}
+
+/// How the equation is closed: of the wanted motion the direction is known where a pair of the ground gives the path.
+fn closure(scene: &Scene, worked: &Worked, c: &Choice, known: Known) -> Closure {
+    let ground = Frame::Link(scene.ground);
+    let runs = |of: OnLink| relative_path(scene, of, ground) != RelativePath::Unknown;
+    match known {
+        Known::Both => Closure::Crossing,
+        Known::Transport if runs(c.of) => Closure::Crossing,
+        Known::Transport if follows(worked, c.of) => Closure::Side,
+        Known::Transport => Closure::Open,
+        Known::Absolute => {
+            let slides = |l: LinkId| {
+                let on_ground = |g: &Guide| {
+                    let straight = matches!(g.path, GuidePath::Line { .. });
+                    straight && ((g.slider, g.on) == (Some(l), scene.ground) || (g.slider, g.on) == (Some(scene.ground), l))
+                };
+                scene.guides.iter().any(on_ground)
+            };
+            let told = match c.frame {
+                Frame::Link(l) => c.frame.axis(scene, c.of).is_some() || slides(l),
+                Frame::Point(p) => runs(p),
+            };
+            if told { Closure::Crossing } else { Closure::Open }
+        }
+    }
+}
+
+/// Whether the motion of a point follows from that of its link or from a driver, so that no equation crosses two loci for it.
+fn follows(worked: &Worked, of: OnLink) -> bool {
+    let m = &worked.mechanism;
+    m.group_of_pin[of.point.0].is_none_or(|g| m.groups[g].class().is_none())
+}
+
+/// The direction from a point to the fixed centre of the circle on which it runs.
+fn circle(scene: &Scene, worked: &Worked, c: &Choice) -> Option<Vec2> {
+    let at = &worked.configuration;
+    let own = at.points[c.of.point.0]?;
+    let centre = match relative_path(scene, c.of, Frame::Link(scene.ground)) {
+        RelativePath::Circle(k) => at.points[k.0]?,
+        RelativePath::Guide(g) => match at.guides[g.0]? {
+            Path::Arc { centre, .. } => centre,
+            Path::Line { .. } => return None,
+        },
+        RelativePath::Unknown => return None,
+    };
+    (centre - own).unit()
 }
 
 /// The frame's turning where its motion is wanted, that of the point's link where that is; none where it has no fixed axis at another place.

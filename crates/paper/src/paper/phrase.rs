@@ -40,6 +40,15 @@ impl Phrase {
         Phrase { pieces }
     }
 
+    /// The sentence with its formulas between dollar signs, as [`Phrase::new`] reads it.
+    pub fn source(&self) -> String {
+        let piece = |p: &Piece| match p {
+            Piece::Words(w) => w.clone(),
+            Piece::Formula(f) => format!("${f}$"),
+        };
+        self.pieces.iter().map(piece).collect()
+    }
+
     /// Its pieces.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces

@@ -1,6 +1,7 @@
 //! Instantaneous centres as a table: how each is found, where it lies, and what they tell.
 
 use super::columns::columns;
+use super::writing::Writing;
 use crate::answer::Value;
 use crate::centres::{By, Centre, Centres, How, Motion, Pair, Place, Speed, Turning, omega, velocity};
 use crate::digits::{direction_degrees, line_degrees, significant};
@@ -18,6 +19,8 @@ pub struct Words<'a> {
     pub(super) found: &'a Centres,
     pub(super) scene: &'a Scene,
     pub(super) lang: Lang,
+    /// How names stand in a sentence.
+    pub(super) writing: Writing,
 }
 
 /// The report as text.
@@ -44,7 +47,12 @@ pub fn text(found: &Centres, lang: Lang) -> String {
 impl<'a> Words<'a> {
     /// A writer.
     pub fn new(found: &'a Centres, lang: Lang) -> Words<'a> {
-        Words { found, scene: &found.scene, lang }
+        Words { found, scene: &found.scene, lang, writing: Writing::Plain }
+    }
+
+    /// A writer whose sentences have their names between dollar signs ([`crate::paper::phrase::Phrase::new`]).
+    pub fn marked(found: &'a Centres, lang: Lang) -> Words<'a> {
+        Words { writing: Writing::Marked, ..Words::new(found, lang) }
     }
 
     pub(super) fn pair(&self, a: LinkId, b: LinkId) -> Pair {
@@ -52,10 +60,11 @@ impl<'a> Words<'a> {
     }
 
     fn name(&self, a: LinkId, b: LinkId) -> String {
-        self.pair(a, b).name(self.scene)
+        self.writing.letter("P", &self.pair(a, b).indices(self.scene))
     }
 
-    fn counts(&self) -> String {
+    /// How many centres there are, and how they are found.
+    pub fn counts(&self) -> String {
         let c = &self.found.closure;
         let taken = c.steps.iter().filter(|s| s.how == How::Velocities).count();
         let (n, all, primary) = (c.links.len(), c.steps.len(), c.primary);
@@ -157,7 +166,13 @@ impl<'a> Words<'a> {
     /// The symbol of a link's ω against the frame.
     fn symbol(&self, l: LinkId) -> String {
         let (name, frame) = (self.scene.link_name(l), self.found.uses.frame);
-        if frame == self.scene.ground { format!("ω_{name}") } else { format!("ω_{name}/{}", self.scene.link_name(frame)) }
+        let of = if frame == self.scene.ground { name.to_owned() } else { format!("{name}/{}", self.scene.link_name(frame)) };
+        self.writing.indexed("ω", &of)
+    }
+
+    /// The symbol of the velocity of a link or a point.
+    fn v(&self, of: &str) -> String {
+        self.writing.indexed("v", of)
     }
 
     /// The steps in words, one line each.
@@ -169,7 +184,11 @@ impl<'a> Words<'a> {
         }
         steps.extend(uses.links.iter().map(|t| self.turning(t)));
         steps.extend(uses.points.iter().map(|s| self.speed(s)));
-        steps
+        match self.writing {
+            Writing::Plain => steps,
+            // Names beside one another are one formula; columns are those of a terminal.
+            Writing::Marked => steps.iter().map(|s| s.replace("$$", "").replace("  ", " ")).collect(),
+        }
     }
 
     fn sense(&self, omega: f64) -> &'static str {
@@ -208,7 +227,7 @@ impl<'a> Words<'a> {
 
     fn turning(&self, t: &Turning) -> String {
         let (lang, frame) = (self.lang, self.found.uses.frame);
-        let k = self.scene.link_name(t.link);
+        let v_k = self.v(self.scene.link_name(t.link));
         let (rate, slide) = match t.motion {
             Motion::Turn(_) => (self.rate_of(t.link), None),
             Motion::Slide(v) => (0.0, Some(v)),
@@ -227,7 +246,7 @@ impl<'a> Words<'a> {
                     tr(lang, "  (by the analysis)", "（由解析法）")
                 };
                 match slide {
-                    Some(v) => format!("v_{k} = {}{why}", slides(v)),
+                    Some(v) => format!("{v_k} = {}{why}", slides(v)),
                     None => format!("{own} = {rate_words}{why}"),
                 }
             }
@@ -251,37 +270,39 @@ impl<'a> Words<'a> {
                 Lang::Zh => format!("{} 在无穷远处：{own} = {} = {rate_words}", self.name(t.link, m), self.symbol(m)),
             },
             By::Wedge(m) => {
-                let (x, m) = (self.name(t.link, m), self.scene.link_name(m));
+                let (x, v_m) = (self.name(t.link, m), self.v(self.scene.link_name(m)));
                 let v = slide.map_or(String::new(), slides);
                 match lang {
-                    Lang::En => format!("{x} lies at infinity: v_{k} and v_{m} have one component along its direction; v_{k} = {v}"),
-                    Lang::Zh => format!("{x} 在无穷远处：v_{k} 与 v_{m} 沿其方向的分量相等；v_{k} = {v}"),
+                    Lang::En => format!("{x} lies at infinity: {v_k} and {v_m} have one component along its direction; {v_k} = {v}"),
+                    Lang::Zh => format!("{x} 在无穷远处：{v_k} 与 {v_m} 沿其方向的分量相等；{v_k} = {v}"),
                 }
             }
             By::Slides { link, arm } => {
                 let (x, c, m) = (self.name(t.link, link), self.name(frame, link), self.symbol(link));
                 let turns = self.omega(self.rate_of(link).abs());
-                format!("v_{k} = {m} · {c}{x} = {turns} · {} = {}", self.length(arm), slide.map_or(String::new(), slides))
+                format!("{v_k} = {m} · {c}{x} = {turns} · {} = {}", self.length(arm), slide.map_or(String::new(), slides))
             }
             By::FromSlide { link, arm } => {
                 let (x, o) = (self.name(t.link, link), self.name(frame, t.link));
                 let speed = self.of(link).map_or(0.0, |m| if let Motion::Slide(v) = m.motion { v.norm() } else { 0.0 });
-                let (m, speed, arm) = (self.scene.link_name(link), self.velocity(speed), self.length(arm));
-                format!("{own} = v_{m} / {o}{x} = {speed} / {arm} = {rate_words}")
+                let (v_m, speed, arm) = (self.v(self.scene.link_name(link)), self.velocity(speed), self.length(arm));
+                format!("{own} = {v_m} / {o}{x} = {speed} / {arm} = {rate_words}")
             }
         }
     }
 
     fn speed(&self, s: &Speed) -> String {
-        let (point, link) = (self.scene.point_name(s.point), self.scene.link_name(s.link));
+        let link = self.scene.link_name(s.link);
+        let (v_point, point) = (self.v(self.scene.point_name(s.point)), self.writing.point(self.scene.point_name(s.point)));
         let size = self.speed_words(s.velocity.norm());
         match s.arm {
             Some(arm) => {
                 let o = self.name(self.scene.ground, s.link);
                 let turns = self.omega(self.of(s.link).map_or(0.0, |t| t.omega.abs()));
-                format!("v_{point} = ω_{link} · {o}{point} = {turns} · {} = {size}", self.length(arm))
+                let omega = self.writing.indexed("ω", link);
+                format!("{v_point} = {omega} · {o}{point} = {turns} · {} = {size}", self.length(arm))
             }
-            None => format!("v_{point} = v_{link} = {size}"),
+            None => format!("{v_point} = {} = {size}", self.v(link)),
         }
     }
 
@@ -310,7 +331,7 @@ impl<'a> Words<'a> {
     }
 
     /// Symbol, kind, value by centres, and by drawing and analysis; of a vector the length.
-    pub(super) fn values(&self) -> Vec<(String, Kind, f64, [Option<f64>; 2])> {
+    pub fn values(&self) -> Vec<(String, Kind, f64, [Option<f64>; 2])> {
         let number = |v: Value| match v {
             Value::Scalar(s) => s,
             Value::Vector(v) => v.norm(),

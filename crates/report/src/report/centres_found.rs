@@ -2,7 +2,7 @@
 
 use super::centres::Words;
 use super::writing::Writing;
-use crate::centres::{Centre, How, Line, Origin, Pair, Primary};
+use crate::centres::{Centre, How, Line, Origin, Pair, Place, Primary};
 use crate::paper::phrase::{Phrase, fill, tr};
 use crate::plan::names::name_label;
 use crate::scene::{GuidePath, Lang, PointId};
@@ -36,6 +36,27 @@ impl Words<'_> {
             (_, Some(Origin::Crossing(lines))) => self.crossing(c, lines, Writing::Marked),
             (_, Some(Origin::Velocities)) => self.normals(c).unwrap_or_else(|| tr(self.lang, "from velocities", "由速度求得").to_owned()),
             (_, Some(Origin::Pair) | None) => "–".to_owned(),
+        })
+    }
+
+    /// How a centre is found, as a sentence of a construction.
+    pub fn sentence(&self, c: &Centre) -> Phrase {
+        let (i, j) = (c.step.pair.i, c.step.pair.j);
+        let name = |a, b| format!("P_{{{}}}", name_label(&self.pair(a, b).indices(self.scene)));
+        let far = matches!(c.place, Some(Place::Infinity(_)));
+        let at_infinity = if far { tr(self.lang, ", at infinity", "，在无穷远处") } else { "" };
+        let own = name(i, j);
+        let line = |line: Line| match line {
+            Line::Through(k) => format!("${}{}$", name(i, k), name(k, j)),
+            Line::Normal(_) | Line::Infinity => self.line(c.step.pair, line, Writing::Marked),
+        };
+        Phrase::new(&match (c.origin, self.lang) {
+            (Some(Origin::Crossing([a, b])), Lang::En) => {
+                format!("${own}$ is the intersection of {} and {}{at_infinity}.", line(a), line(b))
+            }
+            (Some(Origin::Crossing([a, b])), Lang::Zh) => format!("${own}$ 为 {} 与 {} 的交点{at_infinity}。", line(a), line(b)),
+            (_, Lang::En) => format!("${own}$: {}{at_infinity}.", self.found_by(c).source()),
+            (_, Lang::Zh) => format!("${own}$：{}{at_infinity}。", self.found_by(c).source()),
         })
     }
 

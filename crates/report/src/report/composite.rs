@@ -7,7 +7,7 @@ use super::answers::diagnostic;
 use super::columns::columns;
 use super::writing::Writing;
 use crate::composite::contact::Slip;
-use crate::composite::{Choice, Known, Place, Projection, Solved, Staged, Turned, Verdict, name_of, projections};
+use crate::composite::{Choice, Known, On, Place, Projection, Solved, Staged, Term, Turned, Verdict, name_of, projections};
 use crate::diag::Diagnostic;
 use crate::digits::{direction_degrees, inked, significant};
 use crate::geom::Vec2;
@@ -203,10 +203,11 @@ impl Words<'_> {
         out.extend(self.values(&[("v_{a}".into(), a), ("v_{e}".into(), e), ("v_{r}".into(), r)], Kind::Velocity, per_line));
         let projections = projections(s);
         let projected = |level| -> Vec<Phrase> {
-            let Some(p) = projections.iter().find(|p| p.level == level) else { return Vec::new() };
-            let (words, equation) = self.projection(p, s.known);
-            let lines = if per_line < PER_LINE { vec![words, format!("${equation}$")] } else { vec![self.projected(&words, &equation)] };
-            lines.iter().map(|l| Phrase::new(l)).collect()
+            let lines = projections.iter().filter(|p| p.level == level).flat_map(|p| {
+                let (words, equation) = self.projection(p, s.known);
+                if per_line < PER_LINE { vec![words, format!("${equation}$")] } else { vec![self.projected(&words, &equation)] }
+            });
+            lines.map(|l| Phrase::new(&l)).collect()
         };
         out.extend(projected(Level::Velocity));
         if !s.acceleration.is_empty() {
@@ -302,8 +303,18 @@ impl Words<'_> {
     /// An equation on a line: `projected square to v_r (on 120°):` and `v_a cos 30° = v_e cos 60°`.
     fn projection(&self, p: &Projection, known: Known) -> (String, String) {
         let lang = self.lang;
-        let term = |(part, angle): &(Option<Part>, f64)| {
-            let symbol = symbol(*part, p.level, lang);
+        let symbol_of = |term: Term| {
+            let letter = if p.level == Level::Acceleration { "a" } else { "v" };
+            match term {
+                Term::Absolute => symbol(None, p.level, lang),
+                Term::AbsoluteNormal => format!("{letter}^{{n}}_{{a}}"),
+                Term::AbsoluteTangential => format!("{letter}^{{t}}_{{a}}"),
+                Term::Component => format!("{letter}_{{a{}}}", if p.on == On::Y { "y" } else { "x" }),
+                Term::Part(part) => symbol(Some(part), p.level, lang),
+            }
+        };
+        let term = |(term, angle): &(Term, f64)| {
+            let symbol = symbol_of(*term);
             let degrees = significant(angle.to_degrees(), 4);
             match degrees.parse::<f64>() {
                 Ok(d) if d.abs() < 0.01 => symbol,
@@ -311,19 +322,22 @@ impl Words<'_> {
                 _ => format!("{symbol}\\,\\cos {}°", inked(&degrees)),
             }
         };
-        let (left, right): (Vec<_>, Vec<_>) = p.terms.iter().partition(|(part, _)| part.is_none());
-        let side = |terms: &[&(Option<Part>, f64)]| match terms {
+        let (left, right): (Vec<_>, Vec<_>) = p.terms.iter().partition(|(term, _)| !matches!(term, Term::Part(_)));
+        let side = |terms: &[&(Term, f64)]| match terms {
             [] => "0".to_owned(),
             all => all.iter().map(|t| term(t)).collect::<Vec<_>>().join(" + ").replace("+ −", "− "),
         };
+        (self.on_line(p, known), format!("{} = {}", side(&left), side(&right)))
+    }
+
+    /// On which line an equation is projected, and for what.
+    fn on_line(&self, p: &Projection, known: Known) -> String {
+        let lang = self.lang;
         let degrees = inked(&significant(direction_degrees(p.line.angle()), 4));
-        let unwanted = if p.level == Level::Velocity {
-            symbol(Some(Part::RelativeVelocity), p.level, lang)
-        } else {
-            symbol(Some(Part::RelativeTangential), p.level, lang)
+        let relative = match p.level {
+            Level::Acceleration => symbol(Some(Part::RelativeTangential), p.level, lang),
+            Level::Position | Level::Velocity => symbol(Some(Part::RelativeVelocity), p.level, lang),
         };
-        // A point at rest in its frame has no v_r to be square to.
-        let rests = p.level == Level::Velocity && p.rests;
         let wanted = match (known, p.level) {
             (Known::Transport, Level::Acceleration) => tr(lang, " for $a_{a}$", "，求 $a_{a}$"),
             (Known::Transport, _) => tr(lang, " for $v_{a}$", "，求 $v_{a}$"),
@@ -331,14 +345,20 @@ impl Words<'_> {
             (Known::Absolute, _) => tr(lang, " for $v_{e}$", "，求 $v_{e}$"),
             (Known::Both, _) => "",
         };
-        let equation = format!("{} = {}", side(&left), side(&right));
-        let words = match lang {
-            Lang::En if rests => format!("Projected on the perpendicular to the relative path (${degrees}$°){wanted}:"),
-            Lang::Zh if rests => format!("向垂直于相对轨迹的方向（${degrees}$°）投影{wanted}："),
-            Lang::En => format!("Projected on the perpendicular to ${unwanted}$ (${degrees}$°){wanted}:"),
-            Lang::Zh => format!("向垂直于 ${unwanted}$ 的方向（${degrees}$°）投影{wanted}："),
-        };
-        (words, equation)
+        // A point at rest in its frame has no v_r to be square to.
+        let rests = p.level == Level::Velocity && p.rests;
+        match (p.on, lang) {
+            (On::X, Lang::En) => format!("Projected on the x axis{wanted}:"),
+            (On::X, Lang::Zh) => format!("向 x 轴投影{wanted}："),
+            (On::Y, Lang::En) => "Projected on the y axis:".to_owned(),
+            (On::Y, Lang::Zh) => "向 y 轴投影：".to_owned(),
+            (On::Along, Lang::En) => format!("Projected on the relative path (${degrees}$°) for ${relative}$:"),
+            (On::Along, Lang::Zh) => format!("向相对轨迹的切线方向（${degrees}$°）投影，求 ${relative}$："),
+            (On::Across, Lang::En) if rests => format!("Projected on the perpendicular to the relative path (${degrees}$°){wanted}:"),
+            (On::Across, Lang::Zh) if rests => format!("向垂直于相对轨迹的方向（${degrees}$°）投影{wanted}："),
+            (On::Across, Lang::En) => format!("Projected on the perpendicular to ${relative}$ (${degrees}$°){wanted}:"),
+            (On::Across, Lang::Zh) => format!("向垂直于 ${relative}$ 的方向（${degrees}$°）投影{wanted}："),
+        }
     }
 }
 

@@ -9,7 +9,7 @@ use crate::mechanism::Level;
 use crate::paper::phrase::{Phrase, formula, sense, tr};
 use crate::plan::names::name_label;
 use crate::plan::text::Writer;
-use crate::plan::{Body, Rate, Term, VertexId};
+use crate::plan::{Body, Method, Rate, Step, Term, VertexId};
 use crate::report::amount::of_level;
 use crate::scene::{Book, Kind, Lang};
 
@@ -100,20 +100,20 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
                 Lang::Zh => format!("自 ${from}$ 作 ${symbol}{given}$，长 {}，${direction}$，得 ${to}$。", edge(0, *i)),
             }
         }
-        Action::Nothing { term, .. } => {
-            let symbol = w.symbol(level, term);
-            match w.lang {
-                Lang::En => format!("${symbol}$ = 0, for the driver is at rest: nothing is laid off."),
-                Lang::Zh => format!("${symbol}$ = 0（原动件该瞬时静止），不作图。"),
+        Action::Nothing { terms, target, .. } => {
+            let symbols: Vec<String> = terms.iter().map(|t| w.symbol(level, t)).collect();
+            let (symbols, image) = (symbols.join(" = "), target.map(|v| w.image(level, v)));
+            match (w.lang, image) {
+                (Lang::En, None) => format!("${symbols}$ = 0, for the driver is at rest: nothing is laid off."),
+                (Lang::Zh, None) => format!("${symbols}$ = 0（原动件该瞬时静止），不作图。"),
+                (Lang::En, Some(image)) => {
+                    format!("${symbols}$ = 0, for the driver is at rest: nothing is laid off, ${image}$ lies where the vector would begin.")
+                }
+                (Lang::Zh, Some(image)) => format!("${symbols}$ = 0（原动件该瞬时静止），不作图，${image}$ 即在其起点。"),
             }
         }
-        Action::Line { terms, through, .. } => {
-            let from = p
-                .edges
-                .iter()
-                .flat_map(|e| [&e.from, &e.to])
-                .find(|m| m.1 == *through)
-                .map_or_else(|| place(w, p, *through), |m| mark(w, level, &m.0));
+        Action::Line { terms, mark: from, .. } => {
+            let from = mark(w, level, from);
             let (symbol, direction) = (symbols(w, level, terms), w.direction(&terms[0]));
             match w.lang {
                 Lang::En => format!("Through ${from}$ draw the direction of ${symbol}$, ${direction}$."),
@@ -135,6 +135,15 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
         }
         Action::Reach(v) => {
             let (image, vector) = (w.image(level, *v), w.vector(level, *v));
+            if let Some(other) = touched(w, level, *v).map(|from| w.image(level, from)) {
+                return match w.lang {
+                    Lang::En => format!(
+                        "At the contact the two points have one velocity: ${image}$ falls on ${other}$, ${vector}$ = {}.",
+                        from_pole(*v)
+                    ),
+                    Lang::Zh => format!("接触点处两点速度相同：${image}$ 与 ${other}$ 重合，${vector}$ = {}。", from_pole(*v)),
+                };
+            }
             match w.lang {
                 Lang::En => format!("Nothing is added: ${image}$ lies where it starts, ${vector}$ = {}.", from_pole(*v)),
                 Lang::Zh => format!("无附加分量，${image}$ 即在起点，${vector}$ = {}。", from_pole(*v)),
@@ -230,6 +239,20 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
     }
 }
 
+/// The point of the other link at a contact without slip from which a point has its velocity.
+fn touched(w: &Writer, level: Level, v: VertexId) -> Option<VertexId> {
+    let moves = !w.plan.rest.is_all();
+    let alike = |s: &Step| match s {
+        Step::Equation { target, chains, method: Method::Coincident } if *target == v && moves => match &chains[..] {
+            [chain] if chain.known.is_empty() && chain.unknown.is_empty() => Some(chain.start),
+            _ => None,
+        },
+        Step::Equation { .. } | Step::Image { .. } | Step::Same { .. } => None,
+    };
+    let groups = w.plan.steps(level).iter();
+    groups.flat_map(|g| g.alternatives.iter().flatten().chain(&g.further)).find_map(alike)
+}
+
 /// Of a rate that is neither measured nor given against the ground: the others of which it is the sum.
 fn sum(w: &Writer, level: Level, body: Body) -> Option<String> {
     let rates = w.plan.steps(level).iter().flat_map(|g| &g.rates);
@@ -258,10 +281,4 @@ fn moved(lang: Lang, pencil_mm: f64, by: &str) -> String {
         Lang::En => format!(", where a pencil error of {e} mm moves it by {by} mm"),
         Lang::Zh => format!("（{e} mm 的作图误差使交点偏移 {by} mm）"),
     }
-}
-
-/// The mark at a place of the polygon.
-fn place(w: &Writer, p: &Polygon, at: crate::geom::Point) -> String {
-    let v = p.images.iter().enumerate().position(|(i, q)| *q == Some(at) && !w.plan.vertex(VertexId(i)).fixed);
-    v.map_or_else(|| w.pole(p.level), |i| w.image(p.level, VertexId(i)))
 }

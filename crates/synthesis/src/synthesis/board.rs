@@ -332,8 +332,8 @@ impl Board {
         self.read("AB", middle, long).read("BC", a, middle);
         let (crank, b) = (middle.distance(long), ray.place(middle.distance(long)));
         self.step(both!(
-            "Draw the crank circle about A; B lies on the line AC{}: the linkage in that limit",
-            "以 A 为圆心作曲柄圆；B 在直线 AC{} 上：机构的该极限位置",
+            "Draw the crank circle about A; B lies on AC{}: the linkage in that limit",
+            "以 A 为圆心作曲柄圆；B 在 AC{} 上：机构的该极限位置",
             far + 1
         ));
         self.circle(a, crank, Weight::Given);

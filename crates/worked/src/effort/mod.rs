@@ -128,8 +128,8 @@ fn closes(p: &Polygon, action: &Action) -> bool {
     match action {
         Action::Cross { .. } | Action::Reach(_) => true,
         Action::LayOff(edge) => matches!(p.edges[*edge].to.0, Mark::Image(_)),
-        Action::Nothing { .. }
-        | Action::Line { .. }
+        Action::Nothing { target, .. } => target.is_some(),
+        Action::Line { .. }
         | Action::Copy { .. }
         | Action::Same { .. }
         | Action::Join(_)

@@ -16,7 +16,7 @@ const ROUNDING: f64 = 1e-12;
 /// digits but the last few.
 const BEYOND: f64 = 1e12;
 
-/// Whether a centre's place is no more than rounding.
+/// Whether a centre's place is no more than rounding. A body with one point has no size that tells.
 pub(super) fn is_nowhere(what: &Asked, value: &Value, extent_m: f64) -> bool {
     match (what, value) {
         (Asked::InstantCentre(_), Value::Point(p)) => extent_m > 0.0 && p.to_vec2().norm() > BEYOND * extent_m,

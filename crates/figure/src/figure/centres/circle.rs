@@ -6,7 +6,7 @@ use crate::figure::list::Wanted;
 use crate::geom::{Point, Vec2};
 use crate::paper::drawing::{Drawing, Part};
 use crate::paper::extent::{Rect, bounds, on_circle};
-use crate::paper::item::{Anchor, Colour, Dash, Item, Shape};
+use crate::paper::item::{Anchor, Colour, Dash, Item, Shape, tag};
 use crate::paper::label::Label;
 use crate::paper::style::Style;
 use crate::paper::symbols as sym;
@@ -31,17 +31,31 @@ const STATIONS: std::ops::RangeInclusive<usize> = 8..=42;
 
 /// The diagram with its list.
 pub fn part(w: &Wanted, found: &Centres) -> Part {
-    let diagram = chords(w, found);
+    drawn(w, found, false)
+}
+
+/// The same; each item of a centre has its place in the order of finding as its step.
+pub fn stepped(w: &Wanted, found: &Centres) -> Part {
+    drawn(w, found, true)
+}
+
+fn drawn(w: &Wanted, found: &Centres, stepped: bool) -> Part {
+    let diagram = chords(w, found, stepped);
     let mut items = diagram.items;
     let right = diagram.bounds.max.x + GAP_MM;
-    items.extend(list(w, found, Point::new(right, diagram.bounds.max.y)));
+    items.extend(list(w, found, Point::new(right, diagram.bounds.max.y), stepped));
     Part { placements: diagram.placements, left_out: diagram.left_out, ..Part::of(items) }
 }
 
-/// The centres that are not of a pair, numbered from 1 on.
-fn numbered(found: &Centres) -> impl Iterator<Item = (usize, &Centre)> {
-    let later = found.list.iter().filter(|c| !matches!(c.step.how, How::Primary(_)));
-    later.enumerate().map(|(k, c)| (k + 1, c))
+/// The centres that are not of a pair, numbered from 1 on, each behind its place in the order of finding.
+fn numbered(found: &Centres) -> impl Iterator<Item = (usize, (usize, &Centre))> {
+    let later = found.list.iter().enumerate().filter(|(_, c)| !matches!(c.step.how, How::Primary(_)));
+    later.enumerate().map(|(k, (place, c))| (place, (k + 1, c)))
+}
+
+/// The class of an item that a centre brings.
+fn class(word: &str, stepped: bool, place: usize) -> String {
+    if stepped { format!("{word} step-{place}") } else { word.to_owned() }
 }
 
 /// A number in its disc.
@@ -86,7 +100,7 @@ fn stations(chords: &[(Point, Point)], numbered: &[usize], disc_mm: f64) -> Vec<
     placed
 }
 
-fn chords(w: &Wanted, found: &Centres) -> Part {
+fn chords(w: &Wanted, found: &Centres, stepped: bool) -> Part {
     let style = &w.options.style;
     let links = &found.closure.links;
     let n = links.len().max(2) as f64;
@@ -101,19 +115,19 @@ fn chords(w: &Wanted, found: &Centres) -> Part {
         Shape::Circle { centre: Point::ORIGIN, radius_mm: radius, stroke: Some(style.thin.coloured(Colour::grey(170))), fill: None };
     d.frame("circle", "circle", outline);
     let chord = |c: &Centre| (at(c.step.pair.i), at(c.step.pair.j));
-    for c in &found.list {
+    for (place, c) in found.list.iter().enumerate() {
         let (from, to) = chord(c);
-        let (class, stroke) = match c.step.how {
+        let (word, stroke) = match c.step.how {
             How::Primary(_) => ("chord primary", style.outline),
             How::Lines(_) => ("chord found", style.thin.dashed(Dash::Dashed)),
             How::Velocities => ("chord velocities", style.thin.dashed(Dash::DashDot)),
         };
-        d.shape(&format!("chord-{}", c.step.pair.name(w.scene)), class, Shape::Line { from, to, stroke });
+        d.shape(&format!("chord-{}", c.step.pair.name(w.scene)), &class(word, stepped, place), Shape::Line { from, to, stroke });
     }
     let chords: Vec<(Point, Point)> = found.list.iter().map(chord).collect();
     let later: Vec<usize> = (0..chords.len()).filter(|k| !matches!(found.list[*k].step.how, How::Primary(_))).collect();
-    for (k, at) in stations(&chords, &later, radius_of_badge(style)).into_iter().enumerate() {
-        d.draw(&format!("order-{}", k + 1), "", badge(style, at, k + 1));
+    for ((k, at), place) in stations(&chords, &later, radius_of_badge(style)).into_iter().enumerate().zip(&later) {
+        d.draw(&format!("order-{}", k + 1), class("", stepped, *place).trim(), badge(style, at, k + 1));
     }
     for l in links {
         let place = at(*l);
@@ -127,7 +141,7 @@ fn chords(w: &Wanted, found: &Centres) -> Part {
 }
 
 /// The list: a row for each numbered centre; its upper left corner stands at `corner`.
-fn list(w: &Wanted, found: &Centres, corner: Point) -> Vec<Item> {
+fn list(w: &Wanted, found: &Centres, corner: Point, stepped: bool) -> Vec<Item> {
     let style = &w.options.style;
     let words = Words::new(found, w.options.lang);
     let line = style.small_mm * 1.8;
@@ -136,7 +150,7 @@ fn list(w: &Wanted, found: &Centres, corner: Point) -> Vec<Item> {
     let mut items: Vec<Item> = Vec::new();
     let mut left = corner.x;
     let mut column = 0;
-    for (k, c) in numbered(found) {
+    for (place, (k, c)) in numbered(found) {
         if per_column > 0 && (k - 1) / per_column > column {
             column = (k - 1) / per_column;
             left = bounds(&items).map_or(left, |b: Rect| b.max.x + GAP_MM);
@@ -148,6 +162,9 @@ fn list(w: &Wanted, found: &Centres, corner: Point) -> Vec<Item> {
         let disc = radius_of_badge(style);
         let mut number = badge(style, base + Vec2::new(disc, style.small_mm * 0.25), k);
         number.iter_mut().enumerate().for_each(|(part, item)| item.id = format!("circle-list-{k}-number-{part}"));
+        if stepped {
+            tag(&mut number, &format!("step-{place}"));
+        }
         items.extend(number);
         let shape = Shape::Label {
             at: base + Vec2::new(2.0 * disc + style.small_mm * 0.5, 0.0),
@@ -156,7 +173,7 @@ fn list(w: &Wanted, found: &Centres, corner: Point) -> Vec<Item> {
             anchor: Anchor::Start,
             colour: Colour::BLACK,
         };
-        items.push(Item::new("circle list", shape).with_id(format!("circle-list-{k}")));
+        items.push(Item::new(class("circle list", stepped, place), shape).with_id(format!("circle-list-{k}")));
     }
     items
 }

@@ -33,14 +33,23 @@ const LINES: Colour = Colour::grey(120);
 
 /// The mechanism with the centres of a plate.
 pub fn part(w: &Wanted, found: &Centres, plate: &Plate) -> Part {
+    drawn(w, found, plate, REACH_MM, false)
+}
+
+/// The mechanism with all centres no farther than `reach_mm` around it; each item of a centre has its place in the order of finding as its step.
+pub fn stepped(w: &Wanted, found: &Centres, reach_mm: f64) -> Part {
+    drawn(w, found, &Plate::default(), reach_mm, true)
+}
+
+fn drawn(w: &Wanted, found: &Centres, plate: &Plate, reach_mm: f64, stepped: bool) -> Part {
     let (style, scene) = (&w.options.style, w.scene);
     let diagram = &w.worked.construction.diagram;
     let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu_l)).to_point();
     let mut d = mechanism::numbered(style, scene, w.worked, &w.options.notation);
     let lines = d.bounds();
-    let window = window(found, plate, lines, &to_paper);
+    let window = window(found, plate, (lines, reach_mm), &to_paper);
     let paper = Paper { found, to_paper: &to_paper, window };
-    let mut over = Over { w, found, paper: &paper, d: &mut d, plate, told: vec![false; found.list.len()] };
+    let mut over = Over { w, found, paper: &paper, d: &mut d, plate, stepped, told: vec![false; found.list.len()] };
     over.lines();
     over.normals();
     over.spots();
@@ -49,8 +58,8 @@ pub fn part(w: &Wanted, found: &Centres, plate: &Plate) -> Part {
 }
 
 /// The paper that is used: the mechanism, and all centres that are not far from it.
-fn window(found: &Centres, plate: &Plate, lines: Rect, to_paper: &dyn Fn(Point) -> Point) -> Rect {
-    let reach = lines.grown(REACH_MM);
+fn window(found: &Centres, plate: &Plate, (lines, reach_mm): (Rect, f64), to_paper: &dyn Fn(Point) -> Point) -> Rect {
+    let reach = lines.grown(reach_mm);
     let shown = found.list.iter().enumerate().filter(|(k, _)| plate.shows(found, *k)).map(|(_, c)| c);
     let near = shown.filter_map(|c| Some(to_paper(c.place?.point()?))).filter(|p| holds(reach, *p));
     near.fold(lines, |all, p| all.union(Rect::new(p, p))).grown(EDGE_MM)
@@ -62,20 +71,28 @@ struct Over<'a, 'b> {
     paper: &'a Paper<'a>,
     d: &'b mut Drawing,
     plate: &'a Plate,
+    /// Whether items tell the step that brings them.
+    stepped: bool,
     /// For each centre whether it has its label.
     told: Vec<bool>,
 }
 
 impl Over<'_, '_> {
+    /// The class of an item that a centre brings.
+    fn class(&self, word: &str, k: usize) -> String {
+        if self.stepped { format!("{word} step-{k}") } else { word.to_owned() }
+    }
+
     /// The lines, behind the mechanism.
     fn lines(&mut self) {
         let rays = self.paper.rays(self.plate);
         let thin = self.w.options.style.thin.coloured(LINES);
         let mut owners = Vec::new();
+        let classes: Vec<String> =
+            rays.iter().map(|ray| self.class(if ray.normal { "centre normal" } else { "centre line" }, ray.by)).collect();
         self.d.behind(|d| {
-            for ray in &rays {
+            for (ray, class) in rays.iter().zip(&classes) {
                 let stroke = if ray.normal { thin.dashed(Dash::DashDot) } else { thin };
-                let class = if ray.normal { "centre normal" } else { "centre line" };
                 owners.push(d.shape("kennedy", class, Shape::Line { from: ray.from, to: ray.to, stroke }));
             }
         });
@@ -88,20 +105,21 @@ impl Over<'_, '_> {
     fn normals(&mut self) {
         let style = &self.w.options.style;
         let thin = style.thin.coloured(LINES).dashed(Dash::DashDot);
-        for (_, c) in self.found.list.iter().enumerate().filter(|(k, _)| self.plate.finds(*k)) {
+        for (k, c) in self.found.list.iter().enumerate().filter(|(k, _)| self.plate.finds(*k)) {
+            let (normal, velocity) = (self.class("centre normal", k), self.class("centre velocity", k));
             let (Some(two), Some(Spot::On(centre))) = (self.found.normals(c), self.paper.spot(c)) else { continue };
             let longest = two.iter().map(|n| n.velocity.norm()).fold(0.0, f64::max);
             for n in two {
                 let at = (self.paper.to_paper)(n.at);
                 self.d.behind(|d| {
-                    d.shape("velocity-normal", "centre normal", Shape::Line { from: at, to: centre, stroke: thin });
+                    d.shape("velocity-normal", &normal, Shape::Line { from: at, to: centre, stroke: thin });
                 });
                 let (tip, name) = (at + n.velocity * (VELOCITY_MM / longest), name_label(self.w.scene.point_name(n.point)));
                 let stroke = style.vector;
                 let arrow = Shape::Arrow { from: at, to: tip, stroke, head: style.head };
-                let owner = self.d.shape(&format!("velocity-{name}"), "centre velocity", arrow);
+                let owner = self.d.shape(&format!("velocity-{name}"), &velocity, arrow);
                 let request = LabelRequest::along(Label::math(format!("v_{{{name}}}")), style.small_mm, at, tip, stroke.width_mm / 2.0);
-                self.d.label(&format!("velocity-{name}"), "centre velocity", request.owned(owner));
+                self.d.label(&format!("velocity-{name}"), &velocity, request.owned(owner));
             }
         }
     }
@@ -113,12 +131,13 @@ impl Over<'_, '_> {
             let back = a.last - a.tip;
             let Some(along) = back.unit() else { continue };
             let base = a.tip + along * ARROW_MM.min(LAST_PART * back.norm());
-            self.arrow(a.to, a.from, base, a.tip, owner);
+            self.arrow((a.to, a.to.max(ray.by)), a.from, [base, a.tip], owner);
         }
     }
 
-    /// The head of an arrow at the edge, with the name of its centre; the line is there.
-    fn arrow(&mut self, k: usize, measured: Option<usize>, base: Point, to: Point, owner: u32) {
+    /// The head of an arrow at the edge, with the name of its centre, and the step that brings it; the line is there.
+    fn arrow(&mut self, (k, step): (usize, usize), measured: Option<usize>, [base, to]: [Point; 2], owner: u32) {
+        let class = self.class("centre far", step);
         let style = &self.w.options.style;
         let c = &self.found.list[k];
         let name = c.step.pair.name(self.w.scene);
@@ -126,11 +145,11 @@ impl Over<'_, '_> {
         let along = (to - base).unit().unwrap_or(Vec2::ZERO);
         // A shaft over the line would make it darker.
         let from = if owner > 0 { to - along * style.thin_head.length_mm * 1.5 } else { base };
-        self.d.shape(&format!("to-{name}"), "centre far", Shape::Arrow { from, to, stroke, head: style.thin_head });
+        self.d.shape(&format!("to-{name}"), &class, Shape::Arrow { from, to, stroke, head: style.thin_head });
         let again = std::mem::replace(&mut self.told[k], true);
         let label = self.far_label(c, measured.filter(|_| !again));
         let request = LabelRequest::along(label, style.small_mm, base, to, stroke.width_mm / 2.0);
-        self.d.label(&name, "centre far", request.owned(owner).optional(again));
+        self.d.label(&name, &class, request.owned(owner).optional(again));
     }
 
     /// `P_{12}P_{13} = 6.83 m`: how far it is from another centre on the line; a centre at infinity has the sign for it.
@@ -170,11 +189,13 @@ impl Over<'_, '_> {
             let names: Vec<String> = members.iter().map(|k| symbol(self.w.scene, of(k).step.pair)).collect();
             let name = of(&members[0]).step.pair.name(self.w.scene);
             let clear = if joint { style.pin_radius_mm } else { style.dot_radius_mm };
+            let first = members[0];
+            let class = self.class("centre", first);
             if !joint {
                 // What an earlier plate has found is given here.
                 let new = members.iter().any(|k| self.plate.finds(*k));
                 if new {
-                    self.d.draw(&name, "centre", sym::dot(style, at));
+                    self.d.draw(&name, &class, sym::dot(style, at));
                 } else {
                     let dot = Shape::Circle { centre: at, radius_mm: style.dot_radius_mm, stroke: None, fill: Some(LINES) };
                     self.d.shape(&name, "centre known", dot);
@@ -183,11 +204,11 @@ impl Over<'_, '_> {
             if measured {
                 // A ring tells the one that no lines find.
                 let ring = Shape::Circle { centre: at, radius_mm: 2.0 * style.dot_radius_mm, stroke: Some(style.thin), fill: None };
-                self.d.shape(&format!("{name}-ring"), "centre", ring);
+                self.d.shape(&format!("{name}-ring"), &class, ring);
             }
             let clear = if measured { 2.0 * style.dot_radius_mm } else { clear };
             let request = LabelRequest::at_point(Label::math(names.join(", ")), style.small_mm, at, clear);
-            self.d.label(&name, "centre", request);
+            self.d.label(&name, &class, request);
             members.iter().for_each(|k| self.told[*k] = true);
         }
     }
@@ -211,7 +232,7 @@ impl Over<'_, '_> {
                     None => continue,
                 },
             };
-            self.arrow(k, None, from, to, 0);
+            self.arrow((k, k), None, [from, to], 0);
         }
     }
 

@@ -41,6 +41,12 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     Ok(Warned { value: pages, notes })
 }
 
+/// The mechanism with its centres no farther than `reach_mm` around it, and the circle diagram; what a centre brings has its place in the order of finding
+/// in its class (`step-2`).
+pub fn stepped(w: &Wanted, found: &Centres, reach_mm: f64) -> [Part; 2] {
+    [diagram::stepped(w, found, reach_mm), circle::stepped(w, found)]
+}
+
 /// The centres that are found by lines, in their order, so many to a drawing as its lines can be told apart.
 fn plates(found: &Centres) -> Vec<Plate> {
     let by_lines = |how: &How| matches!(how, How::Lines(_) | How::Velocities);

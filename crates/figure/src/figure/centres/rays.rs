@@ -66,6 +66,8 @@ pub struct Ray {
     pub to: Point,
     /// Whether it is a normal, not a line through two centres.
     pub normal: bool,
+    /// The centre (index) for which it is drawn first.
+    pub by: usize,
     /// The ends with an arrow.
     pub arrows: Vec<Arrow>,
 }
@@ -145,11 +147,11 @@ impl Paper<'_> {
                     let middle = self.window.centre();
                     p.distance(middle).total_cmp(&q.distance(middle))
                 })?;
-                Some(Drawn { through: nearest, along: direction.unit()?, members, normal: false })
+                Some(Drawn { through: nearest, along: direction.unit()?, members, normal: false, by: k })
             }
             Line::Normal(g) => {
                 let [pin, along] = self.normal(g)?;
-                Some(Drawn { through: pin.to_point(), along, members: vec![k], normal: true })
+                Some(Drawn { through: pin.to_point(), along, members: vec![k], normal: true, by: k })
             }
             Line::Infinity => None,
         }
@@ -197,7 +199,7 @@ impl Paper<'_> {
         // A line without a centre on the paper runs from edge to edge.
         let (before, behind) = if measured.is_some() || line.normal { (first, last) } else { (to, from) };
         let arrows = [(ends[0], from, before), (ends[1], to, behind)].into_iter().filter_map(arrow).collect();
-        (to > from).then(|| Ray { from: at(from), to: at(to), normal: line.normal, arrows })
+        (to > from).then(|| Ray { from: at(from), to: at(to), normal: line.normal, by: line.by, arrows })
     }
 }
 
@@ -208,6 +210,8 @@ struct Drawn {
     /// The centres on it, as indices.
     members: Vec<usize>,
     normal: bool,
+    /// The centre (index) for which it is drawn first.
+    by: usize,
 }
 
 impl Drawn {

@@ -63,6 +63,11 @@ pub struct Diagram {
 }
 
 impl Diagram {
+    /// Whether there is nothing to draw.
+    pub fn is_empty(&self) -> bool {
+        self.panels.is_empty()
+    }
+
     /// The answers of a sweep of one driver: see [`Diagram::swept`].
     pub fn of(placed: &Placed, driver: usize, table: &Table, notation: &Notation) -> Diagram {
         let swept_at = |values| of_values(placed, driver, values);
@@ -86,36 +91,40 @@ impl Diagram {
             let turning = kind == Kind::Angle;
             let parts = [".x", ".y"].map(|part| format!("{}{part}", find.text));
             let own = symbol(find, notation);
-            // A component is named as one, and a magnitude as one: both stand in one panel.
-            let (name, named) = match parts.each_ref().map(|p| column(p)) {
-                [Some(x), Some(y)] if vanishes(&y, &x) => (&parts[0], component(&own, 'x')),
-                [Some(x), Some(y)] if vanishes(&x, &y) => (&parts[1], component(&own, 'y')),
-                [Some(_), Some(_)] => (&find.text, format!("|{own}|")),
-                [_, None] | [None, _] => (&find.text, own),
+            // A component is named as one, and a magnitude as one: both stand in one panel. A place has no magnitude, only its coordinates.
+            let [x, y] = [0, 1].map(|k| (parts[k].as_str(), component(&own, ['x', 'y'][k])));
+            let wanted = match parts.each_ref().map(|p| column(p)) {
+                [Some(_), Some(_)] if column(&find.text).is_none() => vec![x, y],
+                [Some(a), Some(b)] if vanishes(&b, &a) => vec![x],
+                [Some(a), Some(b)] if vanishes(&a, &b) => vec![y],
+                [Some(_), Some(_)] => vec![(find.text.as_str(), format!("|{own}|"))],
+                [_, None] | [None, _] => vec![(find.text.as_str(), own)],
             };
-            let Some(values) = column(name) else { continue };
-            let most = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
-            let shown: Vec<f64> = values.iter().map(|v| v * times).collect();
-            let shown = if turning { unwound(&shown, TAU * times) } else { shown };
-            let mut extremes = Vec::new();
-            for highest in [true, false] {
-                let by = |a: &usize, b: &usize| if highest { shown[*a].total_cmp(&shown[*b]) } else { shown[*b].total_cmp(&shown[*a]) };
-                let Some(k) = (0..shown.len()).max_by(by) else { continue };
-                let around = [si[k.saturating_sub(1)], si[(k + 1).min(si.len() - 1)]];
-                // An angle is sought on the turn on which the line has it, so not across its jump.
-                let found = zoom::extreme(swept_at, name, around, highest).filter(|(_, v)| !turning || (v - values[k]).abs() < 1.0);
-                let (at, value) = found.unwrap_or((si[k], values[k]));
-                let value = if value.abs() < ZERO * most { 0.0 } else { value };
-                extremes.push((at * factor, shown[k] + (value - values[k]) * times));
-            }
-            // A curve that does not rise or fall has one value.
-            if extremes.len() == 2 && extremes[0].1 - extremes[1].1 <= ZERO * most * times.abs() {
-                extremes.pop();
-            }
-            let curve = Curve { symbol: named, values: shown, extremes, link: link(scene, &find.what) };
-            match panels.iter_mut().find(|(o, _)| *o == order) {
-                Some((_, panel)) => panel.curves.push(curve),
-                None => panels.push((order, Panel { unit, curves: vec![curve] })),
+            for (name, named) in wanted {
+                let Some(values) = column(name) else { continue };
+                let most = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+                let shown: Vec<f64> = values.iter().map(|v| v * times).collect();
+                let shown = if turning { unwound(&shown, TAU * times) } else { shown };
+                let mut extremes = Vec::new();
+                for highest in [true, false] {
+                    let by = |a: &usize, b: &usize| if highest { shown[*a].total_cmp(&shown[*b]) } else { shown[*b].total_cmp(&shown[*a]) };
+                    let Some(k) = (0..shown.len()).max_by(by) else { continue };
+                    let around = [si[k.saturating_sub(1)], si[(k + 1).min(si.len() - 1)]];
+                    // An angle is sought on the turn on which the line has it, so not across its jump.
+                    let found = zoom::extreme(swept_at, name, around, highest).filter(|(_, v)| !turning || (v - values[k]).abs() < 1.0);
+                    let (at, value) = found.unwrap_or((si[k], values[k]));
+                    let value = if value.abs() < ZERO * most { 0.0 } else { value };
+                    extremes.push((at * factor, shown[k] + (value - values[k]) * times));
+                }
+                // A curve that does not rise or fall has one value.
+                if extremes.len() == 2 && extremes[0].1 - extremes[1].1 <= ZERO * most * times.abs() {
+                    extremes.pop();
+                }
+                let curve = Curve { symbol: named, values: shown, extremes, link: link(scene, &find.what) };
+                match panels.iter_mut().find(|(o, _)| *o == order) {
+                    Some((_, panel)) => panel.curves.push(curve),
+                    None => panels.push((order, Panel { unit: unit.clone(), curves: vec![curve] })),
+                }
             }
         }
         panels.sort_by_key(|p| p.0);

@@ -110,10 +110,12 @@ impl Draft<'_> {
                 None => {}
             }
         }
-        if form.plate.is_empty() && form.bars.is_empty() && points.len() >= 2 {
+        if form.plate.is_empty() && points.len() >= 2 {
             let (a, b) = ends(&points);
             let covered = |(p, q): &(Point, Point)| on_segment(a, *p, *q, IN_LINE_MM) && on_segment(b, *p, *q, IN_LINE_MM);
-            if !form.guide_bars.iter().any(covered) {
+            let held = |p: &Point| form.bars.iter().any(|(a, b)| on_segment(*p, *a, *b, IN_LINE_MM));
+            // The arm of an offset guide, or of a slot, holds one of the points; the others hang on that.
+            if !form.guide_bars.iter().any(covered) && (form.bars.is_empty() || !points.iter().all(held)) {
                 form.bars.push((a, b));
             }
         }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::geom::Point;
+use crate::geom::{Point, Vec2};
 use crate::paper::broken::seen;
 use crate::paper::extent::on_circle;
 use crate::paper::item::{Item, Shape};
@@ -39,6 +39,8 @@ const RADIUS_STEP_MM: f64 = 0.5;
 const FARTHER_MM: f64 = 3.0;
 /// An arc all of which is hidden against a radius that is so much larger or smaller.
 const HIDDEN_COST: f64 = 100.0;
+/// Farther apart than this (sine) the end of a given angle and the line that is drawn of the link are two lines.
+const OWN_LINE: f64 = 0.01;
 /// A given angle smaller than this has no room for its arrow.
 const ANGLE_LEAST_RAD: f64 = 0.12;
 /// How far outside its rim the arrow of a wheel stands, and half its length.
@@ -121,7 +123,14 @@ impl Draft<'_> {
                 _ => 0.0,
             };
             let radius = self.radius_off_hatching(at, (radius, crank), [reference, reference + sweep]);
-            let arc = sym::angle(self.style, at, radius, reference, reference + sweep);
+            let mut arc = sym::angle(self.style, at, radius, reference, reference + sweep);
+            // A cam that is no circle has no line of its own there.
+            let own = Vec2::from_angle(reference + sweep);
+            let round = self.scene.cams.iter().any(|c| c.cam == link && c.circle.is_some());
+            if own.cross(u).abs() > OWN_LINE || self.is_profile(link) && !round {
+                let (from, to) = (at + own * self.style.pin_radius_mm, at + own * (radius * 4.0 / 3.0));
+                arc.insert(0, Item::new("angle own", Shape::Line { from, to, stroke: self.style.thin }));
+            }
             let owner =
                 self.d.draw(&format!("angle-{index}"), "driver", self.behind_hatching(arc, at, radius, [reference, reference + sweep]));
             let mut symbol = format!("\\varphi_{{{}}}", name_label(&index));

@@ -155,7 +155,11 @@ impl Draft<'_> {
                     }
                     self.image(*target, step);
                 }
-                Action::Nothing { term, at } => self.zeros.push((*at, format!("{} = 0", self.w.symbol(p.level, term)), step)),
+                Action::Nothing { terms, at, target } => {
+                    let symbols = terms.iter().map(|t| format!("{} = ", self.w.symbol(p.level, t)));
+                    self.zeros.push((*at, format!("{}0", symbols.collect::<String>()), step));
+                    target.iter().for_each(|v| self.image(*v, step));
+                }
                 Action::Reach(v) | Action::Same { target: v, .. } => self.image(*v, step),
                 Action::Copy { target, from } => {
                     self.image(*target, step);

@@ -80,6 +80,8 @@ impl Givens<'_> {
                 match (turn.as_ref().map(|t| self.angle(t)), en) {
                     (Some(t), true) => told.push(format!(" in the direction of {line} turned by ${t}$")),
                     (Some(t), false) => told.push(format!("由 {line} 方向转过 ${t}$")),
+                    (None, true) if *through == Through::Pin => told.push(format!(" parallel to {line}")),
+                    (None, false) if *through == Through::Pin => told.push(format!("平行于 {line}")),
                     (None, true) => told.push(format!(" along {line}")),
                     (None, false) => lay.name = format!(" {line} "),
                 }

@@ -83,8 +83,28 @@ fn guide(c: &Context, raw: &RawGuide, places: &[Place], faults: &mut Faults) -> 
         Some(centre) => arc(c, raw, on, centre, faults),
         None => line(c, raw, on, pin, places, faults),
     };
-    let path = path?;
-    sound.then_some(Guide { pin, slider, on, path, rolling: None, span: raw.span })
+    let mut guide = Guide { pin, slider, on, path: path?, rolling: None, span: raw.span };
+    if !raw.contact {
+        run_by_a_joint(c, &mut guide, places);
+    }
+    sound.then_some(guide)
+}
+
+/// Lets a slider without a pin of its own run by one of its joints, so that the pair is the same as one that is written with its pin: a slider keeps its
+/// distance from its guide, and with it every parallel of the guide through a joint. A joint with coordinates has the parallel through it,
+/// another one lies on the guide as written.
+fn run_by_a_joint(c: &Context, guide: &mut Guide, places: &[Place]) {
+    let (None, Some(slider), GuidePath::Line { through, offset, .. }) = (guide.pin, guide.slider, &mut guide.path) else { return };
+    let joins = |p: PointId, l: usize| l != slider.0 && c.names.links[l].points.contains(&p);
+    let is_joint = |p: &PointId| !c.carries(guide.on, *p) && (0..c.names.links.len()).any(|l| joins(*p, l));
+    let joints: Vec<PointId> = c.names.links[slider.0].points.iter().copied().filter(is_joint).collect();
+    if let Some(placed) = joints.iter().find(|p| matches!(places[p.0], Place::At(_))) {
+        (guide.pin, *through, *offset) = (Some(*placed), Through::Pin, None);
+    } else if let [only] = joints[..]
+        && *through != Through::Pin
+    {
+        guide.pin = Some(only);
+    }
 }
 
 fn arc(c: &Context, raw: &RawGuide, on: LinkId, word: &Word, faults: &mut Faults) -> Option<GuidePath> {

@@ -1,0 +1,43 @@
+//! Tasks that ask for centres, and what centres answer to questions.
+
+use super::{Centres, centres};
+use crate::mechanism::Level;
+use crate::scene::quantity::Meaning;
+use crate::scene::{Asked, Find, OnLink, Scene};
+
+/// A task that asks for centres.
+#[derive(Clone, Debug)]
+pub struct Task {
+    /// All centres of the mechanism.
+    pub found: Centres,
+    /// Whether they answer all that is asked of motion, so that no polygon is called for.
+    pub alone: bool,
+}
+
+impl Task {
+    /// The centres of a scene that asks for one.
+    pub fn of(scene: &Scene) -> Option<Task> {
+        scene.find.iter().find(|f| matches!(f.what, Asked::InstantCentre(_)))?;
+        let found = centres(scene).ok()?.value;
+        let tells = |f: &Find| matches!(f.what, Asked::InstantCentre(_)) || found.value(scene, f).is_some();
+        let alone = scene.find.iter().all(|f| f.what.level() == Level::Position || tells(f));
+        Some(Task { found, alone })
+    }
+}
+
+impl Centres {
+    /// What they answer to a question of ω or v, a vector by its magnitude.
+    pub fn value(&self, scene: &Scene, find: &Find) -> Option<f64> {
+        match find.what.meaning(scene)? {
+            _ if find.what.level() != Level::Velocity => None,
+            Meaning::Turning(link, None) => self.uses.links.iter().find(|t| t.link == link).map(|t| t.omega),
+            Meaning::Vector(OnLink { point, link: None }) => self.uses.points.iter().find(|s| s.point == point).map(|s| s.velocity.norm()),
+            Meaning::Vector(_)
+            | Meaning::Turning(..)
+            | Meaning::Ratio(..)
+            | Meaning::Relative(..)
+            | Meaning::Seen(..)
+            | Meaning::Place(_) => None,
+        }
+    }
+}

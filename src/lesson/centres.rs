@@ -1,0 +1,151 @@
+//! The lesson of a task that asks for instantaneous centres: each is found as a step, by its pair or by two lines, then angular velocities and speeds follow
+//! by them; the driver is moved through its travel.
+//!
+//! Decided here: which poses the page holds. The centres are found anew in each ([`crate::centres`]), the drawings are those of
+//! [`crate::figure::centres`], the page is that of [`super::motion`].
+
+use rayon::prelude::*;
+use serde_json::{Value, json};
+
+use super::frames::Frame;
+use super::motion::Page;
+use super::page::moved;
+use super::steps::{LANGS, answer, certified};
+use super::{LARGER, Options};
+use crate::centres::{Centres, Task, placed};
+use crate::diag::{Both, Diagnostic, Faults, both};
+use crate::digits::significant;
+use crate::figure::centres::stepped;
+use crate::figure::list::{Extras, Wanted};
+use crate::figure::particle::View;
+use crate::figure::sheet;
+use crate::mechanism::Level;
+use crate::paper::label::Label;
+use crate::paper::phrase::Phrase;
+use crate::paper::style::Style;
+use crate::paper::words::words as figure_words;
+use crate::report::centres::Words;
+use crate::report::html::sentence as html;
+use crate::report::math::mathml;
+use crate::scene::{Scene, Swept};
+use crate::sweep::follow::{Follower, Pose, Sweep};
+use crate::worked::{Worked, work_placed};
+
+/// What the page says around the drawings: key, both languages.
+const WORDS: [(&str, [&str; 2]); 15] = [
+    ("first", ["First step", "第一步"]),
+    ("previous", ["Previous step", "上一步"]),
+    ("next", ["Next step", "下一步"]),
+    ("last", ["Show all steps", "显示全部步骤"]),
+    ("step", ["Step {} of {}", "第 {} 步，共 {} 步"]),
+    ("steps", ["Construction", "作图步骤"]),
+    ("play", ["Run or stop", "运动或停止"]),
+    ("home", ["Back to the given position", "回到给定位置"]),
+    ("instant", ["Position of the driver", "原动件位置"]),
+    ("given", ["given position", "给定位置"]),
+    ("answers", ["Answers in this position", "该位置的结果"]),
+    ("theme", ["Light or dark", "浅色或深色"]),
+    ("language", ["中文", "English"]),
+    (
+        "keys",
+        [
+            "Keys: → and ← the steps of the construction; + and − the driver, 0 the given position; Space runs; L language; D light or dark.",
+            "键盘：→、← 作图步骤；+、− 转动原动件，0 回到给定位置；空格 运动；L 切换语言；D 浅色或深色。",
+        ],
+    ),
+    (
+        "noscript",
+        [
+            "The page needs JavaScript to move; without it, it shows the finished construction in the given position.",
+            "本页需启用 JavaScript；未启用时仅显示给定位置完成的作图。",
+        ],
+    ),
+];
+
+/// Centres farther than this around the mechanism are told by arrows (mm).
+const REACH_MM: f64 = 45.0;
+/// Every so many poses of the travel one is shown: each holds its drawings.
+const EVERY: usize = 2;
+
+/// A pose with its centres.
+struct Found {
+    frame: Frame,
+    centres: Centres,
+}
+
+/// The page of a task.
+///
+/// # Errors
+/// No pose can be drawn; those of the SVG writer.
+pub(super) fn lesson(
+    scene: &Scene,
+    (worked, task): (&Worked, &Task),
+    options: &Options,
+    (follower, sweep): (&Follower, &Sweep),
+) -> Result<String, Faults> {
+    let mu_l = worked.construction.diagram.mu_l;
+    let base = sweep.poses.iter().position(|p| p.travel == 0.0);
+    let kept = |k: &usize| base.is_none_or(|base| k.abs_diff(base).is_multiple_of(EVERY));
+    let poses: Vec<&Pose> = (0..sweep.poses.len()).filter(kept).map(|k| &sweep.poses[k]).collect();
+    let found = |pose: &&Pose| {
+        let mut scene = follower.scene_at(scene, pose.travel);
+        scene.paper.mu_l = Some(mu_l);
+        let worked = work_placed(&scene, worked.mechanism.clone(), worked.demand.clone(), pose.configuration.clone()).ok()?.value;
+        let centres = placed(&scene, &worked.mechanism, &pose.configuration).ok()?.value;
+        // A centre without a place in a pose would leave its steps without one.
+        let whole = centres.list.iter().zip(&task.found.list).all(|(c, own)| c.place.is_some() || own.place.is_none());
+        whole.then_some(Found { frame: Frame { travel: pose.travel, scene, worked, shown: [false; 2], end: false }, centres })
+    };
+    let frames: Vec<Found> = poses.par_iter().filter_map(found).collect();
+    let from_own = |k: &usize| frames[*k].frame.travel.abs();
+    let Some(base) = (0..frames.len()).min_by(|a, b| from_own(a).total_cmp(&from_own(b))) else {
+        let words = both!("no position has all its centres", "没有任何位置能求得全部瞬心");
+        return Err(Diagnostic::error("no-motion", words).into());
+    };
+    let style = Style { small_mm: options.style.small_mm * LARGER, label_mm: options.style.label_mm * LARGER, ..options.style.clone() };
+    let sheet = sheet::Options { style, notation: options.notation.clone(), ..sheet::Options::of_language(options.lang) };
+    let views: Vec<Vec<View>> = frames.par_iter().map(|f| views(f, &sheet)).collect();
+    let told: Vec<Value> = frames.par_iter().zip(&views).map(|(f, views)| told(f, views, options)).collect();
+    let title = [scene.title.en.as_str(), scene.title.zh.as_str()];
+    let title = if title == ["", ""] { LANGS.map(|l| figure_words(l).centres) } else { title };
+    Page { title, lang: options.lang, words: &WORDS, book: &scene.book, base, still: None }.written(&views, &told)
+}
+
+/// The mechanism with its centres, and the circle diagram.
+fn views(f: &Found, options: &sheet::Options) -> Vec<View> {
+    let wanted = Wanted { scene: &f.frame.scene, worked: &f.frame.worked, options, extras: &Extras::default() };
+    let [mechanism, circle] = stepped(&wanted, &f.centres, REACH_MM);
+    let [en, zh] = LANGS.map(figure_words);
+    let both_of = |en: &str, zh: &str| Both { en: en.to_owned(), zh: zh.to_owned() };
+    let scales = vec![(Level::Position, f.frame.worked.construction.diagram.mu_l)];
+    vec![
+        View { part: mechanism, caption: both_of(en.centres, zh.centres), scales },
+        View { part: circle, caption: both_of(en.circle_diagram, zh.circle_diagram), scales: Vec::new() },
+    ]
+}
+
+/// What is said in a pose: its name, the sentences of the steps, the answers, the scales of the drawings.
+fn told(f: &Found, views: &[View], options: &Options) -> Value {
+    let steps = LANGS.map(|lang| {
+        let words = Words::marked(&f.centres, lang);
+        let found = f.centres.list.iter().map(|c| html(&words.sentence(c)));
+        found.chain(words.steps().iter().map(|s| html(&Phrase::new(s)))).collect::<Vec<_>>()
+    });
+    let steps: Vec<Value> = steps[0].iter().zip(&steps[1]).map(|(en, zh)| json!([en, zh])).collect();
+    let digits = certified(&f.frame, options.swept);
+    let answers = LANGS.map(|lang| {
+        let told = (0..f.frame.scene.find.len()).filter_map(|i| answer(&f.frame, &digits, i, &options.notation, lang));
+        told.map(|line| format!("<li>{}</li>", html(&Phrase::new(&line)))).collect::<String>()
+    });
+    let scales: Vec<String> = views.iter().map(|v| mathml(&Label::math(v.scale(&f.frame.scene.book)))).collect();
+    json!({"at": position(&f.frame, options.swept), "steps": steps, "answers": answers, "scales": scales})
+}
+
+/// Where the driver stands: `φ₂ = 40°`, or how far it has gone where no one says where it stood.
+fn position(frame: &Frame, swept: Swept) -> String {
+    let told = moved(&frame.scene, swept);
+    let (plain, factor) = (told["plain"].as_str().unwrap_or_default(), told["factor"].as_f64().unwrap_or(1.0));
+    let value = told["start"].as_f64().unwrap_or(frame.travel * factor);
+    let unit = told["unit"].as_str().unwrap_or(if told["turns"].as_bool() == Some(true) { "°" } else { " mm" });
+    format!("{plain} = {}{unit}", significant(value, 5))
+}

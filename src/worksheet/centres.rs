@@ -1,0 +1,70 @@
+//! The solution of a task that asks for instantaneous centres: where the pairs give them, the theorem of three centres for the others, angular
+//! velocities and speeds by them.
+//!
+//! What is asked besides and centres do not tell (accelerations, relative velocities) is solved by polygons behind them.
+
+use super::results::COMPARED;
+use super::speak::Speak;
+use super::{Block, Maker, Table, TableKind};
+use crate::answer::Value;
+use crate::centres::{Centre, How, Task};
+use crate::figure::list::{Extras, Wanted, named};
+use crate::paper::phrase::Phrase;
+use crate::report::amount::symbol;
+use crate::report::centres::Words;
+use crate::scene::Lang;
+
+impl Maker<'_> {
+    /// The centres, and what they tell.
+    pub(super) fn centres(&self, blocks: &mut Vec<Block>, task: &Task) {
+        let words = Words::marked(&task.found, self.lang());
+        blocks.push(self.heading(2, "Instantaneous centres", "速度瞬心"));
+        let counted = words.counts();
+        blocks.push(Block::Paragraph(Phrase::new(&match self.lang() {
+            Lang::En => format!("The ground is one of the links, so that there are $N(N - 1)/2$ centres: {counted}."),
+            Lang::Zh => format!("机架也计为构件，瞬心数为 $N(N - 1)/2$：{counted}。"),
+        })));
+        let (at_pairs, others): (Vec<_>, Vec<_>) = task.found.list.iter().partition(|c| matches!(c.step.how, How::Primary(_)));
+        let list = |all: Vec<&Centre>| all.into_iter().map(|c| words.sentence(c)).collect::<Vec<_>>();
+        blocks.push(Block::List { numbered: false, members: list(at_pairs) });
+        if !others.is_empty() {
+            blocks.push(self.paragraph(
+                "The three centres of any three links are collinear: each further centre lies on two such lines.",
+                "任意三个构件的三个瞬心共线：其余各瞬心均为两条这样的直线的交点。",
+            ));
+            blocks.push(Block::List { numbered: true, members: list(others) });
+        }
+        self.drawn_centres(blocks);
+        blocks.push(self.heading(2, "Velocities by the centres", "用瞬心求速度"));
+        blocks.push(Block::List { numbered: true, members: words.steps().iter().map(|s| Phrase::new(s)).collect() });
+    }
+
+    fn drawn_centres(&self, blocks: &mut Vec<Block>) {
+        let wanted = Wanted { scene: self.scene, worked: self.worked, options: self.options, extras: &Extras::default() };
+        let pages = named("centres").and_then(|entry| (entry.draw)(&wanted).ok()).map_or_else(Vec::new, |pages| pages.value);
+        blocks.extend(pages.into_iter().map(|(_, figure)| Block::Figure { name: "centres", figure: Box::new(figure) }));
+    }
+
+    /// The values by centres beside those of the loop equations.
+    pub(super) fn compared_centres(&self, blocks: &mut Vec<Block>, task: &Task) {
+        let head = [self.tr("quantity", "量"), self.tr("by centres", "瞬心法"), self.tr("loop equations", "解析")];
+        let mut rows = vec![head.map(Phrase::new).to_vec()];
+        for r in &self.worked.results {
+            let find = &self.scene.find[r.find];
+            let Some(own) = task.found.value(self.scene, find) else { continue };
+            let computed = r.computed.magnitude().copysign(if matches!(r.computed, Value::Scalar(s) if s < 0.0) { -1.0 } else { 1.0 });
+            // What is left of rounding is nothing.
+            let told = |si: f64| {
+                if si.abs() <= r.noise { "$0$".to_owned() } else { format!("${}$", self.size(find, Value::Scalar(si), COMPARED)) }
+            };
+            rows.push(vec![
+                Phrase::new(&format!("${}$", symbol(find, self.notation()))),
+                Phrase::new(&told(own)),
+                Phrase::new(&told(computed)),
+            ]);
+        }
+        if rows.len() > 1 {
+            blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
+        }
+    }
+}
