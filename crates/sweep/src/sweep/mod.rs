@@ -234,7 +234,7 @@ fn compiled(placed: &Placed, driver: usize) -> Result<Program, Diagnostic> {
         let (cam, follower) = (placed.scene.link_name(cam.cam), placed.scene.link_name(cam.follower));
         let message = both!(
             "the contact of cam {} with {} has no compiled form: each position is solved by itself",
-            "凸轮 {} 与 {} 的接触没有编译形式：逐个位置求解",
+            "凸轮 {} 与 {} 的接触不能预编译，逐位置求解（较慢）",
             cam,
             follower
         );
