@@ -159,7 +159,7 @@ fn a_dead_point_leaves_the_rest_and_has_its_own_exit_code() {
     let told = text(&run(&["solve"]).stdout);
     assert!(told.contains("omega_1 = unbounded (dead centre: link 1 (AB) and link 2 (BC) lie in line at B)"), "{told}");
     assert!(told.contains("v_C     = 5.00000 m/s ∠ 143.13°"), "{told}");
-    assert!(text(&run(&["solve", "--lang", "zh"]).stdout).contains("omega_1 = 无界 (构件1、2处于死点位置)"));
+    assert!(text(&run(&["solve", "--lang", "zh"]).stdout).contains("omega_1 = 无界 (构件 1、2 处于死点位置)"));
     let json: serde_json::Value = serde_json::from_slice(&run(&["solve", "--json"]).stdout).unwrap();
     let [omega, v] = [0, 1].map(|i| json["answers"][i].clone());
     assert_eq!(

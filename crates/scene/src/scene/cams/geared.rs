@@ -153,7 +153,9 @@ impl One<'_> {
     /// a driver of its own writes it, within half a turn otherwise.
     fn against_line(&self, mesh: &Mesh, frame: LinkId, turned: &Turned, beyond: &mut Vec<LinkId>) -> Option<Told> {
         let stands = self.stands(mesh.other, frame, turned, beyond)?;
-        let written = frame == self.bare.ground && self.turned_by(mesh.other, frame).is_some_and(|(d, _)| self.stated(d).is_some());
+        // The driver of the train begins at 0 where it says nothing.
+        let is_written = |d: usize| d == turned.driver || self.stated(d).is_some();
+        let written = frame == self.bare.ground && self.turned_by(mesh.other, frame).is_some_and(|(d, _)| is_written(d));
         let value = stands.value - mesh.line.value;
         let text = format!("({})-({})", stands.text, mesh.line.text);
         let turns = if written { 0.0 } else { turns_of(value) };
