@@ -1,6 +1,7 @@
 //! Cams through their whole turn: what drawing and loop equations make of the equivalent linkage in each pose is what the geometry of the cam says, on
 //! every piece and on both sides of every joint; sweeps say the same.
 
+use hodograph::analytic::third;
 use hodograph::answer::Value;
 use hodograph::cam::{Jet, Law, Side};
 use hodograph::mechanism::Mechanism;
@@ -188,6 +189,32 @@ fn laws_are_right_in_every_pose() {
             for k in 0..18 {
                 agree(&format!("{of} {}", law.name()), 20.0 * k as f64 + 1.3);
             }
+        }
+    }
+}
+
+/// ȧ = ω da/dφ + 2α dv/dφ, by differences of the loop equations' own velocities and accelerations in poses beside it.
+#[test]
+fn the_third_derivative_of_a_follower_is_that_of_its_law() {
+    for kind in ["law cycloidal", "law harmonic", "swing 3-4-5", "swing cycloidal"] {
+        for angle in [70.0, 200.5, 290.0] {
+            let rates = |angle: f64| {
+                let scene = scene(kind, &format!("{angle:?} deg"));
+                let worked = work(&scene, Scope::Questions).unwrap().value;
+                [0, 1].map(|k| component(worked.results[k].computed))
+            };
+            let h: f64 = 1e-3;
+            let (after, before) = (rates(angle + h.to_degrees()), rates(angle - h.to_degrees()));
+            let slope = |k: usize| (after[k] - before[k]) / (2.0 * h);
+            let due = OMEGA * slope(1) + 2.0 * ALPHA * slope(0);
+            let scene = scene(kind, &format!("{angle:?} deg"));
+            let w = work(&scene, Scope::Figure).unwrap().value;
+            let cam = &scene.cams[0];
+            let place = w.configuration.points[cam.follows.point().0].unwrap();
+            let all = third(&scene, &w.mechanism, &w.configuration, &w.demand, &w.solution, place);
+            let (jerk, turning) = all[cam.follower.0].unwrap();
+            let got = if kind.starts_with("law") { component(Value::Vector(jerk)) } else { turning };
+            assert!((got - due).abs() < 1e-4 * due.abs().max(0.1), "{kind} at {angle}: {got}, by differences {due}");
         }
     }
 }

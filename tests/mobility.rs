@@ -133,7 +133,7 @@ fn one_pose_never_decides() {
     let faults = work(&read(half), Scope::Questions).unwrap_err();
     assert_eq!(errors(&faults), ["shaky"]);
     let said = faults.to_string();
-    assert!(said.contains("link 5 locks the mechanism, mobility F = 0"), "{said}");
+    assert!(said.contains("link 5 makes the mechanism shaky, mobility F = 0"), "{said}");
     // By lengths it cannot even be put together.
     let text = |ef: &str| {
         format!(

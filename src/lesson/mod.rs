@@ -36,6 +36,7 @@ use crate::scene::{Lang, Scene, Swept};
 use crate::worked::{Scope, Worked, work};
 
 use crate::sweep::follow::Follower;
+use crate::sweep::follow::course::over_a_turn;
 use frames::Maker;
 
 /// How a lesson is written.
@@ -83,6 +84,8 @@ const MOST: usize = 120;
 /// # Ok::<(), hodograph::diag::Faults>(())
 /// ```
 pub fn lesson(scene: &Scene, options: &Options) -> Result<Warned<String>, Faults> {
+    // Pairs that stand for cams at the instant are none of the motion.
+    let scene = &over_a_turn(scene);
     let Warned { value: worked, mut notes } = work(scene, Scope::Figure)?;
     let made = of_worked(scene, &worked, options)?;
     notes.extend(made.notes);

@@ -52,7 +52,7 @@ const DEMANDS: &[(&str, &[&str])] = &[
     ("gear-twice", &["locks", "gear pair", "2 and 3"]),
     ("wheel-off-track", &["1.184 m", "link 3", "B"]),
     ("wheel-off-centre", &["1.000 m", "0.6000 m", "KB", "\"inside\""]),
-    ("wheel-beside-track", &["0.1000 m", "B", "link 1"]),
+    ("wheel-beside-track", &["0.1000 m", "B", "links 1 and 4"]),
 ];
 
 #[test]

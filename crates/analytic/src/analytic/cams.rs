@@ -27,6 +27,17 @@ impl Layout {
         }
     }
 
+    /// The third derivative by the time, s⃛ = s‴φ̇³ + 3s″φ̇φ̈ in the units of its row, that a law gives its follower; 0 of other pairs.
+    pub(super) fn third_by_law(&self, scene: &Scene, of: Pair) -> f64 {
+        let Pair::Guide(g) = of else { return 0.0 };
+        let Some((cam, t)) = law_of(scene, g) else { return 0.0 };
+        let Some([_, _, second, third]) = t.disc.coordinate(t.phi, t.side).map(|q| q.0) else { return 0.0 };
+        let [rate, acceleration] = t.rates(scene);
+        let slides = scene.guides.iter().any(|g| g.slider == Some(cam.follower) && g.on == t.frame);
+        let unit = if slides { self.scale } else { 1.0 };
+        t.outward * (third * rate * rate * rate + 3.0 * second * rate * acceleration) * unit
+    }
+
     /// The motion that a law gives its follower: along its guide ṡ = s′φ̇, s̈ = s″φ̇² + s′φ̈, or the same of its angle.
     fn by_law(&self, scene: &Scene, at: &Configuration, (cam, t): (&Cam, &Turning), of: Pair) -> Option<Row> {
         let [_, first, second, _] = t.disc.coordinate(t.phi, t.side)?.0;

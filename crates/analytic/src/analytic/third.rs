@@ -1,7 +1,7 @@
 //! The third derivative of the motion: one more order of the loop equations, with the Jacobian that velocities and accelerations have.
 //!
 //! With c₁ = q̇ and c₂ = q̈/2 known, the terms of t³ leave J c₃ = −r₃, where r₃ is what each equation makes of the lower terms
-//! ([`super::series`]). Drivers keep their accelerations.
+//! ([`super::series`]). Drivers keep their accelerations, followers by laws have the third derivative of their law.
 
 use super::rows::Layout;
 use super::series::Motion;
@@ -43,7 +43,7 @@ fn solved(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, sol
         motion.set(u, 2, 0.5 * acceleration);
     }
     let system = System::new(scene, at, &layout).ok()?;
-    let left = system.rows.iter().map(|row| -motion.residual(&row.relation, 3));
+    let left = system.rows.iter().map(|row| layout.third_by_law(scene, row.of) / 6.0 - motion.residual(&row.relation, 3));
     let terms = system.solve(&DVector::from_iterator(system.rows.len(), left))? * 6.0;
     Some(
         layout

@@ -5,7 +5,7 @@ use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value}
 use crate::diag::{Diagnostic, both};
 use crate::number::Real;
 use crate::scene::book::Kind;
-use crate::scene::model::{Find, GuideId, GuidePath, LinkId, OnLink, PointId, Scene};
+use crate::scene::model::{Find, GuideId, GuidePath, LinkId, OnLink, PointId, Scene, Through};
 use crate::scene::resolve::Question;
 
 /// Where something is.
@@ -139,9 +139,23 @@ impl Quantity for Place {
 
     fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
         let Place::Along(guide, ..) = *self else { return None };
-        let curved = matches!(scene.guides[guide.0].path, GuidePath::Arc { .. });
-        let message = || both!("`{}` runs along an arc: its coordinate is an angle", "`{}` 沿圆弧移动，没有沿导路的直线位移", find.text);
-        curved.then(|| Diagnostic::error("find", message()).at(find.span))
+        let d = match &scene.guides[guide.0].path {
+            GuidePath::Arc { .. } => Diagnostic::error(
+                "find",
+                both!("`{}` runs along an arc: its coordinate is an angle", "`{}` 沿圆弧移动，没有沿导路的直线位移", find.text),
+            ),
+            GuidePath::Line { through: Through::Pin, .. } => Diagnostic::error(
+                "find",
+                both!(
+                    "`{}` counts from the `through` of its guide, which has none",
+                    "`{}` 自导路的 `through` 起算，而该导路没有给出",
+                    find.text
+                ),
+            )
+            .help(both!("add \"through\", a point or a place that the guide passes", "请给出导路通过的点或位置 \"through\"")),
+            GuidePath::Line { through: Through::Point(_) | Through::At(_), .. } => return None,
+        };
+        Some(d.at(find.span))
     }
 
     fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
