@@ -99,9 +99,9 @@ fn solved(scene: &Scene, m: &Mechanism, value: f64) -> Option<(Vec<f64>, f64)> {
     Some((row, solution.condition))
 }
 
-/// The triads have no closed form that can be evaluated elsewhere: they are checked by their lengths and by differences.
-fn followed(m: &Mechanism) -> bool {
-    m.groups.iter().any(|g| g.class().is_some_and(|c| c != "II"))
+/// The triads have no closed form that can be evaluated elsewhere: they are checked by their lengths and by differences; cams in `tests/says`.
+fn followed(scene: &Scene, m: &Mechanism) -> bool {
+    scene.kept_cams().next().is_some() || m.groups.iter().any(|g| g.class().is_some_and(|c| c != "II"))
 }
 
 #[test]
@@ -111,9 +111,7 @@ fn every_row_is_what_the_single_solution_says() {
         let scene = everything(t.name);
         let m = Mechanism::new(&scene).unwrap().value;
         // Parallelograms go on smoothly through their change points, where the named side does not; coordinates are of one pose.
-        // What stands for a cam is another pair at each position: `tests/says` reads the scene again there.
-        let cams = scene.kept_cams().next().is_some();
-        if cams || followed(&m) || driver_position(&scene, 0).is_none() || ["parallelogram", "third-crank"].contains(&t.name) {
+        if followed(&scene, &m) || driver_position(&scene, 0).is_none() || ["parallelogram", "third-crank"].contains(&t.name) {
             continue;
         }
         let (table, stations) = swept(&scene, &m, 96 / every(8), Width::Widest);
@@ -169,11 +167,8 @@ fn rates_are_the_slopes_of_the_columns() {
         let placed = Placed::new(&scene, &m).unwrap();
         let now = station::position_now(&scene, &placed.at, 0);
         let step = 1e-5 * if matches!(scene.drivers[0].kind, DriverKind::Turn { .. }) { 1.0 } else { placed.at.extent() };
-        // The arc that stands for a cam by a law is another one at each position, and so is its centre.
-        let by_law =
-            |c: &hodograph::scene::Cam| c.disc.as_ref().is_some_and(|t| matches!(t.disc.motion, hodograph::cam::Motion::Law { .. }));
-        if scene.drivers.len() > 1 || scene.cams.iter().any(by_law) {
-            continue;
+        if scene.drivers.len() > 1 || scene.cams.iter().any(|c| c.radii.is_empty()) {
+            continue; // The arc that stands for a cam by a law, which gives no radii, is another one at each position.
         }
         let values: Vec<f64> = (-40..40)
             .step_by(every(8))

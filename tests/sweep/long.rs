@@ -64,7 +64,7 @@ fn a_long_sweep_is_its_pieces() {
             same_bits(name, &columns, &whole);
             assert_eq!(notes, whole.notes, "{name}");
             missing += steps.steps + 1 - whole.rows();
-            followed_missing += if followed(&m) { steps.steps + 1 - whole.rows() } else { 0 };
+            followed_missing += if followed(scene, &m) { steps.steps + 1 - whole.rows() } else { 0 };
         }
     }
     assert!(

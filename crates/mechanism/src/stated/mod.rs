@@ -169,8 +169,8 @@ impl Judge<'_> {
                     }
                     Some(Point::new(x.value, y.value))
                 }
-                Place::InLink { base: (a, b), xy: [x, y] } => self.from_base(*a, *b, Vec2::new(x.value, y.value)),
-                Place::Polar { base: (a, b), length, angle } => self.from_base(*a, *b, way_of(&angle.value) * length.value),
+                Place::InLink { base: (a, b), xy: [x, y] } => self.seen_from(*a, *b, Vec2::new(x.value, y.value)),
+                Place::Polar { base: (a, b), length, angle } => self.seen_from(*a, *b, way_of(&angle.value) * length.value),
             };
             let Some(stated) = stated else { continue };
             if self.scene.carriers(PointId(i)).any(|l| self.mechanism.is_opened(&Opened::Pin(PointId(i), l))) {
@@ -185,7 +185,7 @@ impl Judge<'_> {
     }
 
     /// The place at given coordinates in the frame with its origin in `a` and x toward `b`.
-    fn from_base(&self, a: PointId, b: PointId, xy: Vec2) -> Option<Point> {
+    fn seen_from(&self, a: PointId, b: PointId, xy: Vec2) -> Option<Point> {
         let origin = self.place(a)?;
         Some(origin + xy.rotate_by((self.place(b)? - origin).unit()?))
     }

@@ -138,7 +138,7 @@ impl<'a> Texts<'a> {
     }
 
     /// From the pivot of the cam to a place of its carrier.
-    fn from_cam(&mut self, to: &Spot) -> [String; 2] {
+    fn seen_from_cam(&mut self, to: &Spot) -> [String; 2] {
         let [x, y] = self.at.cam.spot.way_to(to);
         [self.define("dx", x), self.define("dy", y)]
     }
@@ -181,7 +181,7 @@ impl<'a> Texts<'a> {
         }
         let kind = match self.at.carried {
             Carried::Guide { through, angle, .. } => {
-                let [x, y] = self.from_cam(through);
+                let [x, y] = self.seen_from_cam(through);
                 let t = &angle.text;
                 // The coordinate counts from `through`; the foot of the centre lies so far before it.
                 let foot = self.define("foot", format!("-({x}*cos({t})+{y}*sin({t}))"));
@@ -217,7 +217,7 @@ impl<'a> Texts<'a> {
         let (q1, q2) = self.rates.clone().unwrap_or_else(|| ("0".into(), "0".into()));
         match (self.at.carried, disc.touch) {
             (Carried::Guide { through, angle, .. }, touch) => {
-                let [x, y] = self.from_cam(through);
+                let [x, y] = self.seen_from_cam(through);
                 let (c, s) = (format!("cos({})", angle.text), format!("sin({})", angle.text));
                 let still = self.rates.is_none();
                 let per_radian = |text: String, k: &str| if still { "0 mm".to_owned() } else { format!("{text}*(1 rad){k}") };
@@ -236,7 +236,7 @@ impl<'a> Texts<'a> {
                 self.pitch_curve(p, along(&q1), along(&q2), sigma)
             }
             (Carried::Pivot { spot, .. }, touch) => {
-                let [x, y] = self.from_cam(spot);
+                let [x, y] = self.seen_from_cam(spot);
                 let angle = self.direction(spot);
                 let angle = self.define("arm", angle);
                 let (c, s) = (format!("cos({angle})"), format!("sin({angle})"));

@@ -137,7 +137,7 @@ fn a_unit_stands_behind_any_expression() {
         "sqrt(2)/(2)",
     ];
     let value = |text: &str| {
-        let scene = read(&with("parameters", &format!(r#"{{"k": "1.5", "q": "{text}"}}"#))).unwrap_or_else(|f| panic!("{text}: {f}")).value;
+        let scene = read(with("parameters", &format!(r#"{{"k": "1.5", "q": "{text}"}}"#))).unwrap_or_else(|f| panic!("{text}: {f}")).value;
         scene.parameters.iter().find(|(name, _)| name == "q").unwrap().1.value
     };
     for number in numbers {
