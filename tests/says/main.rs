@@ -1,10 +1,11 @@
 //! A sweep says what `solve` says: every quantity that a scene can ask, at eight positions of each of its drivers, against the scene that is written
 //! for that position and solved by itself. Told are the driver's position, the coordinates of what moves, and roughly where joints are.
+//!
+//! One scene of 24 is looked at. `HODOGRAPH_SAYS=all cargo test --release --test says` looks at all 550, some 15 minutes of the processor;
+//! `HODOGRAPH_SAYS=cam` at those whose name has this in it.
 
 mod moved;
 mod scenes;
-#[path = "../wide/mod.rs"]
-mod wide;
 
 use hodograph::diag::Faults;
 use hodograph::geom::Vec2;
@@ -23,7 +24,14 @@ use rayon::prelude::*;
 use scenes::{askable, has_line, read, scenes};
 use serde_json::Value as Json;
 use std::f64::consts::TAU;
-use wide::every;
+
+/// What stands for all scenes.
+const ALL: &str = "all";
+
+/// The scenes that are asked for: all, those with a part of a name, or nothing for a sample.
+fn asked() -> String {
+    std::env::var("HODOGRAPH_SAYS").unwrap_or_default()
+}
 
 /// Positions of a driver.
 const POSITIONS: usize = 8;
@@ -206,7 +214,7 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
         let everywhere = |f: &Find| singles.iter().flatten().all(|s| s.answers.get(&f.text).is_some_and(Option::is_some));
         let (whole, parts): (Vec<Find>, Vec<Find>) = swept.find.iter().cloned().partition(everywhere);
         let (kernels, others): (Vec<Find>, Vec<Find>) = whole.into_iter().partition(compiled);
-        let alone = parts.iter().step_by(if every(2) == 1 { 1 } else { (parts.len() / 4).max(1) }).map(|f| vec![f.clone()]);
+        let alone = parts.iter().step_by(if asked() == ALL { 1 } else { (parts.len() / 4).max(1) }).map(|f| vec![f.clone()]);
         for group in [kernels, others].into_iter().filter(|g| !g.is_empty()).chain(alone) {
             let scene = asking(&swept, &group);
             for (way, table) in tables(&scene, &m, driver, &values) {
@@ -370,10 +378,12 @@ fn compare_in_time(name: &str, json: &Json, tally: &mut Tally) {
 
 #[test]
 fn a_sweep_says_what_solve_says() {
-    let only = std::env::var("SAYS").unwrap_or_default();
+    let only = asked();
     let all = scenes();
-    let picked = |(n, (name, _)): &(usize, &(String, Json))| {
-        if only.is_empty() { n % every(24) == 0 || name.starts_with("says/") } else { name.contains(&only) }
+    let picked = |(n, (name, _)): &(usize, &(String, Json))| match only.as_str() {
+        "" => n % 24 == 0 || name.starts_with("says/"),
+        ALL => true,
+        part => name.contains(part),
     };
     let some: Vec<&(String, Json)> = all.iter().enumerate().filter(picked).map(|(_, s)| s).collect();
     let one = |(name, json): &&(String, Json)| {
