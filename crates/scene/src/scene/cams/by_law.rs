@@ -189,7 +189,7 @@ impl One<'_> {
                     span: self.raw.span,
                 };
                 pending.contact = Some(raw.guides.len());
-                contact.about(raw, place, &Told { value, text: radius })?;
+                contact.about(raw, place, self.bare.point_name(on.pivot), &Told { value, text: radius })?;
                 None
             }
         };

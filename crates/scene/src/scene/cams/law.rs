@@ -15,7 +15,7 @@
 use super::super::model::{Given, LinkId, PointId, Scene};
 use super::super::raw::{RawDriver, RawDriverKind, RawPlace, RawQuantity};
 use super::place::{Carried, OnPivot, Spot, direction, distance, outward};
-use crate::cam::{Disc, Program, Side, Touch, Way};
+use crate::cam::{Disc, Program, Side, Station, Touch, Way};
 use crate::diag::Span;
 use crate::json::Word;
 
@@ -62,8 +62,9 @@ pub(super) struct Written {
 
 /// What stands for the contact of a law.
 pub(super) enum Stands {
-    /// An arc about a point of the cam: its place, and the parameter that is its radius, of the pitch curve or of the profile that a face touches.
-    Arc { place: RawPlace, radius: String },
+    /// An arc about a point of the cam: its place, nothing for the pivot, and the parameter that is its radius, of the pitch curve or of the profile that a face
+    /// touches.
+    Arc { place: Option<RawPlace>, radius: String },
     /// The follower as a driver.
     Driver(RawDriver),
 }
@@ -282,6 +283,9 @@ impl<'a> Texts<'a> {
         let [x, y, radius] = self.curvature(disc);
         let (x, y) = (self.define("kx", x), self.define("ky", y));
         let radius = self.define("rho", radius);
+        if is_about_pivot(disc, self.rates.is_none()) {
+            return Some(Written { parameters: self.parameters, stands: Stands::Arc { place: None, radius } });
+        }
         let (c, s) = (format!("cos({})", cam.angle.text), format!("sin({})", cam.angle.text));
         let (x, y) = (format!("{x}*{c}+{y}*{s}"), format!("{y}*{c}-{x}*{s}"));
         let scene = self.at.scene;
@@ -298,16 +302,28 @@ impl<'a> Texts<'a> {
             let base = self.word(format!("{},{}", scene.point_name(from), scene.point_name(to)));
             RawPlace::InLink { base, xy: [x, y].map(|t| self.quantity(format!("{turn}({t})"))) }
         };
-        Some(Written { parameters: self.parameters, stands: Stands::Arc { place, radius } })
+        Some(Written { parameters: self.parameters, stands: Stands::Arc { place: Some(place), radius } })
     }
+}
+
+/// Whether a face rests on the arc about the pivot of the cam itself.
+fn is_about_pivot(disc: &Disc, dwells: bool) -> bool {
+    dwells && matches!(disc.touch, Touch::Flat { .. })
 }
 
 /// Centres of curvature farther off than this many times the size of the cam stand for it no more: double precision would lose as many digits.
 const FAR: f64 = 1e4;
 
+/// A centre of curvature nearer to the pivot than this part of the size of the cam has no direction from there that a face could be told by; it is one that
+/// begins or ends a dwell.
+const NEAR: f64 = 1e-7;
+
 /// Writes what stands for the contact of a law at an angle φ; `name` begins the names of its parameters.
 pub(super) fn written(at: &At, disc: &Disc, program: &Program, law: &LawText, (phi, side): (f64, Side), name: &str) -> Option<Written> {
-    let near = disc.station(phi, side).is_some_and(|s| s.rho_pitch.abs() <= FAR * s.pitch.norm());
+    let dwells = program.stage(phi, side).is_none_or(|(i, ..)| program.stages[i].law().is_none());
+    let apart = |s: &Station| (s.contact - s.normal * s.rho).norm() > NEAR * s.contact.norm();
+    let told = |s: &Station| matches!(disc.touch, Touch::Point { .. }) || is_about_pivot(disc, dwells) || apart(s);
+    let near = disc.station(phi, side).is_some_and(|s| s.rho_pitch.abs() <= FAR * s.pitch.norm() && told(&s));
     let texts = || Texts::new(at, disc, program, law, (phi, side), name);
     let arc = if near { texts().and_then(|t| t.contact(disc)) } else { None };
     arc.or_else(|| Some(texts()?.driver(disc)))

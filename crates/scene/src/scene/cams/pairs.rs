@@ -91,10 +91,10 @@ impl Contact<'_> {
         }
     }
 
-    /// Writes the pair of an arc whose centre is a point of the cam at a place of its own: about it runs the centre of a round end, at this radius, or a face keeps
+    /// Writes the pair of an arc whose centre is a point of the cam at a place of its own, or its pivot: about it runs the centre of a round end, at this radius, or a face keeps
     /// that distance from it.
-    pub fn about(&self, raw: &mut RawScene, place: RawPlace, radius: &Told) -> Option<()> {
-        let centre = fresh(raw, &["K", "F", "G", "H"]);
+    pub fn about(&self, raw: &mut RawScene, place: Option<RawPlace>, pivot: &str, radius: &Told) -> Option<()> {
+        let centre = if place.is_some() { fresh(raw, &["K", "F", "G", "H"]) } else { pivot.to_owned() };
         let none = Told { value: 0.0, text: "0 mm".into() };
         let guide = match self.follows {
             RawFollows::Face(face) => self.face(face, &centre, radius),
@@ -102,8 +102,10 @@ impl Contact<'_> {
                 self.slot(self.follows.pin()?, &centre, radius, &none)
             }
         };
-        raw.points.push((self.word(&centre), place));
-        raw.links.iter_mut().find(|l| l.name.text == self.cam)?.points.push(self.word(&centre));
+        if let Some(place) = place {
+            raw.points.push((self.word(&centre), place));
+            raw.links.iter_mut().find(|l| l.name.text == self.cam)?.points.push(self.word(&centre));
+        }
         raw.guides.push(guide);
         Some(())
     }
