@@ -13,7 +13,7 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::{Mechanism, Opened};
 use crate::position::Configuration;
 use crate::scene::{
-    Angle, Contours, Direction, DriverKind, Given, GuideId, GuidePath, LinkId, Place, PointId, Rolling, Scene, Sizes, Through,
+    Angle, Contours, Direction, Driver, DriverKind, Given, GuideId, GuidePath, LinkId, Place, PointId, Rolling, Scene, Sizes, Through,
 };
 use crate::trig::sin_cos;
 use cams::Contact;
@@ -21,6 +21,9 @@ use std::f64::consts::TAU;
 
 /// Part of the mechanism's size, or radians, by which a statement may be missed.
 const SAME: f64 = 1e-9;
+
+/// Angle (rad) beyond which an `f64` tells no phase to [`SAME`].
+const MANY: f64 = 1e5;
 
 /// A statement of the scene that a configuration does not meet.
 #[derive(Clone, Debug, PartialEq)]
@@ -362,7 +365,8 @@ impl Judge<'_> {
         }
     }
 
-    /// The phase of two wheels: φ₂ + φ₁ρ₁/ρ₂ = phase, both angles counted from the line of centres, φ₁ with as many turns as the phase means.
+    /// The phase of two wheels: φ₂ + φ₁ρ₁/ρ₂ = phase, both angles counted from the line of centres, φ₁ as its driver writes it, else with as many turns as the
+    /// phase means.
     fn phase(&mut self, pair: &Rolling) {
         let (Some(phase), Some([p, q])) = (&pair.phase, pair.round()) else { return };
         let (Some(a), Some(b)) = (self.place(p), self.place(q)) else { return };
@@ -378,6 +382,13 @@ impl Judge<'_> {
         let [first, second] = [first, second].map(|axis| axis.divide_by(line).angle());
         let stated = phase.value.radians();
         let turns = libm::ceil((stated / ratio / TAU).abs()).min(64.0) as i32;
+        let own = |d: &&Driver| d.kind.turned() == Some((pair.links[0], self.scene.ground)) && d.kind.lines()[0].is_none();
+        let written = self.scene.drivers.iter().filter(own).find_map(|d| Some(d.kind.angle()?.value.radians() - line.angle()));
+        let first = written.unwrap_or(first);
+        // Of so many turns double precision no longer tells where in its turn the second link stands.
+        if (first * ratio).abs() > MANY {
+            return;
+        }
         let turns = if stated.abs() > std::f64::consts::PI { -turns..=turns } else { 0..=0 };
         let off = |k: i32| {
             let off = second + (first + TAU * f64::from(k)) * ratio - stated;
