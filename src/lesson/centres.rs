@@ -31,21 +31,12 @@ use crate::scene::{Scene, Swept};
 use crate::sweep::follow::{Follower, Pose, Sweep};
 use crate::worked::{Worked, work_placed};
 
-/// What the page says around the drawings: key, both languages.
-const WORDS: [(&str, [&str; 2]); 15] = [
-    ("first", ["First step", "第一步"]),
-    ("previous", ["Previous step", "上一步"]),
-    ("next", ["Next step", "下一步"]),
-    ("last", ["Show all steps", "显示全部步骤"]),
-    ("step", ["Step {} of {}", "第 {} 步，共 {} 步"]),
-    ("steps", ["Construction", "作图步骤"]),
-    ("play", ["Run or stop", "运动或停止"]),
+/// Words of this page beside those of [`super::motion::PLAYER`]: key, both languages.
+const WORDS: [(&str, [&str; 2]); 6] = [
     ("home", ["Back to the given position", "回到给定位置"]),
     ("instant", ["Position of the driver", "原动件位置"]),
     ("given", ["given position", "给定位置"]),
     ("answers", ["Answers in this position", "该位置的结果"]),
-    ("theme", ["Light or dark", "浅色或深色"]),
-    ("language", ["中文", "English"]),
     (
         "keys",
         [

@@ -5,6 +5,7 @@
 //! [`crate::sweep::follow`]; nothing is drawn or solved anew. The page fetches nothing and holds both languages.
 
 use super::LARGER;
+use super::motion::PLAYER;
 use super::page::{BASE, filled, terse, with_fonts};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
@@ -38,20 +39,11 @@ const SCRIPT: &str = concat!(include_str!("design.js"), include_str!("player.js"
 /// Frames through a turn of the driver.
 const FRAMES: usize = 120;
 
-/// What the page says around the drawings: key, both languages.
-const WORDS: [(&str, [&str; 2]); 15] = [
-    ("first", ["First step", "第一步"]),
-    ("previous", ["Previous step", "上一步"]),
-    ("next", ["Next step", "下一步"]),
-    ("last", ["Show all steps", "显示全部步骤"]),
-    ("step", ["Step {} of {}", "第 {} 步，共 {} 步"]),
-    ("steps", ["Construction", "作图步骤"]),
+/// Words of this page beside those of [`PLAYER`]: key, both languages.
+const WORDS: [(&str, [&str; 2]); 6] = [
     ("construction", ["Construction", "作图"]),
     ("linkage", ["The linkage", "所得机构"]),
-    ("play", ["Run or stop", "运动或停止"]),
     ("positions", ["Wanted positions:", "预定位置："]),
-    ("theme", ["Light or dark", "浅色或深色"]),
-    ("language", ["中文", "English"]),
     ("measured", ["Measured on paper × scale, and by the closed formula", "图上量得 × 比例尺，与公式值对照"]),
     (
         "keys",
@@ -70,7 +62,7 @@ const WORDS: [(&str, [&str; 2]); 15] = [
 ];
 
 fn word(key: &str, lang: Lang) -> &'static str {
-    let found = WORDS.iter().find(|w| w.0 == key).map_or(["", ""], |w| w.1);
+    let found = PLAYER.iter().chain(&WORDS).find(|w| w.0 == key).map_or(["", ""], |w| w.1);
     found[usize::from(lang == Lang::Zh)]
 }
 
@@ -114,7 +106,8 @@ pub fn lesson(task: &Task, candidate: &Candidate, options: &Options) -> Result<S
     let steps: Vec<Value> = board.iter().flat_map(|b| &b.steps).map(|s| both_of(&s.text)).collect();
     let title = &task.heading.title;
     let tables = [Lang::En, Lang::Zh].map(|lang| facts(&task.book, candidate, board.as_ref(), lang));
-    let list = |lang: Lang| WORDS.iter().map(|(k, _)| ((*k).to_owned(), json!(word(k, lang)))).collect::<serde_json::Map<_, _>>();
+    let list =
+        |lang: Lang| PLAYER.iter().chain(&WORDS).map(|(k, _)| ((*k).to_owned(), json!(word(k, lang)))).collect::<serde_json::Map<_, _>>();
     let data = json!({
         "lang": figure_words(options.lang).tag.split('-').next().unwrap_or("en"),
         "tags": {"en": figure_words(Lang::En).tag, "zh": figure_words(Lang::Zh).tag},

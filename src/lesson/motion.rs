@@ -33,8 +33,8 @@ const PAGE: &str = concat!(include_str!("head.html"), include_str!("player.html"
 const STYLE: [&str; 3] = [BASE, include_str!("design.css"), include_str!("motion.css")];
 const SCRIPT: &str = concat!(include_str!("motion.js"), include_str!("player.js"));
 
-/// What the page says around the drawings: key, both languages.
-const WORDS: [(&str, [&str; 2]); 15] = [
+/// Words of the controls that all pages with a player have: key, both languages.
+pub(super) const PLAYER: [(&str, [&str; 2]); 9] = [
     ("first", ["First step", "第一步"]),
     ("previous", ["Previous step", "上一步"]),
     ("next", ["Next step", "下一步"]),
@@ -42,12 +42,16 @@ const WORDS: [(&str, [&str; 2]); 15] = [
     ("step", ["Step {} of {}", "第 {} 步，共 {} 步"]),
     ("steps", ["Construction", "作图步骤"]),
     ("play", ["Run or stop", "运动或停止"]),
+    ("theme", ["Light or dark", "浅色或深色"]),
+    ("language", ["中文", "English"]),
+];
+
+/// Words of this page beside them.
+const WORDS: [(&str, [&str; 2]); 6] = [
     ("home", ["Back to the given instant", "回到给定时刻"]),
     ("instant", ["The instant", "时刻"]),
     ("given", ["given instant", "给定时刻"]),
     ("answers", ["Answers at the instant", "该时刻的结果"]),
-    ("theme", ["Light or dark", "浅色或深色"]),
-    ("language", ["中文", "English"]),
     (
         "keys",
         [
@@ -192,7 +196,7 @@ impl Page<'_> {
         let pairs = |v: &View| LANGS.map(|lang| escaped(&Phrase::new(lang.of(&v.caption)).plain()));
         let list = |lang: Lang| {
             let word = |(key, said): &(&str, [&str; 2])| ((*key).to_owned(), json!(said[usize::from(lang == Lang::Zh)]));
-            self.words.iter().map(word).collect::<serde_json::Map<_, _>>()
+            PLAYER.iter().chain(self.words).map(word).collect::<serde_json::Map<_, _>>()
         };
         let data = json!({
             "lang": figure_words(self.lang).tag.split('-').next().unwrap_or("en"),

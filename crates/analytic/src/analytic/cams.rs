@@ -14,7 +14,7 @@ fn law_of(scene: &Scene, g: GuideId) -> Option<(&Cam, &Turning)> {
     matches!(turning.disc.motion, Motion::Law { .. }).then_some((cam, turning))
 }
 
-/// Whether a guide stands for the contact of a cam by a law.
+/// True for a guide that stands for the contact of a cam by a law.
 pub(super) fn is_of_law(scene: &Scene, g: GuideId) -> bool {
     law_of(scene, g).is_some()
 }

@@ -16,7 +16,7 @@ use crate::mechanism::{Group, Hold};
 use crate::number::Real;
 use crate::scene::{Driver, GuideId, LinkId, Normal, PointId, Relation, Rolling, RollingId, Scene, Touch};
 use crate::trig::turns_of;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 impl<N: Real> Configuration<N> {
     /// The unit normal n at a contact, from the first link's contour to the second's: the centres of curvature are Q − ρ₁n and Q + ρ₂n.
@@ -169,19 +169,9 @@ pub(super) fn out_of_phase(scene: &Scene, shapes: &Shapes, r: RollingId, now: &S
     let line = now.line.unit()?;
     let mark = |l: LinkId| mark(scene, l, |p| shapes.local(l, p));
     let from_line = |i: usize| Some(mark(pair.links[i])?.rotate_by(now.axes[i]).divide_by(line).angle());
-    let (first, second, phase) = (from_line(0)?, from_line(1)?, phase.value.radians());
-    let off = |turns: f64| {
-        let off = second + (first + TAU * turns) * (r1 / r2) - phase;
-        off - TAU * libm::round(off / TAU)
-    };
-    // A phase of more than half a turn may be that of a first link beyond half a turn: of its turns, which mesh in different places, those that it means.
-    let most = libm::ceil((phase / TAU * r2 / r1).abs());
-    let turns = (1..=MOST_TURNS).map(|k| k as f64).take_while(|k| phase.abs() > PI && *k <= most).flat_map(|k| [k, -k]);
-    std::iter::once(0.0).chain(turns).map(off).min_by(|a, b| a.abs().total_cmp(&b.abs()))
+    let off = from_line(1)? + from_line(0)? * (r1 / r2) - phase.value.radians();
+    Some(off - TAU * libm::round(off / TAU))
 }
-
-/// Whole turns of the first link of a pair that a phase may mean, at most.
-const MOST_TURNS: u32 = 64;
 
 /// The line of a link from which its angle counts, in its frame: a unit vector. That of the ground is the x axis, whatever pivots it has.
 fn mark<N: Real>(scene: &Scene, l: LinkId, local: impl Fn(PointId) -> Option<Point<N>>) -> Option<Vec2<N>> {

@@ -8,7 +8,7 @@ use crate::cam::{Follower, Motion, Segment, Side, Touch};
 use crate::geom::{Point, Vec2};
 use crate::scene::{Cam, DriverKind, PointId, Turning};
 
-/// How a follower stands to its cam.
+/// Distance of a follower from its cam.
 pub(super) struct Contact {
     /// Distance between the two (m); less than zero: by so much the follower cuts into the cam.
     pub clearance: f64,
@@ -34,7 +34,7 @@ impl Frame {
 }
 
 impl Judge<'_> {
-    /// How a follower stands to its cam; `None` where the two are not placed, or the direction of a face is left to its pair.
+    /// Distance of a follower from its cam; `None` where the two are not placed, or the direction of a face is left to its pair.
     pub(super) fn contact(&self, cam: &Cam) -> Option<Contact> {
         if let Some(t) = &cam.disc
             && let Motion::Law { .. } = t.disc.motion
@@ -118,7 +118,7 @@ impl Judge<'_> {
         }
     }
 
-    /// How far the follower of a law stands from where the law puts it, counted outward.
+    /// Distance of the follower from the place that its law gives it, counted outward.
     fn by_law(&self, cam: &Cam, t: &Turning) -> Option<Contact> {
         let frame = self.cam_frame(cam, t)?;
         let carrier = self.carrier_axis(t)?;

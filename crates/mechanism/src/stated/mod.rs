@@ -152,7 +152,7 @@ impl Judge<'_> {
         }
     }
 
-    /// Whether a length is that of a link, or ends in a pin, that repeats other pairs and is judged as a virtual constraint.
+    /// True for a length of a link, or at a pin, that is a virtual constraint: it is judged elsewhere.
     fn is_opened_length(&self, a: PointId, b: PointId) -> bool {
         let on = |l: LinkId| [a, b].iter().all(|p| self.scene.links[l.0].points.contains(p));
         let opened =

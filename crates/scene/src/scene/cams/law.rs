@@ -27,7 +27,7 @@ pub(super) struct StageText {
     pub over: String,
 }
 
-/// What of a law is written beside its numbers.
+/// Texts of a law beside its numbers.
 pub(super) struct LawText {
     pub base: String,
     pub start: String,
@@ -35,7 +35,7 @@ pub(super) struct LawText {
     pub stages: Vec<StageText>,
 }
 
-/// Where the contact is on the follower.
+/// Place of a cam and its follower, and the end that touches.
 pub(super) struct At<'a> {
     pub scene: &'a Scene,
     /// The link that is the cam.
@@ -48,19 +48,19 @@ pub(super) struct At<'a> {
     pub radius: Option<String>,
     /// From the pivot to the point, as a text.
     pub arm: Option<String>,
-    /// How far out a face lies from its pivot, as a text.
+    /// Distance of a face from its pivot, as a text.
     pub lever: Option<String>,
     pub follower: &'a str,
     pub span: Span,
 }
 
-/// What stands for the contact, and the parameters beside those of the file that it is written with.
+/// Pair or driver that stands for the contact, and the parameters that it adds to those of the file.
 pub(super) struct Written {
     pub parameters: Vec<(String, String)>,
     pub stands: Stands,
 }
 
-/// What stands for the contact of a law.
+/// Replacement of the contact of a law.
 pub(super) enum Stands {
     /// An arc about a point of the cam: its place, nothing for the pivot, and the parameter that is its radius, of the pitch curve or of the profile that a face
     /// touches.
@@ -264,7 +264,7 @@ impl<'a> Texts<'a> {
         }
     }
 
-    /// The same of a point P with its derivatives by φ.
+    /// Centre and radius of curvature of the pitch curve at the point P, from its derivatives by φ.
     fn pitch_curve(&mut self, [px, py]: [String; 2], first: [String; 2], second: [String; 2], sigma: &str) -> [String; 3] {
         let [ax, ay] = first;
         let (ax, ay) = (self.define("ax", ax), self.define("ay", ay));
@@ -306,7 +306,7 @@ impl<'a> Texts<'a> {
     }
 }
 
-/// Whether a face rests on the arc about the pivot of the cam itself.
+/// True where a face rests on the arc about the pivot of the cam: in a dwell.
 fn is_about_pivot(disc: &Disc, dwells: bool) -> bool {
     dwells && matches!(disc.touch, Touch::Flat { .. })
 }
