@@ -193,6 +193,36 @@ fn laws_are_right_in_every_pose() {
     }
 }
 
+/// Beside an inflection of the pitch curve no arc stands for the profile, beyond some degrees one does: the answers are those of the law all the way.
+#[test]
+fn a_law_is_right_through_the_inflections_of_its_pitch_curve() {
+    let mut found = 0;
+    for kind in ["law cycloidal", "swing harmonic"] {
+        let bend = |angle: f64| {
+            let scene = scene(kind, &format!("{angle:?} deg"));
+            let t = scene.cams[0].disc.as_ref().unwrap();
+            1.0 / t.disc.station(t.phi, t.side).unwrap().rho_pitch
+        };
+        for start in (60..180).step_by(5).map(f64::from) {
+            let [mut low, mut high] = [start, start + 5.0];
+            if bend(low) * bend(high) > 0.0 || (bend(low) - bend(high)).abs() > 100.0 {
+                continue;
+            }
+            for _ in 0..50 {
+                let middle = 0.5 * (low + high);
+                if bend(middle) * bend(low) > 0.0 { low = middle } else { high = middle }
+            }
+            let stands = |angle: f64| scene(kind, &format!("{angle:?} deg")).cams[0].contact.is_some();
+            if stands(low) || !stands(low - 4.0) {
+                continue; // The sign changes in a jump of the law.
+            }
+            [-4.0, -0.1, -1e-3, 0.0, 1e-3, 0.1, 4.0].into_iter().for_each(|beside| agree(kind, low + beside));
+            found += 1;
+        }
+    }
+    assert!(found >= 2, "{found}");
+}
+
 /// ȧ = ω da/dφ + 2α dv/dφ, by differences of the loop equations' own velocities and accelerations in poses beside it.
 #[test]
 fn the_third_derivative_of_a_follower_is_that_of_its_law() {

@@ -183,7 +183,10 @@ fn a_construction_is_predicted_by_the_pointer_on_a_phone() {
             }
         }
         click(&mut b, "check");
-        assert!(text(&mut b, "verdict").starts_with("Right"), "{answer:?} from {tail:?}: {}", text(&mut b, "verdict"));
+        // The mark is laid right at the second try only.
+        let said = text(&mut b, "verdict");
+        let due = if matches!(answer, Answer::Mark(_)) { "Correct." } else { "Right." };
+        assert!(said.starts_with(due), "{answer:?} from {tail:?}: {said}");
         click(&mut b, "check");
     }
     assert_quiet(&b, "predict on a phone");

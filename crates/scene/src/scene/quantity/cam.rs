@@ -35,13 +35,19 @@ enum What {
     Swing,
     Stroke,
     Angle,
-    Rise,
     Pressure,
     Rho,
-    RhoMin,
+    Turn(OfTurn),
+}
+
+/// Quantities of the whole turn of a cam, whatever its follower does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum OfTurn {
+    Rise,
     Far,
     Back,
     Near,
+    RhoMin,
     PressureStart,
     PressureOut,
     PressureBack,
@@ -50,20 +56,29 @@ enum What {
 }
 
 /// Rows of the table.
-const ROWS: [What; 9] =
-    [What::Lift, What::Swing, What::Stroke, What::Angle, What::Rise, What::Pressure, What::Rho, What::BaseMin, What::FaceHalf];
+const ROWS: [What; 9] = [
+    What::Lift,
+    What::Swing,
+    What::Stroke,
+    What::Angle,
+    What::Turn(OfTurn::Rise),
+    What::Pressure,
+    What::Rho,
+    What::Turn(OfTurn::BaseMin),
+    What::Turn(OfTurn::FaceHalf),
+];
 
 /// Quantities that a word behind the symbol of another tells: `Phi_far_3`.
 const WORDS: [(What, &str, What); 9] = [
-    (What::Rho, "min_", What::RhoMin),
-    (What::Rise, "far_", What::Far),
-    (What::Rise, "back_", What::Back),
-    (What::Rise, "near_", What::Near),
-    (What::Pressure, "start_", What::PressureStart),
-    (What::Pressure, "out_", What::PressureOut),
-    (What::Pressure, "back_", What::PressureBack),
-    (What::BaseMin, "min_", What::BaseMin),
-    (What::FaceHalf, "half_", What::FaceHalf),
+    (What::Rho, "min_", What::Turn(OfTurn::RhoMin)),
+    (What::Turn(OfTurn::Rise), "far_", What::Turn(OfTurn::Far)),
+    (What::Turn(OfTurn::Rise), "back_", What::Turn(OfTurn::Back)),
+    (What::Turn(OfTurn::Rise), "near_", What::Turn(OfTurn::Near)),
+    (What::Pressure, "start_", What::Turn(OfTurn::PressureStart)),
+    (What::Pressure, "out_", What::Turn(OfTurn::PressureOut)),
+    (What::Pressure, "back_", What::Turn(OfTurn::PressureBack)),
+    (What::Turn(OfTurn::BaseMin), "min_", What::Turn(OfTurn::BaseMin)),
+    (What::Turn(OfTurn::FaceHalf), "half_", What::Turn(OfTurn::FaceHalf)),
 ];
 
 /// What double precision keeps of a place or a size that is found on the whole turn, relative to it; of where a profile begins to lift, less.
@@ -95,7 +110,7 @@ impl Quantity for CamQuantity {
         if let Some((what, name)) = worded {
             return Ok(Some(CamQuantity { what, link: question.link(name.trim())?, follower: None, end: None }));
         }
-        if matches!(what, What::BaseMin | What::FaceHalf) {
+        if matches!(what, What::Turn(OfTurn::BaseMin | OfTurn::FaceHalf)) {
             let message = both!("`{}` is not a quantity that can be asked", "`{}` 不是可求的量", question.text());
             let example = Self::WRITTEN[question.row(Self::WRITTEN)].example;
             return Err(question.fault(message).help(both!("write {example}", "请写 {example}")));
@@ -136,24 +151,15 @@ impl Quantity for CamQuantity {
     fn no_value(&self, scene: &Scene) -> Both {
         let link = scene.link_name(self.link);
         match self.what {
-            What::RhoMin => both!("the profile of cam {link} is nowhere convex", "凸轮 {link} 的廓线没有外凸部分"),
+            What::Turn(OfTurn::RhoMin) => both!("the profile of cam {link} is nowhere convex", "凸轮 {link} 的廓线没有外凸部分"),
             What::Rho => {
                 both!("the profile of cam {link} is straight there, or touches nothing", "凸轮 {link} 的廓线在该处为直线，或没有接触")
             }
-            What::BaseMin => both!("no base circle of cam {link} avoids an undercut", "加大凸轮 {link} 的基圆也不能避免失真"),
-            What::PressureStart | What::PressureOut | What::PressureBack => {
+            What::Turn(OfTurn::BaseMin) => both!("no base circle of cam {link} avoids an undercut", "加大凸轮 {link} 的基圆也不能避免失真"),
+            What::Turn(OfTurn::PressureStart | OfTurn::PressureOut | OfTurn::PressureBack) => {
                 both!("follower {link} does not move so", "从动件 {link} 没有该运动")
             }
-            What::Lift
-            | What::Swing
-            | What::Stroke
-            | What::Angle
-            | What::Rise
-            | What::Pressure
-            | What::Far
-            | What::Back
-            | What::Near
-            | What::FaceHalf => {
+            What::Lift | What::Swing | What::Stroke | What::Angle | What::Pressure | What::Turn(_) => {
                 both!("the follower {link} touches nothing in this pose", "从动件 {link} 在该位置没有接触")
             }
         }
@@ -196,18 +202,7 @@ impl Quantity for CamQuantity {
         let wrong = match self.what {
             What::Lift | What::Stroke => swings,
             What::Swing | What::Angle => !swings,
-            What::Rise
-            | What::Pressure
-            | What::Rho
-            | What::RhoMin
-            | What::Far
-            | What::Back
-            | What::Near
-            | What::PressureStart
-            | What::PressureOut
-            | What::PressureBack
-            | What::BaseMin
-            | What::FaceHalf => false,
+            What::Pressure | What::Rho | What::Turn(_) => false,
         };
         wrong.then(|| {
             let name = scene.link_name(cam.follower);
@@ -227,7 +222,7 @@ impl Quantity for CamQuantity {
     }
 
     fn note(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
-        let (_, t) = self.cam(scene).filter(|_| self.what == What::RhoMin)?;
+        let (_, t) = self.cam(scene).filter(|_| self.what == What::Turn(OfTurn::RhoMin))?;
         let survey = t.survey.of(&t.disc);
         let undercut = survey.faults.iter().find_map(|f| match f {
             Fault::Undercut { phi, .. } => Some(*phi),
@@ -281,21 +276,21 @@ impl CamQuantity {
                 Motion::Profile(_) => Some(t.disc.coordinate(t.phi, t.side)?.value() - survey().rest),
             },
             What::Stroke | What::Angle => Some(survey().stroke),
-            What::Rise => Some(survey().angle(1, false)),
+            What::Turn(OfTurn::Rise) => Some(survey().angle(1, false)),
             What::Pressure => Some(t.disc.station(t.phi, t.side)?.pressure),
             What::Rho => Some(t.disc.station(t.phi, t.side)?.rho),
-            What::RhoMin => least_radius(t),
-            What::Far => Some(survey().angle(0, true)),
-            What::Back => Some(survey().angle(-1, false)),
-            What::Near => Some(survey().angle(0, false)),
-            What::PressureStart => {
+            What::Turn(OfTurn::RhoMin) => least_radius(t),
+            What::Turn(OfTurn::Far) => Some(survey().angle(0, true)),
+            What::Turn(OfTurn::Back) => Some(survey().angle(-1, false)),
+            What::Turn(OfTurn::Near) => Some(survey().angle(0, false)),
+            What::Turn(OfTurn::PressureStart) => {
                 let start = survey().phases.iter().find(|p| p.way == 1)?.from;
                 Some(t.disc.station(start, Side::After)?.pressure)
             }
-            What::PressureOut => Some(survey().pressure[0]?.1.abs()),
-            What::PressureBack => Some(survey().pressure[1]?.1.abs()),
-            What::BaseMin => least_base(&t.disc),
-            What::FaceHalf => face_half(t),
+            What::Turn(OfTurn::PressureOut) => Some(survey().pressure[0]?.1.abs()),
+            What::Turn(OfTurn::PressureBack) => Some(survey().pressure[1]?.1.abs()),
+            What::Turn(OfTurn::BaseMin) => least_base(&t.disc),
+            What::Turn(OfTurn::FaceHalf) => face_half(t),
         }
     }
 
@@ -306,16 +301,16 @@ impl CamQuantity {
         match self.what {
             What::Lift | What::Swing => cam.lift(here, phi),
             What::Stroke | What::Angle => cam.stroke(),
-            What::Rise => cam.angle(1, false),
+            What::Turn(OfTurn::Rise) => cam.angle(1, false),
             What::Pressure => Some(cam.station(here, phi)?.pressure),
             What::Rho => Some(cam.station(here, phi)?.rho),
-            What::RhoMin => cam.least_rho(),
-            What::Far => cam.angle(0, true),
-            What::Back => cam.angle(-1, false),
-            What::Near => cam.angle(0, false),
-            What::PressureStart | What::PressureOut | What::PressureBack | What::BaseMin | What::FaceHalf => {
+            What::Turn(OfTurn::RhoMin) => cam.least_rho(),
+            What::Turn(OfTurn::Far) => cam.angle(0, true),
+            What::Turn(OfTurn::Back) => cam.angle(-1, false),
+            What::Turn(OfTurn::Near) => cam.angle(0, false),
+            What::Turn(OfTurn::PressureStart | OfTurn::PressureOut | OfTurn::PressureBack | OfTurn::BaseMin | OfTurn::FaceHalf) => {
                 let value = self.doubly(t)?;
-                let begins = self.what == What::PressureStart && matches!(t.disc.motion, Motion::Profile(_));
+                let begins = self.what == What::Turn(OfTurn::PressureStart) && matches!(t.disc.motion, Motion::Profile(_));
                 N::from_bounded(value, FOUND[usize::from(begins)] * value.abs())
             }
         }
@@ -325,24 +320,11 @@ impl CamQuantity {
     fn lacking(&self, t: &Turning) -> Option<Both> {
         let flat = matches!((t.disc.touch, t.disc.follower), (Touch::Flat { .. }, Follower::Translating { .. }));
         match self.what {
-            What::FaceHalf if !flat => Some(both!("a sliding flat-faced follower", "直动平底从动件")),
-            What::BaseMin if !matches!(t.disc.motion, Motion::Law { .. }) => Some(both!("a cam by a law", "按运动规律给定的凸轮")),
-            What::FaceHalf
-            | What::BaseMin
-            | What::Lift
-            | What::Swing
-            | What::Stroke
-            | What::Angle
-            | What::Rise
-            | What::Pressure
-            | What::Rho
-            | What::RhoMin
-            | What::Far
-            | What::Back
-            | What::Near
-            | What::PressureStart
-            | What::PressureOut
-            | What::PressureBack => None,
+            What::Turn(OfTurn::FaceHalf) if !flat => Some(both!("a sliding flat-faced follower", "直动平底从动件")),
+            What::Turn(OfTurn::BaseMin) if !matches!(t.disc.motion, Motion::Law { .. }) => {
+                Some(both!("a cam by a law", "按运动规律给定的凸轮"))
+            }
+            What::Lift | What::Swing | What::Stroke | What::Angle | What::Pressure | What::Rho | What::Turn(_) => None,
         }
     }
 
@@ -359,20 +341,7 @@ impl CamQuantity {
             What::Pressure => {
                 cam.follows.radius().is_some() && (cam.contact.is_some() || cam.is_on_course()) && way_of(scene, cam).is_some()
             }
-            What::Lift
-            | What::Swing
-            | What::Stroke
-            | What::Angle
-            | What::Rise
-            | What::RhoMin
-            | What::Far
-            | What::Back
-            | What::Near
-            | What::PressureStart
-            | What::PressureOut
-            | What::PressureBack
-            | What::BaseMin
-            | What::FaceHalf => false,
+            What::Lift | What::Swing | What::Stroke | What::Angle | What::Turn(_) => false,
         }
     }
 
@@ -404,23 +373,8 @@ impl CamQuantity {
     fn pair<'s>(&self, scene: &'s Scene) -> Option<&'s Cam> {
         let meant = |c: &&Cam| match (self.what, self.follower) {
             (What::Rho, follower) => c.cam == self.link && follower == Some(c.follower),
-            (What::RhoMin | What::BaseMin, _) => c.cam == self.link,
-            (
-                What::Lift
-                | What::Swing
-                | What::Stroke
-                | What::Angle
-                | What::Rise
-                | What::Pressure
-                | What::Far
-                | What::Back
-                | What::Near
-                | What::PressureStart
-                | What::PressureOut
-                | What::PressureBack
-                | What::FaceHalf,
-                _,
-            ) => c.follower == self.link,
+            (What::Turn(OfTurn::RhoMin | OfTurn::BaseMin), _) => c.cam == self.link,
+            (What::Lift | What::Swing | What::Stroke | What::Angle | What::Pressure | What::Turn(_), _) => c.follower == self.link,
         };
         scene.cams.iter().find(meant)
     }
