@@ -50,12 +50,13 @@ fn text(kind: &str, angle: &str) -> String {
         "swinging flat" => ("", format!(r#""face": {{"through": "P", "line": "PB", "cam": "left"}}, {convex}"#)),
         "swinging offset flat" => ("", format!(r#""face": {{"through": "P", "line": "PB", "cam": "left", "offset": "5 mm"}}, {convex}"#)),
         other => {
-            let (of, name) = other.split_once(' ').unwrap();
+            let (of, name) = other.rsplit_once(' ').unwrap();
             let named = Law::named(name).unwrap();
-            if of == "law" {
-                (translating, format!("{roller}, {}", law(named, "18 mm")))
-            } else {
-                ("", format!("{roller}, {}", law(named, "17 deg")))
+            match of {
+                "law" => (translating, format!("{roller}, {}", law(named, "18 mm"))),
+                "steep law" => (translating, format!("{roller}, {}", law(named, "60 mm"))),
+                "swing" => ("", format!("{roller}, {}", law(named, "17 deg"))),
+                _ => ("", format!("{roller}, {}", law(named, "40 deg"))),
             }
         }
     };
@@ -197,7 +198,7 @@ fn laws_are_right_in_every_pose() {
 #[test]
 fn a_law_is_right_through_the_inflections_of_its_pitch_curve() {
     let mut found = 0;
-    for kind in ["law cycloidal", "swing harmonic"] {
+    for kind in ["steep law cycloidal", "steep swing harmonic"] {
         let bend = |angle: f64| {
             let scene = scene(kind, &format!("{angle:?} deg"));
             let t = scene.cams[0].disc.as_ref().unwrap();
