@@ -13,6 +13,7 @@ mod cams {
     pub mod asked;
     pub mod compiled;
     pub mod geared;
+    pub mod posed;
     pub mod touch;
 }
 

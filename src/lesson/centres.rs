@@ -29,7 +29,7 @@ use crate::report::html::sentence as html;
 use crate::report::math::mathml;
 use crate::scene::{Scene, Swept};
 use crate::sweep::follow::{Follower, Pose, Sweep};
-use crate::worked::{Worked, work_placed};
+use crate::worked::{Worked, work_pose};
 
 /// Words of this page beside those of [`super::motion::PLAYER`]: key, both languages.
 const WORDS: [(&str, [&str; 2]); 6] = [
@@ -81,8 +81,8 @@ pub(super) fn lesson(
     let found = |pose: &&Pose| {
         let mut scene = follower.scene_at(scene, pose.travel);
         scene.paper.mu_l = Some(mu_l);
-        let worked = work_placed(&scene, worked.mechanism.clone(), worked.demand.clone(), pose.configuration.clone()).ok()?.value;
-        let centres = placed(&scene, &worked.mechanism, &pose.configuration).ok()?.value;
+        let (scene, worked) = work_pose(&scene, (&worked.mechanism, &worked.demand), &pose.configuration).ok()?;
+        let centres = placed(&scene, &worked.mechanism, &worked.configuration).ok()?.value;
         // A centre without a place in a pose would leave its steps without one.
         let whole = centres.list.iter().zip(&task.found.list).all(|(c, own)| c.place.is_some() || own.place.is_none());
         whole.then_some(Found { frame: Frame { travel: pose.travel, scene, worked, shown: [false; 2], end: false }, centres })

@@ -14,7 +14,7 @@ use crate::paper::style::Style;
 use crate::plan::notation::Notation;
 use crate::position::Configuration;
 use crate::scene::Scene;
-use crate::worked::{Worked, work_placed};
+use crate::worked::{Worked, work_placed, work_pose};
 
 use super::curve;
 use super::split::{Split, split};
@@ -51,8 +51,26 @@ pub struct Frames {
     pub cut: bool,
 }
 
+impl Frames {
+    /// For each frame the first with its plan: what they show is one drawing that moves.
+    pub fn plans(&self) -> Vec<usize> {
+        let plan = |k: usize| &self.list[k].worked.plan;
+        let mut firsts: Vec<usize> = Vec::new();
+        let first = |k: usize| {
+            let known = firsts.iter().copied().find(|f| plan(*f) == plan(k));
+            known.unwrap_or_else(|| {
+                firsts.push(k);
+                k
+            })
+        };
+        (0..self.list.len()).map(first).collect()
+    }
+}
+
 /// What the page shows between two frames may be off by this (mm), so that with all roundings it is true to a hundredth.
 const BETWEEN_MM: f64 = 0.006;
+/// Joints farther from the origin of the diagram than this (mm) are not seen: centres of curvature of what is nearly straight.
+const FAR_MM: f64 = 1000.0;
 /// More frames than this part of those asked for are not added.
 const ADDED: f64 = 0.4;
 /// Rounds of halving: next to a limit a step of 5° becomes one of 0.3°.
@@ -63,8 +81,12 @@ const ASIDE: [f64; 1] = [0.05];
 const BEFORE: [f64; 4] = [1e-9, 1e-7, 1e-5, 1e-3];
 
 /// A pose under way: with the scales of its own pose.
+#[derive(Clone)]
 struct Trial {
     travel: f64,
+    scene: Scene,
+    /// Where all is in the scene of the motion.
+    at: Configuration,
     worked: Worked,
 }
 
@@ -73,6 +95,8 @@ struct Papers {
     common: Scales,
     /// That of the scene's own figure (m/mm).
     mu_l: f64,
+    /// The names of the points of the motion.
+    points: Vec<String>,
     zooms: [Option<Zoom>; 2],
     splits: [Option<Split>; 2],
 }
@@ -118,7 +142,7 @@ impl Maker<'_> {
             && let Some(first) = trials.first()
         {
             // The turn is closed, so that what lies between the last frame and the first is judged as well.
-            let turn = Trial { travel: sweep.period(), worked: first.worked.clone() };
+            let turn = Trial { travel: sweep.period(), ..first.clone() };
             trials.push(turn);
         }
         self.refine(&mut trials, sweep);
@@ -126,10 +150,6 @@ impl Maker<'_> {
             trials.pop();
         }
         self.draw(trials, sweep)
-    }
-
-    fn work(&self, scene: &Scene, configuration: &Configuration) -> Result<Worked, Faults> {
-        Ok(work_placed(scene, self.mechanism.clone(), self.demand.clone(), configuration.clone())?.value)
     }
 
     /// A pose that is not singular.
@@ -141,8 +161,8 @@ impl Maker<'_> {
     /// Any pose, as far as it has answers.
     fn worked(&self, pose: &Pose) -> Option<Trial> {
         let scene = self.follower.scene_at(self.scene, pose.travel);
-        let worked = self.work(&scene, &pose.configuration).ok()?;
-        Some(Trial { travel: pose.travel, worked })
+        let (scene, worked) = work_pose(&scene, (self.mechanism, self.demand), &pose.configuration).ok()?;
+        Some(Trial { travel: pose.travel, scene, at: pose.configuration.clone(), worked })
     }
 
     /// The poses beside a singular one.
@@ -163,8 +183,7 @@ impl Maker<'_> {
             let open: Vec<usize> = (0..trials.len().saturating_sub(1)).filter(|k| !settled[*k]).collect();
             let halved = |k: &usize| {
                 let travel = 0.5 * (trials[*k].travel + trials[k + 1].travel);
-                let [one, other] =
-                    [*k, k + 1].map(|i| Pose { travel: trials[i].travel, configuration: trials[i].worked.configuration.clone() });
+                let [one, other] = [*k, k + 1].map(|i| Pose { travel: trials[i].travel, configuration: trials[i].at.clone() });
                 let configuration = self.follower.at(&between(&one, &other, travel), travel)?;
                 let middle = self.trial(&Pose { travel, configuration })?;
                 let error = self.error(trials, *k, &middle, &papers);
@@ -193,11 +212,13 @@ impl Maker<'_> {
     /// How far a point of the page would be from where it belongs in the middle of an interval (mm).
     fn error(&self, trials: &[Trial], k: usize, middle: &Trial, papers: &Papers) -> f64 {
         let from = k.saturating_sub(2);
+        // Polygons by two plans have no marks in common.
+        let marks = |t: &Trial| papers.marks(t, t.worked.plan == middle.worked.plan);
         let keys: Vec<(f64, Vec<Option<Mark>>)> =
-            (from..(k + 4).min(trials.len())).map(|i| (trials[i].travel, papers.marks(&trials[i].worked))).collect();
+            (from..(k + 4).min(trials.len())).map(|i| (trials[i].travel, marks(&trials[i]))).collect();
         let at = k - from;
         let mut worst: f64 = 0.0;
-        for (i, truth) in papers.marks(&middle.worked).iter().enumerate() {
+        for (i, truth) in marks(middle).iter().enumerate() {
             let Some((scale, truth)) = *truth else { continue };
             let mark = |n: usize| keys.get(n).and_then(|key| key.1.get(i).copied().flatten());
             // A pose next to a singular one may have fewer marks.
@@ -235,14 +256,20 @@ impl Maker<'_> {
         let own = trials.iter().min_by(|a, b| a.travel.abs().total_cmp(&b.travel.abs())).map(|t| &t.worked);
         let boxes = own.map_or(Boxes::default(), |w| Boxes::of(&self.scene.paper, &w.plan));
         let common = Scales::of(&self.scene.paper, &poses, unlimited, boxes);
-        let own_poses: Vec<&Worked> = poses.iter().map(|p| p.1).collect();
+        let own_poses: Vec<(&Scene, &Worked)> = trials.iter().map(|t| (&t.scene, &t.worked)).collect();
         let of = |level| {
-            let (split, label_mm) = split(self.scene, self.mechanism, &own_poses, level, self.style, self.notation);
+            let (split, label_mm) = split(&own_poses, level, self.style, self.notation);
             (Zoom::of(&self.scene.paper, &poses, &common, level, boxes, split.as_ref(), &label_mm), split)
         };
         let [(velocity, split_v), (acceleration, split_a)] = Level::RATES.map(of);
         let mu_l = own.map_or(common.mu_l, |w| w.construction.diagram.mu_l);
-        Papers { mu_l, common, zooms: [velocity, acceleration], splits: [split_v, split_a] }
+        Papers {
+            mu_l,
+            points: self.scene.points.iter().map(|p| p.name.clone()).collect(),
+            common,
+            zooms: [velocity, acceleration],
+            splits: [split_v, split_a],
+        }
     }
 
     /// Draws all poses to the common scales.
@@ -251,10 +278,11 @@ impl Maker<'_> {
         let mut frames =
             Frames { list: Vec::new(), base: 0, full: sweep.full, zoom: papers.zooms.clone(), split: papers.splits.clone(), cut: false };
         let to_scale = |trial: &Trial| {
-            let mut scene = self.follower.scene_at(self.scene, trial.travel);
+            let mut scene = trial.scene.clone();
             let [mu_v, mu_a] = papers.zooms.each_ref().map(|z| z.as_ref().map(|z| z.mu));
             (scene.paper.mu_l, scene.paper.mu_v, scene.paper.mu_a) = (Some(papers.mu_l), mu_v, mu_a);
-            let worked = self.work(&scene, &trial.worked.configuration).ok()?;
+            let Worked { mechanism, demand, configuration, .. } = &trial.worked;
+            let worked = work_placed(&scene, mechanism.clone(), demand.clone(), configuration.clone()).ok()?.value;
             Some((scene, worked))
         };
         let drawn: Vec<Option<(Scene, Worked)>> = trials.par_iter().map(to_scale).collect();
@@ -286,10 +314,16 @@ impl Maker<'_> {
 }
 
 impl Papers {
-    /// Joints and images on paper, in a fixed order.
-    fn marks(&self, worked: &Worked) -> Vec<Option<Mark>> {
-        let joint = |p: Point| (0, (p.to_vec2() * (1.0 / self.mu_l)).to_point());
-        let mut marks: Vec<Option<Mark>> = worked.configuration.points.iter().map(|p| p.map(joint)).collect();
+    /// Joints on paper, and images if polygons are asked for, in a fixed order.
+    fn marks(&self, trial: &Trial, polygons: bool) -> Vec<Option<Mark>> {
+        let Trial { scene, worked, .. } = trial;
+        let place = |name: &String| worked.configuration.points[scene.points.iter().position(|p| p.name == *name)?];
+        let on_paper = |p: Point| Some((p.to_vec2() * (1.0 / self.mu_l)).to_point()).filter(|p| p.to_vec2().norm() < FAR_MM);
+        let joint = |name: &String| Some((0, on_paper(place(name)?)?));
+        let mut marks: Vec<Option<Mark>> = self.points.iter().map(joint).collect();
+        if !polygons {
+            return marks;
+        }
         for ((level, zoom), split) in Level::RATES.into_iter().zip(&self.zooms).zip(&self.splits) {
             let (Some(p), Some(zoom)) = (worked.construction.polygon(level), zoom) else { continue };
             // What is not shown need not be true.

@@ -262,6 +262,7 @@ impl<'a> Studio<'a> {
         let frames = self.frames;
         let size_mm = window.map(|side| side + 2.0 * MARGIN_MM);
         let shown = layouts.last().map_or_else(|| vec![false; frames.list.len()], |l| l.2.iter().map(Option::is_some).collect());
+        let plans = frames.plans();
         let mut list = Vec::new();
         for (mu, seen, parts) in layouts {
             let middle = Point::new(0.5 * size_mm[0], 0.5 * size_mm[1]);
@@ -278,7 +279,11 @@ impl<'a> Studio<'a> {
                     part.items.iter_mut().for_each(|i| i.id = i.id.replacen(&whole, &own, 1));
                 }
                 back[k] = beyond(part.bounds, middle, size_mm);
-                track.add(k, &part.items, &frames.list[k].worked.construction.chosen)?;
+                let mut drawn = frames.list[k].worked.construction.chosen.clone();
+                if self.shows != Shows::Mechanism {
+                    drawn.push(plans[k]);
+                }
+                track.add(k, &part.items, &drawn)?;
             }
             list.push(Layout { mu, origin: Point::ORIGIN + shift, track, held, back });
         }

@@ -5,7 +5,7 @@
 
 use crate::figure::polygon::{Share, is_full, is_full_share, shares};
 use crate::geom::Point;
-use crate::mechanism::{Level, Mechanism};
+use crate::mechanism::Level;
 use crate::paper::style::Style;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
@@ -43,32 +43,25 @@ impl Split {
 }
 
 /// The split of a polygon over all poses, if it is split, and the type of each of its drawings (mm): small where there are many vectors.
-pub fn split(
-    scene: &Scene,
-    mechanism: &Mechanism,
-    poses: &[&Worked],
-    level: Level,
-    style: &Style,
-    notation: &Notation,
-) -> (Option<Split>, Vec<f64>) {
+pub fn split(poses: &[(&Scene, &Worked)], level: Level, style: &Style, notation: &Notation) -> (Option<Split>, Vec<f64>) {
     let drawn = || {
-        poses.iter().filter_map(|worked| {
+        poses.iter().filter_map(|(scene, worked)| {
             let w = Writer { scene, plan: &worked.plan, notation, lang: Lang::En };
-            Some((w, worked.construction.polygon(level)?))
+            Some((w, *worked, worked.construction.polygon(level)?))
         })
     };
     let size = |many: bool| if many { style.small_mm } else { style.label_mm };
-    if !drawn().any(|(w, p)| is_full(&w, p)) {
+    if !drawn().any(|(w, _, p)| is_full(&w, p)) {
         return (None, vec![size(false)]);
     }
-    let mut each = drawn().map(|(w, p)| shares(&w, mechanism, p));
+    let mut each = drawn().map(|(w, worked, p)| shares(&w, &worked.mechanism, p));
     let of = each.next().unwrap_or_default();
     let parts = of.iter().max().map_or(1, |last| last + 1);
     if parts == 1 || !each.all(|other| other == of) {
         return (None, vec![size(true)]);
     }
     let split = Split { of, parts };
-    let many = |part| drawn().any(|(w, p)| is_full_share(&w, p, split.share(part)));
+    let many = |part| drawn().any(|(w, _, p)| is_full_share(&w, p, split.share(part)));
     let sizes = (0..parts).map(|part| size(many(part))).collect();
     (Some(split), sizes)
 }

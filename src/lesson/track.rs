@@ -63,18 +63,18 @@ impl Track {
         Track { elements_of: Elements::new(height_mm), base, count, order: Vec::new(), elements: Vec::new(), known: HashMap::new() }
     }
 
-    /// Adds the items of a frame; frames may come in any order. `chosen` are the alternatives drawn there: with another special
-    /// point a polygon is another drawing, and nothing lies between the two.
+    /// Adds the items of a frame; frames may come in any order. `drawn` tells drawings apart: by another plan, or with
+    /// another special point, a polygon is another drawing, and nothing lies between the two.
     ///
     /// # Errors
     /// Those of the SVG writer.
-    pub fn add(&mut self, frame: usize, items: &[Item], chosen: &[usize]) -> Result<(), Faults> {
+    pub fn add(&mut self, frame: usize, items: &[Item], drawn: &[usize]) -> Result<(), Faults> {
         // The outlines of letters are not wanted again and again: blank labels have the same places.
         let blank: Vec<Item> = items.iter().map(blank).collect();
         let mut after = None;
         for (item, text) in items.iter().zip(self.elements_of.of(&blank)?) {
             let (form, numbers) = taken_apart(&text);
-            let key = (item.id.clone(), source(item).to_owned(), form, chosen.to_vec());
+            let key = (item.id.clone(), source(item).to_owned(), form, drawn.to_vec());
             let index = match self.known.get(&key) {
                 Some(&index) => index,
                 None => {

@@ -7,12 +7,14 @@ pub mod contact;
 mod far;
 mod higher;
 mod joint;
+mod posed;
 mod sizes;
 #[cfg(test)]
 mod tests;
 
 pub use far::{Far, NoAnswer, Unanswered};
 pub use joint::instant;
+pub use posed::work_pose;
 
 use self::sizes::Sizes;
 use crate::accuracy::Rung;

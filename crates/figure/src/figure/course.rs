@@ -3,10 +3,12 @@
 //! Decided here: that the ground stands still. Not decided here: which side is best in one pose.
 
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
+use crate::geom::Vec2;
 use crate::plan::notation::Notation;
 use crate::position::{Path, Pose};
-use crate::scene::{GuideId, LinkId, Scene};
+use crate::scene::{Guide, LinkId, Scene};
 use crate::worked::Worked;
 
 use super::mechanism::Course;
@@ -15,17 +17,37 @@ use crate::paper::style::Style;
 /// The course of each pose.
 pub fn courses(poses: &[(&Scene, &Worked)], style: &Style, notation: &Notation) -> Vec<Course> {
     let alone: Vec<Course> = poses.par_iter().map(|(scene, worked)| Course::of_one(style, scene, worked, notation)).collect();
-    let Some((scene, _)) = poses.first() else { return Vec::new() };
-    let supports: Vec<_> = (0..scene.points.len()).filter_map(|p| usual(alone.iter().filter_map(|c| c.supports.get(p).copied()))).collect();
-    let hatched: Vec<_> =
-        (0..scene.guides.len()).map(|g| usual(alone.iter().filter_map(|c| c.hatched.get(g).copied().flatten()))).collect();
-    let ways: Vec<Vec<Option<f64>>> = (0..scene.guides.len()).map(|g| way(poses, GuideId(g))).collect();
-    (0..poses.len())
-        .map(|k| {
-            let travel_mm = ways.iter().map(|way| travel(way, k)).collect();
-            Course { travel_mm, supports: supports.clone(), hatched: hatched.clone() }
-        })
-        .collect()
+    let (mut supports, mut guides) = (BTreeMap::new(), BTreeMap::new());
+    for ((scene, _), course) in poses.iter().zip(&alone) {
+        for (point, side) in scene.points.iter().zip(&course.supports) {
+            supports.entry(point.name.as_str()).or_insert_with(Vec::new).push(*side);
+        }
+        for (guide, side) in scene.guides.iter().zip(&course.hatched) {
+            guides.entry(Runs::of(scene, guide)).or_insert_with(Vec::new).extend(*side);
+        }
+    }
+    let supports: BTreeMap<&str, Vec2> = supports.into_iter().filter_map(|(name, sides)| Some((name, usual(sides.into_iter())?))).collect();
+    let guides: BTreeMap<Runs, _> = guides.into_iter().map(|(runs, sides)| (runs, (way(poses, runs), usual(sides.into_iter())))).collect();
+    let of_pose = |(k, (scene, _)): (usize, &(&Scene, &Worked))| Course {
+        travel_mm: scene.guides.iter().map(|g| travel(&guides[&Runs::of(scene, g)].0, k)).collect(),
+        supports: scene.points.iter().map(|p| supports[p.name.as_str()]).collect(),
+        hatched: scene.guides.iter().map(|g| guides[&Runs::of(scene, g)].1).collect(),
+    };
+    poses.iter().enumerate().map(of_pose).collect()
+}
+
+/// Pin and block of a guide, and the link that carries it: by these a guide is known in every pose. The contact of a cam is a guide in some poses only.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Runs<'a> {
+    pin: Option<&'a str>,
+    slider: Option<LinkId>,
+    on: LinkId,
+}
+
+impl<'a> Runs<'a> {
+    fn of(scene: &'a Scene, guide: &Guide) -> Runs<'a> {
+        Runs { pin: guide.pin.map(|p| scene.point_name(p)), slider: guide.slider, on: guide.on }
+    }
 }
 
 /// The value that most poses have; of equals the first.
@@ -49,10 +71,10 @@ fn travel(way: &[Option<f64>], k: usize) -> [f64; 2] {
 }
 
 /// Where a guide's runner is along it in each pose, in mm of paper.
-fn way(poses: &[(&Scene, &Worked)], g: GuideId) -> Vec<Option<f64>> {
+fn way(poses: &[(&Scene, &Worked)], runs: Runs) -> Vec<Option<f64>> {
     let mut last: Option<f64> = None;
     let places = poses.iter().map(|(scene, worked)| {
-        let (s, round) = place(scene, worked, g)?;
+        let (s, round) = place(scene, worked, runs)?;
         // On a circle the place goes on where the angle begins anew.
         let s = match (last, round) {
             (Some(last), Some(round)) => s + ((last - s) / round).round() * round,
@@ -65,15 +87,15 @@ fn way(poses: &[(&Scene, &Worked)], g: GuideId) -> Vec<Option<f64>> {
 }
 
 /// A runner's place along its guide, and the way once round on a circle (mm).
-fn place(scene: &Scene, worked: &Worked, g: GuideId) -> Option<(f64, Option<f64>)> {
+fn place(scene: &Scene, worked: &Worked, runs: Runs) -> Option<(f64, Option<f64>)> {
     let at = &worked.configuration;
-    let guide = &scene.guides[g.0];
+    let (g, guide) = scene.guides.iter().enumerate().find(|(_, g)| Runs::of(scene, g) == runs)?;
     let pose = |l: LinkId| if l == scene.ground { Some(Pose::GROUND) } else { at.poses[l.0] };
     let runner = match guide.pin {
         Some(p) => at.points[p.0]?,
         None => pose(guide.slider?)?.origin,
     };
-    let path = at.shapes.guides[g.0]?;
+    let path = at.shapes.guides[g]?;
     let mm = 1.0 / worked.construction.diagram.mu_l;
     let s = path.coordinate_of(pose(guide.on)?.to_local(runner)) * mm;
     Some(match path {

@@ -18,7 +18,7 @@ use crate::scene::{PointId, Scene, Swept};
 use crate::sweep::follow::{Follower, Pose};
 use crate::sweep::points::{Motion, at_equal_steps, motion};
 use crate::sweep::station;
-use crate::worked::{Worked, work_placed};
+use crate::worked::{Worked, work_placed, work_pose};
 
 use super::series::Scales;
 use super::sheet::Options;
@@ -81,22 +81,20 @@ impl Poses {
         let sweep = follower.sweep(STEPS);
         let poses = at_equal_steps(&follower, &sweep, wanted.count);
         follower.proved(poses.iter().map(|p| &p.configuration))?;
-        let work = |scene: &Scene, pose: &Pose| {
-            let (m, demand) = (worked.mechanism.clone(), worked.demand.clone());
-            work_placed(scene, m, demand, pose.configuration.clone()).ok().map(|w| w.value)
-        };
         // Their own scales first, to see how large everything is.
-        let trials: Vec<(&Pose, Worked)> = poses.iter().filter_map(|p| Some((p, work(&follower.scene_at(scene, p.travel), p)?))).collect();
-        let sized: Vec<(f64, &Worked)> = trials.iter().map(|(p, w)| (p.travel, w)).collect();
+        let work = |p: &Pose| work_pose(&follower.scene_at(scene, p.travel), (&worked.mechanism, &worked.demand), &p.configuration).ok();
+        let trials: Vec<(&Pose, (Scene, Worked))> = poses.iter().filter_map(|p| Some((p, work(p)?))).collect();
+        let sized: Vec<(f64, &Worked)> = trials.iter().map(|(p, (_, w))| (p.travel, w)).collect();
         let scales = Scales::of(&scene.paper, &sized, sweep.is_unlimited(), boxes);
         let now = station::now(scene, &worked.configuration, wanted.swept);
         let rows: Vec<Row> = trials
             .iter()
-            .filter_map(|(pose, trial)| {
+            .filter_map(|(pose, (scene, trial))| {
                 let end = sweep.limits.iter().flatten().any(|limit| *limit == pose.travel);
-                let mut scene = follower.scene_at(scene, pose.travel);
+                let mut scene = scene.clone();
                 scales.fix(&mut scene.paper);
-                let worked = work(&scene, pose)?;
+                let Worked { mechanism, demand, configuration, .. } = trial;
+                let worked = work_placed(&scene, mechanism.clone(), demand.clone(), configuration.clone()).ok()?.value;
                 let shown = Level::RATES.map(|level| scales.holds(trial, level));
                 Some(Row { scene, worked, shown, end, place: now + pose.travel })
             })

@@ -1,0 +1,53 @@
+//! A pose of a motion: its cams are replaced for that pose, as [`work`](super::work) replaces them for the instant.
+
+use super::{Worked, instant, work_placed};
+use crate::diag::Faults;
+use crate::mechanism::{Demand, Mechanism};
+use crate::position::{self, Configuration};
+use crate::scene::{PointId, Scene};
+
+/// Points of two readings of a scene are in one place if they lie no farther apart than this part of its extent: an assembly that is another one
+/// differs by more, rounding by less.
+const SAME_PLACE: f64 = 1e-7;
+
+/// Works a pose of a motion through, and returns the scene that is read for it. `scene` is that of the motion with its drivers in the pose, `at` the
+/// places of all its points there.
+///
+/// A follower that the motion moves as a driver is moved by its cam again: by the arc or line that stands for the contact in the pose. Where none does,
+/// near an inflection of the profile, the follower remains a driver.
+///
+/// # Errors
+/// Those of [`work_placed`].
+pub fn work_pose(scene: &Scene, of: (&Mechanism, &Demand), at: &Configuration) -> Result<(Scene, Worked), Faults> {
+    if let Some(read) = read_again(scene, at) {
+        return Ok(read);
+    }
+    Ok((scene.clone(), work_placed(scene, of.0.clone(), of.1.clone(), at.clone())?.value))
+}
+
+/// The scene as its file reads in the pose, if its assembly is that of the motion.
+///
+/// Points of the cam alone are not compared: the centre of curvature is one of them, and another one in each pose.
+fn read_again(scene: &Scene, at: &Configuration) -> Option<(Scene, Worked)> {
+    if scene.own_drivers() == scene.drivers.len() {
+        return None;
+    }
+    let place = |name: &str| at.points[scene.points.iter().position(|p| p.name == name)?];
+    let mut there = instant(scene.read_again(&|name| place(name).map(|p| [p.x, p.y])).ok()?).value;
+    there.paper = scene.paper.clone();
+    let mechanism = Mechanism::new(&there).ok()?.value;
+    let demand = Demand::of(&there, &mechanism).with_all_positions();
+    let placed = position::configure(&there, &mechanism, &demand).ok()?.value;
+    let near = SAME_PLACE * at.extent();
+    let of_cam =
+        |p: PointId| there.cams.iter().any(|c| there.links.iter().enumerate().all(|(l, link)| c.cam.0 == l || !link.points.contains(&p)));
+    let is_same = |p: PointId| {
+        let [one, other] = [place(there.point_name(p)), placed.points[p.0]];
+        one.zip(other).is_none_or(|(a, b)| a.distance(b) <= near)
+    };
+    if !(0..there.points.len()).map(PointId).all(|p| of_cam(p) || is_same(p)) {
+        return None;
+    }
+    let worked = work_placed(&there, mechanism, demand, placed).ok()?.value;
+    Some((there, worked))
+}
