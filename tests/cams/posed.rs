@@ -2,8 +2,11 @@
 
 use hodograph::answer::Value;
 use hodograph::scene::{self, Scene, Swept, templates};
+use hodograph::sweep;
 use hodograph::sweep::follow::{Follower, course::over_a_turn};
-use hodograph::worked::{Scope, Worked, work, work_placed, work_pose};
+use hodograph::sweep::pieces::gather;
+use hodograph::sweep::vary::{Variation, Varied};
+use hodograph::worked::{self, Scope, Worked, work, work_placed, work_pose};
 
 /// Poses of a turn.
 const POSES: usize = 24;
@@ -52,4 +55,35 @@ fn a_pose_of_a_motion_is_moved_by_its_cam() {
         assert!(poses >= POSES / 2 && moved * 10 >= poses * 9, "{name}: the cam moves {moved} of {poses} poses");
     }
     assert!(told > 1000, "{told}");
+}
+
+/// A table over a parameter of a cam, a row for each value: the scene read with that value, for the instant and for the motion.
+#[test]
+fn parameters_of_a_cam_vary_as_the_scene_is_read() {
+    for (name, parameter, from, to) in [
+        ("cam-offset-roller", "h", "12 mm", "30 mm"),
+        ("cam-offset-roller", "e", "0 mm", "12 mm"),
+        ("cam-valve-train", "phi_2", "0 deg", "300 deg"),
+    ] {
+        let own = scene::read(templates::get(name).unwrap()).unwrap().value;
+        for scene in [over_a_turn(&own), own] {
+            let mechanism = sweep::mechanism(&scene).unwrap();
+            let variation = Variation::new(&scene, &[parameter]).unwrap();
+            let span = variation.span(&scene, parameter, from, to, 6).unwrap();
+            let table = gather(&mut Varied::new(&scene, &mechanism, &variation, span));
+            assert_eq!(table.columns[0].values.len(), 7, "{name}, {parameter}: {:?}", table.notes);
+            for row in 0..7 {
+                let value = span.value(row);
+                let text = if value.degrees { format!("{:?} deg", value.number) } else { format!("{:?} m", value.si()) };
+                let there = scene::read(templates::instantiate(name, &[(parameter, &text)]).unwrap()).unwrap().value;
+                let worked = work(&worked::instant(there).value, Scope::Questions).unwrap().value;
+                let meant: Vec<f64> = worked.results.iter().flat_map(|r| r.value().columns()).collect();
+                let told = table.columns[1..].iter().map(|c| c.values[row]);
+                let size = meant.iter().fold(1e-3, |s: f64, v| s.max(v.abs()));
+                for (told, meant) in told.zip(meant) {
+                    assert!((told - meant).abs() < 1e-9 * size, "{name} with {parameter} = {text}: {told}, read {meant}");
+                }
+            }
+        }
+    }
 }

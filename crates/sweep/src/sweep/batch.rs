@@ -156,22 +156,28 @@ impl Batch<'_> {
         let parameters = self.parameters(number);
         let lead = std::iter::once(number as f64).chain(parameters.iter().map(|p| p.si()));
         columns.iter_mut().zip(lead).for_each(|(column, value)| column.fill(value));
-        let rows = self.variation.set(scene, &parameters).and_then(|()| self.rows(scene, demand, columns.split_off(1 + parameters.len())));
+        let rows = self.variation.set(scene, &parameters).and_then(|()| {
+            let answers = columns.split_off(1 + parameters.len());
+            match self.variation.topology(scene)? {
+                Some(own) => self.rows(scene, (&own, &Demand::of(scene, &own)), answers),
+                None => self.rows(scene, (self.mechanism, demand), answers),
+            }
+        });
         rows.unwrap_or_else(|_| (0..self.positions()).collect())
     }
 
     /// The driver's positions and the answers of a mechanism; returns the rows that are missing.
-    fn rows(&self, scene: &Scene, demand: &Demand, mut columns: Vec<&mut [f64]>) -> Result<Vec<usize>, Faults> {
-        let (at, moved) = self.place(scene, demand)?;
+    fn rows(&self, scene: &Scene, (mechanism, demand): (&Mechanism, &Demand), mut columns: Vec<&mut [f64]>) -> Result<Vec<usize>, Faults> {
+        let (at, moved) = self.place(scene, mechanism, demand)?;
         let scene = moved.as_ref().unwrap_or(scene);
-        let placed = Placed { scene, mechanism: self.mechanism, demand: demand.clone(), at };
+        let placed = Placed { scene, mechanism, demand: demand.clone(), at };
         let per_value = angle_per_value(scene, &placed.at, self.driver);
         let here = || Stations::of_values(vec![super::station::driver_positions(scene, &placed.at)[self.driver]], per_value);
         let stations = self.stations.as_ref().map_or_else(|| Cow::Owned(here()), Cow::Borrowed);
         let general = General::new(&placed, self.driver);
         let answers = columns.split_off(1);
         columns[0].copy_from_slice(&stations.values);
-        let rows = match compile(scene, self.mechanism, &placed.at, Some(self.driver), &scene.find) {
+        let rows = match compile(scene, mechanism, &placed.at, Some(self.driver), &scene.find) {
             Ok(program) => {
                 let (mut rows, _) = run_on_branches(&program, &placed, self.driver, &stations, Width::Widest, answers);
                 rows.complete(&general, &stations, &never, &|row| beside(&program, &placed, self.driver, stations.values[row]));
@@ -184,14 +190,14 @@ impl Batch<'_> {
 
     /// Where everything is at the instant; where it cannot be assembled there, the driver is put to the first of a dozen stations,
     /// evenly taken, where it can, and the scene is another.
-    fn place(&self, scene: &Scene, demand: &Demand) -> Result<(Configuration, Option<Scene>), Faults> {
-        let first = position::configure(scene, self.mechanism, demand);
+    fn place(&self, scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Result<(Configuration, Option<Scene>), Faults> {
+        let first = position::configure(scene, mechanism, demand);
         let (Err(why), Some(stations)) = (&first, &self.stations) else { return first.map(|p| (p.value, None)) };
         // A dozen places about the way: a mechanism that closes in a smaller part of it is as good as none.
         let step = stations.len().div_ceil(12).max(1);
         for value in stations.values.iter().step_by(step) {
             let there = with_driver_at(scene, self.driver, *value);
-            if let Ok(placed) = position::configure(&there, self.mechanism, demand) {
+            if let Ok(placed) = position::configure(&there, mechanism, demand) {
                 return Ok((placed.value, Some(there)));
             }
         }

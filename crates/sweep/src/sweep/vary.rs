@@ -4,6 +4,7 @@
 //! evaluates these. What the reader would refuse (a length that is not positive) is refused here too.
 
 use super::chunks::{Rows, run_program};
+use super::follow::course::over_a_turn;
 use super::general::General;
 use super::pieces::{Gaps, Pieces, Stop, never};
 use super::station::{Stations, position_now};
@@ -81,8 +82,17 @@ pub struct Variation {
     fixed: Vec<Option<Value>>,
     /// Indices into [`slots`] of what depends on them.
     dependent: Vec<(usize, Expr)>,
-    /// Whether the scene has cams, whose geometry is read again for other values.
-    cams: bool,
+    /// A scene with cams is read again for other values: its geometry is made where it is read.
+    again: Option<Again>,
+}
+
+/// Which scene is read again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Again {
+    /// That of the instant.
+    Instant,
+    /// That of the whole motion, whose followers are drivers.
+    Motion,
 }
 
 impl Variation {
@@ -91,15 +101,9 @@ impl Variation {
     /// # Errors
     /// A name that is no parameter, or is named twice.
     pub fn new(scene: &Scene, names: &[&str]) -> Result<Variation, Faults> {
-        if scene.has_momentary_cams() {
-            let message = both!(
-                "a cam by a law or by several pieces is replaced for one instant: its parameters cannot be varied in one table",
-                "按运动规律或多段廓线的凸轮只在一个瞬时被替代：不能在一张表中改变参数"
-            );
-            let d = Diagnostic::error("cam-varied", message);
-            return Err(d.help(both!("run `solve` or `cam` with --set for each value", "请对每个值用 --set 运行 `solve` 或 `cam`")).into());
-        }
-        Ok(Variation { cams: !scene.cams.is_empty() && scene.source.is_some(), ..Variation::of(scene, names)? })
+        let moves = scene.own_drivers() < scene.drivers.len();
+        let again = scene.source.as_ref().filter(|_| !scene.cams.is_empty()).map(|_| if moves { Again::Motion } else { Again::Instant });
+        Ok(Variation { again, ..Variation::of(scene, names)? })
     }
 
     /// See [`Variation::new`]; cams stay as they stand in the scene.
@@ -149,7 +153,7 @@ impl Variation {
             }
         }
         let moves: Vec<bool> = known.iter().map(|name| moving.contains(name)).collect();
-        let mut variation = Variation { parameters, varied, fixed: Vec::new(), dependent, cams: false };
+        let mut variation = Variation { parameters, varied, fixed: Vec::new(), dependent, again: None };
         let usual = variation.values(&[])?;
         variation.fixed = usual.into_iter().zip(moves).map(|(value, moves)| (!moves).then_some(value)).collect();
         Ok(variation)
@@ -231,19 +235,25 @@ impl Variation {
         Ok(values)
     }
 
+    /// The topology of a scene whose parameters were set, where it is another one than before: what stands for the contact of a cam may change.
+    pub(super) fn topology(&self, scene: &Scene) -> Result<Option<Mechanism>, Faults> {
+        self.again.map(|_| super::mechanism(scene)).transpose()
+    }
+
     /// Gives the varied parameters their values, one each, in a scene that this variation was made for.
     ///
     /// # Errors
     /// A length that becomes zero or negative, a value that is no number.
     pub fn set(&self, scene: &mut Scene, varied: &[Value]) -> Result<(), Faults> {
         let values = self.values(varied)?;
-        if self.cams {
+        if let Some(again) = self.again {
             let written = |value: &Value| match value.degrees {
                 true => format!("({:?}) deg", value.number),
                 false => format!("({:?}) {}", value.si(), self.unit(value)).replace('²', "^2"),
             };
             let texts: Vec<(&str, String)> = self.names().zip(varied.iter().map(written)).collect();
-            *scene = scene.read_with(&texts)?;
+            let read = scene.read_with(&texts)?;
+            *scene = if again == Again::Motion { over_a_turn(&read) } else { read };
             return Ok(());
         }
         let mut slots = slots(scene);
@@ -342,7 +352,8 @@ impl Pieces for Varied<'_> {
         let one = |scene: &mut Scene, i: usize| -> Result<Vec<f64>, Faults> {
             let value = self.span.value(i);
             self.variation.set(scene, &[value])?;
-            let placed = Placed::new(scene, self.mechanism)?;
+            let topology = self.variation.topology(scene)?;
+            let placed = Placed::new(scene, topology.as_ref().unwrap_or(self.mechanism))?;
             let now = position_now(scene, &placed.at, 0);
             let stations = Stations::of_values(vec![now], super::station::angle_per_value(scene, &placed.at, 0));
             let row = one_row(&placed, &stations)?;
