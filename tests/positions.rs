@@ -8,7 +8,7 @@ use hodograph::geom::{Point, Vec2};
 use hodograph::mechanism::{Demand, Mechanism};
 use hodograph::position;
 use hodograph::scene::{self, Angle, PointId, Scene, templates};
-use hodograph::stated::{Moment, breaches};
+use hodograph::stated::{Moment, UNPROVEN, breaches};
 use hodograph::sweep::follow::{Follower, course};
 use hodograph::sweep::{self, Placed, Stations, Width};
 use hodograph::worked::{Scope, work};
@@ -222,6 +222,23 @@ fn sweeps_keep_to_that_side() {
             let y = table.columns[1].values[k] * 1e3;
             assert!((y - due).abs() < 1e-7, "{kind} row {k}: {y}, not {due}");
         }
+    }
+}
+
+/// Positions of a mechanism whose lengths are not those of the scene: a sweep of any kind is refused by its samples.
+#[test]
+fn sweeps_are_judged_by_samples() {
+    for name in ["crank-rocker", "double-butterfly", "slider-crank", "gear-linkage"] {
+        let own = scene::read(scene::templates::get(name).unwrap()).unwrap().value;
+        let mechanism = Mechanism::new(&own).unwrap().value;
+        let Placed { demand, at, .. } = Placed::new(&own, &mechanism).unwrap();
+        let mut stated = own.clone();
+        stated.lengths.last_mut().unwrap().value.value *= 1.0 + 1e-6;
+        let placed = Placed { scene: &stated, mechanism: &mechanism, demand, at };
+        let told = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 90), Width::Widest);
+        // Rows that no program makes are refused one by one.
+        let unproven = |f: hodograph::diag::Faults| f.list.iter().any(|d| d.code == UNPROVEN);
+        assert!(told.map_or_else(unproven, |table| table.rows() == 0), "{name}");
     }
 }
 

@@ -39,7 +39,7 @@ pub struct Breach {
 impl Breach {
     /// The breach as an error.
     pub fn diagnostic(&self) -> Diagnostic {
-        Diagnostic::error("position-unproven", both!("the position found is not that of the scene: {}", "所得位置与题设不符：{}", self.words))
+        Diagnostic::error(UNPROVEN, both!("the position found is not that of the scene: {}", "所得位置与题设不符：{}", self.words))
             .at(self.span)
             .help(both!(
                 "check what the scene gives here; where several assemblies are possible, say with \"side\", \"sketch\" or coordinates which one is meant",
@@ -47,6 +47,9 @@ impl Breach {
             ))
     }
 }
+
+/// The code of a breach.
+pub const UNPROVEN: &str = "position-unproven";
 
 /// The moment at which a configuration is judged.
 #[derive(Clone, Copy, Debug, PartialEq)]

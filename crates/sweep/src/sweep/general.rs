@@ -11,6 +11,7 @@ use crate::mechanism::Mechanism;
 use crate::position::{self, Configuration};
 use crate::scene::with_driver_at;
 use crate::scene::{Find, Kind, Lang, LinkId, Scene};
+use crate::stated::{self, Moment};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -67,16 +68,23 @@ impl<'a> General<'a> {
             return Ok(vec![finite(scene.find.iter().map(|f| there.answer(f)).collect::<Result<Vec<_>, _>>()?.concat())?]);
         }
         // Closed forms do not tell on which turn wheels stand, nor the pose beside one that is given by coordinates.
-        let at = match self.is_closed_everywhere() {
-            false => Whole::new(p, self.driver).standing(stations.values[row])?,
-            true => position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?,
-        };
-        self.answers(&scene, &at)
+        if self.is_closed_everywhere() {
+            let at = position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?;
+            if stated::proved(&scene, p.mechanism, &at, Moment::Later(&p.at)).is_ok() {
+                return self.answers(&scene, &at);
+            }
+            // A group without closed forms is only refined from the instant, which far from it leads to no position.
+        }
+        self.answers(&scene, &Whole::new(p, self.driver).standing(stations.values[row])?)
     }
 
     /// The row of a pose, one for each way on.
+    ///
+    /// # Errors
+    /// A position that is not the scene's.
     pub fn answers(&self, scene: &Scene, at: &Configuration) -> Result<Vec<Vec<f64>>, Faults> {
         let p = self.placed;
+        stated::proved(scene, p.mechanism, at, Moment::Later(&p.at))?;
         let solution = analytic::solve(scene, p.mechanism, at, &p.demand)?;
         let others = solution.singular.iter().filter_map(|s| s.other.as_deref());
         std::iter::once(&solution).chain(others).map(|s| self.row(scene, at, s)).collect()
@@ -136,6 +144,7 @@ impl Afresh {
         let scene = scene.read_again(place)?;
         let mechanism = Mechanism::new(&scene)?.value;
         let Placed { at, demand, .. } = Placed::new(&scene, &mechanism)?;
+        stated::proved(&scene, &mechanism, &at, Moment::Instant)?;
         let solution = analytic::solve(&scene, &mechanism, &at, &demand)?;
         Ok(Afresh { at, solution, scene })
     }

@@ -34,6 +34,7 @@ mod reading;
 mod rolling_tests;
 mod rows;
 mod run;
+pub mod sampled;
 pub mod station;
 mod stood;
 mod suspect;
@@ -95,9 +96,11 @@ impl<'a> Placed<'a> {
 /// the number of threads, on the width or on how the stations are cut into chunks.
 ///
 /// # Errors
-/// A driver that the scene does not have.
+/// A driver that the scene does not have; a sampled position that is not the scene's ([`sampled::proved`]).
 pub fn run(placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Result<Table, Faults> {
-    Ok(Sweep::new(placed, driver)?.run(stations, width, Table::default()))
+    let sweep = Sweep::new(placed, driver)?;
+    sampled::proved(placed, driver, stations.len(), |i| stations.values[i])?;
+    Ok(sweep.run(stations, width, Table::default()))
 }
 
 /// The answers at some values of a driver (rad or m); `None` for a driver that the scene does not have.

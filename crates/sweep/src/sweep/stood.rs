@@ -58,7 +58,7 @@ impl Stood {
     }
 
     /// Where everything is in a row; `None` where the program has no value.
-    fn laid(&self, placed: &Placed, columns: &[Vec<f64>], row: usize) -> Option<Configuration> {
+    pub fn laid(&self, placed: &Placed, columns: &[Vec<f64>], row: usize) -> Option<Configuration> {
         let pair = |k: usize| Some(Vec2::new(columns.get(2 * k)?[row], columns.get(2 * k + 1)?[row])).filter(|v| v.is_finite());
         let (mut poses, mut points) = (vec![None; placed.scene.links.len()], vec![None; placed.scene.points.len()]);
         for (k, p) in self.points.iter().enumerate() {
