@@ -5,6 +5,8 @@
 mod class_iv;
 #[path = "sweep/long.rs"]
 mod long;
+#[path = "sweep/strokes.rs"]
+mod strokes;
 mod wide;
 
 use class_iv::class_iv;
