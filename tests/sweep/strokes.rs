@@ -2,7 +2,7 @@
 
 use super::{limits_of, scene};
 use hodograph::scene::{Scene, edit, read, templates};
-use hodograph::sweep::extreme::{Extreme, Output, Swing};
+use hodograph::sweep::extreme::{Extreme, Grashof, Output, Swing};
 use hodograph::sweep::follow::course::over_a_turn;
 use std::f64::consts::{PI, TAU};
 
@@ -145,4 +145,23 @@ fn a_shaper_cuts_slowly_and_returns_fast() {
         strokes(ram, 2.0 * 0.65 * 110.0 / 380.0, ratio, &what);
     }
     assert_eq!(limits_of(&scene("shaper", &[])).swings.len(), 2);
+}
+
+/// A four-bar by hand: extremes of the rocker where crank and coupler lie in line, transmission angle where crank and frame do.
+#[test]
+fn limits_of_a_crank_rocker() {
+    let scene = scene("crank-rocker", &[]);
+    let limits = limits_of(&scene);
+    let (a, b, c, d) = (0.1f64, 0.25f64, 0.2f64, 0.3f64);
+    assert_eq!(limits.grashof.unwrap().0, Grashof::CrankRocker);
+    let swing = &limits.swings[0];
+    let angle = |s: f64| PI - ((c * c + d * d - s * s) / (2.0 * c * d)).acos();
+    assert!((swing.stroke.unwrap() - (angle(b - a) - angle(a + b)).abs()).abs() < 1e-14, "{swing:?}");
+    let crank = |s: f64| ((s * s + d * d - c * c) / (2.0 * s * d)).acos();
+    let turn = PI + crank(b - a) - crank(b + a);
+    let (long, short) = (turn.max(TAU - turn), turn.min(TAU - turn));
+    assert!((swing.time_ratio.unwrap() - long / short).abs() < 1e-13, "{swing:?}");
+    let gamma = |s: f64| ((b * b + c * c - s * s) / (2.0 * b * c)).acos();
+    let worst = gamma(d - a).min(PI - gamma(d + a));
+    assert!((limits.transmission[0].angle - worst).abs() < 1e-14, "{:?} {worst}", limits.transmission);
 }
