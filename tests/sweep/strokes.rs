@@ -109,7 +109,7 @@ fn an_eccentric_has_a_stroke_of_twice_its_eccentricity() {
 /// The scene of a template with its crank at an angle.
 fn turned(template: &str, parameter: &str, angle: f64) -> Scene {
     let text = templates::instantiate(template, &[(parameter, &format!("{angle:?}"))]).unwrap();
-    read(&edit::with_find(&text, &["v_C"]).unwrap()).unwrap_or_else(|f| panic!("{template} at {angle}: {f}")).value
+    read(edit::with_find(&text, &["v_C"]).unwrap()).unwrap_or_else(|f| panic!("{template} at {angle}: {f}")).value
 }
 
 /// A crank-rocker's extremes are where crank and coupler lie in line, one beyond the other or one on it.
