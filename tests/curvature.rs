@@ -1,5 +1,8 @@
 //! Curvature: drawing with the ruler against accelerations, both against reference cases and against differences of places.
 
+#[path = "curvature/figures.rs"]
+mod figures;
+
 use hodograph::curvature::drawing::{Drawing, How};
 use hodograph::curvature::motion::{Bend, State};
 use hodograph::curvature::{Asked, Curvature, OfLink, centrodes, couplers, curvature};
@@ -341,43 +344,6 @@ fn the_moving_centrode_of_a_planet_is_one_dashed_circle() {
     let [(centre, radius, _)] = dashed[..] else { panic!("{circles:?}") };
     let over = circles.iter().filter(|c| c.0.distance(*centre) < 1e-6 && (c.1 - radius).abs() < 1e-6).count();
     assert_eq!(over, 1, "nothing is drawn over the dashes: {circles:?}");
-}
-
-/// Labels stand clear of one another on all figures, over positions and in both languages.
-#[test]
-fn labels_do_not_overlap() {
-    use hodograph::figure::list::{Extras, Wanted, named};
-    use hodograph::figure::sheet::Options;
-    use hodograph::paper::extent::bounds;
-    use hodograph::paper::item::Shape;
-    use hodograph::scene::Lang;
-    use hodograph::worked::{Scope, work};
-    let (mut figures, mut faults) = (0, Vec::new());
-    for name in ["crank-rocker", "slider-crank", "shaper", "watt-six-bar", "oscillating-cylinder"] {
-        for k in 0..3 {
-            let scene = template(name, &[("phi_1", &format!("{} deg", 23 + 120 * k))]);
-            let Ok(worked) = work(&scene, Scope::Figure) else { continue };
-            for lang in [Lang::En, Lang::Zh] {
-                let options = Options::of_language(lang);
-                let wanted = Wanted { scene: &scene, worked: &worked.value, options: &options, extras: &Extras::default() };
-                for figure in ["curvature", "centrodes"] {
-                    for (word, page) in (named(figure).unwrap().draw)(&wanted).unwrap().value {
-                        let labels: Vec<_> = page.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).collect();
-                        let boxes: Vec<_> = labels.iter().map(|i| bounds(std::slice::from_ref(*i)).unwrap()).collect();
-                        figures += 1;
-                        for i in 0..boxes.len() {
-                            for j in 0..i {
-                                if boxes[i].overlap_mm2(boxes[j]) > 0.05 {
-                                    faults.push(format!("{name} {k} {lang:?} {word}: {} {}", labels[i].id, labels[j].id));
-                                }
-                            }
-                        }
-                    }
-                }
-            }
-        }
-    }
-    assert!(figures > 50 && faults.is_empty(), "{figures} figures, {}:\n{}", faults.len(), faults.join("\n"));
 }
 
 /// What is said where something is nowhere.

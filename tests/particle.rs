@@ -5,6 +5,7 @@ use hodograph::figure::particle::figures;
 use hodograph::paper::style::Style;
 use hodograph::particle::plate::Part;
 use hodograph::particle::{Asked, Solved, board, read, solve, solve_again, templates};
+use hodograph::plan::notation::Notation;
 use hodograph::report::particle as report;
 use hodograph::scene::Lang;
 use serde_json::Value as Json;
@@ -224,7 +225,7 @@ fn places_that_are_asked_for_are_points_at_rest() {
         (chases, ""),
     ] {
         let (one, other) = (solved(&text(rest, motion, find)), solved(&text("", &format!("{motion}, {stays}"), find)));
-        let told = |(problem, solved): &(hodograph::particle::Problem, Solved)| report::text(problem, solved, &[], 6, false, Lang::En);
+        let told = |(problem, solved): &(hodograph::particle::Problem, Solved)| report::text(problem, solved, &[], 6, None, Lang::En);
         assert_eq!(told(&one), told(&other));
         assert!(!one.1.answers.is_empty());
     }
@@ -289,7 +290,7 @@ fn pursuits_of_nearly_equal_speed_are_followed() {
     }
     let (problem, solved) = solved(&run_after(5.0, 5.0, 0.0));
     assert!((solved.answers[1].value.scalar().unwrap() - 50.0).abs() < 1e-12);
-    let told = report::text(&problem, &solved, &[], 6, false, Lang::En);
+    let told = report::text(&problem, &solved, &[], 6, None, Lang::En);
     assert!(told.contains("does not catch") && told.contains("4.0000e1 m"), "{told}");
 }
 
@@ -335,7 +336,7 @@ fn answers_have_the_units_of_the_file() {
         let problem = hodograph::particle::read(&text).unwrap_or_else(|f| panic!("{f}")).value;
         let solved = hodograph::particle::solve(&problem).unwrap();
         let json = hodograph::report::particle::json(&problem, &solved, &[], 6, &[]);
-        (hodograph::report::particle::text(&problem, &solved, &[], 6, false, hodograph::scene::Lang::En), json["answers"].clone())
+        (hodograph::report::particle::text(&problem, &solved, &[], 6, None, hodograph::scene::Lang::En), json["answers"].clone())
     };
     let (plain, si) = told(text(""));
     let (booked, same) = told(text(r#""answers": {"velocity": "km/h", "length": "ft"}, "#));
@@ -403,7 +404,7 @@ fn what_is_calculated_is_not_drawn() {
         let calculated = drawn.iter().all(|d| d.calculated);
         assert_eq!(calculated, !name.starts_with("pursuit"), "{name}");
         for (lang, words, claim) in [(Lang::En, "alculated", "drawing differs by"), (Lang::Zh, "计算所得", "作图相差")] {
-            let said = report::text(&problem, &found, &drawn, 6, true, lang);
+            let said = report::text(&problem, &found, &drawn, 6, Some(&Notation::of_language(lang)), lang);
             assert_eq!(said.contains(words), calculated, "{name}: {said}");
             assert_eq!(said.contains(claim), !calculated, "{name}: {said}");
             assert!(!calculated || !said.contains("measure") && !said.contains("量得"), "{name}: {said}");

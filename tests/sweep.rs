@@ -5,6 +5,8 @@
 mod class_iv;
 #[path = "sweep/long.rs"]
 mod long;
+#[path = "sweep/strokes.rs"]
+mod strokes;
 mod wide;
 
 use class_iv::class_iv;
@@ -306,25 +308,6 @@ fn time_ratio_of_a_whitworth_mechanism() {
     let ram = limits.swings.iter().find(|s| matches!(s.output, extreme::Output::Sliding(_))).unwrap();
     assert!((ram.time_ratio.unwrap() - 2.735_239_182_63).abs() < 1e-10, "{ram:?}");
     assert!((ram.stroke.unwrap() - 0.27).abs() < 1e-12, "{ram:?}");
-}
-
-/// A four-bar by hand: extremes of the rocker where crank and coupler lie in line, transmission angle where crank and frame do.
-#[test]
-fn limits_of_a_crank_rocker() {
-    let scene = scene("crank-rocker", &[]);
-    let limits = limits_of(&scene);
-    let (a, b, c, d) = (0.1f64, 0.25f64, 0.2f64, 0.3f64);
-    assert_eq!(limits.grashof.unwrap().0, extreme::Grashof::CrankRocker);
-    let swing = &limits.swings[0];
-    let angle = |s: f64| std::f64::consts::PI - ((c * c + d * d - s * s) / (2.0 * c * d)).acos();
-    assert!((swing.stroke.unwrap() - (angle(b - a) - angle(a + b)).abs()).abs() < 1e-14, "{swing:?}");
-    let crank = |s: f64| ((s * s + d * d - c * c) / (2.0 * s * d)).acos();
-    let turn = std::f64::consts::PI + crank(b - a) - crank(b + a);
-    let (long, short) = (turn.max(std::f64::consts::TAU - turn), turn.min(std::f64::consts::TAU - turn));
-    assert!((swing.time_ratio.unwrap() - long / short).abs() < 1e-13, "{swing:?}");
-    let gamma = |s: f64| ((b * b + c * c - s * s) / (2.0 * b * c)).acos();
-    let worst = gamma(d - a).min(std::f64::consts::PI - gamma(d + a));
-    assert!((limits.transmission[0].angle - worst).abs() < 1e-14, "{:?} {worst}", limits.transmission);
 }
 
 /// Lecture notes 001, exam 2-4: with an advance-to-return ratio K = 1.5 the crank's angle between the extremes is 36 degrees from a

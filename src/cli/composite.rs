@@ -13,7 +13,7 @@ const MOST: usize = 3;
 /// Runs the command.
 pub fn run(a: args::Composite) -> Run {
     let mut input = Input::read(&a.common)?;
-    let (lang, _) = choices(&input.scene, &a.common);
+    let (lang, notation) = choices(&input.scene, &a.common);
     Mechanism::new(&input.scene).map_err(|f| input.failed(f))?;
     let staged = composite::Staged::new(&input.scene);
     let all = staged.choices(&input.scene);
@@ -25,7 +25,7 @@ pub fn run(a: args::Composite) -> Run {
         files::print(&format!("{:#}\n", report::json(&staged, &all, &solved, &input.notes)))?;
         return Ok(ExitCode::SUCCESS);
     }
-    files::print(&report::text(&staged.scene, &all, &solved, lang))?;
+    files::print(&report::text(&staged.scene, &all, &solved, lang, &notation))?;
     input.say_notes();
     Ok(ExitCode::SUCCESS)
 }

@@ -8,9 +8,10 @@ use crate::figure::particle as figure;
 use crate::figure::sheet;
 use crate::lesson::motion;
 use crate::paper::item::Figure;
-use crate::paper::style::Style;
+use crate::paper::style::{Marks, Style};
 use crate::particle::board::Drawn;
 use crate::particle::{self, Problem, Solved, Value, board};
+use crate::plan::notation::Notation;
 use crate::report::particle as report;
 use crate::scene::{self, Lang};
 use crate::worksheet::{Options, Sides};
@@ -91,6 +92,17 @@ fn not_of_these(option: &str) -> Failure {
     Failure::argument(option, "", d.help(both!("leave {option} out", "请去掉 {option}")))
 }
 
+/// The notation that the command line names.
+fn named(common: &args::Common) -> Option<Notation> {
+    common.notation.as_deref().and_then(Notation::named)
+}
+
+/// A style with the marks of the notation that the command line names beside its own.
+fn marked(style: Style, common: &args::Common) -> Style {
+    let marks = named(common).map(|notation| Marks::of(style.marks.over(&notation)));
+    Style { marks: marks.unwrap_or_else(|| style.marks.clone()), ..style }
+}
+
 /// The answers.
 pub fn solve(a: &args::Solve) -> Run {
     if a.drafting.is_some() {
@@ -101,7 +113,9 @@ pub fn solve(a: &args::Solve) -> Run {
         files::print(&format!("{:#}\n", report::json(&input.problem, &input.solved, &input.board, a.digits, &input.notes)))?;
         return Ok(input.verdict());
     }
-    files::print(&report::text(&input.problem, &input.solved, &input.board, a.digits, a.steps, input.lang()))?;
+    let notation = named(&a.common).unwrap_or_else(|| Notation::of_language(input.lang()));
+    let steps = a.steps.then_some(&notation);
+    files::print(&report::text(&input.problem, &input.solved, &input.board, a.digits, steps, input.lang()))?;
     input.say(Vec::new());
     Ok(input.verdict())
 }
@@ -116,8 +130,9 @@ pub fn draw(a: &args::Draw, style: &Style) -> Run {
         }
     }
     let input = Input::read(&a.common)?;
+    let style = marked(style.clone(), &a.common);
     let mut figures: Vec<(String, Figure)> =
-        figure::figures(&input.problem, &input.solved, &input.board, style, input.lang()).map_err(|d| input.failed(d))?;
+        figure::figures(&input.problem, &input.solved, &input.board, &style, input.lang()).map_err(|d| input.failed(d))?;
     if figures.is_empty() {
         let message = both!(
             "there is nothing to draw: no point pursues another one or moves on a plate",
@@ -145,7 +160,7 @@ pub fn lesson(a: &args::Lesson, style: Style) -> Run {
     let input = Input::read(&a.common)?;
     let options = motion::Options {
         lang: input.lang(),
-        style,
+        style: marked(style, &a.common),
         positions: a.positions as usize,
         motion: a.driver.map_or(0, |number| number as usize - 1),
     };
@@ -163,7 +178,10 @@ pub fn worksheet(a: &args::Worksheet, style: Style, sides: Sides, write: Writer)
         return Err(not_of_these("--find-the-mistake"));
     }
     let input = Input::read(&a.common)?;
-    let options = Options { sheet: sheet::Options { style, digits: a.digits, ..sheet::Options::of_language(input.lang()) }, sides };
+    let options = Options {
+        sheet: sheet::Options { style: marked(style, &a.common), digits: a.digits, ..sheet::Options::of_language(input.lang()) },
+        sides,
+    };
     let document = crate::worksheet::particle(&input.problem, &input.solved, &input.board, &options).map_err(|d| input.failed(d))?;
     let written = write(&document, stem(&a.output)).map_err(|f| input.failed(f))?;
     let notes = written.appear(&a.output)?;

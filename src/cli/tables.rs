@@ -112,7 +112,7 @@ fn formed(format: &dyn Format) -> impl FnMut(&[&[f64]], Option<Piece>) -> io::Re
 fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut Out) -> io::Result<()> {
     let count = sweep.count() as u64;
     let bar = long::bar(count, 0, &both!("positions", "个位置"));
-    // What is known before: that all rows are there, unless it turns out otherwise.
+    // What is known before: that all rows are there and finite, unless it turns out otherwise.
     let begin = format.begin(count, &sweep.notes());
     out.write_all(&begin)?;
     let (mut offset, mut written) = (begin.len() as u64, 0);
@@ -127,7 +127,8 @@ fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut Out) -> io::Resul
     bar.finish_and_clear();
     let notes = sweep.notes();
     out.write_all(&format.end(&standing, &notes)?)?;
-    if written < count { out.replace_beginning(begin.len() as u64, &format.begin(written, &notes)) } else { Ok(()) }
+    let told = format.begin(written, &notes);
+    if told == begin { Ok(()) } else { out.replace_beginning(begin.len() as u64, &told) }
 }
 
 fn by_columns(sweep: &mut dyn Pieces, head: &Head, out: &mut Out) -> io::Result<()> {

@@ -9,7 +9,7 @@ use super::pack::pressed;
 use super::page::{BASE, filled, terse, with_fonts};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::digits::significant;
-use crate::figure::particle::{ALONE, Maker, View};
+use crate::figure::particle::{ALONE, Maker, View, notation};
 use crate::geom::Point;
 use crate::paper::extent::{Rect, bounds, translate};
 use crate::paper::item::Item;
@@ -154,7 +154,7 @@ pub fn lesson(problem: &Problem, options: &Options) -> Result<String, Faults> {
     for f in &frames {
         views.push(seen(&f.maker(&style, options.lang, &also), &f.drawn, still.as_ref())?);
     }
-    let told: Vec<Value> = frames.iter().zip(&views).map(|(f, v)| told(f, v)).collect();
+    let told: Vec<Value> = frames.iter().zip(&views).map(|(f, v)| told(f, v, &style)).collect();
     let title = &problem.title;
     let page = Page {
         title: [title.en.as_str(), title.zh.as_str()],
@@ -289,11 +289,12 @@ fn seen(maker: &Maker, drawn: &Drawn, still: Option<&View>) -> Result<Vec<View>,
 }
 
 /// What is said at an instant: its time, the sentences of the steps, the answers, the scales of the drawings.
-fn told(f: &Frame, views: &[View]) -> Value {
+fn told(f: &Frame, views: &[View], style: &Style) -> Value {
     let both_of = |say: &dyn Fn(Lang) -> String| json!(LANGS.map(say));
-    let steps: Vec<Value> = f.drawn.steps.iter().map(|s| both_of(&|lang| html(&Phrase::new(lang.of(s))))).collect();
+    let steps: Vec<Value> =
+        f.drawn.steps.iter().map(|s| both_of(&|lang| html(&report::sentence(s, lang, &notation(style, lang))))).collect();
     let answers = both_of(&|lang| {
-        let lines = report::lines(&f.problem, &f.solved, DIGITS, lang);
+        let lines = report::lines(&f.problem, &f.solved, DIGITS, lang, &notation(style, lang));
         lines.iter().map(|l| format!("<li>{}</li>", html(l))).collect()
     });
     let scales: Vec<String> = views.iter().map(|v| mathml(&Label::math(v.scale(&f.problem.book)))).collect();

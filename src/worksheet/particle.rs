@@ -5,13 +5,14 @@ mod given;
 use super::{Block, Document, Options, Sides, Table, TableKind, one_line};
 use crate::diag::Diagnostic;
 use crate::digits::significant;
-use crate::figure::particle::{as_given, within_text};
+use crate::figure::particle::{as_given, notation, within_text};
 use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, tr};
 use crate::particle::board::Drawn;
 use crate::particle::{Kind, Problem, Solved};
+use crate::plan::notation::Notation;
 use crate::report::math::Math;
-use crate::report::particle::{drawn, in_unit, integrated, largest, symbol, unit, value};
+use crate::report::particle::{drawn, in_unit, integrated, largest, marked, sentence, symbol, unit, value};
 use crate::scene::Lang;
 
 /// Makes the worksheet.
@@ -20,6 +21,7 @@ use crate::scene::Lang;
 /// Laws without a value on the way.
 pub fn particle(problem: &Problem, solved: &Solved, board: &[Drawn], options: &Options) -> Result<Document, Diagnostic> {
     let lang = options.sheet.lang;
+    let notation = &notation(&options.sheet.style, lang);
     let heading = |level: u8, en: &'static str, zh: &'static str| Block::Heading(level, tr(lang, en, zh).into());
     let mut blocks = Vec::new();
     if options.sides != Sides::Solution {
@@ -33,32 +35,31 @@ pub fn particle(problem: &Problem, solved: &Solved, board: &[Drawn], options: &O
         }
         let list = |members| Block::List { numbered: false, members };
         blocks.extend([heading(2, "Given", "已知"), list(given::given(problem, lang))]);
-        blocks.extend([heading(2, "Wanted", "求"), list(given::wanted(problem, lang))]);
+        blocks.extend([heading(2, "Wanted", "求"), list(given::wanted(problem, lang, notation))]);
     }
     if options.sides != Sides::Problem {
         blocks.push(heading(1, "Solution", "解"));
         for d in board {
-            blocks.extend(equations(problem, d, lang));
+            blocks.extend(equations(problem, d, lang, notation));
             let figure = within_text(problem, solved, d, &options.sheet.style, lang)?;
             blocks.push(match d.calculated {
                 true => heading(2, "Calculated, shown to scale", "计算所得，按比例示出"),
                 false => heading(2, "Drawing", "作图"),
             });
             blocks.push(Block::Figure { name: "motion", figure: Box::new(figure) });
-            let steps = d.steps.iter().map(|s| Phrase::new(lang.of(s))).collect();
+            let steps = d.steps.iter().map(|s| sentence(s, lang, notation)).collect();
             blocks.push(Block::List { numbered: true, members: steps });
         }
-        blocks.extend([heading(2, "Answers", "结果"), Block::Table(answers(problem, solved, board, options))]);
+        blocks.extend([heading(2, "Answers", "结果"), Block::Table(answers(problem, solved, board, options, notation))]);
     }
     Ok(Document { title: one_line(lang.of(&problem.title)), lang, fonts: options.sheet.style.fonts.clone(), blocks })
 }
 
 /// The equations that are drawn.
-fn equations(problem: &Problem, d: &Drawn, lang: Lang) -> Vec<Block> {
+fn equations(problem: &Problem, d: &Drawn, lang: Lang, notation: &Notation) -> Vec<Block> {
     let motion = &problem.motions[d.motion];
     let say = |en: &'static str, zh: &'static str| Block::Paragraph(Phrase::new(tr(lang, en, zh)));
-    let formula = |source: &str| Block::Formula(vec![Math::Row(Label::math(source))]);
-    let k = tr(lang, "c", "k");
+    let formula = |source: &str| Block::Formula(vec![Math::Row(Label::math(marked(source, notation)))]);
     match &motion.kind {
         Kind::Toward { .. } => {
             let (a, b) = (&motion.point, problem.chase(motion).map_or("", |c| c.1));
@@ -75,13 +76,13 @@ fn equations(problem: &Problem, d: &Drawn, lang: Lang) -> Vec<Block> {
                 "动点：该点；动系：平板。沿轴的分量以及 $v_r$、$a_r$ 在板面视图中示出真实长度；垂直于轴的分量在沿轴视图中示出。",
             ),
             formula("v_a = v_e + v_r ,\\quad v_e = \\omega \\times r"),
-            formula(&format!("a_a = a_e^n + a_e^t + a_r^n + a_r^t + a_{k} ,\\quad a_{k} = 2 \\omega v_r \\sin \\theta")),
+            formula("a_a = a_e^n + a_e^t + a_r^n + a_r^t + a_k ,\\quad a_k = 2 \\omega v_r \\sin \\theta"),
         ],
         Kind::Fixed(_) => Vec::new(),
     }
 }
 
-fn answers(problem: &Problem, solved: &Solved, board: &[Drawn], options: &Options) -> Table {
+fn answers(problem: &Problem, solved: &Solved, board: &[Drawn], options: &Options, notation: &Notation) -> Table {
     let lang = options.sheet.lang;
     let head = [tr(lang, "quantity", "量"), tr(lang, "drawing", "作图"), tr(lang, "analysis", "解析")];
     let mut rows = vec![head.iter().map(|h| Phrase::of_words(h)).collect::<Vec<_>>()];
@@ -98,7 +99,7 @@ fn answers(problem: &Problem, solved: &Solved, board: &[Drawn], options: &Option
             },
         );
         let cells = [
-            format!("${}$", symbol(problem, what, lang)),
+            format!("${}$", symbol(problem, what, notation)),
             printed(&read),
             printed(&value(&problem.book, what, &a.value, largest(problem, solved, what), options.sheet.digits, lang)),
         ];

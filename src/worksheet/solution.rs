@@ -192,6 +192,8 @@ impl Maker<'_> {
             (Method::Cylinder, Lang::Zh) => "液压缸两端，分别为缸筒与活塞杆上的点",
             (Method::Coincident, Lang::En) => "coincident points of two links",
             (Method::Coincident, Lang::Zh) => "重合点法",
+            (Method::Strand, Lang::En) => "the ends of a strand, which does not slip",
+            (Method::Strand, Lang::Zh) => "带（链）段两端的点，不打滑",
             (Method::Special, Lang::En) => "special point",
             (Method::Special, Lang::Zh) => "特殊点法",
             (Method::Driven, Lang::En) => "everything is known",

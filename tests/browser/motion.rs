@@ -4,6 +4,7 @@
 use super::*;
 use hodograph::lesson::motion;
 use hodograph::particle::{self, solve};
+use hodograph::plan::notation::Notation;
 use hodograph::report::particle::lines;
 use serde_json::json;
 
@@ -64,7 +65,7 @@ fn moved(b: &mut Browser, name: &str, problem: &particle::Problem) {
     let at = problem.at(t, None).unwrap();
     let first =
         |text: &str| text.split("= ").nth(1).map(|s| s.chars().take_while(|c| !c.is_ascii_alphabetic()).collect::<String>()).unwrap();
-    let wanted = lines(&at, &solve(&at).unwrap(), 3, Lang::En);
+    let wanted = lines(&at, &solve(&at).unwrap(), 3, Lang::En, &Notation::of_language(Lang::En));
     let said = b.eval("[...document.querySelectorAll('#answers li')].map((e) => e.textContent)");
     for (line, said) in wanted.iter().zip(said.as_array().unwrap()).filter(|(l, _)| l.plain().contains(" = ") && !l.plain().contains("= ("))
     {

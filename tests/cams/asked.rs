@@ -3,7 +3,11 @@
 use crate::OMEGA;
 use hodograph::certified::ladder::{Part, certify};
 use hodograph::report::answers;
-use hodograph::scene::{Lang, Scene, read};
+use hodograph::scene::{Angle, Lang, Scene, read};
+use hodograph::sweep::long::Long;
+use hodograph::sweep::pieces::gather;
+use hodograph::sweep::station::Way;
+use hodograph::sweep::{Placed, Steps};
 use hodograph::worked::{NoAnswer, Scope, Worked, work};
 use serde_json::Value as Json;
 
@@ -68,6 +72,35 @@ fn a_straight_flank_has_an_infinite_radius() {
     let answer = &json["answers"][0];
     assert_eq!((&answer["value"], &answer["unbounded"]), (&Json::Null, &Json::Bool(true)));
     assert_eq!(answer["why"]["code"], "infinite");
+}
+
+/// In a sweep as in a single pose: no row is missing, and a note says from where to where the radius is infinite.
+#[test]
+fn a_sweep_has_rows_on_a_straight_flank() {
+    let at =
+        |angle: f64, find| translating("6 mm", r#""roller": {"pin": "B", "radius": "5 mm"}"#, TANGENT, &format!("{angle:?} deg"), find);
+    let swept = at(0.0, "rho_2/3").over_a_turn();
+    let mechanism = hodograph::sweep::mechanism(&swept).unwrap();
+    let placed = Placed::new(&swept, &mechanism).unwrap();
+    let steps = Steps { way: Way::Turn(Angle::Deg(0.5), Angle::Deg(360.5)), steps: 60 };
+    let table = gather(&mut Long::new(&placed, 0, steps));
+    let rho = &table.column("rho_2/3").unwrap().values;
+    assert_eq!(rho.len(), 61, "{:?}", table.notes);
+    let mut straight = 0;
+    for (k, rho) in rho.iter().enumerate() {
+        let (single, _) = worked(&at(0.5 + 6.0 * k as f64, "rho_2/3"));
+        match (&single.unanswered[..], &single.results[..]) {
+            ([none], []) => {
+                assert!(matches!(none.why, NoAnswer::Infinite(_)) && *rho == f64::INFINITY, "row {k}: {rho}");
+                straight += 1;
+            }
+            ([], [one]) => assert!((one.value().magnitude() - rho).abs() < 1e-12, "row {k}: {rho}, not {:?}", one.value()),
+            other => panic!("row {k}: {other:?}"),
+        }
+    }
+    let notes: Vec<&str> = table.notes.iter().filter(|d| d.code == "infinite").map(|d| d.message.en.as_str()).collect();
+    assert!(straight > 4 && notes.len() == 2 && notes.iter().all(|n| n.starts_with("rho_2/3 is infinite from phi_2 = ")), "{notes:?}");
+    assert!(table.notes.iter().all(|d| d.code != "no-position"), "{:?}", table.notes);
 }
 
 /// Where ρ changes sign the least radius is less than zero, and a warning says where.

@@ -275,4 +275,29 @@ fn tangential_parts_bear_the_mark_of_the_notation() {
     hodograph().args(["draw", "templates/crank-rocker.json", "--style"]).arg(&style).arg("-o").arg(&out).assert().success();
     let sheet = std::fs::read_to_string(&out).unwrap();
     assert!(sheet.contains('τ'), "no tau");
+    // Composite motion, in its figure and in its text, and a plate that turns in space, in formulas, steps and answers.
+    let lever = ["draw", "templates/slotted-lever.json", "--figure", "composite", "--style"];
+    hodograph().args(lever).arg(&style).arg("-o").arg(&out).assert().success();
+    let figure = std::fs::read_to_string(&out).unwrap();
+    assert!(figure.contains("a_e^τ + a_r^n + a_r^τ") && !figure.contains("_r^t") && figure.contains("α_3 = a_e^τ/l_CB"), "{figure}");
+    let plate = folder.path().join("plate.md");
+    hodograph()
+        .args(["worksheet", "templates/particle/plate-in-space.json", "--style"])
+        .arg(&style)
+        .arg("-o")
+        .arg(&plate)
+        .assert()
+        .success();
+    let sheet = std::fs::read_to_string(&plate).unwrap();
+    assert!(sheet.contains("a_{e}^{\\tau}+a_{r}^{n}+a_{r}^{\\tau}+a_{c}") && !sheet.contains("^{t}"), "{sheet}");
+    for (notation, letter) in [("cn", "a_k = 2ω"), ("en", "a_c = 2ω")] {
+        for lang in ["en", "zh"] {
+            let asked = ["solve", "templates/particle/plate-in-space.json", "--steps", "--notation", notation, "--lang", lang];
+            let said = text(&hodograph().args(asked).assert().success().get_output().stdout);
+            assert!(said.contains(letter), "{notation} {lang}: {said}");
+        }
+    }
+    let run = hodograph().args(["composite", "templates/slotted-lever.json", "--notation", "cn"]).assert().success();
+    let said = text(&run.get_output().stdout);
+    assert!(said.contains("a_r^t + a_k") && !said.contains("a_c"), "{said}");
 }

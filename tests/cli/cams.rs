@@ -32,6 +32,29 @@ fn a_cam_is_told_drawn_and_written_out() {
     assert_eq!((count("ARC"), count("LINE"), count("POLYLINE")), (2, 4, 0), "{drawing}");
 }
 
+/// A straight flank has no number for its radius: an empty field, null, and infinity in binary tables; the row is there.
+#[test]
+fn an_infinite_radius_has_a_row_in_every_table() {
+    let out = tempfile::tempdir().unwrap();
+    let sweep = |name: &str| {
+        let path = out.path().join(name);
+        let asked = ["sweep", "templates/cam-valve-train.json", "--steps", "36", "--find", "rho_2/3", "--lang", "zh", "-o"];
+        hodograph().args(asked).arg(&path).assert().success();
+        std::fs::read(path).unwrap()
+    };
+    let csv = String::from_utf8(sweep("rho.csv")).unwrap();
+    let rows: Vec<&str> = csv.lines().filter(|l| l.starts_with(|c: char| c.is_ascii_digit())).collect();
+    let empty = rows.iter().filter(|l| l.ends_with(',')).count();
+    assert!(rows.len() == 37 && empty > 0 && csv.contains("# rho_2/3 在 phi_2 = ") && csv.contains("为无穷大"), "{csv}");
+    assert!(!rows.iter().any(|l| l.contains("inf")), "{csv}");
+    let json: serde_json::Value = serde_json::from_slice(&sweep("rho.json")).unwrap();
+    let values = json["columns"][1]["values"].as_array().unwrap();
+    assert_eq!((values.len(), values.iter().filter(|v| v.is_null()).count()), (37, empty));
+    let npy = sweep("rho.npy");
+    let number = |k: usize| f64::from_le_bytes(npy[npy.len() - 8 * k..][..8].try_into().unwrap());
+    assert_eq!((0..37).filter(|row| number(2 * row + 1) == f64::INFINITY).count(), empty);
+}
+
 #[test]
 fn a_cam_for_programs() {
     let run = hodograph().args(["cam", "templates/cam-offset-roller.json", "--json"]).assert().success();

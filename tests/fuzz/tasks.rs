@@ -6,6 +6,7 @@ use hodograph::figure::{particle as motion_figure, synthesis as design_figure};
 use hodograph::lesson::design as design_lesson;
 use hodograph::paper::style::Style;
 use hodograph::particle::{self, board};
+use hodograph::plan::notation::Notation;
 use hodograph::render::svg;
 use hodograph::report::{particle as motion_report, synthesis as design_report};
 use hodograph::scene::Lang;
@@ -92,7 +93,14 @@ fn motion_target(input: &[u8], k: u64) -> bool {
         assert!(apart.is_none_or(|off| off < 1e-9), "{}: drawing and laws differ by {apart:?}", problem.find[answer.find].text);
     }
     let lang = if k.is_multiple_of(2) { Lang::En } else { Lang::Zh };
-    finite(&motion_report::text(&problem, &solved, &drawn, 6 + k as usize % 20, k.is_multiple_of(3), lang));
+    finite(&motion_report::text(
+        &problem,
+        &solved,
+        &drawn,
+        6 + k as usize % 20,
+        k.is_multiple_of(3).then_some(&Notation::of_language(lang)),
+        lang,
+    ));
     finite(&motion_report::json(&problem, &solved, &drawn, 6, &[]).to_string());
     match motion_figure::figures(&problem, &solved, &drawn, &Style::default(), lang) {
         Ok(figures) => figures.iter().for_each(|f| match svg::write(&f.1) {

@@ -8,7 +8,7 @@ use hodograph::sweep::{Placed, station};
 use serde_json::{Value as Json, json};
 use std::collections::BTreeMap;
 
-/// The answers of the loop equations to a scene as it stands; `None` of what is not defined there.
+/// The answers of the loop equations to a scene as it stands, infinite ones too; `None` of what is not defined there.
 pub struct Single {
     pub answers: BTreeMap<String, Option<Vec<f64>>>,
     pub condition: f64,
@@ -21,6 +21,9 @@ pub fn solved(scene: &Scene, driver: Option<usize>) -> Result<Single, Faults> {
     let placed = Placed::new(scene, &m)?;
     let solution = analytic::solve(scene, &m, &placed.at, &placed.demand)?;
     let answer = |f: &Find| {
+        if f.what.infinite(scene).is_some() {
+            return Some(vec![f64::INFINITY]);
+        }
         let columns = solution.answer(scene, &placed.at, &f.what)?.columns();
         columns.iter().all(|v| v.is_finite()).then_some(columns)
     };

@@ -5,9 +5,13 @@ use hodograph::answer::Value;
 use hodograph::centres::{Place, centres};
 use hodograph::diag::{Faults, Severity};
 use hodograph::geom::{Point, Vec2};
-use hodograph::mechanism::Mechanism;
+use hodograph::mechanism::{Level, Mechanism};
+use hodograph::plan::TermKind;
+use hodograph::plan::notation::Notation;
+use hodograph::plan::text::Writer;
+use hodograph::report;
 use hodograph::scene::build::{Belt, Builder, Driver, deg, mm, rad_per_s};
-use hodograph::scene::{self, Scene, templates};
+use hodograph::scene::{self, Lang, Scene, templates};
 use hodograph::sweep::{self, Placed, Stations, Width, extreme, station};
 use hodograph::trains::{given, trains};
 use hodograph::worked::{Scope, Worked, work};
@@ -103,6 +107,25 @@ fn both_ends_of_a_strand_run_along_it_at_one_speed() {
         near(along.dot(n - p), 0.0, "tangent");
         near((m - o).dot(n - p).signum(), if crossed { -1.0 } else { 1.0 }, "side");
         near(along.dot(vector(&scene, &worked, "v_M3")), along.dot(vector(&scene, &worked, "v_N4")), "speed along the strand");
+    }
+}
+
+/// Between axes that stand both ends of a strand have one velocity: it is written so, and no sliding is sought that is none. On an arm that turns
+/// they differ by its turning.
+#[test]
+fn no_sliding_of_a_belt_is_sought_between_axes_that_stand() {
+    let apart = |scene: &Scene| {
+        let plan = solved(scene).plan;
+        plan.terms(Level::Velocity).filter(|t| t.kind == TermKind::Roll).count()
+    };
+    let standing = read(templates::get("belt-crank-rocker").unwrap());
+    assert_eq!(apart(&standing), 0);
+    assert_eq!(apart(&on_arm(false, [30.0, 45.0])), 1);
+    let worked = solved(&standing);
+    for (lang, words) in [(Lang::En, "ends of a strand, without slip"), (Lang::Zh, "带（链）段两端的点，不打滑")] {
+        let w = Writer { scene: &standing, plan: &worked.plan, notation: &Notation::of_language(lang), lang };
+        let told = report::plan::text(&standing, &worked.mechanism, &w);
+        assert!(told.contains("v_N3 = v_M2") && told.contains(words) && !told.contains("v_N3M2"), "{told}");
     }
 }
 

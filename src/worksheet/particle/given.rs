@@ -5,6 +5,7 @@ use crate::paper::phrase::Phrase;
 use crate::particle::law::{Turning, Way};
 use crate::particle::plate::Part;
 use crate::particle::{Asked, Kind, Motion, Mutual, Plate, Problem};
+use crate::plan::notation::Notation;
 use crate::report::given::law::printed;
 use crate::report::particle::symbol;
 use crate::scene::Lang;
@@ -111,9 +112,9 @@ fn path(problem: &Problem, point: &str, moves: &Both, way: &Way, measured: &Both
 }
 
 /// What is asked, with words behind the symbols.
-pub fn wanted(problem: &Problem, lang: Lang) -> Vec<Phrase> {
+pub fn wanted(problem: &Problem, lang: Lang, notation: &Notation) -> Vec<Phrase> {
     let colon = if lang == Lang::Zh { "：" } else { ": " };
-    let line = |what: Asked| Phrase::new(&format!("${}${colon}{}", symbol(problem, what, lang), lang.of(&asked(problem, what))));
+    let line = |what: Asked| Phrase::new(&format!("${}${colon}{}", symbol(problem, what, notation), lang.of(&asked(problem, what))));
     problem.find.iter().map(|f| line(f.what)).collect()
 }
 

@@ -3,7 +3,7 @@
 use super::build::{Builder, slot};
 use super::{Body, Chain, Method, Rate, Special, SpecialLine, Step, VertexId};
 use crate::mechanism::{Core, Entry, Hold, Leg, Level, Strut};
-use crate::scene::{LinkId, PointId, RollingId, Scene};
+use crate::scene::{LinkId, PointId, RollingId, Scene, Touch};
 
 impl Builder<'_> {
     /// The alternatives of one group; leaves its results known. `None` where it is not drawn.
@@ -103,7 +103,8 @@ impl Builder<'_> {
                     let target = self.near(link, hold).expect("a slot gives a coincident point");
                     let (known, unknown) = self.turning(level, body, target, pivot, false);
                     let chain = self.chain(level, Some(link), hold, None);
-                    self.equation(level, target, vec![Chain { start: pivot, known, unknown }, chain], Method::Coincident);
+                    let method = if let Hold::Rolls { pair, .. } = *hold { self.touching(pair) } else { Method::Coincident };
+                    self.equation(level, target, vec![Chain { start: pivot, known, unknown }, chain], method);
                     target
                 });
                 self.source(level, body, Rate::Measured { of: target, to: pivot });
@@ -157,12 +158,16 @@ impl Builder<'_> {
         vec![std::mem::take(&mut self.pending)]
     }
 
-    /// The velocity of the point of a link at which it rolls on a known one: it is that of the other's point there, whatever else holds the link.
-    /// `None` for accelerations, of which the two points differ along the normal, and where nothing rolls.
+    /// The velocity of the point of a link at which it rolls on a known one, or at which a strand between axes that stand reaches it: it is that of
+    /// the other's point there, whatever else holds the link. `None` for accelerations, of which the two points differ across the contact or the
+    /// strand, and where nothing rolls.
     pub(super) fn rolled(&mut self, level: Level, link: LinkId, hold: &Hold) -> Option<VertexId> {
         let Hold::Rolls { pair, other, .. } = *hold else { return None };
-        self.scene.rolling[pair.0].contact()?;
-        (level == Level::Velocity).then(|| self.at_contact(level, link, (pair, other)))
+        let alike = match self.scene.rolling[pair.0].touch() {
+            Touch::Point(_) => self.scene.rolling[pair.0].contact().is_some(),
+            Touch::Strand { arm, .. } => self.m.never_turns[arm.0],
+        };
+        (alike && level == Level::Velocity).then(|| self.at_contact(level, link, (pair, other)))
     }
 
     /// The point of a link at its contact with a known one, by all that the two points differ in.
@@ -171,8 +176,16 @@ impl Builder<'_> {
         let (own, from) = (self.coincident(rolling.at_of(link), link), self.coincident(rolling.at_of(other), other));
         self.ensure(level, from);
         let known = self.roll(level, pair, own, from);
-        self.equation(level, own, vec![Chain { start: from, known, unknown: Vec::new() }], Method::Coincident);
+        self.equation(level, own, vec![Chain { start: from, known, unknown: Vec::new() }], self.touching(pair));
         own
+    }
+
+    /// Why the points of two links that roll on one another, or run in one belt, have something in common.
+    fn touching(&self, pair: RollingId) -> Method {
+        match self.scene.rolling[pair.0].touch() {
+            Touch::Point(_) => Method::Coincident,
+            Touch::Strand { .. } => Method::Strand,
+        }
     }
 
     /// The velocities of a link on three legs that rolls on a known link: its point at the contact is known, a second one is known by another contact or

@@ -188,6 +188,8 @@ pub enum Method {
     Cylinder,
     /// Coincident points of two links.
     Coincident,
+    /// The two ends of a strand of a belt or chain, on its wheels.
+    Strand,
     /// The special point of a triad, or of a link of a higher group.
     Special,
 }

@@ -83,7 +83,7 @@ impl Scales {
 fn figure(w: &Wanted, worked: &Worked, each: &[Solved]) -> Figure {
     let maker = Maker { scene: w.scene, worked, options: w.options, certified: Vec::new() };
     let scales = Scales::of(w, each);
-    let words = Words { scene: w.scene, lang: w.options.lang, vectors: w.options.notation.vectors };
+    let words = Words { scene: w.scene, lang: w.options.lang, notation: &w.options.notation };
     let mut parts: Vec<Part> = Vec::new();
     let mut add = |part: Part| {
         parts.push(part);
@@ -171,8 +171,9 @@ fn stand(parts: &mut [Part], rows: &[Vec<usize>]) {
 
 /// The vectors of a level on paper, the absolute first.
 fn vectors(w: &Wanted, s: &Solved, level: Level, mu: f64) -> Vec<Vector> {
-    let lang = w.options.lang;
-    let vector = |part: Option<Piece>, v: Vec2| Vector { symbol: symbol(part, level, lang), mm: v * (1.0 / mu), absolute: part.is_none() };
+    let notation = &w.options.notation;
+    let vector =
+        |part: Option<Piece>, v: Vec2| Vector { symbol: symbol(part, level, notation), mm: v * (1.0 / mu), absolute: part.is_none() };
     match level {
         Level::Acceleration => s.acceleration.iter().map(|(part, v)| vector(*part, *v)).collect(),
         Level::Position | Level::Velocity => {

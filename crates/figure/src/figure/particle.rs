@@ -12,6 +12,7 @@ use crate::mechanism::Level;
 use crate::paper::phrase::Phrase;
 use crate::particle::board::{Arrow, Drawn, Views};
 use crate::particle::{Problem, Solved};
+use crate::plan::notation::Notation;
 use crate::report::amount::of_level;
 use crate::report::answers::DIGITS;
 use crate::report::particle as report;
@@ -118,7 +119,20 @@ pub fn as_given(problem: &Problem, solved: &Solved, drawn: &Drawn, style: &Style
     Ok(figure)
 }
 
+/// The notation of a language with the marks of a style.
+pub fn notation(style: &Style, lang: Lang) -> Notation {
+    style.marks.over(&Notation::of_language(lang))
+}
+
 impl Maker<'_> {
+    fn notation(&self) -> Notation {
+        notation(self.style, self.lang)
+    }
+
+    fn lines(&self) -> Vec<Phrase> {
+        report::lines(self.problem, self.solved, DIGITS, self.lang, &self.notation())
+    }
+
     /// The views of a motion: the course, the velocities, the accelerations of a pursuit; of a plate both views with the velocities, then
     /// with the accelerations.
     ///
@@ -165,8 +179,7 @@ impl Maker<'_> {
         for (k, item) in items.iter_mut().enumerate() {
             item.id = format!("particle-{k}");
         }
-        let lines = report::lines(self.problem, self.solved, DIGITS, self.lang);
-        let desc = lines.iter().map(|l| l.plain()).collect::<Vec<_>>().join("; ");
+        let desc = self.lines().iter().map(|l| l.plain()).collect::<Vec<_>>().join("; ");
         let lang = words(self.lang).tag.into();
         let mut figure = Figure { width_mm: page[0], height_mm: page[1], title, desc, lang, paper: Colour::WHITE, items };
         self.style.palette.paint(&mut figure);
@@ -191,7 +204,7 @@ impl Maker<'_> {
 
     fn text(&self) -> Part {
         let style = self.style;
-        let lines = report::lines(self.problem, self.solved, DIGITS, self.lang);
+        let lines = self.lines();
         let labels = lines.iter().flat_map(|l| wrapped(l, TEXT_MM, style.small_mm, &style.fonts));
         let row = |label: Label| Row {
             cells: vec![Some(Cell { label, size_mm: style.small_mm, anchor: Anchor::Start, class: "answer".into(), id: String::new() })],
@@ -209,10 +222,7 @@ impl Maker<'_> {
         let stroke = Stroke { width_mm, ..style.vector };
         let class = format!("vector {}", step(a.step));
         let owner = d.shape(&a.symbol, &class, Shape::Arrow { from: a.from, to: a.to, stroke, head: style.head });
-        let symbol = match self.lang {
-            Lang::En => a.symbol.replace("a_k", "a_c"),
-            Lang::Zh => a.symbol.clone(),
-        };
+        let symbol = report::marked(&a.symbol, &self.notation());
         d.label(&a.symbol, &class, LabelRequest::along(Label::math(&symbol), style.label_mm, a.from, a.to, width_mm / 2.0).owned(owner));
     }
 

@@ -14,7 +14,7 @@ use crate::geom::Vec2;
 use crate::mechanism::Level;
 use crate::paper::phrase::{Phrase, capital, sense, tr};
 use crate::plan::names::name_label;
-use crate::plan::notation::Vectors;
+use crate::plan::notation::Notation;
 use crate::scene::quantity::composite::Part;
 use crate::scene::quantity::{Frame, RelativePath};
 use crate::scene::{GuidePath, Kind, Lang, Scene};
@@ -26,8 +26,8 @@ const DIGITS: usize = 5;
 const PER_LINE: usize = 3;
 
 /// The report as text.
-pub fn text(scene: &Scene, all: &[Choice], solved: &[Solved], lang: Lang) -> String {
-    let w = Words { scene, lang, vectors: Vectors::Plain };
+pub fn text(scene: &Scene, all: &[Choice], solved: &[Solved], lang: Lang, notation: &Notation) -> String {
+    let w = Words { scene, lang, notation };
     let mut lines = Vec::new();
     let title = scene.title.get(lang);
     if !title.is_empty() {
@@ -62,8 +62,8 @@ pub struct Words<'a> {
     pub scene: &'a Scene,
     /// The language.
     pub lang: Lang,
-    /// How vectors are written in vector equations.
-    pub vectors: Vectors,
+    /// The marks of normal, tangential and Coriolis parts, and how vectors are written.
+    pub notation: &'a Notation,
 }
 
 impl Words<'_> {
@@ -192,12 +192,11 @@ impl Words<'_> {
 
     /// The same below its heading, so many values to a line; in narrow columns of fewer than three a projection has two lines.
     pub fn body(&self, s: &Solved, per_line: usize) -> Vec<Phrase> {
-        let lang = self.lang;
         let mut out = match s.slip {
             Some(slip) if !s.acceleration.is_empty() => self.contact(&slip, per_line),
             Some(_) | None => vec![self.first(s)],
         };
-        let [whole, carried, relative] = ["v_{a}", "v_{e}", "v_{r}"].map(|symbol| self.vectors.write(symbol.to_owned()));
+        let [whole, carried, relative] = ["v_{a}", "v_{e}", "v_{r}"].map(|symbol| self.notation.vectors.write(symbol.to_owned()));
         out.push(Phrase::new(&format!("${whole} = {carried} + {relative}$")));
         let [a, e, r] = s.velocity;
         out.extend(self.values(&[("v_{a}".into(), a), ("v_{e}".into(), e), ("v_{r}".into(), r)], Kind::Velocity, per_line));
@@ -211,10 +210,11 @@ impl Words<'_> {
         };
         out.extend(projected(Level::Velocity));
         if !s.acceleration.is_empty() {
-            let written = |p| self.vectors.write(symbol(p, Level::Acceleration, lang));
+            let written = |p| self.notation.vectors.write(symbol(p, Level::Acceleration, self.notation));
             let symbols: Vec<String> = s.acceleration.iter().skip(1).map(|(p, _)| written(*p)).collect();
-            out.push(Phrase::new(&format!("${} = {}$", self.vectors.write("a_{a}".to_owned()), symbols.join(" + "))));
-            let each: Vec<(String, Vec2)> = s.acceleration.iter().map(|(p, v)| (symbol(*p, Level::Acceleration, lang), *v)).collect();
+            out.push(Phrase::new(&format!("${} = {}$", self.notation.vectors.write("a_{a}".to_owned()), symbols.join(" + "))));
+            let each: Vec<(String, Vec2)> =
+                s.acceleration.iter().map(|(p, v)| (symbol(*p, Level::Acceleration, self.notation), *v)).collect();
             out.extend(self.values(&each, Kind::Acceleration, per_line));
             out.extend(projected(Level::Acceleration));
         }
@@ -236,7 +236,8 @@ impl Words<'_> {
         };
         let mut out = format!("$\\omega_{{{link}}} = v_{{{whose}}}/{arm} = {}", value(Kind::Omega, t.omega));
         if let Some(alpha) = t.alpha {
-            out += &format!("{}$\\alpha_{{{link}}} = a^{{t}}_{{{whose}}}/{arm} = {}", self.comma(), value(Kind::Alpha, alpha));
+            let part = format!("a^{{{}}}_{{{whose}}}", self.notation.tangential);
+            out += &format!("{}$\\alpha_{{{link}}} = {part}/{arm} = {}", self.comma(), value(Kind::Alpha, alpha));
         }
         Phrase::new(&out)
     }
@@ -302,15 +303,14 @@ impl Words<'_> {
 
     /// An equation on a line: `projected square to v_r (on 120°):` and `v_a cos 30° = v_e cos 60°`.
     fn projection(&self, p: &Projection, known: Known) -> (String, String) {
-        let lang = self.lang;
         let symbol_of = |term: Term| {
             let letter = if p.level == Level::Acceleration { "a" } else { "v" };
             match term {
-                Term::Absolute => symbol(None, p.level, lang),
+                Term::Absolute => symbol(None, p.level, self.notation),
                 Term::AbsoluteNormal => format!("{letter}^{{n}}_{{a}}"),
-                Term::AbsoluteTangential => format!("{letter}^{{t}}_{{a}}"),
+                Term::AbsoluteTangential => format!("{letter}^{{{}}}_{{a}}", self.notation.tangential),
                 Term::Component => format!("{letter}_{{a{}}}", if p.on == On::Y { "y" } else { "x" }),
-                Term::Part(part) => symbol(Some(part), p.level, lang),
+                Term::Part(part) => symbol(Some(part), p.level, self.notation),
             }
         };
         let term = |(term, angle): &(Term, f64)| {
@@ -335,8 +335,8 @@ impl Words<'_> {
         let lang = self.lang;
         let degrees = inked(&significant(direction_degrees(p.line.angle()), 4));
         let relative = match p.level {
-            Level::Acceleration => symbol(Some(Part::RelativeTangential), p.level, lang),
-            Level::Position | Level::Velocity => symbol(Some(Part::RelativeVelocity), p.level, lang),
+            Level::Acceleration => symbol(Some(Part::RelativeTangential), p.level, self.notation),
+            Level::Position | Level::Velocity => symbol(Some(Part::RelativeVelocity), p.level, self.notation),
         };
         let wanted = match (known, p.level) {
             (Known::Transport, Level::Acceleration) => tr(lang, " for $a_{a}$", "，求 $a_{a}$"),
@@ -362,27 +362,27 @@ impl Words<'_> {
     }
 }
 
-/// The symbol of a part in the letters of theoretical mechanics; `None`: the absolute.
-pub fn symbol(part: Option<Part>, level: Level, lang: Lang) -> String {
+/// The symbol of a part in the letters of theoretical mechanics with the marks of a notation; `None`: the absolute.
+pub fn symbol(part: Option<Part>, level: Level, notation: &Notation) -> String {
     let letter = if level == Level::Acceleration { "a" } else { "v" };
     let (below, above) = match part {
         None => ("a", ""),
         Some(Part::TransportVelocity | Part::Transport) => ("e", ""),
         Some(Part::TransportNormal) => ("e", "n"),
-        Some(Part::TransportTangential) => ("e", "t"),
+        Some(Part::TransportTangential) => ("e", notation.tangential.as_str()),
         Some(Part::RelativeVelocity | Part::Relative | Part::Path) => ("r", ""),
         Some(Part::RelativeNormal) => ("r", "n"),
-        Some(Part::RelativeTangential) => ("r", "t"),
-        Some(Part::Coriolis) => (tr(lang, "c", "k"), ""),
+        Some(Part::RelativeTangential) => ("r", notation.tangential.as_str()),
+        Some(Part::Coriolis) => (notation.coriolis.as_str(), ""),
     };
-    let below = name_label(below);
     if above.is_empty() { format!("{letter}_{{{below}}}") } else { format!("{letter}^{{{above}}}_{{{below}}}") }
 }
 
 /// The choices for programs, in SI.
 pub fn json(staged: &Staged, all: &[Choice], solved: &[Solved], notes: &[Diagnostic]) -> Json {
     let scene = &staged.scene;
-    let w = Words { scene, lang: Lang::En, vectors: Vectors::Plain };
+    let [english, keys] = [Lang::En, Lang::Zh].map(Notation::of_language);
+    let w = Words { scene, lang: Lang::En, notation: &english };
     let frame = |f: Frame| match f {
         Frame::Link(l) => json!({"link": scene.link_name(l)}),
         Frame::Point(p) => json!({"point": name_of(scene, &p)}),
@@ -398,7 +398,7 @@ pub fn json(staged: &Staged, all: &[Choice], solved: &[Solved], notes: &[Diagnos
         let [a, e, r] = s.velocity;
         let mut out = json!({"v_a": vector(a), "v_e": vector(e), "v_r": vector(r)});
         for (part, v) in &s.acceleration {
-            let key = symbol(*part, Level::Acceleration, Lang::Zh).replace(['{', '}'], "");
+            let key = symbol(*part, Level::Acceleration, &keys).replace(['{', '}'], "");
             let key = match key.split_once("^") {
                 Some((letter, rest)) => rest.split_once('_').map_or(key.clone(), |(above, below)| format!("{letter}_{below}{above}")),
                 None => key,

@@ -135,13 +135,19 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
         }
         Action::Reach(v) => {
             let (image, vector) = (w.image(level, *v), w.vector(level, *v));
-            if let Some(other) = touched(w, level, *v).map(|from| w.image(level, from)) {
+            if let Some((from, method)) = touched(w, level, *v) {
+                let why = match method {
+                    Method::Strand => {
+                        tr(w.lang, "As the strand does not slip, its two ends have one velocity", "带（链）段不打滑，两端点速度相同")
+                    }
+                    Method::Coincident | Method::Driven | Method::SameLink | Method::Cylinder | Method::Special => {
+                        tr(w.lang, "At the contact the two points have one velocity", "接触点处两点速度相同")
+                    }
+                };
+                let (other, length) = (w.image(level, from), from_pole(*v));
                 return match w.lang {
-                    Lang::En => format!(
-                        "At the contact the two points have one velocity: ${image}$ falls on ${other}$, ${vector}$ = {}.",
-                        from_pole(*v)
-                    ),
-                    Lang::Zh => format!("接触点处两点速度相同：${image}$ 与 ${other}$ 重合，${vector}$ = {}。", from_pole(*v)),
+                    Lang::En => format!("{why}: ${image}$ falls on ${other}$, ${vector}$ = {length}."),
+                    Lang::Zh => format!("{why}：${image}$ 与 ${other}$ 重合，${vector}$ = {length}。"),
                 };
             }
             match w.lang {
@@ -239,14 +245,16 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
     }
 }
 
-/// The point of the other link at a contact without slip from which a point has its velocity.
-fn touched(w: &Writer, level: Level, v: VertexId) -> Option<VertexId> {
+/// The point of the other link at a contact, or a strand, without slip from which a point has its velocity; and which of the two it is.
+fn touched(w: &Writer, level: Level, v: VertexId) -> Option<(VertexId, Method)> {
     let moves = !w.plan.rest.is_all();
     let alike = |s: &Step| match s {
-        Step::Equation { target, chains, method: Method::Coincident } if *target == v && moves => match &chains[..] {
-            [chain] if chain.known.is_empty() && chain.unknown.is_empty() => Some(chain.start),
-            _ => None,
-        },
+        Step::Equation { target, chains, method: method @ (Method::Coincident | Method::Strand) } if *target == v && moves => {
+            match &chains[..] {
+                [chain] if chain.known.is_empty() && chain.unknown.is_empty() => Some((chain.start, *method)),
+                _ => None,
+            }
+        }
         Step::Equation { .. } | Step::Image { .. } | Step::Same { .. } => None,
     };
     let groups = w.plan.steps(level).iter();

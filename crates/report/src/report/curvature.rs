@@ -119,6 +119,16 @@ impl Words<'_> {
         self.free_letter(["Q", "R", "W", "Z", "L"])
     }
 
+    /// The corners of the rectangles that find Ball's point: G, unless a joint has that letter.
+    pub fn corner(&self) -> &'static str {
+        self.free_letter(["G", "M", "N", "F", "A"])
+    }
+
+    /// The foot on the pole tangent in that construction: T, unless a joint has that letter.
+    pub fn foot(&self) -> &'static str {
+        self.free_letter(["T", "E", "I", "O", "C"])
+    }
+
     /// The first of some letters that no point has, with a number or without; the first one where all are taken.
     fn free_letter(&self, letters: [&'static str; 5]) -> &'static str {
         let begins = |letter: &str| self.scene().points.iter().any(|p| p.name.trim_end_matches(|c: char| c.is_ascii_digit()) == letter);

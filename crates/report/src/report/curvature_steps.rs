@@ -51,15 +51,16 @@ impl Words<'_> {
     /// The steps to Ball's point.
     fn of_ball(&self, of: &OfLink, rays: &Rays) -> [String; 2] {
         let (pole, j, u) = (self.pole(of), self.letter("J", of), self.letter("U", of));
+        let (corner, foot) = (self.corner(), self.foot());
         let [b, c] = rays.known.each_ref().map(|k| self.moving(k));
-        let [g, h] = rays.known.each_ref().map(|k| self.below("G", k.why.moving().unwrap_or(PointId(0))));
+        let [g, h] = rays.known.each_ref().map(|k| self.below(corner, k.why.moving().unwrap_or(PointId(0))));
         match self.lang {
             Lang::En => [
                 format!(
                     "the perpendiculars to the rays at ${b}$ and ${c}$ cut $t$ and the line ${pole}{j}$; the corners ${g}$ and ${h}$ complete the rectangles with the corner ${pole}$"
                 ),
                 format!(
-                    "${g}{h}$ meets the parallel to $t$ through ${j}$ at $G$; $T$ is its foot on $t$; the foot of the perpendicular from ${pole}$ to $T{j}$ is Ball's point ${u}$"
+                    "${g}{h}$ meets the parallel to $t$ through ${j}$ at ${corner}$; ${foot}$ is its foot on $t$; the foot of the perpendicular from ${pole}$ to ${foot}{j}$ is Ball's point ${u}$"
                 ),
             ],
             Lang::Zh => [
@@ -67,7 +68,7 @@ impl Words<'_> {
                     "过 ${b}$、${c}$ 分别作射线的垂线，与 $t$ 和直线 ${pole}{j}$ 相交；以交点和 ${pole}$ 为顶点作矩形，得 ${pole}$ 的对角顶点 ${g}$、${h}$"
                 ),
                 format!(
-                    "${g}{h}$ 与过 ${j}$ 且平行于 $t$ 的直线交于 $G$；由 $G$ 向 $t$ 作垂线得垂足 $T$；由 ${pole}$ 向 $T{j}$ 作垂线，垂足即鲍尔点 ${u}$"
+                    "${g}{h}$ 与过 ${j}$ 且平行于 $t$ 的直线交于 ${corner}$；由 ${corner}$ 向 $t$ 作垂线得垂足 ${foot}$；由 ${pole}$ 向 ${foot}{j}$ 作垂线，垂足即鲍尔点 ${u}$"
                 ),
             ],
         }

@@ -1,7 +1,7 @@
 //! Motions without a mechanism for people and programs: answers with their certain digits, the drawing beside them, and that a pursuit is integrated.
 
 use super::answers::diagnostic;
-use crate::diag::Diagnostic;
+use crate::diag::{Both, Diagnostic};
 use crate::digits::{plain, significant};
 use crate::mechanism::Level;
 use crate::number::Ball;
@@ -11,6 +11,7 @@ use crate::particle::board::Drawn;
 use crate::particle::plate::Part;
 use crate::particle::pursuit::End;
 use crate::particle::{Asked, Kind, Mutual, Problem, Solved, Value};
+use crate::plan::notation::Notation;
 use crate::report::amount::of_level;
 use crate::scene::{Book, Kind as Quantity, Lang};
 use serde_json::{Value as Json, json};
@@ -112,7 +113,7 @@ pub fn drawn(all: &[Drawn], what: Asked) -> Option<&[f64]> {
 }
 
 /// The report.
-pub fn text(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, steps: bool, lang: Lang) -> String {
+pub fn text(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, steps: Option<&Notation>, lang: Lang) -> String {
     let mut out = format!("{}\n", lang.of(&problem.title));
     out += &format!("t = {} s\n\n", significant(problem.instant(), 6));
     let wide = problem.find.iter().map(|f| f.text.chars().count()).max().unwrap_or(0);
@@ -129,11 +130,11 @@ pub fn text(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, 
     if problem.motions.iter().any(|m| matches!(m.kind, Kind::Toward { .. })) {
         out += &format!("\n{}\n", integrated(lang));
     }
-    if steps {
+    if let Some(notation) = steps {
         for d in board {
             out += &format!("\n{}{}\n", head(d, lang), Phrase::new(&scales(&problem.book, d.mu)).plain());
             for (k, s) in d.steps.iter().enumerate() {
-                out += &format!("{}. {}\n", k + 1, Phrase::new(lang.of(s)).plain());
+                out += &format!("{}. {}\n", k + 1, sentence(s, lang, notation).plain());
             }
         }
     }
@@ -203,8 +204,18 @@ pub fn json(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, 
     })
 }
 
+/// A sentence of a construction with the marks of a notation.
+pub fn sentence(of: &Both, lang: Lang, notation: &Notation) -> Phrase {
+    Phrase::new(&marked(&lang.of(of).replace("a_c", "a_k"), notation))
+}
+
+/// Symbols of a board with the marks of a notation for its tangential and Coriolis parts.
+pub fn marked(symbols: &str, notation: &Notation) -> String {
+    symbols.replace("^t", &format!("^{{{}}}", notation.tangential)).replace("a_k", &format!("a_{{{}}}", notation.coriolis))
+}
+
 /// The symbol of a question in the label language.
-pub fn symbol(problem: &Problem, what: Asked, lang: Lang) -> String {
+pub fn symbol(problem: &Problem, what: Asked, notation: &Notation) -> String {
     let name = |k: usize| problem.motions[k].point.as_str();
     let pair = |k: usize| {
         let m = &problem.motions[k];
@@ -219,7 +230,7 @@ pub fn symbol(problem: &Problem, what: Asked, lang: Lang) -> String {
         Asked::Velocity(k) => format!("v_{{{}}}", name(k)),
         Asked::Acceleration(k) => format!("a_{{{}}}", name(k)),
         Asked::Curvature(k) => format!("\\rho_{{{}}}", name(k)),
-        Asked::Part(_, part) => part_symbol(part, lang),
+        Asked::Part(_, part) => marked(part_symbol(part), notation),
         Asked::Between([a, b], m) => {
             let letter = match m {
                 Mutual::Distance => "l",
@@ -232,22 +243,22 @@ pub fn symbol(problem: &Problem, what: Asked, lang: Lang) -> String {
     }
 }
 
-fn part_symbol(part: Part, lang: Lang) -> String {
+fn part_symbol(part: Part) -> &'static str {
     match part {
-        Part::TransportVelocity => "v_e".to_owned(),
-        Part::RelativeVelocity => "v_r".to_owned(),
-        Part::Transport => "a_e".to_owned(),
-        Part::TransportNormal => "a^n_e".to_owned(),
-        Part::TransportTangential => "a^t_e".to_owned(),
-        Part::Relative => "a_r".to_owned(),
-        Part::RelativeNormal => "a^n_r".to_owned(),
-        Part::RelativeTangential => "a^t_r".to_owned(),
-        Part::Coriolis => format!("a_{}", tr(lang, "c", "k")),
+        Part::TransportVelocity => "v_e",
+        Part::RelativeVelocity => "v_r",
+        Part::Transport => "a_e",
+        Part::TransportNormal => "a^n_e",
+        Part::TransportTangential => "a^t_e",
+        Part::Relative => "a_r",
+        Part::RelativeNormal => "a^n_r",
+        Part::RelativeTangential => "a^t_r",
+        Part::Coriolis => "a_k",
     }
 }
 
 /// The answers as sentences with formulas, a line each.
-pub fn lines(problem: &Problem, solved: &Solved, digits: usize, lang: Lang) -> Vec<Phrase> {
+pub fn lines(problem: &Problem, solved: &Solved, digits: usize, lang: Lang, notation: &Notation) -> Vec<Phrase> {
     let mut out: Vec<Phrase> = solved
         .answers
         .iter()
@@ -255,7 +266,7 @@ pub fn lines(problem: &Problem, solved: &Solved, digits: usize, lang: Lang) -> V
             let what = problem.find[a.find].what;
             Phrase::new(&format!(
                 "${}$ = {}",
-                symbol(problem, what, lang),
+                symbol(problem, what, notation),
                 inked_words(&value(&problem.book, what, &a.value, largest(problem, solved, what), digits, lang))
             ))
         })

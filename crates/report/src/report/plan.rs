@@ -301,7 +301,11 @@ fn step_lines(w: &Writer, level: Level, step: &Step, equation: &mut usize) -> Ve
             if let Some(special) = w.plan.special(*target) {
                 out.push(format!("    {}", special_words(w, special, &formula(&w.spot(*target)))));
             }
-            out.extend(table(w, &w.columns(level, *target, chains)).into_iter().map(|l| format!("    {l}")));
+            let columns = w.columns(level, *target, chains);
+            match columns[..] {
+                [] => out.push(format!("    {} = 0", formula(&w.summand(level, *target)))),
+                _ => out.extend(table(w, &columns).into_iter().map(|l| format!("    {l}"))),
+            }
             out
         }
         Step::Image { link, target, from } => {
@@ -336,6 +340,7 @@ pub(super) fn method_words(method: Method, lang: Lang) -> &'static str {
         Method::SameLink => tr(lang, "points of one link", "基点法"),
         Method::Cylinder => tr(lang, "ends of a cylinder, on barrel and rod", "液压缸两端（缸筒与活塞杆上的点）"),
         Method::Coincident => tr(lang, "coincident points", "重合点法"),
+        Method::Strand => tr(lang, "ends of a strand, without slip", "带（链）段两端的点，不打滑"),
         Method::Special => tr(lang, "special point", "特殊点法"),
     }
 }

@@ -275,6 +275,7 @@ impl Reporter<'_> {
                 Method::SameLink => "same-link",
                 Method::Cylinder => "cylinder",
                 Method::Coincident => "coincident",
+                Method::Strand => "strand",
                 Method::Special => "special",
             },
             "method_text": method_words(method, w.lang),

@@ -6,7 +6,7 @@ use super::general::{self, General};
 use super::kernel::Reg;
 use super::lane::Width;
 use super::limit::{SUSPECT, dense};
-use super::pieces::Stop;
+use super::pieces::{Gaps, Stop};
 use super::program::{INPUTS, Program};
 use super::run::{Buffer, CHUNK};
 use super::table::{Column, Table};
@@ -83,7 +83,9 @@ impl Rows {
 
     pub fn into_table(self, placed: &Placed, driver: usize, stations: &Stations, values: Vec<f64>, mut notes: Vec<Diagnostic>) -> Table {
         let words = |k: usize| general::driver_words(placed.scene, driver, stations.values[k]);
-        notes.extend(general::gaps(&words, &self.missing));
+        let mut gaps = Gaps::of(placed.scene);
+        gaps.see_all(&self, 0);
+        notes.extend(gaps.notes(&words));
         let heads = std::iter::once(placed.scene.driver_column(driver)).chain(placed.scene.find.iter().flat_map(compile::ask::names));
         let columns = heads.zip(self.there(values)).map(|((name, unit), values)| Column { name, unit, values });
         Table { columns: columns.collect(), notes }

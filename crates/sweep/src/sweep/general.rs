@@ -65,7 +65,7 @@ impl<'a> General<'a> {
         unfollowed(&scene)?;
         if self.is_read_again() {
             let there = Afresh::of(&scene, &|_| None)?;
-            return Ok(vec![finite(scene.find.iter().map(|f| there.answer(f)).collect::<Result<Vec<_>, _>>()?.concat())?]);
+            return Ok(vec![scene.find.iter().map(|f| there.answer(f)).collect::<Result<Vec<_>, _>>()?.concat()]);
         }
         // Closed forms do not tell on which turn wheels stand, nor the pose beside one that is given by coordinates.
         if self.is_closed_everywhere() {
@@ -94,8 +94,8 @@ impl<'a> General<'a> {
         let mut row = Vec::new();
         let mut afresh = None;
         for f in &scene.find {
-            match solution.answer(scene, at, &f.what) {
-                Some(value) => row.extend(value.columns()),
+            match numbers(scene, at, solution, f) {
+                Some(numbers) => row.extend(numbers?),
                 // What is of the contact of a cam that a driver stands for.
                 None if scene.source.is_some() && (0..scene.drivers.len()).any(|d| scene.is_led(d)) => {
                     let there = match afresh.take() {
@@ -108,12 +108,20 @@ impl<'a> General<'a> {
                 None => return Err(not_defined(scene, f).into()),
             }
         }
-        finite(row)
+        Ok(row)
     }
 }
 
 fn not_defined(scene: &Scene, f: &Find) -> Diagnostic {
     Diagnostic::error("not-defined", both!("{}: {}", "{}：{}", f.text, f.what.no_value(scene))).at(f.span)
+}
+
+/// The columns of an answer, infinite where it is; `None` where it has no value.
+fn numbers(scene: &Scene, at: &Configuration, solution: &Solution, find: &Find) -> Option<Result<Vec<f64>, Faults>> {
+    match find.what.infinite(scene) {
+        Some(_) => Some(Ok(vec![f64::INFINITY])),
+        None => solution.answer(scene, at, &find.what).map(|value| finite(value.columns())),
+    }
 }
 
 fn finite(row: Vec<f64>) -> Result<Vec<f64>, Faults> {
@@ -151,8 +159,7 @@ impl Afresh {
 
     fn answer(&self, find: &Find) -> Result<Vec<f64>, Faults> {
         let own = self.scene.find.iter().find(|f| f.text == find.text).unwrap_or(find);
-        let value = self.solution.answer(&self.scene, &self.at, &own.what);
-        Ok(value.ok_or_else(|| not_defined(&self.scene, own))?.columns())
+        numbers(&self.scene, &self.at, &self.solution, own).unwrap_or_else(|| Err(not_defined(&self.scene, own).into()))
     }
 }
 
@@ -244,19 +251,27 @@ pub(super) fn runs(missing: &BTreeMap<usize, Faults>, first: usize) -> Vec<Gap> 
     gaps
 }
 
-/// One note for each run of missing rows; `words` names a row by its swept value.
+/// Where a run of rows is; `words` names a row by its swept value.
+fn range_words(words: &dyn Fn(usize) -> String, rows: &Range<usize>) -> Both {
+    match rows.len() {
+        1 => both!("at {}", "{} 处", words(rows.start)),
+        _ => both!("from {} to {}", "{} 到 {} ", words(rows.start), words(rows.end - 1)),
+    }
+}
+
+/// One note for each run of missing rows.
 pub(super) fn gap_notes(words: &dyn Fn(usize) -> String, gaps: &[Gap]) -> Vec<Diagnostic> {
     let note = |Gap { rows, why }: &Gap| {
-        let (count, range) = match rows.len() {
-            1 => (both!("1 row is", "1 行"), both!("at {}", "{} 处", words(rows.start))),
-            n => (both!("{n} rows are", "{n} 行"), both!("from {} to {}", "{} 到 {} ", words(rows.start), words(rows.end - 1))),
+        let count = match rows.len() {
+            1 => both!("1 row is", "1 行"),
+            n => both!("{n} rows are", "{n} 行"),
         };
-        Diagnostic::warning("no-position", both!("{} missing {}: {}", "{1}缺少 {0}：{2}", count, range, why))
+        Diagnostic::warning("no-position", both!("{} missing {}: {}", "{1}缺少 {0}：{2}", count, range_words(words, rows), why))
     };
     gaps.iter().map(note).collect()
 }
 
-/// [`gap_notes`] of the rows of a whole sweep.
-pub(super) fn gaps(words: &dyn Fn(usize) -> String, missing: &BTreeMap<usize, Faults>) -> Vec<Diagnostic> {
-    gap_notes(words, &runs(missing, 0))
+/// The note of a run of rows in which an answer is infinite.
+pub(super) fn infinite_note(words: &dyn Fn(usize) -> String, name: &str, rows: &Range<usize>) -> Diagnostic {
+    Diagnostic::note("infinite", both!("{name} is infinite {}", "{name} 在 {}为无穷大", range_words(words, rows)))
 }

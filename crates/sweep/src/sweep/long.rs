@@ -73,7 +73,7 @@ impl<'a> Long<'a> {
                 Beside::Whole => Way::Whole { course: Box::new(Whole::course(placed, driver, count, &values)), why },
             },
         };
-        Long { placed, driver, steps, descending, way, general: General::new(placed, driver), gaps: Gaps::default() }
+        Long { placed, driver, steps, descending, way, general: General::new(placed, driver), gaps: Gaps::of(placed.scene) }
     }
 
     fn rows(&mut self, rows: Range<usize>, stations: &Stations, stop: Stop) -> Option<Rows> {
@@ -133,7 +133,7 @@ impl Pieces for Long<'_> {
     fn piece(&mut self, rows: Range<usize>, stop: Stop) -> Option<Vec<Vec<f64>>> {
         let stations = self.steps.part(rows.clone());
         let numbers = self.rows(rows.clone(), &stations, stop)?;
-        self.gaps.add(&numbers.missing, rows.start);
+        self.gaps.see_all(&numbers, rows.start);
         Some(numbers.there(stations.values))
     }
 

@@ -1,8 +1,11 @@
 //! Rows that come piece by piece: what a writer of tables asks for, whatever is swept.
 
-use super::general::{Gap, gap_notes, runs};
+use super::chunks::Rows;
+use super::compile::ask;
+use super::general::{Gap, gap_notes, infinite_note, runs};
 use super::table::{Column, Table};
 use crate::diag::{Diagnostic, Faults};
+use crate::scene::{Find, Scene};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -44,28 +47,63 @@ pub fn gather(pieces: &mut dyn Pieces) -> Table {
     Table { columns, notes: pieces.notes() }
 }
 
-/// The runs of missing rows so far.
-#[derive(Default)]
-pub(super) struct Gaps(Vec<Gap>);
+/// The runs of rows so far that are missing, or in which an answer is infinite.
+pub(super) struct Gaps {
+    missing: Vec<Gap>,
+    infinite: Vec<Infinite>,
+}
+
+/// A column of answers that may be infinite, and the runs of rows in which they are.
+struct Infinite {
+    column: usize,
+    name: String,
+    runs: Vec<Range<usize>>,
+}
 
 impl Gaps {
+    /// None yet in a sweep of this scene. What has a meaning has a number wherever there is a position.
+    pub fn of(scene: &Scene) -> Gaps {
+        let columns = scene.find.iter().flat_map(|f| ask::names(f).into_iter().map(move |(name, _)| (f, name))).enumerate();
+        let bounded = |f: &Find| f.what.meaning(scene).is_some();
+        let infinite = columns.filter(|(_, (f, _))| !bounded(f)).map(|(column, (_, name))| Infinite { column, name, runs: Vec::new() });
+        Gaps { missing: Vec::new(), infinite: infinite.collect() }
+    }
+
+    /// Takes note of the infinite answers of a row.
+    pub fn see(&mut self, row: usize, answer: impl Fn(usize) -> f64) {
+        for of in self.infinite.iter_mut().filter(|of| answer(of.column).is_infinite()) {
+            match of.runs.last_mut().filter(|run| run.end == row) {
+                Some(run) => run.end = row + 1,
+                None => of.runs.push(row..row + 1),
+            }
+        }
+    }
+
+    /// Takes note of all rows of a piece, of which `first` is the first.
+    pub fn see_all(&mut self, rows: &Rows, first: usize) {
+        self.add(&rows.missing, first);
+        let count = if self.infinite.is_empty() { 0 } else { rows.columns[0].len() };
+        (0..count).filter(|i| !rows.missing.contains_key(i)).for_each(|i| self.see(first + i, |column| rows.columns[column][i]));
+    }
+
     /// Takes note of the rows of a piece, of which `first` is the first.
     pub fn add(&mut self, missing: &BTreeMap<usize, Faults>, first: usize) {
         for gap in runs(missing, first) {
-            match self.0.last_mut().filter(|g| g.rows.end == gap.rows.start) {
+            match self.missing.last_mut().filter(|g| g.rows.end == gap.rows.start) {
                 Some(last) => last.rows.end = gap.rows.end,
-                None => self.0.push(gap),
+                None => self.missing.push(gap),
             }
         }
     }
 
     /// Whether no row is missing.
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.missing.is_empty()
     }
 
     /// One note for each run; `words` names a row by its swept value.
     pub fn notes(&self, words: &dyn Fn(usize) -> String) -> Vec<Diagnostic> {
-        gap_notes(words, &self.0)
+        let infinite = self.infinite.iter().flat_map(|of| of.runs.iter().map(|run| infinite_note(words, &of.name, run)));
+        gap_notes(words, &self.missing).into_iter().chain(infinite).collect()
     }
 }

@@ -191,3 +191,22 @@ fn zero(a: f64, b: f64, rate_at_a: f64, at: &dyn Fn(f64) -> Option<[f64; 3]>) ->
     }
     x
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of what rounding makes of one zero an odd number is left as one and an even number as none, also from one turn to the next.
+    #[test]
+    fn an_extreme_is_listed_once() {
+        let left = |places: &[f64]| {
+            let extreme = |driver: &f64| Extreme { driver: *driver, until: None, output: 0.0, at_limit: false };
+            let mut all: Vec<Extreme> = places.iter().map(extreme).collect();
+            once(&mut all, 1e-5, Some(TAU));
+            all.iter().map(|e| e.driver).collect::<Vec<_>>()
+        };
+        assert_eq!(left(&[1.0, 1.000_001, 1.000_002, 4.0]), [1.000_002, 4.0]);
+        assert_eq!(left(&[1.0, 2.0, 2.000_001, 4.0]), [1.0, 4.0]);
+        assert_eq!(left(&[1e-6, 1.0, 4.0, TAU - 1e-6]), [1.0, 4.0]);
+    }
+}

@@ -58,12 +58,12 @@ impl<'a> Timed<'a> {
     /// Equal steps from one time (s) to another.
     pub fn steps(&'a self, [from, to]: [f64; 2], steps: usize) -> Times<'a> {
         let at = |i: usize| if i == steps { to } else { from + (to - from) * (i as f64 / steps as f64) };
-        Times { timed: self, times: (0..=steps).map(at).collect(), gaps: Gaps::default() }
+        Times { timed: self, times: (0..=steps).map(at).collect(), gaps: Gaps::of(self.placed.scene) }
     }
 
     /// The answers at some times (s).
     pub fn table(&self, times: Vec<f64>) -> Table {
-        pieces::gather(&mut Times { timed: self, times, gaps: Gaps::default() })
+        pieces::gather(&mut Times { timed: self, times, gaps: Gaps::of(self.placed.scene) })
     }
 
     /// Why nothing is beyond a travel, the last that was reached.
@@ -132,7 +132,10 @@ impl Pieces for Times<'_> {
         let mut missing = BTreeMap::new();
         for (i, row) in made?.into_iter().enumerate() {
             match row {
-                Ok(row) => columns.iter_mut().zip(std::iter::once(self.times[first + i]).chain(row)).for_each(|(c, v)| c.push(v)),
+                Ok(row) => {
+                    self.gaps.see(first + i, |column| row[column]);
+                    columns.iter_mut().zip(std::iter::once(self.times[first + i]).chain(row)).for_each(|(c, v)| c.push(v));
+                }
                 Err(why) => drop(missing.insert(i, why)),
             }
         }

@@ -323,7 +323,7 @@ pub struct Varied<'a> {
 impl<'a> Varied<'a> {
     /// The sweep of a variation of one parameter.
     pub fn new(scene: &'a Scene, mechanism: &'a Mechanism, variation: &'a Variation, span: Span) -> Varied<'a> {
-        Varied { scene, mechanism, variation, span, gaps: Gaps::default() }
+        Varied { scene, mechanism, variation, span, gaps: Gaps::of(scene) }
     }
 
     fn name(&self) -> (String, &'static str) {
@@ -366,7 +366,10 @@ impl Pieces for Varied<'_> {
         let mut missing = BTreeMap::new();
         for (i, row) in made.into_iter().enumerate() {
             match row {
-                Ok(row) => columns.iter_mut().zip(row).for_each(|(c, v): (&mut Vec<f64>, _)| c.push(v)),
+                Ok(row) => {
+                    self.gaps.see(first + i, |column| row[1 + column]);
+                    columns.iter_mut().zip(row).for_each(|(c, v): (&mut Vec<f64>, _)| c.push(v));
+                }
                 Err(why) => drop(missing.insert(i, why)),
             }
         }

@@ -25,6 +25,7 @@ use crate::plan::names::name_label;
 use crate::report::curvature::Words;
 use crate::scene::{Link, PointId};
 
+use super::ball;
 use super::board::Board;
 
 /// How far around the mechanism places are still drawn where they are.
@@ -99,10 +100,11 @@ fn part(w: &Wanted, words: &Words, of: &OfLink) -> Part {
     }
     let lines = d.bounds();
     let reach = lines.grown(REACH_MM);
-    let near = places(of)
-        .into_iter()
-        .map(to_paper)
-        .filter(|p| (reach.min.x..=reach.max.x).contains(&p.x) && (reach.min.y..=reach.max.y).contains(&p.y));
+    let within = |p: &Point| (reach.min.x..=reach.max.x).contains(&p.x) && (reach.min.y..=reach.max.y).contains(&p.y);
+    let to_ball: Vec<Point> = if let Ruler::Rays(rays) = &of.drawing { ball::places(rays) } else { Vec::new() };
+    let to_ball: Vec<Point> = to_ball.into_iter().map(to_paper).collect();
+    let to_ball = if to_ball.iter().all(within) { to_ball } else { Vec::new() };
+    let near = places(of).into_iter().map(to_paper).filter(within).chain(to_ball);
     let window = near.fold(lines, |all, p| all.union(Rect::new(p, p))).grown(EDGE_MM);
     let board = Board::new(&w.options.style, d, window);
     let mut over = Over { w, words, of, to_paper: &to_paper, board, thin: w.options.style.thin.coloured(LINES) };
@@ -148,13 +150,14 @@ fn places(of: &OfLink) -> Vec<Point> {
     out
 }
 
-struct Over<'a, 'b> {
+/// The construction under way over the mechanism.
+pub(super) struct Over<'a, 'b> {
     w: &'a Wanted<'a>,
-    words: &'a Words<'b>,
+    pub(super) words: &'a Words<'b>,
     of: &'a OfLink,
     to_paper: &'a dyn Fn(Point) -> Point,
-    board: Board<'a>,
-    thin: Stroke,
+    pub(super) board: Board<'a>,
+    pub(super) thin: Stroke,
 }
 
 impl Over<'_, '_> {
@@ -172,10 +175,15 @@ impl Over<'_, '_> {
             self.circles(pole);
             self.centres();
         }
+        if let Ruler::Rays(rays) = &self.of.drawing
+            && let Some(ball) = rays.ball()
+        {
+            self.ball(rays, &ball);
+        }
         self.board.spots();
     }
 
-    fn at(&self, p: Point) -> Point {
+    pub(super) fn at(&self, p: Point) -> Point {
         (self.to_paper)(p)
     }
 
@@ -184,14 +192,14 @@ impl Over<'_, '_> {
         self.w.worked.mechanism.pins.iter().filter_map(|p| points[p.0]).any(|p| self.at(p).distance(at) < 0.1)
     }
 
-    fn spot(&mut self, label: &str, at: Point) {
+    pub(super) fn spot(&mut self, label: &str, at: Point) {
         let joint = self.is_joint(at);
         let name = Label::math(label).plain();
         self.board.spot(&name, Label::math(label), at, joint);
     }
 
     /// A line from the first to the last of some places that lie on it, and a little beyond.
-    fn chain(&mut self, name: &str, places: &[Point]) -> u32 {
+    pub(super) fn chain(&mut self, name: &str, places: &[Point]) -> u32 {
         let Some((from, to)) = ends(places) else { return 0 };
         let beyond = (to - from).unit().unwrap_or(Vec2::ZERO) * BEYOND_MM;
         let cut = self.board.cut(from - beyond, to + beyond);
@@ -314,11 +322,17 @@ impl Over<'_, '_> {
         }
     }
 
+    /// How far the tangent goes to either side of the pole.
+    pub(super) fn half_tangent(&self) -> f64 {
+        let diameter_mm = self.of.pole().map_or(0.0, |pole| pole.diameter()) / self.w.worked.construction.diagram.mu_l;
+        TANGENT_MM.min(diameter_mm.max(2.0 * SENSE_MM))
+    }
+
     /// The pole tangent, with the sense of the pole's motion.
     fn tangent(&mut self, at: Point, normal: Vec2, u: Vec2) {
         let style = self.board.style;
         let (Some(t), true) = (normal.perp().unit(), self.board.holds(at)) else { return };
-        let half = TANGENT_MM.min(normal.norm().max(2.0 * SENSE_MM));
+        let half = self.half_tangent();
         let cut = self.board.cut(at - t * half, at + t * half);
         let owner = self.board.line("tangent", "curvature tangent", cut, style.outline.dashed(Dash::DashDot));
         if let Some([from, to]) = cut {

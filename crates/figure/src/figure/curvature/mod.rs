@@ -1,8 +1,9 @@
 //! Curvature on paper: pole, inflection circle and centres of curvature with the lines that find them, a page for each link; and the
 //! centrodes.
 //!
-//! [`construction`] draws the first, [`rolling`] the paths of the pole, both on a [`board`] that cuts what the paper does not hold.
+//! [`construction`] draws the first, with [`ball`] for Ball's point, [`rolling`] the paths of the pole, both on a [`board`] that cuts what the paper does not hold.
 
+mod ball;
 mod board;
 mod construction;
 mod rolling;

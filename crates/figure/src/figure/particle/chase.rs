@@ -11,7 +11,6 @@ use crate::paper::label::Label;
 use crate::paper::place::LabelRequest;
 use crate::paper::symbols as sym;
 use crate::particle::board::{Arrow, Drawn, FINE, SIGHTS, Views};
-use crate::scene::Lang;
 
 fn caption(until: f64, meets: bool) -> Both {
     let last = significant(until, if meets { 5 } else { 3 });
@@ -117,12 +116,8 @@ impl Maker<'_> {
     fn polygon(&self, drawn: &Drawn, level: Level, arrows: &[Arrow], foot: Option<Point>) -> View {
         let style = self.style;
         let mut d = Drawing::new("polygon", style.clone());
-        let pole = match (level, self.lang) {
-            (Level::Acceleration, Lang::En) => "o'",
-            (Level::Acceleration, Lang::Zh) => "p'",
-            (_, Lang::En) => "o",
-            (_, Lang::Zh) => "p",
-        };
+        let prime = if level == Level::Acceleration { "'" } else { "" };
+        let pole = format!("{}{prime}", self.notation().pole);
         for a in arrows {
             self.arrow(&mut d, a);
         }
@@ -140,7 +135,7 @@ impl Maker<'_> {
             }
         }
         d.draw("pole", "pole", sym::dot(style, Point::ORIGIN));
-        d.label_at("pole", "pole", pole, Point::ORIGIN, style.dot_radius_mm, None);
+        d.label_at("pole", "pole", &pole, Point::ORIGIN, style.dot_radius_mm, None);
         let (caption, mu) = match level {
             Level::Acceleration => (both!("Acceleration of the pursuer", "追踪点的加速度"), drawn.mu[2]),
             Level::Position | Level::Velocity => (both!("Velocities at the instant", "此瞬时的速度"), drawn.mu[1]),

@@ -95,6 +95,22 @@ pub struct Marks {
 }
 
 impl Marks {
+    /// All those of a notation.
+    pub fn of(notation: Notation) -> Marks {
+        Marks {
+            pole: Some(notation.pole),
+            coriolis: Some(notation.coriolis),
+            tangential: Some(notation.tangential),
+            sliding: Some(notation.sliding),
+            known: Some(notation.known),
+            unknown: Some(notation.unknown),
+            similar: Some(notation.similar),
+            normal_end: Some(notation.normal_end),
+            coriolis_end: Some(notation.coriolis_end),
+            vectors: Some(notation.vectors),
+        }
+    }
+
     /// The profile with these marks in place of its own.
     pub fn over(&self, profile: &Notation) -> Notation {
         let or = |own: &Option<String>, old: &String| own.clone().unwrap_or_else(|| old.clone());

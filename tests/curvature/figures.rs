@@ -1,0 +1,101 @@
+//! The figures of curvature: what they say of themselves, the lines that they draw, their labels.
+
+use super::template;
+use hodograph::figure::list::{Extras, Wanted, named};
+use hodograph::figure::sheet::Options;
+use hodograph::geom::Point;
+use hodograph::paper::extent::bounds;
+use hodograph::paper::item::{Figure, Item, Piece, Shape};
+use hodograph::scene::Lang;
+use hodograph::worked::{Scope, work};
+
+/// The curvature figures of a template with its crank at an angle, in a language.
+fn figures(name: &str, angle: f64, lang: Lang) -> Vec<Figure> {
+    let scene = template(name, &[("phi_1", &format!("{angle} deg"))]);
+    let (worked, options) = (work(&scene, Scope::Figure).unwrap().value, Options::of_language(lang));
+    let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
+    (named("curvature").unwrap().draw)(&wanted).unwrap().value.into_iter().map(|(_, page)| page).collect()
+}
+
+/// What stands where the analysis has it is said to be calculated, in both languages; no figure claims to agree with a drawing.
+#[test]
+fn a_figure_says_what_is_calculated() {
+    for name in ["crank-rocker", "slider-crank", "watt-six-bar"] {
+        for (lang, words, claims) in [
+            (Lang::En, "are shown where they are calculated", ["agree", "drawing differs"]),
+            (Lang::Zh, "位置由计算得到", ["一致到", "作图相差"]),
+        ] {
+            for page in figures(name, 60.0, lang) {
+                let text = |i: &Item| {
+                    if let Shape::Label { label, .. } = &i.shape { label.plain() } else { String::new() }
+                };
+                let said: Vec<String> = page.items.iter().map(text).collect();
+                assert_eq!(said.iter().filter(|s| s.contains(words)).count(), 1, "{name}: {said:?}");
+                assert!(!said.iter().any(|s| claims.iter().any(|c| s.contains(c))), "{name}: {said:?}");
+            }
+        }
+    }
+}
+
+/// Ball's point is where its lines lead: both corners are named, the line of the corners passes through G, that of T through J, and the
+/// perpendicular from P ends in U. Where the paper does not hold all of it nothing is drawn of it.
+#[test]
+fn the_lines_to_the_point_of_ball_are_drawn() {
+    for lang in [Lang::En, Lang::Zh] {
+        let page = figures("crank-rocker", 255.0, lang).remove(0);
+        let spot = |name: &str| {
+            let found = page.items.iter().find(|i| i.id == format!("mechanism-{name}"));
+            match found.unwrap_or_else(|| panic!("no {name}")).shape {
+                Shape::Circle { centre, .. } => centre,
+                ref other => panic!("{name}: {other:?}"),
+            }
+        };
+        // Dashed lines are paths of dashes: the ends of the first and the last.
+        let ends = |shape: &Shape| match shape {
+            Shape::Line { from, to, .. } => [*from, *to],
+            Shape::Path { start, pieces, .. } => match pieces.last() {
+                Some(Piece::Line(to)) => [*start, *to],
+                other => panic!("{other:?}"),
+            },
+            other => panic!("{other:?}"),
+        };
+        let lines: Vec<[Point; 2]> = page.items.iter().filter(|i| i.id.contains("ball-")).map(|i| ends(&i.shape)).collect();
+        let carries = |p: Point| lines.iter().filter(|[a, b]| ((*b - *a).unit().unwrap().cross(p - *a)).abs() < 0.05).count();
+        // Two sides of its rectangle and the line of the corners; that line, the parallel and the foot's; the two lines that end in U.
+        for (name, least) in [("G_B", 3), ("G_C", 3), ("G", 3), ("U_2", 2)] {
+            assert!(carries(spot(name)) >= least, "{name}: {}", carries(spot(name)));
+        }
+        assert!(!figures("crank-rocker", 60.0, lang)[0].items.iter().any(|i| i.id.contains("ball-")));
+    }
+}
+
+/// Labels stand clear of one another on all figures, over positions and in both languages.
+#[test]
+fn labels_do_not_overlap() {
+    let (mut figures, mut faults) = (0, Vec::new());
+    for name in ["crank-rocker", "slider-crank", "shaper", "watt-six-bar", "oscillating-cylinder"] {
+        for k in 0..3 {
+            let scene = template(name, &[("phi_1", &format!("{} deg", 23 + 120 * k))]);
+            let Ok(worked) = work(&scene, Scope::Figure) else { continue };
+            for lang in [Lang::En, Lang::Zh] {
+                let options = Options::of_language(lang);
+                let wanted = Wanted { scene: &scene, worked: &worked.value, options: &options, extras: &Extras::default() };
+                for figure in ["curvature", "centrodes"] {
+                    for (word, page) in (named(figure).unwrap().draw)(&wanted).unwrap().value {
+                        let labels: Vec<_> = page.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).collect();
+                        let boxes: Vec<_> = labels.iter().map(|i| bounds(std::slice::from_ref(*i)).unwrap()).collect();
+                        figures += 1;
+                        for i in 0..boxes.len() {
+                            for j in 0..i {
+                                if boxes[i].overlap_mm2(boxes[j]) > 0.05 {
+                                    faults.push(format!("{name} {k} {lang:?} {word}: {} {}", labels[i].id, labels[j].id));
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(figures > 50 && faults.is_empty(), "{figures} figures, {}:\n{}", faults.len(), faults.join("\n"));
+}
