@@ -9,6 +9,7 @@ mod bad;
 mod cam_digits;
 mod cam_laws;
 mod cam_truth;
+mod cam_turn_digits;
 mod cams;
 mod centres;
 mod compared;

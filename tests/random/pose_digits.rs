@@ -36,7 +36,9 @@ fn compare(own: u64, what: &str, least: usize, questions: impl Fn(&Scene, &mut R
         let asked = questions(&bare.value, &mut Rng::new(seed as u64 + 99));
         let text = asking(&text, &asked);
         let scene = read(&text).unwrap_or_else(|f| panic!("{name}: {f}\n{text}")).value;
-        let Ok(worked) = work(&scene, Scope::Questions) else { continue };
+        let run = || work(&scene, Scope::Questions);
+        let run = std::panic::catch_unwind(std::panic::AssertUnwindSafe(run));
+        let Ok(worked) = run.unwrap_or_else(|_| panic!("{name}: a panic on\n{text}")) else { continue };
         let (worked, mut refused) = (worked.value, None);
         all.scene(&name, &scene, &worked, OFF, || match truth::differences(&scene, &worked) {
             Ok(d) => {

@@ -21,6 +21,10 @@ const NEAR: f64 = 1e-7;
 /// A number as it is printed, without its unit and its sign, and the same of the true one.
 fn texts(book: &Book, n: &Number, truth: Big) -> Option<[String; 2]> {
     let printed = value(book, n);
+    // From 10 m on metres are printed, with four digits.
+    if printed.ends_with(" m") {
+        return None;
+    }
     let bare = printed.trim_end_matches('°').trim_end_matches(" mm").trim_start_matches('-').to_owned();
     // What has a thousand million times fewer digits than it was made of is zero, or none.
     let truth = match n.kind {
