@@ -91,7 +91,7 @@ fn of_law(cam: &Cam, law: &ByLaw, seed: u64) -> Told {
         // What rests is less than no rate.
         extreme(Mark::Rate(k), Unit::Lift(1), greatest(law, &moving, &of(0)), &|x| sign * x * omega);
         extreme(Mark::Bend(k), Unit::Lift(2), greatest(law, &moving, &of(1)), &|x| sign * x * omega * omega);
-        if !flat && seed % 4 == 0 {
+        if !flat && seed.is_multiple_of(4) {
             let stage = 2 * k;
             let size = |b: Branch, phi: Big| {
                 let x = law.bent(b, phi)[0];
@@ -149,7 +149,7 @@ fn printed_digits_are_true_of_cams_over_a_turn() {
             let mut all = of_law(&cam, &law, seed);
             // An edge has no undercut: there the least base circle is where the follower just reaches its cam.
             let edge = !matches!(cam.follower, Follower::Face) && cam.end.approx() == 0.0;
-            if let Some(near) = (seed % 16 == 0 && !edge).then(|| least_base(&turning.disc)).flatten() {
+            if let Some(near) = (seed.is_multiple_of(16) && !edge).then(|| least_base(&turning.disc)).flatten() {
                 all.push((Which::LeastBase, Unit::Length, base_without_undercut(&cam, &law, near) * whole(1000)));
                 bases += 1;
             }

@@ -86,7 +86,7 @@ fn printed_digits_are_true_of_centres() {
         let one = |k: usize, rng: &mut Rng| {
             let [i, j] = pair(scene, rng);
             let centre = if i < j { format!("P_{i},{j}") } else { format!("P_{j},{i}") };
-            if k % 3 == 0 { format!("{centre},{}", points[rng.below(points.len())]) } else { centre }
+            if k.is_multiple_of(3) { format!("{centre},{}", points[rng.below(points.len())]) } else { centre }
         };
         let all = (0..12).map(|k| one(k, rng)).collect();
         some(rng, all, 12)
@@ -100,7 +100,7 @@ fn printed_digits_are_true_of_curvature() {
         let ground = scene.link_name(scene.ground).to_owned();
         let has_points = |name: &String| scene.links.iter().any(|l| l.name == *name && !l.points.is_empty());
         let one = |k: usize, rng: &mut Rng| {
-            if k % 3 == 0 {
+            if k.is_multiple_of(3) {
                 return Some(format!("{}_{}", rng.pick(&["rho", "O"]), points[rng.below(points.len())]));
             }
             let [i, j] = pair(scene, rng);

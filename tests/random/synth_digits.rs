@@ -13,6 +13,9 @@ use hodograph::scene::{Book, Kind};
 use hodograph::synthesis::candidate::Number;
 use hodograph::synthesis::{read, solve};
 
+/// A kind of tasks: its name, and one of them.
+type Kinds = (&'static str, fn(&mut Rng) -> Task);
+
 /// Digits with which designs are printed.
 const DIGITS: usize = 6;
 /// A candidate is the one whose numbers are nearer than this part of them.
@@ -47,7 +50,7 @@ fn is_a_half(told: &str, truth: &str) -> bool {
 
 #[test]
 fn printed_digits_are_true_of_designs() {
-    let kinds: [(&str, fn(&mut Rng) -> Task); 7] = [
+    let kinds: [Kinds; 7] = [
         ("body", body),
         ("two positions", two_positions),
         ("path", path),

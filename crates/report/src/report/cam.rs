@@ -143,12 +143,12 @@ impl Report<'_> {
             }
         }
         let w = self.omega();
-        let marks: [(usize, fn(usize) -> Mark, _); 2] = [(1, Mark::Rate, s.velocity), (2, Mark::Bend, s.acceleration)];
+        let marks = [(1, [0, 1].map(Mark::Rate), s.velocity), (2, [0, 1].map(Mark::Bend), s.acceleration)];
         for (order, mark, list) in marks {
             let factor = if order == 1 { w } else { w * w };
             let told = |k: usize| {
-                let at = self.say(Which::At(mark(k)), Unit::Degrees, list[k].0);
-                (at, self.say(Which::Most(mark(k)), Unit::Lift(order), list[k].1 * factor))
+                let at = self.say(Which::At(mark[k]), Unit::Degrees, list[k].0);
+                (at, self.say(Which::Most(mark[k]), Unit::Lift(order), list[k].1 * factor))
             };
             let [low, high] = [told(0), told(1)];
             let symbol = self.symbol(order);
