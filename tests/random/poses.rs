@@ -9,7 +9,7 @@ use hodograph::position::{Configuration, Pose};
 use hodograph::scene::quantity::composite::Part;
 use hodograph::scene::quantity::curvature::{OfPath, OfPole};
 use hodograph::scene::quantity::{Composite, Curvature, Frame, InstantCentre};
-use hodograph::scene::{Asked, LinkId, OnLink, Scene};
+use hodograph::scene::{Asked, DriverKind, LinkId, OnLink, Scene};
 
 type V = Vec2<Big>;
 
@@ -46,8 +46,13 @@ impl Oracle<'_> {
         Some([f(&self.d.before)?, f(&self.d.now)?, f(&self.d.after)?])
     }
 
+    /// The pose of a link; none of the parts of a cylinder, which all share one: as it stands only the part at the first end moves so.
     fn pose(&self, at: &Configuration<Big>, l: LinkId) -> Option<Pose<Big>> {
-        if l == self.scene.ground { Some(Pose::ground()) } else { at.poses[l.0] }
+        if l == self.scene.ground {
+            return Some(Pose::ground());
+        }
+        let part = self.scene.drivers.iter().any(|d| matches!(&d.kind, DriverKind::Cylinder { links, .. } if links.contains(&l)));
+        at.poses[l.0].filter(|_| !part)
     }
 
     /// The poses of one link in the axes of another.
