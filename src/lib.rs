@@ -123,7 +123,7 @@
 //! plan       diag scene mechanism
 //! construct  diag digits number geom scene mechanism position answer plan
 //! analytic   diag geom cam scene mechanism position answer
-//! sweep      diag digits trig number geom cam scene mechanism position stated answer analytic
+//! sweep      diag digits trig number geom cam scene mechanism position stated answer motion analytic
 //! paper      diag json geom scene mechanism plan
 //! render     diag geom paper
 //! accuracy   diag digits number geom scene mechanism position answer motion plan construct analytic
@@ -140,7 +140,7 @@
 //! search     diag geom position
 //! synthesis  diag json digits number geom scene mechanism position construct sweep search
 //! particle   diag json digits number geom scene construct
-//! report     diag digits number geom cam scene mechanism position answer plan construct analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions particle synthesis
+//! report     diag digits number geom cam scene mechanism position answer motion plan construct analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions particle synthesis
 //! figure     diag digits geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions particle synthesis report
 //! webfont    -
 //! worksheet  diag digits geom scene mechanism answer plan construct paper render worked certified centres attempts particle synthesis report figure webfont

@@ -6,8 +6,11 @@ mod matrix;
 mod wide;
 
 use hodograph::answer::Value;
+use hodograph::certified::ladder::{certify, parts};
+use hodograph::effort::truth;
 use hodograph::mechanism::Mechanism;
-use hodograph::scene::{self, Angle, Scene};
+use hodograph::number::{Ball, Real, within};
+use hodograph::scene::{self, Angle, Scene, with_driver_at};
 use hodograph::sweep::follow::course::over_a_turn;
 use hodograph::sweep::timed::Timed;
 use hodograph::sweep::{self, Placed, Stations, Table, Width};
@@ -342,4 +345,70 @@ fn a_joint_of_a_cam_on_another_link_tells_both_accelerations() {
     }
     assert_eq!(refused, 1, "of the two senses one leaves the piece that was read");
     assert!(instant(scene::read(joint.replace("2.45005", "2.46005")).unwrap().value).notes.is_empty());
+}
+
+/// Certifies the answers of a scene whose follower is a driver, and compares each number that is told with that of the scene with the pair in its place, in
+/// 640-bit arithmetic; tells how many there are, and how many have fewer digits than asked.
+fn told(name: &str, led: &Scene, pair: &Scene) -> [usize; 2] {
+    let [led_worked, worked] = [led, pair].map(|s| work(s, Scope::Questions).unwrap_or_else(|f| panic!("{name}: {f}")).value);
+    let (mut told, mut short) = (0, 0);
+    for digits in [4, 6, 12] {
+        let certified = certify(led, &led_worked, digits);
+        within(truth::BITS, || {
+            let all = truth::answers(pair, &worked).unwrap_or_else(|f| panic!("{name}: {f}"));
+            for ((c, r), t) in certified.iter().zip(&led_worked.results).zip(all) {
+                let find = &led.find[r.find];
+                // A direction that is told in double precision has no longer number.
+                let Some(t) = t else { continue };
+                let t = t.map(|x| Ball::new(x, 1e-45 * x.approx().abs().max(1.0)));
+                let Ok(expected) = parts(find.what.kind(), t, r.scale, digits) else { continue };
+                for (part, n) in &c.parts {
+                    let Some((text, certain)) = n.text(digits) else {
+                        short += 1;
+                        continue;
+                    };
+                    (told, short) = (told + 1, short + usize::from(certain < digits));
+                    let (_, e) = expected.iter().find(|(p, _)| p == part).unwrap();
+                    let nothing = n.zero && e.enclosure().largest() <= 1e-9;
+                    let truth = e.text(certain).map_or_else(|| format!("{e:?}"), |t| t.0);
+                    assert!(nothing || truth == text, "{name}: {} {} is printed {text}, it is {truth}", find.text, part.key());
+                }
+            }
+        });
+    }
+    [told, short]
+}
+
+/// A follower that a driver stands for is where double precision has put it, within a bound that is computed: no digit is told that the pair does not have.
+#[test]
+fn digits_of_followers_that_are_led_are_those_of_their_pairs() {
+    let mut all = [0, 0];
+    let mut add = |[told, short]: [usize; 2]| all = [all[0] + told, all[1] + short];
+    for (kind, find) in
+        [("roller", r#""a_B", "omega_3", "alpha_3", "pressure_3", "rho_2/3""#), ("slide", r#""a_B", "v_B", "y_B", "pressure_3""#)]
+    {
+        let start = [0.9, if kind == "slide" { 1.4 } else { 2.1 }];
+        let read = |at: [f64; 2]| scene::read(apart(kind, at, [10.0, 3.0], find)).unwrap_or_else(|f| panic!("{kind}: {f}")).value;
+        let swept = over_a_turn(&read(start));
+        for k in 0..24 / every(4) {
+            let at = [0.1 + 0.26 * k as f64, start[1]];
+            let pair = read(at);
+            // On a straight piece ρ is infinite.
+            if pair.cams[0].is_touched_straight() && find.contains("rho") {
+                continue;
+            }
+            add(told(&format!("{kind} {k}"), &with_driver_at(&swept, 0, at[0]), &pair));
+        }
+    }
+    for (kind, on) in KINDS.iter().flat_map(|kind| [On::Ground, On::Arm].map(|on| (*kind, on))) {
+        if kind.ends_with("face") || on == On::Arm && kind.contains("flat") {
+            continue;
+        }
+        for k in 0..12 / every(4) {
+            let pair = read(kind, on, 0.13 + 0.5 * k as f64, 0.0, r#""v_B", "a_B", "x_B", "y_B""#);
+            add(told(&format!("{kind} {on:?} {k}"), &pair.over_a_turn(), &pair));
+        }
+    }
+    println!("{} numbers of followers that are led, {} with fewer digits than asked", all[0], all[1]);
+    assert!(all[0] >= 1200 / every(4) && all[1] * 4 <= all[0], "{all:?}");
 }

@@ -35,7 +35,7 @@ fn printed_digits_are_true_of_cams() {
         within(BITS, || {
             let truth: [Option<Big>; 6] = match &cam.profile {
                 Profile::Law(stages) => {
-                    let law = ByLaw { cam: &cam, stages };
+                    let law = ByLaw { cam: &cam, stages, base: cam.base.metres() };
                     // The search for the least radius takes the longest.
                     law.answers(seed % 8 == 0)
                 }

@@ -10,27 +10,27 @@ type Place = Vec2<Big>;
 
 /// A decimal with its text.
 #[derive(Clone, Debug)]
-pub struct Number(String);
+pub struct Number(pub String);
 
 impl Number {
-    fn of(rng: &mut Rng, low: f64, high: f64) -> Number {
+    pub fn of(rng: &mut Rng, low: f64, high: f64) -> Number {
         let decimals = rng.below(4);
         Number(format!("{:.decimals$}", rng.between(low, high)))
     }
 
-    fn approx(&self) -> f64 {
+    pub fn approx(&self) -> f64 {
         self.0.parse().unwrap()
     }
 
-    fn exact(&self) -> Big {
+    pub fn exact(&self) -> Big {
         self.0.strip_prefix('-').map_or_else(|| Big::from_decimal(&self.0), |t| -Big::from_decimal(t))
     }
 
-    fn metres(&self) -> Big {
+    pub fn metres(&self) -> Big {
         self.exact() / whole(1000)
     }
 
-    fn radians(&self) -> Big {
+    pub fn radians(&self) -> Big {
         self.exact() * Big::pi() / whole(180)
     }
 }
@@ -60,9 +60,9 @@ pub enum Profile {
 
 #[derive(Clone, Debug)]
 pub struct Cam {
-    follower: Follower,
-    end: Number,
-    base: Number,
+    pub follower: Follower,
+    pub end: Number,
+    pub base: Number,
     pub profile: Profile,
     angle: Number,
     clockwise: bool,
@@ -108,7 +108,13 @@ impl Cam {
         Cam { follower, end, base, profile, angle, clockwise }
     }
 
-    fn swings(&self) -> bool {
+    /// φ at the instant.
+    pub fn turned(&self) -> Big {
+        let turn = self.angle.radians();
+        if self.clockwise && turn.approx() > 0.0 { Big::pi() + Big::pi() - turn } else { turn }
+    }
+
+    pub fn swings(&self) -> bool {
         matches!(self.follower, Follower::Arm(..))
     }
 
@@ -179,23 +185,25 @@ fn step() -> Big {
 }
 
 /// First and second difference quotient.
-fn differences<T: Copy + std::ops::Sub<Output = T> + std::ops::Mul<Big, Output = T>>(f: &dyn Fn(Big) -> T, at: Big) -> [T; 2] {
+pub fn differences<T: Copy + std::ops::Sub<Output = T> + std::ops::Mul<Big, Output = T>>(f: &dyn Fn(Big) -> T, at: Big) -> [T; 2] {
     let h = step();
     let [a, b, c] = [f(at - h), f(at), f(at + h)];
     [(c - a) * (whole(1) / (h + h)), ((c - b) - (b - a)) * (whole(1) / (h * h))]
 }
 
 /// What of a law holds about an angle: stage, part of its law.
-type Branch = (usize, usize);
+pub type Branch = (usize, usize);
 
 /// A cam by a law in long numbers.
 pub struct ByLaw<'a> {
     pub cam: &'a Cam,
     pub stages: &'a [(&'static str, Number, Number)],
+    /// The base circle (m).
+    pub base: Big,
 }
 
 impl ByLaw<'_> {
-    fn starts(&self) -> Vec<Big> {
+    pub fn starts(&self) -> Vec<Big> {
         let mut at = whole(0);
         let mut all = vec![at];
         all.extend(self.stages.iter().map(|s| {
@@ -205,14 +213,14 @@ impl ByLaw<'_> {
         all
     }
 
-    fn branch(&self, phi: f64) -> Branch {
+    pub fn branch(&self, phi: f64) -> Branch {
         let starts = self.starts();
         let stage = (0..4).rev().find(|k| starts[*k].approx() <= phi).unwrap();
         let x = (phi - starts[stage].approx()) / self.stages[stage].2.radians().approx();
         (stage, ends(self.stages[stage].0).iter().position(|e| x < *e).unwrap_or(0))
     }
 
-    fn lift(&self, (stage, part): Branch, phi: Big) -> Big {
+    pub fn lift(&self, (stage, part): Branch, phi: Big) -> Big {
         let gain = |n: &Number| if self.cam.swings() { n.radians() } else { n.metres() };
         let before = self.stages[..stage].iter().fold(whole(0), |sum, s| sum + gain(&s.1));
         let (law, h, over) = &self.stages[stage];
@@ -222,20 +230,20 @@ impl ByLaw<'_> {
         before + gain(h) * normal(law, (phi - self.starts()[stage]) / over.radians(), part)
     }
 
-    fn sense(&self) -> Big {
+    pub fn sense(&self) -> Big {
         whole(1 - 2 * i32::from(self.cam.clockwise))
     }
 
     /// The follower's point in the plane and the direction in which it goes out.
     fn at(&self, lift: Big) -> (Place, Place) {
-        self.cam.stands(self.cam.base.metres() + self.cam.end.metres(), lift)
+        self.cam.stands(self.base + self.cam.end.metres(), lift)
     }
 
     /// The pressure angle and the radius of curvature of the profile.
-    fn bent(&self, branch: Branch, phi: Big) -> [Big; 2] {
+    pub fn bent(&self, branch: Branch, phi: Big) -> [Big; 2] {
         let into = |v: Place, phi: Big| v.rotate_by(Vec2::from_angle(-(self.sense() * phi)));
         if let Follower::Face = self.cam.follower {
-            let s = |phi: Big| self.cam.base.metres() + self.lift(branch, phi);
+            let s = |phi: Big| self.base + self.lift(branch, phi);
             return [whole(0), s(phi) + differences(&s, phi)[1]];
         }
         let pitch = |phi: Big| into(self.at(self.lift(branch, phi)).0, phi);
@@ -249,8 +257,7 @@ impl ByLaw<'_> {
 
     /// What is asked, in the order of the questions; the least radius only if it is wanted.
     pub fn answers(&self, least: bool) -> [Option<Big>; 6] {
-        let turn = self.cam.angle.radians();
-        let phi = if self.cam.clockwise && turn.approx() > 0.0 { Big::pi() + Big::pi() - turn } else { turn };
+        let phi = self.cam.turned();
         let branch = self.branch(phi.approx());
         let [pressure, rho] = self.bent(branch, phi);
         let gain = &self.stages[0].1;
@@ -260,7 +267,7 @@ impl ByLaw<'_> {
     }
 
     /// The least radius of curvature: of round ends of what is convex on the pitch curve.
-    fn least(&self) -> Big {
+    pub fn least(&self) -> Big {
         let mut least: Option<Big> = None;
         let starts = self.starts();
         let convex = |rho: Big| matches!(self.cam.follower, Follower::Face) || rho.approx() + self.cam.end.metres().approx() > 0.0;
@@ -282,7 +289,7 @@ impl ByLaw<'_> {
                 let falls: Vec<bool> = samples.iter().map(|(phi, _)| slope(&rho, *phi).approx() < 0.0).collect();
                 for (w, falls) in samples.windows(2).zip(falls.windows(2)) {
                     if falls[0] && !falls[1] && convex(w[0].1) && convex(w[1].1) {
-                        consider(bottom(&rho, w[0].0, w[1].0));
+                        consider(rho(bottom(&rho, w[0].0, w[1].0)));
                     }
                 }
                 from = *end;
@@ -293,15 +300,15 @@ impl ByLaw<'_> {
 }
 
 /// A derivative, with differences wider than those within the function.
-fn slope(f: &dyn Fn(Big) -> Big, x: Big) -> Big {
+pub fn slope(f: &dyn Fn(Big) -> Big, x: Big) -> Big {
     let wide = Big::from_f64(WIDE);
     (f(x + wide) - f(x - wide)) / (wide + wide)
 }
 
 const WIDE: f64 = 1.0 / (1u128 << 70) as f64;
 
-/// The least value between two places: bisection of the slope, then Newton's method on difference quotients.
-fn bottom(f: &dyn Fn(Big) -> Big, mut a: Big, mut b: Big) -> Big {
+/// Where a function is least between two places: bisection of the slope, then Newton's method on difference quotients.
+pub fn bottom(f: &dyn Fn(Big) -> Big, mut a: Big, mut b: Big) -> Big {
     for _ in 0..20 {
         let middle = (a + b) / whole(2);
         if slope(f, middle).approx() > 0.0 { b = middle } else { a = middle }
@@ -311,7 +318,7 @@ fn bottom(f: &dyn Fn(Big) -> Big, mut a: Big, mut b: Big) -> Big {
         let bend = (f(x + wide) - f(x) - (f(x) - f(x - wide))) / (wide * wide);
         x = x - slope(f, x) / bend;
     }
-    f(x)
+    x
 }
 
 impl Cam {

@@ -161,3 +161,17 @@ fn a_cylinder_part_carries_nothing() {
         "cylinder-part",
     );
 }
+
+/// The acceleration of a point of a block on a curved guide asked for the block's ω, which nothing had found: a panic on the board.
+#[test]
+fn a_point_of_a_block_on_a_curved_guide_is_found_with_its_turning() {
+    for asked in ["a_K4", "ae_K/4", "a_C4"] {
+        let done = solved(&format!(
+            r#"{{"links": {{"1": ["A", "B"], "2": ["C", "K"], "3": ["A", "C"], "4": ["B"]}}, "ground": "3",
+            "lengths": {{"AB": "100 mm", "AC": "260 mm", "CK": "160 mm"}}, "side": {{"K": "left of BC"}},
+            "guides": [{{"pin": "B", "slider": "4", "on": "2", "centre": "K", "radius": "180 mm"}}],
+            "driver": {{"link": "1", "angle": "60 deg", "omega": "10 rad/s"}}, "find": ["{asked}"]}}"#
+        ));
+        assert_eq!(done.results.len(), 1, "{asked}");
+    }
+}

@@ -12,7 +12,7 @@
 use hodograph_analytic::analytic;
 use hodograph_base::{cam, diag, digits, geom, number};
 use hodograph_board::{construct, plan};
-use hodograph_mechanism::{answer, mechanism, position};
+use hodograph_mechanism::{answer, mechanism, motion, position};
 use hodograph_methods::{attempts, centres, composite, curvature, inversions, particle, trains};
 use hodograph_paper::{paper, render};
 use hodograph_scene::scene;

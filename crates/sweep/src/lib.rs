@@ -12,7 +12,7 @@
 
 use hodograph_analytic::analytic;
 use hodograph_base::{cam, diag, digits, geom, number, trig};
-use hodograph_mechanism::{answer, mechanism, position, stated};
+use hodograph_mechanism::{answer, mechanism, motion, position, stated};
 use hodograph_scene::scene;
 
 pub mod sweep;

@@ -12,9 +12,9 @@ use std::f64::consts::TAU;
 
 /// A cam in numbers of one kind beside the same in double precision.
 pub struct Exact<'a, N> {
-    double: &'a Disc,
-    survey: &'a Surveyed,
-    disc: Disc<N>,
+    pub(super) double: &'a Disc,
+    pub(super) survey: &'a Surveyed,
+    pub(super) disc: Disc<N>,
 }
 
 /// A place nearer to a joint than this (rad) is the joint: both were found in double precision.
@@ -30,7 +30,8 @@ impl<'a, N: Real> Exact<'a, N> {
         Exact { double, survey, disc }
     }
 
-    fn survey(&self) -> &'a Survey {
+    /// The survey in double precision.
+    pub(super) fn survey(&self) -> &'a Survey {
         self.survey.of(self.double)
     }
 
@@ -84,14 +85,13 @@ impl<'a, N: Real> Exact<'a, N> {
     }
 
     /// The place again that double precision has found: a joint, else where a derivative is zero.
-    fn located(&self, phi: f64, side: Side, slope: &dyn Fn(&Station<N>) -> N) -> Option<N> {
-        let is = |corner: &&f64| in_half_turns(**corner - phi).abs() <= ON_THE_JOINT;
-        if self.survey().corners.iter().any(|c| is(&c)) {
+    pub(super) fn located(&self, phi: f64, side: Side, slope: &dyn Fn(&Station<N>) -> N) -> Option<N> {
+        if self.survey().corners.iter().any(|c| is_at(*c, phi)) {
             return self.joint(phi);
         }
         let branch = self.double.branch(phi, side)?;
         // What does not change is everywhere as it is here.
-        root(phi, &|x| self.disc.station_on(branch, x).map(|s| slope(&s))).or_else(|| {
+        root(phi, STEP, &|x| self.disc.station_on(branch, x).map(|s| slope(&s))).or_else(|| {
             let station = self.disc.station_on(branch, N::from_f64(phi))?;
             let still = slope(&station);
             (still.approx() == 0.0 && still.radius() == 0.0).then(|| N::from_f64(phi))
@@ -99,7 +99,7 @@ impl<'a, N: Real> Exact<'a, N> {
     }
 
     /// A joint again: an end of a stage, of a piece of its law, or of a piece of the profile; else where two pieces hold the follower equally far out.
-    fn joint(&self, phi: f64) -> Option<N> {
+    pub(super) fn joint(&self, phi: f64) -> Option<N> {
         let ends: Vec<N> = match &self.disc.motion {
             Motion::Law { program, .. } => program.corners(),
             Motion::Profile(segments) => segments.iter().flat_map(|s| self.disc.ends(s)).collect(),
@@ -112,8 +112,13 @@ impl<'a, N: Real> Exact<'a, N> {
         let [before, after] = [Side::Before, Side::After].map(|side| self.double.branch(phi, side));
         let (before, after) = (before?, after?);
         let of = |branch: Branch, x: N| self.disc.coordinate_on(branch, x).map(|q| q.value());
-        root(phi, &|x| Some(of(before, x)? - of(after, x)?))
+        root(phi, STEP, &|x| Some(of(before, x)? - of(after, x)?))
     }
+}
+
+/// Whether two angles are one place on the cam.
+pub(super) fn is_at(corner: f64, phi: f64) -> bool {
+    in_half_turns(corner - phi).abs() <= ON_THE_JOINT
 }
 
 /// The first two places of the secant lie so far (rad) on both sides of what double precision has found.
@@ -122,10 +127,10 @@ const STEP: f64 = 1e-6;
 /// The places of the secant: each doubles the digits nearly, so that these are more than the longest numbers have.
 const ROUNDS: usize = 24;
 
-/// The zero of a function next to a place. Where the number knows its error, all numbers between two places where the signs of the function surely differ;
+/// The zero of a function no more than `step` from a place. Where the number knows its error, all numbers between two places where the signs of the function surely differ;
 /// `None` where none are found.
-fn root<N: Real>(near: f64, f: &dyn Fn(N) -> Option<N>) -> Option<N> {
-    let (mut a, mut b) = (N::from_f64(near - STEP), N::from_f64(near + STEP));
+pub(super) fn root<N: Real>(near: f64, step: f64, f: &dyn Fn(N) -> Option<N>) -> Option<N> {
+    let (mut a, mut b) = (N::from_f64(near - step), N::from_f64(near + step));
     let (mut fa, mut fb) = (f(a)?, f(b)?);
     let mut slope = f64::NAN;
     for _ in 0..ROUNDS {
@@ -135,7 +140,7 @@ fn root<N: Real>(near: f64, f: &dyn Fn(N) -> Option<N>) -> Option<N> {
         }
         slope = gain.approx() / way.approx();
         let next = (b - fb.mid() * way / gain).mid();
-        if !next.is_decided() || (next.approx() - near).abs() > STEP {
+        if !next.is_decided() || (next.approx() - near).abs() > step {
             break;
         }
         let (last, there) = (fb, f(next)?);
@@ -149,7 +154,7 @@ fn root<N: Real>(near: f64, f: &dyn Fn(N) -> Option<N>) -> Option<N> {
         return Some(b);
     }
     let mut r = 2.0 * (fb.approx().abs() + fb.radius()) / slope.abs();
-    while r <= STEP {
+    while r <= step {
         let [low, high] = [-r, r].map(|r| f(b + N::from_f64(r)));
         let (low, high) = (low?, high?);
         if told(low) && told(high) && low.approx().signum() != high.approx().signum() {

@@ -9,6 +9,7 @@
 
 mod contact;
 pub mod disc;
+pub mod enclosed;
 pub mod exact;
 pub mod jet;
 pub mod law;
@@ -21,6 +22,7 @@ mod tests;
 mod turn;
 
 pub use disc::{Branch, Disc, Follower, Motion, Station, Touch};
+pub use enclosed::Mark;
 pub use exact::Exact;
 pub use jet::Jet;
 pub use law::Law;

@@ -60,6 +60,16 @@ pub enum Shock {
     Soft,
 }
 
+impl Shock {
+    /// Which derivative of the lift jumps.
+    pub fn order(self) -> usize {
+        match self {
+            Shock::Rigid => 1,
+            Shock::Soft => 2,
+        }
+    }
+}
+
 /// A place where velocity or acceleration jumps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jump {

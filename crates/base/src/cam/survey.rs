@@ -81,6 +81,10 @@ pub struct Survey {
     pub least_rho: Option<Extreme>,
     /// The same with the side of a joint.
     pub sharpest: Option<Peak>,
+    /// Least and greatest s′, least and greatest s″, with the side of a joint.
+    pub fastest: [[Option<Peak>; 2]; 2],
+    /// The greatest pressure angles with the side of a joint.
+    pub steepest: [Option<Peak>; 2],
     /// Least and greatest coordinate of the follower.
     pub ends: Option<[Peak; 2]>,
     /// Angles at which pieces of the law or of the profile meet.
@@ -132,7 +136,8 @@ impl Survey {
             let found = turn.best(|phi, side| lift(phi, side).map(|q| [sign * q.0[k], sign * q.0[k + 1]]))?;
             Some(Peak { value: sign * found.value, ..found })
         };
-        let extreme = |k: usize, sign: f64| peak(k, sign).map_or((0.0, 0.0), Peak::extreme);
+        let fastest = [1, 2].map(|k| [-1.0, 1.0].map(|sign| peak(k, sign)));
+        let extremes = |k: usize| fastest[k - 1].map(|p| p.map_or((0.0, 0.0), Peak::extreme));
         let ends = peak(0, -1.0).zip(peak(0, 1.0)).map(|(low, high)| [low, high]);
         let [low, high] = ends.map_or([0.0; 2], |ends| ends.map(|p| p.value));
         let rest = match &disc.motion {
@@ -141,7 +146,7 @@ impl Survey {
         };
         let jumps = jumps(disc, &turn.corners, [v_most, a_most]);
         let phases = phases(disc, &known, &turn.spans, v_most);
-        let pressure = [1, -1].map(|way| match disc.touch {
+        let steepest = [1, -1].map(|way| match disc.touch {
             Touch::Flat { .. } => None,
             Touch::Point { .. } => greatest_pressure(disc, &turn, phases.iter().filter(|p| p.way == way)),
         });
@@ -153,11 +158,13 @@ impl Survey {
             stroke: high - rest,
             phases,
             jumps,
-            velocity: [extreme(1, -1.0), extreme(1, 1.0)],
-            acceleration: [extreme(2, -1.0), extreme(2, 1.0)],
-            pressure,
+            velocity: extremes(1),
+            acceleration: extremes(2),
+            pressure: steepest.map(|p| p.map(Peak::extreme)),
             least_rho: sharpest.map(Peak::extreme),
             sharpest,
+            fastest,
+            steepest,
             ends,
             corners: turn.corners,
             hollow,
@@ -232,7 +239,7 @@ impl Survey {
 }
 
 /// The pressure angle of the greatest magnitude in some phases; where the follower sets out and where it arrives belong to its way.
-fn greatest_pressure<'p>(disc: &Disc, turn: &Turn, phases: impl Iterator<Item = &'p Phase>) -> Option<Extreme> {
+fn greatest_pressure<'p>(disc: &Disc, turn: &Turn, phases: impl Iterator<Item = &'p Phase>) -> Option<Peak> {
     let cut = |p: &Phase| {
         let within = |c: &f64| *c > p.from + 1e-10 && *c < p.to - 1e-10;
         let mut at: Vec<f64> = turn.corners.iter().flat_map(|c| [*c, c + TAU]).filter(within).chain([p.from, p.to]).collect();
@@ -244,11 +251,11 @@ fn greatest_pressure<'p>(disc: &Disc, turn: &Turn, phases: impl Iterator<Item = 
     let moving = Turn { corners: vec![spans.first()?[0]], spans };
     let magnitude = |s: Station| [s.pressure.abs(), s.pressure_slope * s.pressure.signum()];
     let found = moving.best(|phi, side| disc.station(phi, side).map(magnitude))?;
-    disc.station(found.phi, found.side).map(|s| (found.phi, s.pressure))
+    disc.station(found.phi, found.side).map(|s| Peak { value: s.pressure, ..found })
 }
 
 /// The least convex radius of the pitch curve of a round end, the least radius of the profile of a flat face.
-fn sharpest(disc: &Disc, turn: &Turn) -> Option<Peak> {
+pub(super) fn sharpest(disc: &Disc, turn: &Turn) -> Option<Peak> {
     let of = |s: Station| match disc.touch {
         Touch::Point { .. } => Some([-s.rho_pitch, -s.rho_slope]).filter(|r| r[0].is_finite() && r[0] < 0.0),
         Touch::Flat { .. } => Some([-s.rho_pitch, -s.rho_slope]).filter(|r| r[0].is_finite()),

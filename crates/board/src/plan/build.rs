@@ -345,6 +345,13 @@ impl Builder<'_> {
             let nodes = crate::mechanism::nodes_of(self.scene, self.m, *need);
             if let Some(g) = nodes.into_iter().filter_map(|n| self.m.group_of(n)).max() {
                 self.due[g].push((*need, *level));
+                // A point of a block on a curved guide other than its pin is found by the block's turning, whose ω its acceleration needs.
+                if let (Need::Point(p, on), Level::Acceleration) = (*need, *level)
+                    && let Some(l) = canonical(self.scene, p, on)
+                    && self.m.curved_block(self.scene, l).is_some_and(|(pin, ..)| pin != p)
+                {
+                    self.due[g].push((Need::Turning(l), Level::Velocity));
+                }
             }
         }
     }

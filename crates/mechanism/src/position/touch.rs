@@ -26,7 +26,7 @@ pub(super) fn touch<N: Real>(scene: &Scene, cam: &Cam, points: &[Option<Point<N>
     match cam.contact {
         Some(guide) => by_pair(scene, cam, guide, points, guides),
         None => {
-            let on_course = cam.touched_on_course(&|p| points[p.0]).map(|(at, normal)| Touch { at, normal });
+            let on_course = cam.touched_on_course(scene, &|p| points[p.0]).map(|(at, normal)| Touch { at, normal });
             on_course.or_else(|| by_station(scene, cam, points))
         }
     }

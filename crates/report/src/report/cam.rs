@@ -1,9 +1,12 @@
 //! A cam over a whole turn, for people and programs: stages, strokes, extremes, shocks, pressure angle, curvature, and what does not work.
 
-use crate::cam::{Disc, Fault, Follower, Jump, Law, Motion, Shock, Side, Station, Survey, Touch, Way, in_turn, round};
+mod told;
+
+pub use told::{Now, Unit, Which};
+
+use crate::cam::{Disc, Fault, Follower, Jump, Law, Mark, Motion, Shock, Side, Survey, Touch, Way, in_turn, round};
 use crate::diag::{Both, Diagnostic, both};
 use crate::digits::significant;
-use crate::number::{Ball, Real};
 use crate::paper::phrase::tr;
 use crate::scene::{Cam, Follows, Kind, Lang, Scene, Turning};
 use serde_json::{Value as Json, json};
@@ -39,33 +42,34 @@ impl Report<'_> {
         self.turning.rates(self.scene)[0].abs()
     }
 
-    fn length(&self, value_m: f64) -> String {
-        if !value_m.is_finite() {
-            return "∞".into();
-        }
-        if self.scene.book.chosen(Kind::Length).is_none() && self.scene.length_unit.name == "mm" {
-            return format!("{} mm", significant(value_m * 1e3, DIGITS));
-        }
-        let unit = self.scene.length_unit;
-        match self.scene.book.chosen(Kind::Length) {
-            Some(chosen) => chosen.text(&significant(chosen.of(value_m), DIGITS)),
-            None => format!("{} {}", significant(value_m * unit.denominator / unit.numerator, DIGITS), unit.name),
-        }
-    }
-
-    fn lift(&self, value: f64) -> String {
-        if self.swings() { degrees(value) } else { self.length(value) }
-    }
-
-    /// A quantity of the follower: rate (1) or rate of rate (2).
-    fn rate(&self, order: usize, value: f64) -> String {
-        let kind = match (self.swings(), order) {
+    /// The kind of the follower's coordinate (0), its rate (1) or the rate of that (2).
+    fn kind_of(&self, order: usize) -> Kind {
+        match (self.swings(), order) {
+            (true, 0) => Kind::Angle,
             (true, 1) => Kind::Omega,
             (true, _) => Kind::Alpha,
+            (false, 0) => Kind::Length,
             (false, 1) => Kind::Velocity,
             (false, _) => Kind::Acceleration,
-        };
-        self.scene.book.text(kind, &significant(self.scene.book.value(kind, value), DIGITS))
+        }
+    }
+
+    /// A number with its unit, to as many digits as are certain; `rough` is about what it is (SI).
+    fn say(&self, which: Which, unit: Unit, rough: f64) -> String {
+        if !rough.is_finite() {
+            return "∞".into();
+        }
+        let text = self.digits(which, unit, rough);
+        match unit {
+            Unit::Si => text,
+            Unit::Degrees => in_degrees(&text),
+            Unit::Lift(0) if self.swings() => in_degrees(&text),
+            Unit::Length | Unit::Lift(0) => match self.scene.book.chosen(Kind::Length) {
+                Some(chosen) => chosen.text(&text),
+                None => format!("{text} {}", self.scene.length_unit.name),
+            },
+            Unit::Lift(order) => self.scene.book.text(self.kind_of(order), &text),
+        }
     }
 
     /// The letter of the lift (0), its rate (1) and the rate of that (2); all count outward.
@@ -73,24 +77,13 @@ impl Report<'_> {
         if self.swings() { ["ψ", "ω", "α"][order] } else { ["s", "v", "a"][order] }
     }
 
-    /// What is read at the instant: s, v, a beside the rest. What is no more than the bound of its error is zero.
-    fn now(&self) -> Option<(Station, [f64; 3])> {
-        let here = (self.turning.phi, self.turning.side);
-        let mut station = self.disc().station(here.0, here.1)?;
+    /// Readings at the instant in double precision: s, v, a, pressure angle, radii of profile and pitch curve.
+    fn now(&self) -> Option<[f64; 6]> {
+        let (phi, side) = (self.turning.phi, self.turning.side);
+        let station = self.disc().station(phi, side)?;
         let [w, a] = self.turning.rates(self.scene);
-        let [mut s, mut v, mut acceleration, _] = self.survey.lift(self.disc(), here.0, here.1)?;
-        (v, acceleration) = (v * w, acceleration * w * w + v * a);
-        if let Some((cam, phi)) = self.turning.exact::<Ball<f64>>(self.scene)
-            && let Some(exact) = cam.station(here, phi)
-        {
-            let number = |x: Ball<f64>| if x.contains_zero() { 0.0 } else { x.approx() };
-            let [w, a] = [w, a].map(Ball::from_f64);
-            let [_, dq, ddq, _] = exact.q.0;
-            (v, acceleration) = (number(dq * w), number(ddq * w * w + dq * a));
-            s = cam.lift(here, phi).map_or(s, number);
-            station.pressure = number(exact.pressure);
-        }
-        Some((station, [s, v, acceleration]))
+        let [s, v, acceleration, _] = self.survey.lift(self.disc(), phi, side)?;
+        Some([s, v * w, acceleration * w * w + v * a, station.pressure, station.rho, station.rho_pitch])
     }
 
     /// The report as text.
@@ -108,151 +101,187 @@ impl Report<'_> {
             Lang::En => format!("cam {cam}, follower {follower}: {kind}"),
             Lang::Zh => format!("凸轮 {cam}，从动件 {follower}：{kind}"),
         });
-        line(format!("  {} r₀ = {}", tr(lang, "base circle", "基圆半径"), self.length(self.disc().base())));
+        line(format!("  {} r₀ = {}", tr(lang, "base circle", "基圆半径"), self.say(Which::Base, Unit::Length, self.disc().base())));
         if let Touch::Point { radius } = self.disc().touch
             && radius > 0.0
         {
-            line(format!("  {} r_r = {}", tr(lang, "radius of the follower's end", "滚子（圆端）半径"), self.length(radius)));
+            line(format!(
+                "  {} r_r = {}",
+                tr(lang, "radius of the follower's end", "滚子（圆端）半径"),
+                self.say(Which::End, Unit::Length, radius)
+            ));
         }
         match self.disc().follower {
             Follower::Translating { offset, .. } => {
                 // Plus toward the centre of cam and follower as it goes out.
-                line(format!("  {} e = {}", tr(lang, "offset", "偏距"), self.length(offset * self.disc().sense + 0.0)));
+                line(format!("  {} e = {}", tr(lang, "offset", "偏距"), self.say(Which::Offset, Unit::Length, offset * self.disc().sense)));
             }
             Follower::Oscillating { pivot, arm, .. } => {
-                line(format!("  {} d = {}", tr(lang, "distance of the pivots", "中心距"), self.length(pivot.norm())));
+                line(format!(
+                    "  {} d = {}",
+                    tr(lang, "distance of the pivots", "中心距"),
+                    self.say(Which::Distance, Unit::Length, pivot.norm())
+                ));
                 if arm > 0.0 {
-                    line(format!("  {} l = {}", tr(lang, "arm", "摆杆长"), self.length(arm)));
+                    line(format!("  {} l = {}", tr(lang, "arm", "摆杆长"), self.say(Which::Arm, Unit::Length, arm)));
                 }
             }
         }
-        line(format!("  {} h = {}", tr(lang, "stroke", "行程"), self.lift(self.survey.stroke)));
+        line(format!("  {} h = {}", tr(lang, "stroke", "行程"), self.say(Which::Stroke, Unit::Lift(0), self.survey.stroke)));
         let s = self.survey;
         line(format!(
             "  {}",
             [("Φ", 1, false), ("Φs", 0, true), ("Φ′", -1, false), ("Φs′", 0, false)]
-                .map(|(name, way, out)| format!("{name} = {}", degrees(s.angle(way, out))))
+                .map(|(name, way, out)| format!("{name} = {}", self.say(Which::Phase(way, out), Unit::Degrees, s.angle(way, out))))
                 .join("  ")
         ));
         if let Motion::Law { program, .. } = &self.disc().motion {
-            for ((stage, start), out) in program.stages.iter().zip(program.joints()).zip(program.outer()) {
-                line(format!("  {:>8} – {:<8} {}", degrees(start), degrees(start + stage.over), self.stage(stage.way, out, lang)));
+            let (joints, outer) = (program.joints(), program.outer());
+            for (k, stage) in program.stages.iter().enumerate() {
+                let [from, to] = [k, k + 1].map(|k| self.say(Which::Start(k), Unit::Degrees, joints[k]));
+                line(format!("  {from:>8} – {to:<8} {}", self.stage(k, stage.way, outer[k], lang)));
             }
         }
         let w = self.omega();
-        for (order, list) in [(1, s.velocity), (2, s.acceleration)] {
-            let [low, high] = list;
+        let marks = [(1, [0, 1].map(Mark::Rate), s.velocity), (2, [0, 1].map(Mark::Bend), s.acceleration)];
+        for (order, mark, list) in marks {
             let factor = if order == 1 { w } else { w * w };
-            let [high, low] = [high, low].map(|e| (degrees(e.0), self.rate(order, e.1 * factor)));
+            let told = |k: usize| {
+                let at = self.say(Which::At(mark[k]), Unit::Degrees, list[k].0);
+                (at, self.say(Which::Most(mark[k]), Unit::Lift(order), list[k].1 * factor))
+            };
+            let [low, high] = [told(0), told(1)];
             let symbol = self.symbol(order);
             line(match lang {
                 Lang::En => format!("  {symbol}: {} at φ = {}, {} at φ = {}", high.1, high.0, low.1, low.0),
                 Lang::Zh => format!("  φ = {} 时 {symbol} = {}，φ = {} 时 {symbol} = {}", high.0, high.1, low.0, low.1),
             });
         }
-        for j in &s.jumps {
-            line(format!("  {}", self.jump(j, lang)));
+        for (k, j) in s.jumps.iter().enumerate() {
+            line(format!("  {}", self.jump(k, j, lang)));
         }
         let names =
             [tr(lang, "greatest pressure angle, out", "推程最大压力角"), tr(lang, "greatest pressure angle, back", "回程最大压力角")];
-        for (name, found) in names.into_iter().zip(s.pressure) {
-            if let Some((phi, angle)) = found {
-                line(format!("  {name}{}", valued(degrees(angle.abs()), phi, lang)));
+        for (k, name) in names.into_iter().enumerate() {
+            if s.pressure[k].is_some() {
+                line(format!("  {name}{}", self.valued(Mark::Pressure(k), s.pressure[k], lang)));
             }
         }
-        if let Some((phi, rho)) = s.least_rho {
+        if s.least_rho.is_some() {
             let name = match self.disc().touch {
                 Touch::Point { .. } => tr(lang, "least convex radius of the pitch curve", "理论廓线外凸部分的最小曲率半径"),
                 Touch::Flat { .. } => tr(lang, "least radius of the profile", "廓线的最小曲率半径"),
             };
-            line(format!("  {name}{}", valued(self.length(rho), phi, lang)));
+            line(format!("  {name}{}", self.valued(Mark::Radius, s.least_rho, lang)));
         }
-        if let Some((station, [lift, v, a])) = self.now() {
+        if let Some([lift, v, a, pressure, rho, rho_pitch]) = self.now() {
+            let lifts = [lift, v, a].into_iter().enumerate();
+            let lifts = lifts.map(|(k, x)| format!("{} = {}", self.symbol(k), self.say(Which::Now(Now::Lift(k)), Unit::Lift(k), x)));
             line(format!(
                 "  {} φ = {}{}{}",
                 tr(lang, "at the instant", "图示位置"),
-                degrees(in_turn(self.turning.phi)),
+                self.say(Which::Now(Now::Phi), Unit::Degrees, in_turn(self.turning.phi)),
                 tr(lang, ": ", "："),
-                [
-                    format!("{} = {}", self.symbol(0), self.lift(lift)),
-                    format!("{} = {}", self.symbol(1), self.rate(1, v)),
-                    format!("{} = {}", self.symbol(2), self.rate(2, a))
-                ]
-                .join(comma)
+                lifts.collect::<Vec<_>>().join(comma)
             ));
             let alpha = match self.disc().touch {
-                Touch::Point { .. } => format!("{} {}{comma}", tr(lang, "pressure angle", "压力角"), degrees(station.pressure)),
+                Touch::Point { .. } => {
+                    let pressure = self.say(Which::Now(Now::Pressure), Unit::Degrees, pressure);
+                    format!("{} {pressure}{comma}", tr(lang, "pressure angle", "压力角"))
+                }
                 Touch::Flat { .. } => String::new(),
             };
-            let pitch = if station.rho_pitch == station.rho {
+            let pitch = if rho_pitch == rho {
                 String::new()
             } else {
-                format!("{comma}{} {}", tr(lang, "of the pitch curve", "理论廓线"), self.length(station.rho_pitch))
+                let told = self.say(Which::Now(Now::Pitch), Unit::Length, rho_pitch);
+                format!("{comma}{} {told}", tr(lang, "of the pitch curve", "理论廓线"))
             };
-            line(format!("    {alpha}ρ = {}{pitch}", self.length(station.rho)));
+            line(format!("    {alpha}ρ = {}{pitch}", self.say(Which::Now(Now::Rho), Unit::Length, rho)));
         }
         out
     }
 
-    fn stage(&self, way: Way, out: bool, lang: Lang) -> String {
+    fn stage(&self, k: usize, way: Way, out: bool, lang: Lang) -> String {
+        let gain = |h: f64| self.say(Which::Gain(k), Unit::Lift(0), h);
         let comma = tr(lang, ", ", "，");
         let law = |l: Law| match lang {
             Lang::En => format!("{} motion", l.name()),
             Lang::Zh => l.name_zh().to_owned(),
         };
         match way {
-            Way::Rise(h, l) => format!("{} {}{comma}{}", tr(lang, "rise", "推程"), self.lift(h), law(l)),
+            Way::Rise(h, l) => format!("{} {}{comma}{}", tr(lang, "rise", "推程"), gain(h), law(l)),
             Way::Dwell => dwell(out, lang).to_owned(),
-            Way::Return(h, l) => format!("{} {}{comma}{}", tr(lang, "return", "回程"), self.lift(h), law(l)),
+            Way::Return(h, l) => format!("{} {}{comma}{}", tr(lang, "return", "回程"), gain(h), law(l)),
+        }
+    }
+
+    /// An extreme with the angle of the cam at which it is reached, behind its name: `: 30° at φ = 60°`, `：30°（φ = 60° 时）`.
+    fn valued(&self, mark: Mark, found: Option<(f64, f64)>, lang: Lang) -> String {
+        let (phi, value) = found.unwrap_or_default();
+        let unit = if mark == Mark::Radius { Unit::Length } else { Unit::Degrees };
+        let at = self.say(Which::At(mark), Unit::Degrees, phi);
+        let value = self.say(Which::Most(mark), unit, if mark == Mark::Radius { value } else { value.abs() });
+        match lang {
+            Lang::En => format!(": {value} at φ = {at}"),
+            Lang::Zh => format!("：{value}（φ = {at} 时）"),
         }
     }
 
     /// A shock in words.
-    fn jump(&self, j: &Jump, lang: Lang) -> String {
-        let w = self.omega();
-        let (order, factor, name) = match j.shock {
-            Shock::Rigid => (1, w, tr(lang, "rigid shock", "刚性冲击")),
-            Shock::Soft => (2, w * w, tr(lang, "soft shock", "柔性冲击")),
+    fn jump(&self, k: usize, j: &Jump, lang: Lang) -> String {
+        let name = match j.shock {
+            Shock::Rigid => tr(lang, "rigid shock", "刚性冲击"),
+            Shock::Soft => tr(lang, "soft shock", "柔性冲击"),
         };
-        let symbol = self.symbol(order);
-        let [b, a] = j.sides.map(|x| self.rate(order, x * factor));
+        let order = j.shock.order();
+        let (symbol, factor) = (self.symbol(order), libm::pow(self.omega(), order as f64));
+        let [b, a] = [0, 1].map(|side| self.say(Which::Jump(k, side), Unit::Lift(order), j.sides[side] * factor));
+        let at = self.say(Which::JumpAt(k), Unit::Degrees, in_turn(j.phi));
         match lang {
-            Lang::En => format!("{name} at φ = {}: {symbol} from {b} to {a}", degrees(in_turn(j.phi))),
-            Lang::Zh => format!("φ = {} 处有{name}：{symbol} 由 {b} 变为 {a}", degrees(in_turn(j.phi))),
+            Lang::En => format!("{name} at φ = {at}: {symbol} from {b} to {a}"),
+            Lang::Zh => format!("φ = {at} 处有{name}：{symbol} 由 {b} 变为 {a}"),
         }
     }
 
     /// The report as JSON: SI, angles in radians.
     pub fn json(&self) -> Json {
         let s = self.survey;
-        let place = |e: (f64, f64)| json!({"phi": e.0, "value": e.1});
-        let now = self.now().map(|(station, [lift, v, a])| {
-            json!({"phi": in_turn(self.turning.phi), "s": lift, "v": v, "a": a, "pressure_angle": station.pressure,
-                "rho": finite(station.rho), "rho_pitch": finite(station.rho_pitch)})
+        let near = |which: Which, rough: f64| self.nearest(which, rough);
+        let place = |mark: Mark, e: (f64, f64)| json!({"phi": near(Which::At(mark), e.0), "value": near(Which::ByPhi(mark), e.1)});
+        let now = self.now().map(|[lift, v, a, pressure, rho, pitch]| {
+            let of = |now: Now, rough: f64| near(Which::Now(now), rough);
+            json!({"phi": of(Now::Phi, in_turn(self.turning.phi)), "s": of(Now::Lift(0), lift), "v": of(Now::Lift(1), v), "a": of(Now::Lift(2), a),
+                "pressure_angle": of(Now::Pressure, pressure), "rho": of(Now::Rho, rho), "rho_pitch": of(Now::Pitch, pitch)})
         });
         let jumps: Vec<Json> = s
             .jumps
             .iter()
-            .map(|j| {
+            .enumerate()
+            .map(|(k, j)| {
                 let kind = match j.shock {
                     Shock::Rigid => "rigid",
                     Shock::Soft => "soft",
                 };
-                json!({"phi": in_turn(j.phi), "kind": kind, "before": j.sides[0], "after": j.sides[1]})
+                let sides = [0, 1].map(|side| near(Which::JumpByPhi(k, side), j.sides[side]));
+                json!({"phi": near(Which::JumpAt(k), in_turn(j.phi)), "kind": kind, "before": sides[0], "after": sides[1]})
             })
             .collect();
+        let angle = |way: i8, out: bool| near(Which::Phase(way, out), s.angle(way, out));
+        let both = |mark: fn(usize) -> Mark, list: [(f64, f64); 2]| [0, 1].map(|k| place(mark(k), list[k]));
+        let pressure = |k: usize| s.pressure[k].map(|e| place(Mark::Pressure(k), e));
         json!({
             "cam": self.scene.link_name(self.cam.cam),
             "follower": self.scene.link_name(self.cam.follower),
             "oscillating": self.swings(),
-            "base": self.disc().base(),
-            "stroke": s.stroke,
-            "angles": {"rise": s.angle(1, false), "outer_dwell": s.angle(0, true), "return": s.angle(-1, false), "inner_dwell": s.angle(0, false)},
-            "ds": s.velocity.map(place),
-            "dds": s.acceleration.map(place),
+            "base": near(Which::Base, self.disc().base()),
+            "stroke": near(Which::Stroke, s.stroke),
+            "angles": {"rise": angle(1, false), "outer_dwell": angle(0, true), "return": angle(-1, false), "inner_dwell": angle(0, false)},
+            "ds": both(Mark::Rate, s.velocity),
+            "dds": both(Mark::Bend, s.acceleration),
             "shocks": jumps,
-            "pressure_angle": {"rise": s.pressure[0].map(place), "return": s.pressure[1].map(place)},
-            "least_rho": s.least_rho.map(place),
+            "pressure_angle": {"rise": pressure(0), "return": pressure(1)},
+            "least_rho": s.least_rho.map(|e| place(Mark::Radius, e)),
             "now": now,
             "faults": self.faults().iter().map(|d| json!({"code": d.code, "message": d.message.en})).collect::<Vec<_>>(),
         })
@@ -260,10 +289,10 @@ impl Report<'_> {
 
     /// What does not work, as diagnostics with the place of the cam.
     pub fn faults(&self) -> Vec<Diagnostic> {
-        let rigid = self.survey.jumps.iter().filter(|j| j.shock == Shock::Rigid);
+        let rigid = self.survey.jumps.iter().enumerate().filter(|(_, j)| j.shock == Shock::Rigid);
         let mut out: Vec<Diagnostic> = rigid
-            .map(|j| {
-                let message = both!("{}", "{}", Both { en: self.jump(j, Lang::En), zh: self.jump(j, Lang::Zh) });
+            .map(|(k, j)| {
+                let message = both!("{}", "{}", Both { en: self.jump(k, j, Lang::En), zh: self.jump(k, j, Lang::Zh) });
                 Diagnostic::warning("impulse", message).help(both!(
                     "the acceleration is infinite there: choose a law whose velocity begins at zero",
                     "该处加速度为无穷大：请选用起始速度为零的运动规律"
@@ -277,12 +306,13 @@ impl Report<'_> {
     fn fault(&self, fault: &Fault) -> Diagnostic {
         match *fault {
             Fault::Undercut { phi, rho, least_base } => {
-                let (at, rho) = (degrees(in_turn(phi)), self.length(rho));
+                let at = self.say(Which::At(Mark::Radius), Unit::Degrees, in_turn(phi));
+                let rho = self.say(Which::Most(Mark::Radius), Unit::Length, rho);
                 let message = match self.disc().touch {
                     Touch::Point { radius } => both!(
                         "the profile is undercut: at φ = {at} the pitch curve has the radius {rho}, the roller {}",
                         "运动失真：φ = {at} 处理论廓线的曲率半径为 {rho}，滚子半径为 {}",
-                        self.length(radius)
+                        self.say(Which::End, Unit::Length, radius)
                     ),
                     Touch::Flat { .. } => both!(
                         "the profile is undercut: at φ = {at} a flat face would need the radius {rho}",
@@ -294,7 +324,7 @@ impl Report<'_> {
                     Some(base) => d.help(both!(
                         "the least base circle that avoids it is {}; or take a smaller roller, a longer angle, a gentler law",
                         "避免失真的最小基圆半径为 {}；或减小滚子、加大运动角、改用较平缓的规律",
-                        self.length(base)
+                        self.say(Which::LeastBase, Unit::Length, base)
                     )),
                     None => d.help(both!(
                         "no base circle avoids it: take a smaller roller or a longer angle",
@@ -307,8 +337,8 @@ impl Report<'_> {
                 both!(
                     "the roller does not go into the hollow of radius {} (φ = {})",
                     "滚子放不进半径为 {} 的内凹廓线（φ = {}）",
-                    self.length(-rho),
-                    degrees(in_turn(phi))
+                    self.say(Which::Hollow, Unit::Length, -rho),
+                    self.say(Which::HollowAt, Unit::Degrees, in_turn(phi))
                 ),
             )
             .help(both!("take a smaller roller", "请减小滚子")),
@@ -317,8 +347,8 @@ impl Report<'_> {
                 both!(
                     "the pressure angle reaches {} at φ = {} {}; usual is at most {}",
                     "压力角在 φ = {1} {2}达到 {0}；许用值为 {3}",
-                    degrees(angle.abs()),
-                    degrees(in_turn(phi)),
+                    self.say(Which::Most(Mark::Pressure(usize::from(!rising))), Unit::Degrees, angle.abs()),
+                    self.say(Which::At(Mark::Pressure(usize::from(!rising))), Unit::Degrees, in_turn(phi)),
                     if rising { both!("as the follower goes out", "（推程）") } else { both!("as it comes back", "（回程）") },
                     degrees(usual)
                 ),
@@ -385,26 +415,16 @@ pub fn dwell(outer: bool, lang: Lang) -> &'static str {
     if outer { tr(lang, "outer dwell", "远休止") } else { tr(lang, "inner dwell", "近休止") }
 }
 
-/// A value with the angle of the cam at which it is reached, behind its name: `: 30° at φ = 60°`, `：30°（φ = 60° 时）`.
-fn valued(value: String, phi: f64, lang: Lang) -> String {
-    match lang {
-        Lang::En => format!(": {value} at φ = {}", degrees(phi)),
-        Lang::Zh => format!("：{value}（φ = {} 时）", degrees(phi)),
-    }
-}
-
-fn finite(x: f64) -> Option<f64> {
-    x.is_finite().then_some(x)
-}
-
-/// An angle in degrees with a reasonable number of digits.
-pub fn degrees(radians: f64) -> String {
-    let d = radians.to_degrees();
-    // What is written in degrees is met to rounding.
-    let rounded = (d * 1e8).round() / 1e8 + 0.0;
-    let text = significant(rounded, DIGITS);
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+/// Degrees without the zeros at the end of their decimals.
+fn in_degrees(text: &str) -> String {
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text };
     format!("{text}°")
+}
+
+/// An angle in degrees of double precision, where nothing says more.
+fn degrees(radians: f64) -> String {
+    // What is written in degrees is met to rounding.
+    in_degrees(&significant((radians.to_degrees() * 1e8).round() / 1e8 + 0.0, DIGITS))
 }
 
 /// What kind of cam it is.

@@ -138,17 +138,22 @@ impl<'a, N: Real> Inputs<'a, N> {
         inputs
     }
 
-    /// A quantity in SI units; undecided where its text has no value in these numbers.
+    /// A quantity in SI units, of one without a text what double precision and its bound tell; undecided where its text has no value in these numbers.
     pub fn number(&self, given: &Given) -> N {
-        N::from_bounded(given.value, given.radius).or_else(|| self.read(&given.text).map(Value::si)).unwrap_or(N::from_f64(f64::NAN))
+        let untold = || given.text.is_empty().then(|| N::from_f64(given.value).widened(given.radius));
+        N::from_bounded(given.value, given.radius)
+            .or_else(untold)
+            .or_else(|| self.read(&given.text).map(Value::si))
+            .unwrap_or(N::from_f64(f64::NAN))
     }
 
     /// (sin, cos) of an angle, reduced in degrees where it is written in degrees.
     pub fn sin_cos(&self, given: &Given<Angle>) -> (N, N) {
         let nothing = N::from_f64(f64::NAN);
+        let untold = |x: f64| given.text.is_empty().then(|| N::from_f64(x).widened(given.radius));
         match given.value {
-            Angle::Deg(d) => N::from_bounded(d, given.radius).map(Real::sin_cos_degrees),
-            Angle::Rad(r) => N::from_bounded(r, given.radius).map(Real::sin_cos),
+            Angle::Deg(d) => N::from_bounded(d, given.radius).or_else(|| untold(d)).map(Real::sin_cos_degrees),
+            Angle::Rad(r) => N::from_bounded(r, given.radius).or_else(|| untold(r)).map(Real::sin_cos),
         }
         .or_else(|| self.read(&given.text).map(Value::sin_cos))
         .unwrap_or((nothing, nothing))

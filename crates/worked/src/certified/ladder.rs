@@ -169,6 +169,8 @@ pub const MOST_DIGITS: usize = 30;
 /// those that call for it.
 pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> {
     let digits = digits.clamp(1, MOST_DIGITS);
+    let bounded = scene.bounded();
+    let scene = bounded.as_ref().unwrap_or(scene);
     let mut out: Vec<Certified> = worked
         .results
         .iter()

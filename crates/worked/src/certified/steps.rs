@@ -121,6 +121,8 @@ pub fn steps(scene: &Scene, worked: &Worked, pencil_mm: Option<f64>) -> Steps {
     if worked.construction.diagrams.is_empty() {
         return done;
     }
+    let bounded = scene.bounded();
+    let scene = bounded.as_ref().unwrap_or(scene);
     for rung in Rung::LADDER {
         let last = rung == Rung::LAST;
         let seen = rung.climb(&Redrawn { scene, worked, pencil_mm });

@@ -101,7 +101,7 @@ impl One<'_> {
                 touched: Some(found),
                 rough: None,
                 side: Side::After,
-                texts: self.texts((on, carried), (point, lever), (phi, "0 deg"), self.profile_texts(cam, on, &worded)),
+                texts: self.texts((on, carried), (point, lever), (phi, "0 deg"), self.profile_texts(cam, on.pivot, &on.local, &worded)),
             };
             pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
         } else if worded.len() > 1 {

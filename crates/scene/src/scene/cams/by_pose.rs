@@ -12,6 +12,7 @@ use super::pairs::{Worded, numbers};
 use super::place::{self, Told};
 use super::raw::*;
 use super::reckoned::{Reckoned, Touching};
+use super::texts::MotionTexts;
 use crate::cam::Segment;
 use crate::cam::outline::segments;
 use crate::diag::Faults;
@@ -27,6 +28,7 @@ pub(super) struct Posed {
     /// The points of the cam in whose frame the pieces are: origin in the first, x toward the second.
     pub frame: [String; 2],
     pub segments: Vec<Segment>,
+    pub texts: Option<MotionTexts>,
     pub touched: usize,
     /// Where a point of the follower is, for which no coordinates are given.
     pub rough: Option<(PointId, Vec2)>,
@@ -56,6 +58,7 @@ impl One<'_> {
         };
         let Some(parts) = worded.iter().map(|w| numbers(w, local)).collect::<Option<Vec<_>>>() else { return self.no_pose(why, faults) };
         let segments = segments(&parts).map_err(|broken| self.broken(broken, faults)).ok()?;
+        let texts = self.profile_texts(cam, *first, &known, worded);
         let into = |v: Vec2| v.divide_by(axis);
         let (mut rough, mut touched) = (None, None);
         let mut reckon = |line: Option<PointId>| {
@@ -79,7 +82,7 @@ impl One<'_> {
                 let Some(along) = self.face_direction(face, follower, faults) else {
                     let line = face.line.as_ref().and_then(|w| self.names.pair(w).ok()).map(|(_, to)| to);
                     return match reckon(line) {
-                        Some(()) => self.posed([*first, *second], segments, touched, rough, faults),
+                        Some(()) => self.posed([*first, *second], (segments, texts), touched, rough, faults),
                         None => self.no_pose(why, faults),
                     };
                 };
@@ -90,7 +93,7 @@ impl One<'_> {
             RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. } => {
                 let Some(spot) = place::spot(self.bare, point) else {
                     return match reckon(None) {
-                        Some(()) => self.posed([*first, *second], segments, touched, rough, faults),
+                        Some(()) => self.posed([*first, *second], (segments, texts), touched, rough, faults),
                         None => self.no_pose(why, faults),
                     };
                 };
@@ -100,19 +103,19 @@ impl One<'_> {
                 touched = missed.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, missed)| *missed <= OFF * at.norm()).map(|(i, _)| i);
             }
         }
-        self.posed([*first, *second], segments, touched, rough, faults)
+        self.posed([*first, *second], (segments, texts), touched, rough, faults)
     }
 
     fn posed(
         &self,
         frame: [PointId; 2],
-        segments: Vec<Segment>,
+        (segments, texts): (Vec<Segment>, Option<MotionTexts>),
         touched: Option<usize>,
         rough: Option<(PointId, Vec2)>,
         faults: &mut Faults,
     ) -> Option<Posed> {
         let Some(touched) = self.on.or(touched) else { return self.no_contact(faults) };
-        Some(Posed { frame: frame.map(|p| self.bare.point_name(p).to_owned()), segments, touched, rough })
+        Some(Posed { frame: frame.map(|p| self.bare.point_name(p).to_owned()), segments, texts, touched, rough })
     }
 
     /// The direction in the pose of the guide in which a follower slides.

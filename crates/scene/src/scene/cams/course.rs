@@ -3,7 +3,7 @@
 //! It follows from the whole mechanism and not from one angle, so this room cannot tell it: who can move mechanisms hands in a [`Course`], and from then
 //! on the follower is a driver of its own like any other that a cam leads.
 
-use super::super::model::{GuideId, LinkId, PointId};
+use super::super::model::{GuideId, LinkId, PointId, Scene};
 use super::{Cam, Pieces};
 use crate::cam::Segment;
 use crate::geom::{Point, Vec2};
@@ -39,6 +39,9 @@ pub enum HangsOn {
 pub trait Leads: Send + Sync + UnwindSafe + RefUnwindSafe {
     /// The follower where the drivers stand, as fast as they move (position, rate, acceleration of each, SI); `None` where it cannot be followed.
     fn led(&self, drivers: &[[f64; 3]]) -> Option<Led>;
+
+    /// Bounds of the errors of place, rate and acceleration that [`Leads::led`] tells; `None` where nothing encloses them.
+    fn off(&self, drivers: &[[f64; 3]]) -> Option<[f64; 3]>;
 }
 
 /// One that is shared by all copies of a scene.
@@ -58,37 +61,43 @@ impl PartialEq for Course {
     }
 }
 
-/// What double precision keeps of a length that is computed from given ones, relative to it.
-const LOST: f64 = 1e-12;
-
 impl Cam {
     /// Where a follower with a round end touches, and the unit normal out of the cam, while a driver stands for the contact; `None` of a flat face, whose
     /// direction only its pair told.
-    pub fn touched_on_course<N: Real>(&self, place: &dyn Fn(PointId) -> Option<Point<N>>) -> Option<(Point<N>, Vec2<N>)> {
+    pub fn touched_on_course<N: Real>(&self, scene: &Scene, place: &dyn Fn(PointId) -> Option<Point<N>>) -> Option<(Point<N>, Vec2<N>)> {
         let pieces = self.posed.as_ref().filter(|_| self.is_on_course())?;
-        let (end, radius) = (place(self.follows.point())?, self.follows.radius()?);
-        let normal = pieces.normal(place, end)?;
-        Some((end - normal * number(radius)?, normal))
+        let (end, radius) = (place(self.follows.point())?, self.end_in(scene)?);
+        let normal = pieces.normal(scene, place, end)?;
+        Some((end - normal * radius, normal))
     }
 }
 
 impl Pieces {
     /// The outward normal of the piece that is touched, at a place.
-    fn normal<N: Real>(&self, place: &dyn Fn(PointId) -> Option<Point<N>>, at: Point<N>) -> Option<Vec2<N>> {
+    fn normal<N: Real>(&self, scene: &Scene, place: &dyn Fn(PointId) -> Option<Point<N>>, at: Point<N>) -> Option<Vec2<N>> {
         let [from, to] = self.frame;
         let origin = place(from)?;
         let axis = (place(to)? - origin).unit()?;
-        let exact = |v: Vec2| Some(Vec2 { x: number(v.x)?, y: number(v.y)? });
-        match self.segments[self.touched] {
+        let piece = if N::refines() { self.in_numbers(scene)?.get(self.touched).copied()? } else { lifted(self.segments[self.touched]) };
+        match piece {
             Segment::Arc { centre, radius, .. } => {
-                let away = (at - (origin + exact(centre)?.rotate_by(axis))).unit()?;
-                Some(if radius < 0.0 { -away } else { away })
+                let away = (at - (origin + centre.rotate_by(axis))).unit()?;
+                Some(if radius.approx() < 0.0 { -away } else { away })
             }
-            Segment::Line { normal, .. } => Some(exact(Vec2::from_angle(normal))?.rotate_by(axis)),
+            Segment::Line { normal, .. } => Some(Vec2::from_angle(normal).rotate_by(axis)),
         }
     }
 }
 
-fn number<N: Real>(x: f64) -> Option<N> {
-    N::from_bounded(x, x.abs() * LOST)
+/// A piece in other numbers that know no more of it.
+fn lifted<N: Real>(piece: Segment) -> Segment<N> {
+    let number = N::from_f64;
+    match piece {
+        Segment::Arc { centre, radius, normals } => {
+            Segment::Arc { centre: centre.lift(), radius: number(radius), normals: normals.map(number) }
+        }
+        Segment::Line { normal, distance, ends } => {
+            Segment::Line { normal: number(normal), distance: number(distance), ends: ends.map(number) }
+        }
+    }
 }

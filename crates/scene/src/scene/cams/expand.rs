@@ -400,7 +400,8 @@ impl Expanded {
                 contact: p.contact.map(GuideId),
                 posed: p.posed.and_then(|posed| {
                     let [from, to] = posed.frame.map(|name| point(&name));
-                    Some(Pieces { frame: [from?, to?], segments: posed.segments, touched: posed.touched, others: Vec::new(), led: None })
+                    let (segments, texts, touched) = (posed.segments, posed.texts, posed.touched);
+                    Some(Pieces { frame: [from?, to?], segments, texts, touched, others: Vec::new(), led: None })
                 }),
                 span: p.span,
             })

@@ -32,7 +32,7 @@ mod texts;
 mod untold;
 
 pub use course::{Course, HangsOn, Leads, Led};
-pub use texts::Texts;
+pub use texts::{MotionTexts, Texts};
 
 use super::model::{GuideId, LinkId, PointId, Scene};
 use crate::cam::{Disc, Motion, Segment, Side, Surveyed};
@@ -150,6 +150,8 @@ pub struct Pieces {
     pub frame: [PointId; 2],
     /// The pieces, counter-clockwise.
     pub segments: Vec<Segment>,
+    /// The texts of their numbers, where each has one.
+    pub texts: Option<MotionTexts>,
     /// The one that is touched in the pose.
     pub touched: usize,
     /// The scene with each of the other pieces in its place, as far as it can be touched.

@@ -9,6 +9,7 @@ use super::super::model::*;
 use super::course::{Course, HangsOn, Led};
 use crate::cam::{Follower, Jet, Side};
 use crate::diag::Span;
+use crate::number::{Ball, Real};
 
 impl Scene {
     /// Whether followers of cams move with a driver as their own drivers: then these are set wherever that driver is put.
@@ -105,14 +106,7 @@ impl Scene {
         if self.courses().next().is_none() {
             return;
         }
-        let own = (0..self.drivers.len()).filter(|d| !self.is_on_a_course(*d));
-        let standing: Vec<[f64; 3]> = own
-            .map(|d| {
-                let driver = &self.drivers[d];
-                let stated = driver.kind.position().map_or(0.0, Position::value);
-                [at(d).unwrap_or(stated), driver.rate.value, driver.acceleration.as_ref().map_or(0.0, |a| a.value)]
-            })
-            .collect();
+        let standing = self.standing(at);
         let all: Vec<(usize, usize, Option<Led>)> = self.courses().map(|(i, k, course)| (i, k, course.0.led(&standing))).collect();
         for (cam, driver, led) in all {
             let span = self.cams[cam].span;
@@ -122,6 +116,43 @@ impl Scene {
             }
             self.put(driver, [place, rate, acceleration], span);
         }
+    }
+
+    /// Place, rate and acceleration of the drivers that no course leads, standing where `at` tells, else where they are said to.
+    fn standing(&self, at: &dyn Fn(usize) -> Option<f64>) -> Vec<[f64; 3]> {
+        let own = (0..self.drivers.len()).filter(|d| !self.is_on_a_course(*d));
+        let of = |d: usize| {
+            let driver = &self.drivers[d];
+            let stated = driver.kind.position().map_or(0.0, Position::value);
+            [at(d).unwrap_or(stated), driver.rate.value, driver.acceleration.as_ref().map_or(0.0, |a| a.value)]
+        };
+        own.map(of).collect()
+    }
+
+    /// The scene whose followers that drivers stand for are where double precision has put them within the bounds of its errors, on every rung of the
+    /// ladder; `None` where there are none.
+    pub fn bounded(&self) -> Option<Scene> {
+        let standing = self.standing(&|_| None);
+        let on_courses = self.courses().map(|(_, k, course)| (k, course.0.off(&standing)));
+        let discs = self.cams.iter().filter_map(|c| c.disc.as_ref());
+        let on_discs = discs.filter_map(|t| Some((t.by_law.filter(|k| self.drivers[*k].is_put())?, t)));
+        let on_discs = on_discs.map(|(k, t)| (k, t.off(self, &self.drivers[k])));
+        let all: Vec<(usize, [f64; 3])> = on_courses.chain(on_discs).map(|(k, off)| (k, off.unwrap_or([f64::INFINITY; 3]))).collect();
+        if all.is_empty() {
+            return None;
+        }
+        let mut scene = self.clone();
+        for (driver, [place, rate, acceleration]) in all {
+            let d = &mut scene.drivers[driver];
+            match d.kind.slot() {
+                PositionSlot::Angle(Some(angle)) => within(angle, place),
+                PositionSlot::Coordinate(Some(x)) | PositionSlot::Distance(Some(x)) => within(x, place),
+                PositionSlot::Angle(None) | PositionSlot::Coordinate(None) | PositionSlot::Distance(None) => {}
+            }
+            within(&mut d.rate, rate);
+            d.acceleration.iter_mut().for_each(|a| within(a, acceleration));
+        }
+        Some(scene)
     }
 
     /// The cam whose follower, moved by a driver of its own, does not touch it where the drivers stand.
@@ -234,6 +265,33 @@ impl Scene {
         }
         self.set_courses(&|d| value.filter(|_| d == driver));
     }
+}
+
+impl Driver {
+    /// Whether a number of double precision put it where it stands.
+    fn is_put(&self) -> bool {
+        let is = |text: &str, value: f64| text.strip_prefix('(').is_some_and(|t| t.starts_with(&format!("{value:?})")));
+        match self.kind.position() {
+            Some(Position::Angle(a)) => is(&a.text, a.value.radians()),
+            Some(Position::Length(x)) => is(&x.text, x.value),
+            None => false,
+        }
+    }
+}
+
+impl Turning {
+    /// Bounds of the errors of place, rate and acceleration of a driver that stands for the contact; `None` where nothing encloses them.
+    fn off(&self, scene: &Scene, driver: &Driver) -> Option<[f64; 3]> {
+        let told = [driver.kind.position()?.value(), driver.rate.value, driver.acceleration.as_ref()?.value];
+        let exact = self.led_in::<Ball<f64>>(scene)?;
+        Some([0, 1, 2].map(|k| exact[k] - Ball::from_f64(told[k])).map(|x| x.approx().abs() + x.radius()))
+    }
+}
+
+/// Gives a number a bound of its error that no text undoes.
+fn within<T>(given: &mut Given<T>, off: f64) {
+    given.radius = off;
+    given.text.clear();
 }
 
 /// A number of a double: the shortest decimal that reads back as it.

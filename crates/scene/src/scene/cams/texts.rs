@@ -8,9 +8,9 @@ use super::expand::One;
 use super::law::LawText;
 use super::pairs::Worded;
 use super::place::{Carried, OnPivot, Told, apart};
-use super::{Cam, Turning};
+use super::{Cam, Pieces, Turning};
 use crate::cam::outline::{Part, segments};
-use crate::cam::{Disc, Exact, Follower, Motion, Program, Stage, Touch, Way};
+use crate::cam::{Disc, Exact, Follower, Motion, Program, Segment, Stage, Touch, Way};
 use crate::geom::Vec2;
 use crate::json::Word;
 use crate::number::Real;
@@ -33,7 +33,7 @@ pub struct Texts {
 
 /// The texts of what moves the follower.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum MotionTexts {
+pub enum MotionTexts {
     /// Base circle; gain and angle of each stage.
     Law(String, Vec<(Option<String>, String)>),
     /// Of each part its centre in the frame of the cam and its radius.
@@ -41,13 +41,36 @@ pub(super) enum MotionTexts {
 }
 
 /// Centre and radius of a part, as far as it has them.
-type PartTexts = (Option<[String; 2]>, Option<String>);
+pub type PartTexts = (Option<[String; 2]>, Option<String>);
 
 impl MotionTexts {
     /// The texts of a law.
-    pub fn of_law(law: &LawText) -> MotionTexts {
+    pub(super) fn of_law(law: &LawText) -> MotionTexts {
         let stage = |s: &super::law::StageText| (s.gain.as_ref().map(|g| g.text.clone()), s.over.clone());
         MotionTexts::Law(law.base.clone(), law.stages.iter().map(stage).collect())
+    }
+}
+
+impl MotionTexts {
+    /// The pieces of a profile in numbers of a kind; nothing of a law.
+    fn segments<N: Real>(&self, inputs: &Inputs<N>) -> Option<Vec<Segment<N>>> {
+        let MotionTexts::Profile(parts) = self else { return None };
+        let part = |(centre, radius): &PartTexts| -> Option<Part<N>> {
+            let radius = radius.as_ref().map(|r| inputs.text(r));
+            Some(match (centre, radius) {
+                (Some([x, y]), Some(radius)) => Part::Circle(Vec2::new(inputs.text(x)?, inputs.text(y)?), radius?),
+                (None, Some(radius)) => Part::Flank(radius?),
+                (_, None) => Part::Tangent,
+            })
+        };
+        segments(&parts.iter().map(part).collect::<Option<Vec<_>>>()?).ok()
+    }
+}
+
+impl Pieces {
+    /// The pieces in numbers of a kind; `None` where the scene has no text for one of their numbers.
+    pub(super) fn in_numbers<N: Real>(&self, scene: &Scene) -> Option<Vec<Segment<N>>> {
+        self.texts.as_ref()?.segments(&inputs(scene))
     }
 }
 
@@ -55,15 +78,15 @@ impl MotionTexts {
 const SAME: f64 = 1e-9;
 
 impl One<'_> {
-    /// The texts of a profile; `None` where the place of a centre has none.
-    pub(super) fn profile_texts(&self, cam: LinkId, on: &OnPivot, worded: &[Worded]) -> Option<MotionTexts> {
+    /// The texts of a profile in axes of the cam that begin in a point of it, in which its points are `local`; `None` where the place of a centre has none.
+    pub(super) fn profile_texts(&self, cam: LinkId, begin: PointId, local: &[(PointId, Vec2)], worded: &[Worded]) -> Option<MotionTexts> {
         let centre = |name: &str| -> Option<[String; 2]> {
             let p = self.names.point(&Word { text: name.to_owned(), span: self.raw.span }).ok()?;
-            let known = on.local.iter().find(|(q, _)| *q == p)?.1;
-            if p == on.pivot {
+            let known = local.iter().find(|(q, _)| *q == p)?.1;
+            if p == begin {
                 return Some(["0 mm", "0 mm"].map(str::to_owned));
             }
-            let [from, to] = [on.pivot, p].map(|q| self.spot_in(cam, q));
+            let [from, to] = [begin, p].map(|q| self.spot_in(cam, q));
             let (from, to) = (from?, to?);
             let same = (to.at() - from.at() - known).norm() <= SAME * known.norm();
             same.then(|| from.way_to(&to))
@@ -156,18 +179,8 @@ impl Turning {
                 let stages = program.stages.iter().zip(stages).map(stage).collect::<Option<Vec<_>>>()?;
                 Motion::Law { base: inputs.text(base)?, program: Program { stages } }
             }
-            (Motion::Profile(_), MotionTexts::Profile(parts)) => {
-                let part = |(centre, radius): &PartTexts| -> Option<Part<N>> {
-                    let radius = radius.as_ref().map(|r| inputs.text(r));
-                    Some(match (centre, radius) {
-                        (Some(centre), Some(radius)) => Part::Circle(place(centre)?, radius?),
-                        (None, Some(radius)) => Part::Flank(radius?),
-                        (_, None) => Part::Tangent,
-                    })
-                };
-                Motion::Profile(segments(&parts.iter().map(part).collect::<Option<Vec<_>>>()?).ok()?)
-            }
-            (Motion::Law { .. }, MotionTexts::Profile(_)) | (Motion::Profile(_), MotionTexts::Law(..)) => return None,
+            (Motion::Profile(_), texts) => Motion::Profile(texts.segments(&inputs)?),
+            (Motion::Law { .. }, MotionTexts::Profile(_)) => return None,
         };
         let disc = Disc { follower, touch, motion, sense: self.disc.sense };
         let start = inputs.text(&texts.angle[1])?;
@@ -186,6 +199,31 @@ impl Turning {
 }
 
 impl Turning {
+    /// [`Turning::rates`] in numbers of a kind.
+    pub fn rates_in<N: Real>(&self, scene: &Scene) -> [N; 2] {
+        let (driver, inputs) = (&scene.drivers[self.driver], inputs::<N>(scene));
+        let way = N::from_f64(self.way * self.disc.sense);
+        // A ratio of wheels is a quotient in double precision.
+        let way = if self.is_drivers_own() { way } else { way.widened(4.0 * f64::EPSILON * self.way.abs()) };
+        [Some(&driver.rate), driver.acceleration.as_ref()].map(|rate| rate.map_or(N::from_f64(0.0), |r| way * inputs.number(r)))
+    }
+
+    /// Place, rate and acceleration of a driver that stands for the contact, in numbers of a kind: see [`Scene::set_followers`].
+    pub(super) fn led_in<N: Real>(&self, scene: &Scene) -> Option<[N; 3]> {
+        let (cam, phi) = self.exact::<N>(scene)?;
+        let [q, dq, ddq, _] = cam.station((self.phi, self.side), phi)?.q.0;
+        let (texts, inputs) = (self.texts.as_ref()?, inputs::<N>(scene));
+        let origin = match cam.disc().follower {
+            Follower::Translating { .. } => {
+                let [from, centre] = [&texts.follower.0, &texts.centre].map(|[x, y]| Some(Vec2::new(inputs.text(x)?, inputs.text(y)?)));
+                (centre? - from?).dot(Vec2::from_angle(inputs.text(&texts.follower.1)?))
+            }
+            Follower::Oscillating { pivot, .. } => (-pivot).angle(),
+        };
+        let ([w, a], out) = (self.rates_in::<N>(scene), N::from_f64(self.outward));
+        Some([origin + out * q, out * dq * w, out * (ddq * w * w + dq * a)])
+    }
+
     /// The way from the cam's pivot to the contact in the pose and the unit normal out of the cam, in the axes of the carrying link, in numbers of a kind.
     pub fn contact_in<N: Real>(&self, scene: &Scene) -> Option<[Vec2<N>; 2]> {
         let here = (self.phi, self.side);

@@ -7,7 +7,7 @@
 
 use super::along::along;
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
-use crate::cam::{Fault, Follower, Motion, Side, Touch, in_turn, least_base};
+use crate::cam::{Fault, Follower, Mark, Motion, Side, Touch, in_turn, least_base};
 use crate::diag::{Both, Diagnostic, both};
 use crate::digits::significant;
 use crate::geom::Vec2;
@@ -80,9 +80,6 @@ const WORDS: [(What, &str, What); 9] = [
     (What::Turn(OfTurn::BaseMin), "min_", What::Turn(OfTurn::BaseMin)),
     (What::Turn(OfTurn::FaceHalf), "half_", What::Turn(OfTurn::FaceHalf)),
 ];
-
-/// What double precision keeps of a place or a size that is found on the whole turn, relative to it; of where a profile begins to lift, less.
-const FOUND: [f64; 2] = [1e-8, 1e-6];
 
 impl Quantity for CamQuantity {
     const WRITTEN: &'static [Entry] = &[
@@ -247,6 +244,10 @@ impl Quantity for CamQuantity {
     }
 }
 
+fn magnitude<N: Real>(x: N) -> N {
+    if x.approx() < 0.0 { -x } else { x }
+}
+
 /// The least radius of the profile.
 fn least_radius(t: &Turning) -> Option<f64> {
     let (_, rho) = t.survey.of(&t.disc).least_rho?;
@@ -308,11 +309,11 @@ impl CamQuantity {
             What::Turn(OfTurn::Far) => cam.angle(0, true),
             What::Turn(OfTurn::Back) => cam.angle(-1, false),
             What::Turn(OfTurn::Near) => cam.angle(0, false),
-            What::Turn(OfTurn::PressureStart | OfTurn::PressureOut | OfTurn::PressureBack | OfTurn::BaseMin | OfTurn::FaceHalf) => {
-                let value = self.doubly(t)?;
-                let begins = self.what == What::Turn(OfTurn::PressureStart) && matches!(t.disc.motion, Motion::Profile(_));
-                N::from_bounded(value, FOUND[usize::from(begins)] * value.abs())
-            }
+            What::Turn(OfTurn::PressureStart) => cam.pressure_at_start(),
+            What::Turn(OfTurn::PressureOut) => Some(magnitude(cam.mark(Mark::Pressure(0))?[1])),
+            What::Turn(OfTurn::PressureBack) => Some(magnitude(cam.mark(Mark::Pressure(1))?[1])),
+            What::Turn(OfTurn::BaseMin) => cam.least_base(),
+            What::Turn(OfTurn::FaceHalf) => cam.face_half(),
         }
     }
 
@@ -358,7 +359,7 @@ impl CamQuantity {
                 GuidePath::Arc { centre, .. } => end - known.point(centre)?,
                 GuidePath::Line { .. } => along(known, guide)?.perp(),
             },
-            None => cam.touched_on_course(&|p| known.point(p))?.1,
+            None => cam.touched_on_course(scene, &|p| known.point(p))?.1,
         };
         let way = match way_of(scene, cam)? {
             Way::Guide(g) => along(known, &scene.guides[g.0])?,

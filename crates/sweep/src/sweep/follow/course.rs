@@ -11,10 +11,12 @@ use crate::answer::Source;
 use crate::cam::in_half_turns;
 use crate::geom::Vec2;
 use crate::mechanism::{Demand, Level, Mechanism};
+use crate::motion;
+use crate::number::{Ball, Real};
 use crate::position::newton::{self, DriverValues};
 use crate::position::{self, Configuration, Path, pieces};
 use crate::scene::cams::{Course, HangsOn, Leads, Led};
-use crate::scene::{Cam, Given, GuideId, GuidePath, LinkId, Pieces, PointId, Scene};
+use crate::scene::{Cam, Given, GuideId, GuidePath, LinkId, Pieces, PointId, Scene, with_driver_at};
 use crate::sweep::station::position_now;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -107,22 +109,22 @@ impl Hangs {
         }
     }
 
-    fn coordinate(self, scene: &Scene, at: &Configuration) -> Option<f64> {
+    fn coordinate<N: Real>(self, scene: &Scene, at: &Configuration<N>) -> Option<N> {
         match self {
             Hangs::Slides { guide, pin, .. } => Some(at.guides[guide]?.coordinate_of(at.points[pin.0]?)),
             Hangs::Turns { against, line: [a, b], .. } => {
-                let from = if against == scene.ground { Vec2::new(1.0, 0.0) } else { at.link_direction(scene, against)? };
+                let from = if against == scene.ground { Vec2::unit_x() } else { at.link_direction(scene, against)? };
                 Some((at.points[b.0]? - at.points[a.0]?).divide_by(from).angle())
             }
         }
     }
 
-    fn rates(self, scene: &Scene, at: &Configuration, motion: &impl Source) -> Option<[f64; 2]> {
-        let turning = |level, l| if l == scene.ground { Some(0.0) } else { motion.turning(level, l) };
+    fn rates<N: Real>(self, scene: &Scene, at: &Configuration<N>, motion: &impl Source<N>) -> Option<[N; 2]> {
+        let turning = |level, l| if l == scene.ground { Some(N::from_f64(0.0)) } else { motion.turning(level, l) };
         match self {
             Hangs::Slides { guide, on, pin } => {
                 let Path::Line { direction, .. } = at.guides[guide]? else { return None };
-                let seat = |level| if on == scene.ground { Some(Vec2::ZERO) } else { motion.vector(level, pin, Some(on)) };
+                let seat = |level| if on == scene.ground { Some(Vec2::zero()) } else { motion.vector(level, pin, Some(on)) };
                 let apart = |level| Some(motion.vector(level, pin, None)? - seat(level)?);
                 // The Coriolis part stands square to the guide, so that along it only the sliding is left.
                 Some([direction.dot(apart(Level::Velocity)?), direction.dot(apart(Level::Acceleration)?)])
@@ -347,8 +349,17 @@ impl Handed {
     }
 }
 
-impl Leads for Handed {
-    fn led(&self, drivers: &[[f64; 3]]) -> Option<Led> {
+/// A follower that is led: where everything is, the scene of the piece that is touched with its drivers at their rates, the follower's rates.
+struct Following<'a> {
+    standing: Standing,
+    variant: &'a Variant,
+    hangs: Hangs,
+    scene: Scene,
+    rates: [f64; 2],
+}
+
+impl Handed {
+    fn following(&self, drivers: &[[f64; 3]]) -> Option<Following<'_>> {
         let gone: Vec<f64> = drivers.iter().zip(&self.positions).map(|([at, ..], from)| at - from).collect();
         if !gone.iter().all(|by| by.is_finite()) {
             return None;
@@ -362,8 +373,29 @@ impl Leads for Handed {
             driver.acceleration = Some(Given { value: *acceleration, radius: 0.0, text: String::new(), span });
         }
         let motion = analytic::solve(&scene, &variant.mechanism, &standing.at, &all_of(&variant.mechanism)).ok()?;
-        let [rate, acceleration] = hangs.rates(&scene, &standing.at, &motion)?;
+        let rates = hangs.rates(&scene, &standing.at, &motion)?;
+        Some(Following { standing, variant, hangs: *hangs, scene, rates })
+    }
+}
+
+impl Leads for Handed {
+    fn led(&self, drivers: &[[f64; 3]]) -> Option<Led> {
+        let Following { standing, rates: [rate, acceleration], .. } = self.following(drivers)?;
         Some(Led { place: [standing.coordinate, rate, acceleration], piece: standing.piece })
+    }
+
+    fn off(&self, drivers: &[[f64; 3]]) -> Option<[f64; 3]> {
+        let Following { standing, variant, hangs, mut scene, rates } = self.following(drivers)?;
+        for (d, [at, ..]) in drivers.iter().enumerate().filter(|(d, [at, ..])| *at != self.positions[*d]) {
+            scene = with_driver_at(&scene, d, *at);
+        }
+        let demand = all_of(&variant.mechanism);
+        let at = position::recompute::<Ball<f64>>(&scene, &variant.mechanism, &demand, &standing.at).ok()?;
+        let [rate, acceleration] = hangs.rates(&scene, &at, &motion::solve(&scene, &variant.mechanism, &at, &demand))?;
+        let beside = |x: Ball<f64>, told: f64| x - Ball::from_f64(told);
+        let place = beside(hangs.coordinate(&scene, &at)?, standing.coordinate);
+        let place = if matches!(hangs, Hangs::Turns { .. }) { in_half_turns(place) } else { place };
+        Some([place, beside(rate, rates[0]), beside(acceleration, rates[1])].map(|x| x.approx().abs() + x.radius()))
     }
 }
 

@@ -1,0 +1,141 @@
+//! Extremes of a turn, shocks and least sizes in any kind of number: places that double precision has found are roots again, values follow from them.
+
+use super::exact::{is_at, root};
+use super::survey::{least_base, sharpest};
+use super::turn::{Peak, Turn};
+use super::{Branch, Disc, Exact, Follower, Motion, Segment, Side, Station, Touch, round};
+use crate::number::Real;
+
+/// An extreme of a turn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// Least (0) or greatest (1) s′.
+    Rate(usize),
+    /// Least (0) or greatest (1) s″.
+    Bend(usize),
+    /// The greatest pressure angle as the follower goes out (0) or comes back (1).
+    Pressure(usize),
+    /// The least radius of curvature: of the pitch curve, for a flat face of the profile.
+    Radius,
+}
+
+/// The least base circle is looked for so near to that of double precision, as a part of it.
+const BESIDE: f64 = 1e-9;
+
+/// Samples of a turn, and by which part of itself the least distance may be less than that of the nearest.
+const SAMPLES: usize = 720;
+const BETWEEN_SAMPLES: f64 = 1e-3;
+
+impl<N: Real> Exact<'_, N> {
+    /// The cam in these numbers.
+    pub fn disc(&self) -> &Disc<N> {
+        &self.disc
+    }
+
+    /// Where an extreme lies and how much it is.
+    pub fn mark(&self, mark: Mark) -> Option<[N; 2]> {
+        let survey = self.survey();
+        match mark {
+            Mark::Rate(k) => self.peak(survey.fastest[0][k]?, &|s| s.q.0[2], &|s| s.q.0[1]),
+            Mark::Bend(k) => self.peak(survey.fastest[1][k]?, &|s| s.q.0[3], &|s| s.q.0[2]),
+            Mark::Pressure(k) => {
+                let peak = survey.steepest[k]?;
+                // Where a way of the follower begins or ends its rate is zero.
+                let ends = survey.phases.iter().flat_map(|p| [p.from, p.to]).any(|end| is_at(end, peak.phi));
+                let slope: &dyn Fn(&Station<N>) -> N = if ends { &|s| s.q.0[1] } else { &|s| s.pressure_slope };
+                self.peak(peak, slope, &|s| s.pressure)
+            }
+            Mark::Radius => self.peak(survey.sharpest?, &|s| s.rho_slope, &|s| s.rho_pitch),
+        }
+    }
+
+    fn peak(&self, peak: Peak, slope: &dyn Fn(&Station<N>) -> N, value: &dyn Fn(&Station<N>) -> N) -> Option<[N; 2]> {
+        let place = self.located(peak.phi, peak.side, slope)?;
+        let station = self.disc.station_on(self.double.branch(peak.phi, peak.side)?, place)?;
+        Some([place, value(&station)])
+    }
+
+    /// Where a shock lies, and s′ or s″ before and after it.
+    pub fn jump(&self, index: usize) -> Option<[N; 3]> {
+        let jump = self.survey().jumps.get(index)?;
+        let place = self.joint(jump.phi)?;
+        let on = |side: Side| Some(self.disc.coordinate_on(self.double.branch(jump.phi, side)?, place)?.0[jump.shock.order()]);
+        Some([place, on(Side::Before)?, on(Side::After)?])
+    }
+
+    /// Where a hollow into which the follower's end does not go is touched first, and its radius (less than zero).
+    pub fn hollow(&self) -> Option<[N; 2]> {
+        let (Motion::Profile(segments), Touch::Point { radius }) = (&self.disc.motion, self.disc.touch) else { return None };
+        let narrow = |rho: &N| rho.approx() < 0.0 && -rho.approx() <= radius.approx();
+        let rho = segments.iter().map(Segment::radius).find(narrow)?;
+        Some([self.located(self.survey().hollow?.0, Side::After, &|s| s.rho_slope)?, rho])
+    }
+
+    /// The base circle: of a profile the least distance of what is touched from the axis.
+    pub fn base(&self) -> Option<N> {
+        let segments = match &self.disc.motion {
+            Motion::Law { base, .. } => return Some(*base),
+            Motion::Profile(segments) => segments,
+        };
+        let near = round(self.double, SAMPLES)
+            .into_iter()
+            .filter_map(|(phi, side)| self.double.station(phi, side).map(|s| (s.contact.norm(), phi, side)));
+        let (least, phi, side) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let Branch::Piece(piece) = self.double.branch(phi, side)? else { return None };
+        // On the normal through the axis, or at an end of the piece.
+        let (distance, radius) = match segments[piece] {
+            Segment::Arc { centre, radius, .. } => (centre.norm(), radius),
+            Segment::Line { distance, .. } => (distance, N::from_f64(0.0)),
+        };
+        let (sum, difference) = (distance + radius, distance - radius);
+        let all = [sum, -sum, difference, -difference].into_iter().filter(|x| x.approx() > 0.0);
+        let is = |x: &N| x.approx() <= least * (1.0 + 1e-12) && x.approx() >= least * (1.0 - BETWEEN_SAMPLES);
+        all.into_iter().find(is).or_else(|| {
+            let branch = self.double.branch(phi, side)?;
+            Some(self.disc.station_on(branch, self.located(phi, side, &|s| s.q.0[1])?)?.contact.norm())
+        })
+    }
+
+    /// The pressure angle as the follower sets out.
+    pub fn pressure_at_start(&self) -> Option<N> {
+        let from = self.survey().phases.iter().find(|p| p.way == 1)?.from;
+        let peak = Peak { phi: from, side: Side::After, value: 0.0 };
+        self.peak(peak, &|s| s.q.0[1], &|s| s.pressure).map(|[_, pressure]| pressure)
+    }
+
+    /// How far a flat face must reach to both sides of its point: the contact is s′ from it.
+    pub fn face_half(&self) -> Option<N> {
+        let both = [self.mark(Mark::Rate(0))?[1], self.mark(Mark::Rate(1))?[1]];
+        let [low, high] = both.map(|x| if x.approx() < 0.0 { -x } else { x });
+        Some(if low.approx() > high.approx() { low } else { high })
+    }
+
+    /// The least base circle whose profile is not undercut: there the least radius of the pitch curve is that of the follower's end, or the follower just
+    /// reaches its cam.
+    pub fn least_base(&self) -> Option<N> {
+        let near = least_base(self.double)?;
+        let zero = N::from_f64(0.0);
+        let (radius, reach) = match (self.disc.touch, self.disc.follower) {
+            (Touch::Flat { .. }, _) => (zero, None),
+            (Touch::Point { radius }, Follower::Translating { offset, .. }) => (radius, Some(offset)),
+            (Touch::Point { radius }, Follower::Oscillating { pivot, arm, .. }) => (radius, Some(pivot.norm() - arm)),
+        };
+        let reach = reach.map(|r| if r.approx() < 0.0 { -r } else { r } - radius);
+        if let Some(reach) = reach.filter(|r| (r.approx() - near).abs() <= BESIDE * near) {
+            return Some(reach);
+        }
+        let double = with_base(self.double, near)?;
+        let peak = sharpest(&double, &Turn::of(&double))?;
+        root(near, BESIDE * near, &|base| {
+            let disc = with_base(&self.disc, base)?;
+            let place = Exact { disc: disc.clone(), ..*self }.located(peak.phi, peak.side, &|s| s.rho_slope)?;
+            Some(disc.station_on(self.double.branch(peak.phi, peak.side)?, place)?.rho_pitch - radius)
+        })
+    }
+}
+
+/// A cam by the same law about another base circle.
+fn with_base<N: Real>(disc: &Disc<N>, base: N) -> Option<Disc<N>> {
+    let Motion::Law { program, .. } = &disc.motion else { return None };
+    Some(Disc { motion: Motion::Law { base, program: program.clone() }, ..disc.clone() })
+}
