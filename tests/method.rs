@@ -203,6 +203,39 @@ fn a_body_with_one_point_has_a_centre() {
     panic!("P_12 has no place: {:?}", worked.results);
 }
 
+/// Barrel and rod of a cylinder turn with its line, each about its own pin: at the pin of the barrel the rod is faster by the rate of the cylinder. In the
+/// loop equations, in long arithmetic and in a sweep.
+#[test]
+fn a_rod_moves_along_its_barrel() {
+    let find = "v_B7, v_B8, v_C7, v_C8, v_B, v_C, a_B7, a_C8, a_B, a_C";
+    let scene = scene::read_asking(templates::get("excavator").unwrap(), find).unwrap().value;
+    let worked = worked(&scene);
+    let place = |name: &str| worked.configuration.points[scene.points.iter().position(|p| p.name == name).unwrap()].unwrap();
+    let slides = (place("C") - place("B")).unit().unwrap() * scene.drivers[0].rate.value;
+    let certified = hodograph::certified::certify(&scene, &worked, 6);
+    let m = Mechanism::new(&scene).unwrap().value;
+    let placed = Placed::new(&scene, &m).unwrap();
+    let now = scene.drivers[0].kind.position().unwrap().value();
+    let row = hodograph::sweep::of_values(&placed, 0, vec![now]).unwrap();
+    let of = |name: &str| {
+        let r = worked.results.iter().find(|r| scene.find[r.find].text == name).unwrap();
+        let Value::Vector(v) = r.computed else { panic!("{name} is a vector") };
+        let swept = ["x", "y"].map(|axis| row.column(&format!("{name}.{axis}")).unwrap().values[0]);
+        assert!((v.x - swept[0]).abs() + (v.y - swept[1]).abs() < 1e-9, "{name}: {v:?}, in a sweep {swept:?}");
+        // Certified digits are those of the value: what long arithmetic says otherwise has none.
+        let k = worked.results.iter().position(|r| scene.find[r.find].text == name).unwrap();
+        assert!(!certified[k].parts.is_empty(), "{name}: {:?}", certified[k].why);
+        v
+    };
+    let near = |a: hodograph::geom::Vec2, b: hodograph::geom::Vec2, what: &str| assert!((a - b).norm() < 1e-12, "{what}: {a:?}, not {b:?}");
+    near(of("v_B7"), of("v_B"), "the barrel at its pin");
+    near(of("v_C8"), of("v_C"), "the rod at its pin");
+    near(of("v_B8") - of("v_B7"), slides, "the rod at the pin of the barrel");
+    near(of("v_C8") - of("v_C7"), slides, "the rod at its own pin");
+    near(of("a_B7"), of("a_B"), "the barrel at its pin");
+    near(of("a_C8"), of("a_C"), "the rod at its pin");
+}
+
 /// Who is asked for centres finds centres: no polygon in the worksheet, and each centre a step of the lesson.
 #[test]
 fn a_task_for_centres_is_solved_by_centres() {

@@ -52,7 +52,13 @@ fn printed_digits_are_true_of_cams() {
                 let Some(t) = truth[r.find] else { continue };
                 let t = Value::Scalar(Ball::new(t, 1e-45 * t.approx().abs().max(1e-3)));
                 for (digits, certified) in DIGITS.iter().zip(&certified) {
-                    let expected = parts(find.what.kind(), t, r.scale, *digits).unwrap();
+                    let Ok(expected) = parts(find.what.kind(), t, r.scale, *digits) else {
+                        // A nose that touches the base circle from within lifts nothing: nothing may be told of a rise.
+                        if certified[i].parts.iter().any(|(_, n)| n.text(*digits).is_some()) {
+                            wrong.push(format!("seed {seed}: {} is told and has no true value\n{text}", find.text));
+                        }
+                        continue;
+                    };
                     if certified[i].parts.is_empty() {
                         *open.entry(format!("{}: {:?}", find.text, certified[i].why)).or_default() += 1;
                     }

@@ -177,10 +177,11 @@ impl Mechanism {
         }
     }
 
-    /// The two pins with whose line a link turns: the ends of its cylinder, or those by which it is known where it only repeats others.
+    /// The two pins with whose line a link turns, the first its own: the ends of its cylinder, or those by which it is known where it only repeats
+    /// others.
     pub fn line_of(&self, scene: &Scene, l: LinkId) -> Option<(PointId, PointId)> {
         match (self.passive[l.0]?, self.held(l)) {
-            (Passive::Cylinder(d), _) => scene.drivers[d].kind.ends().map(<(PointId, PointId)>::from),
+            (Passive::Cylinder(d), _) => scene.drivers[d].kind.ends_of(l).map(<(PointId, PointId)>::from),
             (Passive::Held(..) | Passive::Block(_), held) => held,
         }
     }

@@ -124,7 +124,7 @@ fn solved<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: 
     }
     for l in (0..scene.links.len()).map(LinkId) {
         if let Some(passive) = m.passive[l.0] {
-            motion.links[l.0] = motion.following(scene, at, passive);
+            motion.links[l.0] = motion.following(scene, at, (l, passive));
         }
     }
     motion
@@ -140,8 +140,8 @@ impl<N: Real> Motion<N> {
         })
     }
 
-    /// A block turns with its guide, or with the radius to its pin; barrel and rod turn with the line of their cylinder.
-    fn following(&self, scene: &Scene, at: &Configuration<N>, passive: Passive) -> Option<LinkMotion<N>> {
+    /// A block turns with its guide, or with the radius to its pin; barrel and rod turn with the line of their cylinder, each about its own pin.
+    fn following(&self, scene: &Scene, at: &Configuration<N>, (l, passive): (LinkId, Passive)) -> Option<LinkMotion<N>> {
         match passive {
             Passive::Block(g) => {
                 let guide = &scene.guides[g.0];
@@ -156,7 +156,7 @@ impl<N: Real> Motion<N> {
                 Some(LinkMotion { at: place, v, omega, a, alpha })
             }
             Passive::Cylinder(d) => {
-                let [a, b] = scene.drivers[d].kind.ends()?;
+                let [a, b] = scene.drivers[d].kind.ends_of(l)?;
                 self.of_line(at, a, b)
             }
             Passive::Held(a, b) => self.of_line(at, a, b),

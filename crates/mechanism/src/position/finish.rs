@@ -316,8 +316,9 @@ pub(super) fn complete<N: Real>(
                 .zip(guides[g.0])
                 .map(|(origin, path)| Pose { origin, axis: path.tangent_at(origin) }),
             Some(Passive::Cylinder(d)) => scene.drivers[d].kind.ends().and_then(|[a, b]| {
-                let (a, b) = points[a.0].zip(points[b.0])?;
-                Some(Pose { origin: a, axis: (b - a).unit()? })
+                let (from, to) = points[a.0].zip(points[b.0])?;
+                let [own, _] = scene.drivers[d].kind.ends_of(LinkId(l))?;
+                Some(Pose { origin: points[own.0]?, axis: (to - from).unit()? })
             }),
             Some(Passive::Held(a, b)) => {
                 let shape = |p| shapes.local(LinkId(l), p);

@@ -88,6 +88,12 @@ impl DriverKind {
         }
     }
 
+    /// The ends of a cylinder, that of one of its parts first: the barrel is pinned at the first that the file names, the rod at the second.
+    pub fn ends_of(&self, part: LinkId) -> Option<[PointId; 2]> {
+        let [a, b] = self.ends()?;
+        Some(if self.parts().get(1) == Some(&part) { [b, a] } else { [a, b] })
+    }
+
     /// Its position; `None` where the pose is given by coordinates.
     pub fn position(&self) -> Option<Position<'_>> {
         match self {
