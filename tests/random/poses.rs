@@ -46,13 +46,18 @@ impl Oracle<'_> {
         Some([f(&self.d.before)?, f(&self.d.now)?, f(&self.d.after)?])
     }
 
-    /// The pose of a link; none of the parts of a cylinder, which all share one: as it stands only the part at the first end moves so.
+    /// The pose of a link; barrel and rod of a cylinder each stand on their own pin, along its line.
     fn pose(&self, at: &Configuration<Big>, l: LinkId) -> Option<Pose<Big>> {
         if l == self.scene.ground {
             return Some(Pose::ground());
         }
-        let part = self.scene.drivers.iter().any(|d| matches!(&d.kind, DriverKind::Cylinder { links, .. } if links.contains(&l)));
-        at.poses[l.0].filter(|_| !part)
+        let part = self.scene.drivers.iter().find_map(|d| match &d.kind {
+            DriverKind::Cylinder { a, b, links, .. } => Some((*a, *b, links.iter().position(|own| *own == l)?)),
+            DriverKind::Turn { .. } | DriverKind::Slide { .. } => None,
+        });
+        let Some((a, b, k)) = part else { return at.poses[l.0] };
+        let (a, b) = (at.points[a.0]?, at.points[b.0]?);
+        Some(Pose { origin: [a, b][k], axis: (b - a).unit()? })
     }
 
     /// The poses of one link in the axes of another.
