@@ -36,9 +36,9 @@ fn a_long_sweep_is_its_pieces() {
         let whole = Mechanism::new(&scene).unwrap().value.groups.iter().any(|g| g.class() == Some("IV or higher"));
         let size = match t.name {
             // More positions than lie between two states that are kept.
-            "class-iii-six-bar" => [20_000, 4096],
-            // Each position takes the general solver.
-            _ if whole => [400 / every(8), 77],
+            "class-iii-six-bar" => [10_000, 4096],
+            // Each position takes the general solver, or its scene is read for it.
+            _ if whole || scene.has_momentary_cams() => [200 / every(8), 77],
             _ => [2000 / every(8), 77],
         };
         scenes.push((t.name, scene, size));

@@ -333,7 +333,8 @@ fn everything(text: &str, scene: &Scene, worked: &Worked, failures: &mut Vec<Str
         if let Some(figure) = steps_of::figures(scene, worked, &options).last() {
             drawn("step", figure, failures);
         }
-        if let Some(point) = moving {
+        // A path is one of a scene for its whole motion; that of an instant is refused where its cam leaves the piece.
+        if let Some(point) = moving.filter(|_| !scene.has_momentary_cams()) {
             let wanted = path::Wanted { points: vec![point], swept: Swept::Driver(0), marks: 4, poses: 0 };
             match path::figure(scene, worked, &options, &wanted) {
                 Ok(figure) => drawn("path", &figure.value, failures),
