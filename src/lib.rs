@@ -127,7 +127,7 @@
 //! paper      diag json geom scene mechanism plan
 //! render     diag geom paper
 //! accuracy   diag digits number geom scene mechanism position answer motion plan construct analytic
-//! worked     diag digits geom scene mechanism position stated answer plan construct analytic accuracy
+//! worked     diag digits geom scene mechanism position stated answer plan construct analytic sweep accuracy
 //! certified  diag digits number geom scene mechanism position answer motion plan construct accuracy worked
 //! effort     diag number geom scene mechanism position answer motion plan construct analytic sweep accuracy worked certified
 //! gears      geom

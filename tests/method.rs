@@ -210,7 +210,7 @@ fn a_rod_moves_along_its_barrel() {
     let find = "v_B7, v_B8, v_C7, v_C8, v_B, v_C, a_B7, a_C8, a_B, a_C";
     let scene = scene::read_asking(templates::get("excavator").unwrap(), find).unwrap().value;
     let worked = worked(&scene);
-    let place = |name: &str| worked.configuration.points[scene.points.iter().position(|p| p.name == name).unwrap()].unwrap();
+    let place = |name: &str| worked.configuration.named(&scene, name).unwrap();
     let slides = (place("C") - place("B")).unit().unwrap() * scene.drivers[0].rate.value;
     let certified = hodograph::certified::certify(&scene, &worked, 6);
     let m = Mechanism::new(&scene).unwrap().value;

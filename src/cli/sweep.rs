@@ -9,7 +9,6 @@ use crate::scene::{self, Angle, Scene, Swept, edit};
 use crate::sweep::extreme;
 use crate::sweep::long::Long;
 use crate::sweep::pieces::Pieces;
-use crate::sweep::sampled::proved;
 use crate::sweep::station::{self, Way};
 use crate::sweep::timed::Timed;
 use crate::sweep::vary::{Span, Variation, Varied};
@@ -61,8 +60,8 @@ fn sweep_into(input: &Input, a: &Sweep) -> Result<Vec<Diagnostic>, Failure> {
     }
     let driver = driver_of(scene, over)?;
     let steps = steps(input, &placed, driver, &a.range, a.range.steps.unwrap_or(STEPS))?;
-    proved(&placed, driver, steps.steps + 1, |i| steps.value(i)).map_err(|f| input.failed(f))?;
-    write(&mut Long::new(&placed, driver, steps), title, a.output.as_deref())
+    let mut long = Long::new(&placed, driver, steps).map_err(|f| input.failed(f))?;
+    write(&mut long, title, a.output.as_deref())
 }
 
 fn write(sweep: &mut dyn Pieces, title: &str, path: Option<&str>) -> Result<Vec<Diagnostic>, Failure> {

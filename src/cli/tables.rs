@@ -112,7 +112,7 @@ fn formed(format: &dyn Format) -> impl FnMut(&[&[f64]], Option<Piece>) -> io::Re
 fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut Out) -> io::Result<()> {
     let count = sweep.count() as u64;
     let bar = long::bar(count, 0, &both!("positions", "个位置"));
-    // What is known before: that all rows are there and finite, unless it turns out otherwise.
+    // The beginning assumes that all rows are there and finite; it is replaced if it turns out otherwise.
     let begin = format.begin(count, &sweep.notes());
     out.write_all(&begin)?;
     let (mut offset, mut written) = (begin.len() as u64, 0);

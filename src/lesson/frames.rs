@@ -85,7 +85,7 @@ const BEFORE: [f64; 4] = [1e-9, 1e-7, 1e-5, 1e-3];
 struct Trial {
     travel: f64,
     scene: Scene,
-    /// Where all is in the scene of the motion.
+    /// Its places in the scene of the motion.
     at: Configuration,
     worked: Worked,
 }
@@ -317,9 +317,8 @@ impl Papers {
     /// Joints on paper, and images if polygons are asked for, in a fixed order.
     fn marks(&self, trial: &Trial, polygons: bool) -> Vec<Option<Mark>> {
         let Trial { scene, worked, .. } = trial;
-        let place = |name: &String| worked.configuration.points[scene.points.iter().position(|p| p.name == *name)?];
         let on_paper = |p: Point| Some((p.to_vec2() * (1.0 / self.mu_l)).to_point()).filter(|p| p.to_vec2().norm() < FAR_MM);
-        let joint = |name: &String| Some((0, on_paper(place(name)?)?));
+        let joint = |name: &String| Some((0, on_paper(worked.configuration.named(scene, name)?)?));
         let mut marks: Vec<Option<Mark>> = self.points.iter().map(joint).collect();
         if !polygons {
             return marks;

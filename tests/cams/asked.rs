@@ -83,7 +83,7 @@ fn a_sweep_has_rows_on_a_straight_flank() {
     let mechanism = hodograph::sweep::mechanism(&swept).unwrap();
     let placed = Placed::new(&swept, &mechanism).unwrap();
     let steps = Steps { way: Way::Turn(Angle::Deg(0.5), Angle::Deg(360.5)), steps: 60 };
-    let table = gather(&mut Long::new(&placed, 0, steps));
+    let table = gather(&mut Long::new(&placed, 0, steps).unwrap());
     let rho = &table.column("rho_2/3").unwrap().values;
     assert_eq!(rho.len(), 61, "{:?}", table.notes);
     let mut straight = 0;

@@ -17,7 +17,7 @@ fn figures(name: &str, angle: f64, lang: Lang) -> Vec<Figure> {
     (named("curvature").unwrap().draw)(&wanted).unwrap().value.into_iter().map(|(_, page)| page).collect()
 }
 
-/// What stands where the analysis has it is said to be calculated, in both languages; no figure claims to agree with a drawing.
+/// The figure says in both languages that its places are calculated, and claims no agreement with a drawing.
 #[test]
 fn a_figure_says_what_is_calculated() {
     for name in ["crank-rocker", "slider-crank", "watt-six-bar"] {

@@ -307,7 +307,7 @@ pub fn slope(f: &dyn Fn(Big) -> Big, x: Big) -> Big {
 
 const WIDE: f64 = 1.0 / (1u128 << 70) as f64;
 
-/// Where a function is least between two places: bisection of the slope, then Newton's method on difference quotients.
+/// The place of the least value of a function between two places: bisection of the slope, then Newton's method on difference quotients.
 pub fn bottom(f: &dyn Fn(Big) -> Big, mut a: Big, mut b: Big) -> Big {
     for _ in 0..20 {
         let middle = (a + b) / whole(2);

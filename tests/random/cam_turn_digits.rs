@@ -44,7 +44,7 @@ fn greatest(law: &ByLaw, on: &dyn Fn(usize) -> bool, f: &dyn Fn(Branch, Big) -> 
             all.extend([places[0], places[STEPS]].map(|phi| (phi, f((k, part), phi))));
             let slopes: Vec<f64> = places.iter().map(|phi| slope(&fall, *phi).approx()).collect();
             for i in 0..STEPS {
-                // Of what stays the same differences are rounding.
+                // Differences of a constant are rounding.
                 if slopes[i] < -STILL && slopes[i + 1] >= -STILL {
                     let phi = bottom(&fall, places[i], places[i + 1]);
                     all.push((phi, f((k, part), phi)));
@@ -88,7 +88,7 @@ fn of_law(cam: &Cam, law: &ByLaw, seed: u64) -> Told {
     };
     for (k, sign) in [(0, whole(-1)), (1, whole(1))] {
         let of = |order: usize| move |b: Branch, phi: Big| sign * differences(&|x| law.lift(b, x), phi)[order];
-        // What rests is less than no rate.
+        // A follower at rest has no rate.
         extreme(Mark::Rate(k), Unit::Lift(1), greatest(law, &moving, &of(0)), &|x| sign * x * omega);
         extreme(Mark::Bend(k), Unit::Lift(2), greatest(law, &moving, &of(1)), &|x| sign * x * omega * omega);
         if !flat && seed.is_multiple_of(4) {

@@ -153,7 +153,7 @@ impl Oracle<'_> {
         // Along the path, and across it.
         let along = |p: Three<V>| {
             let (v, a) = (first(p), second(p));
-            // What rests has no path.
+            // A point at rest has no path.
             (v.norm().approx() > 1e-40).then(|| v * (v.dot(a) / v.norm2()))
         };
         Some(Value::Vector(match c.part {

@@ -29,7 +29,7 @@ fn texts(book: &Book, n: &Number, truth: Big) -> Option<[String; 2]> {
         return None;
     }
     let bare = printed.trim_end_matches('°').trim_end_matches(" mm").trim_start_matches('-').to_owned();
-    // What has a thousand million times fewer digits than it was made of is zero, or none.
+    // A difference a thousand million times less than its terms is zero, or has no digit.
     let truth = match n.kind {
         Some(Kind::Length) => truth * Big::from_f64(1000.0),
         Some(Kind::Angle) => truth * Big::from_f64(180.0) / Big::pi(),
@@ -41,7 +41,7 @@ fn texts(book: &Book, n: &Number, truth: Big) -> Option<[String; 2]> {
     Some([bare, text.trim_start_matches('-').to_owned()])
 }
 
-/// Whether a number lies in the middle between two of the last digit, of which one is printed.
+/// True if a number lies midway between two of the last digit, one of which is printed.
 fn is_a_half(told: &str, truth: &str) -> bool {
     let decimals = told.split_once('.').map_or(0, |(_, d)| d.len() as i32);
     let off = (told.parse::<f64>().unwrap() - truth.parse::<f64>().unwrap()).abs() * 10f64.powi(decimals);

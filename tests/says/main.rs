@@ -131,7 +131,7 @@ fn tables(scene: &Scene, m: &Mechanism, driver: usize, values: &[f64]) -> Vec<(&
     } else {
         station::Way::Slide { from: first, to: last, per_value }
     };
-    out.push(("sweep", gather(&mut Long::new(&placed, driver, Steps { way, steps: values.len() - 1 }))));
+    out.push(("sweep", gather(&mut Long::new(&placed, driver, Steps { way, steps: values.len() - 1 }).unwrap())));
     if let Ok(variation) = Variation::new(scene, &[]) {
         let batch = Batch { scene, mechanism: m, variation, values: Vec::new(), choice: Choice::Grid, driver, stations: Some(stations) };
         let block = batch.block(0, 1);

@@ -58,7 +58,7 @@ fn a_long_sweep_is_its_pieces() {
         for way in ways {
             let steps = sweep::Steps { way, steps: *steps };
             let whole = sweep::run(&placed, 0, &steps.all(), Width::Widest).unwrap();
-            let mut long = Long::new(&placed, 0, steps);
+            let mut long = Long::new(&placed, 0, steps).unwrap();
             let (columns, notes) = pieces(&mut long, *cut);
             assert!(long.columns().into_iter().eq(whole.columns.iter().map(|c| (c.name.clone(), c.unit))), "{name}");
             same_bits(name, &columns, &whole);
@@ -80,7 +80,7 @@ fn a_sweep_in_pieces_stops_when_asked() {
         let m = Mechanism::new(&scene).unwrap().value;
         let placed = Placed::new(&scene, &m).unwrap();
         let way = station::Way::Turn(Angle::Deg(0.0), Angle::Deg(360.0));
-        let mut long = Long::new(&placed, 0, sweep::Steps { way, steps: 1000 });
+        let mut long = Long::new(&placed, 0, sweep::Steps { way, steps: 1000 }).unwrap();
         assert!(long.piece(0..10, &|| true).is_none());
     }
 }

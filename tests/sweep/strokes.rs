@@ -1,4 +1,4 @@
-//! What `limits` says of strokes, extremes, dwells and time ratios, against formulas by hand, wherever the driver stands in the scene.
+//! Strokes, extremes, dwells and time ratios of `limits`, against formulas by hand, for any position of the driver in the scene.
 
 use super::{limits_of, scene};
 use hodograph::scene::{Scene, edit, read, templates};

@@ -333,8 +333,7 @@ fn everything(text: &str, scene: &Scene, worked: &Worked, failures: &mut Vec<Str
         if let Some(figure) = steps_of::figures(scene, worked, &options).last() {
             drawn("step", figure, failures);
         }
-        // A path is one of a scene for its whole motion; that of an instant is refused where its cam leaves the piece.
-        if let Some(point) = moving.filter(|_| !scene.has_momentary_cams()) {
+        if let Some(point) = moving {
             let wanted = path::Wanted { points: vec![point], swept: Swept::Driver(0), marks: 4, poses: 0 };
             match path::figure(scene, worked, &options, &wanted) {
                 Ok(figure) => drawn("path", &figure.value, failures),

@@ -14,7 +14,7 @@ mod tests;
 
 pub use far::{Far, NoAnswer, Unanswered};
 pub use joint::instant;
-pub use posed::work_pose;
+pub use posed::{work_motion, work_pose};
 
 use self::sizes::Sizes;
 use crate::accuracy::Rung;

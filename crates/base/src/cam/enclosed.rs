@@ -32,7 +32,7 @@ impl<N: Real> Exact<'_, N> {
         &self.disc
     }
 
-    /// Where an extreme lies and how much it is.
+    /// Place and value of an extreme.
     pub fn mark(&self, mark: Mark) -> Option<[N; 2]> {
         let survey = self.survey();
         match mark {
@@ -40,7 +40,7 @@ impl<N: Real> Exact<'_, N> {
             Mark::Bend(k) => self.peak(survey.fastest[1][k]?, &|s| s.q.0[3], &|s| s.q.0[2]),
             Mark::Pressure(k) => {
                 let peak = survey.steepest[k]?;
-                // Where a way of the follower begins or ends its rate is zero.
+                // The rate is zero where a way of the follower begins or ends.
                 let ends = survey.phases.iter().flat_map(|p| [p.from, p.to]).any(|end| is_at(end, peak.phi));
                 let slope: &dyn Fn(&Station<N>) -> N = if ends { &|s| s.q.0[1] } else { &|s| s.pressure_slope };
                 self.peak(peak, slope, &|s| s.pressure)
@@ -55,7 +55,7 @@ impl<N: Real> Exact<'_, N> {
         Some([place, value(&station)])
     }
 
-    /// Where a shock lies, and s′ or s″ before and after it.
+    /// The place of a shock, and s′ or s″ before and after it.
     pub fn jump(&self, index: usize) -> Option<[N; 3]> {
         let jump = self.survey().jumps.get(index)?;
         let place = self.joint(jump.phi)?;
@@ -63,7 +63,7 @@ impl<N: Real> Exact<'_, N> {
         Some([place, on(Side::Before)?, on(Side::After)?])
     }
 
-    /// Where a hollow into which the follower's end does not go is touched first, and its radius (less than zero).
+    /// The first contact with a hollow into which the follower's end does not go, and the radius of the hollow (less than zero).
     pub fn hollow(&self) -> Option<[N; 2]> {
         let (Motion::Profile(segments), Touch::Point { radius }) = (&self.disc.motion, self.disc.touch) else { return None };
         let narrow = |rho: &N| rho.approx() < 0.0 && -rho.approx() <= radius.approx();
@@ -103,10 +103,10 @@ impl<N: Real> Exact<'_, N> {
         self.peak(peak, &|s| s.q.0[1], &|s| s.pressure).map(|[_, pressure]| pressure)
     }
 
-    /// How far a flat face must reach to both sides of its point: the contact is s′ from it.
+    /// The least half width of a flat face about its point: max |s′|, for the contact is s′ from the point.
     pub fn face_half(&self) -> Option<N> {
         let both = [self.mark(Mark::Rate(0))?[1], self.mark(Mark::Rate(1))?[1]];
-        let [low, high] = both.map(|x| if x.approx() < 0.0 { -x } else { x });
+        let [low, high] = both.map(N::magnitude);
         Some(if low.approx() > high.approx() { low } else { high })
     }
 
@@ -120,7 +120,7 @@ impl<N: Real> Exact<'_, N> {
             (Touch::Point { radius }, Follower::Translating { offset, .. }) => (radius, Some(offset)),
             (Touch::Point { radius }, Follower::Oscillating { pivot, arm, .. }) => (radius, Some(pivot.norm() - arm)),
         };
-        let reach = reach.map(|r| if r.approx() < 0.0 { -r } else { r } - radius);
+        let reach = reach.map(|r| r.magnitude() - radius);
         if let Some(reach) = reach.filter(|r| (r.approx() - near).abs() <= BESIDE * near) {
             return Some(reach);
         }

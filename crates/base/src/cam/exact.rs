@@ -66,7 +66,7 @@ impl<'a, N: Real> Exact<'a, N> {
     /// The sum of the angles of the phases of a kind: see [`Survey::angle`].
     pub fn angle(&self, way: i8, out: bool) -> Option<N> {
         let reversal = |phi: f64, side: Side| self.located(phi, side, &|s| s.q.0[1]);
-        // Where a profile hardly lifts the follower, double precision takes its ends in another order than they have.
+        // Double precision may take the ends of a way in the wrong order if the profile hardly lifts the follower.
         let of = |p: &Phase| Some(reversal(p.to, Side::Before)? - reversal(p.from, Side::After)?).filter(|a| a.approx() >= 0.0);
         self.survey().phases_of(way, out).try_fold(N::from_f64(0.0), |sum, p| Some(sum + of(p)?))
     }
@@ -117,7 +117,7 @@ impl<'a, N: Real> Exact<'a, N> {
     }
 }
 
-/// Whether two angles are one place on the cam.
+/// True if two angles are one place on the cam.
 pub(super) fn is_at(corner: f64, phi: f64) -> bool {
     in_half_turns(corner - phi).abs() <= ON_THE_JOINT
 }

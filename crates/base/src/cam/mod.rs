@@ -56,6 +56,6 @@ pub fn in_half_turns<N: Real>(angle: N) -> N {
 }
 
 /// So many whole turns (rad).
-fn whole_turns<N: Real>(turns: f64) -> N {
+pub fn whole_turns<N: Real>(turns: f64) -> N {
     if turns == 0.0 { N::from_f64(0.0) } else { (N::pi() + N::pi()) * N::from_f64(turns) }
 }

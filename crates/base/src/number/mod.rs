@@ -89,6 +89,11 @@ pub trait Real: Ring + Debug + PartialEq + Div<Output = Self> {
         false
     }
 
+    /// The number without its sign, which is that of its middle.
+    fn magnitude(self) -> Self {
+        if self.approx() < 0.0 { -self } else { self }
+    }
+
     /// √(x² + y²).
     fn hypot(self, y: Self) -> Self;
 

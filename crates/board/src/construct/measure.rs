@@ -50,7 +50,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
                 let drawn = self.pencil.read(level, end.1 - from.1);
                 // Carried back to the link: the part square to the arm turns it.
                 let square = (r * (N::from_f64(1.0) / l)).cross(drawn);
-                let length = if square.approx() < 0.0 { -square } else { square };
+                let length = square.magnitude();
                 RateReading {
                     level,
                     body,

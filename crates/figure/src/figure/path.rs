@@ -13,7 +13,7 @@ use crate::paper::phrase::{Phrase, fill, tr};
 use crate::plan::names::point_label;
 use crate::scene::{Kind, PointId, Scene, Swept};
 use crate::sweep::points::{Moment, Motion, alone, at_equal_steps, bounded, motion, questions};
-use crate::worked::{Worked, work_placed};
+use crate::worked::{Worked, work_motion, work_placed};
 
 use super::arrange::{AIM_MM, Tree};
 use super::hodograph::{Hodograph, hodograph, runs};
@@ -72,6 +72,8 @@ pub struct Wanted {
 /// ```
 pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted) -> Result<Warned<Figure>, Faults> {
     check(scene, wanted)?;
+    let motion_of_cams = work_motion(scene)?;
+    let (scene, worked) = motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
     // Each velocity is then tangent to the path that is drawn.
     let alone = alone(scene, wanted.swept);
     let moved = motion(

@@ -197,6 +197,11 @@ impl<N: Real> Shapes<N> {
 }
 
 impl<N: Real> Configuration<N> {
+    /// The place of a point by its name; `None` of one that the scene does not have or that is not placed.
+    pub fn named(&self, scene: &Scene, name: &str) -> Option<Point<N>> {
+        self.points[scene.points.iter().position(|p| p.name == name)?]
+    }
+
     /// A point that is known to be placed.
     ///
     /// # Panics

@@ -49,7 +49,12 @@ impl Breach {
 }
 
 /// The code of a breach.
-pub const UNPROVEN: &str = "position-unproven";
+const UNPROVEN: &str = "position-unproven";
+
+/// True if a position that is not the scene's is among the faults.
+pub fn is_unproven(faults: &Faults) -> bool {
+    faults.list.iter().any(|d| d.code == UNPROVEN)
+}
 
 /// The moment at which a configuration is judged.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -388,7 +393,7 @@ impl Judge<'_> {
         let own = |d: &&Driver| d.kind.turned() == Some((pair.links[0], self.scene.ground)) && d.kind.lines()[0].is_none();
         let written = self.scene.drivers.iter().filter(own).find_map(|d| Some(d.kind.angle()?.value.radians() - line.angle()));
         let first = written.unwrap_or(first);
-        // Of so many turns double precision no longer tells where in its turn the second link stands.
+        // After so many turns double precision no longer tells the angle of the second link in its turn.
         if (first * ratio).abs() > MANY {
             return;
         }

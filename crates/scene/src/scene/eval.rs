@@ -214,7 +214,7 @@ fn call<N: Real>(f: Function, a: Value<N>) -> Result<Value<N>, Both> {
     // The other leg of a right triangle with hypotenuse one.
     let leg = |x: N| ((N::from_f64(1.0) - x) * (N::from_f64(1.0) + x)).sqrt_or_zero();
     Ok(match f {
-        Function::Abs => Value { number: if a.number.approx() < 0.0 { -a.number } else { a.number }, ..a },
+        Function::Abs => Value { number: a.number.magnitude(), ..a },
         Function::Sqrt => {
             if a.number.approx() < 0.0 {
                 return Err(both!("sqrt of the negative value {}", "对负值 {} 开平方", a.number.approx()));

@@ -69,11 +69,11 @@ impl<'a> General<'a> {
         }
         // Closed forms do not tell on which turn wheels stand, nor the pose beside one that is given by coordinates.
         if self.is_closed_everywhere() {
-            let at = position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?;
-            if stated::proved(&scene, p.mechanism, &at, Moment::Later(&p.at)).is_ok() {
-                return self.answers(&scene, &at);
-            }
+            let told = self.answers(&scene, &position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?);
             // A group without closed forms is only refined from the instant, which far from it leads to no position.
+            if !told.as_ref().is_err_and(stated::is_unproven) {
+                return told;
+            }
         }
         self.answers(&scene, &Whole::new(p, self.driver).standing(stations.values[row])?)
     }
@@ -100,7 +100,7 @@ impl<'a> General<'a> {
                 None if scene.source.is_some() && (0..scene.drivers.len()).any(|d| scene.is_led(d)) => {
                     let there = match afresh.take() {
                         Some(there) => there,
-                        None => Afresh::of(scene, &place_of(scene, at))?,
+                        None => Afresh::of(scene, &|name| at.named(scene, name).map(|p| [p.x, p.y]))?,
                     };
                     row.extend(there.answer(f)?);
                     afresh = Some(there);
@@ -128,14 +128,6 @@ fn finite(row: Vec<f64>) -> Result<Vec<f64>, Faults> {
     match row.iter().all(|v| v.is_finite()) {
         true => Ok(row),
         false => Err(Diagnostic::error("overflow", both!("a number is out of range", "数值超出范围")).into()),
-    }
-}
-
-/// Where the points of a scene are, by their names.
-fn place_of<'a>(scene: &'a Scene, at: &'a Configuration) -> impl Fn(&str) -> Option<[f64; 2]> + 'a {
-    |name| {
-        let p = scene.points.iter().position(|p| p.name == name)?;
-        at.points[p].map(|p| [p.x, p.y])
     }
 }
 
@@ -251,7 +243,7 @@ pub(super) fn runs(missing: &BTreeMap<usize, Faults>, first: usize) -> Vec<Gap> 
     gaps
 }
 
-/// Where a run of rows is; `words` names a row by its swept value.
+/// The range of a run of rows; `words` names a row by its swept value.
 fn range_words(words: &dyn Fn(usize) -> String, rows: &Range<usize>) -> Both {
     match rows.len() {
         1 => both!("at {}", "{} 处", words(rows.start)),

@@ -8,9 +8,10 @@ use super::follow::whole::{self, Whole};
 use super::general::{self, General};
 use super::pieces::{Gaps, Pieces, Stop};
 use super::program::Program;
+use super::sampled::proved;
 use super::stood::Stood;
 use super::{Beside, Placed, Stations, Steps, Width, beside, change_notes, change_points, compile, compiled, each, ends, span, stretches};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Faults};
 use std::ops::Range;
 
 /// A sweep of a driver under way.
@@ -47,7 +48,11 @@ enum Way<'a> {
 
 impl<'a> Long<'a> {
     /// Begins a sweep of a driver that the scene has.
-    pub fn new(placed: &'a Placed<'a>, driver: usize, steps: Steps) -> Long<'a> {
+    ///
+    /// # Errors
+    /// A sampled position that is not the scene's.
+    pub fn new(placed: &'a Placed<'a>, driver: usize, steps: Steps) -> Result<Long<'a>, Faults> {
+        proved(placed, driver, steps.steps + 1, |i| steps.value(i))?;
         let [first, last] = [0, steps.steps].map(|i| steps.value(i));
         let (descending, count) = (last < first, steps.steps + 1);
         let values = |position| steps.value(flipped(position, descending, count));
@@ -73,7 +78,7 @@ impl<'a> Long<'a> {
                 Beside::Whole => Way::Whole { course: Box::new(Whole::course(placed, driver, count, &values)), why },
             },
         };
-        Long { placed, driver, steps, descending, way, general: General::new(placed, driver), gaps: Gaps::of(placed.scene) }
+        Ok(Long { placed, driver, steps, descending, way, general: General::new(placed, driver), gaps: Gaps::of(placed.scene) })
     }
 
     fn rows(&mut self, rows: Range<usize>, stations: &Stations, stop: Stop) -> Option<Rows> {

@@ -34,7 +34,7 @@ mod reading;
 mod rolling_tests;
 mod rows;
 mod run;
-pub mod sampled;
+mod sampled;
 pub mod station;
 mod stood;
 mod suspect;
@@ -96,7 +96,7 @@ impl<'a> Placed<'a> {
 /// the number of threads, on the width or on how the stations are cut into chunks.
 ///
 /// # Errors
-/// A driver that the scene does not have; a sampled position that is not the scene's ([`sampled::proved`]).
+/// A driver that the scene does not have; a sampled position that is not the scene's.
 pub fn run(placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Result<Table, Faults> {
     let sweep = Sweep::new(placed, driver)?;
     sampled::proved(placed, driver, stations.len(), |i| stations.values[i])?;

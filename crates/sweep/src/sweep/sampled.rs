@@ -12,7 +12,7 @@ use crate::stated::{self, Moment};
 
 /// Positions that are judged in a sweep of any length: both ends, and others evenly between them. The tests judge every position of sweeps of all
 /// templates.
-pub const SAMPLES: usize = 9;
+const SAMPLES: usize = 9;
 
 /// Checks that some positions in which the compiled program of a sweep puts the mechanism meet what the scene states. `value` tells the driver's value at
 /// each of `count` stations. Positions that the mechanism does not reach are not judged. Rows that no program makes are proved one by one as they are

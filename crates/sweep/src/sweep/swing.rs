@@ -196,7 +196,7 @@ fn zero(a: f64, b: f64, rate_at_a: f64, at: &dyn Fn(f64) -> Option<[f64; 3]>) ->
 mod tests {
     use super::*;
 
-    /// Of what rounding makes of one zero an odd number is left as one and an even number as none, also from one turn to the next.
+    /// Zeros that rounding makes of one: an odd number counts as one and an even number as none, also from one turn to the next.
     #[test]
     fn an_extreme_is_listed_once() {
         let left = |places: &[f64]| {

@@ -320,7 +320,7 @@ fn reading<N: Certain>(scene: &Scene, at: &Configuration<N>, r: &Outcome, value:
         (Value::Scalar(s), Some(_)) => {
             let (a, b) = m.arm_of?;
             let arm = at.points[a.0]?.distance(at.points[b.0]?);
-            (if s.approx() < 0.0 { -s } else { s } * arm, Some(arm))
+            (s.magnitude() * arm, Some(arm))
         }
         _ => return None,
     };

@@ -233,7 +233,7 @@ fn numbers<N: Certain>(book: &Book, paper: &Construction<N>, pencil_mm: Option<f
 fn crossing<N: Certain>(sine: N, off: impl Fn(N) -> N, pencil_mm: Option<f64>) -> Vec<(What, Option<Number>)> {
     let mut told = vec![(What::Angle, some(angle_deg(sine)))];
     if let Some(e) = pencil_mm {
-        let moved = scale::number::<N>(e) / absolute(sine);
+        let moved = scale::number::<N>(e) / sine.magnitude();
         told.extend([(What::Moved, some(moved)), (What::Off, some(off(moved)))]);
     }
     told
@@ -262,12 +262,8 @@ fn length_of<N: Certain>(mm: N) -> Option<Number> {
     Some(n.or_zero(nothing))
 }
 
-fn absolute<N: Real>(x: N) -> N {
-    if x.approx() < 0.0 { -x } else { x }
-}
-
 /// The angle from 0 to 90 degrees that has a sine, but for its sign.
 fn angle_deg<N: Real>(sine: N) -> N {
     let cosine = (N::from_f64(1.0) - sine * sine).sqrt_or_zero();
-    absolute(sine).atan2(cosine) * N::from_f64(180.0) / N::pi()
+    sine.magnitude().atan2(cosine) * N::from_f64(180.0) / N::pi()
 }

@@ -1,14 +1,33 @@
-//! A pose of a motion: its cams are replaced for that pose, as [`work`](super::work) replaces them for the instant.
+//! Motions of scenes with cams. Each pose has its own replacement of them, as [`work`] has that of the instant.
 
-use super::{Worked, instant, work_placed};
+use super::{Scope, Worked, instant, work, work_placed};
 use crate::diag::Faults;
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::{self, Configuration};
 use crate::scene::{PointId, Scene};
+use crate::sweep::follow::course::over_a_turn;
 
 /// Points of two readings of a scene are in one place if they lie no farther apart than this part of its extent: an assembly that is another one
 /// differs by more, rounding by less.
 const SAME_PLACE: f64 = 1e-7;
+
+/// The scene for its whole motion, worked through at the instant; `None` where the scene serves as it is.
+///
+/// # Errors
+/// Those of [`work`].
+pub fn work_motion(scene: &Scene) -> Result<Option<(Scene, Worked)>, Faults> {
+    if is_of_motion(scene) || !scene.has_momentary_cams() {
+        return Ok(None);
+    }
+    let motion = over_a_turn(scene);
+    let worked = work(&motion, Scope::Figure)?.value;
+    Ok(Some((motion, worked)))
+}
+
+/// True if drivers of their own move the followers of cams.
+fn is_of_motion(scene: &Scene) -> bool {
+    scene.own_drivers() < scene.drivers.len()
+}
 
 /// Works a pose of a motion through, and returns the scene that is read for it. `scene` is that of the motion with its drivers in the pose, `at` the
 /// places of all its points there.
@@ -29,11 +48,10 @@ pub fn work_pose(scene: &Scene, of: (&Mechanism, &Demand), at: &Configuration) -
 ///
 /// Points of the cam alone are not compared: the centre of curvature is one of them, and another one in each pose.
 fn read_again(scene: &Scene, at: &Configuration) -> Option<(Scene, Worked)> {
-    if scene.own_drivers() == scene.drivers.len() {
+    if !is_of_motion(scene) {
         return None;
     }
-    let place = |name: &str| at.points[scene.points.iter().position(|p| p.name == name)?];
-    let mut there = instant(scene.read_again(&|name| place(name).map(|p| [p.x, p.y])).ok()?).value;
+    let mut there = instant(scene.read_again(&|name| at.named(scene, name).map(|p| [p.x, p.y])).ok()?).value;
     there.paper = scene.paper.clone();
     let mechanism = Mechanism::new(&there).ok()?.value;
     let demand = Demand::of(&there, &mechanism).with_all_positions();
@@ -42,7 +60,7 @@ fn read_again(scene: &Scene, at: &Configuration) -> Option<(Scene, Worked)> {
     let of_cam =
         |p: PointId| there.cams.iter().any(|c| there.links.iter().enumerate().all(|(l, link)| c.cam.0 == l || !link.points.contains(&p)));
     let is_same = |p: PointId| {
-        let [one, other] = [place(there.point_name(p)), placed.points[p.0]];
+        let [one, other] = [at.named(scene, there.point_name(p)), placed.points[p.0]];
         one.zip(other).is_none_or(|(a, b)| a.distance(b) <= near)
     };
     if !(0..there.points.len()).map(PointId).all(|p| of_cam(p) || is_same(p)) {

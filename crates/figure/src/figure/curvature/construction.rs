@@ -322,7 +322,7 @@ impl Over<'_, '_> {
         }
     }
 
-    /// How far the tangent goes to either side of the pole.
+    /// Half of the length of the tangent (mm), the pole in its middle.
     pub(super) fn half_tangent(&self) -> f64 {
         let diameter_mm = self.of.pole().map_or(0.0, |pole| pole.diameter()) / self.w.worked.construction.diagram.mu_l;
         TANGENT_MM.min(diameter_mm.max(2.0 * SENSE_MM))

@@ -15,7 +15,7 @@ use crate::position::Configuration;
 use crate::scene::{PointId, Scene};
 use crate::sweep::follow::Follower;
 use crate::sweep::points::at_equal_steps;
-use crate::worked::Worked;
+use crate::worked::{Worked, work_motion};
 
 use super::{Course, Draft};
 
@@ -58,6 +58,8 @@ pub struct Track {
 impl Overlay {
     /// The same with so many positions through the travel of the first driver, and the paths of these points.
     pub fn with_motion(mut self, scene: &Scene, worked: &Worked, poses: usize, points: &[PointId]) -> Overlay {
+        let motion_of_cams = work_motion(scene).ok().flatten();
+        let (scene, worked) = motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
         let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, 0);
         let sweep = follower.sweep(PATH_STEPS);
         self.poses = at_equal_steps(&follower, &sweep, poses).into_iter().map(|pose| pose.configuration).collect();

@@ -18,7 +18,7 @@ use crate::scene::{PointId, Scene, Swept};
 use crate::sweep::follow::{Follower, Pose};
 use crate::sweep::points::{Motion, at_equal_steps, motion};
 use crate::sweep::station;
-use crate::worked::{Worked, work_placed, work_pose};
+use crate::worked::{Worked, work_motion, work_placed, work_pose};
 
 use super::series::Scales;
 use super::sheet::Options;
@@ -77,6 +77,8 @@ struct Poses {
 
 impl Poses {
     fn of(scene: &Scene, worked: &Worked, wanted: &Wanted, boxes: Boxes) -> Result<Poses, Faults> {
+        let motion_of_cams = work_motion(scene)?;
+        let (scene, worked) = motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
         let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept);
         let sweep = follower.sweep(STEPS);
         let poses = at_equal_steps(&follower, &sweep, wanted.count);

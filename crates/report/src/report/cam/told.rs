@@ -2,7 +2,7 @@
 
 use super::{DIGITS, Report};
 use crate::accuracy::{Climb, Rung};
-use crate::cam::{Exact, Follower, Mark, Motion, Touch, Way};
+use crate::cam::{Exact, Follower, Mark, Motion, Touch, Way, whole_turns};
 use crate::digits::significant;
 use crate::number::Real;
 use crate::number::decimal::{Certain, Enclosure};
@@ -26,17 +26,17 @@ pub enum Which {
     Stroke,
     /// The angles of all phases of a kind: the sense in which the follower moves, whether it rests outside.
     Phase(i8, bool),
-    /// Where a stage of the law begins.
+    /// The angle at which a stage of the law begins.
     Start(usize),
-    /// How far a stage of the law moves the follower.
+    /// The rise or return of a stage of the law.
     Gain(usize),
-    /// Where an extreme lies.
+    /// The angle of an extreme.
     At(Mark),
-    /// How much an extreme is by the time; of a pressure angle without its sign.
+    /// The value of an extreme, rates by the time; a pressure angle without its sign.
     Most(Mark),
-    /// How much an extreme is by the angle of the cam.
+    /// The value of an extreme, rates by the angle of the cam.
     ByPhi(Mark),
-    /// Where a shock lies.
+    /// The angle of a shock.
     JumpAt(usize),
     /// The rate before (0) or after (1) a shock, by the time.
     Jump(usize, usize),
@@ -44,7 +44,7 @@ pub enum Which {
     JumpByPhi(usize, usize),
     /// The radius of the sharpest hollow, without its sign.
     Hollow,
-    /// Where it is touched first.
+    /// The angle at which the hollow is touched first.
     HollowAt,
     /// The least base circle without an undercut.
     LeastBase,
@@ -80,14 +80,9 @@ pub enum Unit {
     Lift(usize),
 }
 
-fn magnitude<N: Real>(x: N) -> N {
-    if x.approx() < 0.0 { -x } else { x }
-}
-
 /// An angle in the turn from 0 on.
 fn in_turn<N: Real>(angle: N) -> N {
-    let turn = N::pi() + N::pi();
-    angle - turn * N::from_f64(libm::floor(angle.approx() / turn.approx() + 1e-13))
+    angle - whole_turns(libm::floor(angle.approx() / std::f64::consts::TAU + 1e-13))
 }
 
 impl Which {
@@ -95,7 +90,7 @@ impl Which {
     pub fn of<N: Real>(self, scene: &Scene, turning: &Turning) -> Option<N> {
         let (cam, phi) = turning.exact::<N>(scene)?;
         let [w, a] = turning.rates_in::<N>(scene);
-        let speed = |order: usize| (0..order).fold(N::from_f64(1.0), |s, _| s * magnitude(w));
+        let speed = |order: usize| (0..order).fold(N::from_f64(1.0), |s, _| s * w.magnitude());
         let disc = cam.disc();
         let program = || match &disc.motion {
             Motion::Law { program, .. } => Some(program),
@@ -129,7 +124,7 @@ impl Which {
                 Some(match mark {
                     Mark::Rate(_) => value * speed(1),
                     Mark::Bend(_) => value * speed(2),
-                    Mark::Pressure(_) => magnitude(value),
+                    Mark::Pressure(_) => value.magnitude(),
                     Mark::Radius => value,
                 })
             }

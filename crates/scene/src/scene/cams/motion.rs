@@ -268,7 +268,7 @@ impl Scene {
 }
 
 impl Driver {
-    /// Whether a number of double precision put it where it stands.
+    /// True if a number of double precision put it where it stands.
     fn is_put(&self) -> bool {
         let is = |text: &str, value: f64| text.strip_prefix('(').is_some_and(|t| t.starts_with(&format!("{value:?})")));
         match self.kind.position() {

@@ -244,10 +244,6 @@ impl Quantity for CamQuantity {
     }
 }
 
-fn magnitude<N: Real>(x: N) -> N {
-    if x.approx() < 0.0 { -x } else { x }
-}
-
 /// The least radius of the profile.
 fn least_radius(t: &Turning) -> Option<f64> {
     let (_, rho) = t.survey.of(&t.disc).least_rho?;
@@ -310,8 +306,8 @@ impl CamQuantity {
             What::Turn(OfTurn::Back) => cam.angle(-1, false),
             What::Turn(OfTurn::Near) => cam.angle(0, false),
             What::Turn(OfTurn::PressureStart) => cam.pressure_at_start(),
-            What::Turn(OfTurn::PressureOut) => Some(magnitude(cam.mark(Mark::Pressure(0))?[1])),
-            What::Turn(OfTurn::PressureBack) => Some(magnitude(cam.mark(Mark::Pressure(1))?[1])),
+            What::Turn(OfTurn::PressureOut) => Some(cam.mark(Mark::Pressure(0))?[1].magnitude()),
+            What::Turn(OfTurn::PressureBack) => Some(cam.mark(Mark::Pressure(1))?[1].magnitude()),
             What::Turn(OfTurn::BaseMin) => cam.least_base(),
             What::Turn(OfTurn::FaceHalf) => cam.face_half(),
         }
@@ -365,9 +361,8 @@ impl CamQuantity {
             Way::Guide(g) => along(known, &scene.guides[g.0])?,
             Way::Pivot(p) => (end - known.point(p)?).perp(),
         };
-        let magnitude = |x: N| if x.approx() < 0.0 { -x } else { x };
         let (n, w) = (normal.unit()?, way.unit()?);
-        Some(Value::Scalar(Vec2 { x: magnitude(n.dot(w)), y: magnitude(n.cross(w)) }.angle()))
+        Some(Value::Scalar(Vec2 { x: n.dot(w).magnitude(), y: n.cross(w).magnitude() }.angle()))
     }
 
     /// The pair that is meant, wherever its cam turns.

@@ -87,8 +87,7 @@ impl Quantity for Transmission {
         };
         let (a, b) = (direction(a)?, direction(b)?);
         // Of the angle and its supplement the acute one.
-        let magnitude = |x: N| if x.approx() < 0.0 { -x } else { x };
-        Some(Value::Scalar(Vec2 { x: magnitude(a.dot(b)), y: magnitude(a.cross(b)) }.angle()))
+        Some(Value::Scalar(Vec2 { x: a.dot(b).magnitude(), y: a.cross(b).magnitude() }.angle()))
     }
 }
 

@@ -78,8 +78,7 @@ impl Family {
         let (sin_sum, _) = (beta + self.theta).sin_cos();
         let ac1 = chord * sin_beta / sin_theta;
         let ac2 = chord * sin_sum / sin_theta;
-        let difference = (ac2 - ac1) / two;
-        let a = if difference.approx() < 0.0 { -difference } else { difference };
+        let a = ((ac2 - ac1) / two).magnitude();
         let b = (ac1 + ac2) / two;
         // A in axes with C₂ at the origin and C₁ along x; D below or above the middle of the chord.
         let (x, y) = (ac2 * cos_beta - chord / two, ac2 * sin_beta);
@@ -96,8 +95,7 @@ impl Family {
         let [a, b, d] = self.lengths(beta, toward_d)?;
         let (one, two) = (Dd::from_f64(1.0), Dd::from_f64(2.0));
         let cosine = |e: Dd| (b * b + one - e * e) / (two * b);
-        let size = |x: Dd| if x.approx() < 0.0 { -x } else { x };
-        let (near, far) = (size(cosine(d - a)), size(cosine(d + a)));
+        let (near, far) = (cosine(d - a).magnitude(), cosine(d + a).magnitude());
         Some(if near.approx() > far.approx() { near } else { far })
     }
 
