@@ -358,7 +358,7 @@ fn repeated_planets_name_their_like() {
         let all = check(&scene, &m).unwrap_or_else(|f| panic!("{f}\n{text}"));
         assert!(!all.is_empty(), "{text}");
         for one in &all {
-            let Opened::Rolling(r) = m.redundant[one.index].opened else { panic!("{:?}\n{text}", m.redundant) };
+            let Opened::Rolling(r) = one.opened else { panic!("{:?}\n{text}", m.redundant) };
             let pair = scene.rolling[r.0].links.map(|l| scene.link_name(l).to_owned());
             let Reason::RepeatedPlanets(like) = &one.reason else { panic!("{:?}\n{text}", one.reason) };
             let own = if pair.contains(&"4".to_owned()) { "5" } else { "4" };

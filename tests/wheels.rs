@@ -367,3 +367,44 @@ fn the_contact_of_a_wheel_with_any_name() {
         }
     }
 }
+
+/// Gears whose distance other pairs change are refused, those whose distance they keep are not: racks at an angle to their guides, and gears on the
+/// pins of a rocking coupler.
+#[test]
+fn gears_whose_distance_changes_lock_the_mechanism() {
+    let rack = |angle: f64| {
+        format!(
+            r#"{{"units": {{"length": "mm"}}, "links": {{"1": ["A"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C"]}}, "ground": "1",
+            "points": {{"A": [0, 0], "B": [60, 80], "C": [210, 0]}}, "guides": [{{"slider": "5", "on": "1", "angle": "0 deg"}}],
+            "rolling": [{{"wheel": "4", "centre": "C", "radius": 40, "angle": "0 deg", "at": "Q"}}],
+            "gears": [{{"links": ["4", "5"], "centres": ["C"], "radii": [40], "rack": "5", "angle": "{angle:?} deg", "at": "S"}}],
+            "driver": {{"link": "2", "omega": "10 rad/s"}}, "find": ["v_S5"]}}"#
+        )
+    };
+    let coupler = |on: &str| {
+        format!(
+            r#"{{"units": {{"length": "mm"}}, "links": {{"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["D", "C"], "5": ["B"], "6": ["{on}"]}},
+            "ground": "1", "points": {{"A": [0, 0], "B": [0, 40], "C": [90, 60], "D": [100, 0]}},
+            "gears": [{{"links": ["5", "6"], "centres": ["B", "{on}"], "radii": [null, 30], "at": "S"}}],
+            "driver": [{{"link": "2", "omega": "10 rad/s"}}, {{"link": "6", "omega": "2 rad/s"}}], "find": ["omega_5"]}}"#
+        )
+    };
+    let between = |on: &str| {
+        coupler(on)
+            .replace("null", &format!("{:?}", f64::hypot(if on == "C" { 90.0 } else { 100.0 }, if on == "C" { 20.0 } else { 40.0 }) - 30.0))
+    };
+    let scenes =
+        [(rack(0.0), true), (rack(180.0), true), (rack(150.0), false), (rack(1.0), false), (between("C"), true), (between("D"), false)];
+    for (text, holds) in scenes {
+        let scene = read(&text);
+        let count = mobility::Counted::of(&scene);
+        assert_eq!(count.survey.choices.is_empty(), !holds, "{text}");
+        match work(&scene, Scope::Questions) {
+            Ok(worked) => {
+                assert!(holds, "{text}");
+                agree(&scene, &worked.value);
+            }
+            Err(f) => assert!(!holds && errors(&f) == ["locked"], "{f}\n{text}"),
+        }
+    }
+}

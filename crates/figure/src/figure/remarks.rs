@@ -65,12 +65,12 @@ pub fn agreement(worked: &Worked, words: &Words) -> Option<Phrase> {
 /// What only repeats what the others fix, why, and what the paper shows of the conditions that no crossing used.
 fn repeats(answers: &Answers, repeats: &Checked) -> Vec<String> {
     let Answers { scene, worked, words, .. } = *answers;
-    let what = repeats.what(scene, &worked.mechanism);
+    let what = repeats.what(scene);
     let why = repeats.reason.words(scene, repeats.positions);
     let zh = words.tag == "zh";
     let of = |text: &'_ Both| if zh { text.zh.clone() } else { text.en.clone() };
     let conditions = conditions(scene, &worked.mechanism, &worked.configuration, &worked.plan, &worked.construction);
-    let checked = conditions.iter().filter(|c| c.index == repeats.index).map(|c| {
+    let checked = conditions.iter().filter(|c| worked.mechanism.redundant[c.index].opened == repeats.opened).map(|c| {
         let [a, b] = [c.pins.0, c.pins.1].map(|p| name_label(scene.point_name(p)));
         let (v, n, line) = (format!("v_{{{b}{a}}}"), format!("a_{{{b}{a}}}^n"), format!("l_{{{a}{b}}}"));
         let mm = format!("{:.2}", c.off_mm);
@@ -80,7 +80,7 @@ fn repeats(answers: &Answers, repeats: &Checked) -> Vec<String> {
         }
     });
     let checked: Vec<String> = checked.collect();
-    let said = match worked.mechanism.redundant[repeats.index].opened {
+    let said = match repeats.opened {
         // The touching of a wheel is a point of contact, which is drawn as any other.
         Opened::Guide(g) if scene.guides[g.0].rolling.is_some() => words.repeats_alike,
         Opened::Link(_) | Opened::Guide(_) => words.repeats,

@@ -134,6 +134,11 @@ impl Mechanism {
         self.keeps(id) && (guide.rolling.is_none() || self.constraints.iter().any(|c| c.item() == Item::Guide(id)))
     }
 
+    /// Guides between gears whose distance other pairs have to keep, without those along which a rack slides.
+    pub fn kept_apart<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = GuideId> + 'a {
+        holding(scene).filter(|g| !self.guide_holds(&scene.guides[g.0], *g) && self.keeps(*g))
+    }
+
     fn keeps(&self, guide: GuideId) -> bool {
         !self.is_opened(&Opened::Guide(guide))
     }

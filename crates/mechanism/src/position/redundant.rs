@@ -35,8 +35,8 @@ pub enum Verdict {
 /// An opened pair, looked at in several positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Checked {
-    /// Which of [`Mechanism::redundant`].
-    pub index: usize,
+    /// The opened pair.
+    pub opened: Opened,
     /// Whether it holds.
     pub verdict: Verdict,
     /// By how much it is off at most (m), the pose included.
@@ -55,8 +55,8 @@ pub struct Checked {
 
 impl Checked {
     /// What it is, in words.
-    pub fn what(&self, scene: &Scene, m: &Mechanism) -> Both {
-        super::repeats::opened_words(scene, &m.redundant[self.index].opened).0
+    pub fn what(&self, scene: &Scene) -> Both {
+        super::repeats::opened_words(scene, &self.opened).0
     }
 
     /// What is said of it.
@@ -87,16 +87,19 @@ const STEP: f64 = 0.04;
 /// More unknowns are not proved, only computed: an interval matrix of them costs seconds.
 const MOST_PROVED: usize = 150;
 
-/// Looks at all opened pairs of a mechanism.
+/// Opened pairs of a mechanism that hold, each looked at in several positions; of gears whose distance other pairs keep, those that keep it only
+/// nearly.
 ///
 /// # Errors
 /// Those of [`configure`] for the links that take part; `locked` and `shaky` for a pair that is no repetition.
 pub fn check(scene: &Scene, m: &Mechanism) -> Result<Vec<Checked>, Faults> {
     let mut faults = Faults::default();
     let mut all = Vec::new();
-    for (index, redundant) in m.redundant.iter().enumerate() {
-        let checked = look(scene, m, index, &redundant.opened)?;
+    let touching = m.kept_apart(scene).map(Opened::Guide);
+    for opened in m.redundant.iter().map(|r| r.opened.clone()).chain(touching) {
+        let checked = look(scene, m, &opened)?;
         match checked.verdict {
+            Verdict::Virtual if !m.is_opened(&opened) => {}
             Verdict::Virtual | Verdict::Almost => all.push(checked),
             Verdict::Shaky | Verdict::Locked => faults.push(checked.diagnostic(scene, m)),
         }
@@ -116,7 +119,7 @@ pub fn told(scene: &Scene, m: &Mechanism) -> Result<Vec<Diagnostic>, Faults> {
 ///
 /// # Errors
 /// Those of [`configure`].
-pub fn look(scene: &Scene, m: &Mechanism, index: usize, opened: &Opened) -> Result<Checked, Faults> {
+pub fn look(scene: &Scene, m: &Mechanism, opened: &Opened) -> Result<Checked, Faults> {
     let demand = demand(scene, m, opened);
     let at = configure(scene, m, &demand)?.value;
     let way = Way::new(scene, m, &at);
@@ -148,12 +151,13 @@ pub fn look(scene: &Scene, m: &Mechanism, index: usize, opened: &Opened) -> Resu
         false => Verdict::Locked,
     };
     let reason = reason(scene, m, opened, &at, ALMOST);
-    Ok(Checked { index, verdict, off_m, driver: way.driver, moved, bound_m, positions: stations.len(), reason })
+    let opened = opened.clone();
+    Ok(Checked { opened, verdict, off_m, driver: way.driver, moved, bound_m, positions: stations.len(), reason })
 }
 
 /// What links and pairs alone say of an opened pair, where lengths are missing: a planet between the wheels of another planet of the same arm
 /// repeats it, whatever their sizes, and three links joined by three pins are rigid.
-pub fn by_topology(scene: &Scene, m: &Mechanism, index: usize, opened: &Opened) -> Option<Checked> {
+pub fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Option<Checked> {
     let (verdict, reason) = match super::repeats::by_topology(scene, m, opened)? {
         reason @ Reason::Triangle(_) => (Verdict::Locked, reason),
         reason @ (Reason::ParallelCranks(_)
@@ -165,7 +169,8 @@ pub fn by_topology(scene: &Scene, m: &Mechanism, index: usize, opened: &Opened) 
         | Reason::OneNormal
         | Reason::Found) => (Verdict::Virtual, reason),
     };
-    Some(Checked { index, verdict, off_m: 0.0, driver: None, moved: 0.0, bound_m: None, positions: 0, reason })
+    let opened = opened.clone();
+    Some(Checked { opened, verdict, off_m: 0.0, driver: None, moved: 0.0, bound_m: None, positions: 0, reason })
 }
 
 /// All positions that tell of a pair.

@@ -303,7 +303,7 @@ fn suspects(scene: &Scene, m: &Mechanism, checked: &Checked) -> Vec<String> {
             | Reason::RepeatedPlanets(_)
             | Reason::Triangle(_)
             | Reason::OneNormal
-            | Reason::Found => match m.redundant[checked.index].opened {
+            | Reason::Found => match checked.opened {
                 Opened::Link(l) => m.held(l).map(|pins| line(scene, pins)).into_iter().collect(),
                 Opened::Guide(_) | Opened::Pin(..) | Opened::Rolling(_) => Vec::new(),
             },
@@ -317,7 +317,7 @@ const SHOWN: f64 = 1e-30;
 
 /// What is said of an opened pair.
 pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Diagnostic {
-    let opened = &m.redundant[checked.index].opened;
+    let opened = &checked.opened;
     let (what, span) = opened_words(scene, opened);
     let why = checked.reason.words(scene, checked.positions);
     let off = scene.length_words(checked.off_m);
@@ -411,8 +411,8 @@ fn help(scene: &Scene, opened: &Opened) -> Both {
             scene.link_name(*l)
         ),
         Opened::Guide(g) if scene.guides[g.0].rolling.is_some() => both!(
-            "let the axle of the wheel keep its distance from the track: correct a radius or the axle's place, or free the axle",
-            "请使轮轴到轨道的距离与轮半径相符：修改半径或轮轴位置，或放开轮轴"
+            "let the axle of the wheel keep its distance from the track: correct a radius, the axle's place or the angle of the track, or free the axle",
+            "请使轮轴到轨道的距离与轮半径相符：修改半径、轮轴位置或轨道角度，或放开轮轴"
         ),
         Opened::Guide(g) if contact_of(scene, *g).is_some() => both!(
             "make the two faces as far apart as the cam is broad, or leave one contact out",

@@ -60,7 +60,19 @@ pub fn surveyed(scene: &Scene) -> (Survey, Vec<Option<Checked>>) {
         }
         (survey, found) = (more, verdicts);
     }
+    let apart = not_kept_apart(&survey);
+    if apart > 0 {
+        survey.counts.higher += apart;
+        (survey.choices, found) = (Vec::new(), Vec::new());
+    }
     (survey, found)
+}
+
+/// How many pairs of gears keep a distance by their teeth that other pairs change.
+fn not_kept_apart(survey: &Survey) -> usize {
+    let Some(first) = survey.choices.first() else { return 0 };
+    let looked = |opened: &Opened| survey.choices.iter().find_map(|c| look(&c.scene, &c.mechanism, opened).ok());
+    first.mechanism.kept_apart(&first.scene).filter(|g| known(looked(&Opened::Guide(*g)).as_ref()) == Known::Locks).count()
 }
 
 /// What lengths say of each pair that only repeats others as far as topology can tell; `None` where they are missing.
@@ -68,14 +80,10 @@ fn checked(survey: &Survey) -> Vec<Option<Checked>> {
     let Some(first) = survey.choices.first() else { return Vec::new() };
     let (scene, m) = (&first.scene, &first.mechanism);
     // Whatever drives it: where one choice of drivers does not tell the pose, another may.
-    let looked = |i: usize, opened: &Opened| {
-        survey.choices.iter().find_map(|c| {
-            let k = c.mechanism.redundant.iter().position(|r| r.opened == *opened)?;
-            Some(Checked { index: i, ..look(&c.scene, &c.mechanism, k, opened).ok()? })
-        })
+    let looked = |opened: &Opened| {
+        survey.choices.iter().find_map(|c| c.mechanism.is_opened(opened).then(|| look(&c.scene, &c.mechanism, opened).ok())?)
     };
-    let of = |i: usize, opened: &Opened| looked(i, opened).or_else(|| by_topology(scene, m, i, opened));
-    survey.redundant().iter().enumerate().map(|(i, r)| of(i, &r.opened)).collect()
+    survey.redundant().iter().map(|r| looked(&r.opened).or_else(|| by_topology(scene, m, &r.opened))).collect()
 }
 
 /// F, as far as it is known.
