@@ -3,15 +3,14 @@
 //! From one scene file it plans the relative-motion vector equations, draws the velocity and acceleration polygons step by
 //! step to the scales μ_l, μ_v, μ_a, reads the answers off the paper, and proves them against the loop equations.
 //!
+//! One call takes a file of any kind, a scene, a design task or motions of points, to its answers and to all that is written of them:
 //! ```
-//! use hodograph::{scene, worked::{work, Scope}};
+//! use hodograph::problem::{Look, Options, read, solve, templates};
 //!
-//! let text = scene::templates::get("crank-rocker").unwrap();
-//! let scene = scene::read(text).unwrap().value;
-//! let worked = work(&scene, Scope::Questions).unwrap().value;
-//! for r in &worked.results {
-//!     println!("{} = {:?}", scene.find[r.find].text, r.value());
-//! }
+//! let problem = read(templates::text("crank-rocker", &[("l_AB", "120 mm")])?)?.value;
+//! let solved = solve(&problem, &Options::default())?;
+//! println!("{}", solved.text(&Look::default(), false));
+//! # Ok::<(), hodograph::diag::Faults>(())
 //! ```
 //!
 //! A scene can be built without JSON, and drawn as SVG:
@@ -38,7 +37,7 @@
 //!                                       positions       └─▶ Solution (loop equations) ──┴─▶ Agreement
 //! ```
 //! Every arrow is one public function from one finished value to the next; nothing flows back. [`worked::work`] walks them
-//! all.
+//! all; [`problem::solve()`] does it for every kind of file.
 //!
 //! # Rooms
 //! - [`scene`]: the file a person writes. JSON with places → raw mirror → valid [`scene::Scene`]; scenes without JSON ([`scene::build`]); units, expressions,
@@ -81,6 +80,7 @@
 //! - [`report`]: plan, construction, answers, diagnostics as text (in either language) and JSON.
 //! - [`worksheet`]: problem and solution as a document, and its writers: HTML with MathML, Markdown, Typst, pages for PDF.
 //! - [`webfont`]: the letters that every page brings with it.
+//! - [`problem`]: every kind of file through one call: read, solve, and what is written of the answers.
 //! - [`cli`]: the only room that prints, reads arguments or touches files.
 //! - Small shared ones: [`geom`], [`trig`], [`digits`], [`diag`], [`json`].
 //!
@@ -145,7 +145,8 @@
 //! webfont    -
 //! worksheet  diag digits geom scene mechanism answer plan construct paper render worked certified centres attempts particle synthesis report figure webfont
 //! lesson     diag digits geom scene mechanism position plan construct sweep paper render worked certified centres particle synthesis report figure webfont
-//! cli        diag json digits geom cam scene mechanism position plan sweep paper render worked certified effort centres composite attempts curvature inversions particle synthesis report figure worksheet lesson
+//! problem    diag json geom scene answer plan paper sweep worked certified attempts particle synthesis report figure worksheet lesson
+//! cli        diag json digits geom cam scene mechanism position plan sweep paper render worked certified effort centres composite attempts curvature inversions report figure worksheet lesson problem
 //! ```
 //!
 //! # What grows
@@ -196,11 +197,11 @@ pub use hodograph_sweep::sweep;
 pub use hodograph_synthesis::synthesis;
 pub use hodograph_worked::{accuracy, certified, effort, worked};
 
-#[cfg(feature = "cli")]
 use hodograph_base::json;
 
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod lesson;
+pub mod problem;
 mod webfont;
 pub mod worksheet;

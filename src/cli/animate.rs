@@ -69,8 +69,8 @@ pub fn run(a: Animate) -> Run {
         Format::Frames => frames(path, &written(&period)?, a.dpi)?,
     };
     files::print_names(&names)?;
-    input.notes.extend(notes);
-    input.say_notes();
+    input.file.notes.extend(notes);
+    input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }
 

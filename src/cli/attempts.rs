@@ -21,6 +21,6 @@ pub fn run(a: args::Attempts) -> Run {
         return Ok(ExitCode::SUCCESS);
     }
     files::print(&report::text(&words, &all))?;
-    input.say_notes();
+    input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }

@@ -40,7 +40,7 @@ pub fn batch(a: Args) -> Run {
         a.seed,
         (&a.range.over, &a.range.from, &a.range.to, a.range.steps),
         a.range.find,
-        input.source
+        input.file.source
     );
     let part = write(&batch, ending, head(&batch, input.scene.title.get(lang)), Path::new(&a.output), &job)?;
     files::print(lang::of(&both!(

@@ -43,7 +43,7 @@ pub fn run(a: args::Cam) -> Run {
             let d = d.help(both!("write -o out/", "请写 -o out/"));
             return Err(Failure::argument("-o", folder, d));
         }
-        let stem = files::stem(&input.name, "scene");
+        let stem = files::stem(&input.file.name, "scene");
         for (k, r) in reports.iter().enumerate() {
             let number = if reports.len() > 1 { format!("-{}", k + 1) } else { String::new() };
             for (word, figure) in [("cam-motion", motion::figure(r, &style, lang)), ("cam-profile", inversion::figure(r, &style, lang))] {
@@ -82,9 +82,9 @@ pub fn run(a: args::Cam) -> Run {
         files::print_names(&written)?;
     }
     let faults: Vec<Diagnostic> = reports.iter().flat_map(Report::faults).collect();
-    input.notes.extend(faults);
-    input.notes.extend(notes);
-    input.say_notes();
+    input.file.notes.extend(faults);
+    input.file.notes.extend(notes);
+    input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }
 

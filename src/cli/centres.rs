@@ -12,12 +12,12 @@ pub fn run(a: args::Centres) -> Run {
     let mut input = Input::read_at_rest(&a.common)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let Warned { value, notes } = centres::centres(&input.scene).map_err(|f| input.failed(f))?;
-    input.notes.extend(notes);
+    input.file.notes.extend(notes);
     if a.json {
-        files::print(&format!("{:#}\n", centres_json::json(&value, &input.notes)))?;
+        files::print(&format!("{:#}\n", centres_json::json(&value, &input.file.notes)))?;
         return Ok(ExitCode::SUCCESS);
     }
     files::print(&report::text(&value, lang))?;
-    input.say_notes();
+    input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }

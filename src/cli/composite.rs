@@ -19,13 +19,13 @@ pub fn run(a: args::Composite) -> Run {
     let all = staged.choices(&input.scene);
     let shown = staged.shown(&input.scene, MOST);
     let Warned { value, notes } = staged.solved(&shown, composite::level(&input.scene)).map_err(|f| input.failed(f))?;
-    input.notes.extend(notes);
+    input.file.notes.extend(notes);
     let (_, solved) = value;
     if a.json {
-        files::print(&format!("{:#}\n", report::json(&staged, &all, &solved, &input.notes)))?;
+        files::print(&format!("{:#}\n", report::json(&staged, &all, &solved, &input.file.notes)))?;
         return Ok(ExitCode::SUCCESS);
     }
     files::print(&report::text(&staged.scene, &all, &solved, lang, &notation))?;
-    input.say_notes();
+    input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }

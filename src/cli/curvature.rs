@@ -16,18 +16,18 @@ pub fn run(a: args::Curvature) -> Run {
     let (lang, _) = choices(&input.scene, &a.common);
     let asked = asked(&input.scene, &a)?;
     let Warned { value, notes } = curvature(&input.scene, &asked).map_err(|f| input.failed(f))?;
-    input.notes.extend(notes);
+    input.file.notes.extend(notes);
     if a.json {
         let mut paths = Vec::new();
         for of in value.list.iter().filter(|_| a.centrodes) {
             let path = centrodes::centrodes(&value.scene, &value.worked, of.link, value.against, centrodes::STEPS);
             paths.push(path.map_err(|f| input.failed(f))?);
         }
-        files::print(&format!("{:#}\n", curvature_json::json(&value, &paths, &input.notes)))?;
+        files::print(&format!("{:#}\n", curvature_json::json(&value, &paths, &input.file.notes)))?;
         return Ok(ExitCode::SUCCESS);
     }
     files::print(&report::text(&value, a.steps, lang))?;
-    input.say_notes();
+    input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }
 

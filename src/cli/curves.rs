@@ -28,7 +28,7 @@ pub fn run(a: Curves) -> Run {
     ask(&mut input, Some(&find))?;
     input.over_a_table();
     // Displacements were added to the scene's questions: they have no place in a file to point at.
-    input.asked = a.range.find.clone();
+    input.file.asked = a.range.find.clone();
     let mechanism = sweep::mechanism(&input.scene).map_err(|f| input.failed(f))?;
     let swept = swept_of(&input.scene, a.range.over.as_deref())?;
     let placed = Placed::new(&input.scene, &mechanism).map_err(|f| input.failed(f))?;
@@ -68,10 +68,10 @@ pub fn run(a: Curves) -> Run {
     }
     let (one, pages) = (|| curves::figure(&input.scene, &diagram, &style, lang), || curves::pages(&input.scene, &diagram, &style, lang));
     let notes = files::figure_or_pages(one, pages, &a.output)?;
-    input.notes.extend(notes);
+    input.file.notes.extend(notes);
     files::print_names(&format!("{}\n", a.output))?;
-    input.notes.extend(table.notes);
-    input.say_notes();
+    input.file.notes.extend(table.notes);
+    input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }
 
@@ -82,7 +82,7 @@ fn with_positions(input: &Input) -> Result<Vec<String>, Failure> {
     let mechanism = Mechanism::new(scene).map_err(|f| input.failed(f))?.value;
     let placed = Placed::new(scene, &mechanism).map_err(|f| input.failed(f))?;
     // A train that stands nowhere has no angles either.
-    let somewhere = input.notes.iter().all(|n| n.code != "free-centre");
+    let somewhere = input.file.notes.iter().all(|n| n.code != "free-centre");
     let mut words: Vec<String> = Vec::new();
     for find in &scene.find {
         match find.what.meaning(scene) {

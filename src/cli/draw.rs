@@ -3,20 +3,18 @@
 use super::args;
 use super::together::Together;
 use super::values::{Format, Vectors};
-use super::{Failure, Input, Run, Told, choices, files, verdict};
+use super::{Failure, File, Run, Told, files, granted, look_of, pencil, verdict};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
-use crate::figure::fit;
-use crate::figure::list::{self, Entry, Extras, Pages, Wanted};
-use crate::figure::sheet::Options;
-use crate::figure::steps;
+use crate::figure::list::{Entry, Extras};
 use crate::json::fields::suggest;
 use crate::mechanism::Level;
 use crate::paper::font::own::Fonts;
 use crate::paper::item::Figure;
 use crate::paper::style::{self, Style};
+use crate::problem::{self, Extent, Pictures, Wish};
 use crate::render::pdf;
 use crate::scene::{self, PointId, Scene};
-use crate::worked::{Scope, Worked};
+use crate::worked::Worked;
 use std::path::{Path, PathBuf};
 
 /// Runs the command.
@@ -24,57 +22,44 @@ pub fn run(a: args::Draw) -> Run {
     output(&a.output).map_err(|f| Failure::argument("-o", &a.output, f))?;
     let style = style_of(&a.look)?;
     let width_mm = width(&a)?;
-    if super::synth::is_task(&a.common.scene) {
-        return super::synth::draw(&a, &style);
-    }
-    super::synth::no_pick(a.pick)?;
-    if super::particle::is_problem(&a.common.scene) {
-        return super::particle::draw(&a, &style);
-    }
-    let mut input = if needs_no_rate(&a) { Input::read_at_rest(&a.common) } else { Input::read(&a.common) }?.drawn_in(&style);
-    let drafting = input.pencil(a.drafting.as_deref())?;
-    if a.poses > 0 || !a.path.is_empty() {
-        input.over_a_turn();
-    }
-    let mut worked = input.work(Scope::Figure)?;
-    if drafting {
-        worked = worked.with_drafting(&input.scene);
-    }
-    let (lang, notation) = choices(&input.scene, &a.common);
-    let options = Options { lang, notation: style.marks.over(&notation), digits: a.digits, style };
-    let figures = if a.steps {
-        steps::figures(&input.scene, &worked, &options).into_iter().enumerate().map(|(k, f)| (format!("step-{:02}", k + 1), f)).collect()
-    } else {
-        let extras = extras(&input.scene, &worked, &a)?;
-        let wanted = Wanted { scene: &input.scene, worked: &worked, options: &options, extras: &extras };
-        let Warned { value, notes } = pictures(&wanted, asked(&a, &extras), width_mm).map_err(|f| input.failed(f))?;
-        input.notes.extend(notes);
-        value
+    let pencil_mm = pencil(a.drafting.as_deref())?;
+    let mut file = File::open(&a.common.scene, &a.common.set)?;
+    file.fonts = style.fonts.clone();
+    let extent = if needs_no_rate(&a) { Extent::Pose } else { Extent::Motion };
+    let problem = file.read(|bytes| problem::read_as(bytes, extent))?;
+    let wishes = [
+        (a.pick.map(|n| n.to_string()), Wish::Candidate),
+        (a.steps.then(String::new), Wish::Pictures),
+        (a.drafting.clone(), Wish::Drafting),
+        ((a.poses > 0).then(String::new), Wish::Poses),
+        ((!a.path.is_empty()).then(String::new), Wish::Paths),
+    ];
+    granted(problem.kind(), &wishes)?;
+    let options = problem::Options {
+        drafting: a.drafting.is_some(),
+        pencil_mm,
+        whole_motion: a.poses > 0 || !a.path.is_empty(),
+        candidate: a.pick.map_or(0, |n| n as usize - 1),
+        ..problem::Options::with_figures()
     };
-    let notes = put(&a, &input.name, figures, |f| input.failed(f))?;
-    input.notes.extend(notes.into_iter().filter(|n| !input.notes.contains(n)).collect::<Vec<_>>());
-    input.say_notes();
-    Ok(verdict(&worked))
+    let solved = file.solve(&problem, &options)?;
+    let extras = match solved.mechanism() {
+        Some((scene, worked)) if !a.steps => extras(scene, worked, &a)?,
+        Some(_) | None => Extras::default(),
+    };
+    let pictures = Pictures { figures: &a.figure, extras, steps: a.steps, width_mm };
+    let look = look_of(&a.common, style, a.digits);
+    let Warned { value, notes } = solved.figures(&pictures, &look).map_err(|f| file.failed(f))?;
+    file.notes.extend(notes);
+    let notes = put(&a, &file.name, value, |f| file.failed(f))?;
+    file.notes.extend(notes.into_iter().filter(|n| !file.notes.contains(n)).collect::<Vec<_>>());
+    file.say_notes();
+    Ok(verdict(solved.verdict()))
 }
 
 /// Writes figures, each with its name: a document with a page for each, or files in all formats asked for, all of them or none. Returns the
 /// notes, each once: what has no letters in the embedded fonts is noted in whichever format.
-pub(super) fn put(
-    a: &args::Draw,
-    name: &str,
-    figures: Vec<(String, Figure)>,
-    failed: impl Fn(Faults) -> Failure,
-) -> Result<Vec<Diagnostic>, Failure> {
-    if figures.is_empty() {
-        let d = Diagnostic::error("no-figure", both!("there is nothing to draw", "没有可画的图"));
-        return Err(failed(
-            d.help(both!(
-                "of what the scene asks no step is drawn: leave --steps out, or ask for velocities or accelerations in \"find\"",
-                "所求各量没有作图步骤：请去掉 --steps，或在 \"find\" 中求速度或加速度"
-            ))
-            .into(),
-        ));
-    }
+fn put(a: &args::Draw, name: &str, figures: Vec<(String, Figure)>, failed: impl Fn(Faults) -> Failure) -> Result<Vec<Diagnostic>, Failure> {
     if files::ending(&a.output).as_deref() == Some(Format::Pdf.ending()) {
         let pages: Vec<Figure> = figures.into_iter().map(|(_, f)| f).collect();
         let file = pdf::pdf(&pages).map_err(&failed)?;
@@ -104,7 +89,7 @@ fn needs_no_rate(a: &args::Draw) -> bool {
 }
 
 /// The width that is asked for (mm).
-pub(super) fn width(a: &args::Draw) -> Result<Option<f64>, Failure> {
+fn width(a: &args::Draw) -> Result<Option<f64>, Failure> {
     let read = |text: &String| scene::width(text).map_err(|faults| Failure::argument("--width", text, faults));
     a.width.as_ref().map(read).transpose()
 }
@@ -165,30 +150,6 @@ fn read_style(name: &str) -> Result<Style, Failure> {
         .map_err(|faults| Failure::input(faults, name, &String::from_utf8_lossy(&bytes)))
 }
 
-/// The figures asked for, each with the word that its file is named after.
-fn pictures(wanted: &Wanted, asked: &[&'static Entry], width_mm: Option<f64>) -> Result<Warned<Pages>, Faults> {
-    let mut out = Vec::new();
-    let mut notes = Vec::new();
-    let mut missing = Faults::default();
-    for (k, entry) in asked.iter().enumerate() {
-        if asked[..k].iter().any(|e| e.name == entry.name) {
-            continue;
-        }
-        let pages = fit::drawn(entry, wanted, width_mm)?;
-        notes.extend(pages.notes);
-        if pages.value.is_empty() {
-            let word = entry.name;
-            let d = Diagnostic::error("no-figure", both!("the scene's questions call for no figure `{word}`", "所求的量用不到图 `{word}`"));
-            missing.push(d.help(both!(
-                "ask for one in \"find\", or leave `{word}` out of --figure",
-                "请在 \"find\" 中求相应的量，或从 --figure 中去掉 `{word}`"
-            )));
-        }
-        out.extend(pages.value);
-    }
-    if missing.has_errors() { Err(missing) } else { Ok(Warned { value: out, notes }) }
-}
-
 /// What is drawn with the mechanism.
 ///
 /// # Errors
@@ -214,12 +175,6 @@ fn extras(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<Extras, Fail
             Err(Failure::Input(wrong))
         }
     }
-}
-
-/// The figures to draw: what goes with the mechanism alone asks for it.
-fn asked<'a>(a: &'a args::Draw, extras: &Extras) -> &'a [&'static Entry] {
-    let there = a.figure.iter().any(|e| e.name == list::MECHANISM.name);
-    if extras.of_mechanism_alone() && !there { &[list::MECHANISM] } else { &a.figure }
 }
 
 /// The points with the names that an option lists.

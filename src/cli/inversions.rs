@@ -15,7 +15,7 @@ pub fn run(a: args::Inversions) -> Run {
     let mut input = Input::read_at_rest(&a.common)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let Warned { value: all, notes } = inversions(&input.scene).map_err(|f| input.failed(f))?;
-    input.notes.extend(notes);
+    input.file.notes.extend(notes);
     if let Some(name) = &a.pick {
         let known = || all.iter().map(|i| i.scene.link_name(i.scene.ground));
         let Some(picked) = all.iter().find(|i| i.scene.link_name(i.scene.ground) == name) else {
@@ -37,7 +37,7 @@ pub fn run(a: args::Inversions) -> Run {
         return Ok(ExitCode::SUCCESS);
     }
     if let Some(folder) = &a.output {
-        let stem = files::stem(&input.name, "scene");
+        let stem = files::stem(&input.file.name, "scene");
         let mut together = Together::default();
         let mut written = String::new();
         for i in &all {
@@ -49,12 +49,12 @@ pub fn run(a: args::Inversions) -> Run {
         files::print_names(&written)?;
     }
     if a.json {
-        files::print(&format!("{:#}\n", report::json(&input.scene, &all, &input.notes)))?;
+        files::print(&format!("{:#}\n", report::json(&input.scene, &all, &input.file.notes)))?;
         return Ok(ExitCode::SUCCESS);
     }
     if a.output.is_none() {
         files::print(&report::text(&input.scene, &all, lang))?;
     }
-    input.say_notes();
+    input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }

@@ -23,18 +23,18 @@ pub fn run(a: args::Mobility) -> Run {
     let (survey, checked) = report::surveyed(&input.scene);
     if let Some(path) = &a.output {
         // A drawing needs the pose: what is missing for it is told as everywhere.
-        let posed = scene::read_pose(&input.source).map_err(|f| input.failed(f))?;
+        let posed = scene::read_pose(&input.file.source).map_err(|f| input.failed(f))?;
         let asked = posed_scene(posed.value);
         let worked = work(&asked, Scope::Figure).map_err(|f| input.failed(f))?;
         let figure = groups::figure(&asked, &worked.value, &style, &style.marks.over(&notation), lang);
-        input.notes.extend(files::figure(&figure, path)?);
-        input.notes.extend(worked.notes);
+        input.file.notes.extend(files::figure(&figure, path)?);
+        input.file.notes.extend(worked.notes);
     }
     if a.json {
         files::print(&format!("{:#}\n", report::json(&input.scene, &survey, &checked)))?;
     } else {
         files::print(&report::text(&input.scene, &survey, &checked, lang))?;
     }
-    input.say_notes();
+    input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }

@@ -21,7 +21,6 @@ mod lang;
 mod long;
 mod mobility;
 mod part;
-mod particle;
 mod path;
 mod plan;
 mod readings;
@@ -36,19 +35,15 @@ mod together;
 mod values;
 mod worksheet;
 
-use crate::certified::{certify, steps};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
-use crate::effort::Work;
 use crate::effort::ways;
-use crate::figure::sheet;
 use crate::paper::font::own::Fonts;
 use crate::paper::style::Style;
 use crate::plan::notation::Notation;
-use crate::plan::text::Writer;
-use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price, statement, trains};
+use crate::problem::{self, Extent, Kind, Look, Problem, Solved, Verdict, Wish};
+use crate::report::{diagnostics, price};
 use crate::scene::{self, Lang, Scene, Swept};
-use crate::sweep::follow::course;
-use crate::worked::{NoAnswer, Scope, Unanswered, Worked, instant, work};
+use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
 use clap::FromArgMatches;
 use draw::style_of;
@@ -91,9 +86,9 @@ pub fn main() -> ExitCode {
         Command::Readings(a) => readings::run(a),
         Command::New { template, set, output } => template::new(template.as_deref(), &set, output.as_deref()),
         Command::Templates => template::list(),
-        Command::Schema { synthesis: true, .. } => files::print(crate::synthesis::schema::schema()),
-        Command::Schema { motions: true, .. } => files::print(crate::particle::schema::schema()),
-        Command::Schema { .. } => files::print(scene::schema::schema()),
+        Command::Schema { synthesis: true, .. } => files::print(problem::schema(Kind::Task)),
+        Command::Schema { motions: true, .. } => files::print(problem::schema(Kind::Motion)),
+        Command::Schema { .. } => files::print(problem::schema(Kind::Scene)),
     };
     result.unwrap_or_else(Failure::say)
 }
@@ -180,14 +175,10 @@ impl Failure {
 
 type Run = Result<ExitCode, Failure>;
 
-/// How a file's bytes become a scene.
-type Reader<'a> = &'a dyn Fn(&[u8]) -> Result<Warned<Scene>, Faults>;
-
-/// A scene file, read.
-struct Input {
+/// A file that a command was given, and what is to be said of it.
+struct File {
     name: String,
     source: String,
-    scene: Scene,
     notes: Vec<Diagnostic>,
     /// The author's fonts that its figures are set in.
     fonts: Fonts,
@@ -195,43 +186,37 @@ struct Input {
     asked: Option<String>,
 }
 
-impl Input {
-    /// The scene that the command line names; one without a rate where nothing that it asks depends on it.
-    fn read(common: &Common) -> Result<Input, Failure> {
-        Ok(Input::read_by(common, &|bytes| scene::read_at_any_rate(bytes))?.going_on())
-    }
-
-    /// The same for what does not depend on rates.
-    fn read_at_rest(common: &Common) -> Result<Input, Failure> {
-        Input::read_by(common, &|bytes| scene::read_at_rest(bytes))
-    }
-
-    /// Its links and pairs; the rest may be missing.
-    fn read_topology(common: &Common) -> Result<Input, Failure> {
-        Input::read_by(common, &|bytes| scene::read_topology(bytes))
-    }
-
-    /// The scene that the command line names, with its parameters.
-    fn read_by(common: &Common, read: Reader) -> Result<Input, Failure> {
-        let (name, bytes) = values::file(&common.scene, &common.set)?;
+impl File {
+    /// The file that the command line names, with its parameters.
+    fn open(path: &str, set: &[String]) -> Result<File, Failure> {
+        let (name, bytes) = values::file(path, set)?;
         let source = String::from_utf8_lossy(&bytes).into_owned();
+        let beside = |other: &str| std::path::Path::new(path).parent().filter(|_| path != "-").unwrap_or("".as_ref()).join(other);
+        let bytes = problem::included(bytes, |other| Ok(files::scene(&beside(other).to_string_lossy())?.1))
+            .map_err(|faults| Failure::input(faults, &name, &source))?;
         scene::language_of(&bytes).into_iter().for_each(lang::take);
-        if crate::synthesis::is_task(&bytes) {
-            return Err(Failure::input(synth::no_scene(), &name, &source));
-        }
-        if crate::particle::is_problem(&bytes) {
-            return Err(Failure::input(particle::no_scene(), &name, &source));
-        }
-        match read(&bytes) {
-            Ok(Warned { value, .. }) if statement::faults(&value).has_errors() => {
-                Err(Failure::input(statement::faults(&value), &name, &source))
-            }
-            Ok(Warned { value, notes }) => Ok(Input { name, source, scene: value, notes, fonts: Fonts::default(), asked: None }),
-            Err(faults) => Err(Failure::input(faults, &name, &source)),
-        }
+        let source = String::from_utf8_lossy(&bytes).into_owned();
+        Ok(File { name, source, notes: Vec::new(), fonts: Fonts::default(), asked: None })
     }
 
-    /// Diagnostics of the scene, each in the text in which its place counts: the file, or the questions of the command line.
+    /// What a reader makes of the file.
+    fn read<T>(&mut self, read: impl FnOnce(&[u8]) -> Result<Warned<T>, Faults>) -> Result<T, Failure> {
+        let Warned { value, notes } = read(self.source.as_bytes()).map_err(|faults| self.failed(faults))?;
+        self.notes.extend(notes);
+        Ok(value)
+    }
+
+    /// The answers to a problem.
+    fn solve(&mut self, problem: &Problem, options: &problem::Options) -> Result<Solved, Failure> {
+        let solved = problem::solve(problem, options).map_err(|faults| match faults.list.iter().any(|d| d.code == "no-candidate") {
+            true => Failure::argument("--pick", &(options.candidate + 1).to_string(), faults),
+            false => self.failed(faults),
+        })?;
+        self.notes.extend(solved.notes.iter().cloned());
+        Ok(solved)
+    }
+
+    /// Diagnostics of the file, each in the text in which its place counts: the file, or the questions of the command line.
     fn told(&self, faults: Faults) -> Vec<Told> {
         let (mut of_file, mut of_asked) = (Faults::default(), Faults::default());
         for mut d in faults.list {
@@ -249,67 +234,9 @@ impl Input {
         std::iter::once(file).chain(asked).filter(|t| !t.faults.list.is_empty()).collect()
     }
 
-    /// The end of a run with faults of the scene.
+    /// The end of a run with faults of the file.
     fn failed(&self, faults: Faults) -> Failure {
         Failure::Input(self.told(faults))
-    }
-
-    /// The same, its figures to be drawn in a style.
-    fn drawn_in(self, style: &Style) -> Input {
-        Input { fonts: style.fonts.clone(), ..self }
-    }
-
-    /// At a joint of two pieces of a cam's profile, on the piece that follows.
-    fn going_on(mut self) -> Input {
-        let Warned { value, notes } = instant(self.scene);
-        self.scene = value;
-        self.notes.extend(notes);
-        self
-    }
-
-    /// For its whole motion: cams whose equivalent linkage is right at the instant only move their followers by what their profiles make.
-    fn over_a_turn(&mut self) {
-        self.scene = course::over_a_turn(&self.scene);
-        let kept: Vec<Diagnostic> = self
-            .scene
-            .kept_cams()
-            .map(|c| {
-                let (cam, follower) = (self.scene.link_name(c.cam), self.scene.link_name(c.follower));
-                let message = both!(
-                    "beyond the instant, cam `{cam}` is taken to go on with the piece of its profile that `{follower}` touches now",
-                    "在此瞬时之外，凸轮 `{cam}` 仍按从动件 `{follower}` 此刻所接触的廓线段计算"
-                );
-                let warning = Diagnostic::warning("cam-piece", message).at(c.span);
-                if c.posed.is_some() {
-                    return warning;
-                }
-                warning.help(both!(
-                    "give the face a line of the follower that begins in its pivot, such as \"line\": \"CF\": then the contact goes from piece to piece",
-                    "请给出平底在从动件上的直线（自转轴起），如 \"line\": \"CF\"，则接触点随廓线逐段移动"
-                ))
-            })
-            .collect();
-        kept.into_iter().for_each(|d| self.notes.push(d));
-    }
-
-    /// The scene worked through, its notes added.
-    fn work(&mut self, scope: Scope) -> Result<Worked, Failure> {
-        match work(&self.scene, scope) {
-            Ok(Warned { value, notes }) => {
-                self.notes.extend(notes);
-                Ok(value)
-            }
-            Err(faults) => Err(self.failed(faults)),
-        }
-    }
-
-    /// Takes the pencil of the command line; whether tolerances are asked for.
-    fn pencil(&mut self, drafting: Option<&str>) -> Result<bool, Failure> {
-        if let Some(text) = drafting.filter(|t| !t.is_empty()) {
-            let mm = scene::pencil(text).map_err(|faults| Failure::argument("--drafting", text, faults))?;
-            self.scene.paper.pencil_mm = Some(mm);
-        }
-        Ok(drafting.is_some())
     }
 
     /// Says what is to be known of the work, and what the author's fonts did not have.
@@ -317,6 +244,92 @@ impl Input {
         let list: Vec<_> = self.notes.iter().cloned().chain(self.fonts.lacking()).collect();
         self.told(Faults { list }).iter().for_each(|t| files::say_faults(&t.faults, &t.name, &t.source));
     }
+}
+
+/// A scene file, read.
+struct Input {
+    file: File,
+    scene: Scene,
+}
+
+impl Input {
+    /// The scene that the command line names; one without a rate where nothing that it asks depends on it.
+    fn read(common: &Common) -> Result<Input, Failure> {
+        Input::of(common, Extent::Motion)
+    }
+
+    /// The same for what does not depend on rates.
+    fn read_at_rest(common: &Common) -> Result<Input, Failure> {
+        Input::of(common, Extent::Pose)
+    }
+
+    fn of(common: &Common, extent: Extent) -> Result<Input, Failure> {
+        let mut file = File::open(&common.scene, &common.set)?;
+        let problem = file.read(|bytes| {
+            Kind::of(bytes).grants(Wish::Mechanism)?;
+            problem::read_as(bytes, extent)
+        })?;
+        let scene = problem.into_scene().map_err(|d| file.failed(d.into()))?;
+        Ok(Input { file, scene })
+    }
+
+    /// Its links and pairs; the rest may be missing.
+    fn read_topology(common: &Common) -> Result<Input, Failure> {
+        let mut file = File::open(&common.scene, &common.set)?;
+        let scene = file.read(|bytes| {
+            Kind::of(bytes).grants(Wish::Mechanism)?;
+            scene::read_topology(bytes)
+        })?;
+        Ok(Input { file, scene })
+    }
+
+    /// The end of a run with faults of the scene.
+    fn failed(&self, faults: Faults) -> Failure {
+        self.file.failed(faults)
+    }
+
+    /// The same, its figures to be drawn in a style.
+    fn drawn_in(mut self, style: &Style) -> Input {
+        self.file.fonts = style.fonts.clone();
+        self
+    }
+
+    /// For its whole motion.
+    fn over_a_turn(&mut self) {
+        let Warned { value, notes } = problem::whole_motion(self.scene.clone());
+        self.scene = value;
+        self.file.notes.extend(notes);
+    }
+
+    /// The scene worked through, its notes added.
+    fn work(&mut self, scope: Scope) -> Result<Worked, Failure> {
+        match work(&self.scene, scope) {
+            Ok(Warned { value, notes }) => {
+                self.file.notes.extend(notes);
+                Ok(value)
+            }
+            Err(faults) => Err(self.failed(faults)),
+        }
+    }
+}
+
+/// The pencil error of the command line (mm), where it has one.
+fn pencil(drafting: Option<&str>) -> Result<Option<f64>, Failure> {
+    let read = |text| scene::pencil(text).map_err(|faults| Failure::argument("--drafting", text, faults));
+    drafting.filter(|t| !t.is_empty()).map(read).transpose()
+}
+
+/// Refuses options that files of a kind do not grant; each with its value, where the command line has it.
+fn granted(kind: Kind, wishes: &[(Option<String>, Wish)]) -> Result<(), Failure> {
+    for (value, wish) in wishes.iter().filter_map(|(value, wish)| Some((value.as_ref()?, *wish))) {
+        kind.grants(wish).map_err(|d| Failure::argument(wish.option(), value, d))?;
+    }
+    Ok(())
+}
+
+/// How answers are written: language and notation of the command line, else those of the file.
+fn look_of(common: &Common, style: Style, digits: usize) -> Look {
+    Look { lang: lang::asked(), notation: common.notation.as_deref().and_then(Notation::named), style, digits }
 }
 
 /// Language and notation: the command line's, else the scene's, else English and its profile.
@@ -327,18 +340,12 @@ fn choices(scene: &Scene, common: &Common) -> (Lang, Notation) {
 }
 
 /// 3 where drawing and analysis disagree, 4 where an answer does not exist in the pose, else 0; that a radius is infinite is an answer.
-fn verdict(worked: &Worked) -> ExitCode {
-    let infinite = |u: &Unanswered| matches!(u.why, NoAnswer::Infinite(_));
-    match (agrees(worked), worked.unanswered.iter().all(infinite)) {
-        (false, _) => ExitCode::from(3),
-        (true, false) => ExitCode::from(4),
-        (true, true) => ExitCode::SUCCESS,
+fn verdict(verdict: Verdict) -> ExitCode {
+    match verdict {
+        Verdict::Answered => ExitCode::SUCCESS,
+        Verdict::Disagree => ExitCode::from(3),
+        Verdict::Unanswered => ExitCode::from(4),
     }
-}
-
-/// Whether drawing and analysis agree on every answer.
-fn agrees(worked: &Worked) -> bool {
-    worked.results.iter().all(|r| r.agreement.is_none_or(|a| a.holds()))
 }
 
 /// The endings that a lesson's file may have.
@@ -351,71 +358,47 @@ fn lesson(a: args::Lesson) -> Run {
         return Err(Failure::argument("-o", path, d));
     }
     let style = style_of(&a.look)?;
-    if synth::is_task(&a.common.scene) {
-        return synth::lesson(&a, style);
-    }
-    synth::no_pick(a.pick)?;
-    if particle::is_problem(&a.common.scene) {
-        return particle::lesson(&a, style);
-    }
-    let mut input = Input::read(&a.common)?.drawn_in(&style);
-    if !a.reveal {
-        input.over_a_turn();
-    }
-    let worked = input.work(Scope::Figure)?;
-    let (lang, notation) = choices(&input.scene, &a.common);
-    let notation = style.marks.over(&notation);
-    let made = if a.reveal {
-        let options = sheet::Options { notation, style, ..sheet::Options::of_language(lang) };
-        crate::lesson::reveal(&input.scene, &worked, &options)
-    } else {
-        let swept = match a.driver {
-            Some(number) => Swept::Driver(number as usize - 1),
-            None => sweep::swept_of(&input.scene, a.moves.over.as_deref())?,
-        };
-        let options = crate::lesson::Options { lang, notation, positions: a.positions as usize, swept, style };
-        crate::lesson::of_worked(&input.scene, &worked, &options)
+    let mut file = File::open(&a.common.scene, &a.common.set)?;
+    file.fonts = style.fonts.clone();
+    let problem = file.read(|bytes| problem::read(bytes))?;
+    granted(problem.kind(), &[(a.pick.map(|n| n.to_string()), Wish::Candidate), (a.reveal.then(String::new), Wish::Reveal)])?;
+    let candidate = a.pick.map_or(0, |n| n as usize - 1);
+    let options = problem::Options { whole_motion: !a.reveal, candidate, ..problem::Options::with_figures() };
+    let solved = file.solve(&problem, &options)?;
+    let swept = match (a.driver, solved.mechanism()) {
+        (Some(number), _) => Swept::Driver(number as usize - 1),
+        (None, Some((scene, _))) => sweep::swept_of(scene, a.moves.over.as_deref())?,
+        (None, None) => Swept::Driver(0),
     };
-    let Warned { value, notes } = made.map_err(|faults| input.failed(faults))?;
-    input.notes.extend(notes);
-    let path = a.output.unwrap_or_else(|| format!("{}.html", files::stem(&input.name, "lesson")));
+    let wanted = problem::Lesson { positions: a.positions as usize, swept, reveal: a.reveal };
+    let look = look_of(&a.common, style, problem::Look::default().digits);
+    let Warned { value, notes } = solved.lesson(&wanted, &look).map_err(|faults| file.failed(faults))?;
+    file.notes.extend(notes);
+    let path = a.output.unwrap_or_else(|| format!("{}.html", files::stem(&file.name, "lesson")));
     files::write(std::path::Path::new(&path), value.as_bytes())?;
     files::print_names(&format!("{path}\n"))?;
-    input.say_notes();
-    Ok(verdict(&worked))
+    file.say_notes();
+    Ok(verdict(solved.verdict()))
 }
 
 fn solve(a: args::Solve) -> Run {
-    if particle::is_problem(&a.common.scene) {
-        return particle::solve(&a);
-    }
-    let mut input = Input::read(&a.common)?;
-    let drafting = input.pencil(a.drafting.as_deref())?;
-    let mut worked = input.work(Scope::Questions)?;
-    if drafting {
-        worked = worked.with_drafting(&input.scene);
-    }
-    let (lang, notation) = choices(&input.scene, &a.common);
-    let certified = certify(&input.scene, &worked, a.digits);
+    let mut file = File::open(&a.common.scene, &a.common.set)?;
+    let problem = file.read(|bytes| {
+        Kind::of(bytes).grants(Wish::Answers)?;
+        problem::read(bytes)
+    })?;
+    granted(problem.kind(), &[(a.drafting.clone(), Wish::Drafting)])?;
+    let pencil_mm = pencil(a.drafting.as_deref())?;
+    let options = problem::Options { drafting: a.drafting.is_some(), pencil_mm, ..problem::Options::default() };
+    let solved = file.solve(&problem, &options)?;
+    let look = look_of(&a.common, Style::default(), a.digits);
     if a.json {
-        let value = answers::json(&input.scene, &worked, &certified, a.digits, &input.notes);
-        files::print(&format!("{value:#}\n"))?;
-        return Ok(verdict(&worked));
+        files::print(&format!("{:#}\n", solved.json(&look, false, &file.notes)))?;
+        return Ok(verdict(solved.verdict()));
     }
-    files::print(&answers::text(&input.scene, &worked, &certified, a.digits, lang))?;
-    files::print(&trains::text(&input.scene, &worked, lang))?;
-    let w = Writer { scene: &input.scene, plan: &worked.plan, notation: &notation, lang };
-    if drafting || a.steps {
-        let steps = steps(&input.scene, &worked, worked.drafting.as_ref().map(|d| d.pencil_mm));
-        if drafting {
-            files::print(&format!("\n{}", tolerances::text(&w, &worked, &steps)))?;
-        }
-        if a.steps {
-            files::print(&format!("\n{}", construction::text(&w, &worked.construction, &steps)))?;
-        }
-    }
-    input.say_notes();
-    Ok(verdict(&worked))
+    files::print(&solved.text(&look, a.steps))?;
+    file.say_notes();
+    Ok(verdict(solved.verdict()))
 }
 
 fn accuracy(a: args::Accuracy) -> Run {
@@ -429,7 +412,7 @@ fn accuracy(a: args::Accuracy) -> Run {
     let series = if a.toward_toggle { ways::toward_toggle(&input.scene, watch).map_err(|f| input.failed(f))? } else { Vec::new() };
     if let Some(path) = &a.output {
         let figure = crate::figure::price::figure(&input.scene, &measured, &series, &style, lang);
-        input.notes.extend(files::figure(&figure, path)?);
+        input.file.notes.extend(files::figure(&figure, path)?);
     }
     if a.json {
         files::print(&format!("{:#}\n", price::json(&measured, &series)))?;
@@ -439,6 +422,6 @@ fn accuracy(a: args::Accuracy) -> Run {
             files::print(&format!("\n{}", price::series_text(&series, lang)))?;
         }
     }
-    input.say_notes();
+    input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }

@@ -24,10 +24,10 @@ pub fn run(a: Path) -> Run {
     let marks = a.marks.map_or(if poses > 0 { poses } else { MARKS }, usize::from);
     let wanted = Wanted { points, swept, marks, poses };
     let Warned { value, notes } = figure(&input.scene, &worked, &options, &wanted).map_err(|f| input.failed(f))?;
-    let output = a.output.unwrap_or_else(|| format!("{}-path.svg", files::stem(&input.name, "scene")));
-    input.notes.extend(files::figure(&value, &output)?);
+    let output = a.output.unwrap_or_else(|| format!("{}-path.svg", files::stem(&input.file.name, "scene")));
+    input.file.notes.extend(files::figure(&value, &output)?);
     files::print_names(&format!("{output}\n"))?;
-    input.notes.extend(notes);
-    input.say_notes();
+    input.file.notes.extend(notes);
+    input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }

@@ -1,6 +1,17 @@
 //! `hodograph plan`: the equations without numbers, as text and for programs.
 
-use super::*;
+use super::{Input, Run, args, choices, files, verdict};
+use crate::certified::certify;
+use crate::diag::Warned;
+use crate::effort::Work;
+use crate::figure::sheet;
+use crate::plan::notation::Notation;
+use crate::plan::text::Writer;
+use crate::problem::Verdict;
+use crate::report::{answers, plan as plan_text, plan_json};
+use crate::scene::Lang;
+use crate::worked::{Scope, work};
+use std::process::ExitCode;
 
 pub(super) fn run(a: args::Plan) -> Run {
     let mut input = Input::read(&a.common)?;
@@ -16,9 +27,9 @@ pub(super) fn run(a: args::Plan) -> Run {
     let plan = crate::plan::plan(&input.scene, &mechanism, &demand);
     let w = Writer { scene: &input.scene, plan: &plan, notation: &notation, lang };
     files::print(&plan_text::text(&input.scene, &mechanism, &w))?;
-    notes.append(&mut input.notes);
-    input.notes = notes;
-    input.say_notes();
+    notes.append(&mut input.file.notes);
+    input.file.notes = notes;
+    input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }
 
@@ -29,9 +40,9 @@ fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: 
     let mut code = ExitCode::SUCCESS;
     let document = match work(&input.scene, if figure { Scope::Figure } else { Scope::Questions }) {
         Ok(Warned { value: worked, notes }) => {
-            input.notes.extend(notes);
+            input.file.notes.extend(notes);
             // What has no answer in the pose is no fault of the plan.
-            code = if agrees(&worked) { code } else { verdict(&worked) };
+            code = if Verdict::of(&worked) == Verdict::Disagree { verdict(Verdict::Disagree) } else { code };
             let certified = certify(&input.scene, &worked, answers::DIGITS);
             let mut done = Work::of(&worked).with_certified(&certified);
             if figure {
@@ -39,15 +50,15 @@ fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: 
                 done = done.with_labels(sheet::sheet(&input.scene, &worked, &options).map_err(|f| fail(&input, f))?.labels_placed());
             }
             let w = Writer { scene: &input.scene, plan: &worked.plan, notation, lang };
-            plan_json::json(&worked.mechanism, &worked.demand, &w, Some((&worked, done)), &input.notes)
+            plan_json::json(&worked.mechanism, &worked.demand, &w, Some((&worked, done)), &input.file.notes)
         }
         Err(faults) => {
             let mechanism = crate::mechanism::Mechanism::new(&input.scene).map_err(|f| fail(&input, f))?.value;
             let demand = crate::mechanism::Demand::of(&input.scene, &mechanism);
             let plan = crate::plan::plan(&input.scene, &mechanism, &demand);
             let w = Writer { scene: &input.scene, plan: &plan, notation, lang };
-            input.notes.extend(faults.list);
-            plan_json::json(&mechanism, &demand, &w, None, &input.notes)
+            input.file.notes.extend(faults.list);
+            plan_json::json(&mechanism, &demand, &w, None, &input.file.notes)
         }
     };
     files::print(&format!("{document:#}\n"))?;

@@ -14,7 +14,7 @@ pub fn run(a: args::Readings) -> Run {
     let (lang, _) = choices(&input.scene, &a.common);
     let mut all = Vec::new();
     let mut faults = Faults::default();
-    for reading in scene::readings::readings(&input.source).map_err(|f| input.failed(f))? {
+    for reading in scene::readings::readings(&input.file.source).map_err(|f| input.failed(f))? {
         let read = || -> Result<report::Read, Faults> {
             let scene = scene::read(&reading.text)?.value;
             let worked = work(&scene, Scope::Figure)?.value;
@@ -38,7 +38,7 @@ pub fn run(a: args::Readings) -> Run {
         files::print(&format!("{:#}\n", report::json(&all)))?;
     } else {
         files::print(&report::text(&all, lang))?;
-        input.say_notes();
+        input.file.say_notes();
     }
     Ok(ExitCode::SUCCESS)
 }

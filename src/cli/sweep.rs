@@ -26,8 +26,8 @@ pub fn sweep(a: Sweep) -> Run {
     ask(&mut input, a.range.find.as_deref())?;
     input.over_a_table();
     let notes = sweep_into(&input, &a)?;
-    input.notes.extend(notes);
-    input.say_notes();
+    input.file.notes.extend(notes);
+    input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }
 
@@ -36,7 +36,7 @@ impl Input {
     pub(super) fn over_a_table(&mut self) {
         self.over_a_turn();
         if self.scene.is_told_everywhere() {
-            self.notes.retain(|d| d.code != "cam-piece");
+            self.file.notes.retain(|d| d.code != "cam-piece");
         }
     }
 }
@@ -93,7 +93,7 @@ pub fn limits(a: Limits) -> Run {
     } else {
         files::print(&report::text(&input.scene, driver, &limits, lang))?;
     }
-    input.say_notes();
+    input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }
 
@@ -126,10 +126,10 @@ pub fn swept_of(scene: &Scene, over: Option<&str>) -> Result<Swept, Failure> {
 /// Replaces the scene's questions by those of `--find`; faults point at the argument.
 pub fn ask(input: &mut Input, find: Option<&str>) -> Result<(), Failure> {
     let Some(find) = find else { return Ok(()) };
-    input.asked = Some(find.to_owned());
-    let read = scene::read_asking(&input.source, find);
+    input.file.asked = Some(find.to_owned());
+    let read = scene::read_asking(&input.file.source, find);
     let Warned { value, notes } = read.map_err(|faults| input.failed(faults))?;
-    (input.scene, input.notes) = (value, notes);
+    (input.scene, input.file.notes) = (value, notes);
     Ok(())
 }
 

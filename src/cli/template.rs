@@ -3,19 +3,12 @@
 use super::{Failure, Run, files, values};
 use crate::diag::{Diagnostic, both};
 use crate::json::fields::suggest;
-use crate::particle::templates as motions;
-use crate::scene::{edit, templates};
-use crate::synthesis::templates as wishes;
+use crate::problem::{Kind, templates};
 use std::process::ExitCode;
 
-/// Names of all templates: scenes, synthesis files, motions.
-fn names() -> Vec<&'static str> {
-    templates::list().iter().map(|t| t.name).chain(wishes::names()).chain(motions::names()).collect()
-}
-
-/// Writes a template's scene.
+/// Writes a template.
 pub fn new(template: Option<&str>, set: &[String], output: Option<&str>) -> Run {
-    let names = names();
+    let names: Vec<&str> = templates::all().iter().map(|t| t.name).collect();
     let all = |got: &str| suggest(got, names.iter().copied(), both!("the templates are", "模板有"));
     let Some(template) = template else {
         let d = Diagnostic::error("no-template", both!("no template is named", "没有写出模板名"));
@@ -26,10 +19,7 @@ pub fn new(template: Option<&str>, set: &[String], output: Option<&str>) -> Run 
         let d = Diagnostic::error("unknown-template", both!("there is no template `{template}`", "没有模板 `{template}`"));
         return Err(Failure::argument("TEMPLATE", template, d.help(all(template))));
     }
-    let text = match wishes::get(template).or_else(|| motions::get(template)) {
-        Some(text) => values::with_values(set, |values| edit::with_parameters(text, values))?,
-        None => values::with_values(set, |values| templates::instantiate(template, values))?,
-    };
+    let text = values::with_values(set, |values| templates::text(template, values))?;
     match output {
         Some(path) => files::write(std::path::Path::new(path), text.as_bytes())?,
         None => {
@@ -42,21 +32,17 @@ pub fn new(template: Option<&str>, set: &[String], output: Option<&str>) -> Run 
 /// Lists the templates with their parameters.
 pub fn list() -> Run {
     let mut out = String::new();
-    for t in templates::list() {
-        out.push_str(&format!("{}\n    {} · {}\n", t.name, t.title.en, t.title.zh));
+    for t in templates::all() {
+        let kind = match t.kind {
+            Kind::Scene => "",
+            Kind::Task => " (synthesis · 综合文件)",
+            Kind::Motion => " (motion without a mechanism · 无机构的运动)",
+        };
+        out.push_str(&format!("{}{kind}\n    {} · {}\n", t.name, t.title.en, t.title.zh));
         let parameters: Vec<String> = t.parameters.iter().map(|(n, v)| format!("{n}={v}")).collect();
         if !parameters.is_empty() {
             out.push_str(&format!("    {}\n", parameters.join("  ")));
         }
-    }
-    // Synthesis files come after the scenes.
-    for name in wishes::names() {
-        let title = wishes::title(name);
-        out.push_str(&format!("{name} (synthesis · 综合文件)\n    {} · {}\n", title.en, title.zh));
-    }
-    for name in motions::names() {
-        let title = motions::title(name);
-        out.push_str(&format!("{name} (motion without a mechanism · 无机构的运动)\n    {} · {}\n", title.en, title.zh));
     }
     files::print(&out)
 }

@@ -3,18 +3,16 @@
 use super::draw::style_of;
 use super::mobility::posed_scene;
 use super::together::Together;
-use super::{Failure, Input, Run, args, choices, files, verdict};
-use crate::attempts;
+use super::{Failure, File, Input, Run, args, choices, files, granted, look_of, verdict};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::sheet;
 use crate::paper::style::Style;
 use crate::paper::words::words;
+use crate::problem::{self, Kind, Wish};
 use crate::render::pdf;
 use crate::scene;
 use crate::worked::{Scope, work};
-use crate::worksheet::{
-    Beside, Document, Options, Sides, find_the_mistake, html, markdown, mobility, mobility_of_pairs, pages, typst, worksheet,
-};
+use crate::worksheet::{Beside, Document, Options, Sides, html, markdown, mobility, mobility_of_pairs, pages, typst};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -27,33 +25,27 @@ pub fn run(a: args::Worksheet) -> Run {
         (_, true) => Sides::Solution,
         _ => Sides::Both,
     };
-    if super::synth::is_task(&a.common.scene) {
-        return super::synth::worksheet(&a, style, sides, write);
-    }
-    super::synth::no_pick(a.pick)?;
-    if super::particle::is_problem(&a.common.scene) {
-        return super::particle::worksheet(&a, style, sides, write);
-    }
+    let mut file = File::open(&a.common.scene, &a.common.set)?;
+    file.fonts = style.fonts.clone();
+    let wishes = [
+        (a.pick.map(|n| n.to_string()), Wish::Candidate),
+        (a.find_the_mistake.clone(), Wish::Mistake),
+        (a.mobility.then(String::new), Wish::Mobility),
+    ];
+    granted(Kind::of(file.source.as_bytes()), &wishes)?;
     if a.mobility {
         return counting(&a, style, sides, write);
     }
-    let mut input = Input::read(&a.common)?.drawn_in(&style);
-    let worked = input.work(Scope::Figure)?;
-    let options = options(&input, &a, style, sides);
-    let document = match &a.find_the_mistake {
-        None => worksheet(&input.scene, &worked, &options),
-        Some(name) => {
-            let all = attempts::wanted(&input.scene, &worked, false).map_err(|f| input.failed(f))?;
-            let wanted = all.iter().find(|a| name.is_empty() || a.site.mistake().name() == name.as_str());
-            let Some(attempt) = wanted else { return Err(input.failed(none(name).into())) };
-            find_the_mistake(&input.scene, &worked, attempt, &options)
-        }
-    };
-    let written = write(&document, stem(&a.output)).map_err(|f| input.failed(f))?;
-    input.notes.extend(written.appear(&a.output)?);
-    input.notes.extend(document.remarks());
-    input.say_notes();
-    Ok(verdict(&worked))
+    let problem = file.read(|bytes| problem::read(bytes))?;
+    let options = problem::Options { candidate: a.pick.map_or(0, |n| n as usize - 1), ..problem::Options::with_figures() };
+    let solved = file.solve(&problem, &options)?;
+    let look = look_of(&a.common, style, a.digits);
+    let document = solved.worksheet(sides, a.find_the_mistake.as_deref(), &look).map_err(|f| file.failed(f))?;
+    let written = write(&document, stem(&a.output)).map_err(|f| file.failed(f))?;
+    file.notes.extend(written.appear(&a.output)?);
+    file.notes.extend(document.remarks());
+    file.say_notes();
+    Ok(verdict(solved.verdict()))
 }
 
 fn options(input: &Input, a: &args::Worksheet, style: Style, sides: Sides) -> Options {
@@ -65,24 +57,24 @@ fn options(input: &Input, a: &args::Worksheet, style: Style, sides: Sides) -> Op
 fn counting(a: &args::Worksheet, style: Style, sides: Sides, write: Writer) -> Run {
     let mut input = Input::read_topology(&a.common)?.drawn_in(&style);
     let options = options(&input, a, style, sides);
-    let posed = scene::read_pose(&input.source).ok().and_then(|read| {
+    let posed = scene::read_pose(&input.file.source).ok().and_then(|read| {
         let scene = posed_scene(read.value);
         let worked = work(&scene, Scope::Figure).ok()?;
         Some((scene, worked))
     });
     let document = match posed {
         Some((scene, worked)) => {
-            input.notes.extend(worked.notes);
+            input.file.notes.extend(worked.notes);
             mobility(&scene, &worked.value, &options)
         }
         None => {
-            input.notes.push(no_drawings());
+            input.file.notes.push(no_drawings());
             mobility_of_pairs(&input.scene, &options)
         }
     };
     let written = write(&document, stem(&a.output)).map_err(|f| input.failed(f))?;
-    input.notes.extend(written.appear(&a.output)?);
-    input.say_notes();
+    input.file.notes.extend(written.appear(&a.output)?);
+    input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }
 
@@ -98,23 +90,13 @@ fn no_drawings() -> Diagnostic {
 }
 
 /// The stem of the names of a document's drawings.
-pub(super) fn stem(output: &str) -> &str {
+fn stem(output: &str) -> &str {
     Path::new(output).file_stem().and_then(|s| s.to_str()).unwrap_or("worksheet")
-}
-
-/// No wrong solution is to be had.
-fn none(name: &str) -> Diagnostic {
-    let message = match name {
-        "" => both!("no known mistake changes an answer of this scene", "本题中没有会改变结果的典型错误"),
-        name => both!("the mistake `{name}` cannot be made in this scene", "本题中不会出现错误 `{name}`"),
-    };
-    Diagnostic::error("attempt", message)
-        .help(both!("`hodograph attempts --all` lists those that can", "`hodograph attempts --all` 列出可能的错误"))
 }
 
 /// A document as files, and what could not be written as it should.
 #[derive(Default)]
-pub(super) struct Written {
+struct Written {
     bytes: Vec<u8>,
     beside: Vec<Beside>,
     notes: Vec<Diagnostic>,
@@ -126,7 +108,7 @@ impl Written {
     }
 
     /// Puts the files there, all or none, and says their names; what could not be written as it should.
-    pub(super) fn appear(self, output: &str) -> Result<Vec<Diagnostic>, Failure> {
+    fn appear(self, output: &str) -> Result<Vec<Diagnostic>, Failure> {
         let out = Path::new(output);
         let mut all = Together::default();
         let mut names = String::new();
@@ -143,7 +125,7 @@ impl Written {
 }
 
 /// What writes a document, given the stem of the names of its drawings.
-pub(super) type Writer = fn(&Document, &str) -> Result<Written, Faults>;
+type Writer = fn(&Document, &str) -> Result<Written, Faults>;
 
 /// What writes files that end so.
 fn writer(output: &str) -> Result<Writer, Faults> {

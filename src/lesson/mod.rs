@@ -119,6 +119,13 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
         )
         .into());
     }
+    if let Swept::Driver(driver) = options.swept
+        && scene.is_led(driver)
+    {
+        let (name, _) = scene.driver_name(driver);
+        let message = both!("`{name}` follows its cam: it does not move by itself", "`{name}` 由凸轮带动，不能单独运动");
+        return Err(Diagnostic::error("no-driver", message).help(both!("let the cam turn", "请使凸轮转动")).into());
+    }
     let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, options.swept);
     let sweep = follower.sweep(options.positions.clamp(8, 360));
     follower.proved(sweep.poses.iter().map(|p| &p.configuration))?;

@@ -346,6 +346,13 @@ pub struct Warned<T> {
     pub notes: Vec<Diagnostic>,
 }
 
+impl<T> Warned<T> {
+    /// Another value with the same notes.
+    pub fn map<U>(self, change: impl FnOnce(T) -> U) -> Warned<U> {
+        Warned { value: change(self.value), notes: self.notes }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

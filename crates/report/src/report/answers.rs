@@ -111,8 +111,8 @@ pub fn worst(worked: &Worked) -> Option<f64> {
     worked.results.iter().filter_map(|r| r.agreement).map(|a| a.difference).reduce(f64::max)
 }
 
-/// The value as certified; where nothing is, about what the `f64` solution says.
-fn value_words(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize, lang: Lang) -> String {
+/// A value with its unit, and with its sense or direction: the certified digits; where none are certain, about those of the `f64` solution.
+pub fn value_words(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize, lang: Lang) -> String {
     let kind = find.what.kind();
     let number = |part: Part, digits: usize, rough: f64| match c.part(part).and_then(|n| n.text(digits)) {
         Some((text, _)) => text,

@@ -1,0 +1,214 @@
+//! Scenes.
+
+use super::{Answer, Answered, Lesson, Look, Options, Pictures, Solved, Verdict};
+use crate::attempts;
+use crate::certified::{Certified, certify, steps};
+use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::figure::list::{self, Entry, Pages, Wanted};
+use crate::figure::{fit, steps as pictures_of};
+use crate::lesson;
+use crate::plan::notation::Notation;
+use crate::plan::text::Writer;
+use crate::report::answers::{self, Line};
+use crate::report::{construction, drafting, trains};
+use crate::scene::{Lang, Scene};
+use crate::sweep::follow::course;
+use crate::worked::{NoAnswer, Scope, Unanswered, Worked, work};
+use crate::worksheet::{self, Document, Sides};
+use serde_json::Value as Json;
+
+/// A scene with its solution.
+#[derive(Debug)]
+struct Mechanism {
+    scene: Scene,
+    worked: Worked,
+}
+
+pub(super) fn solve(given: &Scene, options: &Options) -> Result<Solved, Faults> {
+    let Warned { value: mut scene, mut notes } = match options.whole_motion {
+        true => whole_motion(given.clone()),
+        false => Warned { value: given.clone(), notes: Vec::new() },
+    };
+    scene.paper.pencil_mm = options.pencil_mm.or(scene.paper.pencil_mm);
+    let scope = if options.figures { Scope::Figure } else { Scope::Questions };
+    let Warned { value: mut worked, notes: more } = work(&scene, scope)?;
+    notes.extend(more);
+    if options.drafting {
+        worked = worked.with_drafting(&scene);
+    }
+    Ok(Solved { notes, answered: Box::new(Mechanism { scene, worked }) })
+}
+
+/// A scene for its whole motion: cams whose equivalent linkage is right at the instant only move their followers by what their profiles make. A warning
+/// for each cam that is taken to keep the piece of its profile.
+pub fn whole_motion(scene: Scene) -> Warned<Scene> {
+    let value = course::over_a_turn(&scene);
+    let kept = |c: &crate::scene::Cam| {
+        let (cam, follower) = (value.link_name(c.cam), value.link_name(c.follower));
+        let message = both!(
+            "beyond the instant, cam `{cam}` is taken to go on with the piece of its profile that `{follower}` touches now",
+            "在此瞬时之外，凸轮 `{cam}` 仍按从动件 `{follower}` 此刻所接触的廓线段计算"
+        );
+        let warning = Diagnostic::warning("cam-piece", message).at(c.span);
+        if c.posed.is_some() {
+            return warning;
+        }
+        warning.help(both!(
+            "give the face a line of the follower that begins in its pivot, such as \"line\": \"CF\": then the contact goes from piece to piece",
+            "请给出平底在从动件上的直线（自转轴起），如 \"line\": \"CF\"，则接触点随廓线逐段移动"
+        ))
+    };
+    let notes = value.kept_cams().map(kept).collect();
+    Warned { value, notes }
+}
+
+impl Mechanism {
+    fn look(&self, look: &Look) -> (Lang, Notation) {
+        look.of(self.scene.language, self.scene.notation.as_deref())
+    }
+
+    fn certified(&self, look: &Look) -> Vec<Certified> {
+        certify(&self.scene, &self.worked, look.digits)
+    }
+
+    /// The figures that are asked for, each once.
+    fn asked<'a>(&self, pictures: &Pictures<'a>) -> Vec<&'a Entry> {
+        let there = pictures.figures.iter().any(|e| e.name == list::MECHANISM.name);
+        let alone: [&'static Entry; 1] = [list::MECHANISM];
+        let asked: Vec<&'a Entry> = if pictures.extras.of_mechanism_alone() && !there { alone.to_vec() } else { pictures.figures.to_vec() };
+        let first = |(k, entry): (usize, &&'a Entry)| (!asked[..k].iter().any(|e| e.name == entry.name)).then_some(*entry);
+        asked.iter().enumerate().filter_map(first).collect()
+    }
+}
+
+impl Answered for Mechanism {
+    fn answers(&self, look: &Look) -> Vec<Answer> {
+        let (lang, _) = self.look(look);
+        let certified = self.certified(look);
+        let without = |find: usize, text: String| {
+            let find = &self.scene.find[find];
+            Answer { find: find.text.clone(), unit: find.what.kind().si(), value: None, text, drawn: None, difference: None }
+        };
+        let answer = |line: Line| match line {
+            Line::Answer(r, c) => Answer {
+                value: Some(r.value()),
+                drawn: r.drawn.as_ref().map(|d| d.value),
+                difference: r.agreement.map(|a| a.difference),
+                ..without(r.find, answers::value_words(&self.scene.book, &self.scene.find[r.find], r.value(), c, look.digits, lang))
+            },
+            Line::None(u) => without(u.find, format!("{} ({})", answers::verdict(u, lang), answers::reason(&self.scene, u, lang))),
+            Line::Far(far) => without(far.find, answers::at_infinity(far, lang)),
+        };
+        answers::lines(&self.worked, &certified).into_iter().map(answer).collect()
+    }
+
+    fn text(&self, look: &Look, with_steps: bool) -> String {
+        let Mechanism { scene, worked } = self;
+        let (lang, notation) = self.look(look);
+        let mut out = answers::text(scene, worked, &self.certified(look), look.digits, lang);
+        out += &trains::text(scene, worked, lang);
+        if worked.drafting.is_none() && !with_steps {
+            return out;
+        }
+        let w = Writer { scene, plan: &worked.plan, notation: &notation, lang };
+        let steps = steps(scene, worked, worked.drafting.as_ref().map(|d| d.pencil_mm));
+        if worked.drafting.is_some() {
+            out += &format!("\n{}", drafting::text(&w, worked, &steps));
+        }
+        if with_steps {
+            out += &format!("\n{}", construction::text(&w, &worked.construction, &steps));
+        }
+        out
+    }
+
+    fn json(&self, look: &Look, _: bool, notes: &[Diagnostic]) -> Json {
+        answers::json(&self.scene, &self.worked, &self.certified(look), look.digits, notes)
+    }
+
+    fn figures(&self, pictures: &Pictures, look: &Look) -> Result<Warned<Pages>, Faults> {
+        let (lang, notation) = self.look(look);
+        let options = look.sheet(lang, &notation);
+        let Mechanism { scene, worked } = self;
+        if pictures.steps {
+            let named = |(k, figure)| (format!("step-{:02}", k + 1), figure);
+            let value: Pages = pictures_of::figures(scene, worked, &options).into_iter().enumerate().map(named).collect();
+            return if value.is_empty() { Err(no_steps().into()) } else { Ok(Warned { value, notes: Vec::new() }) };
+        }
+        let wanted = Wanted { scene, worked, options: &options, extras: &pictures.extras };
+        let (mut out, mut notes, mut missing) = (Vec::new(), Vec::new(), Faults::default());
+        for entry in self.asked(pictures) {
+            let pages = fit::drawn(entry, &wanted, pictures.width_mm)?;
+            notes.extend(pages.notes);
+            if pages.value.is_empty() {
+                missing.push(not_called_for(entry.name));
+            }
+            out.extend(pages.value);
+        }
+        if missing.has_errors() { Err(missing) } else { Ok(Warned { value: out, notes }) }
+    }
+
+    fn worksheet(&self, sides: Sides, mistake: Option<&str>, look: &Look) -> Result<Document, Faults> {
+        let (lang, notation) = self.look(look);
+        let options = worksheet::Options { sheet: look.sheet(lang, &notation), sides };
+        let Mechanism { scene, worked } = self;
+        let Some(name) = mistake else { return Ok(worksheet::worksheet(scene, worked, &options)) };
+        let all = attempts::wanted(scene, worked, false)?;
+        match all.iter().find(|a| name.is_empty() || a.site.mistake().name() == name) {
+            Some(attempt) => Ok(worksheet::find_the_mistake(scene, worked, attempt, &options)),
+            None => Err(no_mistake(name).into()),
+        }
+    }
+
+    fn lesson(&self, wanted: &Lesson, look: &Look) -> Result<Warned<String>, Faults> {
+        let (lang, notation) = self.look(look);
+        let notation = look.style.marks.over(&notation);
+        if wanted.reveal {
+            return lesson::reveal(&self.scene, &self.worked, &look.sheet(lang, &notation));
+        }
+        let Lesson { positions, swept, .. } = *wanted;
+        let options = lesson::Options { lang, notation, positions, swept, style: look.style.clone() };
+        lesson::of_worked(&self.scene, &self.worked, &options)
+    }
+
+    fn verdict(&self) -> Verdict {
+        Verdict::of(&self.worked)
+    }
+
+    fn mechanism(&self) -> Option<(&Scene, &Worked)> {
+        Some((&self.scene, &self.worked))
+    }
+}
+
+impl Verdict {
+    /// The verdict on a scene; a radius that is infinite is an answer.
+    pub fn of(worked: &Worked) -> Verdict {
+        let infinite = |u: &Unanswered| matches!(u.why, NoAnswer::Infinite(_));
+        let agrees = worked.results.iter().all(|r| r.agreement.is_none_or(|a| a.holds()));
+        match (agrees, worked.unanswered.iter().all(infinite)) {
+            (false, _) => Verdict::Disagree,
+            (true, false) => Verdict::Unanswered,
+            (true, true) => Verdict::Answered,
+        }
+    }
+}
+
+fn not_called_for(word: &str) -> Diagnostic {
+    let d = Diagnostic::error("no-figure", both!("the scene's questions call for no figure `{word}`", "所求的量用不到图 `{word}`"));
+    d.help(both!("ask for one in \"find\", or leave `{word}` out of --figure", "请在 \"find\" 中求相应的量，或从 --figure 中去掉 `{word}`"))
+}
+
+fn no_steps() -> Diagnostic {
+    Diagnostic::error("no-figure", both!("there is nothing to draw", "没有可画的图")).help(both!(
+        "of what the scene asks no step is drawn: leave --steps out, or ask for velocities or accelerations in \"find\"",
+        "所求各量没有作图步骤：请去掉 --steps，或在 \"find\" 中求速度或加速度"
+    ))
+}
+
+fn no_mistake(name: &str) -> Diagnostic {
+    let message = match name {
+        "" => both!("no known mistake changes an answer of this scene", "本题中没有会改变结果的典型错误"),
+        name => both!("the mistake `{name}` cannot be made in this scene", "本题中不会出现错误 `{name}`"),
+    };
+    Diagnostic::error("attempt", message)
+        .help(both!("`hodograph attempts --all` lists those that can", "`hodograph attempts --all` 列出可能的错误"))
+}

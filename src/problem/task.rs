@@ -1,0 +1,141 @@
+//! Tasks of design.
+
+use super::{Answer, Answered, Lesson, Look, Options, Pictures, Solved};
+use crate::diag::{Both, Diagnostic, Faults, Warned, both};
+use crate::figure::list::Pages;
+use crate::figure::{fit, sheet, synthesis as figure};
+use crate::json;
+use crate::lesson::design as lesson;
+use crate::report::synthesis as report;
+use crate::scene::Lang;
+use crate::synthesis::{self, Candidate, Design, Task};
+use crate::worksheet::{self, Document, Sides};
+use serde_json::Value as Json;
+
+/// The construction of a candidate as text and for programs.
+#[derive(Debug)]
+struct Construction {
+    steps: Both,
+    json: Json,
+}
+
+/// A task with its candidates.
+#[derive(Debug)]
+struct Designed {
+    task: Task,
+    design: Design,
+    picked: usize,
+    /// The construction; `None` where it does not close on paper.
+    construction: Option<Construction>,
+}
+
+pub(super) fn solve(task: &Task, options: &Options) -> Result<Solved, Faults> {
+    let design = synthesis::solve(task)?;
+    let (picked, count) = (options.candidate, design.candidates.len());
+    if picked >= count {
+        let message = both!("there is no candidate {}: there are {count}", "没有第 {} 个方案：共有 {count} 个", picked + 1);
+        return Err(Diagnostic::error("no-candidate", message).into());
+    }
+    let candidate = &design.candidates[picked];
+    let construction = figure::to_scale(task, candidate)?.map(|board| {
+        let [en, zh] = [Lang::En, Lang::Zh].map(|lang| report::steps(candidate, &board, lang));
+        Construction { steps: Both { en, zh }, json: report::construction(&board) }
+    });
+    let notes = design.notes.clone();
+    Ok(Solved { notes, answered: Box::new(Designed { task: task.clone(), design, picked, construction }) })
+}
+
+/// The text of a task with the scene file that it names (`"scene": "linkage.json"`) put in its place; any other text as it is. `file` reads a file by
+/// its name.
+///
+/// # Errors
+/// Those of `file`, at the place of the name.
+pub fn included(source: Vec<u8>, mut file: impl FnMut(&str) -> Result<Vec<u8>, Diagnostic>) -> Result<Vec<u8>, Faults> {
+    if !synthesis::is_task(&source) {
+        return Ok(source);
+    }
+    let Ok((text, root)) = json::parse(&source, &mut Faults::default()) else { return Ok(source) };
+    let json::Kind::Object(members) = &root.kind else { return Ok(source) };
+    let named = members.iter().find_map(|(key, node)| match &node.kind {
+        json::Kind::Text(name) if key.text == "scene" && name.ends_with(".json") => Some((name, node.span)),
+        _ => None,
+    });
+    let Some((name, span)) = named else { return Ok(source) };
+    let scene = file(name).map_err(|d| d.at(span))?;
+    let mut out = text.to_owned();
+    out.replace_range(span.start..span.end, &String::from_utf8_lossy(&scene));
+    Ok(out.into_bytes())
+}
+
+/// The message where the construction does not close on paper.
+fn no_construction() -> Both {
+    both!(
+        "This design does not close on paper: its construction with ruler and compasses cannot be drawn.",
+        "此设计在图纸上不能装配，无法画出作图步骤。"
+    )
+}
+
+impl Designed {
+    fn lang(&self, look: &Look) -> Lang {
+        look.lang.or(self.task.language).unwrap_or_default()
+    }
+
+    fn candidate(&self) -> &Candidate {
+        &self.design.candidates[self.picked]
+    }
+}
+
+impl Answered for Designed {
+    fn answers(&self, _: &Look) -> Vec<Answer> {
+        Vec::new()
+    }
+
+    fn text(&self, look: &Look, steps: bool) -> String {
+        let lang = self.lang(look);
+        let text = report::text(&self.task, &self.design, lang);
+        match &self.construction {
+            _ if !steps => text,
+            Some(construction) => text + lang.of(&construction.steps),
+            None => text + &format!("\n{}\n", lang.of(&no_construction())),
+        }
+    }
+
+    fn json(&self, _: &Look, steps: bool, _: &[Diagnostic]) -> Json {
+        let mut all = report::json(&self.task, &self.design);
+        if steps {
+            all["construction"] = self.construction.as_ref().map_or(Json::Null, |c| c.json.clone());
+        }
+        all
+    }
+
+    fn figures(&self, pictures: &Pictures, look: &Look) -> Result<Warned<Pages>, Faults> {
+        let all = figure::figures(&self.task, self.candidate(), &look.style, self.lang(look))?;
+        let mut pages: Pages = all.into_iter().map(|(name, figure)| (name.to_owned(), figure)).collect();
+        if pictures.steps {
+            let Some(at) = pages.iter().position(|p| p.0 == "construction") else {
+                let d = Diagnostic::error("no-construction", no_construction());
+                return Err(d.help(both!("leave --steps out", "请去掉 --steps")).into());
+            };
+            pages = figure::growing(&pages[at].1);
+        }
+        if let Some(width_mm) = pictures.width_mm {
+            pages = fit::placed(pages, fit::Room::Column(width_mm))?;
+        }
+        Ok(Warned { value: pages, notes: Vec::new() })
+    }
+
+    fn worksheet(&self, sides: Sides, _: Option<&str>, look: &Look) -> Result<Document, Faults> {
+        let sheet = sheet::Options { style: look.style.clone(), ..sheet::Options::of_language(self.lang(look)) };
+        worksheet::design(&self.task, &self.design, self.picked, &worksheet::Options { sheet, sides })
+    }
+
+    fn lesson(&self, _: &Lesson, look: &Look) -> Result<Warned<String>, Faults> {
+        let options = lesson::Options { lang: self.lang(look), style: look.style.clone() };
+        let value = lesson::lesson(&self.task, self.candidate(), &options)?;
+        Ok(Warned { value, notes: Vec::new() })
+    }
+
+    fn design(&self) -> Option<&Design> {
+        Some(&self.design)
+    }
+}

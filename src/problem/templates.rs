@@ -1,0 +1,41 @@
+//! The files of all kinds that the library brings.
+
+use super::Kind;
+use crate::diag::{Both, Faults};
+use crate::scene::{self, edit};
+use crate::{particle, synthesis};
+
+/// A file of the library, whose parameters can be set.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Template {
+    /// Its name.
+    pub name: &'static str,
+    /// Its kind.
+    pub kind: Kind,
+    /// Its title.
+    pub title: Both,
+    /// Parameters of a scene with their values.
+    pub parameters: Vec<(String, String)>,
+}
+
+/// All templates: scenes, tasks of design, motions.
+pub fn all() -> Vec<Template> {
+    let scenes = scene::templates::list().into_iter();
+    let of = |name, kind, title| Template { name, kind, title, parameters: Vec::new() };
+    scenes
+        .map(|t| Template { parameters: t.parameters, ..of(t.name, Kind::Scene, Both { en: t.title.en, zh: t.title.zh }) })
+        .chain(synthesis::templates::names().map(|name| of(name, Kind::Task, synthesis::templates::title(name))))
+        .chain(particle::templates::names().map(|name| of(name, Kind::Motion, particle::templates::title(name))))
+        .collect()
+}
+
+/// The text of a template with other values of its parameters, each given as `NAME`, `VALUE`.
+///
+/// # Errors
+/// A template or parameters that are not there; values that are none.
+pub fn text(name: &str, values: &[(&str, &str)]) -> Result<String, Faults> {
+    match synthesis::templates::get(name).or_else(|| particle::templates::get(name)) {
+        Some(text) => edit::with_parameters(text, values),
+        None => scene::templates::instantiate(name, values),
+    }
+}

@@ -1,0 +1,131 @@
+//! Kinds of file, and what each of them grants.
+
+use crate::diag::{Both, Diagnostic, both};
+use crate::{particle, synthesis};
+
+/// A kind of file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Kind {
+    /// A mechanism at an instant.
+    Scene,
+    /// A task of design.
+    Task,
+    /// Motions of points without a mechanism.
+    Motion,
+}
+
+/// Something that only some kinds of file grant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Wish {
+    /// Links and joints.
+    Mechanism,
+    /// Answers to questions, for `solve`.
+    Answers,
+    /// A candidate to choose.
+    Candidate,
+    /// Tolerances of drawing by hand.
+    Drafting,
+    /// A picture for each step.
+    Pictures,
+    /// Several positions in one figure.
+    Poses,
+    /// Paths of points.
+    Paths,
+    /// A fragment for slides.
+    Reveal,
+    /// A wrong solution to be found out.
+    Mistake,
+    /// Degree of freedom and groups.
+    Mobility,
+}
+
+impl Wish {
+    /// The option of the command line that asks for it; empty for what a command asks for by itself.
+    pub fn option(self) -> &'static str {
+        match self {
+            Wish::Mechanism | Wish::Answers => "",
+            Wish::Candidate => "--pick",
+            Wish::Drafting => "--drafting",
+            Wish::Pictures => "--steps",
+            Wish::Poses => "--poses",
+            Wish::Paths => "--path",
+            Wish::Reveal => "--reveal",
+            Wish::Mistake => "--find-the-mistake",
+            Wish::Mobility => "--mobility",
+        }
+    }
+}
+
+impl Kind {
+    /// The kind of a file, told from its keys; what cannot be read counts as a scene.
+    pub fn of(source: &[u8]) -> Kind {
+        match (synthesis::is_task(source), particle::is_problem(source)) {
+            (true, _) => Kind::Task,
+            (false, true) => Kind::Motion,
+            (false, false) => Kind::Scene,
+        }
+    }
+
+    /// Whether files of this kind grant a wish.
+    ///
+    /// # Errors
+    /// `not-a-scene`, or `no-candidate`, with what to do instead.
+    pub fn grants(self, wish: Wish) -> Result<(), Diagnostic> {
+        let granted = match self {
+            Kind::Scene => wish != Wish::Candidate,
+            Kind::Task => matches!(wish, Wish::Candidate | Wish::Pictures),
+            Kind::Motion => wish == Wish::Answers,
+        };
+        match (granted, wish) {
+            (true, _) => Ok(()),
+            (false, Wish::Candidate) => Err(no_candidates()),
+            (false, Wish::Mechanism | Wish::Answers) => Err(no_mechanism(self)),
+            (false, _) => Err(self.refuses(wish.option())),
+        }
+    }
+
+    fn refuses(self, option: &str) -> Diagnostic {
+        let (message, help) = match self {
+            Kind::Task => (
+                both!("{option} is of scenes, and this is a synthesis file", "{option} 只用于机构文件，而这是综合文件"),
+                both!(
+                    "leave it out, or make a scene first: `hodograph synth FILE -o scene.json`",
+                    "请去掉它，或先生成机构文件：`hodograph synth FILE -o scene.json`"
+                ),
+            ),
+            Kind::Scene | Kind::Motion => (
+                both!("{option} is of mechanisms, and this file has none", "{option} 只用于机构，而此文件没有机构"),
+                both!("leave {option} out", "请去掉 {option}"),
+            ),
+        };
+        Diagnostic::error("not-a-scene", message).help(help)
+    }
+}
+
+fn no_candidates() -> Diagnostic {
+    let message = both!("a scene has no candidates: they are of synthesis files", "机构文件没有方案可选：只有综合文件才有");
+    Diagnostic::error("no-candidate", message).help(both!("leave --pick out", "请去掉 --pick"))
+}
+
+/// The refusal of a file without links by what needs them.
+pub(super) fn no_mechanism(kind: Kind) -> Diagnostic {
+    let (message, help): (Both, Both) = match kind {
+        Kind::Task => (
+            both!(
+                "this is a synthesis file: it says what a linkage is to do, and is no linkage yet",
+                "这是综合文件：只说明机构应实现的运动，还不是机构"
+            ),
+            both!(
+                "`hodograph synth FILE -o scene.json` makes the scene; `draw`, `worksheet` and `lesson` take the file itself",
+                "请用 `hodograph synth FILE -o scene.json` 生成机构文件；`draw`、`worksheet`、`lesson` 可直接用综合文件"
+            ),
+        ),
+        Kind::Scene | Kind::Motion => (
+            both!("this file has motions without a mechanism: there are no links", "此文件是无机构的运动：没有构件"),
+            both!("`solve`, `draw`, `worksheet` and `lesson` take it", "请用 `solve`、`draw`、`worksheet`、`lesson`"),
+        ),
+    };
+    Diagnostic::error("not-a-scene", message).help(help)
+}

@@ -1,0 +1,140 @@
+//! Every kind of file through the library's one call.
+
+use hodograph::diag::Severity;
+use hodograph::figure::list::Extras;
+use hodograph::problem::{
+    Extent, Kind, Lesson, Look, Options, Pictures, Problem, Verdict, Wish, included, read, read_as, solve, templates,
+};
+use hodograph::scene::{Lang, Swept};
+use hodograph::worksheet::Sides;
+use std::process::Command;
+
+fn problem(name: &str) -> Problem {
+    let text = templates::text(name, &[]).unwrap_or_else(|f| panic!("{name}: {f}"));
+    read(text).unwrap_or_else(|f| panic!("{name}: {f}")).value
+}
+
+/// Each template of each kind is read, solved and written by the same calls, and what they give is consistent: answers stand in the text, drawing and
+/// analysis agree, a figure and a worksheet are there.
+#[test]
+fn templates_of_all_kinds_take_the_same_calls() {
+    let look = Look::default();
+    let (mut answered, mut kinds) = (0, Vec::new());
+    for t in templates::all().iter().step_by(3) {
+        let problem = problem(t.name);
+        assert_eq!(problem.kind(), t.kind, "{}", t.name);
+        let solved = solve(&problem, &Options::with_figures()).unwrap_or_else(|f| panic!("{}: {f}", t.name));
+        let (text, json) = (solved.text(&look, true), solved.json(&look, true, &solved.notes));
+        let answers = solved.answers(&look);
+        assert_eq!(answers.len(), json["answers"].as_array().map_or(0, Vec::len), "{}", t.name);
+        for a in &answers {
+            assert!(text.contains(&a.text), "{}: {a:?}\n{text}", t.name);
+            assert!(a.difference.is_none_or(|d| d < 1e-9), "{}: {a:?}", t.name);
+            assert_eq!(solved.answer(&a.find, &look).as_ref(), Some(a), "{}", t.name);
+            answered += usize::from(a.value.is_some());
+        }
+        assert_ne!(solved.verdict(), Verdict::Disagree, "{}", t.name);
+        assert_eq!(solved.mechanism().is_some(), t.kind == Kind::Scene, "{}", t.name);
+        assert_eq!(solved.design().is_some(), t.kind == Kind::Task, "{}", t.name);
+        let pages = solved.figures(&Pictures::default(), &look).unwrap_or_else(|f| panic!("{}: {f}", t.name)).value;
+        assert!(!pages.is_empty() && pages.iter().all(|(_, f)| !f.items.is_empty()), "{}", t.name);
+        let document = solved.worksheet(Sides::Both, None, &Look { lang: Some(Lang::Zh), ..look.clone() });
+        assert!(document.unwrap_or_else(|f| panic!("{}: {f}", t.name)).blocks.len() > 2, "{}", t.name);
+        if !kinds.contains(&t.kind) {
+            let page = solved.lesson(&Lesson { positions: 8, ..Lesson::default() }, &look).unwrap_or_else(|f| panic!("{}: {f}", t.name));
+            assert!(page.value.starts_with("<!DOCTYPE html>"), "{}", t.name);
+            kinds.push(t.kind);
+        }
+    }
+    assert!(answered > 100 && kinds.len() == 3, "{answered} {kinds:?}");
+}
+
+/// The library and the program give one text.
+#[test]
+fn the_program_prints_the_text_of_the_library() {
+    for name in ["shaper", "cam-valve-train", "pursuit"] {
+        let solved = solve(&problem(name), &Options::default()).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("s.json");
+        std::fs::write(&path, templates::text(name, &[]).unwrap()).unwrap();
+        let out = Command::new(env!("CARGO_BIN_EXE_hodograph")).args(["solve", "--steps", "--lang", "en"]).arg(&path).output().unwrap();
+        let look = Look { lang: Some(Lang::En), ..Look::default() };
+        assert_eq!(String::from_utf8(out.stdout).unwrap(), solved.text(&look, true), "{name}");
+    }
+}
+
+/// A scene is taken on the piece of a cam's profile that follows by the library as by the program: `work` refuses the other.
+#[test]
+fn a_scene_at_a_joint_of_its_cam_goes_on() {
+    let text = templates::text("cam-valve-train", &[]).unwrap();
+    let here = solve(&read(text).unwrap().value, &Options::default()).unwrap();
+    assert_eq!(here.verdict(), Verdict::Answered);
+}
+
+/// What a kind of file does not grant is refused with its option and what to do.
+#[test]
+fn kinds_refuse_with_a_way_out() {
+    let wishes = [
+        Wish::Mechanism,
+        Wish::Answers,
+        Wish::Candidate,
+        Wish::Drafting,
+        Wish::Pictures,
+        Wish::Poses,
+        Wish::Paths,
+        Wish::Reveal,
+        Wish::Mistake,
+        Wish::Mobility,
+    ];
+    let mut refused = 0;
+    for kind in [Kind::Scene, Kind::Task, Kind::Motion] {
+        for wish in wishes {
+            let Err(d) = kind.grants(wish) else { continue };
+            assert!(d.severity == Severity::Error && d.help.is_some() && d.english_in_chinese().is_none(), "{kind:?} {wish:?}: {d:?}");
+            refused += 1;
+        }
+    }
+    assert_eq!(refused, 1 + 8 + 9);
+    assert_eq!(problem("body").into_scene().unwrap_err().code, "not-a-scene");
+    assert!(problem("shaper").into_scene().is_ok());
+}
+
+/// A driver that follows its cam, or that is not there, is refused as what a lesson moves.
+#[test]
+fn a_lesson_moves_only_what_moves_by_itself() {
+    for name in ["cam-valve-train", "cam-offset-roller", "crank-rocker", "five-bar"] {
+        let solved = solve(&problem(name), &Options { whole_motion: true, ..Options::with_figures() }).unwrap();
+        let (scene, _) = solved.mechanism().unwrap();
+        for driver in 0..=scene.drivers.len() {
+            let moved = driver < scene.drivers.len() && !scene.is_led(driver);
+            let lesson = Lesson { positions: 8, swept: Swept::Driver(driver), ..Lesson::default() };
+            assert_eq!(solved.lesson(&lesson, &Look::default()).is_ok(), moved, "{name} {driver}");
+        }
+    }
+}
+
+/// A candidate that is not there is named; a pose needs no rate; a task takes the scene that it names.
+#[test]
+fn options_are_checked() {
+    let faults = solve(&problem("body"), &Options { candidate: 99, ..Options::default() }).unwrap_err();
+    assert_eq!(faults.list[0].code, "no-candidate");
+    let still = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1",
+        "points": {"A": [0, 0], "B": ["30 mm", "40 mm"], "C": ["120 mm", "60 mm"], "D": ["100 mm", 0]}, "find": ["P_24"]}"#;
+    let posed = read_as(still, Extent::Pose).unwrap().value;
+    assert_eq!(solve(&posed, &Options::default()).unwrap().answers(&Look::default()).len(), 1);
+    let task = br#"{"synthesis": "cognates", "scene": "linkage.json"}"#.to_vec();
+    let whole = included(task.clone(), |name| Ok(format!("\"{name} read\"").into_bytes())).unwrap();
+    assert_eq!(String::from_utf8(whole).unwrap(), r#"{"synthesis": "cognates", "scene": "linkage.json read"}"#);
+    let scene = templates::text("shaper", &[]).unwrap().into_bytes();
+    assert_eq!(included(scene.clone(), |_| unreachable!()).unwrap(), scene);
+    let extras = Extras { poses: 3, ..Extras::default() };
+    let shaper = solve(&problem("shaper"), &Options { whole_motion: true, ..Options::with_figures() }).unwrap();
+    assert_eq!(shaper.figures(&Pictures { extras, ..Pictures::default() }, &Look::default()).unwrap().value.len(), 1);
+}
+
+/// Answers go between threads, as services and bindings need it.
+#[test]
+fn answers_go_between_threads() {
+    fn crosses<T: Send + Sync>(_: &T) {}
+    crosses(&solve(&problem("crank-rocker"), &Options::default()).unwrap());
+}
