@@ -7,6 +7,7 @@ pub mod contact;
 mod far;
 mod higher;
 mod joint;
+mod pose;
 mod posed;
 mod sizes;
 #[cfg(test)]
@@ -16,22 +17,19 @@ pub use far::{Far, NoAnswer, Unanswered};
 pub use joint::instant;
 pub use posed::{work_motion, work_pose};
 
+use self::pose::{Given, Posed, groups_of};
 use self::sizes::Sizes;
 use crate::accuracy::Rung;
-use crate::accuracy::{
-    Agreement, BadAngle, Drafting, Drawn, Kept, Regular, Ways, bad_angles, compare, drafting, estimated, groups_of_question, kept, regular,
-    settled, settled_finely,
-};
-use crate::analytic::{self, Refused, Solution};
+use crate::accuracy::{Agreement, BadAngle, Drafting, Drawn, bad_angles, compare, drafting, regular, settled};
+use crate::analytic::{Refused, Solution};
 use crate::answer::Value;
-use crate::construct::scale::Boxes;
 use crate::construct::{self, Answer, Construction};
-use crate::diag::{Both, Diagnostic, Faults, Warned, both};
+use crate::diag::{Faults, Warned};
 use crate::mechanism::{Demand, Level, Mechanism, Need};
-use crate::plan::{self, Plan};
+use crate::plan::Plan;
 use crate::position::redundant::Verdict;
 use crate::position::{self, Configuration};
-use crate::scene::{Find, LinkId, PointId, Scene};
+use crate::scene::{Find, LinkId, Scene};
 use crate::stated::{self, Moment};
 
 /// How much is wanted beyond the scene's questions.
@@ -175,7 +173,7 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     notes.extend(placed.notes);
     let configuration = settled(scene, &mechanism, &demand, placed.value);
     stated::proved(scene, &mechanism, &configuration, Moment::Instant)?;
-    let Warned { value: mut worked, notes: more } = stages(scene, mechanism, demand, configuration, Digits::Measured)?;
+    let Warned { value: mut worked, notes: more } = stages(scene, mechanism, demand, configuration, true)?;
     notes.extend(more);
     let drawn = worked.drawn(scene);
     let bad_angles = bad_angles(&drawn, pencil_mm(scene));
@@ -197,106 +195,28 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
 /// # Errors
 /// The faults of the first stage that has any.
 pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configuration: Configuration) -> Result<Warned<Worked>, Faults> {
-    stages(scene, mechanism, demand, configuration, Digits::Estimated)
+    stages(scene, mechanism, demand, configuration, false)
 }
 
 /// By how much more than a length an acceleration may be off: a length enters it by its square, and by two links.
 const NEARLY: f64 = 64.0;
 
-/// What is known of the digits that double precision keeps next to a singular pose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Digits {
-    /// An estimate has to do.
-    Estimated,
-    /// They are measured.
-    Measured,
-    /// They are measured, and the positions are good to the last digit.
-    Settled,
-}
-
-/// The same; where digits are lost with positions as they are, with positions to the last digit.
+/// The stages from positions on; `measured` as in [`pose::pose`].
 fn stages(
     scene: &Scene,
     mechanism: Mechanism,
     demand: Demand,
     configuration: Configuration,
-    digits: Digits,
+    measured: bool,
 ) -> Result<Warned<Worked>, Faults> {
-    let mut notes = Vec::new();
-    let mut solution = analytic::solve(scene, &mechanism, &configuration, &demand)?;
-    let mut singular = singular_groups(scene, &mechanism, &solution);
-    let mut written = if singular.is_empty() { None } else { regular(scene, &mechanism, &demand, &configuration, &scene.find) };
-    if let Some(written) = &written {
-        solution.taken_for_singular(|words| near_singular(words, written));
-    }
-    let draw = |without: &[usize]| -> Result<_, Faults> {
-        let constructed = |plan: &Plan| construct::construct(scene, &mechanism, &configuration, plan, &Boxes::of(&scene.paper, plan));
-        let mut plan = plan::plan_without(scene, &mechanism, &demand, without);
-        let construction = match constructed(&plan) {
-            Ok(construction) => construction,
-            Err(faults) => {
-                // Special points lie at infinity in some poses: then what they would draw is left to the loop equations.
-                let reduced = higher::drawn_by_special_points(&mechanism, &plan);
-                if reduced.is_empty() {
-                    return Err(faults);
-                }
-                plan = plan::plan_without(scene, &mechanism, &demand, &[without, &reduced].concat());
-                constructed(&plan)?
-            }
-        };
-        let drawn = construct::read(scene, &mechanism, &configuration, &plan, &construction);
-        Ok((plan, construction, drawn))
-    };
-    let (mut plan, mut construction, mut drawn) = draw(&singular)?;
-    let mut near: Option<Kept> = None;
-    if digits != Digits::Estimated && (written.is_some() || !solution.near.is_empty()) {
-        let sizes = Sizes::of(scene, &construction, &configuration);
-        let scale = |level, value: &Value| sizes.against(level, value);
-        let read: Vec<Option<Value>> = drawn.iter().map(|a| a.as_ref().map(|a| a.value)).collect();
-        let ways = Ways { solution: &solution, drawn: &read, scale };
-        near = kept(scene, (&mechanism, &demand), &configuration, &ways, written.clone());
-        let agreed = |i: usize| {
-            let (level, read) = (scene.find[i].what.level(), read[i]?);
-            let computed = solution.answer(scene, &configuration, &scene.find[i].what)?;
-            (level > Level::Position).then(|| compare(read, computed, scale(level, &computed), magnified(&construction, level)))
-        };
-        // What longer numbers answer already is not lost.
-        let open = |i: &usize| read[*i].is_some() || written.is_none();
-        let lost = |near: &Kept| (0..scene.find.len()).filter(open).filter(|i| near.lost(*i, agreed(*i))).collect::<Vec<_>>();
-        let more = near.as_ref().map_or_else(Vec::new, |near| lost_groups(scene, &mechanism, &solution, &lost(near)));
-        if digits == Digits::Measured && !more.is_empty() {
-            let better = settled_finely(scene, &mechanism, &demand, configuration.clone());
-            if better != configuration {
-                return stages(scene, mechanism, demand, better, Digits::Settled);
-            }
-        }
-        if let Some(near) = near.as_ref().filter(|_| !more.is_empty()) {
-            let words = solution
-                .near
-                .first()
-                .map_or_else(|| both!("the links lie nearly as in a singular pose", "各构件接近奇异位置"), |worst| worst.words.clone());
-            notes.extend(written.is_none().then(|| near_singular(&words, &near.truth)));
-            singular.extend(&more);
-            written = Some(near.truth.clone());
-            (plan, construction, drawn) = draw(&singular)?;
-        }
-        if !more.is_empty() {
-            // What is left is judged by what is left on the paper.
-            let sizes = Sizes::of(scene, &construction, &configuration);
-            let scale = |level, value: &Value| sizes.against(level, value);
-            let read: Vec<Option<Value>> = drawn.iter().map(|a| a.as_ref().map(|a| a.value)).collect();
-            let ways = Ways { solution: &solution, drawn: &read, scale };
-            near = kept(scene, (&mechanism, &demand), &configuration, &ways, written.clone());
-        }
-    }
-    if let (Some(worst), None) = (solution.near.first(), &written) {
-        let told = estimated(worst, solution.condition);
-        notes.extend(told.map(|told| near.as_ref().map_or(told, |near| near.note(worst, solution.condition))));
-    }
+    let given = Given { scene, mechanism: &mechanism, demand: &demand };
+    let Posed { configuration, solution, singular, written, near, drawing, mut notes } = pose::pose(given, configuration, measured)?;
+    let magnified = |level| drawing.magnified(level);
+    let (plan, construction) = (&drawing.plan, &drawing.construction);
     notes.extend(solution.notes.iter().cloned());
-    notes.extend(higher::notes(scene, &mechanism, &plan));
+    notes.extend(higher::notes(scene, &mechanism, plan));
     let blur = blur_of(&solution);
-    let sizes = Sizes::of(scene, &construction, &configuration);
+    let sizes = Sizes::of(scene, construction, &configuration);
     let (mut results, mut unanswered, mut at_infinity) = (Vec::new(), Vec::new(), Vec::new());
     // The loop equations hold a driven pin by the links that it carries; where those have no motion its own group still has one.
     let beside = |find: &Find| {
@@ -306,7 +226,7 @@ fn stages(
         }
         regular(scene, &mechanism, &asked, &configuration, std::slice::from_ref(find))?.values[0]
     };
-    for (i, (find, drawn)) in scene.find.iter().zip(drawn).enumerate() {
+    for (i, (find, drawn)) in scene.find.iter().zip(drawing.answers.iter().cloned()).enumerate() {
         // What is drawn is checked by the loop equations, near a singular pose as elsewhere.
         let computed = match written.as_ref().filter(|_| drawn.is_none()) {
             Some(written) => written.values[i],
@@ -335,7 +255,7 @@ fn stages(
         let agreement = match (&drawn, level) {
             (_, Level::Position) | (None, _) => None,
             (Some(d), _) => {
-                let agreement = compare(d.value, computed, scale, magnified(&construction, level));
+                let agreement = compare(d.value, computed, scale, magnified(level));
                 Some(match &near {
                     Some(near) => near.promised(i, agreement),
                     // Taken for the singular pose next to it, the pose is told to the root of its rounding.
@@ -369,8 +289,8 @@ fn stages(
         mechanism,
         demand,
         configuration,
-        plan,
-        construction,
+        plan: drawing.plan,
+        construction: drawing.construction,
         solution,
         results,
         unanswered,
@@ -380,57 +300,4 @@ fn stages(
         drafting: None,
     };
     Ok(Warned { value: worked, notes })
-}
-
-/// How many times rounding is magnified at the worst crossing of a level.
-fn magnified(paper: &Construction, level: Level) -> f64 {
-    paper.magnification[usize::from(level == Level::Acceleration)]
-}
-
-/// The nearly singular groups on which answers rest that double precision has lost; where none of them is, all on which they rest.
-fn lost_groups(scene: &Scene, m: &Mechanism, solution: &Solution, lost: &[usize]) -> Vec<usize> {
-    let near: Vec<usize> = solution.near.iter().flat_map(|n| groups_of(scene, m, (&n.links, &n.pins))).collect();
-    let mut groups: Vec<usize> = Vec::new();
-    for i in lost {
-        let all = groups_of_question(scene, m, &scene.find[*i]);
-        let some: Vec<usize> = all.iter().copied().filter(|g| near.contains(g)).collect();
-        groups.extend(if some.is_empty() { all } else { some });
-    }
-    groups.sort_unstable();
-    groups.dedup();
-    groups
-}
-
-/// What is said of a pose that only longer numbers tell from a singular one.
-fn near_singular(words: &Both, regular: &Regular) -> Diagnostic {
-    let numbers = regular.rung.name();
-    Diagnostic::warning(
-        "near-singular",
-        both!(
-            "{} but for a hair: as written the pose is not singular, but only numbers of more digits than double precision tell its answers ({numbers}); they are theirs, neither drawn nor checked by the loop equations",
-            "几乎是{}：按所给数值该位置并非奇异，但其结果须由高于双精度的数值（{numbers}）求得；结果取自该数值，未作图，也未用封闭矢量方程（解析法）校核",
-            words
-        ),
-    )
-    .help(both!("choose a pose further off, or one that is singular as written", "请取离奇异位置较远的位置，或按所给数值恰为奇异的位置"))
-}
-
-/// The groups that are singular in the pose: their lines coincide, so that no crossing on paper tells anything.
-fn singular_groups(scene: &Scene, m: &Mechanism, solution: &Solution) -> Vec<usize> {
-    let answered = solution.singular.iter().flat_map(|s| groups_of(scene, m, (&s.links, &s.pins)));
-    let refused = solution.refused.iter().flat_map(|r| groups_of(scene, m, (&r.links, &r.pins)));
-    let mut groups: Vec<usize> = answered.chain(refused).collect();
-    groups.sort_unstable();
-    groups.dedup();
-    groups
-}
-
-/// The groups of links and pins; a link that follows others has none of its own and counts as its pins.
-fn groups_of(scene: &Scene, m: &Mechanism, (links, pins): (&[LinkId], &[PointId])) -> Vec<usize> {
-    let of_pins = |pins: &[PointId]| pins.iter().filter_map(|p| m.group_of_pin[p.0]).collect::<Vec<usize>>();
-    let of_link = |l: &LinkId| m.group_of_link[l.0].map_or_else(|| of_pins(&scene.links[l.0].points), |g| vec![g]);
-    let mut groups: Vec<usize> = links.iter().flat_map(of_link).chain(of_pins(pins)).collect();
-    groups.sort_unstable();
-    groups.dedup();
-    groups
 }

@@ -1,0 +1,220 @@
+//! The pose of a scene with all that is open about it decided: how fine the positions are, which groups are not drawn, and what longer numbers
+//! answer instead. No later stage looks back.
+//!
+//! Decided by a trial: loop equations and drawing with positions as they are. Where the two lose digits next to a singular pose, the trial is made
+//! once more with positions to the last digit; groups whose digits are lost all the same are left out of the drawing.
+
+use super::higher;
+use super::sizes::Sizes;
+use crate::accuracy::{Agreement, Kept, Regular, Ways, compare, estimated, groups_of_question, kept, regular, settled_finely};
+use crate::analytic::{self, Solution};
+use crate::answer::Value;
+use crate::construct::scale::Boxes;
+use crate::construct::{self, Answer, Construction};
+use crate::diag::{Both, Diagnostic, Faults, both};
+use crate::mechanism::{Demand, Level, Mechanism};
+use crate::plan::{self, Plan};
+use crate::position::Configuration;
+use crate::scene::{LinkId, PointId, Scene};
+
+/// What the stages from positions on are given.
+#[derive(Clone, Copy)]
+pub(super) struct Given<'a> {
+    pub scene: &'a Scene,
+    pub mechanism: &'a Mechanism,
+    pub demand: &'a Demand,
+}
+
+/// A drawing with its plan, and the answers that are read off it.
+pub(super) struct Drawing {
+    pub plan: Plan,
+    pub construction: Construction,
+    /// One for each question that is drawn.
+    pub answers: Vec<Option<Answer>>,
+}
+
+/// A pose in which everything is decided.
+pub(super) struct Posed {
+    /// Positions, as fine as they have to be.
+    pub configuration: Configuration,
+    /// Solution of the loop equations.
+    pub solution: Solution,
+    /// Groups that are not drawn because they are singular, or lose their digits.
+    pub singular: Vec<usize>,
+    /// Answers of longer numbers, where the pose is nearly singular.
+    pub written: Option<Regular>,
+    /// The digits that drawing and loop equations keep, where they were measured.
+    pub near: Option<Kept>,
+    /// The drawing without the groups that are not drawn.
+    pub drawing: Drawing,
+    /// Remarks on the pose.
+    pub notes: Vec<Diagnostic>,
+}
+
+/// Decides a pose; `measured` says that the digits kept next to a singular pose are measured, not estimated.
+///
+/// # Errors
+/// Those of the loop equations and of the drawing.
+pub(super) fn pose(given: Given, configuration: Configuration, measured: bool) -> Result<Posed, Faults> {
+    let mut posed = trial(given, configuration)?;
+    let mut lost = if measured { posed.judge(given) } else { Vec::new() };
+    if !lost.is_empty() {
+        let finer = settled_finely(given.scene, given.mechanism, given.demand, posed.configuration.clone());
+        if finer != posed.configuration {
+            posed = trial(given, finer)?;
+            lost = posed.judge(given);
+        }
+    }
+    if !lost.is_empty() {
+        posed.leave_out(given, &lost)?;
+    }
+    if let (Some(worst), None) = (posed.solution.near.first(), &posed.written) {
+        let told = estimated(worst, posed.solution.condition);
+        let condition = posed.solution.condition;
+        let note = told.map(|told| posed.near.as_ref().map_or(told, |near| near.note(worst, condition)));
+        posed.notes.extend(note);
+    }
+    Ok(posed)
+}
+
+/// Loop equations and drawing with positions as they are.
+fn trial(given: Given, configuration: Configuration) -> Result<Posed, Faults> {
+    let Given { scene, mechanism, demand } = given;
+    let mut solution = analytic::solve(scene, mechanism, &configuration, demand)?;
+    let singular = singular_groups(scene, mechanism, &solution);
+    let written = if singular.is_empty() { None } else { regular(scene, mechanism, demand, &configuration, &scene.find) };
+    if let Some(written) = &written {
+        solution.taken_for_singular(|words| near_singular(words, written));
+    }
+    let drawing = draw(given, &configuration, &singular)?;
+    Ok(Posed { configuration, solution, singular, written, near: None, drawing, notes: Vec::new() })
+}
+
+/// The drawing without some groups.
+fn draw(given: Given, configuration: &Configuration, without: &[usize]) -> Result<Drawing, Faults> {
+    let Given { scene, mechanism, demand } = given;
+    let constructed = |plan: &Plan| construct::construct(scene, mechanism, configuration, plan, &Boxes::of(&scene.paper, plan));
+    let mut plan = plan::plan_without(scene, mechanism, demand, without);
+    let construction = match constructed(&plan) {
+        Ok(construction) => construction,
+        Err(faults) => {
+            // Special points lie at infinity in some poses: then what they would draw is left to the loop equations.
+            let reduced = higher::drawn_by_special_points(mechanism, &plan);
+            if reduced.is_empty() {
+                return Err(faults);
+            }
+            plan = plan::plan_without(scene, mechanism, demand, &[without, &reduced].concat());
+            constructed(&plan)?
+        }
+    };
+    let answers = construct::read(scene, mechanism, configuration, &plan, &construction);
+    Ok(Drawing { plan, construction, answers })
+}
+
+impl Drawing {
+    /// The values that were read.
+    fn values(&self) -> Vec<Option<Value>> {
+        self.answers.iter().map(|a| a.as_ref().map(|a| a.value)).collect()
+    }
+
+    /// How many times rounding is magnified at the worst crossing of a level.
+    pub fn magnified(&self, level: Level) -> f64 {
+        self.construction.magnification[usize::from(level == Level::Acceleration)]
+    }
+}
+
+impl Posed {
+    /// Measures the digits that both ways keep next to a singular pose. Returns the groups whose digits are lost.
+    fn judge(&mut self, given: Given) -> Vec<usize> {
+        if self.written.is_none() && self.solution.near.is_empty() {
+            return Vec::new();
+        }
+        self.measure(given);
+        let Some(near) = &self.near else { return Vec::new() };
+        let Given { scene, mechanism, .. } = given;
+        let sizes = Sizes::of(scene, &self.drawing.construction, &self.configuration);
+        let read = self.drawing.values();
+        let agreed = |i: usize| -> Option<Agreement> {
+            let (level, read) = (scene.find[i].what.level(), read[i]?);
+            let computed = self.solution.answer(scene, &self.configuration, &scene.find[i].what)?;
+            (level > Level::Position).then(|| compare(read, computed, sizes.against(level, &computed), self.drawing.magnified(level)))
+        };
+        // What longer numbers answer already is not lost.
+        let open = |i: &usize| read[*i].is_some() || self.written.is_none();
+        let lost: Vec<usize> = (0..scene.find.len()).filter(open).filter(|i| near.lost(*i, agreed(*i))).collect();
+        lost_groups(scene, mechanism, &self.solution, &lost)
+    }
+
+    fn measure(&mut self, given: Given) {
+        let Given { scene, mechanism, demand } = given;
+        let sizes = Sizes::of(scene, &self.drawing.construction, &self.configuration);
+        let scale = |level, value: &Value| sizes.against(level, value);
+        let ways = Ways { solution: &self.solution, drawn: &self.drawing.values(), scale };
+        self.near = kept(scene, (mechanism, demand), &self.configuration, &ways, self.written.clone());
+    }
+
+    /// Leaves groups out of the drawing, whose answers are those of longer numbers; the others are judged by what is left on the paper.
+    fn leave_out(&mut self, given: Given, lost: &[usize]) -> Result<(), Faults> {
+        if let Some(near) = &self.near {
+            let words = self
+                .solution
+                .near
+                .first()
+                .map_or_else(|| both!("the links lie nearly as in a singular pose", "各构件接近奇异位置"), |worst| worst.words.clone());
+            self.notes.extend(self.written.is_none().then(|| near_singular(&words, &near.truth)));
+            self.singular.extend(lost);
+            self.written = Some(near.truth.clone());
+            self.drawing = draw(given, &self.configuration, &self.singular)?;
+        }
+        self.measure(given);
+        Ok(())
+    }
+}
+
+/// The nearly singular groups on which answers rest that double precision has lost; where none of them is, all on which they rest.
+fn lost_groups(scene: &Scene, m: &Mechanism, solution: &Solution, lost: &[usize]) -> Vec<usize> {
+    let near: Vec<usize> = solution.near.iter().flat_map(|n| groups_of(scene, m, (&n.links, &n.pins))).collect();
+    let mut groups: Vec<usize> = Vec::new();
+    for i in lost {
+        let all = groups_of_question(scene, m, &scene.find[*i]);
+        let some: Vec<usize> = all.iter().copied().filter(|g| near.contains(g)).collect();
+        groups.extend(if some.is_empty() { all } else { some });
+    }
+    groups.sort_unstable();
+    groups.dedup();
+    groups
+}
+
+/// The warning about a pose that only longer numbers tell from a singular one.
+fn near_singular(words: &Both, regular: &Regular) -> Diagnostic {
+    let numbers = regular.rung.name();
+    Diagnostic::warning(
+        "near-singular",
+        both!(
+            "{} but for a hair: as written the pose is not singular, but only numbers of more digits than double precision tell its answers ({numbers}); they are theirs, neither drawn nor checked by the loop equations",
+            "几乎是{}：按所给数值该位置并非奇异，但其结果须由高于双精度的数值（{numbers}）求得；结果取自该数值，未作图，也未用封闭矢量方程（解析法）校核",
+            words
+        ),
+    )
+    .help(both!("choose a pose further off, or one that is singular as written", "请取离奇异位置较远的位置，或按所给数值恰为奇异的位置"))
+}
+
+/// The groups that are singular in the pose: their lines coincide, so that no crossing on paper tells anything.
+fn singular_groups(scene: &Scene, m: &Mechanism, solution: &Solution) -> Vec<usize> {
+    let answered = solution.singular.iter().flat_map(|s| groups_of(scene, m, (&s.links, &s.pins)));
+    let refused = solution.refused.iter().flat_map(|r| groups_of(scene, m, (&r.links, &r.pins)));
+    let mut groups: Vec<usize> = answered.chain(refused).collect();
+    groups.sort_unstable();
+    groups.dedup();
+    groups
+}
+
+/// The groups of links and pins; a link that follows others has none of its own and counts as its pins.
+pub(super) fn groups_of(scene: &Scene, m: &Mechanism, (links, pins): (&[LinkId], &[PointId])) -> Vec<usize> {
+    let of_pins = |pins: &[PointId]| pins.iter().filter_map(|p| m.group_of_pin[p.0]).collect::<Vec<usize>>();
+    let of_link = |l: &LinkId| m.group_of_link[l.0].map_or_else(|| of_pins(&scene.links[l.0].points), |g| vec![g]);
+    let mut groups: Vec<usize> = links.iter().flat_map(of_link).chain(of_pins(pins)).collect();
+    groups.sort_unstable();
+    groups.dedup();
+    groups
+}
