@@ -92,14 +92,33 @@ fn read_scene_or(source: &[u8], kind: Kind, extent: Extent) -> Result<Warned<Pro
             if faults.has_errors() {
                 return Err(faults);
             }
-            let next = if extent == Extent::Motion { instant(value) } else { Warned { value, notes: Vec::new() } };
-            notes.extend(next.notes);
-            Ok(Warned { value: Problem::Scene(Box::new(next.value)), notes })
+            let read = match extent {
+                Extent::Motion => Problem::of_scene(value),
+                Extent::Pose => Warned { value: Problem::Scene(Box::new(value)), notes: Vec::new() },
+            };
+            notes.extend(read.notes);
+            Ok(Warned { value: read.value, notes })
         }
     }
 }
 
 impl Problem {
+    /// The problem of a scene that was built, not read; at a joint of two pieces of a cam's profile it goes on with the piece that follows.
+    ///
+    /// ```
+    /// use hodograph::{problem::{Look, Options, Problem, solve}, scene::build::*};
+    /// let scene = Builder::new()
+    ///     .link("1", ["A", "B"]).link("2", ["B", "C"]).link("3", ["C", "D"]).link("4", ["A", "D"]).ground("4")
+    ///     .length("AB", mm(100.0)).length("BC", mm(250.0)).length("CD", mm(200.0)).length("AD", mm(300.0))
+    ///     .driver(Driver::turning("1").angle(deg(60.0)).omega(rad_per_s(10.0))).find(["v_C"]).build()?.value;
+    /// let solved = solve(&Problem::of_scene(scene).value, &Options::default())?;
+    /// assert!(solved.answer("v_C", &Look::default()).unwrap().difference.unwrap() < 1e-12);
+    /// # Ok::<(), hodograph::diag::Faults>(())
+    /// ```
+    pub fn of_scene(scene: Scene) -> Warned<Problem> {
+        instant(scene).map(|scene| Problem::Scene(Box::new(scene)))
+    }
+
     /// The kind of the file.
     pub fn kind(&self) -> Kind {
         match self {
