@@ -4,7 +4,7 @@ mod motion;
 mod paths;
 mod reports;
 
-use super::values::{Format, Language, Text, Vectors, digits, dpi, figures, length, seconds, steps};
+use super::values::{Errors, Format, Language, Text, Vectors, digits, dpi, figures, length, seconds, steps};
 use crate::figure::list::{Entry, USUAL};
 use clap::{Args as ClapArgs, Parser, Subcommand};
 pub use motion::{Animate, Moves, Path};
@@ -24,6 +24,9 @@ pub struct Args {
     /// Language of the output (default: the scene's, else en)
     #[arg(long, value_enum, global = true)]
     pub lang: Option<Language>,
+    /// Form of faults, warnings and notes on standard error: text, or one JSON document for the run (`hodograph schema --errors`)
+    #[arg(long, value_enum, global = true, default_value_t = Errors::Text, hide_possible_values = true, hide_default_value = true, value_name = "text|json")]
+    pub errors: Errors,
     #[command(subcommand)]
     pub command: Command,
 }

@@ -8,7 +8,7 @@ use super::args::Batch as Args;
 use super::part::Part;
 use super::sweep::{ask, driver_of, stations, within};
 use super::target::unwritable;
-use super::{Failure, Input, Run, Told, choices, files, lang, long, stop, tables};
+use super::{Failure, Input, Run, Told, choices, errors, files, lang, long, stop, tables};
 use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::mechanism::Mechanism;
 use crate::report::table::{Format, GENERATOR, Head, Piece};
@@ -160,7 +160,7 @@ fn write(batch: &Batch, ending: &str, head: Head, out: &Path, job: &str) -> Resu
             "有 {} 个机构的数据与写入时不同：重新计算",
             part.changed
         );
-        files::say_faults(&Diagnostic::warning("changed-bytes", words).into(), "", "");
+        errors::tell(&Diagnostic::warning("changed-bytes", words).into(), "", "");
     }
     stop::watch();
     let done = stream(batch, &*format, &mut part).and_then(|()| {

@@ -1,9 +1,9 @@
 //! Files: read with a bound, printed where that is possible, figures in their formats.
 
+use super::Failure;
 use super::target::has_read;
 use super::together::{Out, Together};
 use super::values::{Format, Text};
-use super::{Failure, lang};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::paper::font::own;
 use crate::paper::item::Figure;
@@ -133,13 +133,6 @@ pub fn print_with(fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result
 /// Writes to standard error. A failure to write is ignored: the exit code still tells the outcome.
 pub fn say(text: &str) {
     let _ = io::stderr().lock().write_all(diagnostics::visible(text).as_bytes());
-}
-
-/// Says diagnostics, in the text that their places count in.
-pub fn say_faults(faults: &Faults, name: &str, source: &str) {
-    if !faults.list.is_empty() {
-        say(&diagnostics::render_in(faults, name, source, lang::now()));
-    }
 }
 
 /// How a file's name ends, after its last dot, in small letters: `x.SVG` is an SVG too.

@@ -3,19 +3,31 @@
 //! The printer of the help knows English headings only; those are put into Chinese in what it has printed.
 
 use super::args::Args;
-use super::lang;
+use super::files::Refused;
+use crate::diag::{Both, Diagnostic};
 use crate::figure::list::LIST;
 use crate::scene::Lang;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory};
 use std::ffi::OsString;
 
-/// The language that the arguments ask for, before they are read: that of `--lang`.
-pub fn asked(arguments: &[OsString]) -> Option<Lang> {
+/// The value of a global option such as `--lang`, before the arguments are read.
+pub fn given<T>(arguments: &[OsString], option: &str, named: impl Fn(&str) -> Option<T>) -> Option<T> {
     let words: Vec<&str> = arguments.iter().skip(1).filter_map(|a| a.to_str()).take_while(|a| *a != "--").collect();
-    let apart = words.windows(2).filter(|w| w[0] == "--lang").filter_map(|w| Lang::named(w[1]));
-    let together = words.iter().filter_map(|w| Lang::named(w.strip_prefix("--lang=")?));
+    let apart = words.windows(2).filter(|w| w[0] == option).filter_map(|w| named(w[1]));
+    let together = words.iter().filter_map(|w| named(w.strip_prefix(option)?.strip_prefix('=')?));
     apart.chain(together).next()
+}
+
+/// A fault of the arguments as a diagnostic: its first sentence, and the usage as advice.
+pub fn diagnostic(e: &clap::Error) -> Diagnostic {
+    let parts = |text: String, mark: &str| {
+        let (said, rest) = text.split_once("\n\n").unwrap_or((&text, ""));
+        let line = |part: &str| part.split_whitespace().collect::<Vec<_>>().join(" ");
+        (line(said.strip_prefix(mark).unwrap_or(said)), line(rest))
+    };
+    let (en, zh) = (parts(e.render().to_string(), "error: "), parts(usage(e), "错误："));
+    Diagnostic::error("usage", Both { en: en.0, zh: zh.0 }).help(Both { en: en.1, zh: zh.1 })
 }
 
 /// The language of the help where the arguments ask for none: that of the machine.
@@ -105,7 +117,11 @@ pub fn usage(e: &clap::Error) -> String {
 
 /// Why a value is refused, where the library says it.
 fn refused(e: &clap::Error) -> String {
-    let why = std::error::Error::source(e).map(ToString::to_string).unwrap_or_default();
+    let source = std::error::Error::source(e);
+    if let Some(Refused(words)) = source.and_then(|s| s.downcast_ref()) {
+        return words.zh.clone();
+    }
+    let why = source.map(ToString::to_string).unwrap_or_default();
     match why.split_once(" is not in ") {
         Some((number, range)) => format!("{number} 不在 {range} 之内"),
         None if why.contains("digit") => "不是整数".to_owned(),
@@ -119,11 +135,6 @@ pub fn said(e: &clap::Error, lang: Lang) -> String {
         Lang::En => e.render().to_string(),
         Lang::Zh => usage(e),
     }
-}
-
-/// A value that an argument does not take, in the language of this run.
-pub fn no_value(text: &crate::diag::Both) -> String {
-    lang::of(text).to_owned()
 }
 
 /// What the printer of the help writes by itself, and the choices of an argument; those of figures come from their list.
@@ -152,6 +163,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("*", "help", "显示说明"),
     ("*", "version", "显示版本"),
     ("*", "lang", "输出的语言（默认：机构文件的语言，否则 en）"),
+    ("*", "errors", "标准错误上的错误、警告和提示的形式：text，或整个运行一份 JSON 文档 json（`hodograph schema --errors`）"),
     ("*", "scene", "机构文件；`-` 为标准输入"),
     ("*", "set", "改变机构文件中参数的值，或改变时间规律的时刻 t：NAME=VALUE；不带单位的数沿用原单位"),
     ("*", "notation", "记号体系：en（极点 o，上标 c、rel）或 cn（极点 p，上标 k、r）"),
@@ -348,7 +360,7 @@ mod tests {
 
     #[test]
     fn the_language_is_known_before_the_arguments_are_read() {
-        let of = |line: &str| asked(&line.split(' ').map(OsString::from).collect::<Vec<_>>());
+        let of = |line: &str| given(&line.split(' ').map(OsString::from).collect::<Vec<_>>(), "--lang", Lang::named);
         assert_eq!(of("hodograph solve --lang zh x.json"), Some(Lang::Zh));
         assert_eq!(of("hodograph solve --lang=en --help"), Some(Lang::En));
         assert_eq!(of("hodograph solve -- --lang zh"), None);

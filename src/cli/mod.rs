@@ -13,11 +13,13 @@ mod composite;
 mod curvature;
 mod curves;
 mod draw;
+mod errors;
 mod files;
 mod help;
 mod inversions;
 mod journal;
 mod lang;
+mod lesson;
 mod long;
 mod mobility;
 mod part;
@@ -46,7 +48,7 @@ use crate::paper::style::Style;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price, statement, trains};
-use crate::scene::{self, Lang, Scene, Swept};
+use crate::scene::{self, Lang, Scene};
 use crate::sweep::follow::course;
 use crate::worked::{NoAnswer, Scope, Unanswered, Worked, instant, work};
 use args::{Args, Command, Common};
@@ -55,11 +57,22 @@ use draw::style_of;
 use std::ffi::OsString;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
+use values::Errors;
 
 /// Runs the program.
 pub fn main() -> ExitCode {
+    let code = run();
+    errors::finish();
+    code
+}
+
+fn run() -> ExitCode {
     let given: Vec<OsString> = std::env::args_os().collect();
-    let asked = help::asked(&given);
+    // Faults of the arguments are told in the same form.
+    if help::given(&given, "--errors", Errors::named) == Some(Errors::Json) {
+        errors::collect();
+    }
+    let asked = help::given(&given, "--lang", Lang::named);
     asked.into_iter().for_each(lang::ask);
     let of_help = asked.unwrap_or_else(help::of_the_machine);
     let args = match help::command(of_help).try_get_matches_from(given).and_then(|m| Args::from_arg_matches(&m)) {
@@ -69,7 +82,7 @@ pub fn main() -> ExitCode {
     args.lang.into_iter().for_each(|l| lang::ask(l.into()));
     let result = match args.command {
         Command::Draw(a) => draw::run(a),
-        Command::Lesson(a) => lesson(a),
+        Command::Lesson(a) => lesson::run(a),
         Command::Solve(a) => solve(a),
         Command::Plan(a) => plan::run(a),
         Command::Worksheet(a) => worksheet::run(a),
@@ -101,6 +114,10 @@ pub fn main() -> ExitCode {
 /// Help and version, or what is wrong with the arguments.
 fn usage(e: &clap::Error, of_help: Lang) -> ExitCode {
     let code = u8::try_from(e.exit_code()).unwrap_or(2);
+    if errors::as_json() && e.use_stderr() {
+        errors::tell(&help::diagnostic(e).into(), "", "");
+        return ExitCode::from(code);
+    }
     let plain = help::said(e, of_help);
     // An argument is quoted as it was given; what a terminal would obey is not, and then the colours are gone too.
     // The colours go with the English of the library.
@@ -163,19 +180,26 @@ impl Failure {
     fn say(self) -> ExitCode {
         match self {
             Failure::Input(all) => {
-                all.iter().for_each(|t| files::say_faults(&t.faults, &t.name, &t.source));
+                all.iter().for_each(|t| errors::tell(&t.faults, &t.name, &t.source));
                 ExitCode::from(2)
             }
             Failure::Output(message) => {
-                files::say(lang::of(&both!("error: {}\n", "错误：{}\n", message)));
+                let line = both!("error: {}\n", "错误：{}\n", message);
+                errors::tell_line(&Diagnostic::error("cannot-write", message), lang::of(&line));
                 ExitCode::from(1)
             }
             Failure::Interrupted(message) => {
-                files::say(lang::of(&both!("interrupted: {}\n", "已中断：{}\n", message)));
+                interrupted(&message);
                 ExitCode::from(stop::INTERRUPTED)
             }
         }
     }
+}
+
+/// Tells what an interrupted run has left undone.
+fn interrupted(message: &Both) {
+    let line = both!("interrupted: {}\n", "已中断：{}\n", message);
+    errors::tell_line(&Diagnostic::error("interrupted", message.clone()), lang::of(&line));
 }
 
 type Run = Result<ExitCode, Failure>;
@@ -315,7 +339,7 @@ impl Input {
     /// Says what is to be known of the work, and what the author's fonts did not have.
     fn say_notes(&self) {
         let list: Vec<_> = self.notes.iter().cloned().chain(self.fonts.lacking()).collect();
-        self.told(Faults { list }).iter().for_each(|t| files::say_faults(&t.faults, &t.name, &t.source));
+        self.told(Faults { list }).iter().for_each(|t| errors::tell(&t.faults, &t.name, &t.source));
     }
 }
 
@@ -339,50 +363,6 @@ fn verdict(worked: &Worked) -> ExitCode {
 /// Whether drawing and analysis agree on every answer.
 fn agrees(worked: &Worked) -> bool {
     worked.results.iter().all(|r| r.agreement.is_none_or(|a| a.holds()))
-}
-
-/// The endings that a lesson's file may have.
-const LESSONS: [&str; 2] = ["html", "htm"];
-
-fn lesson(a: args::Lesson) -> Run {
-    if let Some(path) = a.output.as_deref().filter(|p| files::ending(p).is_some_and(|e| !LESSONS.contains(&e.as_str()))) {
-        let d = Diagnostic::error("output", both!("{path} does not end in .html", "{path} 不以 .html 结尾"))
-            .help(both!("write -o lesson.html", "请写 -o lesson.html"));
-        return Err(Failure::argument("-o", path, d));
-    }
-    let style = style_of(&a.look)?;
-    if synth::is_task(&a.common.scene) {
-        return synth::lesson(&a, style);
-    }
-    synth::no_pick(a.pick)?;
-    if particle::is_problem(&a.common.scene) {
-        return particle::lesson(&a, style);
-    }
-    let mut input = Input::read(&a.common)?.drawn_in(&style);
-    if !a.reveal {
-        input.over_a_turn();
-    }
-    let worked = input.work(Scope::Figure)?;
-    let (lang, notation) = choices(&input.scene, &a.common);
-    let notation = style.marks.over(&notation);
-    let made = if a.reveal {
-        let options = sheet::Options { notation, style, ..sheet::Options::of_language(lang) };
-        crate::lesson::reveal(&input.scene, &worked, &options)
-    } else {
-        let swept = match a.driver {
-            Some(number) => Swept::Driver(number as usize - 1),
-            None => sweep::swept_of(&input.scene, a.moves.over.as_deref())?,
-        };
-        let options = crate::lesson::Options { lang, notation, positions: a.positions as usize, swept, style };
-        crate::lesson::of_worked(&input.scene, &worked, &options)
-    };
-    let Warned { value, notes } = made.map_err(|faults| input.failed(faults))?;
-    input.notes.extend(notes);
-    let path = a.output.unwrap_or_else(|| format!("{}.html", files::stem(&input.name, "lesson")));
-    files::write(std::path::Path::new(&path), value.as_bytes())?;
-    files::print_names(&format!("{path}\n"))?;
-    input.say_notes();
-    Ok(verdict(&worked))
 }
 
 fn solve(a: args::Solve) -> Run {

@@ -1,7 +1,7 @@
 //! Files of motions without a mechanism: `solve`, `draw`, `worksheet` and `lesson` take them as they take scenes.
 
 use super::worksheet::{Writer, stem};
-use super::{Failure, Run, args, draw, files, lang, values};
+use super::{Failure, Run, args, draw, errors, files, lang, values};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::fit;
 use crate::figure::particle as figure;
@@ -65,7 +65,7 @@ impl Input {
 
     fn say(&self, more: Vec<Diagnostic>) {
         let list = self.notes.iter().cloned().chain(more).collect();
-        files::say_faults(&Faults { list }, &self.name, &self.source);
+        errors::tell(&Faults { list }, &self.name, &self.source);
     }
 
     /// 3 where drawing and analysis disagree, 4 where an answer does not exist, else 0.

@@ -1,7 +1,7 @@
 //! `hodograph synth`: a synthesis file to candidates, as a table or JSON, and one of them as a scene file.
 
 use super::worksheet::{Writer, stem};
-use super::{Failure, Run, args, draw, files, lang, values};
+use super::{Failure, Run, args, draw, errors, files, lang, values};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::digits::significant;
 use crate::figure::fit;
@@ -108,7 +108,7 @@ impl Solved {
     /// Says what is to be known of the task.
     pub fn say_notes(&self) {
         let list = self.notes.iter().chain(&self.design.notes).cloned().collect();
-        files::say_faults(&Faults { list }, &self.name, &self.source);
+        errors::tell(&Faults { list }, &self.name, &self.source);
     }
 }
 
@@ -120,7 +120,8 @@ pub fn run(a: Synth) -> Run {
     let picked = solved.picked(a.pick)?;
     let lang = lang::asked().or(solved.task.language).unwrap_or_default();
     if a.speed {
-        files::say(lang::of(&speed(&solved.design, took)));
+        let told = speed(&solved.design, took);
+        errors::tell_line(&Diagnostic::note("speed", told.clone()), &format!("{}\n", lang::of(&told)));
     }
     if let Some(path) = &a.output {
         files::write(Path::new(path), solved.design.candidates[picked].scene_text().as_bytes())?;
@@ -154,12 +155,12 @@ fn speed(design: &Design, seconds: f64) -> Both {
     let took = significant(seconds, 3);
     match design.numbers.iter().find(|n| n.name == "evaluations") {
         Some(n) => both!(
-            "{} positions in {took} s: {} a second\n",
-            "{} 个位置，用时 {took} s：每秒 {} 个\n",
+            "{} positions in {took} s: {} a second",
+            "{} 个位置，用时 {took} s：每秒 {} 个",
             n.value,
             significant(n.value / seconds.max(1e-9), 3)
         ),
-        None => both!("solved in {took} s\n", "用时 {took} s\n"),
+        None => both!("solved in {took} s", "用时 {took} s"),
     }
 }
 
@@ -230,7 +231,7 @@ pub fn worksheet(a: &args::Worksheet, style: Style, sides: Sides, write: Writer)
     let written = write(&document, stem(&a.output)).map_err(|f| solved.failed(f))?;
     let list = written.appear(&a.output)?;
     solved.say_notes();
-    files::say_faults(&Faults { list }, &solved.name, &solved.source);
+    errors::tell(&Faults { list }, &solved.name, &solved.source);
     Ok(ExitCode::SUCCESS)
 }
 
@@ -271,6 +272,6 @@ pub fn draw(a: &args::Draw, style: &Style) -> Run {
     }
     let notes = draw::put(a, &solved.name, figures, |f| solved.failed(f))?;
     solved.say_notes();
-    files::say_faults(&Faults { list: notes }, &solved.name, &solved.source);
+    errors::tell(&Faults { list: notes }, &solved.name, &solved.source);
     Ok(ExitCode::SUCCESS)
 }

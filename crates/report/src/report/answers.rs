@@ -6,7 +6,7 @@ use crate::analytic::{Decided, SingularKind, Singularity, Why as Refusal};
 use crate::answer::Value;
 use crate::certified::ladder::{Certified, Number, Part, READING_DIGITS, Why};
 use crate::construct::Measured;
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::Diagnostic;
 use crate::digits::{direction_degrees, shortest, significant};
 use crate::mechanism::Level;
 use crate::paper::phrase::{fill, formula, sense, tr};
@@ -414,7 +414,7 @@ fn singularity(scene: &Scene, s: &Singularity) -> Json {
 /// A diagnostic for programs.
 pub fn diagnostic(d: &Diagnostic) -> Json {
     json!({
-        "severity": match d.severity { Severity::Error => "error", Severity::Warning => "warning", Severity::Note => "note" },
+        "severity": d.severity.word(),
         "code": d.code,
         "message": d.message.en,
         "help": d.help.as_ref().map(|h| &h.en),
