@@ -1,6 +1,6 @@
 //! `hodograph lesson`: one page with the construction step by step, or a fragment for slides.
 
-use super::draw::style_of;
+use super::draw::{style_of, width};
 use super::{Failure, Input, Run, args, choices, files, particle, sweep, synth, verdict};
 use crate::diag::{Diagnostic, Warned, both};
 use crate::figure::sheet;
@@ -17,6 +17,7 @@ pub fn run(a: args::Lesson) -> Run {
             .help(both!("write -o lesson.html", "请写 -o lesson.html"));
         return Err(Failure::argument("-o", path, d));
     }
+    let width_mm = width(a.width.as_deref())?;
     let style = style_of(&a.look)?;
     if synth::is_task(&a.common.scene) {
         return synth::lesson(&a, style);
@@ -34,7 +35,10 @@ pub fn run(a: args::Lesson) -> Run {
     let notation = style.marks.over(&notation);
     let made = if a.reveal {
         let options = sheet::Options { notation, style, ..sheet::Options::of_language(lang) };
-        crate::lesson::reveal(&input.scene, &worked, &options)
+        match width_mm {
+            Some(mm) => crate::lesson::reveal_in(&input.scene, &worked, &options, mm),
+            None => crate::lesson::reveal(&input.scene, &worked, &options),
+        }
     } else {
         let swept = match a.driver {
             Some(number) => Swept::Driver(number as usize - 1),

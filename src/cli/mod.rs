@@ -25,6 +25,7 @@ mod mobility;
 mod part;
 mod particle;
 mod path;
+mod places;
 mod plan;
 mod readings;
 mod spool;
@@ -399,6 +400,8 @@ fn solve(a: args::Solve) -> Run {
 }
 
 fn accuracy(a: args::Accuracy) -> Run {
+    places::no_report_beside(a.output.as_deref(), a.json)?;
+    let places = a.output.as_deref().map(|output| places::places(output, &a.format, values::Format::Svg)).transpose()?;
     let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     let worked = input.work(Scope::Questions)?;
@@ -407,9 +410,9 @@ fn accuracy(a: args::Accuracy) -> Run {
     let watch = ways::Watch { now: &|| start.elapsed(), patience: Duration::from_millis(a.patience) };
     let measured = ways::measure(&input.scene, &worked, watch).map_err(|f| input.failed(f))?;
     let series = if a.toward_toggle { ways::toward_toggle(&input.scene, watch).map_err(|f| input.failed(f))? } else { Vec::new() };
-    if let Some(path) = &a.output {
+    if let Some(places) = &places {
         let figure = crate::figure::price::figure(&input.scene, &measured, &series, &style, lang);
-        input.notes.extend(files::figure(&figure, path)?);
+        input.notes.extend(files::figure(&figure, places)?.notes);
     }
     if a.json {
         files::print(&format!("{:#}\n", price::json(&measured, &series)))?;

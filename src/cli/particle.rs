@@ -1,6 +1,6 @@
 //! Files of motions without a mechanism: `solve`, `draw`, `worksheet` and `lesson` take them as they take scenes.
 
-use super::worksheet::{Writer, stem};
+use super::worksheet::Files;
 use super::{Failure, Run, args, draw, errors, files, lang, values};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::fit;
@@ -144,7 +144,7 @@ pub fn draw(a: &args::Draw, style: &Style) -> Run {
         );
         return Err(input.failed(Diagnostic::error("no-figure", message).help(help)));
     }
-    if let Some(width_mm) = draw::width(a)? {
+    if let Some(width_mm) = draw::width(a.width.as_deref())? {
         figures = fit::placed(figures, fit::Room::Column(width_mm)).map_err(|f| input.failed(f))?;
     }
     let notes = draw::put(a, &input.name, figures, |f| input.failed(f))?;
@@ -173,7 +173,7 @@ pub fn lesson(a: &args::Lesson, style: Style) -> Run {
 }
 
 /// Problem and solution.
-pub fn worksheet(a: &args::Worksheet, style: Style, sides: Sides, write: Writer) -> Run {
+pub fn worksheet(a: &args::Worksheet, style: Style, sides: Sides, to: &Files) -> Run {
     if a.find_the_mistake.is_some() {
         return Err(not_of_these("--find-the-mistake"));
     }
@@ -183,8 +183,7 @@ pub fn worksheet(a: &args::Worksheet, style: Style, sides: Sides, write: Writer)
         sides,
     };
     let document = crate::worksheet::particle(&input.problem, &input.solved, &input.board, &options).map_err(|d| input.failed(d))?;
-    let written = write(&document, stem(&a.output)).map_err(|f| input.failed(f))?;
-    let notes = written.appear(&a.output)?;
+    let notes = to.write(&document, |f| input.failed(f))?;
     input.say(notes);
     Ok(input.verdict())
 }

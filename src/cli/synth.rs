@@ -1,7 +1,7 @@
 //! `hodograph synth`: a synthesis file to candidates, as a table or JSON, and one of them as a scene file.
 
-use super::worksheet::{Writer, stem};
-use super::{Failure, Run, args, draw, errors, files, lang, values};
+use super::worksheet::Files;
+use super::{Failure, Run, args, draw, errors, files, lang, places, values};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::digits::significant;
 use crate::figure::fit;
@@ -114,6 +114,7 @@ impl Solved {
 
 /// Runs the command.
 pub fn run(a: Synth) -> Run {
+    places::no_report_beside(a.output.as_deref(), a.json)?;
     let start = Instant::now();
     let solved = Solved::read(&a.file, &a.set)?;
     let took = start.elapsed().as_secs_f64();
@@ -216,7 +217,7 @@ fn not_of_tasks(option: &str) -> Failure {
 }
 
 /// The worksheet of a candidate: problem, construction, proof, the linkage, all candidates.
-pub fn worksheet(a: &args::Worksheet, style: Style, sides: Sides, write: Writer) -> Run {
+pub fn worksheet(a: &args::Worksheet, style: Style, sides: Sides, to: &Files) -> Run {
     if a.find_the_mistake.is_some() {
         return Err(not_of_tasks("--find-the-mistake"));
     }
@@ -228,8 +229,7 @@ pub fn worksheet(a: &args::Worksheet, style: Style, sides: Sides, write: Writer)
     let lang = lang::asked().or(solved.task.language).unwrap_or_default();
     let options = Options { sheet: sheet::Options { style, ..sheet::Options::of_language(lang) }, sides };
     let document = crate::worksheet::design(&solved.task, &solved.design, picked, &options).map_err(|f| solved.failed(f))?;
-    let written = write(&document, stem(&a.output)).map_err(|f| solved.failed(f))?;
-    let list = written.appear(&a.output)?;
+    let list = to.write(&document, |f| solved.failed(f))?;
     solved.say_notes();
     errors::tell(&Faults { list }, &solved.name, &solved.source);
     Ok(ExitCode::SUCCESS)
@@ -267,8 +267,9 @@ pub fn draw(a: &args::Draw, style: &Style) -> Run {
         };
         figures = figure::growing(&figures[at].1);
     }
-    if let Some(width_mm) = draw::width(a)? {
-        figures = fit::placed(figures, fit::Room::Column(width_mm)).map_err(|f| solved.failed(f))?;
+    if let Some(width_mm) = draw::width(a.width.as_deref())? {
+        let room = fit::Room::Column(width_mm);
+        figures = if a.steps { fit::placed_alike(figures, room) } else { fit::placed(figures, room) }.map_err(|f| solved.failed(f))?;
     }
     let notes = draw::put(a, &solved.name, figures, |f| solved.failed(f))?;
     solved.say_notes();

@@ -32,6 +32,47 @@ impl Format {
     }
 }
 
+/// Formats of a worksheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Sheet {
+    Pdf,
+    Html,
+    Md,
+    Typ,
+}
+
+/// Formats of a motion; PNG is a picture for each frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Moving {
+    Gif,
+    Svg,
+    Png,
+}
+
+/// Formats of a sweep's table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Table {
+    Csv,
+    Json,
+    Npy,
+    Parquet,
+}
+
+/// Formats of a batch's table: those that are written row by row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Rows {
+    Csv,
+    Npy,
+    Parquet,
+}
+
+/// Formats of a cam's profile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Profile {
+    Csv,
+    Dxf,
+}
+
 /// How the letters of an SVG are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Text {

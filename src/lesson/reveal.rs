@@ -1,10 +1,11 @@
 //! One pose as a fragment for slides: an inline SVG whose parts carry the classes by which reveal.js shows them one by one.
 
 use crate::diag::{Faults, Warned};
+use crate::figure::fit::{self, Room};
+use crate::figure::list::{Extras, Wanted};
 use crate::figure::sheet;
 use crate::geom::Point;
 use crate::mechanism::Level;
-use crate::paper::extent::Rect;
 use crate::render::number::mm;
 use crate::render::svg::{Elements, hex};
 use crate::scene::Scene;
@@ -21,6 +22,33 @@ const GAP_MM: f64 = 6.0;
 /// # Errors
 /// Those of the SVG writer.
 pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Result<Warned<String>, Faults> {
+    let (drawings, _) = drawings(scene, worked, options)?;
+    Ok(Warned { value: drawings.svg(scene, options, None), notes: Vec::new() })
+}
+
+/// [`reveal`] in a width (mm): all smaller, type as far as it can be read.
+///
+/// # Errors
+/// `paper-too-small` where the smallest legible drawings side by side are wider.
+pub fn reveal_in(scene: &Scene, worked: &Worked, options: &sheet::Options, width_mm: f64) -> Result<Warned<String>, Faults> {
+    let extras = Extras::default();
+    let wanted = Wanted { scene, worked, options, extras: &extras };
+    let value = fit::first_that_fits("reveal", &wanted, Room::Column(width_mm), |w| {
+        let (drawings, size) = drawings(w.scene, w.worked, w.options)?;
+        Ok(if size[0] <= width_mm { Ok(drawings.svg(w.scene, w.options, Some(width_mm))) } else { Err(size) })
+    })?;
+    Ok(Warned { value, notes: Vec::new() })
+}
+
+/// The drawings side by side.
+struct Drawings {
+    body: String,
+    letters: String,
+    size_mm: [f64; 2],
+}
+
+/// The drawings, and their size (mm) together.
+fn drawings(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Result<(Drawings, [f64; 2]), Faults> {
     let drawn = |level| Some((level, sheet::drawing(scene, worked, options, level)?));
     let mut figures: Vec<_> = Level::ALL.into_iter().filter_map(drawn).collect();
     let height = figures.iter().map(|(_, f)| f.height_mm).fold(0.0, f64::max);
@@ -48,14 +76,24 @@ pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Resul
         }
         done += most;
     }
-    let paper = Rect::new(Point::ORIGIN, Point::new((x - GAP_MM).max(0.0), height));
-    let title = scene.title.get(options.lang);
-    let (w, h) = (mm(paper.width_mm()), mm(paper.height_mm()));
-    let value = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"{}\" style=\"width:100%;background:{}\">\n{}\n{body}</svg>\n",
-        escaped(title),
-        hex(options.style.palette.paper),
-        Elements::letters([&elements])
-    );
-    Ok(Warned { value, notes: Vec::new() })
+    let size_mm = [(x - GAP_MM).max(0.0), height];
+    Ok((Drawings { body, letters: Elements::letters([&elements]), size_mm }, size_mm))
+}
+
+impl Drawings {
+    /// The fragment, as wide as its slide or of a width (mm) in whose middle the drawings stand.
+    fn svg(&self, scene: &Scene, options: &sheet::Options, width_mm: Option<f64>) -> String {
+        let [own, height] = self.size_mm;
+        let wide = width_mm.unwrap_or(own);
+        let left = (own - wide) / 2.0;
+        let (left, w, h) = (mm(left), mm(wide), mm(height));
+        let shown = width_mm.map_or_else(|| "width:100%".to_owned(), |_| format!("width:{w}mm;max-width:100%"));
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"{left} 0 {w} {h}\" role=\"img\" aria-label=\"{}\" style=\"{shown};background:{}\">\n{}\n{}</svg>\n",
+            escaped(scene.title.get(options.lang)),
+            hex(options.style.palette.paper),
+            self.letters,
+            self.body
+        )
+    }
 }

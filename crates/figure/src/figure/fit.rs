@@ -51,6 +51,14 @@ impl Room {
         }
     }
 
+    /// The page around ink of this size (mm).
+    fn sides(self, ink: [f64; 2]) -> [f64; 2] {
+        match self {
+            Room::Column(w) => [w, ink[1] + 2.0 * self.border_mm()],
+            Room::Paper(sides) => sides,
+        }
+    }
+
     /// The figure in the middle of a page of this room.
     ///
     /// # Errors
@@ -61,10 +69,7 @@ impl Room {
         if size[0] > inner[0] || size[1] > inner[1] {
             return Err(size);
         }
-        let [width, height] = match self {
-            Room::Column(w) => [w, size[1] + 2.0 * self.border_mm()],
-            Room::Paper(sides) => sides,
-        };
+        let [width, height] = self.sides(size);
         let centre = ink.centre();
         translate(&mut figure.items, Vec2::new(width / 2.0 - centre.x, height / 2.0 - centre.y));
         Ok(Figure { width_mm: width, height_mm: height, ..figure })
@@ -130,6 +135,66 @@ pub fn pages(entry: &Entry, w: &Wanted, room: Room) -> Result<Warned<Pages>, Fau
     }
     let name = if entry.name.is_empty() { USUAL.name } else { entry.name };
     Err(too_small(name, needs, room).into())
+}
+
+/// The steps of the construction, a page for each; in a column of this width all of one size, so that slides do not jump.
+///
+/// # Errors
+/// `paper-too-small` where the smallest legible pages are wider than the column.
+pub fn steps(w: &Wanted, width_mm: Option<f64>) -> Result<Pages, Faults> {
+    let named = |(k, figure)| (format!("step-{:02}", k + 1), figure);
+    let draw = |w: &Wanted| -> Pages { super::steps::figures(w.scene, w.worked, w.options).into_iter().enumerate().map(named).collect() };
+    match width_mm.map(Room::Column) {
+        None => Ok(draw(w)),
+        Some(room) => first_that_fits("steps", w, room, |w| Ok(alike(draw(w), room))),
+    }
+}
+
+/// The largest of the sizes that are tried at which something fits: what `draw` makes of it; it returns the size (mm) of what does not fit.
+///
+/// # Errors
+/// `paper-too-small` where the smallest legible one does not fit; those of `draw`.
+pub fn first_that_fits<T>(
+    name: &str,
+    w: &Wanted,
+    room: Room,
+    draw: impl Fn(&Wanted) -> Result<Result<T, [f64; 2]>, Faults>,
+) -> Result<T, Faults> {
+    let mut needs = [0.0_f64; 2];
+    for part in PARTS {
+        match draw(&Smaller::of(w, part, [part; 3])?.wanted(w.extras))? {
+            Ok(made) => return Ok(made),
+            Err(size) => needs = size,
+        }
+    }
+    let help = both!("give more room; scales that the scene fixes are kept", "请给更大的幅面；机构文件规定的比例尺保持不变");
+    Err(too_small(name, needs, room).help(help).into())
+}
+
+/// Finished figures of one size in a room, all shifted alike.
+///
+/// # Errors
+/// `paper-too-small` where one of them is larger.
+pub fn placed_alike(figures: Pages, room: Room) -> Result<Pages, Faults> {
+    let name = figures.first().map(|(word, _)| word.clone()).unwrap_or_default();
+    alike(figures, room).map_err(|size| too_small(&name, size, room).into())
+}
+
+/// The same; the error is the size of all ink together.
+fn alike(mut figures: Pages, room: Room) -> Result<Pages, [f64; 2]> {
+    let ink = figures.iter().filter_map(|(_, f)| bounds(&f.items)).reduce(|a, b| a.union(b));
+    let Some(ink) = ink else { return Ok(figures) };
+    let (size, inner) = ([ink.width_mm(), ink.height_mm()], room.inner());
+    if size[0] > inner[0] || size[1] > inner[1] {
+        return Err(size);
+    }
+    let [width, height] = room.sides(size);
+    let shift = Vec2::new(width / 2.0, height / 2.0) - Vec2::new(ink.centre().x, ink.centre().y);
+    for (_, figure) in &mut figures {
+        translate(&mut figure.items, shift);
+        (figure.width_mm, figure.height_mm) = (width, height);
+    }
+    Ok(figures)
 }
 
 /// The sheet of this part of its size, where the room holds it.
