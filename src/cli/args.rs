@@ -24,7 +24,7 @@ pub struct Args {
     /// Language of the output (default: the scene's, else en)
     #[arg(long, value_enum, global = true)]
     pub lang: Option<Language>,
-    /// Form of faults, warnings and notes on standard error: text, or one JSON document for the run (`hodograph schema --errors`)
+    /// Form of faults, warnings and notes on standard error: text, or one JSON document for the run (`hodograph schema --diagnostics`)
     #[arg(long, value_enum, global = true, default_value_t = Errors::Text, hide_possible_values = true, hide_default_value = true, value_name = "text|json")]
     pub errors: Errors,
     #[command(subcommand)]
@@ -89,6 +89,8 @@ pub enum Command {
     },
     /// List the templates with their parameters
     Templates,
+    /// Explain a fault, warning or note by its code: cause and cure; or list all codes
+    Explain(super::explain::Explain),
     /// Print the JSON Schema of the scene format
     Schema {
         /// That of the synthesis file instead
@@ -97,6 +99,12 @@ pub enum Command {
         /// That of files of motions without a mechanism
         #[arg(long, conflicts_with = "synthesis")]
         motions: bool,
+        /// That of the answers of `solve --json`
+        #[arg(long, conflicts_with_all = ["synthesis", "motions"])]
+        solved: bool,
+        /// That of faults, warnings and notes with `--errors json`
+        #[arg(long, conflicts_with_all = ["synthesis", "motions", "solved"])]
+        diagnostics: bool,
     },
 }
 

@@ -14,6 +14,7 @@ mod curvature;
 mod curves;
 mod draw;
 mod errors;
+mod explain;
 mod files;
 mod help;
 mod inversions;
@@ -104,9 +105,12 @@ fn run() -> ExitCode {
         Command::Synth(a) => synth::run(a),
         Command::Readings(a) => readings::run(a),
         Command::New { template, set, output } => template::new(template.as_deref(), &set, output.as_deref()),
+        Command::Explain(a) => explain::run(a),
         Command::Templates => template::list(),
         Command::Schema { synthesis: true, .. } => files::print(crate::synthesis::schema::schema()),
         Command::Schema { motions: true, .. } => files::print(crate::particle::schema::schema()),
+        Command::Schema { solved: true, .. } => files::print(include_str!("schema/solved.json")),
+        Command::Schema { diagnostics: true, .. } => files::print(include_str!("schema/errors.json")),
         Command::Schema { .. } => files::print(scene::schema::schema()),
     };
     result.unwrap_or_else(Failure::say)

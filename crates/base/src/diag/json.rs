@@ -3,7 +3,7 @@
 use super::{Both, Diagnostic, Faults, Severity};
 use serde_json::{Value, json};
 
-/// The version of the document that [`document`] makes; `hodograph schema --errors` describes it.
+/// The version of the document that [`document`] makes; `hodograph schema --diagnostics` describes it.
 pub const SCHEMA: &str = "hodograph/errors/1";
 
 /// The document of a run: its version and all diagnostics, as [`Faults::json`] makes them.

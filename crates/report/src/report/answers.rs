@@ -24,6 +24,8 @@ pub use none::{reason, verdict};
 
 /// Digits of the direction of a point at infinity.
 const DIRECTION_DIGITS: usize = 5;
+/// The version of the document that [`json`] makes; `hodograph schema --solved` describes it.
+pub const SCHEMA: &str = "hodograph/solved/1";
 /// Digits that text answers show unless more or fewer are asked for.
 pub const DIGITS: usize = 6;
 
@@ -271,6 +273,7 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         })
         .collect();
     let mut all = json!({
+        "schema": SCHEMA,
         "title": {"en": scene.title.en, "zh": scene.title.zh},
         "answers": answers,
         // Infinite where singular, which JSON writes as null.
