@@ -83,7 +83,7 @@ pub enum Command {
         /// Give a parameter another value: NAME=VALUE; a bare number keeps the unit
         #[arg(long, value_name = "NAME=VALUE")]
         set: Vec<String>,
-        /// Write to this file instead of standard output
+        /// Write to this file (default: `-`, standard output)
         #[arg(short, long, value_name = "FILE")]
         output: Option<String>,
     },
@@ -198,7 +198,7 @@ pub struct Lesson {
     /// A fragment for reveal.js instead: an inline SVG whose parts appear step by step
     #[arg(long, conflicts_with_all = ["positions", "driver", "over"])]
     pub reveal: bool,
-    /// With --reveal: width of the fragment, such as 120mm; type is made smaller as far as it can be read, what still does not fit is not drawn
+    /// With --reveal: width of the fragment, such as 240mm; drawings and type become smaller, then drawings stand one below the other
     #[arg(long, value_name = "LENGTH", requires = "reveal")]
     pub width: Option<String>,
     /// Positions through a full turn or the whole travel, 8 to 360; more are added where the motion bends

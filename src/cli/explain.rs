@@ -32,6 +32,8 @@ const FILES: [&str; 4] = [
 
 /// Codes are near one another from this similarity by Jaro and Winkler on, as misspelt keys of files are.
 const NEAR: f64 = 0.7;
+/// Beside the nearest one those are proposed that are hardly less near.
+const BESIDE: f64 = 0.05;
 /// Codes that are proposed for a misspelt one at most.
 const MOST_NEAR: usize = 3;
 
@@ -60,8 +62,10 @@ pub fn run(a: Explain) -> Run {
 }
 
 fn unknown(code: &str, all: &[Entry]) -> Diagnostic {
-    let mut near: Vec<(f64, &str)> = all.iter().map(|e| (strsim::jaro_winkler(code, e.code), e.code)).filter(|n| n.0 >= NEAR).collect();
+    let mut near: Vec<(f64, &str)> = all.iter().map(|e| (strsim::jaro_winkler(code, e.code), e.code)).collect();
     near.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let least = near.first().map_or(NEAR, |best| NEAR.max(best.0 - BESIDE));
+    near.retain(|n| n.0 >= least);
     let names: Vec<String> = near.iter().take(MOST_NEAR).map(|n| format!("`{}`", n.1)).collect();
     let help = match &names[..] {
         [] => both!("`hodograph explain` lists all codes", "`hodograph explain` 列出全部代码"),

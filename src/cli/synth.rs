@@ -33,7 +33,7 @@ pub struct Synth {
     /// The candidate that is meant, counted from 1 in the order of the table
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pick: Option<u64>,
-    /// Write the scene of the candidate to this file (default: of the first one)
+    /// Write the scene of the candidate to this file or to `-`, standard output (default: of the first one)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
     /// The candidates as JSON, in SI, with their scenes

@@ -6,6 +6,7 @@ use crate::figure::list::{Extras, Wanted};
 use crate::figure::sheet;
 use crate::geom::Point;
 use crate::mechanism::Level;
+use crate::paper::item::Figure;
 use crate::render::number::mm;
 use crate::render::svg::{Elements, hex};
 use crate::scene::Scene;
@@ -22,44 +23,50 @@ const GAP_MM: f64 = 6.0;
 /// # Errors
 /// Those of the SVG writer.
 pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Result<Warned<String>, Faults> {
-    let (drawings, _) = drawings(scene, worked, options)?;
+    let (drawings, _) = drawings(scene, worked, options, false)?;
     Ok(Warned { value: drawings.svg(scene, options, None), notes: Vec::new() })
 }
 
-/// [`reveal`] in a width (mm): all smaller, type as far as it can be read.
+/// [`reveal`] in a width (mm): drawings become smaller, type as far as it can be read, and stand one below the other
+/// where side by side they would be too small.
 ///
 /// # Errors
-/// `paper-too-small` where the smallest legible drawings side by side are wider.
+/// `paper-too-small` where the smallest legible drawings are wider.
 pub fn reveal_in(scene: &Scene, worked: &Worked, options: &sheet::Options, width_mm: f64) -> Result<Warned<String>, Faults> {
     let extras = Extras::default();
     let wanted = Wanted { scene, worked, options, extras: &extras };
-    let value = fit::first_that_fits("reveal", &wanted, Room::Column(width_mm), |w| {
-        let (drawings, size) = drawings(w.scene, w.worked, w.options)?;
+    let value = fit::first_that_fits("reveal", &wanted, Room::Column(width_mm), |w, stacked| {
+        let (drawings, size) = drawings(w.scene, w.worked, w.options, stacked)?;
         Ok(if size[0] <= width_mm { Ok(drawings.svg(w.scene, w.options, Some(width_mm))) } else { Err(size) })
     })?;
     Ok(Warned { value, notes: Vec::new() })
 }
 
-/// The drawings side by side.
+/// The drawings as markup.
 struct Drawings {
     body: String,
     letters: String,
     size_mm: [f64; 2],
 }
 
-/// The drawings, and their size (mm) together.
-fn drawings(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Result<(Drawings, [f64; 2]), Faults> {
+/// The drawings side by side or one below the other, and their size (mm) together.
+fn drawings(scene: &Scene, worked: &Worked, options: &sheet::Options, stacked: bool) -> Result<(Drawings, [f64; 2]), Faults> {
     let drawn = |level| Some((level, sheet::drawing(scene, worked, options, level)?));
     let mut figures: Vec<_> = Level::ALL.into_iter().filter_map(drawn).collect();
-    let height = figures.iter().map(|(_, f)| f.height_mm).fold(0.0, f64::max);
-    let mut x = 0.0;
+    let most = |side: fn(&Figure) -> f64| figures.iter().map(|(_, f)| side(f)).fold(0.0, f64::max);
+    let sum = |side: fn(&Figure) -> f64| figures.iter().map(|(_, f)| side(f) + GAP_MM).sum::<f64>() - GAP_MM;
+    let [width, height] = if stacked { [most(|f| f.width_mm), sum(|f| f.height_mm)] } else { [sum(|f| f.width_mm), most(|f| f.height_mm)] };
+    let (mut x, mut top) = (0.0, height);
     let mut body = String::new();
     let mut elements = Elements::new(height);
     let mut done = 0;
     for (level, figure) in &mut figures {
-        // All stand on one line, their captions at the bottom.
-        crate::paper::extent::translate(&mut figure.items, Point::new(x, 0.0) - Point::ORIGIN);
+        // Side by side all stand on one line, their captions at the bottom.
+        top -= figure.height_mm;
+        let corner = if stacked { Point::new((width - figure.width_mm) / 2.0, top) } else { Point::new(x, 0.0) };
+        crate::paper::extent::translate(&mut figure.items, corner - Point::ORIGIN);
         x += figure.width_mm + GAP_MM;
+        top -= GAP_MM;
         let list = elements.of(&figure.items)?;
         // An item that several steps draw comes with the first.
         let of: Vec<Option<usize>> = figure.items.iter().map(|i| i.steps().min().filter(|_| *level > Level::Position)).collect();
@@ -76,7 +83,7 @@ fn drawings(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Result<
         }
         done += most;
     }
-    let size_mm = [(x - GAP_MM).max(0.0), height];
+    let size_mm = [width, height].map(|mm| mm.max(0.0));
     Ok((Drawings { body, letters: Elements::letters([&elements]), size_mm }, size_mm))
 }
 

@@ -147,14 +147,21 @@ fn steps_and_fragments_have_a_width() {
     let run = |args: &str| {
         hodograph().current_dir(env!("CARGO_MANIFEST_DIR")).args(args.split(' ')).args(["-o", folder.path().to_str().unwrap()]).assert()
     };
-    run("draw templates/crank-rocker.json --steps --format svg --width 110mm").success();
-    let sizes: Vec<String> = fs::read_dir(folder.path())
-        .unwrap()
-        .map(|f| fs::read_to_string(f.unwrap().path()).unwrap().split("viewBox=\"").nth(1).unwrap().split('"').next().unwrap().to_owned())
-        .collect();
-    assert!(sizes.len() > 5 && sizes.iter().all(|s| *s == sizes[0] && s.starts_with("0 0 110 ")), "{sizes:?}");
-    run("draw templates/crank-rocker.json --steps --format svg --width 40mm").code(2);
-    run("draw templates/synthesis/time-ratio.json --steps --format svg --width 150mm").success();
+    // Side by side, and in a narrow column one below the other: higher than wide.
+    for (width, narrow) in [(200, false), (80, true)] {
+        run(&format!("draw templates/crank-rocker.json --steps --format svg --width {width}mm")).success();
+        let sizes: Vec<String> = fs::read_dir(folder.path())
+            .unwrap()
+            .map(|f| {
+                fs::read_to_string(f.unwrap().path()).unwrap().split("viewBox=\"").nth(1).unwrap().split('"').next().unwrap().to_owned()
+            })
+            .collect();
+        assert!(sizes.len() > 5 && sizes.iter().all(|s| *s == sizes[0] && s.starts_with(&format!("0 0 {width} "))), "{sizes:?}");
+        let height: f64 = sizes[0].rsplit(' ').next().unwrap().parse().unwrap();
+        assert_eq!(height > f64::from(width), narrow, "{sizes:?}");
+    }
+    run("draw templates/crank-rocker.json --steps --format svg --width 21mm").code(2);
+    run("draw templates/synthesis/time-ratio.json --steps --format svg --width 200mm").success();
     let reveal =
         |width: &str| hodograph().args(["lesson", "templates/crank-rocker.json", "--reveal", "--width", width, "-o", "-"]).assert();
     let fragment = text(&reveal("240mm").success().get_output().stdout);
@@ -162,7 +169,7 @@ fn steps_and_fragments_have_a_width() {
     let view: Vec<f64> =
         fragment.split("viewBox=\"").nth(1).unwrap().split('"').next().unwrap().split(' ').map(|n| n.parse().unwrap()).collect();
     assert!((view[2] - 240.0).abs() < 1e-9, "{view:?}");
-    let refused = reveal("60mm").code(2);
+    let refused = reveal("25mm").code(2);
     assert!(text(&refused.get_output().stderr).contains("paper-too-small"));
     hodograph().args(["lesson", "templates/crank-rocker.json", "--width", "240mm", "-o", "-"]).assert().code(2);
 }

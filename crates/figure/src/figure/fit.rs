@@ -142,15 +142,25 @@ pub fn pages(entry: &Entry, w: &Wanted, room: Room) -> Result<Warned<Pages>, Fau
 /// # Errors
 /// `paper-too-small` where the smallest legible pages are wider than the column.
 pub fn steps(w: &Wanted, width_mm: Option<f64>) -> Result<Pages, Faults> {
-    let named = |(k, figure)| (format!("step-{:02}", k + 1), figure);
-    let draw = |w: &Wanted| -> Pages { super::steps::figures(w.scene, w.worked, w.options).into_iter().enumerate().map(named).collect() };
-    match width_mm.map(Room::Column) {
-        None => Ok(draw(w)),
-        Some(room) => first_that_fits("steps", w, room, |w| Ok(alike(draw(w), room))),
-    }
+    let named = |all: Vec<Figure>| -> Pages { (1..).zip(all).map(|(k, figure)| (format!("step-{k:02}"), figure)).collect() };
+    let Some(room) = width_mm.map(Room::Column) else { return Ok(named(super::steps::figures(w.scene, w.worked, w.options))) };
+    first_that_fits("steps", w, room, |w, stacked| {
+        let within = Within { width_mm: room.inner()[0], stacked };
+        Ok(alike(named(super::steps::figures_in(w.scene, w.worked, w.options, Some(within))), room))
+    })
 }
 
-/// The largest of the sizes that are tried at which something fits: what `draw` makes of it; it returns the size (mm) of what does not fit.
+/// Room between the margins of a page, and how drawings stand in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Within {
+    /// Its width (mm).
+    pub width_mm: f64,
+    /// One below the other, not side by side.
+    pub stacked: bool,
+}
+
+/// The first of the ways that are tried in which something fits: drawings side by side as long as their type can be read without effort,
+/// else one below the other (`true`), each at smaller and smaller sizes. `draw` returns the size (mm) of what does not fit.
 ///
 /// # Errors
 /// `paper-too-small` where the smallest legible one does not fit; those of `draw`.
@@ -158,11 +168,12 @@ pub fn first_that_fits<T>(
     name: &str,
     w: &Wanted,
     room: Room,
-    draw: impl Fn(&Wanted) -> Result<Result<T, [f64; 2]>, Faults>,
+    draw: impl Fn(&Wanted, bool) -> Result<Result<T, [f64; 2]>, Faults>,
 ) -> Result<T, Faults> {
     let mut needs = [0.0_f64; 2];
-    for part in PARTS {
-        match draw(&Smaller::of(w, part, [part; 3])?.wanted(w.extras))? {
+    let beside = PARTS.into_iter().filter(|part| *part >= LEAST_TYPE).map(|part| (part, false));
+    for (part, stacked) in beside.chain(PARTS.map(|part| (part, true))) {
+        match draw(&Smaller::of(w, part, [part; 3])?.wanted(w.extras), stacked)? {
             Ok(made) => return Ok(made),
             Err(size) => needs = size,
         }
