@@ -55,6 +55,7 @@ pub fn run(a: args::Inversions) -> Run {
     }
     if a.json {
         files::print(&format!("{:#}\n", report::json(&input.scene, &all, &input.notes)))?;
+        input.say_notes_beside_json();
         return Ok(ExitCode::SUCCESS);
     }
     if a.output.is_none() {

@@ -341,6 +341,13 @@ impl Input {
         Ok(drafting.is_some())
     }
 
+    /// Where faults are told as JSON, says what the answers as JSON hold too.
+    fn say_notes_beside_json(&self) {
+        if errors::as_json() {
+            self.say_notes();
+        }
+    }
+
     /// Says what is to be known of the work, and what the author's fonts did not have.
     fn say_notes(&self) {
         let list: Vec<_> = self.notes.iter().cloned().chain(self.fonts.lacking()).collect();
@@ -385,6 +392,7 @@ fn solve(a: args::Solve) -> Run {
     if a.json {
         let value = answers::json(&input.scene, &worked, &certified, a.digits, &input.notes);
         files::print(&format!("{value:#}\n"))?;
+        input.say_notes_beside_json();
         return Ok(verdict(&worked));
     }
     files::print(&answers::text(&input.scene, &worked, &certified, a.digits, lang))?;

@@ -111,6 +111,9 @@ pub fn solve(a: &args::Solve) -> Run {
     let input = Input::read(&a.common)?;
     if a.json {
         files::print(&format!("{:#}\n", report::json(&input.problem, &input.solved, &input.board, a.digits, &input.notes)))?;
+        if errors::as_json() {
+            input.say(Vec::new());
+        }
         return Ok(input.verdict());
     }
     let notation = named(&a.common).unwrap_or_else(|| Notation::of_language(input.lang()));

@@ -51,5 +51,6 @@ fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: 
         }
     };
     files::print(&format!("{document:#}\n"))?;
+    input.say_notes_beside_json();
     Ok(code)
 }

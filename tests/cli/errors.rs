@@ -100,6 +100,9 @@ fn whatever_is_told_on_standard_error_is_the_document() {
         let codes = codes(&document);
         assert!(wanted.iter().all(|w| codes.iter().any(|c| c == w)) && (codes.is_empty() == wanted.is_empty()), "{args:?}: {codes:?}");
     }
+    // Answers as JSON hold their notes; so does the document.
+    let (told, _) = document(&["solve", "--json", "tests/bad/dead-centre.json"]);
+    assert!(codes(&told).iter().any(|c| c == "dead-centre"), "{told}");
     let (usage, _) = document(&["solve", "x.json", "--lang", "zh", "--digits", "99"]);
     let message = &usage["diagnostics"][0]["message"];
     assert!(message["en"].as_str().unwrap().contains("not a whole number from 1 to 30"), "{message}");

@@ -24,7 +24,7 @@ const ONE: [(&str, &str); 14] = [
 
 /// Options that ask for a format on standard output where it is not the usual one.
 fn asking(command: &str, ending: &str) -> Vec<String> {
-    let usual = !(ending == "pdf");
+    let usual = ending != "pdf";
     let words = command.split(' ').map(str::to_owned);
     let format = if usual { Vec::new() } else { vec!["--format".to_owned(), ending.to_owned()] };
     words.chain(format).collect()
