@@ -24,7 +24,7 @@ pub use none::{reason, verdict};
 
 /// Digits of the direction of a point at infinity.
 const DIRECTION_DIGITS: usize = 5;
-/// The version of the document that [`json`] makes; `hodograph schema --solved` describes it.
+/// The version of the document that [`json()`] makes; `hodograph schema --solved` describes it.
 pub const SCHEMA: &str = "hodograph/solved/1";
 /// Digits that text answers show unless more or fewer are asked for.
 pub const DIGITS: usize = 6;

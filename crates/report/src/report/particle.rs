@@ -155,7 +155,7 @@ pub fn scales(book: &Book, [l, v, a]: [f64; 3]) -> String {
     all.map(|(level, mu)| format!("${}$", of_level(book, level, mu))).join(", ")
 }
 
-/// The version of the document that [`json`] makes; `hodograph schema --solved` describes it.
+/// The version of the document that [`json()`] makes; `hodograph schema --solved` describes it.
 pub const SCHEMA: &str = "hodograph/solved-motion/1";
 
 /// The same for programs, in SI.
