@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 
 /// The arguments of the command.
 #[derive(ClapArgs, Debug)]
-#[command(after_help = "The same as a page: docs/errors.md")]
+#[command(after_help = "All of them as a page: docs/errors.md")]
 pub struct Explain {
     /// The code in the first line of a message, such as dead-centre (default: the list of all codes)
     #[arg(value_name = "CODE")]

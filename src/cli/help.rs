@@ -319,7 +319,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("new", "output", "写入这个文件（默认：`-`，即标准输出）"),
     ("templates", "", "列出各模板及其参数"),
     ("explain", "", "解释错误、警告和提示的代码：原因与对策；或列出全部代码"),
-    ("explain", "*after", "同样内容的页面：docs/errors.md"),
+    ("explain", "*after", "全部代码的页面：docs/errors.md"),
     ("explain", "code", "信息首行中的代码，如 dead-centre（默认：列出全部代码）"),
     ("explain", "json", "结果为 JSON，含两种语言"),
     ("schema", "solved", "改为 `solve --json` 结果的 JSON Schema"),

@@ -191,7 +191,7 @@ pub fn placed_alike(figures: Pages, room: Room) -> Result<Pages, Faults> {
     alike(figures, room).map_err(|size| too_small(&name, size, room).into())
 }
 
-/// The same; the error is the size of all ink together.
+/// [`placed_alike`] with the size (mm) of all ink together as its error.
 fn alike(mut figures: Pages, room: Room) -> Result<Pages, [f64; 2]> {
     let ink = figures.iter().filter_map(|(_, f)| bounds(&f.items)).reduce(|a, b| a.union(b));
     let Some(ink) = ink else { return Ok(figures) };
