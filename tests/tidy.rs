@@ -4,6 +4,8 @@
 //! Nothing of the library is linked: the test reads the sources. What a lint can say with types is said to clippy, in
 //! `clippy.toml`.
 
+#[path = "tidy/codes.rs"]
+mod codes;
 #[path = "tidy/kinds.rs"]
 mod kinds;
 #[path = "tidy/wording.rs"]

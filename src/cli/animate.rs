@@ -2,8 +2,10 @@
 
 use super::args::Animate;
 use super::draw::style_of;
+use super::places::{one_result, places};
 use super::sweep::swept_of;
 use super::together::Together;
+use super::values::Moving;
 use super::{Failure, Input, Run, choices, files};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::poses::{Wanted, turn};
@@ -18,32 +20,13 @@ use std::process::ExitCode;
 /// Millimetres of an inch.
 const INCH_MM: f64 = 25.4;
 
-/// What is written.
-enum Format {
-    Gif,
-    Svg,
-    Frames,
-}
-
 /// Runs the command.
 pub fn run(a: Animate) -> Run {
-    let path = a.output.as_str();
-    let format = match files::ending(path).as_deref() {
-        Some("gif") => Format::Gif,
-        Some("svg") => Format::Svg,
-        Some("png") => Format::Frames,
-        _ => {
-            let d = Diagnostic::error(
-                "output",
-                both!("{path} is neither a .gif, nor a .svg, nor a .png file", "{path} 不是 .gif、.svg 或 .png 文件"),
-            );
-            let help = both!(
-                "write -o turn.gif, -o turn.svg, or -o turn.png for frames turn-001.png, …",
-                "请写 -o turn.gif、-o turn.svg，或 -o turn.png（得到各帧 turn-001.png……）"
-            );
-            return Err(Failure::argument("-o", path, d.help(help)));
-        }
-    };
+    let places = places(&a.output, &a.format, Moving::Svg)?;
+    if places.iter().any(|p| p.0 == Moving::Png) {
+        let one = both!("ask for one file that moves: --format svg or --format gif", "请写成一个动画文件：--format svg 或 --format gif");
+        one_result(&a.output, usize::from(a.frames), one)?;
+    }
     let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     input.over_a_turn();
@@ -55,19 +38,20 @@ pub fn run(a: Animate) -> Run {
     let made = turn(&input.scene, &worked, &options, &wanted, INCH_MM / a.dpi).map_err(|f| input.failed(f))?;
     let Warned { value, notes } = made;
     let period = value.period();
-    let names = match format {
-        Format::Gif => {
-            let bytes = gif::write(&written(&period)?, a.dpi, a.seconds).map_err(of_figure)?;
-            files::write(Path::new(path), &bytes)?;
-            format!("{path}\n")
-        }
-        Format::Svg => {
-            let text = moving::write(&period, a.seconds).map_err(|f| Failure::input(f, "", ""))?;
-            files::write(Path::new(path), text.as_bytes())?;
-            format!("{path}\n")
-        }
-        Format::Frames => frames(path, &written(&period)?, a.dpi)?,
-    };
+    let (mut all, mut names) = (Together::default(), String::new());
+    for (format, path) in &places {
+        let bytes = match format {
+            Moving::Gif => gif::write(&written(&period)?, a.dpi, a.seconds).map_err(of_figure)?,
+            Moving::Svg => moving::write(&period, a.seconds).map_err(|f| Failure::input(f, "", ""))?.into_bytes(),
+            Moving::Png => {
+                names += &frames(path, &written(&period)?, a.dpi, &mut all)?;
+                continue;
+            }
+        };
+        all.add(Path::new(path), &bytes)?;
+        names += &format!("{path}\n");
+    }
+    all.appear()?;
     files::print_names(&names)?;
     input.file.notes.extend(notes);
     input.file.say_notes();
@@ -85,15 +69,14 @@ fn of_figure(d: Diagnostic) -> Failure {
 }
 
 /// A picture for each frame, numbered behind the name that was asked for; returns their names.
-fn frames(path: &str, all: &[String], dpi: f64) -> Result<String, Failure> {
+fn frames(path: &str, all: &[String], dpi: f64, together: &mut Together) -> Result<String, Failure> {
     let pictures: Result<Vec<Vec<u8>>, Diagnostic> = all.par_iter().map(|svg| png::render(svg, dpi)).collect();
     let stem = Path::new(path).with_extension("");
-    let (mut together, mut names) = (Together::default(), String::new());
+    let mut names = String::new();
     for (k, bytes) in pictures.map_err(of_figure)?.iter().enumerate() {
         let name = format!("{}-{:03}.png", stem.display(), k + 1);
         together.add(Path::new(&name), bytes)?;
         names.push_str(&format!("{name}\n"));
     }
-    together.appear()?;
     Ok(names)
 }

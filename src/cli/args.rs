@@ -4,7 +4,7 @@ mod motion;
 mod paths;
 mod reports;
 
-use super::values::{Format, Language, Text, Vectors, digits, dpi, figures, length, seconds, steps};
+use super::values::{Errors, Format, Language, Rows, Sheet, Table, Text, Vectors, digits, dpi, figures, length, seconds, steps};
 use crate::figure::list::{Entry, USUAL};
 use clap::{Args as ClapArgs, Parser, Subcommand};
 pub use motion::{Animate, Moves, Path};
@@ -24,6 +24,9 @@ pub struct Args {
     /// Language of the output (default: the scene's, else en)
     #[arg(long, value_enum, global = true)]
     pub lang: Option<Language>,
+    /// Form of faults, warnings and notes on standard error: text, or one JSON document for the run (`hodograph schema --diagnostics`)
+    #[arg(long, value_enum, global = true, default_value_t = Errors::Text, hide_possible_values = true, hide_default_value = true, value_name = "text|json")]
+    pub errors: Errors,
     #[command(subcommand)]
     pub command: Command,
 }
@@ -80,12 +83,14 @@ pub enum Command {
         /// Give a parameter another value: NAME=VALUE; a bare number keeps the unit
         #[arg(long, value_name = "NAME=VALUE")]
         set: Vec<String>,
-        /// Write to this file instead of standard output
+        /// Write to this file (default: `-`, standard output)
         #[arg(short, long, value_name = "FILE")]
         output: Option<String>,
     },
     /// List the templates with their parameters
     Templates,
+    /// Explain a fault, warning or note by its code: cause and cure; or list all codes
+    Explain(super::explain::Explain),
     /// Print the JSON Schema of the scene format
     Schema {
         /// That of the synthesis file instead
@@ -94,6 +99,12 @@ pub enum Command {
         /// That of files of motions without a mechanism
         #[arg(long, conflicts_with = "synthesis")]
         motions: bool,
+        /// That of the answers of `solve --json`
+        #[arg(long, conflicts_with_all = ["synthesis", "motions"])]
+        solved: bool,
+        /// That of faults, warnings and notes with `--errors json`
+        #[arg(long, conflicts_with_all = ["synthesis", "motions", "solved"])]
+        diagnostics: bool,
     },
 }
 
@@ -127,11 +138,11 @@ pub struct Look {
 pub struct Draw {
     #[command(flatten)]
     pub common: Common,
-    /// Folder for the files, or one file ending in .svg, .png or .pdf; a folder that is not there yet and has a dot in its name ends in /
+    /// Folder for the files, or one file ending in .svg, .png or .pdf, or `-` for standard output; a folder that is not there yet and has a dot in its name ends in /
     #[arg(short, long, value_name = "PATH", default_value = ".")]
     pub output: String,
-    /// Which files to write into a folder
-    #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Format::Svg, Format::Png])]
+    /// Formats of the files, such as svg,pdf; of a file the ending of -o decides (default: svg,png into a folder, svg to standard output)
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     pub format: Vec<Format>,
     /// Which figures, each with files of its own: the whole sheet, or parts of it
     #[arg(long, value_parser = figures(), value_delimiter = ',', default_value = USUAL.name)]
@@ -153,7 +164,7 @@ pub struct Draw {
     pub dimensions: bool,
     /// Width of the page, such as 80mm for a column of a book: type is made smaller as far as it can be read, then things are left out,
     /// which is told; what still does not fit is not drawn
-    #[arg(long, value_name = "LENGTH", conflicts_with = "steps")]
+    #[arg(long, value_name = "LENGTH")]
     pub width: Option<String>,
     /// Letters of an SVG: outlines look the same everywhere; editable text depends on the fonts of the machine that shows it
     #[arg(long, value_enum, default_value_t = Text::Outlines)]
@@ -181,12 +192,15 @@ pub struct Draw {
 pub struct Lesson {
     #[command(flatten)]
     pub common: Common,
-    /// The page to write (default: named after the scene)
+    /// The page to write, or `-` for standard output (default: named after the scene)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
     /// A fragment for reveal.js instead: an inline SVG whose parts appear step by step
     #[arg(long, conflicts_with_all = ["positions", "driver", "over"])]
     pub reveal: bool,
+    /// With --reveal: width of the fragment, such as 240mm; drawings and type become smaller, then drawings stand one below the other
+    #[arg(long, value_name = "LENGTH", requires = "reveal")]
+    pub width: Option<String>,
     /// Positions through a full turn or the whole travel, 8 to 360; more are added where the motion bends
     #[arg(long, default_value_t = crate::lesson::POSITIONS as u64, value_parser = clap::value_parser!(u64).range(8..=360))]
     pub positions: u64,
@@ -237,9 +251,12 @@ pub struct Plan {
 pub struct Worksheet {
     #[command(flatten)]
     pub common: Common,
-    /// The file, ending in .pdf, .html, .md or .typ; the last two get their drawings as SVG files beside them
+    /// The file, ending in .pdf, .html, .md or .typ, or `-` for standard output; the last two get their drawings as SVG files beside them
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
+    /// Formats where -o has no such ending, such as pdf,html; each ending is added where there are several (default of `-o -`: html)
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
+    pub format: Vec<Sheet>,
     /// Only the problem: what is given and wanted, no answer
     #[arg(long, conflicts_with = "solution")]
     pub problem_only: bool,
@@ -269,9 +286,12 @@ pub struct Accuracy {
     /// Also a series of poses that approach the nearest limit of the first driver, down to 1e-12
     #[arg(long)]
     pub toward_toggle: bool,
-    /// Write the work-precision figure to this file, ending in .svg, .png or .pdf
+    /// Write the work-precision figure to this file, ending in .svg, .png or .pdf, or to `-`, standard output, in place of the table
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
+    /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are several (default of `-o -`: svg)
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST", requires = "output")]
+    pub format: Vec<Format>,
     /// The tables as JSON
     #[arg(long)]
     pub json: bool,
@@ -310,9 +330,12 @@ pub struct Sweep {
     pub common: Common,
     #[command(flatten)]
     pub range: Range,
-    /// Write to this file, ending in .csv, .json, .npy or .parquet, instead of standard output (CSV)
+    /// Write to this file, ending in .csv, .json, .npy or .parquet (default: `-`, standard output)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
+    /// Format where -o has no such ending (default of standard output: csv)
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMAT")]
+    pub format: Vec<Table>,
 }
 
 #[derive(ClapArgs, Debug)]
@@ -323,9 +346,12 @@ pub struct Curves {
     pub range: Range,
     #[command(flatten)]
     pub look: Look,
-    /// The file, ending in .svg or .png (all panels over one another) or .pdf (pages of A4)
+    /// The file, ending in .svg or .png (all panels over one another) or .pdf (pages of A4), or `-` for standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
+    /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are several (default of `-o -`: svg)
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
+    pub format: Vec<Format>,
 }
 
 #[derive(ClapArgs, Debug)]
@@ -353,9 +379,13 @@ pub struct Mobility {
     pub json: bool,
     #[command(flatten)]
     pub look: Look,
-    /// The groups drawn apart, in a file ending in .svg, .png or .pdf; the scene must tell its pose
+    /// The groups drawn apart, in a file ending in .svg, .png or .pdf, or on `-`, standard output, in place of the report; the scene must
+    /// tell its pose
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
+    /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are several (default of `-o -`: svg)
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST", requires = "output")]
+    pub format: Vec<Format>,
 }
 
 #[derive(ClapArgs, Debug)]
@@ -365,10 +395,11 @@ pub struct Cam {
     /// Folder for two figures: the motion of the follower, and the profile by inversion
     #[arg(short, long, value_name = "FOLDER")]
     pub output: Option<String>,
-    /// Formats of the figures
-    #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Format::Svg, Format::Png])]
+    /// Formats of the figures, such as svg,pdf (default: svg,png)
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     pub format: Vec<Format>,
-    /// Write the profile to this file in millimetres, ending in .csv (a row for each angle) or .dxf (for a machine that cuts)
+    /// Write the profile to this file in millimetres, ending in .csv (a row for each angle) or .dxf (for a machine that cuts), or to `-`,
+    /// standard output, as CSV in place of the report
     #[arg(long, value_name = "FILE")]
     pub profile: Option<String>,
     /// Steps of a turn in the profile
@@ -402,7 +433,10 @@ pub struct Batch {
     pub seed: u64,
     #[command(flatten)]
     pub range: Range,
-    /// Write to this file, ending in .csv, .npy or .parquet; an interrupted run goes on where it was left
+    /// Write to this file, ending in .csv, .npy or .parquet, or to `-`, standard output; an interrupted run goes on where it was left
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
+    /// Format where -o has no such ending (default of `-o -`: csv)
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMAT")]
+    pub format: Vec<Rows>,
 }

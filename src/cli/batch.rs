@@ -8,7 +8,8 @@ use super::args::Batch as Args;
 use super::part::Part;
 use super::sweep::{ask, driver_of, stations, within};
 use super::target::unwritable;
-use super::{Failure, Input, Run, Told, choices, files, lang, long, stop, tables};
+use super::values::Rows;
+use super::{Failure, Input, Run, Told, choices, errors, files, lang, long, places, stop, tables};
 use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::mechanism::Mechanism;
 use crate::report::table::{Format, GENERATOR, Head, Piece};
@@ -29,12 +30,13 @@ const BLOCK: usize = 1 << 20;
 pub fn batch(a: Args) -> Run {
     let mut input = Input::read(&a.common)?;
     ask(&mut input, a.range.find.as_deref())?;
-    let ending = tables::ending(&a.output, &tables::BY_ROWS)?;
+    let (format, output) = tables::place(&a.output, &a.format, Rows::Csv)?;
     let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;
     let batch = plan(&input, &mechanism, &a)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let job = format!(
-        "{GENERATOR} {ending} {lang:?} {:?} {:?} {:?} {:?} {:?} {:?}",
+        "{GENERATOR} {} {lang:?} {:?} {:?} {:?} {:?} {:?} {:?}",
+        places::ending(format),
         a.vary,
         a.random,
         a.seed,
@@ -42,11 +44,11 @@ pub fn batch(a: Args) -> Run {
         a.range.find,
         input.file.source
     );
-    let part = write(&batch, ending, head(&batch, input.scene.title.get(lang)), Path::new(&a.output), &job)?;
+    let part = write(&batch, format, head(&batch, input.scene.title.get(lang)), Path::new(&output), &job)?;
     files::print(lang::of(&both!(
         "{}: {} mechanisms, {} rows, {} positions without one\n",
         "{}：{} 个机构，{} 行，{} 个位置没有数据行\n",
-        a.output,
+        output,
         part.done,
         part.rows,
         part.missing
@@ -150,9 +152,9 @@ fn range(text: &str) -> Result<Values<'_>, Faults> {
     Ok(Values { name: name.trim(), from: from.trim(), to: to.trim(), count })
 }
 
-fn write(batch: &Batch, ending: &str, head: Head, out: &Path, job: &str) -> Result<Part, Failure> {
+fn write(batch: &Batch, format: Rows, head: Head, out: &Path, job: &str) -> Result<Part, Failure> {
     let failed = |e: io::Error| unwritable(out, &e);
-    let format = tables::by_rows(ending, head).map_err(failed)?;
+    let format = tables::by_rows(format, head).map_err(failed)?;
     let mut part = Part::open(out, job, &*format)?;
     if part.changed > 0 {
         let words = both!(
@@ -160,7 +162,7 @@ fn write(batch: &Batch, ending: &str, head: Head, out: &Path, job: &str) -> Resu
             "有 {} 个机构的数据与写入时不同：重新计算",
             part.changed
         );
-        files::say_faults(&Diagnostic::warning("changed-bytes", words).into(), "", "");
+        errors::tell(&Diagnostic::warning("changed-bytes", words).into(), "", "");
     }
     stop::watch();
     let done = stream(batch, &*format, &mut part).and_then(|()| {

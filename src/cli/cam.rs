@@ -1,9 +1,11 @@
 //! `hodograph cam`: a disc cam over a whole turn, as text and JSON, its figures, its profile for who mills it.
 
-use super::draw::style_of;
+use super::draw::{FORMATS, style_of};
+use super::places::in_stream;
+use super::target::is_stream;
 use super::together::Together;
-use super::values::{Format, Text};
-use super::{Failure, Input, Run, args, choices, files};
+use super::values::{Format, Profile, Text};
+use super::{Failure, Input, Run, args, choices, files, places};
 use crate::cam::{Motion, Segment};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::cam::{inversion, motion};
@@ -17,6 +19,8 @@ use std::process::ExitCode;
 
 /// Runs the command.
 pub fn run(a: args::Cam) -> Run {
+    places::no_report_beside(a.profile.as_deref(), a.json)?;
+    let formats = if a.format.is_empty() { FORMATS.to_vec() } else { places::once(&a.format) };
     let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     let (lang, _) = choices(&input.scene, &a.common);
@@ -35,19 +39,22 @@ pub fn run(a: args::Cam) -> Run {
         Ok(())
     };
     if let Some(folder) = &a.output {
-        if files::ending(folder).is_some_and(|e| Format::of(&e).is_some()) {
+        if places::of_name::<Format>(folder).is_some() || is_stream(folder) {
             let d = Diagnostic::error(
                 "output",
-                both!("{folder} would be a folder: a cam has two figures", "{folder} 应为文件夹：凸轮有两幅图"),
+                both!("{} would be a folder: a cam has two figures", "{}应为文件夹：凸轮有两幅图", places::shown(folder)),
             );
-            let d = d.help(both!("write -o out/", "请写 -o out/"));
+            let d = d.help(both!(
+                "write -o out/; the profile alone goes to one file or to standard output: --profile -",
+                "请写 -o out/；仅廓线可写入一个文件或标准输出：--profile -"
+            ));
             return Err(Failure::argument("-o", folder, d));
         }
         let stem = files::stem(&input.file.name, "scene");
         for (k, r) in reports.iter().enumerate() {
             let number = if reports.len() > 1 { format!("-{}", k + 1) } else { String::new() };
             for (word, figure) in [("cam-motion", motion::figure(r, &style, lang)), ("cam-profile", inversion::figure(r, &style, lang))] {
-                for format in &a.format {
+                for format in &formats {
                     let Warned { value, notes: more } =
                         files::bytes(&figure, *format, Text::Outlines, a.dpi).map_err(|f| input.failed(f))?;
                     notes.extend(more.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());
@@ -61,10 +68,11 @@ pub fn run(a: args::Cam) -> Run {
             let d = Diagnostic::error("which-cam", both!("the scene has {} cams", "机构文件有 {} 个凸轮", reports.len()));
             return Err(Failure::argument("--profile", path, d.help(both!("say which: --cam 1", "请写明是哪一个：--cam 1"))));
         };
-        let bytes = match files::ending(path).as_deref() {
-            Some("csv") => csv(one, a.steps as usize)?,
-            Some("dxf") => dxf(&entities(one, a.steps as usize)).into_bytes(),
-            _ => {
+        let format = if is_stream(path) { Some(in_stream(path, &[], Profile::Csv)?) } else { places::of_name(path) };
+        let bytes = match format {
+            Some(Profile::Csv) => csv(one, a.steps as usize)?,
+            Some(Profile::Dxf) => dxf(&entities(one, a.steps as usize)).into_bytes(),
+            None => {
                 let d = Diagnostic::error("output", both!("{path} is neither a .csv nor a .dxf file", "{path} 不是 .csv 或 .dxf 文件"));
                 let d = d.help(both!("write --profile cam.csv or --profile cam.dxf", "请写 --profile cam.csv 或 --profile cam.dxf"));
                 return Err(Failure::argument("--profile", path, d));

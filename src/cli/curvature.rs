@@ -24,6 +24,7 @@ pub fn run(a: args::Curvature) -> Run {
             paths.push(path.map_err(|f| input.failed(f))?);
         }
         files::print(&format!("{:#}\n", curvature_json::json(&value, &paths, &input.file.notes)))?;
+        input.file.say_notes_beside_json();
         return Ok(ExitCode::SUCCESS);
     }
     files::print(&report::text(&value, a.steps, lang))?;

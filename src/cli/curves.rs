@@ -2,9 +2,11 @@
 
 use super::args::Curves;
 use super::draw::style_of;
+use super::places::places;
 use super::sweep::{STEPS, ask, stations, swept_of, through, within};
+use super::values::Format;
 use super::{Failure, Input, Run, choices, files};
-use crate::diag::{Diagnostic, Faults, both};
+use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::curves::{self, Diagram};
 use crate::mechanism::Mechanism;
 use crate::position::Path;
@@ -19,6 +21,7 @@ const MOST_STEPS: usize = 100_000;
 
 /// Runs the command.
 pub fn run(a: Curves) -> Run {
+    let places = places(&a.output, &a.format, Format::Svg)?;
     let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     let find = match &a.range.find {
@@ -67,9 +70,9 @@ pub fn run(a: Curves) -> Run {
         return Err(input.failed(faults));
     }
     let (one, pages) = (|| curves::figure(&input.scene, &diagram, &style, lang), || curves::pages(&input.scene, &diagram, &style, lang));
-    let notes = files::figure_or_pages(one, pages, &a.output)?;
+    let Warned { value: names, notes } = files::figure_or_pages(one, pages, &places)?;
     input.file.notes.extend(notes);
-    files::print_names(&format!("{}\n", a.output))?;
+    files::print_names(&names)?;
     input.file.notes.extend(table.notes);
     input.file.say_notes();
     Ok(ExitCode::SUCCESS)

@@ -1,6 +1,8 @@
 //! `hodograph draw`: the sheet, single figures and the construction's steps, into the files that were asked for.
 
 use super::args;
+use super::places::{agrees, in_stream, of_name, once, one_result};
+use super::target::is_stream;
 use super::together::Together;
 use super::values::{Format, Vectors};
 use super::{Failure, File, Run, Told, files, granted, look_of, pencil, verdict};
@@ -17,11 +19,15 @@ use crate::scene::{self, PointId, Scene};
 use crate::worked::Worked;
 use std::path::{Path, PathBuf};
 
+/// Formats that are written into a folder unless the command line says otherwise.
+pub const FORMATS: [Format; 2] = [Format::Svg, Format::Png];
+
 /// Runs the command.
 pub fn run(a: args::Draw) -> Run {
     output(&a.output).map_err(|f| Failure::argument("-o", &a.output, f))?;
+    formats(&a)?;
     let style = style_of(&a.look)?;
-    let width_mm = width(&a)?;
+    let width_mm = width(a.width.as_deref())?;
     let pencil_mm = pencil(a.drafting.as_deref())?;
     let mut file = File::open(&a.common.scene, &a.common.set)?;
     file.fonts = style.fonts.clone();
@@ -60,14 +66,20 @@ pub fn run(a: args::Draw) -> Run {
 /// Writes figures, each with its name: a document with a page for each, or files in all formats asked for, all of them or none. Returns the
 /// notes, each once: what has no letters in the embedded fonts is noted in whichever format.
 fn put(a: &args::Draw, name: &str, figures: Vec<(String, Figure)>, failed: impl Fn(Faults) -> Failure) -> Result<Vec<Diagnostic>, Failure> {
-    if files::ending(&a.output).as_deref() == Some(Format::Pdf.ending()) {
+    let formats = formats(a)?;
+    if formats == [Format::Pdf] && (is_stream(&a.output) || of_name(&a.output) == Some(Format::Pdf)) {
         let pages: Vec<Figure> = figures.into_iter().map(|(_, f)| f).collect();
         let file = pdf::pdf(&pages).map_err(&failed)?;
         files::write(Path::new(&a.output), &file.value)?;
         files::print_names(&format!("{}\n", a.output))?;
         return Ok(file.notes);
     }
-    let targets = names(a, name, &figures).map_err(|f| Failure::argument("-o", &a.output, f))?;
+    let one = both!(
+        "ask for one with --figure, or for a document of pages: --format pdf",
+        "请用 --figure 只取一个图，或用 --format pdf 写成多页文件"
+    );
+    one_result(&a.output, figures.len(), one)?;
+    let targets = names(a, name, &figures, &formats).map_err(|f| Failure::argument("-o", &a.output, f))?;
     let (mut all, mut written, mut notes) = (Together::default(), String::new(), Vec::new());
     for ((_, figure), targets) in figures.iter().zip(targets) {
         for (format, path) in targets {
@@ -89,14 +101,30 @@ fn needs_no_rate(a: &args::Draw) -> bool {
 }
 
 /// The width that is asked for (mm).
-fn width(a: &args::Draw) -> Result<Option<f64>, Failure> {
-    let read = |text: &String| scene::width(text).map_err(|faults| Failure::argument("--width", text, faults));
-    a.width.as_ref().map(read).transpose()
+pub(super) fn width(given: Option<&str>) -> Result<Option<f64>, Failure> {
+    let read = |text: &str| scene::width(text).map_err(|faults| Failure::argument("--width", text, faults));
+    given.map(read).transpose()
+}
+
+/// The formats that are written: that of the file's ending, else those of `--format`; by default SVG to a stream, SVG and PNG into a folder.
+///
+/// # Errors
+/// `format` where the ending and `--format` contradict each other, or several formats are to go into one stream.
+fn formats(a: &args::Draw) -> Result<Vec<Format>, Failure> {
+    let asked = once(&a.format);
+    if is_stream(&a.output) {
+        return Ok(vec![in_stream(&a.output, &asked, Format::Svg)?]);
+    }
+    match of_name::<Format>(&a.output).filter(|_| !Path::new(&a.output).is_dir()) {
+        Some(named) => agrees(&a.output, named, &asked).map(|()| vec![named]),
+        None if asked.is_empty() => Ok(FORMATS.to_vec()),
+        None => Ok(asked),
+    }
 }
 
 /// Refuses a file of a format that figures are not written in; it would become the name of a folder.
 fn output(path: &str) -> Result<(), Faults> {
-    let folder = path.ends_with(std::path::is_separator) || Path::new(path).is_dir();
+    let folder = path.ends_with(std::path::is_separator) || Path::new(path).is_dir() || is_stream(path);
     match files::ending(path) {
         Some(ending) if !folder && Format::of(&ending).is_none() => {
             let d = Diagnostic::error(
@@ -203,13 +231,13 @@ pub fn points_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec
 }
 
 /// The files of each figure: one file when the output ends in a format's name, else one for each format in a folder.
-fn names(a: &args::Draw, scene: &str, figures: &[(String, Figure)]) -> Result<Vec<Vec<(Format, PathBuf)>>, Faults> {
+fn names(a: &args::Draw, scene: &str, figures: &[(String, Figure)], formats: &[Format]) -> Result<Vec<Vec<(Format, PathBuf)>>, Faults> {
     let out = Path::new(&a.output);
-    let one = files::ending(&a.output).and_then(|e| Format::of(&e));
-    if let (Some(format), [_]) = (one, figures) {
-        return Ok(vec![vec![(format, out.to_path_buf())]]);
+    let one = is_stream(&a.output) || of_name::<Format>(&a.output).is_some() && !out.is_dir();
+    if let (true, [format], [_]) = (one, formats, figures) {
+        return Ok(vec![vec![(*format, out.to_path_buf())]]);
     }
-    if one.is_some() {
+    if one {
         let d = Diagnostic::error(
             "output",
             both!("{} is one file; {} figures are asked for", "{} 是一个文件，而要画 {} 个图", a.output, figures.len()),
@@ -223,5 +251,5 @@ fn names(a: &args::Draw, scene: &str, figures: &[(String, Figure)]) -> Result<Ve
         let dash = if word.is_empty() { "" } else { "-" };
         out.join(format!("{stem}{dash}{word}.{}", f.ending()))
     };
-    Ok(figures.iter().map(|(word, _)| a.format.iter().map(|f| (*f, file(word, *f))).collect()).collect())
+    Ok(figures.iter().map(|(word, _)| formats.iter().map(|f| (*f, file(word, *f))).collect()).collect())
 }

@@ -1,9 +1,10 @@
 //! Files: read with a bound, printed where that is possible, figures in their formats.
 
-use super::target::has_read;
+use super::Failure;
+use super::places::Place;
+use super::target::{has_read, stdout_is_taken};
 use super::together::{Out, Together};
 use super::values::{Format, Text};
-use super::{Failure, lang};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::paper::font::own;
 use crate::paper::item::Figure;
@@ -121,8 +122,11 @@ pub fn print_names(names: &str) -> Result<ExitCode, Failure> {
     print(&diagnostics::visible(names))
 }
 
-/// Prints piece by piece.
+/// Prints piece by piece. Standard output that a result has been written to (`-o -`) holds nothing else.
 pub fn print_with(fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+    if stdout_is_taken() {
+        return Ok(());
+    }
     let mut out = io::stdout().lock();
     match fill(&mut out).and_then(|()| out.flush()) {
         Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(both!("standard output: {}", "标准输出：{}", reason(&e)))),
@@ -133,13 +137,6 @@ pub fn print_with(fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result
 /// Writes to standard error. A failure to write is ignored: the exit code still tells the outcome.
 pub fn say(text: &str) {
     let _ = io::stderr().lock().write_all(diagnostics::visible(text).as_bytes());
-}
-
-/// Says diagnostics, in the text that their places count in.
-pub fn say_faults(faults: &Faults, name: &str, source: &str) {
-    if !faults.list.is_empty() {
-        say(&diagnostics::render_in(faults, name, source, lang::now()));
-    }
 }
 
 /// How a file's name ends, after its last dot, in small letters: `x.SVG` is an SVG too.
@@ -182,29 +179,29 @@ pub fn bytes(figure: &Figure, format: Format, text: Text, dpi: f64) -> Result<Wa
 /// Dots of a PNG in an inch, where nothing else is said.
 const DPI: f64 = 200.0;
 
-/// Writes one figure to a file ending in .svg, .png or .pdf. Returns the notes.
-pub fn figure(figure: &Figure, path: &str) -> Result<Vec<Diagnostic>, Failure> {
-    figure_or_pages(|| figure.clone(), || vec![figure.clone()], path)
+/// Writes one figure to its places. Returns their names, a line each, and the notes.
+pub fn figure(figure: &Figure, places: &[Place<Format>]) -> Result<Warned<String>, Failure> {
+    figure_or_pages(|| figure.clone(), || vec![figure.clone()], places)
 }
 
-/// Writes what makes one figure, and pages in a document of pages. Returns the notes.
-pub fn figure_or_pages(one: impl Fn() -> Figure, pages: impl Fn() -> Vec<Figure>, path: &str) -> Result<Vec<Diagnostic>, Failure> {
-    let Some(format) = ending(path).and_then(|e| Format::of(&e)) else {
-        let d = Diagnostic::error(
-            "output",
-            both!("{path} is neither a .svg, nor a .png, nor a .pdf file", "{path} 不是 .svg、.png 或 .pdf 文件"),
-        );
-        return Err(Failure::argument(
-            "-o",
-            path,
-            d.help(both!("write -o figure.svg, -o figure.png or -o figure.pdf", "请写 -o figure.svg、-o figure.png 或 -o figure.pdf")),
-        ));
-    };
-    let made = match format {
-        Format::Pdf => pdf::pdf(&pages()),
-        Format::Svg | Format::Png => bytes(&one(), format, Text::Outlines, DPI),
-    };
-    let Warned { value, notes } = made.map_err(|f| Failure::input(f, "", ""))?;
-    write(Path::new(path), &value)?;
-    Ok(notes)
+/// Writes a result that is one figure, and pages in a document of pages, to its places, all of them or none. Returns their names, a line
+/// each, and the notes.
+pub fn figure_or_pages(
+    one: impl Fn() -> Figure,
+    pages: impl Fn() -> Vec<Figure>,
+    places: &[Place<Format>],
+) -> Result<Warned<String>, Failure> {
+    let (mut all, mut names, mut notes) = (Together::default(), String::new(), Vec::new());
+    for (format, path) in places {
+        let made = match format {
+            Format::Pdf => pdf::pdf(&pages()),
+            Format::Svg | Format::Png => bytes(&one(), *format, Text::Outlines, DPI),
+        };
+        let Warned { value, notes: more } = made.map_err(|f| Failure::input(f, "", ""))?;
+        notes.extend(more.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());
+        all.add(Path::new(path), &value)?;
+        names += &format!("{path}\n");
+    }
+    all.appear()?;
+    Ok(Warned { value: names, notes })
 }

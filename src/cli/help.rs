@@ -3,19 +3,31 @@
 //! The printer of the help knows English headings only; those are put into Chinese in what it has printed.
 
 use super::args::Args;
-use super::lang;
+use super::files::Refused;
+use crate::diag::{Both, Diagnostic};
 use crate::figure::list::LIST;
 use crate::scene::Lang;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory};
 use std::ffi::OsString;
 
-/// The language that the arguments ask for, before they are read: that of `--lang`.
-pub fn asked(arguments: &[OsString]) -> Option<Lang> {
+/// The value of a global option such as `--lang`, before the arguments are read.
+pub fn given<T>(arguments: &[OsString], option: &str, named: impl Fn(&str) -> Option<T>) -> Option<T> {
     let words: Vec<&str> = arguments.iter().skip(1).filter_map(|a| a.to_str()).take_while(|a| *a != "--").collect();
-    let apart = words.windows(2).filter(|w| w[0] == "--lang").filter_map(|w| Lang::named(w[1]));
-    let together = words.iter().filter_map(|w| Lang::named(w.strip_prefix("--lang=")?));
+    let apart = words.windows(2).filter(|w| w[0] == option).filter_map(|w| named(w[1]));
+    let together = words.iter().filter_map(|w| named(w.strip_prefix(option)?.strip_prefix('=')?));
     apart.chain(together).next()
+}
+
+/// A fault of the arguments as a diagnostic: its first sentence, and the usage as advice.
+pub fn diagnostic(e: &clap::Error) -> Diagnostic {
+    let parts = |text: String, mark: &str| {
+        let (said, rest) = text.split_once("\n\n").unwrap_or((&text, ""));
+        let line = |part: &str| part.split_whitespace().collect::<Vec<_>>().join(" ");
+        (line(said.strip_prefix(mark).unwrap_or(said)), line(rest))
+    };
+    let (en, zh) = (parts(e.render().to_string(), "error: "), parts(usage(e), "错误："));
+    Diagnostic::error("usage", Both { en: en.0, zh: zh.0 }).help(Both { en: en.1, zh: zh.1 })
 }
 
 /// The language of the help where the arguments ask for none: that of the machine.
@@ -105,7 +117,11 @@ pub fn usage(e: &clap::Error) -> String {
 
 /// Why a value is refused, where the library says it.
 fn refused(e: &clap::Error) -> String {
-    let why = std::error::Error::source(e).map(ToString::to_string).unwrap_or_default();
+    let source = std::error::Error::source(e);
+    if let Some(Refused(words)) = source.and_then(|s| s.downcast_ref()) {
+        return words.zh.clone();
+    }
+    let why = source.map(ToString::to_string).unwrap_or_default();
     match why.split_once(" is not in ") {
         Some((number, range)) => format!("{number} 不在 {range} 之内"),
         None if why.contains("digit") => "不是整数".to_owned(),
@@ -119,11 +135,6 @@ pub fn said(e: &clap::Error, lang: Lang) -> String {
         Lang::En => e.render().to_string(),
         Lang::Zh => usage(e),
     }
-}
-
-/// A value that an argument does not take, in the language of this run.
-pub fn no_value(text: &crate::diag::Both) -> String {
-    lang::of(text).to_owned()
 }
 
 /// What the printer of the help writes by itself, and the choices of an argument; those of figures come from their list.
@@ -152,11 +163,18 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("*", "help", "显示说明"),
     ("*", "version", "显示版本"),
     ("*", "lang", "输出的语言（默认：机构文件的语言，否则 en）"),
+    ("*", "errors", "标准错误上的错误、警告和提示的形式：text，或整个运行一份 JSON 文档 json（`hodograph schema --diagnostics`）"),
     ("*", "scene", "机构文件；`-` 为标准输入"),
     ("*", "set", "改变机构文件中参数的值，或改变时间规律的时刻 t：NAME=VALUE；不带单位的数沿用原单位"),
     ("*", "notation", "记号体系：en（极点 o，上标 c、rel）或 cn（极点 p，上标 k、r）"),
     ("*", "style", "样式：print（白底黑线）、slides（各构件一种颜色）、dark，或以 .json 结尾的样式文件"),
     ("*", "font", "自备的字体（.otf、.ttf），用于字母、数字和文字；可写两次，分别为正体和斜体；优先于样式中的字体。缺少的字符用内置字体"),
+    ("*", "format", "-o 没有这样的结尾时的格式，如 svg,pdf；多种格式时文件名各加结尾（`-o -` 默认为 svg）"),
+    ("sweep", "format", "-o 没有这样的结尾时的格式（标准输出默认为 csv）"),
+    ("batch", "format", "-o 没有这样的结尾时的格式（`-o -` 默认为 csv）"),
+    ("worksheet", "format", "-o 没有这样的结尾时的格式，如 pdf,html；多种格式时文件名各加结尾（`-o -` 默认为 html）"),
+    ("animate", "format", "-o 没有这样的结尾时的格式，如 gif,svg；多种格式时文件名各加结尾（`-o -` 默认为 svg）"),
+    ("path", "format", "-o 没有这样的结尾时的格式，如 svg,pdf；多种格式时文件名各加结尾（默认：svg）"),
     ("*", "digits", "结果的有效数字，1 到 30 位；不能确定的不显示，并说明原因"),
     (
         "*",
@@ -169,8 +187,8 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("*", "steps", "等分的步数；两端都是数据行（默认：360；`batch` 不分步，各机构取机构文件的位置）"),
     ("*", "find", "改求其他量，如 v_E,a_E,omega_3"),
     ("draw", "", "绘图：机构运动简图、矢量方程表、速度多边形和加速度多边形、结果（SVG、PNG、PDF）"),
-    ("draw", "output", "输出的文件夹，或以 .svg、.png、.pdf 结尾的一个文件；尚不存在且名称带点的文件夹以 / 结尾"),
-    ("draw", "format", "在文件夹中写哪些格式的文件"),
+    ("draw", "output", "输出的文件夹，或以 .svg、.png、.pdf 结尾的一个文件，或 `-`（标准输出）；尚不存在且名称带点的文件夹以 / 结尾"),
+    ("draw", "format", "文件的格式，如 svg,pdf；单个文件由 -o 的结尾决定（默认：文件夹为 svg,png，标准输出为 svg）"),
     ("draw", "figure", "画哪些图，各成文件：整张图或其中的部分"),
     ("draw", "vectors", "在机构运动简图上画各点的这种矢量"),
     (
@@ -187,8 +205,9 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("draw", "pick", "综合文件：取第几个方案，按 `hodograph synth` 的次序从 1 数起"),
     ("draw", "dpi", "PNG 的分辨率（dpi）"),
     ("lesson", "", "生成教学演示：一个 HTML 页面，逐步作图，可拖动曲柄"),
-    ("lesson", "output", "要写的页面（默认：按机构文件命名）"),
+    ("lesson", "output", "要写的页面，或 `-`（标准输出）（默认：按机构文件命名）"),
     ("lesson", "reveal", "改为 reveal.js 的片段：各部分逐步显示的内嵌 SVG"),
+    ("lesson", "width", "与 --reveal 同用：片段的宽度，如 240mm；先缩小图和字，再把各图上下排列"),
     ("lesson", "positions", "一整转或整个行程中的位置数，8 到 360；运动急变处自动加密"),
     ("lesson", "driver", "使第几个原动件运动，从 1 数起；含 `motions` 的文件：演示第几个运动"),
     ("lesson", "pick", "综合文件：取第几个方案，按 `hodograph synth` 的次序从 1 数起"),
@@ -204,7 +223,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("plan", "json", "计划为 JSON，附各项计数：杆组、方程、矢量、未知数、数值"),
     ("plan", "figure", "同时排版图面，以统计标注"),
     ("worksheet", "", "生成作业：题目及其逐步解答（PDF、HTML、Markdown、Typst）"),
-    ("worksheet", "output", "以 .pdf、.html、.md 或 .typ 结尾的文件；后两种的图以 SVG 文件放在旁边"),
+    ("worksheet", "output", "以 .pdf、.html、.md 或 .typ 结尾的文件，或 `-`（标准输出）；后两种的图以 SVG 文件放在旁边"),
     ("worksheet", "problem_only", "只要题目：已知与所求，不含答案"),
     ("worksheet", "solution", "只要解答"),
     ("worksheet", "find_the_mistake", "以一种错误解法为题目：机构文件所写的，否则第一种典型错误；也可按名称指定"),
@@ -212,7 +231,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("worksheet", "pick", "综合文件：取第几个方案，按 `hodograph synth` 的次序从 1 数起"),
     ("accuracy", "", "衡量精度的代价：各种求解方法的误差和时间，列表并作图"),
     ("accuracy", "toward_toggle", "同时计算一系列趋近首个原动件最近极限的位置，直到 1e-12"),
-    ("accuracy", "output", "把精度与代价的图写入以 .svg、.png 或 .pdf 结尾的文件"),
+    ("accuracy", "output", "把精度与代价的图写入以 .svg、.png 或 .pdf 结尾的文件；`-` 为标准输出，代替表格"),
     ("accuracy", "json", "表格为 JSON"),
     ("accuracy", "patience", "每种方法重复计算的毫秒数；取时间的中位数"),
     ("sweep", "", "使原动件或参数遍历一系列值：各位置的结果列成表（CSV、JSON、NumPy、Parquet）"),
@@ -221,34 +240,34 @@ const WORDS: &[(&str, &str, &str)] = &[
         "over",
         "遍历什么：原动件（`driver`、`driver2`、`phi_1`、`s_B`、`l_BC`），t（时间规律的时间，有规律时为默认），或机构文件的参数",
     ),
-    ("sweep", "output", "写入以 .csv、.json、.npy 或 .parquet 结尾的文件，而不是标准输出（CSV）"),
+    ("sweep", "output", "写入以 .csv、.json、.npy 或 .parquet 结尾的文件（默认：`-`，即标准输出）"),
     ("batch", "", "在网格上或随机改变参数：许多机构，各取一个或多个位置，合成一张表（CSV、NumPy、Parquet）"),
     ("batch", "vary", "参数及其取值：NAME=FROM..TO:N；不带单位的数沿用原单位"),
     ("batch", "random", "随机取这么多个机构，而不取所有组合"),
     ("batch", "seed", "另一个种子给出另一批随机机构"),
-    ("batch", "output", "写入以 .csv、.npy 或 .parquet 结尾的文件；中断后可由此继续"),
+    ("batch", "output", "写入以 .csv、.npy 或 .parquet 结尾的文件，或 `-`（标准输出）；中断后可由此继续"),
     ("curves", "", "线图：位移、速度、加速度随原动件位置的变化，标出极值"),
-    ("curves", "output", "以 .svg、.png 或 .pdf 结尾的文件"),
+    ("curves", "output", "以 .svg、.png（各图上下排列）或 .pdf（A4 页面）结尾的文件，或 `-`（标准输出）"),
     ("path", "", "在机构上画点的轨迹（连杆曲线），及其速度和加速度的矢端曲线"),
     ("path", "*after", "曲线数值的表：hodograph sweep SCENE --find x_E,y_E,v_E,a_E -o curves.csv"),
     ("path", "point", "画哪些点的轨迹，如 E 或 E,F"),
     ("path", "poses", "把机构在原动件等间隔的这么多个位置上叠画"),
     ("path", "marks", "原动件等间隔的位置数，在轨迹和矢端曲线上编相同的号（默认：同 --poses，否则 12）"),
-    ("path", "output", "以 .svg、.png 或 .pdf 结尾的文件（默认：按机构文件命名）"),
+    ("path", "output", "以 .svg、.png 或 .pdf 结尾的文件，或 `-`（标准输出）（默认：按机构文件命名）"),
     ("animate", "", "运动动画：机构及其多边形随原动件运动（GIF、SVG 动画、逐帧 PNG）"),
     ("animate", "*after", "由各帧制作影片：ffmpeg -framerate 12 -i turn-%03d.png -pix_fmt yuv420p turn.mp4"),
     ("animate", "frames", "原动件等间隔的位置数：转一整周，或在行程两端之间往返"),
     ("animate", "seconds", "一个周期的时长（秒）"),
     ("animate", "dpi", "GIF 和 PNG 的分辨率（每英寸点数）；宽和高均为偶数像素"),
-    ("animate", "output", "以 .gif、.svg（在浏览器中自动播放）或 .png（每帧一个：turn-001.png……）结尾的文件"),
+    ("animate", "output", "以 .gif、.svg（在浏览器中自动播放）或 .png（每帧一个：turn-001.png……）结尾的文件，或 `-`（标准输出）"),
     ("mobility", "", "计算自由度：构件和运动副、复合铰链、局部自由度、虚约束、各原动件下的杆组"),
     ("mobility", "*after", "只需构件和运动副：没有原动件和尺寸时，由尺寸决定的问题不作结论"),
     ("mobility", "json", "结果为 JSON"),
-    ("mobility", "output", "拆杆组图的文件，以 .svg、.png 或 .pdf 结尾；机构位置须已给定"),
+    ("mobility", "output", "拆杆组图的文件，以 .svg、.png 或 .pdf 结尾，或 `-`（标准输出，代替报告）；机构位置须已给定"),
     ("cam", "", "盘形凸轮转一周：位移、速度、加速度、冲击、压力角、曲率；廓线（CSV、DXF）"),
     ("cam", "output", "两幅图的文件夹：从动件运动线图、反转法绘制的廓线"),
-    ("cam", "format", "图的格式"),
-    ("cam", "profile", "把廓线（mm）写入以 .csv（每个转角一行）或 .dxf（供加工）结尾的文件"),
+    ("cam", "format", "图的格式，如 svg,pdf（默认：svg,png）"),
+    ("cam", "profile", "把廓线（mm）写入以 .csv（每个转角一行）或 .dxf（供加工）结尾的文件；`-` 为标准输出，以 CSV 代替报告"),
     ("cam", "steps", "廓线上一周的点数"),
     ("cam", "cam", "机构文件中的第几个凸轮，从 1 数起（默认：全部）"),
     ("cam", "json", "结果为 JSON，国际单位制，角度为弧度"),
@@ -261,7 +280,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("centres", "json", "结果为 JSON，国际单位制"),
     ("inversions", "", "机构的倒置：依次以各构件为机架，给出杆长条件类型、整周转动的构件、行程和轮系传动比；每个都是机构文件"),
     ("inversions", "*after", "并列的图：hodograph draw SCENE --figure inversions -o inversions.svg"),
-    ("inversions", "output", "把各倒置机构的文件写入该文件夹；与 --pick 同用时写入以 .json 结尾的文件"),
+    ("inversions", "output", "把各倒置机构的文件写入该文件夹；与 --pick 同用时写入以 .json 结尾的文件或 `-`（标准输出）"),
     ("inversions", "pick", "只取以该构件为机架的倒置机构；不写 -o 时输出其机构文件"),
     ("inversions", "json", "结果为 JSON，国际单位制"),
     ("curvature", "", "轨迹的曲率：瞬心、拐点圆、曲率中心（博比利尔、欧拉–萨瓦里）、加速度瞬心、鲍尔点"),
@@ -289,7 +308,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("synth", "set", "改变文件中参数的值：NAME=VALUE；不带单位的数沿用原单位"),
     ("synth", "speed", "搜索用时及每秒计算的位置数（写到标准错误）"),
     ("synth", "pick", "第几个方案，按表中次序从 1 数起"),
-    ("synth", "output", "把所选方案的机构文件写入这个文件（默认：第一个方案）"),
+    ("synth", "output", "把所选方案的机构文件写入这个文件或 `-`（标准输出）（默认：第一个方案）"),
     ("synth", "json", "各方案为 JSON，国际单位制，附机构文件"),
     ("synth", "steps", "同时列出尺规作图步骤和图上量得的长度"),
     ("readings", "", "原图缺失时的几种读法：各自的结果，以及哪一种得到原书所印数值"),
@@ -297,8 +316,14 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("new", "", "写出模板的机构文件，可改参数"),
     ("new", "template", "模板的名称（见 `hodograph templates`）"),
     ("new", "set", "改变参数的值：NAME=VALUE；不带单位的数沿用原单位"),
-    ("new", "output", "写入这个文件，而不是标准输出"),
+    ("new", "output", "写入这个文件（默认：`-`，即标准输出）"),
     ("templates", "", "列出各模板及其参数"),
+    ("explain", "", "解释错误、警告和提示的代码：原因与对策；或列出全部代码"),
+    ("explain", "*after", "全部代码的页面：docs/errors.md"),
+    ("explain", "code", "信息首行中的代码，如 dead-centre（默认：列出全部代码）"),
+    ("explain", "json", "结果为 JSON，含两种语言"),
+    ("schema", "solved", "改为 `solve --json` 结果的 JSON Schema"),
+    ("schema", "diagnostics", "改为 `--errors json` 文档的 JSON Schema"),
     ("schema", "synthesis", "改为综合文件格式的 JSON Schema"),
     ("schema", "motions", "改为无机构运动文件格式的 JSON Schema"),
     ("schema", "", "输出机构文件格式的 JSON Schema"),
@@ -348,7 +373,7 @@ mod tests {
 
     #[test]
     fn the_language_is_known_before_the_arguments_are_read() {
-        let of = |line: &str| asked(&line.split(' ').map(OsString::from).collect::<Vec<_>>());
+        let of = |line: &str| given(&line.split(' ').map(OsString::from).collect::<Vec<_>>(), "--lang", Lang::named);
         assert_eq!(of("hodograph solve --lang zh x.json"), Some(Lang::Zh));
         assert_eq!(of("hodograph solve --lang=en --help"), Some(Lang::En));
         assert_eq!(of("hodograph solve -- --lang zh"), None);

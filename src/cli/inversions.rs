@@ -1,7 +1,7 @@
 //! The command `inversions`: each link of the chain as ground in turn, in words, and as scenes in files.
 
 use super::together::Together;
-use super::{Failure, Input, Run, args, choices, files};
+use super::{Failure, Input, Run, args, choices, files, places};
 use crate::diag::{Diagnostic, Warned, both};
 use crate::inversions::inversions;
 use crate::json::fields::suggest;
@@ -11,6 +11,9 @@ use std::process::ExitCode;
 
 /// Runs the command.
 pub fn run(a: args::Inversions) -> Run {
+    if a.pick.is_none() {
+        places::no_report_beside(a.output.as_deref(), a.json)?;
+    }
     // How far links turn does not depend on how fast.
     let mut input = Input::read_at_rest(&a.common)?;
     let (lang, _) = choices(&input.scene, &a.common);
@@ -37,6 +40,8 @@ pub fn run(a: args::Inversions) -> Run {
         return Ok(ExitCode::SUCCESS);
     }
     if let Some(folder) = &a.output {
+        let one = both!("choose one: --pick {}", "请选一个：--pick {}", input.scene.link_name(input.scene.ground));
+        places::one_result(folder, all.len().max(2), one)?;
         let stem = files::stem(&input.file.name, "scene");
         let mut together = Together::default();
         let mut written = String::new();
@@ -50,6 +55,7 @@ pub fn run(a: args::Inversions) -> Run {
     }
     if a.json {
         files::print(&format!("{:#}\n", report::json(&input.scene, &all, &input.file.notes)))?;
+        input.file.say_notes_beside_json();
         return Ok(ExitCode::SUCCESS);
     }
     if a.output.is_none() {

@@ -1,6 +1,6 @@
 //! Long work: a bar with rate and time left, and one piece computed while the one before it is written.
 
-use super::lang;
+use super::{errors, lang};
 use crate::diag::{Both, both};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{self, IsTerminal};
@@ -8,7 +8,7 @@ use std::sync::mpsc;
 
 /// A bar on standard error, where that is a terminal.
 pub fn bar(all: u64, done: u64, what: &Both) -> ProgressBar {
-    let bar = if io::stderr().is_terminal() { ProgressBar::new(all) } else { ProgressBar::hidden() };
+    let bar = if io::stderr().is_terminal() && !errors::as_json() { ProgressBar::new(all) } else { ProgressBar::hidden() };
     let words =
         both!("{{bar:40}} {{pos}}/{{len}} {}  {{per_sec}}  {{eta}} left", "{{bar:40}} {{pos}}/{{len}} {}  {{per_sec}}  剩余 {{eta}}", what);
     let style = ProgressStyle::with_template(lang::of(&words));

@@ -1,7 +1,8 @@
 //! `hodograph mobility`: what is counted, as text or JSON, and the groups drawn apart.
 
 use super::draw::style_of;
-use super::{Input, Run, args, choices, files};
+use super::values::Format;
+use super::{Input, Run, args, choices, files, places};
 use crate::figure::groups;
 use crate::report::mobility as report;
 use crate::scene::{self, Scene};
@@ -17,17 +18,19 @@ pub(super) fn posed_scene(scene: Scene) -> Scene {
 
 /// Runs the command.
 pub fn run(a: args::Mobility) -> Run {
+    places::no_report_beside(a.output.as_deref(), a.json)?;
+    let places = a.output.as_deref().map(|output| places::places(output, &a.format, Format::Svg)).transpose()?;
     let style = style_of(&a.look)?;
     let mut input = Input::read_topology(&a.common)?.drawn_in(&style);
     let (lang, notation) = choices(&input.scene, &a.common);
     let (survey, checked) = report::surveyed(&input.scene);
-    if let Some(path) = &a.output {
+    if let Some(places) = &places {
         // A drawing needs the pose: what is missing for it is told as everywhere.
         let posed = scene::read_pose(&input.file.source).map_err(|f| input.failed(f))?;
         let asked = posed_scene(posed.value);
         let worked = work(&asked, Scope::Figure).map_err(|f| input.failed(f))?;
         let figure = groups::figure(&asked, &worked.value, &style, &style.marks.over(&notation), lang);
-        input.file.notes.extend(files::figure(&figure, path)?);
+        input.file.notes.extend(files::figure(&figure, places)?.notes);
         input.file.notes.extend(worked.notes);
     }
     if a.json {

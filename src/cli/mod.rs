@@ -13,15 +13,19 @@ mod composite;
 mod curvature;
 mod curves;
 mod draw;
+mod errors;
+mod explain;
 mod files;
 mod help;
 mod inversions;
 mod journal;
 mod lang;
+mod lesson;
 mod long;
 mod mobility;
 mod part;
 mod path;
+mod places;
 mod plan;
 mod readings;
 mod spool;
@@ -42,7 +46,7 @@ use crate::paper::style::Style;
 use crate::plan::notation::Notation;
 use crate::problem::{self, Extent, Kind, Look, Problem, Solved, Verdict, Wish};
 use crate::report::{diagnostics, price};
-use crate::scene::{self, Lang, Scene, Swept};
+use crate::scene::{self, Lang, Scene};
 use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
 use clap::FromArgMatches;
@@ -50,11 +54,22 @@ use draw::style_of;
 use std::ffi::OsString;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
+use values::Errors;
 
 /// Runs the program.
 pub fn main() -> ExitCode {
+    let code = run();
+    errors::finish();
+    code
+}
+
+fn run() -> ExitCode {
     let given: Vec<OsString> = std::env::args_os().collect();
-    let asked = help::asked(&given);
+    // Faults of the arguments are told in the same form.
+    if help::given(&given, "--errors", Errors::named) == Some(Errors::Json) {
+        errors::collect();
+    }
+    let asked = help::given(&given, "--lang", Lang::named);
     asked.into_iter().for_each(lang::ask);
     let of_help = asked.unwrap_or_else(help::of_the_machine);
     let args = match help::command(of_help).try_get_matches_from(given).and_then(|m| Args::from_arg_matches(&m)) {
@@ -64,7 +79,7 @@ pub fn main() -> ExitCode {
     args.lang.into_iter().for_each(|l| lang::ask(l.into()));
     let result = match args.command {
         Command::Draw(a) => draw::run(a),
-        Command::Lesson(a) => lesson(a),
+        Command::Lesson(a) => lesson::run(a),
         Command::Solve(a) => solve(a),
         Command::Plan(a) => plan::run(a),
         Command::Worksheet(a) => worksheet::run(a),
@@ -85,9 +100,12 @@ pub fn main() -> ExitCode {
         Command::Synth(a) => synth::run(a),
         Command::Readings(a) => readings::run(a),
         Command::New { template, set, output } => template::new(template.as_deref(), &set, output.as_deref()),
+        Command::Explain(a) => explain::run(a),
         Command::Templates => template::list(),
         Command::Schema { synthesis: true, .. } => files::print(problem::schema(Kind::Task)),
         Command::Schema { motions: true, .. } => files::print(problem::schema(Kind::Motion)),
+        Command::Schema { solved: true, .. } => files::print(include_str!("schema/solved.json")),
+        Command::Schema { diagnostics: true, .. } => files::print(include_str!("schema/errors.json")),
         Command::Schema { .. } => files::print(problem::schema(Kind::Scene)),
     };
     result.unwrap_or_else(Failure::say)
@@ -96,6 +114,10 @@ pub fn main() -> ExitCode {
 /// Help and version, or what is wrong with the arguments.
 fn usage(e: &clap::Error, of_help: Lang) -> ExitCode {
     let code = u8::try_from(e.exit_code()).unwrap_or(2);
+    if errors::as_json() && e.use_stderr() {
+        errors::tell(&help::diagnostic(e).into(), "", "");
+        return ExitCode::from(code);
+    }
     let plain = help::said(e, of_help);
     // An argument is quoted as it was given; what a terminal would obey is not, and then the colours are gone too.
     // The colours go with the English of the library.
@@ -158,19 +180,26 @@ impl Failure {
     fn say(self) -> ExitCode {
         match self {
             Failure::Input(all) => {
-                all.iter().for_each(|t| files::say_faults(&t.faults, &t.name, &t.source));
+                all.iter().for_each(|t| errors::tell(&t.faults, &t.name, &t.source));
                 ExitCode::from(2)
             }
             Failure::Output(message) => {
-                files::say(lang::of(&both!("error: {}\n", "错误：{}\n", message)));
+                let line = both!("error: {}\n", "错误：{}\n", message);
+                errors::tell_line(&Diagnostic::error("cannot-write", message), lang::of(&line));
                 ExitCode::from(1)
             }
             Failure::Interrupted(message) => {
-                files::say(lang::of(&both!("interrupted: {}\n", "已中断：{}\n", message)));
+                interrupted(&message);
                 ExitCode::from(stop::INTERRUPTED)
             }
         }
     }
+}
+
+/// Tells what an interrupted run has left undone.
+fn interrupted(message: &Both) {
+    let line = both!("interrupted: {}\n", "已中断：{}\n", message);
+    errors::tell_line(&Diagnostic::error("interrupted", message.clone()), lang::of(&line));
 }
 
 type Run = Result<ExitCode, Failure>;
@@ -239,10 +268,17 @@ impl File {
         Failure::Input(self.told(faults))
     }
 
+    /// Where faults are told as JSON, says what the answers as JSON hold too.
+    fn say_notes_beside_json(&self) {
+        if errors::as_json() {
+            self.say_notes();
+        }
+    }
+
     /// Says what is to be known of the work, and what the author's fonts did not have.
     fn say_notes(&self) {
         let list: Vec<_> = self.notes.iter().cloned().chain(self.fonts.lacking()).collect();
-        self.told(Faults { list }).iter().for_each(|t| files::say_faults(&t.faults, &t.name, &t.source));
+        self.told(Faults { list }).iter().for_each(|t| errors::tell(&t.faults, &t.name, &t.source));
     }
 }
 
@@ -348,39 +384,6 @@ fn verdict(verdict: Verdict) -> ExitCode {
     }
 }
 
-/// The endings that a lesson's file may have.
-const LESSONS: [&str; 2] = ["html", "htm"];
-
-fn lesson(a: args::Lesson) -> Run {
-    if let Some(path) = a.output.as_deref().filter(|p| files::ending(p).is_some_and(|e| !LESSONS.contains(&e.as_str()))) {
-        let d = Diagnostic::error("output", both!("{path} does not end in .html", "{path} 不以 .html 结尾"))
-            .help(both!("write -o lesson.html", "请写 -o lesson.html"));
-        return Err(Failure::argument("-o", path, d));
-    }
-    let style = style_of(&a.look)?;
-    let mut file = File::open(&a.common.scene, &a.common.set)?;
-    file.fonts = style.fonts.clone();
-    let problem = file.read(|bytes| problem::read(bytes))?;
-    granted(problem.kind(), &[(a.pick.map(|n| n.to_string()), Wish::Candidate), (a.reveal.then(String::new), Wish::Reveal)])?;
-    let candidate = a.pick.map_or(0, |n| n as usize - 1);
-    let options = problem::Options { whole_motion: !a.reveal, candidate, ..problem::Options::with_figures() };
-    let solved = file.solve(&problem, &options)?;
-    let swept = match (a.driver, solved.mechanism()) {
-        (Some(number), _) => Swept::Driver(number as usize - 1),
-        (None, Some((scene, _))) => sweep::swept_of(scene, a.moves.over.as_deref())?,
-        (None, None) => Swept::Driver(0),
-    };
-    let wanted = problem::Lesson { positions: a.positions as usize, swept, reveal: a.reveal };
-    let look = look_of(&a.common, style, problem::Look::default().digits);
-    let Warned { value, notes } = solved.lesson(&wanted, &look).map_err(|faults| file.failed(faults))?;
-    file.notes.extend(notes);
-    let path = a.output.unwrap_or_else(|| format!("{}.html", files::stem(&file.name, "lesson")));
-    files::write(std::path::Path::new(&path), value.as_bytes())?;
-    files::print_names(&format!("{path}\n"))?;
-    file.say_notes();
-    Ok(verdict(solved.verdict()))
-}
-
 fn solve(a: args::Solve) -> Run {
     let mut file = File::open(&a.common.scene, &a.common.set)?;
     let problem = file.read(|bytes| {
@@ -394,6 +397,7 @@ fn solve(a: args::Solve) -> Run {
     let look = look_of(&a.common, Style::default(), a.digits);
     if a.json {
         files::print(&format!("{:#}\n", solved.json(&look, false, &file.notes)))?;
+        file.say_notes_beside_json();
         return Ok(verdict(solved.verdict()));
     }
     files::print(&solved.text(&look, a.steps))?;
@@ -402,6 +406,8 @@ fn solve(a: args::Solve) -> Run {
 }
 
 fn accuracy(a: args::Accuracy) -> Run {
+    places::no_report_beside(a.output.as_deref(), a.json)?;
+    let places = a.output.as_deref().map(|output| places::places(output, &a.format, values::Format::Svg)).transpose()?;
     let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     let worked = input.work(Scope::Questions)?;
@@ -410,9 +416,9 @@ fn accuracy(a: args::Accuracy) -> Run {
     let watch = ways::Watch { now: &|| start.elapsed(), patience: Duration::from_millis(a.patience) };
     let measured = ways::measure(&input.scene, &worked, watch).map_err(|f| input.failed(f))?;
     let series = if a.toward_toggle { ways::toward_toggle(&input.scene, watch).map_err(|f| input.failed(f))? } else { Vec::new() };
-    if let Some(path) = &a.output {
+    if let Some(places) = &places {
         let figure = crate::figure::price::figure(&input.scene, &measured, &series, &style, lang);
-        input.file.notes.extend(files::figure(&figure, path)?);
+        input.file.notes.extend(files::figure(&figure, places)?.notes);
     }
     if a.json {
         files::print(&format!("{:#}\n", price::json(&measured, &series)))?;

@@ -18,8 +18,6 @@ use tempfile::TempDir;
 
 /// The table under way.
 pub struct Part {
-    /// Its output as the user calls it.
-    name: PathBuf,
     target: Target,
     path: PathBuf,
     file: File,
@@ -48,7 +46,7 @@ impl Part {
     fn opened(out: &Path, target: Target, job: &str, format: &dyn Format) -> io::Result<Part> {
         let (path, folder) = match &target {
             Target::File(file) => (beside(file, ".part"), None),
-            Target::Stream => {
+            Target::Stream(_) | Target::Stdout => {
                 let folder = tempfile::tempdir()?;
                 (folder.path().join("table.part"), Some(folder))
             }
@@ -83,20 +81,8 @@ impl Part {
             }
         };
         let bytes = job.begin;
-        let mut part = Part {
-            name: out.to_owned(),
-            target,
-            path,
-            file,
-            journal,
-            _folder: folder,
-            pieces: Vec::new(),
-            bytes,
-            done: 0,
-            rows: 0,
-            missing: 0,
-            changed: 0,
-        };
+        let mut part =
+            Part { target, path, file, journal, _folder: folder, pieces: Vec::new(), bytes, done: 0, rows: 0, missing: 0, changed: 0 };
         if let Err(e) = part.go_on(&job, &begin, &text) {
             part.remove();
             return Err(e);
@@ -188,10 +174,7 @@ impl Part {
                 std::fs::rename(&self.path, out)?;
                 let _ = std::fs::remove_file(beside(&self.path, ".journal"));
             }
-            Target::Stream => {
-                self.file.seek(SeekFrom::Start(0))?;
-                io::copy(&mut self.file, &mut OpenOptions::new().append(true).open(&self.name)?)?;
-            }
+            target => target.take(&mut self.file)?,
         }
         Ok(())
     }

@@ -2,7 +2,9 @@
 
 use super::args::Path;
 use super::draw::{points_named, style_of};
+use super::places::{once, places};
 use super::sweep::swept_of;
+use super::values::Format;
 use super::{Failure, Input, Run, choices, files};
 use crate::diag::Warned;
 use crate::figure::path::{MARKS, Wanted, figure};
@@ -12,6 +14,7 @@ use std::process::ExitCode;
 
 /// Runs the command.
 pub fn run(a: Path) -> Run {
+    let named = a.output.as_deref().map(|output| places(output, &a.format, Format::Svg)).transpose()?;
     let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     input.over_a_turn();
@@ -24,9 +27,13 @@ pub fn run(a: Path) -> Run {
     let marks = a.marks.map_or(if poses > 0 { poses } else { MARKS }, usize::from);
     let wanted = Wanted { points, swept, marks, poses };
     let Warned { value, notes } = figure(&input.scene, &worked, &options, &wanted).map_err(|f| input.failed(f))?;
-    let output = a.output.unwrap_or_else(|| format!("{}-path.svg", files::stem(&input.file.name, "scene")));
-    input.file.notes.extend(files::figure(&value, &output)?);
-    files::print_names(&format!("{output}\n"))?;
+    let places = named.unwrap_or_else(|| {
+        let formats = if a.format.is_empty() { vec![Format::Svg] } else { once(&a.format) };
+        formats.into_iter().map(|f| (f, format!("{}-path.{}", files::stem(&input.file.name, "scene"), f.ending()))).collect()
+    });
+    let Warned { value: names, notes: more } = files::figure(&value, &places)?;
+    input.file.notes.extend(more);
+    files::print_names(&names)?;
     input.file.notes.extend(notes);
     input.file.say_notes();
     Ok(ExitCode::SUCCESS)

@@ -62,5 +62,6 @@ fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: 
         }
     };
     files::print(&format!("{document:#}\n"))?;
+    input.file.say_notes_beside_json();
     Ok(code)
 }

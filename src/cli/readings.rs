@@ -36,6 +36,7 @@ pub fn run(a: args::Readings) -> Run {
     }
     if a.json {
         files::print(&format!("{:#}\n", report::json(&all)))?;
+        input.file.say_notes_beside_json();
     } else {
         files::print(&report::text(&all, lang))?;
         input.file.say_notes();

@@ -42,8 +42,8 @@ pub fn watch() {
             thread::sleep(TO_THE_END);
         }
         let _decided = undisturbed();
-        let words = both!("interrupted: what was being computed is not written\n", "已中断：正在计算的内容没有写入\n");
-        super::files::say(super::lang::of(&words));
+        super::interrupted(&both!("what was being computed is not written", "正在计算的内容没有写入"));
+        super::errors::finish();
         process::exit(i32::from(INTERRUPTED));
     });
 }

@@ -1,6 +1,8 @@
 //! The commands `sweep` (all positions of a driver, or of a parameter, into a file) and `limits` (what the motion comes to).
 
 use super::args::{Limits, Range, Sweep};
+use super::places::Place;
+use super::values::Table;
 use super::{Failure, Input, Run, Told, choices, files, tables};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::mechanism::Mechanism;
@@ -20,12 +22,12 @@ pub const STEPS: usize = 360;
 
 pub fn sweep(a: Sweep) -> Run {
     let mut input = Input::read(&a.common)?;
-    if let Some(path) = a.output.as_deref() {
-        tables::ending(path, &tables::ALL)?;
-    }
+    // Without a name and a format the table is printed.
+    let asked = a.output.as_deref().or((!a.format.is_empty()).then_some("-"));
+    let place = asked.map(|output| tables::place(output, &a.format, Table::Csv)).transpose()?;
     ask(&mut input, a.range.find.as_deref())?;
     input.over_a_table();
-    let notes = sweep_into(&input, &a)?;
+    let notes = sweep_into(&input, &a, place.as_ref())?;
     input.file.notes.extend(notes);
     input.file.say_notes();
     Ok(ExitCode::SUCCESS)
@@ -42,7 +44,7 @@ impl Input {
 }
 
 /// Writes the table to where it belongs; returns its notes.
-fn sweep_into(input: &Input, a: &Sweep) -> Result<Vec<Diagnostic>, Failure> {
+fn sweep_into(input: &Input, a: &Sweep, place: Option<&Place<Table>>) -> Result<Vec<Diagnostic>, Failure> {
     let title = input.scene.title.get(choices(&input.scene, &a.common).0);
     let scene = &input.scene;
     let mechanism = sweep::mechanism(scene).map_err(|f| input.failed(f))?;
@@ -51,22 +53,22 @@ fn sweep_into(input: &Input, a: &Sweep) -> Result<Vec<Diagnostic>, Failure> {
     if let (Some(name), None) = (over, swept) {
         let variation = Variation::new(scene, &[name]).map_err(|f| Failure::argument("--over", name, f))?;
         let span = values(scene, &variation, name, a)?;
-        return write(&mut Varied::new(scene, &mechanism, &variation, span), title, a.output.as_deref());
+        return write(&mut Varied::new(scene, &mechanism, &variation, span), title, place);
     }
     let placed = Placed::new(scene, &mechanism).map_err(|f| input.failed(f))?;
     if swept == Some(Swept::Time) {
         let (timed, range) = through(&placed, &a.range)?;
-        return write(&mut timed.steps(range, a.range.steps.unwrap_or(STEPS)), title, a.output.as_deref());
+        return write(&mut timed.steps(range, a.range.steps.unwrap_or(STEPS)), title, place);
     }
     let driver = driver_of(scene, over)?;
     let steps = steps(input, &placed, driver, &a.range, a.range.steps.unwrap_or(STEPS))?;
     let mut long = Long::new(&placed, driver, steps).map_err(|f| input.failed(f))?;
-    write(&mut long, title, a.output.as_deref())
+    write(&mut long, title, place)
 }
 
-fn write(sweep: &mut dyn Pieces, title: &str, path: Option<&str>) -> Result<Vec<Diagnostic>, Failure> {
-    match path {
-        Some(path) => tables::write(sweep, title, path)?,
+fn write(sweep: &mut dyn Pieces, title: &str, place: Option<&Place<Table>>) -> Result<Vec<Diagnostic>, Failure> {
+    match place {
+        Some(place) => tables::write(sweep, title, place)?,
         None => files::print_with(|out| tables::print(sweep, out))?,
     }
     Ok(sweep.notes())

@@ -1,7 +1,7 @@
 //! `hodograph synth`: a synthesis file to candidates, as a table or JSON, and one of them as a scene file.
 
-use super::{File, Run, files, lang};
-use crate::diag::{Both, both};
+use super::{File, Run, errors, files, lang, places};
+use crate::diag::{Both, Diagnostic, both};
 use crate::digits::significant;
 use crate::problem::{self, Kind, Look, Options};
 use clap::Args as ClapArgs;
@@ -24,7 +24,7 @@ pub struct Synth {
     /// The candidate that is meant, counted from 1 in the order of the table
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pick: Option<u64>,
-    /// Write the scene of the candidate to this file (default: of the first one)
+    /// Write the scene of the candidate to this file or to `-`, standard output (default: of the first one)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
     /// The candidates as JSON, in SI, with their scenes
@@ -40,6 +40,7 @@ pub struct Synth {
 
 /// Runs the command.
 pub fn run(a: Synth) -> Run {
+    places::no_report_beside(a.output.as_deref(), a.json)?;
     let start = Instant::now();
     let mut file = File::open(&a.file, &a.set)?;
     let problem = file.read(|bytes| problem::read_of(bytes, Kind::Task))?;
@@ -49,7 +50,8 @@ pub fn run(a: Synth) -> Run {
     let Some(design) = solved.design() else { return Ok(ExitCode::SUCCESS) };
     if a.speed {
         let evaluations = design.numbers.iter().find(|n| n.name == "evaluations").map(|n| n.value);
-        files::say(lang::of(&speed(evaluations, took)));
+        let told = speed(evaluations, took);
+        errors::tell_line(&Diagnostic::note("speed", told.clone()), &format!("{}\n", lang::of(&told)));
     }
     if let Some(path) = &a.output {
         files::write(Path::new(path), design.candidates[candidate].scene_text().as_bytes())?;
@@ -71,10 +73,10 @@ fn speed(evaluations: Option<f64>, seconds: f64) -> Both {
     let took = significant(seconds, 3);
     match evaluations {
         Some(count) => both!(
-            "{count} positions in {took} s: {} a second\n",
-            "{count} 个位置，用时 {took} s：每秒 {} 个\n",
+            "{count} positions in {took} s: {} a second",
+            "{count} 个位置，用时 {took} s：每秒 {} 个",
             significant(count / seconds.max(1e-9), 3)
         ),
-        None => both!("solved in {took} s\n", "用时 {took} s\n"),
+        None => both!("solved in {took} s", "用时 {took} s"),
     }
 }

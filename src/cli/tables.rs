@@ -1,20 +1,17 @@
 //! Tables into files: which format a name calls for, and the rows written as they come, in the memory of a piece.
 
+use super::places::{self, Place, places};
 use super::spool::{self, Spool};
 use super::together::Out;
+use super::values::{Rows, Table};
 use super::{Failure, files, lang, long, stop};
-use crate::diag::{Both, Diagnostic, both};
+use crate::diag::{Diagnostic, both};
 use crate::report::table::{self, Csv, Format, Head, Npy, Parquet, Piece, Standing};
 use crate::sweep::pieces::Pieces;
+use clap::ValueEnum;
 use indicatif::ProgressBar;
 use std::io::{self, Seek, Write};
 use std::path::Path;
-
-/// The formats that are written row by row, by the ending of their files.
-pub const BY_ROWS: [&str; 3] = ["csv", "npy", "parquet"];
-
-/// All formats of a sweep's table.
-pub const ALL: [&str; 4] = ["csv", "json", "npy", "parquet"];
 
 /// Rows of a piece: half a megabyte for each column.
 const ROWS: usize = 1 << 16;
@@ -22,40 +19,41 @@ const ROWS: usize = 1 << 16;
 /// Numbers of a piece at most: sixteen megabytes.
 const NUMBERS: usize = 1 << 21;
 
-/// The ending of a file's name, one of those allowed.
-pub fn ending(path: &str, allowed: &[&'static str]) -> Result<&'static str, Failure> {
-    let named = files::ending(path);
-    allowed.iter().copied().find(|e| named.as_deref() == Some(e)).ok_or_else(|| {
-        let all: Vec<String> = allowed.iter().map(|e| format!(".{e}")).collect();
-        let d = Diagnostic::error("output", both!("{path} does not end in {}", "{path} 不以 {} 结尾", Both::names(&all)));
-        let help = both!(
-            "name the output table.{}, with the ending of the format that you want",
-            "请写 table.{} 这样的输出文件名，以所需格式结尾",
-            allowed[0]
-        );
-        Failure::argument("-o", path, d.help(help))
+/// The one place of a table: its rows come once, and are written in one format.
+///
+/// # Errors
+/// Those of [`places`], and `format` where several are asked for.
+pub fn place<F: ValueEnum + Copy + PartialEq>(output: &str, formats: &[F], usual: F) -> Result<Place<F>, Failure> {
+    let mut all = places(output, formats, usual)?;
+    if all.len() == 1 {
+        return Ok(all.swap_remove(0));
+    }
+    let message =
+        both!("a table is written in one format, and --format asks for {}", "表格只能写成一种格式，而 --format 要求 {} 种", all.len());
+    let help = both!("ask for one format: --format {}", "请只取一种格式：--format {}", places::ending(all[0].0));
+    Err(Failure::argument("-o", output, Diagnostic::error("format", message).help(help)))
+}
+
+/// A format that is written row by row.
+pub fn by_rows(format: Rows, head: Head) -> io::Result<Box<dyn Format>> {
+    Ok(match format {
+        Rows::Csv => Box::new(Csv::new(head)),
+        Rows::Npy => Box::new(Npy::new(head)),
+        Rows::Parquet => Box::new(Parquet::new(head)?),
     })
 }
 
-/// A format that is written row by row, by the ending of its files.
-pub fn by_rows(ending: &str, head: Head) -> io::Result<Box<dyn Format>> {
-    Ok(match ending {
-        "npy" => Box::new(Npy::new(head)),
-        "parquet" => Box::new(Parquet::new(head)?),
-        _ => Box::new(Csv::new(head)),
-    })
-}
-
-/// Writes a sweep, whole or not at all, in the format that the file's name calls for; one piece is computed while the one before it is
+/// Writes a sweep, whole or not at all; one piece is computed while the one before it is
 /// written.
-pub fn write(sweep: &mut dyn Pieces, title: &str, path: &str) -> Result<(), Failure> {
-    let ending = ending(path, &ALL)?;
+pub fn write(sweep: &mut dyn Pieces, title: &str, (format, path): &Place<Table>) -> Result<(), Failure> {
     let head = Head::new(title, sweep.columns()).told_in(lang::now());
     stop::watch();
     let _looking = stop::Looking::begin();
-    files::write_with(Path::new(path), |out| match ending {
-        "json" => by_columns(sweep, &head, out),
-        _ => rows(sweep, &*by_rows(ending, head)?, out),
+    files::write_with(Path::new(path), |out| match format {
+        Table::Json => by_columns(sweep, &head, out),
+        Table::Csv => rows(sweep, &*by_rows(Rows::Csv, head)?, out),
+        Table::Npy => rows(sweep, &*by_rows(Rows::Npy, head)?, out),
+        Table::Parquet => rows(sweep, &*by_rows(Rows::Parquet, head)?, out),
     })
 }
 

@@ -1,11 +1,12 @@
-//! Where an output goes: through links to the file that they name, into pipes and devices as they stand, and never onto what the run
+//! Where an output goes: through links to the file that they name, into standard output, pipes and devices as they stand, and never onto what the run
 //! has read.
 
 use super::Failure;
 use crate::diag::{Diagnostic, both};
 use std::fs::{File, Metadata, OpenOptions};
-use std::io;
+use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 /// The files that this run has read, by their full names.
@@ -27,7 +28,29 @@ pub enum Target {
     /// A file, which is written beside itself and renamed; links have been followed.
     File(PathBuf),
     /// A pipe or a device, which takes the bytes as it stands.
-    Stream,
+    Stream(PathBuf),
+    /// Standard output.
+    Stdout,
+}
+
+/// Whether a result has been written to standard output, which holds nothing else then.
+static TAKEN: AtomicBool = AtomicBool::new(false);
+
+/// Whether standard output is that of a result: reports and names of files are not printed then.
+pub fn stdout_is_taken() -> bool {
+    TAKEN.load(Ordering::Relaxed)
+}
+
+/// Whether an output of this name is standard output: `-`, or where systems have a file for it.
+pub fn is_stdout(name: &str) -> bool {
+    name == "-" || cfg!(unix) && ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].contains(&name)
+}
+
+/// Whether an output of this name is no file: standard output, a pipe, a device.
+pub fn is_stream(name: &str) -> bool {
+    let path = Path::new(name);
+    let open = |m: Metadata| !m.is_dir() && (!m.is_file() || matches!(followed(path), Ok(None)));
+    is_stdout(name) || std::fs::metadata(path).is_ok_and(open)
 }
 
 /// More links one behind the other are a loop; so many does the system follow too.
@@ -39,16 +62,20 @@ impl Target {
     /// # Errors
     /// A folder, a file that may not be written, a file that this run has read.
     pub fn of(path: &Path) -> Result<Target, Failure> {
+        if path.to_str().is_some_and(is_stdout) {
+            TAKEN.store(true, Ordering::Relaxed);
+            return Ok(Target::Stdout);
+        }
         let fail = |e: io::Error| unwritable(path, &e);
         // Before anything is asked of the name: `new/../scene.json` is another file once `new` is there.
         std::fs::create_dir_all(folder_of(path)).map_err(fail)?;
         match std::fs::metadata(path) {
             Ok(m) if m.is_dir() => return Err(fail(io::ErrorKind::IsADirectory.into())),
-            Ok(m) if !m.is_file() => return Ok(Target::Stream),
+            Ok(m) if !m.is_file() => return Ok(Target::Stream(path.to_owned())),
             Err(e) if e.kind() != io::ErrorKind::NotFound => return Err(fail(e)),
             _ => {}
         }
-        let Some(file) = followed(path).map_err(fail)? else { return Ok(Target::Stream) };
+        let Some(file) = followed(path).map_err(fail)? else { return Ok(Target::Stream(path.to_owned())) };
         std::fs::create_dir_all(folder_of(&file)).map_err(fail)?;
         if was_read(&file) {
             let d = Diagnostic::error(
@@ -65,6 +92,24 @@ impl Target {
             OpenOptions::new().append(true).open(&file).map_err(fail)?;
         }
         Ok(Target::File(file))
+    }
+}
+
+impl Target {
+    /// Copies a whole result to where it goes, if that is no file. A reader of standard output that closed its end has had enough.
+    pub fn take(&self, from: &mut File) -> io::Result<()> {
+        from.seek(SeekFrom::Start(0))?;
+        match self {
+            Target::File(_) => Ok(()),
+            Target::Stream(path) => io::copy(from, &mut OpenOptions::new().append(true).open(path)?).map(drop),
+            Target::Stdout => {
+                let mut out = io::stdout().lock();
+                match io::copy(from, &mut out).and_then(|_| out.flush()) {
+                    Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(e),
+                    _ => Ok(()),
+                }
+            }
+        }
     }
 }
 

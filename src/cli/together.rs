@@ -20,7 +20,7 @@ const RANDOM: usize = 12;
 #[derive(Default)]
 pub struct Together {
     files: Vec<Staged>,
-    streams: Vec<(PathBuf, File)>,
+    streams: Vec<(PathBuf, Target, File)>,
     cleared: Vec<PathBuf>,
 }
 
@@ -47,10 +47,10 @@ impl Together {
             fill(&mut out).and_then(|()| out.flush())
         };
         match Target::of(path)? {
-            Target::Stream => {
+            target @ (Target::Stream(_) | Target::Stdout) => {
                 let file = tempfile::tempfile().map_err(fail)?;
                 unless_stopped(path, filled(&file, &std::env::temp_dir()))?;
-                self.streams.push((path.to_owned(), file));
+                self.streams.push((path.to_owned(), target, file));
             }
             Target::File(place) => {
                 let folder = folder_of(&place);
@@ -98,10 +98,8 @@ impl Together {
                 done.placed.push(staged.place);
             }
         }
-        for (path, mut file) in self.streams {
-            let mut into = OpenOptions::new().append(true).open(&path).map_err(|e| unwritable(&path, &e))?;
-            let copied = file.seek(SeekFrom::Start(0)).and_then(|_| io::copy(&mut file, &mut into));
-            copied.map_err(|e| unwritable(&path, &e))?;
+        for (path, target, mut file) in self.streams {
+            target.take(&mut file).map_err(|e| unwritable(&path, &e))?;
         }
         done.placed.clear();
         Ok(())

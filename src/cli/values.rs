@@ -1,6 +1,7 @@
 //! What an argument may be: the choices that have names, and how numbers are read.
 
-use super::{Failure, Told, files, help};
+use super::files::Refused;
+use super::{Failure, Told, files};
 use crate::certified::ladder::MOST_DIGITS;
 use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::list::{self, Entry};
@@ -29,6 +30,47 @@ impl Format {
             Format::Pdf => "pdf",
         }
     }
+}
+
+/// Formats of a worksheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Sheet {
+    Pdf,
+    Html,
+    Md,
+    Typ,
+}
+
+/// Formats of a motion; PNG is a picture for each frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Moving {
+    Gif,
+    Svg,
+    Png,
+}
+
+/// Formats of a sweep's table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Table {
+    Csv,
+    Json,
+    Npy,
+    Parquet,
+}
+
+/// Formats of a batch's table: those that are written row by row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Rows {
+    Csv,
+    Npy,
+    Parquet,
+}
+
+/// Formats of a cam's profile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Profile {
+    Csv,
+    Dxf,
 }
 
 /// How the letters of an SVG are written.
@@ -61,6 +103,20 @@ pub enum Language {
     Zh,
 }
 
+/// Form of faults, warnings and notes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Errors {
+    Text,
+    Json,
+}
+
+impl Errors {
+    /// The form of a name.
+    pub fn named(name: &str) -> Option<Errors> {
+        Errors::from_str(name, false).ok()
+    }
+}
+
 impl From<Language> for Lang {
     fn from(l: Language) -> Lang {
         match l {
@@ -71,19 +127,19 @@ impl From<Language> for Lang {
 }
 
 /// As many digits as the precision ladder vouches for.
-pub fn digits(s: &str) -> Result<usize, String> {
+pub fn digits(s: &str) -> Result<usize, Refused> {
     match s.parse::<usize>() {
         Ok(n) if (1..=MOST_DIGITS).contains(&n) => Ok(n),
-        _ => Err(help::no_value(&both!("not a whole number from 1 to {MOST_DIGITS}", "不是 1 到 {MOST_DIGITS} 的整数"))),
+        _ => Err(Refused(both!("not a whole number from 1 to {MOST_DIGITS}", "不是 1 到 {MOST_DIGITS} 的整数"))),
     }
 }
 
 /// What may be a length: a bare `--drafting` before the scene's name would take that for its length.
-pub fn length(s: &str) -> Result<String, String> {
+pub fn length(s: &str) -> Result<String, Refused> {
     match s.trim_start().chars().next() {
         None => Ok(String::new()),
         Some(c) if c.is_ascii_digit() || "+-.(".contains(c) => Ok(s.to_string()),
-        Some(_) => Err(help::no_value(&both!(
+        Some(_) => Err(Refused(both!(
             "not a length; write --drafting=0.1mm, or put --drafting after the scene",
             "不是长度；请写 --drafting=0.1mm，或把 --drafting 放在机构文件之后"
         ))),
@@ -91,28 +147,28 @@ pub fn length(s: &str) -> Result<String, String> {
 }
 
 /// As many steps as a file is likely to be wanted with: a hundred columns of ten million rows are eight gigabytes.
-pub fn steps(s: &str) -> Result<usize, String> {
+pub fn steps(s: &str) -> Result<usize, Refused> {
     match s.parse::<usize>() {
         Ok(n) if n <= 10_000_000 => Ok(n),
-        _ => Err(help::no_value(&both!("not a whole number from 0 to 10000000", "不是 0 到 10000000 的整数"))),
+        _ => Err(Refused(both!("not a whole number from 0 to 10000000", "不是 0 到 10000000 的整数"))),
     }
 }
 
 /// A resolution that neither vanishes nor fills the memory: an A4 sheet at 2400 dpi has 550 million pixels.
-pub fn dpi(s: &str) -> Result<f64, String> {
+pub fn dpi(s: &str) -> Result<f64, Refused> {
     match s.parse::<f64>() {
         Ok(v) if (20.0..=1200.0).contains(&v) => Ok(v),
-        Ok(v) => Err(help::no_value(&both!("{v} is not between 20 and 1200", "{v} 不在 20 到 1200 之间"))),
-        Err(_) => Err(help::no_value(&both!("not a number", "不是数"))),
+        Ok(v) => Err(Refused(both!("{v} is not between 20 and 1200", "{v} 不在 20 到 1200 之间"))),
+        Err(_) => Err(Refused(both!("not a number", "不是数"))),
     }
 }
 
 /// A time that a viewer sees something in and does not give up.
-pub fn seconds(s: &str) -> Result<f64, String> {
+pub fn seconds(s: &str) -> Result<f64, Refused> {
     match s.parse::<f64>() {
         Ok(v) if (0.1..=600.0).contains(&v) => Ok(v),
-        Ok(v) => Err(help::no_value(&both!("{v} is not between 0.1 and 600", "{v} 不在 0.1 到 600 之间"))),
-        Err(_) => Err(help::no_value(&both!("not a number", "不是数"))),
+        Ok(v) => Err(Refused(both!("{v} is not between 0.1 and 600", "{v} 不在 0.1 到 600 之间"))),
+        Err(_) => Err(Refused(both!("not a number", "不是数"))),
     }
 }
 

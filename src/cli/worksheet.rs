@@ -2,7 +2,9 @@
 
 use super::draw::style_of;
 use super::mobility::posed_scene;
+use super::places::{Place, one_result, places};
 use super::together::Together;
+use super::values::Sheet;
 use super::{Failure, File, Input, Run, args, choices, files, granted, look_of, verdict};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::sheet;
@@ -18,7 +20,7 @@ use std::process::ExitCode;
 
 /// Runs the command.
 pub fn run(a: args::Worksheet) -> Run {
-    let write = writer(&a.output).map_err(|f| Failure::argument("-o", &a.output, f))?;
+    let files = Files::of(&a)?;
     let style = style_of(&a.look)?;
     let sides = match (a.problem_only, a.solution) {
         (true, _) => Sides::Problem,
@@ -34,15 +36,15 @@ pub fn run(a: args::Worksheet) -> Run {
     ];
     granted(Kind::of(file.source.as_bytes()), &wishes)?;
     if a.mobility {
-        return counting(&a, style, sides, write);
+        return counting(&a, style, sides, &files);
     }
     let problem = file.read(|bytes| problem::read(bytes))?;
     let options = problem::Options { candidate: a.pick.map_or(0, |n| n as usize - 1), ..problem::Options::with_figures() };
     let solved = file.solve(&problem, &options)?;
     let look = look_of(&a.common, style, a.digits);
     let document = solved.worksheet(sides, a.find_the_mistake.as_deref(), &look).map_err(|f| file.failed(f))?;
-    let written = write(&document, stem(&a.output)).map_err(|f| file.failed(f))?;
-    file.notes.extend(written.appear(&a.output)?);
+    let notes = files.write(&document, |f| file.failed(f))?;
+    file.notes.extend(notes);
     file.notes.extend(document.remarks());
     file.say_notes();
     Ok(verdict(solved.verdict()))
@@ -54,7 +56,7 @@ fn options(input: &Input, a: &args::Worksheet, style: Style, sides: Sides) -> Op
 }
 
 /// The sheet on mobility: links and pairs are enough for it, and the pose for its drawings.
-fn counting(a: &args::Worksheet, style: Style, sides: Sides, write: Writer) -> Run {
+fn counting(a: &args::Worksheet, style: Style, sides: Sides, files: &Files) -> Run {
     let mut input = Input::read_topology(&a.common)?.drawn_in(&style);
     let options = options(&input, a, style, sides);
     let posed = scene::read_pose(&input.file.source).ok().and_then(|read| {
@@ -72,8 +74,8 @@ fn counting(a: &args::Worksheet, style: Style, sides: Sides, write: Writer) -> R
             mobility_of_pairs(&input.scene, &options)
         }
     };
-    let written = write(&document, stem(&a.output)).map_err(|f| input.failed(f))?;
-    input.file.notes.extend(written.appear(&a.output)?);
+    let notes = files.write(&document, |f| input.failed(f))?;
+    input.file.notes.extend(notes);
     input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }
@@ -89,12 +91,50 @@ fn no_drawings() -> Diagnostic {
     ))
 }
 
-/// The stem of the names of a document's drawings.
-fn stem(output: &str) -> &str {
-    Path::new(output).file_stem().and_then(|s| s.to_str()).unwrap_or("worksheet")
+/// The files that a document is written to.
+struct Files {
+    output: String,
+    places: Vec<Place<Sheet>>,
 }
 
-/// A document as files, and what could not be written as it should.
+impl Files {
+    fn of(a: &args::Worksheet) -> Result<Files, Failure> {
+        Ok(Files { output: a.output.clone(), places: places(&a.output, &a.format, Sheet::Html)? })
+    }
+
+    /// Puts the files there with the drawings that lie beside them, all or none, and says their names. Returns what could not be written
+    /// as it should.
+    fn write(&self, document: &Document, failed: impl Fn(Faults) -> Failure) -> Result<Vec<Diagnostic>, Failure> {
+        let (mut all, mut names, mut notes): (_, Vec<String>, _) = (Together::default(), Vec::new(), Vec::new());
+        for (format, path) in &self.places {
+            let out = Path::new(path);
+            let stem = out.file_stem().and_then(|s| s.to_str()).unwrap_or("worksheet");
+            let written = written(document, *format, stem).map_err(&failed)?;
+            let one = both!(
+                "a document with its drawings in one file: --format html or --format pdf",
+                "图文同在一个文件中：--format html 或 --format pdf"
+            );
+            one_result(&self.output, 1 + written.beside.len(), one)?;
+            for picture in written.beside {
+                let path = out.with_file_name(&picture.name);
+                let name = path.display().to_string();
+                // Markdown and Typst show the same drawings.
+                if !names.contains(&name) {
+                    all.add(&path, picture.text.as_bytes())?;
+                    names.push(name);
+                }
+            }
+            all.add(out, &written.bytes)?;
+            names.push(path.clone());
+            notes.extend(written.notes);
+        }
+        all.appear()?;
+        files::print_names(&names.iter().map(|n| format!("{n}\n")).collect::<String>())?;
+        Ok(notes)
+    }
+}
+
+/// A document in a format, and what could not be written as it should.
 #[derive(Default)]
 struct Written {
     bytes: Vec<u8>,
@@ -102,46 +142,16 @@ struct Written {
     notes: Vec<Diagnostic>,
 }
 
-impl Written {
-    fn of((text, beside): (String, Vec<Beside>)) -> Written {
-        Written { bytes: text.into_bytes(), beside, ..Written::default() }
-    }
-
-    /// Puts the files there, all or none, and says their names; what could not be written as it should.
-    fn appear(self, output: &str) -> Result<Vec<Diagnostic>, Failure> {
-        let out = Path::new(output);
-        let mut all = Together::default();
-        let mut names = String::new();
-        for picture in self.beside {
-            let path = out.with_file_name(&picture.name);
-            all.add(&path, picture.text.as_bytes())?;
-            names += &format!("{}\n", path.display());
+/// The document in a format, given the stem of the names of its drawings.
+fn written(document: &Document, format: Sheet, stem: &str) -> Result<Written, Faults> {
+    let text = |(text, beside): (String, Vec<Beside>)| Written { bytes: text.into_bytes(), beside, ..Written::default() };
+    Ok(match format {
+        Sheet::Pdf => {
+            let file = pdf::document(&pages::pages(document), &document.title, words(document.lang).tag)?;
+            Written { bytes: file.value, notes: file.notes, ..Written::default() }
         }
-        all.add(out, &self.bytes)?;
-        all.appear()?;
-        files::print_names(&format!("{names}{output}\n"))?;
-        Ok(self.notes)
-    }
-}
-
-/// What writes a document, given the stem of the names of its drawings.
-type Writer = fn(&Document, &str) -> Result<Written, Faults>;
-
-/// What writes files that end so.
-fn writer(output: &str) -> Result<Writer, Faults> {
-    match files::ending(output).as_deref() {
-        Some("pdf") => Ok(|d, _| {
-            let file = pdf::document(&pages::pages(d), &d.title, words(d.lang).tag)?;
-            Ok(Written { bytes: file.value, notes: file.notes, ..Written::default() })
-        }),
-        Some("html") => Ok(|d, _| Ok(Written::of((html::html(d)?, Vec::new())))),
-        Some("md") => Ok(|d, stem| markdown::markdown(d, stem).map(Written::of)),
-        Some("typ") => Ok(|d, stem| typst::typst(d, stem).map(Written::of)),
-        _ => Err(Diagnostic::error(
-            "output",
-            both!("{output} ends in none of .pdf, .html, .md, .typ", "{output} 不以 .pdf、.html、.md 或 .typ 结尾"),
-        )
-        .help(both!("name the file after its format, such as -o sheet.pdf", "请按格式命名文件，如 -o sheet.pdf"))
-        .into()),
-    }
+        Sheet::Html => text((html::html(document)?, Vec::new())),
+        Sheet::Md => text(markdown::markdown(document, stem)?),
+        Sheet::Typ => text(typst::typst(document, stem)?),
+    })
 }

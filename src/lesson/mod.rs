@@ -26,7 +26,7 @@ mod words;
 mod zoom;
 
 pub use pack::told;
-pub use reveal::reveal;
+pub use reveal::{reveal, reveal_in};
 
 use crate::centres::Task;
 use crate::diag::{Diagnostic, Faults, Warned, both};

@@ -1,10 +1,12 @@
 //! One pose as a fragment for slides: an inline SVG whose parts carry the classes by which reveal.js shows them one by one.
 
 use crate::diag::{Faults, Warned};
+use crate::figure::fit::{self, Room};
+use crate::figure::list::{Extras, Wanted};
 use crate::figure::sheet;
 use crate::geom::Point;
 use crate::mechanism::Level;
-use crate::paper::extent::Rect;
+use crate::paper::item::Figure;
 use crate::render::number::mm;
 use crate::render::svg::{Elements, hex};
 use crate::scene::Scene;
@@ -21,17 +23,50 @@ const GAP_MM: f64 = 6.0;
 /// # Errors
 /// Those of the SVG writer.
 pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Result<Warned<String>, Faults> {
+    let (drawings, _) = drawings(scene, worked, options, false)?;
+    Ok(Warned { value: drawings.svg(scene, options, None), notes: Vec::new() })
+}
+
+/// [`reveal`] in a width (mm): drawings become smaller, type as far as it can be read, and stand one below the other
+/// where side by side they would be too small.
+///
+/// # Errors
+/// `paper-too-small` where the smallest legible drawings are wider.
+pub fn reveal_in(scene: &Scene, worked: &Worked, options: &sheet::Options, width_mm: f64) -> Result<Warned<String>, Faults> {
+    let extras = Extras::default();
+    let wanted = Wanted { scene, worked, options, extras: &extras };
+    let value = fit::first_that_fits("reveal", &wanted, Room::Column(width_mm), |w, stacked| {
+        let (drawings, size) = drawings(w.scene, w.worked, w.options, stacked)?;
+        Ok(if size[0] <= width_mm { Ok(drawings.svg(w.scene, w.options, Some(width_mm))) } else { Err(size) })
+    })?;
+    Ok(Warned { value, notes: Vec::new() })
+}
+
+/// The drawings as markup.
+struct Drawings {
+    body: String,
+    letters: String,
+    size_mm: [f64; 2],
+}
+
+/// The drawings side by side or one below the other, and their size (mm) together.
+fn drawings(scene: &Scene, worked: &Worked, options: &sheet::Options, stacked: bool) -> Result<(Drawings, [f64; 2]), Faults> {
     let drawn = |level| Some((level, sheet::drawing(scene, worked, options, level)?));
     let mut figures: Vec<_> = Level::ALL.into_iter().filter_map(drawn).collect();
-    let height = figures.iter().map(|(_, f)| f.height_mm).fold(0.0, f64::max);
-    let mut x = 0.0;
+    let most = |side: fn(&Figure) -> f64| figures.iter().map(|(_, f)| side(f)).fold(0.0, f64::max);
+    let sum = |side: fn(&Figure) -> f64| figures.iter().map(|(_, f)| side(f) + GAP_MM).sum::<f64>() - GAP_MM;
+    let [width, height] = if stacked { [most(|f| f.width_mm), sum(|f| f.height_mm)] } else { [sum(|f| f.width_mm), most(|f| f.height_mm)] };
+    let (mut x, mut top) = (0.0, height);
     let mut body = String::new();
     let mut elements = Elements::new(height);
     let mut done = 0;
     for (level, figure) in &mut figures {
-        // All stand on one line, their captions at the bottom.
-        crate::paper::extent::translate(&mut figure.items, Point::new(x, 0.0) - Point::ORIGIN);
+        // Side by side all stand on one line, their captions at the bottom.
+        top -= figure.height_mm;
+        let corner = if stacked { Point::new((width - figure.width_mm) / 2.0, top) } else { Point::new(x, 0.0) };
+        crate::paper::extent::translate(&mut figure.items, corner - Point::ORIGIN);
         x += figure.width_mm + GAP_MM;
+        top -= GAP_MM;
         let list = elements.of(&figure.items)?;
         // An item that several steps draw comes with the first.
         let of: Vec<Option<usize>> = figure.items.iter().map(|i| i.steps().min().filter(|_| *level > Level::Position)).collect();
@@ -48,14 +83,24 @@ pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Resul
         }
         done += most;
     }
-    let paper = Rect::new(Point::ORIGIN, Point::new((x - GAP_MM).max(0.0), height));
-    let title = scene.title.get(options.lang);
-    let (w, h) = (mm(paper.width_mm()), mm(paper.height_mm()));
-    let value = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"{}\" style=\"width:100%;background:{}\">\n{}\n{body}</svg>\n",
-        escaped(title),
-        hex(options.style.palette.paper),
-        Elements::letters([&elements])
-    );
-    Ok(Warned { value, notes: Vec::new() })
+    let size_mm = [width, height].map(|mm| mm.max(0.0));
+    Ok((Drawings { body, letters: Elements::letters([&elements]), size_mm }, size_mm))
+}
+
+impl Drawings {
+    /// The fragment, as wide as its slide or of a width (mm) in whose middle the drawings stand.
+    fn svg(&self, scene: &Scene, options: &sheet::Options, width_mm: Option<f64>) -> String {
+        let [own, height] = self.size_mm;
+        let wide = width_mm.unwrap_or(own);
+        let left = (own - wide) / 2.0;
+        let (left, w, h) = (mm(left), mm(wide), mm(height));
+        let shown = width_mm.map_or_else(|| "width:100%".to_owned(), |_| format!("width:{w}mm;max-width:100%"));
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"{left} 0 {w} {h}\" role=\"img\" aria-label=\"{}\" style=\"{shown};background:{}\">\n{}\n{}</svg>\n",
+            escaped(scene.title.get(options.lang)),
+            hex(options.style.palette.paper),
+            self.letters,
+            self.body
+        )
+    }
 }

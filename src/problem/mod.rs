@@ -251,11 +251,13 @@ pub struct Lesson {
     pub swept: Swept,
     /// A fragment for slides instead of a page.
     pub reveal: bool,
+    /// Width of a fragment (mm).
+    pub width_mm: Option<f64>,
 }
 
 impl Default for Lesson {
     fn default() -> Lesson {
-        Lesson { positions: crate::lesson::POSITIONS, swept: Swept::Driver(0), reveal: false }
+        Lesson { positions: crate::lesson::POSITIONS, swept: Swept::Driver(0), reveal: false, width_mm: None }
     }
 }
 

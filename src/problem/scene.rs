@@ -4,8 +4,8 @@ use super::{Answer, Answered, Lesson, Look, Options, Pictures, Solved, Verdict};
 use crate::attempts;
 use crate::certified::{Certified, certify, steps};
 use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::figure::fit;
 use crate::figure::list::{self, Entry, Pages, Wanted};
-use crate::figure::{fit, steps as pictures_of};
 use crate::lesson;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
@@ -129,12 +129,11 @@ impl Answered for Mechanism {
         let (lang, notation) = self.look(look);
         let options = look.sheet(lang, &notation);
         let Mechanism { scene, worked } = self;
+        let wanted = Wanted { scene, worked, options: &options, extras: &pictures.extras };
         if pictures.steps {
-            let named = |(k, figure)| (format!("step-{:02}", k + 1), figure);
-            let value: Pages = pictures_of::figures(scene, worked, &options).into_iter().enumerate().map(named).collect();
+            let value = fit::steps(&wanted, pictures.width_mm)?;
             return if value.is_empty() { Err(no_steps().into()) } else { Ok(Warned { value, notes: Vec::new() }) };
         }
-        let wanted = Wanted { scene, worked, options: &options, extras: &pictures.extras };
         let (mut out, mut notes, mut missing) = (Vec::new(), Vec::new(), Faults::default());
         for entry in self.asked(pictures) {
             let pages = fit::drawn(entry, &wanted, pictures.width_mm)?;
@@ -163,7 +162,11 @@ impl Answered for Mechanism {
         let (lang, notation) = self.look(look);
         let notation = look.style.marks.over(&notation);
         if wanted.reveal {
-            return lesson::reveal(&self.scene, &self.worked, &look.sheet(lang, &notation));
+            let options = look.sheet(lang, &notation);
+            return match wanted.width_mm {
+                Some(width_mm) => lesson::reveal_in(&self.scene, &self.worked, &options, width_mm),
+                None => lesson::reveal(&self.scene, &self.worked, &options),
+            };
         }
         let Lesson { positions, swept, .. } = *wanted;
         let options = lesson::Options { lang, notation, positions, swept, style: look.style.clone() };

@@ -119,7 +119,8 @@ impl Answered for Designed {
             pages = figure::growing(&pages[at].1);
         }
         if let Some(width_mm) = pictures.width_mm {
-            pages = fit::placed(pages, fit::Room::Column(width_mm))?;
+            let room = fit::Room::Column(width_mm);
+            pages = if pictures.steps { fit::placed_alike(pages, room) } else { fit::placed(pages, room) }?;
         }
         Ok(Warned { value: pages, notes: Vec::new() })
     }

@@ -4,6 +4,7 @@ mod asked;
 mod cams;
 mod designs;
 mod documents;
+mod errors;
 
 #[cfg(target_os = "linux")]
 mod exits;
@@ -12,6 +13,7 @@ mod figures;
 mod files;
 mod languages;
 mod scene;
+mod streams;
 mod text;
 mod units;
 #[path = "../wide/mod.rs"]

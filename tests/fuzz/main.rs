@@ -163,8 +163,8 @@ fn fuzz_styles() {
 }
 
 /// Words of a command line: commands, options, values that are right, and such as are not.
-const WORDS: &str = "draw lesson solve plan worksheet accuracy sweep batch curves path limits new templates schema --lang en zh --notation cn \
-    -o a.svg a.png a.pdf a.csv a.json a.npy a.parquet a.md a.typ a.html out/ /dev/null scene.json style.json missing.json - . .. --format svg,png \
+const WORDS: &str = "draw lesson solve plan worksheet accuracy sweep batch curves path limits new templates schema explain --lang en zh --notation cn \
+    -o a.svg a.png a.pdf a.csv a.json a.npy a.parquet a.md a.typ a.html out/ /dev/null scene.json style.json missing.json - . .. --format svg,png pdf csv,json --errors json text dead-centre --width 90mm --solved \
     --figure mechanism,velocity sheet results --vectors velocity acceleration --poses 0 2 73 -1 --path E,B Q --dimensions --text editable --steps 3 \
     360 --style print slides dark --font --digits 6 30 31 --drafting 0.1mm --drafting=0.1mm 9mm --dpi 40 1e9 --reveal --positions 8 --driver 1 9 --json \
     --toward-toggle --patience 1 --over phi_1 l_BC driver driver2 --from 0 90deg --to 1e300 1rad nan --find v_C,a_C v_Q omega_3/2 --point E --marks 2 \
@@ -223,6 +223,9 @@ fn fuzz_arguments() {
         "lesson scene.json --positions 8 -o a.html",
         "templates --lang zh",
         "schema --synthesis",
+        "explain dead-centre --json",
+        "solve scene.json --errors json",
+        "curves scene.json --steps 8 -o - --format svg",
     ];
     let commands = commands();
     assert!(commands.len() > 20, "{commands:?}");

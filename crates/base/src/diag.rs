@@ -6,6 +6,10 @@
 //! What it says is a [`Both`]: English and Chinese, made at once by `both!`; whoever shows it chooses. A plain text is none, so that
 //! the compiler finds a message without its Chinese.
 
+pub mod json;
+mod place;
+
+pub use place::LineColumn;
 use std::fmt;
 
 /// A place in the scene file: byte offsets, end exclusive.
@@ -297,6 +301,8 @@ impl fmt::Display for Diagnostic {
         Ok(())
     }
 }
+
+impl std::error::Error for Diagnostic {}
 
 /// The diagnostics of one run, in the order in which they were found.
 #[derive(Clone, Debug, Default, PartialEq)]

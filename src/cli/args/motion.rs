@@ -1,6 +1,7 @@
 //! Further arguments: what moves, and those of the commands that draw a motion.
 
-use super::{ClapArgs, Common, Look, dpi, seconds};
+use super::{ClapArgs, Common, Format, Look, dpi, seconds};
+use crate::cli::values::Moving;
 
 /// What goes on from pose to pose.
 #[derive(ClapArgs, Debug)]
@@ -29,9 +30,12 @@ pub struct Path {
     pub moves: Moves,
     #[command(flatten)]
     pub look: Look,
-    /// The file, ending in .svg, .png or .pdf (default: named after the scene)
+    /// The file, ending in .svg, .png or .pdf, or `-` for standard output (default: named after the scene)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
+    /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are several (default: svg)
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
+    pub format: Vec<Format>,
 }
 
 #[derive(ClapArgs, Debug)]
@@ -52,7 +56,11 @@ pub struct Animate {
     /// Resolution of GIF and PNG in dots per inch; both sides have an even number of pixels
     #[arg(long, default_value_t = 96.0, value_parser = dpi)]
     pub dpi: f64,
-    /// The file, ending in .gif, .svg (it moves by itself in browsers) or .png (one for each frame: turn-001.png, …)
+    /// The file, ending in .gif, .svg (it moves by itself in browsers) or .png (one for each frame: turn-001.png, …), or `-` for standard
+    /// output
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
+    /// Formats where -o has no such ending, such as gif,svg; each ending is added where there are several (default of `-o -`: svg)
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
+    pub format: Vec<Moving>,
 }

@@ -33,7 +33,7 @@ pub struct Curvature {
 pub struct Inversions {
     #[command(flatten)]
     pub common: Common,
-    /// Write the scene of each inversion into this folder, or that of --pick to this file ending in .json
+    /// Write the scene of each inversion into this folder, or that of --pick to this file ending in .json or to `-`, standard output
     #[arg(short, long, value_name = "PATH")]
     pub output: Option<String>,
     /// The inversion with this link as ground alone; without -o its scene is printed

@@ -51,6 +51,14 @@ impl Room {
         }
     }
 
+    /// The page around ink of this size (mm).
+    fn sides(self, ink: [f64; 2]) -> [f64; 2] {
+        match self {
+            Room::Column(w) => [w, ink[1] + 2.0 * self.border_mm()],
+            Room::Paper(sides) => sides,
+        }
+    }
+
     /// The figure in the middle of a page of this room.
     ///
     /// # Errors
@@ -61,10 +69,7 @@ impl Room {
         if size[0] > inner[0] || size[1] > inner[1] {
             return Err(size);
         }
-        let [width, height] = match self {
-            Room::Column(w) => [w, size[1] + 2.0 * self.border_mm()],
-            Room::Paper(sides) => sides,
-        };
+        let [width, height] = self.sides(size);
         let centre = ink.centre();
         translate(&mut figure.items, Vec2::new(width / 2.0 - centre.x, height / 2.0 - centre.y));
         Ok(Figure { width_mm: width, height_mm: height, ..figure })
@@ -130,6 +135,77 @@ pub fn pages(entry: &Entry, w: &Wanted, room: Room) -> Result<Warned<Pages>, Fau
     }
     let name = if entry.name.is_empty() { USUAL.name } else { entry.name };
     Err(too_small(name, needs, room).into())
+}
+
+/// The steps of the construction, a page for each; in a column of this width all of one size, so that slides do not jump.
+///
+/// # Errors
+/// `paper-too-small` where the smallest legible pages are wider than the column.
+pub fn steps(w: &Wanted, width_mm: Option<f64>) -> Result<Pages, Faults> {
+    let named = |all: Vec<Figure>| -> Pages { (1..).zip(all).map(|(k, figure)| (format!("step-{k:02}"), figure)).collect() };
+    let Some(room) = width_mm.map(Room::Column) else { return Ok(named(super::steps::figures(w.scene, w.worked, w.options))) };
+    first_that_fits("steps", w, room, |w, stacked| {
+        let within = Within { width_mm: room.inner()[0], stacked };
+        Ok(alike(named(super::steps::figures_in(w.scene, w.worked, w.options, Some(within))), room))
+    })
+}
+
+/// Room between the margins of a page, and how drawings stand in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Within {
+    /// Its width (mm).
+    pub width_mm: f64,
+    /// One below the other, not side by side.
+    pub stacked: bool,
+}
+
+/// The first of the ways that are tried in which something fits: drawings side by side as long as their type can be read without effort,
+/// else one below the other (`true`), each at smaller and smaller sizes. `draw` returns the size (mm) of what does not fit.
+///
+/// # Errors
+/// `paper-too-small` where the smallest legible one does not fit; those of `draw`.
+pub fn first_that_fits<T>(
+    name: &str,
+    w: &Wanted,
+    room: Room,
+    draw: impl Fn(&Wanted, bool) -> Result<Result<T, [f64; 2]>, Faults>,
+) -> Result<T, Faults> {
+    let mut needs = [0.0_f64; 2];
+    let beside = PARTS.into_iter().filter(|part| *part >= LEAST_TYPE).map(|part| (part, false));
+    for (part, stacked) in beside.chain(PARTS.map(|part| (part, true))) {
+        match draw(&Smaller::of(w, part, [part; 3])?.wanted(w.extras), stacked)? {
+            Ok(made) => return Ok(made),
+            Err(size) => needs = size,
+        }
+    }
+    let help = both!("give more room; scales that the scene fixes are kept", "请给更大的幅面；机构文件规定的比例尺保持不变");
+    Err(too_small(name, needs, room).help(help).into())
+}
+
+/// Finished figures of one size in a room, all shifted alike.
+///
+/// # Errors
+/// `paper-too-small` where one of them is larger.
+pub fn placed_alike(figures: Pages, room: Room) -> Result<Pages, Faults> {
+    let name = figures.first().map(|(word, _)| word.clone()).unwrap_or_default();
+    alike(figures, room).map_err(|size| too_small(&name, size, room).into())
+}
+
+/// [`placed_alike`] with the size (mm) of all ink together as its error.
+fn alike(mut figures: Pages, room: Room) -> Result<Pages, [f64; 2]> {
+    let ink = figures.iter().filter_map(|(_, f)| bounds(&f.items)).reduce(|a, b| a.union(b));
+    let Some(ink) = ink else { return Ok(figures) };
+    let (size, inner) = ([ink.width_mm(), ink.height_mm()], room.inner());
+    if size[0] > inner[0] || size[1] > inner[1] {
+        return Err(size);
+    }
+    let [width, height] = room.sides(size);
+    let shift = Vec2::new(width / 2.0, height / 2.0) - Vec2::new(ink.centre().x, ink.centre().y);
+    for (_, figure) in &mut figures {
+        translate(&mut figure.items, shift);
+        (figure.width_mm, figure.height_mm) = (width, height);
+    }
+    Ok(figures)
 }
 
 /// The sheet of this part of its size, where the room holds it.

@@ -6,7 +6,7 @@ use crate::analytic::{Decided, SingularKind, Singularity, Why as Refusal};
 use crate::answer::Value;
 use crate::certified::ladder::{Certified, Number, Part, READING_DIGITS, Why};
 use crate::construct::Measured;
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::Diagnostic;
 use crate::digits::{direction_degrees, shortest, significant};
 use crate::mechanism::Level;
 use crate::paper::phrase::{fill, formula, sense, tr};
@@ -24,6 +24,8 @@ pub use none::{reason, verdict};
 
 /// Digits of the direction of a point at infinity.
 const DIRECTION_DIGITS: usize = 5;
+/// The version of the document that [`json()`] makes; `hodograph schema --solved` describes it.
+pub const SCHEMA: &str = "hodograph/solved/1";
 /// Digits that text answers show unless more or fewer are asked for.
 pub const DIGITS: usize = 6;
 
@@ -271,6 +273,7 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         })
         .collect();
     let mut all = json!({
+        "schema": SCHEMA,
         "title": {"en": scene.title.en, "zh": scene.title.zh},
         "answers": answers,
         // Infinite where singular, which JSON writes as null.
@@ -414,7 +417,7 @@ fn singularity(scene: &Scene, s: &Singularity) -> Json {
 /// A diagnostic for programs.
 pub fn diagnostic(d: &Diagnostic) -> Json {
     json!({
-        "severity": match d.severity { Severity::Error => "error", Severity::Warning => "warning", Severity::Note => "note" },
+        "severity": d.severity.word(),
         "code": d.code,
         "message": d.message.en,
         "help": d.help.as_ref().map(|h| &h.en),

@@ -8,7 +8,7 @@ use miette::{
 };
 use textwrap::WordSplitter;
 
-use crate::diag::{Diagnostic, Faults, Severity, Span, both};
+use crate::diag::{Diagnostic, Faults, LineColumn, Severity, Span, both};
 use crate::paper::phrase::tr;
 use crate::scene::Lang;
 
@@ -41,7 +41,7 @@ pub fn render_in(faults: &Faults, source_name: &str, source: &str, lang: Lang) -
     for d in faults.list.iter().take(MAX_SHOWN) {
         // Signs may be longer than what they stand for.
         let moved = |at: usize| if seen == source { at } else { visible(&source[..at]).len() };
-        let span = d.span.map(|s| clamp(s, source)).map(|s| Span::new(moved(s.start), moved(s.end)));
+        let span = d.span.map(|s| s.within(source)).map(|s| Span::new(moved(s.start), moved(s.end)));
         let shown = match span {
             Some(s) => line_length(s, &seen) <= MAX_LINE,
             None => true,
@@ -95,16 +95,9 @@ impl SourceCode for Characters {
     fn read_span<'a>(&'a self, span: &SourceSpan, before: usize, after: usize) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
         let found = self.0.read_span(span, before, after)?;
         // With lines before it, what is read begins with its line.
-        let column = if before == 0 { column(&self.0, span.offset()) } else { found.column() };
+        let column = if before == 0 { LineColumn::of(&self.0, span.offset()).column - 1 } else { found.column() };
         Ok(Box::new(MietteSpanContents::new(found.data(), *found.span(), found.line(), column, found.line_count())))
     }
-}
-
-/// Characters of its line before a place. The mark that some editors begin a file with is none.
-fn column(source: &str, at: usize) -> usize {
-    let before = &source[..at];
-    let line = &before[before.rfind('\n').map_or(0, |i| i + 1)..];
-    line.chars().filter(|c| *c != '\u{feff}').count()
 }
 
 fn report(d: &Diagnostic, span: Option<Span>, name: &str, source: &str, lang: Lang) -> Report {
@@ -124,19 +117,6 @@ fn report(d: &Diagnostic, span: Option<Span>, name: &str, source: &str, lang: La
     Report::new(shown)
 }
 
-/// A span within the text and between characters: the text may be a lossy reading of bytes that were not UTF-8.
-fn clamp(span: Span, source: &str) -> Span {
-    let floor = |mut i: usize| {
-        i = i.min(source.len());
-        while !source.is_char_boundary(i) {
-            i -= 1;
-        }
-        i
-    };
-    let start = floor(span.start);
-    Span::new(start, floor(span.end).max(start))
-}
-
 fn line_length(span: Span, source: &str) -> usize {
     let start = source[..span.start].rfind('\n').map_or(0, |i| i + 1);
     // An object that spans several lines: the longest of them counts, since all are shown.
@@ -150,8 +130,7 @@ fn plain(d: &Diagnostic, span: Option<Span>, name: &str, source: &str, lang: Lan
         Severity::Warning => tr(lang, "warning", "警告"),
         Severity::Error => tr(lang, "error", "错误"),
     };
-    let place =
-        span.map_or_else(String::new, |s| format!(":{}:{}", source[..s.start].matches('\n').count() + 1, column(source, s.start) + 1));
+    let place = span.map(|s| LineColumn::of(source, s.start)).map_or_else(String::new, |at| format!(":{}:{}", at.line, at.column));
     let help = d.help.as_ref().map_or_else(String::new, |h| match lang {
         Lang::En => format!(" ({})", h.en),
         Lang::Zh => format!("（{}）", h.zh),

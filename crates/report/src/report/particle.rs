@@ -155,6 +155,9 @@ pub fn scales(book: &Book, [l, v, a]: [f64; 3]) -> String {
     all.map(|(level, mu)| format!("${}$", of_level(book, level, mu))).join(", ")
 }
 
+/// The version of the document that [`json()`] makes; `hodograph schema --solved` describes it.
+pub const SCHEMA: &str = "hodograph/solved-motion/1";
+
 /// The same for programs, in SI.
 pub fn json(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, notes: &[Diagnostic]) -> Json {
     let told = |e: &Enclosure, size: f64| json!({"value": e.approx, "radius": e.radius, "text": number(e, size, digits)});
@@ -196,6 +199,7 @@ pub fn json(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, 
         })
         .collect();
     json!({
+        "schema": SCHEMA,
         "title": {"en": problem.title.en, "zh": problem.title.zh},
         "time": problem.instant(),
         "answers": answers,

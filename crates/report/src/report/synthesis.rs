@@ -1,7 +1,7 @@
 //! The candidates of a synthesis for people and programs: lengths, errors, defects, transmission, and which is taken and why.
 
 use super::limits::grashof_words;
-use crate::diag::{Both, Diagnostic, Severity};
+use crate::diag::{Both, Diagnostic};
 use crate::digits::{metres, shortest, significant};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Mechanism};
@@ -154,7 +154,7 @@ pub fn construction(board: &Board) -> Json {
             |(name, p): &(String, Point)| json!({"name": Label::math(name.as_str()).plain(), "x": p.x * board.mu_l, "y": p.y * board.mu_l});
         marks.iter().map(told).collect()
     };
-    let steps = board.steps.iter().map(|s| json!({"text": both(&s.text), "marks": marks(&s.marks)}));
+    let steps = board.steps.iter().map(|s| json!({"text": s.text.json(), "marks": marks(&s.marks)}));
     let readings =
         board.readings.iter().map(|r| json!({"name": r.name, "measured": r.measured, "angle": r.angle, "value": board.value(r)}));
     json!({"mu_l": board.mu_l, "steps": steps.collect::<Vec<_>>(), "readings": readings.collect::<Vec<_>>()})
@@ -184,7 +184,7 @@ fn candidate(c: &Candidate) -> Json {
         .map(|w| json!({"driver": w.driver, "points": w.places.iter().map(|(n, p)| (n.clone(), json!([p.x, p.y]))).collect::<serde_json::Map<_, _>>()}))
         .collect();
     json!({
-        "which": both(&c.draft.which),
+        "which": c.draft.which.json(),
         "numbers": named(&c.draft.numbers),
         "wanted": positions,
         "deviation": c.draft.course.iter().map(|c| [c.x, c.deviation()]).collect::<Vec<_>>(),
@@ -203,16 +203,7 @@ fn candidate(c: &Candidate) -> Json {
 }
 
 fn note(d: &Diagnostic) -> Json {
-    let severity = match d.severity {
-        Severity::Note => "note",
-        Severity::Warning => "warning",
-        Severity::Error => "error",
-    };
-    json!({"code": d.code, "severity": severity, "message": both(&d.message), "help": d.help.as_ref().map(both)})
-}
-
-fn both(text: &Both) -> Json {
-    json!({"en": text.en, "zh": text.zh})
+    json!({"code": d.code, "severity": d.severity.word(), "message": d.message.json(), "help": d.help.as_ref().map(Both::json)})
 }
 
 /// A position of a linkage: each moving link with its points (m), and the fixed pivots.

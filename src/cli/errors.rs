@@ -1,0 +1,58 @@
+//! Standard error: faults, warnings and notes as text, each as it comes, or with `--errors json` as one document at the end of the run.
+
+use super::{files, lang};
+use crate::diag::{Diagnostic, Faults, json};
+use crate::report::diagnostics;
+use serde_json::Value;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+/// Whether the run writes its faults as JSON.
+static AS_JSON: AtomicBool = AtomicBool::new(false);
+
+/// The document under way; `None` once it is written.
+static TOLD: Mutex<Option<Vec<Value>>> = Mutex::new(Some(Vec::new()));
+
+/// From now on everything is collected for the document.
+pub fn collect() {
+    AS_JSON.store(true, Ordering::Relaxed);
+}
+
+/// Whether faults are collected for the document: nothing else goes to standard error then.
+pub fn as_json() -> bool {
+    AS_JSON.load(Ordering::Relaxed)
+}
+
+/// Tells diagnostics of a text, the file or the value of an option that `name` names.
+pub fn tell(faults: &Faults, name: &str, source: &str) {
+    if as_json() {
+        add(faults.json(name, source));
+    } else if !faults.list.is_empty() {
+        files::say(&diagnostics::render_in(faults, name, source, lang::now()));
+    }
+}
+
+/// Tells a diagnostic that as text is only a line.
+pub fn tell_line(diagnostic: &Diagnostic, line: &str) {
+    if as_json() {
+        add(vec![diagnostic.json("", "")]);
+    } else {
+        files::say(line);
+    }
+}
+
+fn add(more: Vec<Value>) {
+    let mut told = TOLD.lock().unwrap_or_else(PoisonError::into_inner);
+    told.iter_mut().for_each(|list| list.extend(more.iter().cloned()));
+}
+
+/// Ends what the run tells: writes the document, once, also where there is nothing to tell.
+pub fn finish() {
+    if !as_json() {
+        return;
+    }
+    let told = TOLD.lock().unwrap_or_else(PoisonError::into_inner).take();
+    if let Some(list) = told {
+        files::say(&format!("{:#}\n", json::document(list)));
+    }
+}

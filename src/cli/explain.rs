@@ -1,0 +1,133 @@
+//! `hodograph explain`: cause and cure of each diagnostic code.
+//!
+//! The explanations stand in the text files of the folder `explain`. A group begins with `== English | Chinese`; an explanation is
+//! `[code]`, title, cause (`- `) and cure (`+ `) in English, the three in Chinese, and perhaps an example (`> `). `tests/tidy` compares them
+//! with the codes of the sources, and docs/errors.md is made of them.
+
+use super::{Failure, Run, files, lang};
+use crate::diag::{Both, Diagnostic, both};
+use crate::scene::Lang;
+use clap::Args as ClapArgs;
+use serde_json::{Value, json};
+
+/// The arguments of the command.
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "All of them as a page: docs/errors.md")]
+pub struct Explain {
+    /// The code in the first line of a message, such as dead-centre (default: the list of all codes)
+    #[arg(value_name = "CODE")]
+    pub code: Option<String>,
+    /// As JSON, in both languages
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// The files, in the order of the page.
+const FILES: [&str; 4] = [
+    include_str!("explain/program.txt"),
+    include_str!("explain/mechanism.txt"),
+    include_str!("explain/pose.txt"),
+    include_str!("explain/methods.txt"),
+];
+
+/// Codes are near one another from this similarity by Jaro and Winkler on, as misspelt keys of files are.
+const NEAR: f64 = 0.7;
+/// Beside the nearest one those are proposed that are hardly less near.
+const BESIDE: f64 = 0.05;
+/// Codes that are proposed for a misspelt one at most.
+const MOST_NEAR: usize = 3;
+
+/// A code with its explanation.
+struct Entry {
+    group: Both,
+    code: &'static str,
+    title: Both,
+    cause: Both,
+    cure: Both,
+    example: Option<&'static str>,
+}
+
+/// Runs the command.
+pub fn run(a: Explain) -> Run {
+    let all = entries();
+    let Some(code) = &a.code else {
+        let list = || json!({"schema": "hodograph/explain/1", "codes": all.iter().map(Entry::json).collect::<Vec<_>>()});
+        return files::print(&if a.json { format!("{:#}\n", list()) } else { listed(&all) });
+    };
+    match all.iter().find(|e| e.code == code) {
+        Some(entry) if a.json => files::print(&format!("{:#}\n", entry.json())),
+        Some(entry) => files::print(&entry.text(lang::now())),
+        None => Err(Failure::argument("CODE", code, unknown(code, &all))),
+    }
+}
+
+fn unknown(code: &str, all: &[Entry]) -> Diagnostic {
+    let mut near: Vec<(f64, &str)> = all.iter().map(|e| (strsim::jaro_winkler(code, e.code), e.code)).collect();
+    near.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let least = near.first().map_or(NEAR, |best| NEAR.max(best.0 - BESIDE));
+    near.retain(|n| n.0 >= least);
+    let names: Vec<String> = near.iter().take(MOST_NEAR).map(|n| format!("`{}`", n.1)).collect();
+    let help = match &names[..] {
+        [] => both!("`hodograph explain` lists all codes", "`hodograph explain` 列出全部代码"),
+        names => both!("did you mean {}?", "是否想写 {}？", Both { en: names.join(" or "), zh: names.join("或") }),
+    };
+    Diagnostic::error("unknown-code", both!("no diagnostic has the code `{code}`", "没有代码为 `{code}` 的诊断")).help(help)
+}
+
+/// All explanations.
+fn entries() -> Vec<Entry> {
+    let mut all: Vec<Entry> = Vec::new();
+    let mut group = Both::default();
+    let mut lines = FILES.iter().flat_map(|text| text.lines()).peekable();
+    while let Some(line) = lines.next() {
+        if let Some((en, zh)) = line.strip_prefix("== ").and_then(|heading| heading.split_once(" | ")) {
+            group = Both { en: en.to_owned(), zh: zh.to_owned() };
+        }
+        let Some(code) = line.strip_prefix('[').and_then(|l| l.strip_suffix(']')) else { continue };
+        let mut part = |mark: &str| lines.next().and_then(|l| l.strip_prefix(mark)).unwrap_or_default().to_owned();
+        let [title, cause, cure, zh_title, zh_cause, zh_cure] = ["", "- ", "+ ", "", "- ", "+ "].map(&mut part);
+        let both = |en, zh| Both { en, zh };
+        let example = lines.next_if(|l| l.starts_with("> ")).map(|l| &l[2..]);
+        let [title, cause, cure] = [both(title, zh_title), both(cause, zh_cause), both(cure, zh_cure)];
+        all.push(Entry { group: group.clone(), code, title, cause, cure, example });
+    }
+    all
+}
+
+/// All codes with their titles.
+fn listed(all: &[Entry]) -> String {
+    let lang = lang::now();
+    let widest = all.iter().map(|e| e.code.len()).max().unwrap_or(0);
+    let mut out = String::new();
+    let mut group = None;
+    for e in all {
+        if group != Some(&e.group) {
+            out += &format!("{}{}\n", if group.is_some() { "\n" } else { "" }, lang.of(&e.group));
+            group = Some(&e.group);
+        }
+        out += &format!("  {:widest$}  {}\n", e.code, lang.of(&e.title));
+    }
+    out
+}
+
+impl Entry {
+    fn text(&self, lang: Lang) -> String {
+        let [title, cause, cure] = [&self.title, &self.cause, &self.cure].map(|text| lang.of(text));
+        let example = self.example.map_or_else(String::new, |e| lang.of(&both!("Example: {}\n", "例：{}\n", e)).to_owned());
+        match lang {
+            Lang::En => format!("{}: {title}\n\nCause: {cause}\nCure: {cure}\n{example}", self.code),
+            Lang::Zh => format!("{}：{title}\n\n原因：{cause}\n对策：{cure}\n{example}", self.code),
+        }
+    }
+
+    fn json(&self) -> Value {
+        json!({
+            "code": self.code,
+            "group": self.group.json(),
+            "title": self.title.json(),
+            "cause": self.cause.json(),
+            "cure": self.cure.json(),
+            "example": self.example,
+        })
+    }
+}

@@ -1,0 +1,42 @@
+//! `hodograph lesson`: one page with the construction step by step, or a fragment for slides.
+
+use super::draw::{style_of, width};
+use super::{Failure, File, Run, args, files, granted, look_of, sweep, verdict};
+use crate::diag::{Diagnostic, Warned, both};
+use crate::problem::{self, Lesson, Look, Options, Wish};
+use crate::scene::Swept;
+
+/// The endings that a lesson's file may have.
+const LESSONS: [&str; 2] = ["html", "htm"];
+
+/// Runs the command.
+pub fn run(a: args::Lesson) -> Run {
+    if let Some(path) = a.output.as_deref().filter(|p| files::ending(p).is_some_and(|e| !LESSONS.contains(&e.as_str()))) {
+        let d = Diagnostic::error("output", both!("{path} does not end in .html", "{path} 不以 .html 结尾"))
+            .help(both!("write -o lesson.html", "请写 -o lesson.html"));
+        return Err(Failure::argument("-o", path, d));
+    }
+    let width_mm = width(a.width.as_deref())?;
+    let style = style_of(&a.look)?;
+    let mut file = File::open(&a.common.scene, &a.common.set)?;
+    file.fonts = style.fonts.clone();
+    let problem = file.read(|bytes| problem::read(bytes))?;
+    granted(problem.kind(), &[(a.pick.map(|n| n.to_string()), Wish::Candidate), (a.reveal.then(String::new), Wish::Reveal)])?;
+    let candidate = a.pick.map_or(0, |n| n as usize - 1);
+    let options = Options { whole_motion: !a.reveal, candidate, ..Options::with_figures() };
+    let solved = file.solve(&problem, &options)?;
+    let swept = match (a.driver, solved.mechanism()) {
+        (Some(number), _) => Swept::Driver(number as usize - 1),
+        (None, Some((scene, _))) => sweep::swept_of(scene, a.moves.over.as_deref())?,
+        (None, None) => Swept::Driver(0),
+    };
+    let wanted = Lesson { positions: a.positions as usize, swept, reveal: a.reveal, width_mm };
+    let look = look_of(&a.common, style, Look::default().digits);
+    let Warned { value, notes } = solved.lesson(&wanted, &look).map_err(|faults| file.failed(faults))?;
+    file.notes.extend(notes);
+    let path = a.output.unwrap_or_else(|| format!("{}.html", files::stem(&file.name, "lesson")));
+    files::write(std::path::Path::new(&path), value.as_bytes())?;
+    files::print_names(&format!("{path}\n"))?;
+    file.say_notes();
+    Ok(verdict(solved.verdict()))
+}

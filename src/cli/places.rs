@@ -1,0 +1,147 @@
+//! Where results go and in which formats: `-o` and `--format` of all commands read alike.
+//!
+//! The ending of `-o` decides. Without an ending `--format` does, a list with commas or given several times: one format is written to
+//! the very name, of several each to the name with its ending. Standard output, a pipe and a device take one result in one format.
+
+use super::target::is_stream;
+use super::{Failure, files};
+use crate::diag::{Both, Diagnostic, both};
+use clap::ValueEnum;
+
+/// A result's format and the file that it is written to.
+pub type Place<F> = (F, String);
+
+/// An output as it is called in sentences.
+pub fn shown(output: &str) -> Both {
+    if output == "-" { both!("standard output", "标准输出") } else { Both::same(output) }
+}
+
+/// The ending of a format's files: its name on the command line.
+pub fn ending<F: ValueEnum>(format: F) -> String {
+    format.to_possible_value().map(|v| v.get_name().to_owned()).unwrap_or_default()
+}
+
+/// The format that a file's name ends with, if it is one of a command's formats.
+pub fn of_name<F: ValueEnum + Copy>(path: &str) -> Option<F> {
+    let named = files::ending(path)?;
+    F::value_variants().iter().copied().find(|f| ending(*f) == named)
+}
+
+/// The places of one result.
+///
+/// # Errors
+/// `output` where neither the name nor `--format` tells a format, `format` where the two contradict each other or several formats are
+/// to go into one stream.
+pub fn places<F: ValueEnum + Copy + PartialEq>(output: &str, formats: &[F], usual: F) -> Result<Vec<Place<F>>, Failure> {
+    let formats = once(formats);
+    if is_stream(output) {
+        return Ok(vec![(in_stream(output, &formats, usual)?, output.to_owned())]);
+    }
+    if let Some(named) = of_name(output) {
+        agrees(output, named, &formats)?;
+        return Ok(vec![(named, output.to_owned())]);
+    }
+    if formats.is_empty() {
+        return Err(no_format::<F>(output));
+    }
+    if output.ends_with(std::path::is_separator) || std::path::Path::new(output).is_dir() {
+        let d = Diagnostic::error("output", both!("{output} is a folder, a file is wanted here", "{output} 是文件夹，此处应为文件"));
+        let example = ending(formats[0]);
+        return Err(Failure::argument("-o", output, d.help(both!("write -o name.{example}", "请写 -o name.{example}"))));
+    }
+    let name = |f: &F| if formats.len() == 1 { output.to_owned() } else { format!("{output}.{}", ending(*f)) };
+    Ok(formats.iter().map(|f| (*f, name(f))).collect())
+}
+
+/// Each format once.
+pub fn once<F: Copy + PartialEq>(formats: &[F]) -> Vec<F> {
+    let mut all: Vec<F> = Vec::new();
+    formats.iter().for_each(|f| {
+        if !all.contains(f) {
+            all.push(*f)
+        }
+    });
+    all
+}
+
+/// The one format that a stream takes.
+///
+/// # Errors
+/// `format` where several are asked for.
+pub fn in_stream<F: ValueEnum + Copy>(output: &str, formats: &[F], usual: F) -> Result<F, Failure> {
+    match formats {
+        [] => Ok(of_name(output).unwrap_or(usual)),
+        [one] => Ok(*one),
+        [first, ..] => {
+            let message = both!(
+                "{} takes one result, and --format asks for {}",
+                "{}只能写一个结果，而 --format 要求 {} 种格式",
+                shown(output),
+                formats.len()
+            );
+            let first = ending(*first);
+            let help = both!("ask for one format: --format {first}", "请只取一种格式：--format {first}");
+            Err(Failure::argument("-o", output, Diagnostic::error("format", message).help(help)))
+        }
+    }
+}
+
+/// Whether `--format` says the same as the ending of the file, or nothing.
+///
+/// # Errors
+/// `format` where it says another.
+pub fn agrees<F: ValueEnum + Copy + PartialEq>(output: &str, named: F, formats: &[F]) -> Result<(), Failure> {
+    if formats.iter().all(|f| *f == named) {
+        return Ok(());
+    }
+    let asked: Vec<String> = formats.iter().map(|f| ending(*f)).collect();
+    let message =
+        both!("{output} ends in .{}, and --format says {}", "{output} 以 .{} 结尾，而 --format 为 {}", ending(named), Both::names(&asked));
+    let stem = std::path::Path::new(output).with_extension("");
+    let help = both!(
+        "leave --format out, or the ending: -o {} --format {}",
+        "请去掉 --format，或去掉文件名的结尾：-o {} --format {}",
+        stem.display(),
+        asked.join(",")
+    );
+    Err(Failure::argument("-o", output, Diagnostic::error("format", message).help(help)))
+}
+
+/// The fault of a name that tells no format of a command.
+pub fn no_format<F: ValueEnum + Copy>(output: &str) -> Failure {
+    let all: Vec<String> = F::value_variants().iter().map(|f| format!(".{}", ending(*f))).collect();
+    let message = both!("{output} ends in none of {}", "{output} 不以 {} 结尾", Both::names(&all));
+    let first = F::value_variants().first().copied().map(ending).unwrap_or_default();
+    let help = both!(
+        "name the file after its format, such as -o name.{first}, or add --format {first}",
+        "请按格式命名文件，如 -o name.{first}，或加上 --format {first}"
+    );
+    Failure::argument("-o", output, Diagnostic::error("output", message).help(help))
+}
+
+/// Refuses several results for a stream.
+///
+/// # Errors
+/// `output`, with how to ask for one.
+pub fn one_result(output: &str, count: usize, how: Both) -> Result<(), Failure> {
+    if count == 1 || !is_stream(output) {
+        return Ok(());
+    }
+    let message = both!("{} takes one result, and there are {count}", "{}只能写一个结果，而结果有 {count} 个", shown(output));
+    Err(Failure::argument("-o", output, Diagnostic::error("output", message).help(how)))
+}
+
+/// Refuses two results for standard output: that of `-o` and the report as JSON.
+///
+/// # Errors
+/// `output`.
+pub fn no_report_beside(output: Option<&str>, json: bool) -> Result<(), Failure> {
+    match output.filter(|o| json && super::target::is_stdout(o)) {
+        None => Ok(()),
+        Some(output) => {
+            let message = both!("-o {output} and --json both write to standard output", "-o {output} 与 --json 都写到标准输出");
+            let help = both!("name a file with -o, or leave --json out", "请用 -o 指定文件，或去掉 --json");
+            Err(Failure::argument("-o", output, Diagnostic::error("output", message).help(help)))
+        }
+    }
+}
