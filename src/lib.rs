@@ -3,28 +3,24 @@
 //! From one scene file it plans the relative-motion vector equations, draws the velocity and acceleration polygons step by
 //! step to the scales μ_l, μ_v, μ_a, reads the answers off the paper, and proves them against the loop equations.
 //!
-//! One call takes a file of any kind, a scene, a design task or motions of points, to its answers and to all that is written of them:
+//! One call takes a file of any kind, a scene, a design task or motions of points, to its answers and to all that is written of them; a scene can be
+//! built without a file too:
 //! ```
-//! use hodograph::problem::{Look, Options, read, solve, templates};
+//! use hodograph::{problem::{Look, Options, Pictures, Problem, read, solve, templates}, render::svg, scene::build::*};
 //!
-//! let problem = read(templates::text("crank-rocker", &[("l_AB", "120 mm")])?)?.value;
-//! let solved = solve(&problem, &Options::default())?;
+//! let problem = read(templates::text("shaper", &[("l_O1A", "120 mm")])?)?.value;
+//! let solved = solve(&problem, &Options::with_figures())?;
 //! println!("{}", solved.text(&Look::default(), false));
-//! # Ok::<(), hodograph::diag::Faults>(())
-//! ```
-//!
-//! A scene can be built without JSON, and drawn as SVG:
-//! ```
-//! use hodograph::{figure::sheet::{Options, sheet}, render::svg, scene::{Lang, build::*}, worked::{work, Scope}};
+//! let markup = svg::write(&solved.figures(&Pictures::default(), &Look::default())?.value[0].1)?.value;
+//! assert!(markup.starts_with("<svg"));
 //!
 //! let scene = Builder::new()
 //!     .link("1", ["A", "B"]).link("2", ["B", "C"]).link("3", ["C", "D"]).link("4", ["A", "D"]).ground("4")
 //!     .length("AB", mm(100.0)).length("BC", mm(250.0)).length("CD", mm(200.0)).length("AD", mm(300.0))
 //!     .driver(Driver::turning("1").angle(deg(60.0)).omega(rad_per_s(10.0)))
 //!     .find(["v_C", "a_C"]).build()?.value;
-//! let worked = work(&scene, Scope::Figure)?.value;
-//! let markup = svg::write(&sheet(&scene, &worked, &Options::of_language(Lang::En))?)?.value;
-//! assert!(markup.starts_with("<svg"));
+//! let answers = solve(&Problem::of_scene(scene).value, &Options::default())?.answers(&Look::default());
+//! assert_eq!(answers.len(), 2);
 //! # Ok::<(), hodograph::diag::Faults>(())
 //! ```
 //!
@@ -200,8 +196,13 @@ pub use hodograph_worked::{accuracy, certified, effort, worked};
 use hodograph_base::json;
 
 #[cfg(feature = "cli")]
-pub mod cli;
+mod cli;
 pub mod lesson;
 pub mod problem;
 mod webfont;
 pub mod worksheet;
+
+/// Runs the command-line program on the arguments of the process; the binary calls it, and nothing else does.
+#[cfg(feature = "cli")]
+#[doc(hidden)]
+pub use cli::main as program;

@@ -1,5 +1,5 @@
-//! The `hodograph` program; see [`hodograph::cli`].
+//! The `hodograph` program.
 
 fn main() -> std::process::ExitCode {
-    hodograph::cli::main()
+    hodograph::program()
 }
