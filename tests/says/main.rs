@@ -2,7 +2,7 @@
 //! for that position and solved by itself. Told are the driver's position, the coordinates of what moves, and roughly where joints are.
 //!
 //! One scene of 24 is looked at. `HODOGRAPH_SAYS=all cargo test --release --test says` looks at all 550, some 15 minutes of the processor;
-//! `HODOGRAPH_SAYS=cam` at those whose name has this in it.
+//! `HODOGRAPH_SAYS=3/8` at the third of eight parts of them, `HODOGRAPH_SAYS=cam` at those whose name has this in it.
 
 mod moved;
 mod scenes;
@@ -31,6 +31,12 @@ const ALL: &str = "all";
 /// The scenes that are asked for: all, those with a part of a name, or nothing for a sample.
 fn asked() -> String {
     std::env::var("HODOGRAPH_SAYS").unwrap_or_default()
+}
+
+/// The part of all scenes that is asked for, `3/8`: which, and of how many.
+fn part(asked: &str) -> Option<(usize, usize)> {
+    let (k, n) = asked.split_once('/')?;
+    k.parse().ok().zip(n.parse().ok()).filter(|(_, n)| *n > 0)
 }
 
 /// Positions of a driver.
@@ -214,7 +220,10 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
         let everywhere = |f: &Find| singles.iter().flatten().all(|s| s.answers.get(&f.text).is_some_and(Option::is_some));
         let (whole, parts): (Vec<Find>, Vec<Find>) = swept.find.iter().cloned().partition(everywhere);
         let (kernels, others): (Vec<Find>, Vec<Find>) = whole.into_iter().partition(compiled);
-        let alone = parts.iter().step_by(if asked() == ALL { 1 } else { (parts.len() / 4).max(1) }).map(|f| vec![f.clone()]);
+        let alone = parts
+            .iter()
+            .step_by(if asked() == ALL || part(&asked()).is_some() { 1 } else { (parts.len() / 4).max(1) })
+            .map(|f| vec![f.clone()]);
         for group in [kernels, others].into_iter().filter(|g| !g.is_empty()).chain(alone) {
             let scene = asking(&swept, &group);
             for (way, table) in tables(&scene, &m, driver, &values) {
@@ -383,7 +392,7 @@ fn a_sweep_says_what_solve_says() {
     let picked = |(n, (name, _)): &(usize, &(String, Json))| match only.as_str() {
         "" => n % 24 == 0 || name.starts_with("says/"),
         ALL => true,
-        part => name.contains(part),
+        words => part(words).map_or_else(|| name.contains(words), |(k, of)| n % of == k % of),
     };
     let some: Vec<&(String, Json)> = all.iter().enumerate().filter(picked).map(|(_, s)| s).collect();
     let one = |(name, json): &&(String, Json)| {
