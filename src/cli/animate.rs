@@ -4,7 +4,7 @@ use super::args::Animate;
 use super::draw::style_of;
 use super::sweep::swept_of;
 use super::together::Together;
-use super::{Failure, Input, Run, choices, files};
+use super::{Failure, Input, Run, choices, files, ids};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::poses::{Wanted, turn};
 use crate::figure::sheet::Options;
@@ -63,7 +63,7 @@ pub fn run(a: Animate) -> Run {
         }
         Format::Svg => {
             let text = moving::write(&period, a.seconds).map_err(|f| Failure::input(f, "", ""))?;
-            files::write(Path::new(path), text.as_bytes())?;
+            files::write(Path::new(path), ids::put_before(&text).as_bytes())?;
             format!("{path}\n")
         }
         Format::Frames => frames(path, &written(&period)?, a.dpi)?,

@@ -3,7 +3,7 @@
 use super::args;
 use super::together::Together;
 use super::values::{Format, Vectors};
-use super::{Failure, Input, Run, Told, choices, files, verdict};
+use super::{Failure, Input, Run, Told, choices, files, ids, verdict};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::figure::fit;
 use crate::figure::list::{self, Entry, Extras, Pages, Wanted};
@@ -131,6 +131,7 @@ fn output(path: &str) -> Result<(), Faults> {
 
 /// The style of a look, with the fonts of the command line before its own.
 pub fn style_of(look: &args::Look) -> Result<Style, Failure> {
+    ids::take(&look.id_prefix)?;
     let mut style = read_style(&look.style)?;
     let mut fonts = Fonts::default();
     for name in &look.font {

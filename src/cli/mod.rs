@@ -1,6 +1,6 @@
 //! The command line: the only place that reads arguments and files, prints, and decides exit codes.
 //!
-//! Exit codes: 0 done; 1 a file could not be written; 2 bad input; 3 drawing and analysis disagree, which is an error of
+//! Exit codes: 0 done; 1 a file could not be written, or the figures of `diff` differ; 2 bad input; 3 drawing and analysis disagree, which is an error of
 //! ours; 4 done, but for answers that do not exist in the pose (dead centres); 130 interrupted while a file was written.
 
 mod animate;
@@ -12,9 +12,11 @@ mod centres;
 mod composite;
 mod curvature;
 mod curves;
+mod diff;
 mod draw;
 mod files;
 mod help;
+mod ids;
 mod inversions;
 mod journal;
 mod lang;
@@ -89,6 +91,7 @@ pub fn main() -> ExitCode {
         Command::Attempts(a) => attempts::run(a),
         Command::Synth(a) => synth::run(a),
         Command::Readings(a) => readings::run(a),
+        Command::Diff(a) => diff::run(a),
         Command::New { template, set, output } => template::new(template.as_deref(), &set, output.as_deref()),
         Command::Templates => template::list(),
         Command::Schema { synthesis: true, .. } => files::print(crate::synthesis::schema::schema()),
@@ -351,6 +354,10 @@ fn lesson(a: args::Lesson) -> Run {
         return Err(Failure::argument("-o", path, d));
     }
     let style = style_of(&a.look)?;
+    if !a.look.id_prefix.is_empty() && !a.reveal {
+        let d = Diagnostic::error("id-prefix", both!("a lesson is a page of its own: its ids have no prefix", "教学演示是独立的页面，其 id 不加前缀"));
+        return Err(Failure::argument("--id-prefix", &a.look.id_prefix, d.help(both!("it is for figures and for --reveal", "前缀用于图形和 --reveal"))));
+    }
     if synth::is_task(&a.common.scene) {
         return synth::lesson(&a, style);
     }
@@ -379,7 +386,7 @@ fn lesson(a: args::Lesson) -> Run {
     let Warned { value, notes } = made.map_err(|faults| input.failed(faults))?;
     input.notes.extend(notes);
     let path = a.output.unwrap_or_else(|| format!("{}.html", files::stem(&input.name, "lesson")));
-    files::write(std::path::Path::new(&path), value.as_bytes())?;
+    files::write(std::path::Path::new(&path), ids::put_before(&value).as_bytes())?;
     files::print_names(&format!("{path}\n"))?;
     input.say_notes();
     Ok(verdict(&worked))

@@ -3,7 +3,7 @@
 use super::draw::style_of;
 use super::mobility::posed_scene;
 use super::together::Together;
-use super::{Failure, Input, Run, args, choices, files, verdict};
+use super::{Failure, Input, Run, args, choices, files, ids, verdict};
 use crate::attempts;
 use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::sheet;
@@ -132,7 +132,7 @@ impl Written {
         let mut names = String::new();
         for picture in self.beside {
             let path = out.with_file_name(&picture.name);
-            all.add(&path, picture.text.as_bytes())?;
+            all.add(&path, ids::put_before(&picture.text).as_bytes())?;
             names += &format!("{}\n", path.display());
         }
         all.add(out, &self.bytes)?;
