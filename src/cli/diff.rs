@@ -67,7 +67,9 @@ fn read(path: &str) -> Result<Picture, Failure> {
 /// The differences for programs: lengths in mm, values in SI.
 fn told(found: &Difference) -> Value {
     let Pixels { over, largest, bounds, sizes } = found.pixels;
-    let vectors = found.vectors.iter().map(|v| json!({"id": v.id, "name": v.name, "tail_moved_mm": v.moved_mm[0], "tip_moved_mm": v.moved_mm[1], "mm": v.mm, "si": v.si}));
+    let vectors = found.vectors.iter().map(
+        |v| json!({"id": v.id, "name": v.name, "tail_moved_mm": v.moved_mm[0], "tip_moved_mm": v.moved_mm[1], "mm": v.mm, "si": v.si}),
+    );
     json!({
         "alike": found.is_empty(),
         "vectors": vectors.collect::<Vec<_>>(),

@@ -354,10 +354,7 @@ fn lesson(a: args::Lesson) -> Run {
         return Err(Failure::argument("-o", path, d));
     }
     let style = style_of(&a.look)?;
-    if !a.look.id_prefix.is_empty() && !a.reveal {
-        let d = Diagnostic::error("id-prefix", both!("a lesson is a page of its own: its ids have no prefix", "教学演示是独立的页面，其 id 不加前缀"));
-        return Err(Failure::argument("--id-prefix", &a.look.id_prefix, d.help(both!("it is for figures and for --reveal", "前缀用于图形和 --reveal"))));
-    }
+    ids::of_lesson(&a)?;
     if synth::is_task(&a.common.scene) {
         return synth::lesson(&a, style);
     }

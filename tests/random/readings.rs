@@ -260,8 +260,8 @@ fn printed_lengths_are_distances_in_the_svg() {
                     Vec2::new(number("cx"), number("cy"))
                 };
                 let distance = (place(1) - place(0)).norm();
-                let cell =
-                    by_id(&format!("result-{}-measured", hodograph::paper::shown::question_id(&find.text))).unwrap_or_else(|| panic!("{name}: {} is not printed", find.text));
+                let cell = by_id(&format!("result-{}-measured", hodograph::paper::shown::question_id(&find.text)))
+                    .unwrap_or_else(|| panic!("{name}: {} is not printed", find.text));
                 let printed: String = cell.descendants().filter(|n| n.is_text()).filter_map(|n| n.text()).collect();
                 let printed = printed.split("mm").next().unwrap().trim().replace('−', "-").replace(['\u{a0}', '\u{2009}', ' '], "");
                 let printed: f64 = printed.parse().unwrap_or_else(|_| panic!("{name}: {} prints {printed}", find.text));

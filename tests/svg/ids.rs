@@ -13,11 +13,26 @@ use hodograph::worked::{Scope, Worked, work};
 use crate::wide::every;
 
 /// Labels may be left out, lines of text break elsewhere, and an inset is drawn where labels found no place: these items differ between languages.
-const WORDS: &[&str] =
-    &["label", "leader", "remark", "inset", "heading", "caption", "statement", "answer", "title", "table", "agreement", "note", "result", "list"];
+const WORDS: &[&str] = &[
+    "label",
+    "leader",
+    "remark",
+    "inset",
+    "heading",
+    "caption",
+    "statement",
+    "answer",
+    "title",
+    "table",
+    "agreement",
+    "note",
+    "result",
+    "list",
+];
 
 fn is_named_alike(item: &Item) -> bool {
-    !item.class.split(' ').any(|word| WORDS.contains(&word))
+    let line_of_text = ["given-", "attempt-line-"].iter().any(|start| item.id.starts_with(start));
+    !line_of_text && !item.class.split(' ').any(|word| WORDS.contains(&word))
 }
 
 /// What is wrong with the ids of one figure.
@@ -78,7 +93,7 @@ fn compared(name: &str, text: &str) -> (Vec<String>, usize) {
 #[test]
 fn ids_are_ascii_unique_and_the_same_in_all_languages_and_notations() {
     let (mut all, mut count) = (Vec::new(), 0);
-    for t in templates::list().iter().step_by(every(7)) {
+    for t in templates::list().iter().step_by(every(12)) {
         let (faults, n) = compared(t.name, templates::get(t.name).unwrap());
         all.extend(faults);
         count += n;
@@ -98,7 +113,9 @@ fn names_that_are_no_ascii_have_ids_of_their_own() {
     let scene = scene::read(&text).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
     let sheet = &figures(&scene, &worked, (Lang::Zh, "cn"), false)[0].1;
-    for id in ["vel-abs-_6746_0027", "acc-abs-_6746_0027", "vel-mark-image-_6746_0027", "mechanism-link-3_005f", "result-v-_6746_0027-value"] {
+    for id in
+        ["vel-abs-_6746_0027", "acc-abs-_6746_0027", "vel-mark-image-_6746_0027", "mechanism-link-3_005f", "result-v-_6746_0027-value"]
+    {
         assert!(sheet.items.iter().any(|i| i.id == id), "{id} is missing");
     }
     assert!(sheet.vector("v_杆'").is_some());

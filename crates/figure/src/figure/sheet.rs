@@ -17,6 +17,7 @@ use crate::worked::Worked;
 use crate::report::amount::of_level;
 
 use super::arrange::{Pieces, Tree, arrange, arrange_in, column, put_together};
+use super::described::described;
 use super::mechanism::{Overlay, dimensions};
 use super::results::Answers;
 use super::tables::Tables;
@@ -356,7 +357,7 @@ impl Maker<'_> {
             width_mm: size[0],
             height_mm: size[1],
             title: title.into(),
-            desc: format!("{} {found}", words.described.replace("{}", title)),
+            desc: format!("{}{found}", described(self.scene, self.options.lang, title, &items)).trim_end().to_owned(),
             lang: words.tag.into(),
             paper: Colour::WHITE,
             items,

@@ -113,7 +113,11 @@ impl Over<'_, '_> {
             for n in two {
                 let at = (self.paper.to_paper)(n.at);
                 self.d.behind(|d| {
-                    d.shape(&format!("normal-{}", self.w.scene.point_name(n.point)), &normal, Shape::Line { from: at, to: centre, stroke: thin });
+                    d.shape(
+                        &format!("normal-{}", self.w.scene.point_name(n.point)),
+                        &normal,
+                        Shape::Line { from: at, to: centre, stroke: thin },
+                    );
                 });
                 let (tip, name) = (at + n.velocity * (VELOCITY_MM / longest), name_label(self.w.scene.point_name(n.point)));
                 let stroke = style.vector;

@@ -162,8 +162,7 @@ impl Drawn<'_> {
             let (from_rad, to_rad) = (toward - half, toward + half);
             let text = format!("{letter}{}}}", name_label(self.name(i)));
             let id = format!("circle-{name}-{}", self.name(i));
-            let owner =
-                d.shape(&id, "circle", Shape::Arc { centre, radius_mm: radius * k, from_rad, to_rad, stroke });
+            let owner = d.shape(&id, "circle", Shape::Arc { centre, radius_mm: radius * k, from_rad, to_rad, stroke });
             let along = Vec2::from_angle(toward + side * half);
             let end = centre + along * (radius * k);
             let out = if side > 0.0 { Vec2::from_angle(toward + FRAC_PI_2) } else { Vec2::from_angle(toward - FRAC_PI_2) };

@@ -142,8 +142,7 @@ impl Draft<'_> {
                 arc.insert(0, Item::new("angle own", Shape::Line { from, to, stroke: self.style.thin }));
             }
             let id = format!("angle-{}", index.replace('/', "-"));
-            let owner =
-                self.d.draw(&id, "driver", self.behind_hatching(arc, at, radius, [reference, reference + sweep]));
+            let owner = self.d.draw(&id, "driver", self.behind_hatching(arc, at, radius, [reference, reference + sweep]));
             let mut symbol = format!("\\varphi_{{{}}}", name_label(&index));
             if let Some(given) = angle.as_ref().filter(|_| self.dimensioned) {
                 symbol += &format!(" = {}", Givens { scene: self.scene, lang: Lang::default() }.angle(given));

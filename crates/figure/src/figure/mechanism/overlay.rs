@@ -167,8 +167,7 @@ impl Draft<'_> {
             let key = format!("{}-{}", prefix(if level == Level::Acceleration { "acceleration" } else { "velocity" }), w.vector_key(v));
             let shown = Shown::vector(w.vector_quantity(level, v), from, to, mu);
             self.d.of_link(worked.plan.vertex(v).link(self.scene).map(|l| l.0));
-            let owner =
-                self.d.vector(&key, "vector", Shape::Arrow { from, to, stroke: style.vector, head: style.head }, shown);
+            let owner = self.d.vector(&key, "vector", Shape::Arrow { from, to, stroke: style.vector, head: style.head }, shown);
             let request = LabelRequest::along(Label::math(&symbol), style.label_mm, from, to, style.vector.width_mm / 2.0);
             self.d.label(&key, "vector", request.owned(owner));
         }

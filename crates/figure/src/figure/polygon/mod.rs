@@ -21,13 +21,12 @@ use crate::scene::quantity::Meaning;
 
 use crate::paper::drawing::{Drawing, Part};
 use crate::paper::item::{Colour, Shape};
-use crate::paper::shown::{Length, Shown as Quantity};
 use crate::paper::style::Style;
 use crate::paper::symbols as sym;
 use inset::Inset;
+pub use marks::mark_id;
 use marks::{marks, shown_by};
 use names::{Letter, Name, Shown};
-pub use marks::mark_id;
 pub use plates::{Plate, Share, is_full_share, plates, share_drawing, shares};
 
 /// Shorter than this a vector has neither head nor direction for the eye: it is a dot with a note that says zero.
@@ -351,18 +350,6 @@ impl Arrow {
     /// What it is, and the steps that draw it.
     fn classes(&self) -> String {
         self.steps.iter().fold(self.class.to_owned(), |class, step| format!("{class} step-{step}"))
-    }
-
-    /// Its key: that of its first name.
-    fn key(&self) -> &str {
-        &self.symbols[0].key
-    }
-
-    /// What it shows, drawn so many times larger than the polygon, which has the scale `mu`.
-    fn shown(&self, mu: f64, times: f64) -> Quantity {
-        let mm = self.from.distance(self.to);
-        let names = self.symbols.iter().map(|n| n.quantity.clone()).collect();
-        Quantity { names, length: Some(Length { mm: mm * times, si: mm * mu }) }
     }
 }
 

@@ -6,13 +6,14 @@
 use crate::construct::Mark;
 use crate::geom::Point;
 use crate::mechanism::Level;
-use crate::plan::text::Writer;
-use crate::plan::{Term, VertexId};
-use crate::report::construction::mark as mark_name;
 use crate::paper::drawing::Drawing;
 use crate::paper::label::Label;
 use crate::paper::place::LabelRequest;
+use crate::paper::shown::{Length, Shown as Quantity};
 use crate::paper::style::Style;
+use crate::plan::text::Writer;
+use crate::plan::{Term, VertexId};
+use crate::report::construction::mark as mark_name;
 
 use super::marks;
 use super::{Arrow, Draft, LABEL_ROOM_MM, covers, is_one};
@@ -44,7 +45,11 @@ impl Name {
     /// That of terms drawn as one.
     pub fn sum(w: &Writer, level: Level, terms: &[Term]) -> Name {
         let all = |of: &dyn Fn(&Term) -> String, sign: &str| terms.iter().map(of).collect::<Vec<_>>().join(sign);
-        Name { symbol: all(&|t| w.symbol(level, t), " + "), key: all(&|t| w.key(level, t), "-and-"), quantity: all(&|t| w.quantity(level, t), "+") }
+        Name {
+            symbol: all(&|t| w.symbol(level, t), " + "),
+            key: all(&|t| w.key(level, t), "-and-"),
+            quantity: all(&|t| w.quantity(level, t), "+"),
+        }
     }
 }
 
@@ -132,6 +137,18 @@ impl Draft<'_> {
 }
 
 impl Arrow {
+    /// Its key: that of its first name.
+    pub(super) fn key(&self) -> &str {
+        &self.symbols[0].key
+    }
+
+    /// What it shows, drawn so many times larger than the polygon, which has the scale `mu`.
+    pub(super) fn shown(&self, mu: f64, times: f64) -> Quantity {
+        let mm = self.from.distance(self.to);
+        let names = self.symbols.iter().map(|n| n.quantity.clone()).collect();
+        Quantity { names, length: Some(Length { mm: mm * times, si: mm * mu }) }
+    }
+
     /// Its names: one sign between those of one vector, another before those that only paper does not tell from it.
     fn name(&self) -> String {
         // A normal part that is all there is bears the name of the whole, where it has one.

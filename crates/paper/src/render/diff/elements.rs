@@ -106,7 +106,10 @@ fn refuse_foreign(root: Node) -> Result<(), Diagnostic> {
     for node in root.descendants().filter(|n| n.tag_name().name() == "use") {
         let target = node.attribute(("http://www.w3.org/1999/xlink", "href")).or_else(|| node.attribute("href")).unwrap_or_default();
         if !drawn_once.get(target.trim_start_matches('#')).copied().unwrap_or(false) {
-            return Err(super::refused(both!("the SVG uses `{target}`, which is not the outline of a letter", "SVG 引用的 `{target}` 不是字形")));
+            return Err(super::refused(both!(
+                "the SVG uses `{target}`, which is not the outline of a letter",
+                "SVG 引用的 `{target}` 不是字形"
+            )));
         }
     }
     Ok(())

@@ -158,7 +158,11 @@ impl Difference {
         out.extend(self.restyled.iter().map(|id| both!("restyled {id}", "线型或颜色不同 {id}")));
         out.extend(self.removed.iter().map(|id| both!("removed {id}", "缺少 {id}")));
         out.extend(self.added.iter().map(|id| both!("added {id}", "新增 {id}")));
-        out.extend(self.texts.iter().map(|Text { id, old, new }| both!("text {id}: `{old}`, now `{new}`", "文字 {id}：原为 `{old}`，现为 `{new}`")));
+        out.extend(
+            self.texts
+                .iter()
+                .map(|Text { id, old, new }| both!("text {id}: `{old}`, now `{new}`", "文字 {id}：原为 `{old}`，现为 `{new}`")),
+        );
         let Pixels { over, largest, bounds, sizes: [old, new] } = self.pixels;
         if old != new {
             let ([a, b], [c, d]) = (old, new);
@@ -264,8 +268,6 @@ fn element(a: &Element, b: &Element, options: &Options, out: &mut Difference) {
 }
 
 fn refused(why: Both) -> Diagnostic {
-    Diagnostic::error("diff-input", why).help(both!(
-        "figures are SVG as `hodograph` writes them, or PNG",
-        "可比较的图形是 `hodograph` 写出的 SVG，或 PNG"
-    ))
+    Diagnostic::error("diff-input", why)
+        .help(both!("figures are SVG as `hodograph` writes them, or PNG", "可比较的图形是 `hodograph` 写出的 SVG，或 PNG"))
 }

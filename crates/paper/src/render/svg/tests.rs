@@ -20,13 +20,8 @@ fn line(id: &str, from: Point, to: Point) -> Item {
 }
 
 fn label(source: &str) -> Item {
-    let shape = Shape::Label {
-        at: Point::new(10.0, 10.0),
-        label: Label::math(source),
-        size_mm: 4.0,
-        anchor: Anchor::Start,
-        colour: Colour::BLACK,
-    };
+    let shape =
+        Shape::Label { at: Point::new(10.0, 10.0), label: Label::math(source), size_mm: 4.0, anchor: Anchor::Start, colour: Colour::BLACK };
     Item::new("label", shape)
 }
 
@@ -69,11 +64,8 @@ fn letters_are_drawn_once_and_used() {
 #[test]
 fn same_figure_same_bytes() {
     let arrow = Shape::Arrow { from: Point::ORIGIN, to: Point::new(30.0, 20.0), stroke: Stroke::new(0.4), head: Head::VECTOR };
-    let f = figure(vec![
-        Item::new("velocity edge", arrow).with_id("e1"),
-        label(r"\omega_1"),
-        line("", Point::ORIGIN, Point::new(1.0, 1.0)),
-    ]);
+    let f =
+        figure(vec![Item::new("velocity edge", arrow).with_id("e1"), label(r"\omega_1"), line("", Point::ORIGIN, Point::new(1.0, 1.0))]);
     let first = write(&f).unwrap().value;
     for _ in 0..5 {
         assert_eq!(write(&f).unwrap().value, first);
