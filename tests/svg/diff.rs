@@ -137,7 +137,7 @@ fn exit_codes_are_those_of_diff() {
         let out = Command::new(env!("CARGO_BIN_EXE_hodograph")).arg("diff").args(args).output().unwrap();
         (out.status.code().unwrap(), String::from_utf8(out.stdout).unwrap())
     };
-    let [a, b, png, nowhere] = ["a.svg", "b.svg", "d.png", "no/such/d.png"].map(at);
+    let [a, b, png, nowhere] = ["a.svg", "b.svg", "d.png", "a.svg/d.png"].map(at);
     assert_eq!(run(&[&a, &a]), (0, String::new()));
     let (code, said) = run(&[&a, &b, "-o", &png]);
     assert!(code == 1 && said.starts_with("removed vel-abs-B\n") && std::fs::metadata(&png).unwrap().len() > 1000, "{code}: {said}");

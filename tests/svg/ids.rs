@@ -93,12 +93,12 @@ fn compared(name: &str, text: &str) -> (Vec<String>, usize) {
 #[test]
 fn ids_are_ascii_unique_and_the_same_in_all_languages_and_notations() {
     let (mut all, mut count) = (Vec::new(), 0);
-    for t in templates::list().iter().step_by(every(12)) {
+    for t in templates::list().iter().step_by(every(20)) {
         let (faults, n) = compared(t.name, templates::get(t.name).unwrap());
         all.extend(faults);
         count += n;
     }
-    assert!(count > 1000, "only {count} ids were compared");
+    assert!(count > 500, "only {count} ids were compared");
     assert!(all.is_empty(), "{} faults:\n{}", all.len(), all.join("\n"));
 }
 

@@ -87,7 +87,7 @@ impl Writer<'_> {
                 Some(l) => format!("{head}/{}", self.scene.link_name(l)),
                 None => format!("{head}/{}", self.vertex(t.to)),
             },
-            _ => {
+            By::Turning(_) | By::Guide { .. } | By::Cylinder(_) | By::Contact(_) | By::Frame { .. } | By::Apart => {
                 let [of, to] = [t.of, t.to].map(|v| self.vertex(v));
                 let between = if self.runs_on(&of, &to, t) { "" } else { "," };
                 format!("{head}{between}{to}")
