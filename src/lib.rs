@@ -51,7 +51,8 @@
 //! - [`construct`]: the drawing board: the one door between SI and millimetres ([`construct::scale`]), polygons, readings.
 //! - [`analytic`]: constraint rows, Jacobian, conditioning; singular poses by the next orders. Knows neither plan nor paper.
 //! - [`paper`]: what figures are made of: typed items in mm, labels, words of both languages, fonts, placement of labels, styles;
-//!   [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG; GIF and SVG that move.
+//!   [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG; GIF and SVG that move; two figures
+//!   compared ([`render::diff`]).
 //! - [`answer`]: what a question means, for both ways alike; [`accuracy`]: how far the two are apart, and what a pencil makes of the
 //!   drawing.
 //! - [`worked`]: the whole way as one call, each stage's result kept.

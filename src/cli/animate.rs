@@ -6,7 +6,7 @@ use super::places::{one_result, places};
 use super::sweep::swept_of;
 use super::together::Together;
 use super::values::Moving;
-use super::{Failure, Input, Run, choices, files};
+use super::{Failure, Input, Run, choices, files, ids};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::poses::{Wanted, turn};
 use crate::figure::sheet::Options;
@@ -42,7 +42,9 @@ pub fn run(a: Animate) -> Run {
     for (format, path) in &places {
         let bytes = match format {
             Moving::Gif => gif::write(&written(&period)?, a.dpi, a.seconds).map_err(of_figure)?,
-            Moving::Svg => moving::write(&period, a.seconds).map_err(|f| Failure::input(f, "", ""))?.into_bytes(),
+            Moving::Svg => {
+                ids::put_before(&moving::write(&period, a.seconds).map_err(|f| Failure::input(f, "", ""))?).into_owned().into_bytes()
+            }
             Moving::Png => {
                 names += &frames(path, &written(&period)?, a.dpi, &mut all)?;
                 continue;

@@ -1,5 +1,6 @@
 //! The arguments of every command.
 
+mod diff;
 mod motion;
 mod paths;
 mod reports;
@@ -7,6 +8,7 @@ mod reports;
 use super::values::{Errors, Format, Language, Rows, Sheet, Table, Text, Vectors, digits, dpi, figures, length, seconds, steps};
 use crate::figure::list::{Entry, USUAL};
 use clap::{Args as ClapArgs, Parser, Subcommand};
+pub use diff::Diff;
 pub use motion::{Animate, Moves, Path};
 pub use paths::{Curvature, Inversions};
 pub use reports::{Attempts, Centres, Composite, Readings};
@@ -18,7 +20,7 @@ pub use reports::{Attempts, Centres, Composite, Readings};
     version,
     about,
     max_term_width = 110,
-    after_help = "Start: hodograph new shaper > shaper.json && hodograph draw shaper.json -o out/\n\nExit codes: 0 done; 1 a file could not be written; 2 something is wrong with the scene; 3 drawing and analysis disagree (an error of ours); 4 done, but for answers that do not exist in the pose (dead centres)"
+    after_help = "Start: hodograph new shaper > shaper.json && hodograph draw shaper.json -o out/\n\nExit codes: 0 done; 1 a file could not be written (of `diff`: the figures differ); 2 something is wrong with the scene; 3 drawing and analysis disagree (an error of ours); 4 done, but for answers that do not exist in the pose (dead centres)"
 )]
 pub struct Args {
     /// Language of the output (default: the scene's, else en)
@@ -87,6 +89,8 @@ pub enum Command {
         #[arg(short, long, value_name = "FILE")]
         output: Option<String>,
     },
+    /// Compare two figures (SVG, PNG): vectors that moved, items, texts, pixels; exit code 1 where they differ
+    Diff(Diff),
     /// List the templates with their parameters
     Templates,
     /// Explain a fault, warning or note by its code: cause and cure; or list all codes
@@ -132,6 +136,9 @@ pub struct Look {
     /// style. What it lacks is set in the bundled fonts
     #[arg(long, value_name = "FILE")]
     pub font: Vec<String>,
+    /// Before all ids of an SVG, so that several figures fit into one page: a letter, then letters, digits, - or _, such as fig1-
+    #[arg(long, value_name = "PREFIX", default_value = "", hide_default_value = true)]
+    pub id_prefix: String,
 }
 
 #[derive(ClapArgs, Debug)]

@@ -5,7 +5,7 @@ use super::places::{agrees, in_stream, of_name, once, one_result};
 use super::target::is_stream;
 use super::together::Together;
 use super::values::{Format, Vectors};
-use super::{Failure, File, Run, Told, files, granted, look_of, pencil, verdict};
+use super::{Failure, File, Run, Told, files, granted, ids, look_of, pencil, verdict};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::figure::list::{Entry, Extras};
 use crate::json::fields::suggest;
@@ -144,6 +144,7 @@ fn output(path: &str) -> Result<(), Faults> {
 
 /// The style of a look, with the fonts of the command line before its own.
 pub fn style_of(look: &args::Look) -> Result<Style, Failure> {
+    ids::take(&look.id_prefix)?;
     let mut style = read_style(&look.style)?;
     let mut fonts = Fonts::default();
     for name in &look.font {

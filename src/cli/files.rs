@@ -1,10 +1,10 @@
 //! Files: read with a bound, printed where that is possible, figures in their formats.
 
-use super::Failure;
 use super::places::Place;
 use super::target::{has_read, stdout_is_taken};
 use super::together::{Out, Together};
 use super::values::{Format, Text};
+use super::{Failure, ids};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::paper::font::own;
 use crate::paper::item::Figure;
@@ -63,6 +63,16 @@ pub fn style(path: &str) -> Result<Vec<u8>, Diagnostic> {
         LARGEST,
         both!("name a style file, or one of the styles print, slides, dark", "请指定样式文件，或样式 print、slides、dark 之一"),
     )
+}
+
+/// Reads a figure's file.
+pub fn picture(path: &str) -> Result<Vec<u8>, Diagnostic> {
+    let bytes = bounded(Path::new(path), LARGEST + 1, both!("name an SVG or a PNG", "请指定 SVG 或 PNG 文件"))?;
+    if bytes.len() as u64 > LARGEST {
+        let most = LARGEST >> 20;
+        return Err(Diagnostic::error("diff-input", both!("{path} has more than {most} MiB", "{path} 超过 {most} MiB")));
+    }
+    Ok(bytes)
 }
 
 /// Reads a font's file.
@@ -167,7 +177,7 @@ pub fn bytes(figure: &Figure, format: Format, text: Text, dpi: f64) -> Result<Wa
         Format::Pdf => pdf::pdf(std::slice::from_ref(figure)),
         Format::Svg => {
             let Warned { value, notes } = if text == Text::Editable { svg::write_editable(figure) } else { svg::write(figure) }?;
-            Ok(Warned { value: value.into_bytes(), notes })
+            Ok(Warned { value: ids::put_before(&value).into_owned().into_bytes(), notes })
         }
         Format::Png => {
             let Warned { value, notes } = svg::write(figure)?;

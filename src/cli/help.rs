@@ -158,7 +158,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     (
         "",
         "*after",
-        "开始：hodograph new shaper > shaper.json && hodograph draw shaper.json -o out/\n\n退出码：0 完成；1 文件不能写入；2 机构文件有误；3 作图与解析不符（程序的错误）；4 完成，但有的量在该位置无值（死点）",
+        "开始：hodograph new shaper > shaper.json && hodograph draw shaper.json -o out/\n\n退出码：0 完成；1 文件不能写入（`diff`：两图不同）；2 机构文件有误；3 作图与解析不符（程序的错误）；4 完成，但有的量在该位置无值（死点）",
     ),
     ("*", "help", "显示说明"),
     ("*", "version", "显示版本"),
@@ -175,6 +175,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("worksheet", "format", "-o 没有这样的结尾时的格式，如 pdf,html；多种格式时文件名各加结尾（`-o -` 默认为 html）"),
     ("animate", "format", "-o 没有这样的结尾时的格式，如 gif,svg；多种格式时文件名各加结尾（`-o -` 默认为 svg）"),
     ("path", "format", "-o 没有这样的结尾时的格式，如 svg,pdf；多种格式时文件名各加结尾（默认：svg）"),
+    ("*", "id_prefix", "SVG 中所有 id 的前缀，使多幅图可放在同一页面：以字母开头，后接字母、数字、- 或 _，如 fig1-"),
     ("*", "digits", "结果的有效数字，1 到 30 位；不能确定的不显示，并说明原因"),
     (
         "*",
@@ -211,6 +212,14 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("lesson", "positions", "一整转或整个行程中的位置数，8 到 360；运动急变处自动加密"),
     ("lesson", "driver", "使第几个原动件运动，从 1 数起；含 `motions` 的文件：演示第几个运动"),
     ("lesson", "pick", "综合文件：取第几个方案，按 `hodograph synth` 的次序从 1 数起"),
+    ("diff", "", "比较两图（SVG、PNG）：移动的矢量、图元、文字、像素；不同时退出码为 1"),
+    ("diff", "*after", "退出码同 diff(1)：0 两图相同；1 不同；2 文件不能读或不能写"),
+    ("diff", "old", "原图：SVG 或 PNG"),
+    ("diff", "new", "现图，与原图同类"),
+    ("diff", "output", "把两图叠画到以 .png 结尾的文件：仅在 A 中的为红色，仅在 B 中的为蓝色，共有的为灰色"),
+    ("diff", "tolerance", "图元允许移动的毫米数（默认：0.01）；给出时，像素只在同时给出 `--pixels` 时起作用"),
+    ("diff", "pixels", "允许这么多像素的某一通道相差超过一级（默认：0）"),
+    ("diff", "json", "差别为 JSON"),
     ("solve", "", "求解所求的量：数值、单位、转向，作图与解析对照；在运动不确定位置给出两种运动"),
     ("solve", "json", "结果为 JSON，国际单位制，给出两种方法的结果及其差"),
     (

@@ -1,7 +1,7 @@
 //! `hodograph lesson`: one page with the construction step by step, or a fragment for slides.
 
 use super::draw::{style_of, width};
-use super::{Failure, File, Run, args, files, granted, look_of, sweep, verdict};
+use super::{Failure, File, Run, args, files, granted, ids, look_of, sweep, verdict};
 use crate::diag::{Diagnostic, Warned, both};
 use crate::problem::{self, Lesson, Look, Options, Wish};
 use crate::scene::Swept;
@@ -18,6 +18,7 @@ pub fn run(a: args::Lesson) -> Run {
     }
     let width_mm = width(a.width.as_deref())?;
     let style = style_of(&a.look)?;
+    ids::of_lesson(&a)?;
     let mut file = File::open(&a.common.scene, &a.common.set)?;
     file.fonts = style.fonts.clone();
     let problem = file.read(|bytes| problem::read(bytes))?;
@@ -35,7 +36,7 @@ pub fn run(a: args::Lesson) -> Run {
     let Warned { value, notes } = solved.lesson(&wanted, &look).map_err(|faults| file.failed(faults))?;
     file.notes.extend(notes);
     let path = a.output.unwrap_or_else(|| format!("{}.html", files::stem(&file.name, "lesson")));
-    files::write(std::path::Path::new(&path), value.as_bytes())?;
+    files::write(std::path::Path::new(&path), ids::put_before(&value).as_bytes())?;
     files::print_names(&format!("{path}\n"))?;
     file.say_notes();
     Ok(verdict(solved.verdict()))

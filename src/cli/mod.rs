@@ -1,6 +1,6 @@
 //! The command line: the only place that reads arguments and files, prints, and decides exit codes.
 //!
-//! Exit codes: 0 done; 1 a file could not be written; 2 bad input; 3 drawing and analysis disagree, which is an error of
+//! Exit codes: 0 done; 1 a file could not be written, or the figures of `diff` differ; 2 bad input; 3 drawing and analysis disagree, which is an error of
 //! ours; 4 done, but for answers that do not exist in the pose (dead centres); 130 interrupted while a file was written.
 
 mod animate;
@@ -12,11 +12,13 @@ mod centres;
 mod composite;
 mod curvature;
 mod curves;
+mod diff;
 mod draw;
 mod errors;
 mod explain;
 mod files;
 mod help;
+mod ids;
 mod inversions;
 mod journal;
 mod lang;
@@ -99,6 +101,7 @@ fn run() -> ExitCode {
         Command::Attempts(a) => attempts::run(a),
         Command::Synth(a) => synth::run(a),
         Command::Readings(a) => readings::run(a),
+        Command::Diff(a) => diff::run(a),
         Command::New { template, set, output } => template::new(template.as_deref(), &set, output.as_deref()),
         Command::Explain(a) => explain::run(a),
         Command::Templates => template::list(),

@@ -163,6 +163,15 @@ pub fn dpi(s: &str) -> Result<f64, Refused> {
     }
 }
 
+/// A tolerance of places on paper.
+pub fn tolerance(s: &str) -> Result<f64, Refused> {
+    match s.parse::<f64>() {
+        Ok(v) if (0.0..=1000.0).contains(&v) => Ok(v),
+        Ok(v) => Err(Refused(both!("{v} is not between 0 and 1000", "{v} 不在 0 到 1000 之间"))),
+        Err(_) => Err(Refused(both!("not a number", "不是数"))),
+    }
+}
+
 /// A time that a viewer sees something in and does not give up.
 pub fn seconds(s: &str) -> Result<f64, Refused> {
     match s.parse::<f64>() {

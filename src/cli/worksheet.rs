@@ -5,7 +5,7 @@ use super::mobility::posed_scene;
 use super::places::{Place, one_result, places};
 use super::together::Together;
 use super::values::Sheet;
-use super::{Failure, File, Input, Run, args, choices, files, granted, look_of, verdict};
+use super::{Failure, File, Input, Run, args, choices, files, granted, ids, look_of, verdict};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::sheet;
 use crate::paper::style::Style;
@@ -120,7 +120,7 @@ impl Files {
                 let name = path.display().to_string();
                 // Markdown and Typst show the same drawings.
                 if !names.contains(&name) {
-                    all.add(&path, picture.text.as_bytes())?;
+                    all.add(&path, ids::put_before(&picture.text).as_bytes())?;
                     names.push(name);
                 }
             }

@@ -12,7 +12,7 @@ use crate::figure::mechanism::{self, Course};
 use crate::figure::polygon::{self, Share};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
-use crate::paper::drawing::{Drawing, Habits, Part};
+use crate::paper::drawing::{Drawing, Habits, Part, prefix};
 use crate::paper::extent::Rect;
 use crate::paper::style::Style;
 use crate::plan::notation::Notation;
@@ -275,8 +275,9 @@ impl<'a> Studio<'a> {
                 part.translate(shift);
                 if let Shows::Polygon(level, Some(_)) = self.shows {
                     // What several parts show has a name of its own in each.
-                    let (whole, own) = (Shows::Polygon(level, None).key(), self.shows.key());
-                    part.items.iter_mut().for_each(|i| i.id = i.id.replacen(&whole, &own, 1));
+                    let (kind, own) = (Shows::Polygon(level, None).key(), self.shows.key());
+                    let (whole, number) = (prefix(&kind), &own[kind.len()..]);
+                    part.items.iter_mut().for_each(|i| i.id = i.id.replacen(whole, &format!("{whole}{number}"), 1));
                 }
                 back[k] = beyond(part.bounds, middle, size_mm);
                 let mut drawn = frames.list[k].worked.construction.chosen.clone();

@@ -231,8 +231,13 @@ fn a_polygon_of_many_vectors_is_split() {
         let library: Ends = drawn(&scene_there, &worked);
         let mut compared = 0;
         for (id, ends) in shown(&mut b) {
-            let Some(part) = parts.iter().find(|p| id.starts_with(&format!("{p}-"))) else { continue };
-            let whole = id.replacen(part.as_str(), part.split('-').next().unwrap(), 1);
+            // The figure `velocity-2` has the ids `vel-2-abs-B`, in the library they are `vel-abs-B`.
+            let own = |part: &str| {
+                let (kind, number) = part.split_once('-')?;
+                let kind = hodograph::paper::drawing::prefix(kind);
+                Some(format!("{kind}-{}", id.strip_prefix(&format!("{kind}-{number}-"))?))
+            };
+            let Some((part, whole)) = parts.iter().find_map(|p| Some((p, own(p)?))) else { continue };
             let Some(want) = library.get(&whole) else { continue };
             let mu: f64 = b.eval(&format!("document.querySelector('#{part} svg').dataset.mu")).as_str().unwrap().parse().unwrap();
             let level = if part.starts_with('a') { Level::Acceleration } else { Level::Velocity };

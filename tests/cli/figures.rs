@@ -211,7 +211,7 @@ fn a_path_is_drawn_or_refused() {
     hodograph().current_dir(&folder).args(["new", "crank-rocker", "-o", "scene.json"]).assert().success();
     hodograph().current_dir(&folder).args(["path", "scene.json", "--point", "E", "--poses", "4"]).assert().success();
     let drawn = std::fs::read_to_string(folder.path().join("scene-path.svg")).unwrap();
-    assert!(drawn.contains("id=\"caption-mu_v-E\"") && drawn.contains("id=\"mechanism-path-E-4\""), "{}", &drawn[..2000]);
+    assert!(drawn.contains("id=\"caption-vel-hodograph-E\"") && drawn.contains("id=\"mechanism-path-E-4\""), "{}", &drawn[..2000]);
     for (args, words) in [
         (&["--point", "F"][..], "no point `F`"),
         (&["--point", "A"], "point A stands still"),
@@ -238,9 +238,9 @@ fn positions_make_a_sheet_or_lie_over_one_another() {
     // A table that is higher than a page makes several.
     let (sheet, over) = (read("slider-crank-poses-1.svg") + &read("slider-crank-poses-2.svg"), read("slider-crank-mechanism.svg"));
     for k in 1..=4 {
-        assert!(sheet.contains(&format!("id=\"pose-{k}-velocity-edge-v_CB\"")), "pose {k}");
+        assert!(sheet.contains(&format!("id=\"pose-{k}-vel-rel-C-B\"")), "pose {k}");
     }
-    assert!(over.contains("id=\"mechanism-pose-3-pin\"") && !over.contains("velocity-edge"));
+    assert!(over.contains("id=\"mechanism-pose-3-pin\"") && !over.contains("vel-abs"));
     run(&["-o", "vectors.svg", "--vectors", "velocity", "--poses", "4"]);
     assert!(folder.path().join("vectors.svg").exists());
 }

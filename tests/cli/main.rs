@@ -222,7 +222,7 @@ fn a_pencil_is_a_length() {
     assert!(text(&run.get_output().stderr).contains("after the scene"));
     let out = tempfile::tempdir().unwrap();
     hodograph().args(["draw", "templates/shaper.json", "--drafting", "-o"]).arg(out.path().join("sheet.svg")).assert().success();
-    assert!(std::fs::read_to_string(out.path().join("sheet.svg")).unwrap().contains("result-v_C-tolerance"));
+    assert!(std::fs::read_to_string(out.path().join("sheet.svg")).unwrap().contains("result-v-C-tolerance"));
 }
 
 #[test]

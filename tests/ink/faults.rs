@@ -106,13 +106,18 @@ pub fn of(ink: &Ink) -> Faults {
 /// How far the places are apart that one label names, where they are not one place.
 fn spread(ink: &Ink, label: &Text) -> Option<f64> {
     let kind = label.id.split('-').next()?;
-    let plain = |name: &str| name.replace(['{', '}'], "").replace('\'', "′");
-    let place = |name: &str| ink.marks.iter().find(|m| m.0 == format!("{kind}-mark-{}", plain(name))).map(|m| m.1);
-    let places: Vec<P> = label.text.split(", ").filter_map(place).collect();
+    let place = |name: &str| ink.marks.iter().find(|m| m.0 == format!("{kind}-mark-image-{name}")).map(|m| m.1);
+    let places: Vec<P> = label.text.split(", ").filter_map(|letter| place(&point_of(letter)?)).collect();
     let first = *places.first()?;
     let wide = places.iter().map(|p| (p[0] - first[0]).hypot(p[1] - first[1])).fold(0.0, f64::max);
     // Numbers of the file have a thousandth of a millimetre.
     (wide > ONE_MM).then_some(wide)
+}
+
+/// The name of the point whose image has this letter: `c'` of C, `a_3` of A3. Names that are longer, or have a number, are left out.
+fn point_of(letter: &str) -> Option<String> {
+    let plain = letter.replace(['{', '}', '_', '\''], "").to_uppercase();
+    plain.chars().all(|c| c.is_ascii_alphanumeric()).then_some(plain)
 }
 
 fn has(class: &str, word: &str) -> bool {
@@ -193,7 +198,7 @@ fn nearest(ink: &Ink, f: &mut Faults) {
         let shafts = |l: &&Line| l.width_mm >= THICK_MM && l.id.starts_with(kind) && (has(&l.class, "edge") || has(&l.class, "absolute"));
         let shafts: Vec<&Line> = ink.lines.iter().filter(shafts).collect();
         let inset = has(&text.class, "inset");
-        let own = [format!("{kind}-edge-{name}"), format!("{kind}-absolute-{name}"), format!("{kind}-inset-{name}")];
+        let own = [format!("{kind}-{name}"), format!("{kind}-inset-{}", name.trim_start_matches("inset-"))];
         if let Some(own) = shafts.iter().find(|l| own.contains(&l.id) && has(&l.class, "inset") == inset) {
             // Its head is part of it.
             let mine = ink.lines.iter().filter(|l| l.id == own.id).map(|l| apart(text, l)).fold(f64::INFINITY, f64::min);
@@ -203,7 +208,7 @@ fn nearest(ink: &Ink, f: &mut Faults) {
                     f.note(5, format!("{} nearer to {} ({theirs:.2} mm, {mine:.2} to its own)", text.id, other.id));
                 }
             }
-        } else if !inset && let Some((_, at)) = ink.marks.iter().find(|m| m.0 == format!("{kind}-mark-{name}")) {
+        } else if !inset && let Some((_, at)) = ink.marks.iter().find(|m| m.0 == format!("{kind}-{name}")) {
             let mine = off(text.ink, *at);
             let nearer = |m: &&(String, P)| m.0.starts_with(kind) && off(text.ink, m.1) < mine - NEARER_MM;
             for m in ink.marks.iter().filter(nearer) {

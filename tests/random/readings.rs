@@ -252,17 +252,16 @@ fn printed_lengths_are_distances_in_the_svg() {
                     continue;
                 }
                 let level = find.what.level();
-                let kind = if level == Level::Acceleration { "acceleration" } else { "velocity" };
                 let place = |k: usize| {
-                    let id = hodograph::paper::drawing::id(kind, &format!("mark-{}", mark(&w, level, &m.marks[k].0)));
+                    let id = hodograph::figure::polygon::mark_id(&w, level, &m.marks[k].0);
                     let node = by_id(&id).unwrap_or_else(|| panic!("{name}: no mark {id} for {}", find.text));
                     assert!(node.attribute("class").unwrap().split(' ').any(|c| c == "mark"));
                     let number = |key: &str| node.attribute(key).unwrap().parse::<f64>().unwrap();
                     Vec2::new(number("cx"), number("cy"))
                 };
                 let distance = (place(1) - place(0)).norm();
-                let cell =
-                    by_id(&format!("result-{}-measured", find.text)).unwrap_or_else(|| panic!("{name}: {} is not printed", find.text));
+                let cell = by_id(&format!("result-{}-measured", hodograph::paper::shown::question_id(&find.text)))
+                    .unwrap_or_else(|| panic!("{name}: {} is not printed", find.text));
                 let printed: String = cell.descendants().filter(|n| n.is_text()).filter_map(|n| n.text()).collect();
                 let printed = printed.split("mm").next().unwrap().trim().replace('−', "-").replace(['\u{a0}', '\u{2009}', ' '], "");
                 let printed: f64 = printed.parse().unwrap_or_else(|_| panic!("{name}: {} prints {printed}", find.text));

@@ -325,7 +325,7 @@ fn check(name: &str, scene: &scene::Scene, worked: &hodograph::worked::Worked, f
     }
     for (level, kind) in [(Level::Velocity, "velocity"), (Level::Acceleration, "acceleration")] {
         let Some(p) = worked.construction.polygon(level) else { continue };
-        let pole = figure.items.iter().find(|i| i.id == format!("{kind}-pole")).and_then(|i| match i.shape {
+        let pole = figure.items.iter().find(|i| i.id == hodograph::paper::drawing::id(kind, "pole")).and_then(|i| match i.shape {
             Shape::Circle { centre, .. } => Some(centre),
             _ => None,
         });
@@ -366,7 +366,7 @@ fn check(name: &str, scene: &scene::Scene, worked: &hodograph::worked::Worked, f
         }
     }
     for r in &worked.results {
-        let id = format!("result-{}-value", scene.find[r.find].text);
+        let id = format!("result-{}-value", hodograph::paper::shown::question_id(&scene.find[r.find].text));
         if !ids.contains(id.as_str()) {
             fault(format!("no result {id}"));
         }

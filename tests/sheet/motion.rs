@@ -166,7 +166,7 @@ fn names_stand_in_the_first_row() {
     let wanted = poses::Wanted { count: 4, swept: Swept::Driver(0), points: Vec::new() };
     let pages = poses::sheets(&scene, &worked, &Options::of_language(Lang::En), &wanted).unwrap().value;
     let labels = |row: usize, what: &str| {
-        let start = format!("pose-{row}-{what}-label-");
+        let start = format!("pose-{row}-{}-label-", hodograph::paper::drawing::prefix(what));
         pages.iter().flat_map(|p| &p.items).filter(|i| i.id.starts_with(&start) && !i.id.ends_with("-leader")).count()
     };
     for what in ["mechanism", "velocity", "acceleration"] {

@@ -71,24 +71,17 @@ fn given(scene: &Scene, driver: &Driver) -> Vec<(f64, String)> {
     let names: [String; 2] = match driver.kind {
         DriverKind::Turn { link, against, .. } => {
             let who = scene.link_name(link);
-            let index = if against == scene.ground { who.to_owned() } else { format!("{who}/{}", scene.link_name(against)) };
+            let index = if against == scene.ground { who.to_owned() } else { format!("{who}-{}", scene.link_name(against)) };
             ["rotation", "angular-acceleration"].map(|k| format!("mechanism-{k}-{index}"))
         }
         DriverKind::Slide { guide, .. } => {
             let g = &scene.guides[guide.0];
             let who = g.pin.map_or_else(|| scene.link_name(g.slider.unwrap()), |p| scene.point_name(p));
-            // In a guide that moves it is the motion in the guide.
-            let own = g.slider.map_or("", |s| scene.link_name(s));
-            let index = match (g.on == scene.ground, g.pin) {
-                (true, _) => format!("_{who}"),
-                (false, Some(_)) => format!("^rel_{who}{own}{who}{}", scene.link_name(g.on)),
-                (false, None) => format!("_{who}/{}", scene.link_name(g.on)),
-            };
-            ["v", "a"].map(|k| format!("mechanism-driver-{k}{index}"))
+            ["vel", "acc"].map(|k| format!("mechanism-driver-{k}-{who}"))
         }
         DriverKind::Cylinder { a, b, .. } => {
-            let who = format!("{}{}", scene.point_name(b), scene.point_name(a));
-            ["v", "a"].map(|k| format!("mechanism-driver-{k}^rel_{who}"))
+            let who = format!("{}-{}", scene.point_name(b), scene.point_name(a));
+            ["vel", "acc"].map(|k| format!("mechanism-driver-{k}-{who}"))
         }
     };
     [driver.rate.value, second].into_iter().zip(names).collect()

@@ -12,6 +12,7 @@ mod build;
 mod contact;
 mod effects;
 mod group;
+mod keys;
 mod lines;
 mod locus;
 pub mod names;

@@ -107,18 +107,18 @@ impl Writer<'_> {
         format!("l_{{{}}}", name_label(&line_name(self.scene, self.plan, a, b)))
     }
 
-    fn quantity(level: Level) -> &'static str {
+    fn letter(level: Level) -> &'static str {
         if level == Level::Acceleration { "a" } else { "v" }
     }
 
     /// Symbol of a whole vector of a vertex: `v_{B3}`.
     pub fn vector(&self, level: Level, v: VertexId) -> String {
-        format!("{}_{{{}}}", Self::quantity(level), self.name(v))
+        format!("{}_{{{}}}", Self::letter(level), self.name(v))
     }
 
     /// From a fixed point a vector is absolute; a cylinder's parts are always told as relative, for the other chain of
     /// their equation may start at a fixed point as well.
-    fn is_absolute(&self, level: Level, t: &Term) -> bool {
+    pub(super) fn is_absolute(&self, level: Level, t: &Term) -> bool {
         let whole = |t: &Term| match t.by {
             By::Cylinder(_) | By::Turning(Body::Cylinder(_)) => false,
             // Over a fixed point of a guide that turns, sliding is the whole of the velocity, but beside the Coriolis term only a part of
@@ -192,13 +192,13 @@ impl Writer<'_> {
         }
     }
 
-    fn is_arc(&self, g: GuideId) -> bool {
+    pub(super) fn is_arc(&self, g: GuideId) -> bool {
         matches!(self.scene.guides[g.0].path, GuidePath::Arc { .. })
     }
 
     /// Symbol of a term: `v_{CB}`, `a^t_{CB}`, `a^k_{B3B2}`.
     pub fn symbol(&self, level: Level, t: &Term) -> String {
-        let (q, sub, sup) = (Self::quantity(level), self.subscript(level, t), self.superscript(level, t));
+        let (q, sub, sup) = (Self::letter(level), self.subscript(level, t), self.superscript(level, t));
         if sup.is_empty() { format!("{q}_{{{sub}}}") } else { format!("{q}^{{{sup}}}_{{{sub}}}") }
     }
 

@@ -6,8 +6,10 @@ use crate::certified::certify;
 use crate::construct::{Edge, Polygon};
 use crate::diag::{Faults, Warned};
 use crate::geom::{Point, Vec2};
+use crate::mechanism::Level;
 use crate::paper::phrase::{Phrase, Piece};
 use crate::plan::VertexId;
+use crate::plan::text::{Writer, vertex_name};
 use crate::report::attempts::{Words, gap_symbol};
 use crate::scene::Scene;
 use crate::worked::Worked;
@@ -101,8 +103,8 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
         placed.push(moved);
         moved
     };
-    let mut arrow = |d: &mut Drawing, ends: (Point, Point), symbol: &str| {
-        let name = format!("wrong-{symbol}");
+    let mut arrow = |d: &mut Drawing, ends: (Point, Point), (key, symbol): (&str, &str)| {
+        let name = format!("wrong-{key}");
         let (from, to) = beside(d, &name, ends, style.vector.width_mm);
         let owner = d.shape(&name, "wrong", Shape::Arrow { from, to, stroke, head: style.head });
         let request = LabelRequest::along(Label::math(format!("{symbol}*")), style.label_mm, from, to, stroke.width_mm / 2.0);
@@ -119,11 +121,11 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
             continue;
         }
         drawn.push((from, to));
-        arrow(&mut d, (from, to), &symbol(e, &wrong_words, level));
+        arrow(&mut d, (from, to), (&key(e, &wrong_words, level), &symbol(e, &wrong_words, level)));
     }
     let tips = gap_tips(right, wrong, a)?;
     if tips[1].to_vec2().norm() > SAME_MM && !is_there(Point::ORIGIN, tips[1], &drawn) {
-        arrow(&mut d, (Point::ORIGIN, tips[1]), &wrong_words.vector(level, a.gap.wrong));
+        arrow(&mut d, (Point::ORIGIN, tips[1]), (&wrong_words.vector_key(a.gap.wrong), &wrong_words.vector(level, a.gap.wrong)));
     }
     for (v, at) in wrong.images.iter().enumerate().filter_map(|(v, at)| Some((VertexId(v), (*at)?))) {
         if a.wrong.worked.plan.vertex(v).fixed || lettered.iter().any(|p| p.distance(at) < SAME_MM) {
@@ -133,9 +135,9 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
         // Found by image, no equation leads there: the whole vector does.
         if !drawn.iter().any(|(a, b)| a.distance(at) < SAME_MM || b.distance(at) < SAME_MM) {
             drawn.push((Point::ORIGIN, at));
-            arrow(&mut d, (Point::ORIGIN, at), &wrong_words.vector(level, v));
+            arrow(&mut d, (Point::ORIGIN, at), (&wrong_words.vector_key(v), &wrong_words.vector(level, v)));
         }
-        let name = format!("wrong-image-{}", wrong_words.image(level, v));
+        let name = format!("wrong-image-{}", vertex_name(wrong_words.scene, wrong_words.plan, v));
         d.draw(&name, "wrong", crate::paper::symbols::dot(style, at));
         let label = Label::math(format!("{}*", wrong_words.image(level, v)));
         d.label(&name, "wrong", LabelRequest::at_point(label, style.label_mm, at, style.dot_radius_mm));
@@ -151,8 +153,12 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
     Some(maker.titled(d.finish(), Label::text(caption), &of_level(&w.scene.book, level, right.mu), "attempt"))
 }
 
-fn symbol(e: &Edge, w: &crate::plan::text::Writer, level: crate::mechanism::Level) -> String {
+fn symbol(e: &Edge, w: &Writer, level: Level) -> String {
     e.terms.iter().map(|t| w.symbol(level, t)).collect::<Vec<_>>().join(" + ")
+}
+
+fn key(e: &Edge, w: &Writer, level: Level) -> String {
+    e.terms.iter().map(|t| w.key(level, t)).collect::<Vec<_>>().join("-and-")
 }
 
 fn gap_tips(right: &Polygon, wrong: &Polygon, a: &Attempt) -> Option<[Point; 2]> {

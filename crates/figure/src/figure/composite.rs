@@ -2,12 +2,14 @@
 //! whose diagonal is v_a, the parts of the acceleration at the point, their polygon, and the projections in words. Several solutions of one
 //! problem stand side by side, to one μ.
 
-use crate::composite::{Solved, Staged, level};
+use crate::composite::{Solved, Staged, level, name_of};
 use crate::construct::scale;
 use crate::diag::{Faults, Warned};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::report::composite::{Words, symbol};
+use crate::scene::Scene;
+use crate::scene::quantity::Frame;
 use crate::scene::quantity::composite::Part as Piece;
 use crate::worked::Worked;
 
@@ -22,6 +24,7 @@ use crate::paper::item::{Anchor, Figure, Item, Shape};
 use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
 use crate::paper::place::LabelRequest;
+use crate::paper::shown::{Length, Shown};
 use crate::paper::style::Captioned;
 use crate::report::amount::of_level;
 
@@ -172,8 +175,11 @@ fn stand(parts: &mut [Part], rows: &[Vec<usize>]) {
 /// The vectors of a level on paper, the absolute first.
 fn vectors(w: &Wanted, s: &Solved, level: Level, mu: f64) -> Vec<Vector> {
     let notation = &w.options.notation;
-    let vector =
-        |part: Option<Piece>, v: Vec2| Vector { symbol: symbol(part, level, notation), mm: v * (1.0 / mu), absolute: part.is_none() };
+    let vector = |part: Option<Piece>, v: Vec2| {
+        let mm = v * (1.0 / mu);
+        let shown = Shown { names: vec![quantity(w.scene, s, part, level)], length: Some(Length { mm: mm.norm(), si: v.norm() }) };
+        Vector { symbol: symbol(part, level, notation), key: key(part).into(), shown, mm, absolute: part.is_none() }
+    };
     match level {
         Level::Acceleration => s.acceleration.iter().map(|(part, v)| vector(*part, *v)).collect(),
         Level::Position | Level::Velocity => {
@@ -181,6 +187,41 @@ fn vectors(w: &Wanted, s: &Solved, level: Level, mu: f64) -> Vec<Vector> {
             parts.into_iter().zip(s.velocity).map(|(part, v)| vector(part, v)).collect()
         }
     }
+}
+
+/// The key of a part of the motion, in ids.
+fn key(part: Option<Piece>) -> &'static str {
+    match part {
+        None => "abs",
+        Some(Piece::TransportVelocity | Piece::Transport) => "transport",
+        Some(Piece::TransportNormal) => "transport-normal",
+        Some(Piece::TransportTangential) => "transport-tangential",
+        Some(Piece::RelativeVelocity | Piece::Relative | Piece::Path) => "relative",
+        Some(Piece::RelativeNormal) => "relative-normal",
+        Some(Piece::RelativeTangential) => "relative-tangential",
+        Some(Piece::Coriolis) => "coriolis",
+    }
+}
+
+/// A part of the motion as `find` writes it: `ve_A/2`, `a_A`.
+fn quantity(scene: &Scene, s: &Solved, part: Option<Piece>, level: Level) -> String {
+    let letters = match part {
+        None => "",
+        Some(Piece::TransportVelocity | Piece::Transport) => "e",
+        Some(Piece::TransportNormal) => "en",
+        Some(Piece::TransportTangential) => "et",
+        Some(Piece::RelativeVelocity | Piece::Relative | Piece::Path) => "r",
+        Some(Piece::RelativeNormal) => "rn",
+        Some(Piece::RelativeTangential) => "rt",
+        Some(Piece::Coriolis) => "k",
+    };
+    let letter = if level == Level::Acceleration { "a" } else { "v" };
+    let frame = match s.choice.frame {
+        Frame::Link(l) => scene.link_name(l).to_owned(),
+        Frame::Point(p) => name_of(scene, &p),
+    };
+    let seen = part.map_or_else(String::new, |_| format!("/{frame}"));
+    format!("{letter}{letters}_{}{seen}", name_of(scene, &s.choice.of))
 }
 
 fn velocities(w: &Wanted, maker: &Maker, scales: &Scales, s: &Solved, heading: Label, k: usize) -> Part {
@@ -211,9 +252,9 @@ fn polygon(w: &Wanted, maker: &Maker, mu: f64, s: &Solved, k: usize) -> Part {
         let to = from + v.mm;
         let width_mm = if v.absolute { style.vector.width_mm } else { style.vector.width_mm * 0.7 };
         let stroke = crate::paper::item::Stroke { width_mm, ..style.vector };
-        let owner = d.shape(&format!("edge-{}", v.symbol), "edge", Shape::Arrow { from, to, stroke, head: style.head });
+        let owner = d.vector(&v.key, "edge", Shape::Arrow { from, to, stroke, head: style.head }, v.shown.clone());
         let request = LabelRequest::along(Label::math(&v.symbol), style.label_mm, from, to, width_mm / 2.0);
-        d.label(&format!("edge-{}", v.symbol), "edge", request.owned(owner));
+        d.label(&v.key, "edge", request.owned(owner));
     };
     for v in all.iter().filter(|v| !v.absolute) {
         arrow(&mut d, at, v);

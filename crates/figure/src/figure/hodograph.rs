@@ -14,6 +14,7 @@ use crate::paper::drawing::{Drawing, Part};
 use crate::paper::item::{Colour, Shape};
 use crate::paper::label::Label;
 use crate::paper::place::LabelRequest;
+use crate::paper::shown::{Shown, question_id};
 use crate::paper::style::Style;
 use crate::paper::symbols as sym;
 
@@ -32,8 +33,8 @@ const SHORTEST_MM: f64 = 0.6;
 pub struct Hodograph<'a> {
     /// Velocities or accelerations.
     pub level: Level,
-    /// The vector's symbol, in the label language.
-    pub symbol: &'a str,
+    /// The vector as `find` writes it.
+    pub quantity: &'a str,
     /// The pole's letter.
     pub pole: &'a str,
     /// The link to which the point belongs.
@@ -99,6 +100,7 @@ fn edge(inner: Vec2, outer: Vec2, most: f64) -> Vec2 {
 /// Draws it; the pole lies in the origin.
 pub fn hodograph(style: &Style, h: &Hodograph) -> Part {
     let mut d = Drawing::new("hodograph", style.clone());
+    let key = question_id(h.quantity);
     let (runs, _) = runs(h.curve, h.closed, h.most);
     let paper = |v: Vec2| (v * (1.0 / h.mu)).to_point();
     axes(&mut d, style, h, &runs);
@@ -106,23 +108,24 @@ pub fn hodograph(style: &Style, h: &Hodograph) -> Part {
     for (k, run) in runs.iter().enumerate() {
         let points: Vec<Point> = run.iter().map(|v| paper(*v)).collect();
         let shape = Shape::Polyline { points, closed: false, stroke: Some(style.vector), fill: None };
-        d.shape(&format!("{}-curve-{k}", h.symbol), "curve", shape);
+        d.shape(&format!("{key}-curve-{k}"), "curve", shape);
     }
     for (k, v) in h.marks.iter().enumerate() {
         let Some(v) = v.filter(|v| v.norm() <= h.most) else { continue };
         let tip = paper(v);
-        let name = format!("{}-{}", h.symbol, k + 1);
+        let name = format!("{key}-{}", k + 1);
         if tip.to_vec2().norm() > SHORTEST_MM {
-            d.shape(&name, "vector", Shape::Arrow { from: Point::ORIGIN, to: tip, stroke: style.thin, head: style.thin_head });
+            let shape = Shape::Arrow { from: Point::ORIGIN, to: tip, stroke: style.thin, head: style.thin_head };
+            d.vector(&name, "vector", shape, Shown::vector(h.quantity, Point::ORIGIN, tip, h.mu));
         }
         d.draw(&name, "position", sym::dot(style, tip));
         let request = LabelRequest::at_point(Label::math((k + 1).to_string()), style.small_mm, tip, style.dot_radius_mm);
         d.label(&name, "position", LabelRequest { prefer: v.unit(), ..request });
     }
     d.of_link(None);
-    d.draw(&format!("{}-pole", h.symbol), "pole", sym::dot(style, Point::ORIGIN));
+    d.draw(&format!("{key}-pole"), "pole", sym::dot(style, Point::ORIGIN));
     let middle = runs.iter().flatten().fold(Vec2::ZERO, |s, v| s + *v);
-    d.label_at(&format!("{}-pole", h.symbol), "pole", h.pole, Point::ORIGIN, style.dot_radius_mm, (-middle).unit());
+    d.label_at(&format!("{key}-pole"), "pole", h.pole, Point::ORIGIN, style.dot_radius_mm, (-middle).unit());
     d.finish()
 }
 
@@ -138,7 +141,7 @@ fn axes(d: &mut Drawing, style: &Style, h: &Hodograph, runs: &[Vec<Vec2>]) {
         let (lo, hi) = (parts().fold(0.0, f64::min), parts().fold(0.0, f64::max));
         let (first, last) = (libm::ceil(lo / step - 1e-9) as i64, libm::floor(hi / step + 1e-9) as i64);
         let (from, to) = ((along * (lo / h.mu - BEYOND_MM)).to_point(), (along * (hi / h.mu + BEYOND_MM)).to_point());
-        let name = format!("{}-axis-{axis}", h.symbol);
+        let name = format!("{}-axis-{axis}", question_id(h.quantity));
         let owner = d.shape(&name, "axis", Shape::Arrow { from, to, stroke, head: style.thin_head });
         let label = Label::math(over(&format!("{letter}_{axis}"), &unit));
         let side = if axis == "x" { Vec2::new(0.0, -1.0) } else { Vec2::new(1.0, 0.0) };

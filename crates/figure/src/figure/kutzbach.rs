@@ -170,9 +170,9 @@ impl Plan<'_> {
         for s in &stations {
             let Some(v) = s.links.iter().map(|l| speed(*l, s.s)).find(|v| v.abs() > ZERO_MM) else { continue };
             let (from, to) = (Point::new(0.0, s.s), Point::new(v, s.s));
-            let owner = d.shape(&format!("v-{}", s.name), "vector", Shape::Arrow { from, to, stroke: style.vector, head: style.head });
+            let owner = d.shape(&format!("vel-{}", s.name), "vector", Shape::Arrow { from, to, stroke: style.vector, head: style.head });
             let name = format!("v_{{{}}}", name_label(&s.name));
-            d.label_along(&name, "vector", &name, (from, to), style.vector.width_mm / 2.0, owner);
+            d.label_along(&format!("vel-{}", s.name), "vector", &name, (from, to), style.vector.width_mm / 2.0, owner);
         }
         // One ray a link.
         for link in self.links() {
@@ -266,9 +266,10 @@ impl Plan<'_> {
         for (end, who) in ends.iter().filter(|e| e.0.x.abs() > ZERO_MM) {
             let from = Point::new(0.0, foot);
             let shape = Shape::Arrow { from, to: *end, stroke: style.vector, head: style.head };
-            let owner = d.shape("omega", "vector", shape);
+            let id = format!("omega-{}", maker.scene.link_name(who[0]));
+            let owner = d.shape(&id, "vector", shape);
             let text = omega(maker.scene, who[0]);
-            d.label_along(&text, "vector", &text, (from, *end), style.vector.width_mm / 2.0, owner);
+            d.label_along(&id, "vector", &text, (from, *end), style.vector.width_mm / 2.0, owner);
         }
         d.draw("pole", "pole", sym::dot(style, pole));
         d.label_at("pole", "pole", "P", pole, style.dot_radius_mm, Some(Vec2::new(1.0, 0.5)));

@@ -12,6 +12,7 @@ mod composite;
 pub mod course;
 mod curvature;
 pub mod curves;
+mod described;
 pub mod fit;
 mod gears;
 pub mod groups;

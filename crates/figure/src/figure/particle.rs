@@ -26,6 +26,7 @@ use crate::paper::item::{Anchor, Colour, Figure, Item, Shape, Stroke};
 use crate::paper::label::Label;
 use crate::paper::lines::wrapped;
 use crate::paper::place::LabelRequest;
+use crate::paper::shown::question_id;
 use crate::paper::style::Style;
 use crate::paper::symbols as sym;
 use crate::paper::words::words;
@@ -221,9 +222,10 @@ impl Maker<'_> {
         }
         let stroke = Stroke { width_mm, ..style.vector };
         let class = format!("vector {}", step(a.step));
-        let owner = d.shape(&a.symbol, &class, Shape::Arrow { from: a.from, to: a.to, stroke, head: style.head });
+        let id = question_id(&a.symbol);
+        let owner = d.shape(&id, &class, Shape::Arrow { from: a.from, to: a.to, stroke, head: style.head });
         let symbol = report::marked(&a.symbol, &self.notation());
-        d.label(&a.symbol, &class, LabelRequest::along(Label::math(&symbol), style.label_mm, a.from, a.to, width_mm / 2.0).owned(owner));
+        d.label(&id, &class, LabelRequest::along(Label::math(&symbol), style.label_mm, a.from, a.to, width_mm / 2.0).owned(owner));
     }
 
     fn line(&self, d: &mut Drawing, name: &str, points: Vec<Point>, stroke: Stroke) {

@@ -24,6 +24,7 @@ use crate::paper::drawing::Part;
 use crate::paper::grid::{self, Cell, Row};
 use crate::paper::item::{Anchor, Figure, Item};
 use crate::paper::label::Label;
+use crate::paper::shown::escaped;
 use crate::report::amount::of_level;
 use crate::report::amount::{number, symbol};
 use crate::sweep::follow::Follower;
@@ -188,7 +189,7 @@ impl Page<'_> {
             (names, _) => format!("Paths of {}", names.join(", ")),
         };
         let (_, mu) = maker.caption(Level::Position);
-        maker.titled(part, Phrase::new(&words).label(), &mu, "mu_l")
+        maker.titled(part, Phrase::new(&words).label(), &mu, "mechanism")
     }
 
     /// Velocity and acceleration hodograph of each point, those of one kind to one scale.
@@ -213,7 +214,7 @@ impl Page<'_> {
                 let find = &questions(self.scene(), point)[l];
                 let h = Hodograph {
                     level,
-                    symbol: &symbol(find, &self.maker.options.notation),
+                    quantity: &find.text,
                     pole: &self.maker.writer().pole(level),
                     link: self.scene().mover(point).map(|l| l.0),
                     curve: &curves[k],
@@ -227,8 +228,8 @@ impl Page<'_> {
                 let name = self.scene().point_name(point);
                 // Several points have captions of one scale.
                 let (en, zh, id) = match l {
-                    0 => ("Velocity hodograph of ${}$", "点 ${}$ 的速度矢端曲线", format!("mu_v-{name}")),
-                    _ => ("Acceleration hodograph of ${}$", "点 ${}$ 的加速度矢端曲线", format!("mu_a-{name}")),
+                    0 => ("Velocity hodograph of ${}$", "点 ${}$ 的速度矢端曲线", format!("vel-hodograph-{}", escaped(name))),
+                    _ => ("Acceleration hodograph of ${}$", "点 ${}$ 的加速度矢端曲线", format!("acc-hodograph-{}", escaped(name))),
                 };
                 let words = fill(tr(self.maker.options.lang, en, zh), &[("", &point_label(name))]);
                 parts.push(self.maker.titled(part, Phrase::new(&words).label(), &of_level(&self.scene().book, level, mu), &id));

@@ -26,6 +26,7 @@ use crate::paper::grid::{self, Cell, Row};
 use crate::paper::item::Anchor;
 use crate::paper::label::Label;
 use crate::paper::lines::wrapped;
+use crate::paper::shown::question_id;
 use crate::paper::style::{Captioned, Style};
 use crate::paper::words::Words;
 
@@ -138,7 +139,7 @@ fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::P
             let text = fill(words.uncertain, &[("", &symbol), ("why", &why.words(words.lang()))]);
             lines.push(("remark", format!("remark-{}", find.text), Phrase::new(&text)));
         }
-        let id = format!("result-{}", find.text);
+        let id = format!("result-{}", question_id(&find.text));
         let cell = |text: Label, anchor, what: &str| Some(cell(style, text, anchor, format!("{id}-{what}")));
         let sign = |what: &str| cell(Label::math("="), Anchor::Middle, what);
         let value = r.value();
@@ -282,7 +283,7 @@ pub fn sentence(answers: &Answers) -> String {
 
 /// A question whose answer is words.
 fn told(style: &Style, notation: &Notation, find: &Find, words: &str) -> Row {
-    let (id, symbol) = (format!("result-{}", find.text), symbol(find, notation));
+    let (id, symbol) = (format!("result-{}", question_id(&find.text)), symbol(find, notation));
     let cell = |text: Label, anchor, what: &str| Some(cell(style, text, anchor, format!("{id}-{what}")));
     Row {
         cells: vec![

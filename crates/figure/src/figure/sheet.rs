@@ -17,6 +17,7 @@ use crate::worked::Worked;
 use crate::report::amount::of_level;
 
 use super::arrange::{Pieces, Tree, arrange, arrange_in, column, put_together};
+use super::described::described;
 use super::mechanism::{Overlay, dimensions};
 use super::results::Answers;
 use super::tables::Tables;
@@ -167,7 +168,7 @@ pub fn diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Over
     if let (Some(level), Some(of_vectors)) = (overlay.vectors, overlay.mu(scene, worked)) {
         mu = format!("{mu},\\quad {}", of_level(&scene.book, level, of_vectors));
     }
-    let titled = maker.titled(part, Phrase::new(words).label(), &mu, "mu_l");
+    let titled = maker.titled(part, Phrase::new(words).label(), &mu, "mechanism");
     maker.alone(if overlay.dimensions { maker.with_givens(titled) } else { titled })
 }
 
@@ -267,9 +268,9 @@ impl Maker<'_> {
     pub fn captioned(&self, part: Part, letter: &str, level: Level) -> Part {
         let (words, mu) = self.caption(level);
         let id = match level {
-            Level::Position => "mu_l",
-            Level::Velocity => "mu_v",
-            Level::Acceleration => "mu_a",
+            Level::Position => "mechanism",
+            Level::Velocity => "vel",
+            Level::Acceleration => "acc",
         };
         self.titled(part, Phrase::new(&format!("{letter}{words}")).label(), &mu, id)
     }
@@ -356,7 +357,7 @@ impl Maker<'_> {
             width_mm: size[0],
             height_mm: size[1],
             title: title.into(),
-            desc: format!("{} {found}", words.described.replace("{}", title)),
+            desc: format!("{}{found}", described(self.scene, self.options.lang, title, &items)).trim_end().to_owned(),
             lang: words.tag.into(),
             paper: Colour::WHITE,
             items,

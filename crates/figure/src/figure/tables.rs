@@ -8,12 +8,12 @@ use crate::construct::{Action, Construction, Polygon};
 use crate::digits::inked;
 use crate::mechanism::{ConstraintLine, Level};
 use crate::paper::phrase::{Phrase, fill};
-use crate::plan::text::{Column, Writer};
+use crate::plan::text::{Column, Writer, vertex_name};
 use crate::plan::{Chain, Special, SpecialLine, Step, VertexId};
 use crate::scene::{PointId, Scene};
 
 use super::results::DIGITS;
-use crate::paper::drawing::Part;
+use crate::paper::drawing::{Part, id};
 use crate::paper::grid::{self, Cell, Row};
 use crate::paper::item::{Anchor, Item};
 use crate::paper::label::Label;
@@ -74,12 +74,16 @@ impl Tables<'_> {
                         let w = self.writer;
                         let formula = format!("{} = {}", w.summand(level, *target), w.summand(level, *from));
                         let why = self.words().no_turning.replace("{}", w.scene.link_name(*link));
-                        parts.push(self.line(level, &formula, Some(Label::text(why)), &step_class));
+                        parts.push(self.line(level, *target, &formula, Some(Label::text(why)), &step_class));
                     }
                 }
             }
         }
         parts
+    }
+
+    fn vertex(&self, v: VertexId) -> String {
+        vertex_name(self.writer.scene, self.writer.plan, v)
     }
 
     fn words(&self) -> &'static Words {
@@ -98,7 +102,7 @@ impl Tables<'_> {
                 if chain.known.is_empty() {
                     let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.summand(level, chain.start) };
                     let formula = format!("{} = {start}", w.summand(level, target));
-                    return (chain.start != target).then(|| self.line(level, &formula, None, step)).into_iter().collect();
+                    return (chain.start != target).then(|| self.line(level, target, &formula, None, step)).into_iter().collect();
                 }
                 return self.table(level, target, chains, step);
             };
@@ -116,7 +120,7 @@ impl Tables<'_> {
                     (formula, _) => formula,
                 };
                 let formula = format!("{head} = {magnitude}");
-                return vec![self.line(level, &formula, Some(Label::math(w.direction(&term))), step)];
+                return vec![self.line(level, target, &formula, Some(Label::math(w.direction(&term))), step)];
             }
         }
         self.table(level, target, chains, step)
@@ -142,7 +146,7 @@ impl Tables<'_> {
 
     fn part_of_table(&self, level: Level, target: VertexId, columns: &[Column], ends: Range<usize>, step: &str) -> Part {
         let (w, style, words) = (self.writer, self.style, self.words());
-        let name = format!("{}-{}", kind(level), id_of(&w.vector(level, target)));
+        let name = id(kind(level), &format!("equation-{}", self.vertex(target)));
         let class = |what: &str| format!("{} table {what} {step}", kind(level));
         let head = |word: &str, what: &str| {
             let id = if ends.start == 0 { format!("{name}-{what}") } else { format!("{name}-{what}-from-{}", ends.start) };
@@ -175,8 +179,8 @@ impl Tables<'_> {
         part
     }
 
-    fn line(&self, level: Level, formula: &str, why: Option<Label>, step: &str) -> Part {
-        let name = format!("{}-statement-{}", kind(level), id_of(formula.split(' ').next().unwrap_or(formula)));
+    fn line(&self, level: Level, target: VertexId, formula: &str, why: Option<Label>, step: &str) -> Part {
+        let name = id(kind(level), &format!("statement-{}", self.vertex(target)));
         let class = format!("{} statement {step}", kind(level));
         let mut cells = vec![Some(self.cell(Label::math(formula), self.style.label_mm, Anchor::Start, name.clone(), &class))];
         if let Some(why) = why {
@@ -212,7 +216,7 @@ impl Tables<'_> {
             let sides = [Label::text("Δ"), Label::math(images), Label::text(" "), similar, Label::text(" Δ"), Label::math(points)];
             sides.into_iter().fold(head, Label::then)
         };
-        let name = format!("{}-statement-{}", kind(level), id_of(&w.vector(level, target)));
+        let name = id(kind(level), &format!("statement-{}", self.vertex(target)));
         let class = format!("{} statement image {step}", kind(level));
         let mut cells = vec![Some(self.cell(similar, self.style.label_mm, Anchor::Start, name.clone(), &class))];
         if !in_line {
@@ -229,8 +233,8 @@ impl Tables<'_> {
         let text = fill(self.words().special_point, &[("S", &letter), ("1", &a), ("2", &b), ("", link)]);
         let class = format!("{} statement special {step}", kind(level));
         let id = match special.legs {
-            Some(_) => format!("{}-special-{}", kind(level), special.group),
-            None => format!("{}-special-{}-{link}", kind(level), special.group),
+            Some(_) => id(kind(level), &format!("special-{}", special.group)),
+            None => id(kind(level), &format!("special-{}-{link}", special.group)),
         };
         let size_mm = self.style.caption_mm;
         let told = Phrase::new(&text);
@@ -276,10 +280,6 @@ fn kind(level: Level) -> &'static str {
         Level::Acceleration => "acceleration",
         Level::Position | Level::Velocity => "velocity",
     }
-}
-
-fn id_of(symbol: &str) -> String {
-    symbol.replace('\'', "′").chars().filter(|c| c.is_alphanumeric() || matches!(c, '_' | '^' | '′')).collect()
 }
 
 /// The vertex that a step finds.

@@ -168,7 +168,7 @@ pub fn break_at(items: &mut Vec<Item>, labels: &[Rect]) {
                 item.shape = headed;
                 if !shaft.is_empty() {
                     let id = if item.id.is_empty() { String::new() } else { format!("{}-shaft", item.id) };
-                    before.push(Item { id, shape: way.path(shaft, stroke), ..item.clone() });
+                    before.push(Item { id, shown: None, shape: way.path(shaft, stroke), ..item.clone() });
                 }
             }
         }

@@ -12,6 +12,7 @@ use super::extent::{Rect, bounds, translate};
 use super::item::{COARSE, Item, PLACED, Shape, tag};
 use super::label::Label;
 use super::place::{Habit, LabelRequest, Leads, Obstacles, Placement, Target, is_coarse, place_or_leave};
+use super::shown::{Shown, escaped};
 use super::style::Style;
 
 /// Room around the lines of a part in which its labels may stand: the longest leader line and a short label.
@@ -172,12 +173,17 @@ impl Drawing {
         self.items.push(item);
     }
 
+    /// Draws a vector of a quantity.
+    pub fn vector(&mut self, name: &str, class: &str, shape: Shape, shown: Shown) -> u32 {
+        self.draw(name, class, vec![Item::new("", shape).showing(shown)])
+    }
+
     /// Names a place without ink, for programs that measure on the drawing: a circle of no radius, which labels do not keep off, but to which
     /// the letter of another place stands no nearer than to its own.
-    pub fn mark(&mut self, name: &str, at: Point) {
+    pub fn mark(&mut self, name: &str, shown: Shown, at: Point) {
         let shape = Shape::Circle { centre: at, radius_mm: 0.0, stroke: None, fill: None };
         let id = self.name(&format!("mark-{name}"));
-        self.items.push(Item::new(format!("{} mark", self.kind), shape).with_id(id));
+        self.items.push(Item::new(format!("{} mark", self.kind), shape).with_id(id).showing(shown));
         self.obstacles.marks.push(at);
     }
 
@@ -197,7 +203,7 @@ impl Drawing {
 
     /// Only the labels stay whose name, as it was asked for, is among these.
     pub fn only_named(&mut self, among: impl Fn(&str) -> bool) {
-        let prefix = format!("{}-label-", self.kind);
+        let prefix = format!("{}-label-", prefix(self.kind));
         self.wanted.retain(|w| w.id.strip_prefix(&prefix).is_none_or(&among));
     }
 
@@ -232,7 +238,7 @@ impl Drawing {
         self.label(name, class, request.owned(owner));
     }
 
-    /// A name not used before: `velocity-edge-v_CB`, then `velocity-edge-v_CB-2`.
+    /// An id not used before: `vel-rel-C-B`, then `vel-rel-C-B-2`.
     fn name(&mut self, wish: &str) -> String {
         let base = id(self.kind, wish);
         let taken = self.counts.entry(base.clone()).or_default();
@@ -302,18 +308,19 @@ impl Drawing {
     }
 }
 
-/// The name in a document of a thing of a drawing: `id("velocity", "mark-b_3")`; a second one of the same name bears a number behind it.
+/// The id in a document of a thing of a drawing: `id("velocity", "normal-C-B")` is `vel-normal-C-B`; a second one of the same name bears a number
+/// behind it. The name is made of words in small letters and of names of the scene as they are ([`escaped`]).
 pub fn id(kind: &str, name: &str) -> String {
-    format!("{kind}-{}", plain(name))
+    format!("{}-{}", prefix(kind), escaped(name))
 }
 
-/// A symbol as a name in a document: no braces, no backslashes, no spaces.
-fn plain(symbol: &str) -> String {
-    symbol
-        .replace('\'', "′")
-        .chars()
-        .filter(|c| !matches!(c, '{' | '}' | '\\' | '"' | '<' | '>' | '&' | ',') && !c.is_whitespace())
-        .collect()
+/// The first word of the ids of a drawing.
+pub fn prefix(kind: &str) -> &str {
+    match kind {
+        "velocity" => "vel",
+        "acceleration" => "acc",
+        other => other,
+    }
 }
 
 #[cfg(test)]
@@ -348,7 +355,7 @@ mod tests {
             d.thin_out(&[Point::ORIGIN]);
             d.wanted.into_iter().map(|w| w.id).collect::<Vec<_>>()
         };
-        assert_eq!(labels(20), ["velocity-label-b0", "velocity-label-long", "velocity-label-far"]);
+        assert_eq!(labels(20), ["vel-label-b0", "vel-label-long", "vel-label-far"]);
         assert_eq!(labels(CROWD - 1).len(), CROWD + 2);
     }
 

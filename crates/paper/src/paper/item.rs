@@ -9,6 +9,7 @@ use crate::geom::Point;
 use super::arrow::Head;
 use super::font::own::Fonts;
 use super::label::Label;
+use super::shown::Shown;
 
 /// A drawing on a sheet.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,6 +68,8 @@ pub struct Item {
     pub class: String,
     /// The link that it belongs to, by its place in the scene: styles may colour it.
     pub link: Option<usize>,
+    /// The quantity that it shows, of vectors and marks.
+    pub shown: Option<Box<Shown>>,
     /// What is drawn.
     pub shape: Shape,
 }
@@ -336,12 +339,18 @@ impl Item {
 
     /// An item without a name.
     pub fn new(class: impl Into<String>, shape: Shape) -> Item {
-        Item { id: String::new(), class: class.into(), link: None, shape }
+        Item { id: String::new(), class: class.into(), link: None, shown: None, shape }
     }
 
     /// The steps of the construction that draw it, by their classes `step-N`.
     pub fn steps(&self) -> impl Iterator<Item = usize> {
         self.class.split(' ').filter_map(|word| word.strip_prefix("step-")?.parse().ok())
+    }
+
+    /// The same with the quantity that it shows.
+    pub fn showing(mut self, shown: Shown) -> Item {
+        self.shown = Some(Box::new(shown));
+        self
     }
 
     /// The same with a name.

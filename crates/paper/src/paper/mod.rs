@@ -13,6 +13,7 @@ pub mod label;
 pub mod lines;
 pub mod phrase;
 pub mod place;
+pub mod shown;
 pub mod style;
 pub mod symbols;
 pub mod text;

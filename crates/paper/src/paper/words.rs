@@ -100,8 +100,6 @@ pub struct Words {
     pub semicolon: &'static str,
     /// Between the members of a list.
     pub comma: &'static str,
-    /// Begins the description of a figure; `{}` is the title.
-    pub described: &'static str,
 }
 
 const EN: Words = Words {
@@ -152,7 +150,6 @@ const EN: Words = Words {
     no_vectors: "all vectors are zero, no scale",
     semicolon: "; ",
     comma: ", ",
-    described: "{}: kinematic diagram to scale with the polygons of its motion.",
 };
 
 const ZH: Words = Words {
@@ -203,7 +200,6 @@ const ZH: Words = Words {
     no_vectors: "各矢量均为零，不需比例尺",
     semicolon: "；",
     comma: "、",
-    described: "{}：按比例绘制的机构运动简图及其运动多边形。",
 };
 
 /// The words of a language.

@@ -2,6 +2,8 @@
 
 use crate::diag::{Both, Diagnostic};
 
+#[cfg(feature = "png")]
+pub mod diff;
 pub mod dxf;
 #[cfg(feature = "png")]
 pub mod gif;

@@ -9,6 +9,20 @@ pub fn mm(value: f64) -> String {
     ((value * 1000.0).round() / 1000.0 + 0.0).to_string()
 }
 
+/// Significant digits of a value in SI units: as many as no drawing has, and few enough to be the same on all platforms.
+const SI_DIGITS: usize = 6;
+
+/// A value in SI units as the file carries it: six significant digits in the shortest form, without exponent and without `-0`.
+///
+/// ```
+/// use hodograph::render::number::si;
+/// assert_eq!([1.0, 0.58317491, -0.0, 1.5e-7, 123456789.0].map(si), ["1", "0.583175", "0", "0.00000015", "123457000"]);
+/// ```
+pub fn si(value: f64) -> String {
+    let rounded: f64 = format!("{value:.*e}", SI_DIGITS - 1).parse().unwrap_or(value);
+    (rounded + 0.0).to_string()
+}
+
 #[cfg(test)]
 mod tests {
     use super::mm;

@@ -50,7 +50,7 @@ pub(super) fn pixels(svg: &str, dpi: f64) -> Result<tiny_skia::Pixmap, Diagnosti
     Ok(pixmap)
 }
 
-fn encode(pixmap: &tiny_skia::Pixmap, dpi: f64) -> Result<Vec<u8>, png::EncodingError> {
+pub(super) fn encode(pixmap: &tiny_skia::Pixmap, dpi: f64) -> Result<Vec<u8>, png::EncodingError> {
     // Nothing is transparent: the paper is white and covers all, so the premultiplied components are the colours.
     let grey = pixmap.data().chunks_exact(4).all(|p| p[0] == p[1] && p[1] == p[2]);
     let channels = if grey { 1 } else { 3 };

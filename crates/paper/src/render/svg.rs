@@ -5,6 +5,8 @@
 //! font, number and size, so that several figures can be put into one page: the same name is the same outline. Attributes
 //! come out sorted by name (the `svg` crate does that), elements in the order of the items: the same figure gives the same
 //! bytes.
+//!
+//! Ids, classes and the attributes `data-name`, `data-mm` and `data-si` are a contract with a version ([`CONTRACT`]), told in docs/svg.md.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -22,10 +24,16 @@ use crate::paper::label::Label;
 use crate::paper::text::{self, Typeset};
 
 use super::not_finite;
-use super::number::mm;
+use super::number::{mm, si};
 use letters::{Letter, LetterKey, editable, letters, outline_data, scale};
 
 mod letters;
+mod prefix;
+
+pub use prefix::IdPrefix;
+
+/// The version of the contract of ids, classes and data attributes, as the root element carries it in `data-hodograph`.
+pub const CONTRACT: &str = "svg/1";
 
 /// Writes a figure.
 ///
@@ -60,7 +68,8 @@ pub fn write_editable(figure: &Figure) -> Result<Warned<String>, Faults> {
 }
 
 fn document(figure: &Figure, writing: Writing) -> Result<Warned<String>, Faults> {
-    let mut writer = Writer { height_mm: figure.height_mm, writing, letters: BTreeMap::new(), faults: Faults::default() };
+    let mut writer = Writer { writing, ..Writer::new(figure.height_mm) };
+    writer.data = true;
     if !(figure.width_mm.is_finite() && figure.height_mm.is_finite()) {
         return Err(not_finite(both!("the paper is {} mm by {} mm", "图纸为 {} mm × {} mm", figure.width_mm, figure.height_mm)).into());
     }
@@ -71,6 +80,7 @@ fn document(figure: &Figure, writing: Writing) -> Result<Warned<String>, Faults>
         .set("viewBox", format!("0 0 {w} {h}"))
         .set("role", "img")
         .set("lang", figure.lang.as_str())
+        .set("data-hodograph", CONTRACT)
         .add(Title::new(figure.title.as_str()))
         .add(Description::new().add(Text::new(figure.desc.as_str())));
     if figure.paper != Colour::WHITE {
@@ -96,7 +106,8 @@ fn document(figure: &Figure, writing: Writing) -> Result<Warned<String>, Faults>
     Ok(Warned { value, notes: writer.faults.list.into_iter().chain(figure.remarks()).collect() })
 }
 
-/// Items as elements, one string each, for pages that put documents together by themselves.
+/// Items as elements, one string each, for pages that put documents together by themselves; without data attributes, as what moves has other numbers
+/// in each frame.
 pub struct Elements {
     writer: Writer,
 }
@@ -104,7 +115,7 @@ pub struct Elements {
 impl Elements {
     /// For documents of this height.
     pub fn new(height_mm: f64) -> Elements {
-        Elements { writer: Writer { height_mm, writing: Writing::Used, letters: BTreeMap::new(), faults: Faults::default() } }
+        Elements { writer: Writer::new(height_mm) }
     }
 
     /// The elements of these items, one for each.
@@ -119,7 +130,7 @@ impl Elements {
     /// The outlines that all these elements use.
     pub fn letters<'a>(all: impl IntoIterator<Item = &'a Elements>) -> String {
         let letters = all.into_iter().flat_map(|e| &e.writer.letters).map(|(key, kept)| (*key, kept.clone())).collect();
-        Writer { height_mm: 0.0, writing: Writing::Used, letters, faults: Faults::default() }.definitions().to_string()
+        Writer { letters, ..Writer::new(0.0) }.definitions().to_string()
     }
 }
 
@@ -135,12 +146,18 @@ enum Writing {
 struct Writer {
     height_mm: f64,
     writing: Writing,
+    /// Whether vectors and marks tell what they show.
+    data: bool,
     /// The letters used, each with the name that its uses call it by.
     letters: BTreeMap<LetterKey, (Letter, String)>,
     faults: Faults,
 }
 
 impl Writer {
+    fn new(height_mm: f64) -> Writer {
+        Writer { height_mm, writing: Writing::Used, data: false, letters: BTreeMap::new(), faults: Faults::default() }
+    }
+
     /// The door between y up and y down.
     fn y(&self, y: f64) -> String {
         mm(self.height_mm - y)
@@ -187,7 +204,7 @@ impl Writer {
             }
             Shape::Circle { centre, radius_mm, stroke, fill } => {
                 let mut circle = Circle::new().set("cx", mm(centre.x)).set("cy", self.y(centre.y)).set("r", mm(*radius_mm));
-                named(&mut circle, item);
+                self.named(&mut circle, item);
                 painted(&mut circle, stroke.as_ref(), *fill);
                 if fill.is_none() {
                     circle.assign("fill", "none");
@@ -200,14 +217,14 @@ impl Writer {
             Shape::Arrow { from, to, stroke, head } => {
                 let parts = arrow::straight(*from, *to, *head);
                 let mut group = Group::new();
-                named(&mut group, item);
+                self.named(&mut group, item);
                 let nameless = Item::new("", item.shape.clone());
                 group.add(self.line(*from, parts.shaft_end, stroke, &nameless)).add(self.head(&parts.head, stroke.colour)).into()
             }
             Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke, head } => {
                 let parts = arrow::bent(*centre, *radius_mm, *from_rad, *to_rad, *head);
                 let mut group = Group::new();
-                named(&mut group, item);
+                self.named(&mut group, item);
                 let nameless = Item::new("", item.shape.clone());
                 let shaft = self.arc(*centre, *radius_mm, *from_rad, parts.shaft_end_rad);
                 group.add(self.path(shaft, false, Some(stroke), None, &nameless)).add(self.head(&parts.head, stroke.colour)).into()
@@ -233,7 +250,7 @@ impl Writer {
         };
         let spoken = Group::new().set("aria-label", label.plain()).set("data-text", label.source());
         let mut node = spoken.set("transform", transform).add(Blob::new(content));
-        named(&mut node, item);
+        self.named(&mut node, item);
         if colour != Colour::BLACK {
             node.assign("fill", hex(colour));
         }
@@ -271,7 +288,7 @@ impl Writer {
 
     fn line(&self, from: Point, to: Point, stroke: &Stroke, item: &Item) -> Line {
         let mut line = Line::new().set("x1", mm(from.x)).set("y1", self.y(from.y)).set("x2", mm(to.x)).set("y2", self.y(to.y));
-        named(&mut line, item);
+        self.named(&mut line, item);
         painted(&mut line, Some(stroke), None);
         line
     }
@@ -281,12 +298,27 @@ impl Writer {
             d.push('Z');
         }
         let mut path = Path::new().set("d", d);
-        named(&mut path, item);
+        self.named(&mut path, item);
         painted(&mut path, stroke, fill);
         if fill.is_none() {
             path.assign("fill", "none");
         }
         path
+    }
+
+    fn named(&self, node: &mut impl Node, item: &Item) {
+        if !item.id.is_empty() {
+            node.assign("id", item.id.as_str());
+        }
+        if !item.class.is_empty() {
+            node.assign("class", item.class.as_str());
+        }
+        let Some(shown) = item.shown.as_ref().filter(|_| self.data) else { return };
+        node.assign("data-name", shown.names.join(" "));
+        if let Some(length) = shown.length {
+            node.assign("data-mm", mm(length.mm));
+            node.assign("data-si", si(length.si));
+        }
     }
 
     fn head(&self, corners: &[Point], colour: Colour) -> Path {
@@ -321,15 +353,6 @@ impl Writer {
     }
 }
 
-fn named(node: &mut impl Node, item: &Item) {
-    if !item.id.is_empty() {
-        node.assign("id", item.id.as_str());
-    }
-    if !item.class.is_empty() {
-        node.assign("class", item.class.as_str());
-    }
-}
-
 fn painted(node: &mut impl Node, stroke: Option<&Stroke>, fill: Option<Colour>) {
     if let Some(s) = stroke {
         node.assign("stroke", hex(s.colour));
@@ -354,97 +377,4 @@ pub fn hex(c: Colour) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::paper::arrow::Head;
-    use crate::paper::item::Anchor;
-    use crate::paper::label::Label;
-
-    fn figure(items: Vec<Item>) -> Figure {
-        Figure {
-            width_mm: 100.0,
-            height_mm: 50.0,
-            title: "A < B".into(),
-            desc: "two \"things\"".into(),
-            lang: "en".into(),
-            paper: Colour::WHITE,
-            items,
-        }
-    }
-
-    fn line(id: &str, from: Point, to: Point) -> Item {
-        Item::new("link", Shape::Line { from, to, stroke: Stroke::new(0.7) }).with_id(id)
-    }
-
-    fn label(source: &str) -> Item {
-        let shape = Shape::Label {
-            at: Point::new(10.0, 10.0),
-            label: Label::math(source),
-            size_mm: 4.0,
-            anchor: Anchor::Start,
-            colour: Colour::BLACK,
-        };
-        Item::new("label", shape)
-    }
-
-    #[test]
-    fn y_is_turned_over_here() {
-        let svg = write(&figure(vec![line("l1", Point::new(0.1 + 0.2, 0.0), Point::new(20.0, 40.0))])).unwrap().value;
-        assert!(svg.contains(r#"id="l1""#) && svg.contains(r#"class="link""#), "{svg}");
-        assert!(svg.contains(r#"x1="0.3" x2="20" y1="50" y2="10""#), "{svg}");
-        assert!(svg.contains(r#"width="100mm""#) && svg.contains(r#"viewBox="0 0 100 50""#) && svg.contains(r#"role="img""#));
-        assert!(svg.contains("<title>A &lt; B</title>"), "{svg}");
-    }
-
-    #[test]
-    fn counter_clockwise_stays_counter_clockwise() {
-        let arc = |to_rad| {
-            let shape = Shape::Arc { centre: Point::new(50.0, 25.0), radius_mm: 10.0, from_rad: 0.0, to_rad, stroke: Stroke::new(0.2) };
-            write(&figure(vec![Item::new("", shape)])).unwrap().value
-        };
-        // From the right to the top of the paper: y 25 to y 15 in the file, anticlockwise on the screen.
-        assert!(arc(std::f64::consts::FRAC_PI_2).contains("M60 25A10 10 0 0 0 50 15"));
-        assert!(arc(-std::f64::consts::FRAC_PI_2).contains("M60 25A10 10 0 0 1 50 35"));
-        assert_eq!(arc(std::f64::consts::TAU).matches("A10").count(), 3);
-    }
-
-    #[test]
-    fn letters_are_drawn_once_and_used() {
-        let svg = write(&figure(vec![label("v_{B3B2}^r")])).unwrap().value;
-        // v; B, 3, 2 and r in the smaller size. The second B is used again.
-        assert_eq!((svg.matches("<path").count(), svg.matches("<use").count()), (5, 6), "{svg}");
-        assert!(svg.contains(r#"transform="translate(10 40)scale(0.004)""#), "{svg}");
-        assert!(svg.contains(r#"data-text="v_{B3B2}^r""#) && svg.contains(r#"aria-label="v_B3B2^r""#), "{svg}");
-        for used in svg.split("xlink:href=\"#").skip(1).map(|s| s.split('"').next().unwrap()) {
-            assert!(svg.contains(&format!("id=\"{used}\"")), "{used} is nowhere defined");
-        }
-        let d = svg.split(" d=\"").nth(1).unwrap().split('"').next().unwrap();
-        assert!(!d.contains('.') && d.starts_with('m'), "{d}");
-        assert!(!write(&figure(vec![label("")])).unwrap().value.contains("defs"));
-    }
-
-    #[test]
-    fn same_figure_same_bytes() {
-        let arrow = Shape::Arrow { from: Point::ORIGIN, to: Point::new(30.0, 20.0), stroke: Stroke::new(0.4), head: Head::VECTOR };
-        let f = figure(vec![
-            Item::new("velocity edge", arrow).with_id("e1"),
-            label(r"\omega_1"),
-            line("", Point::ORIGIN, Point::new(1.0, 1.0)),
-        ]);
-        let first = write(&f).unwrap().value;
-        for _ in 0..5 {
-            assert_eq!(write(&f).unwrap().value, first);
-        }
-    }
-
-    #[test]
-    fn faults_are_collected() {
-        let bad = figure(vec![line("nan", Point::new(f64::NAN, 0.0), Point::ORIGIN), label(r"\nosuch")]);
-        let faults = write(&bad).unwrap_err();
-        let codes: Vec<_> = faults.list.iter().map(|d| d.code).collect();
-        assert_eq!(codes, ["not-finite", "label-syntax"]);
-        assert!(faults.list[0].message.en.contains("nan"));
-        let warned = write(&figure(vec![label("v \u{2620}")])).unwrap();
-        assert_eq!(warned.notes[0].code, "missing-glyph");
-    }
-}
+mod tests;

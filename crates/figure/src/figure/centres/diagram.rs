@@ -9,6 +9,7 @@ use crate::paper::extent::Rect;
 use crate::paper::item::{Colour, Dash, Shape};
 use crate::paper::label::Label;
 use crate::paper::place::LabelRequest;
+use crate::paper::shown::Shown;
 use crate::paper::symbols as sym;
 use crate::plan::names::name_label;
 use crate::position::Path;
@@ -112,14 +113,20 @@ impl Over<'_, '_> {
             for n in two {
                 let at = (self.paper.to_paper)(n.at);
                 self.d.behind(|d| {
-                    d.shape("velocity-normal", &normal, Shape::Line { from: at, to: centre, stroke: thin });
+                    d.shape(
+                        &format!("normal-{}", self.w.scene.point_name(n.point)),
+                        &normal,
+                        Shape::Line { from: at, to: centre, stroke: thin },
+                    );
                 });
                 let (tip, name) = (at + n.velocity * (VELOCITY_MM / longest), name_label(self.w.scene.point_name(n.point)));
                 let stroke = style.vector;
                 let arrow = Shape::Arrow { from: at, to: tip, stroke, head: style.head };
-                let owner = self.d.shape(&format!("velocity-{name}"), &velocity, arrow);
+                let (point, mu) = (self.w.scene.point_name(n.point), longest / VELOCITY_MM);
+                let (key, shown) = (format!("vel-abs-{point}"), Shown::vector(format!("v_{point}"), at, tip, mu));
+                let owner = self.d.vector(&key, &velocity, arrow, shown);
                 let request = LabelRequest::along(Label::math(format!("v_{{{name}}}")), style.small_mm, at, tip, stroke.width_mm / 2.0);
-                self.d.label(&format!("velocity-{name}"), &velocity, request.owned(owner));
+                self.d.label(&key, &velocity, request.owned(owner));
             }
         }
     }

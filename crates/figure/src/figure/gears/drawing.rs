@@ -130,16 +130,16 @@ impl Drawn<'_> {
         let half = PI * self.pair.basic.module * (f64::from(TEETH) + 0.8) * k;
         let lang = self.maker.options.lang;
         let lines = [
-            (tr(lang, "pitch line", "节线"), 0.0, style.thin.dashed(Dash::DashDot), 1.0),
-            (tr(lang, "tip line", "齿顶线"), -tip * k, style.thin, -1.0),
-            (tr(lang, "root line", "齿根线"), root * k, style.thin, -1.0),
+            ("pitch", tr(lang, "pitch line", "节线"), 0.0, style.thin.dashed(Dash::DashDot), 1.0),
+            ("tip", tr(lang, "tip line", "齿顶线"), -tip * k, style.thin, -1.0),
+            ("root", tr(lang, "root line", "齿根线"), root * k, style.thin, -1.0),
         ];
-        for (words, y, stroke, side) in lines {
+        for (name, words, y, stroke, side) in lines {
             let (from, to) = (Point::new(-half, y), Point::new(half, y));
-            let owner = d.shape(&format!("line-{words}"), "line", Shape::Line { from, to, stroke });
+            let owner = d.shape(&format!("line-{name}"), "line", Shape::Line { from, to, stroke });
             let end = if side > 0.0 { to } else { from };
             let request = LabelRequest::at_point(Label::text(words), style.small_mm, end, 0.8);
-            d.label(words, "line", request.owned(owner).towards(Vec2::new(side, 0.0)));
+            d.label(&format!("line-{name}"), "line", request.owned(owner).towards(Vec2::new(side, 0.0)));
         }
     }
 
@@ -152,22 +152,22 @@ impl Drawn<'_> {
         let past = if tangent { self.pair.operating + 0.12 } else { 0.0 };
         let half = sector(g).max(past).min(PI);
         // Names on both sides in turn, so that neighbours do not meet.
-        let rings: [(&str, f64, Stroke, f64); 4] = [
-            ("r_{f", g.root, style.thin, 1.0),
-            ("r_{b", g.base, style.thin.dashed(Dash::Dashed), -1.0),
-            ("r'_{", g.pitch, style.thin.dashed(Dash::DashDot), 1.0),
-            ("r_{a", g.tip, style.thin, -1.0),
+        let rings: [(&str, &str, f64, Stroke, f64); 4] = [
+            ("root", "r_{f", g.root, style.thin, 1.0),
+            ("base", "r_{b", g.base, style.thin.dashed(Dash::Dashed), -1.0),
+            ("pitch", "r'_{", g.pitch, style.thin.dashed(Dash::DashDot), 1.0),
+            ("tip", "r_{a", g.tip, style.thin, -1.0),
         ];
-        for (letter, radius, stroke, side) in rings {
+        for (name, letter, radius, stroke, side) in rings {
             let (from_rad, to_rad) = (toward - half, toward + half);
             let text = format!("{letter}{}}}", name_label(self.name(i)));
-            let owner =
-                d.shape(&format!("circle-{text}"), "circle", Shape::Arc { centre, radius_mm: radius * k, from_rad, to_rad, stroke });
+            let id = format!("circle-{name}-{}", self.name(i));
+            let owner = d.shape(&id, "circle", Shape::Arc { centre, radius_mm: radius * k, from_rad, to_rad, stroke });
             let along = Vec2::from_angle(toward + side * half);
             let end = centre + along * (radius * k);
             let out = if side > 0.0 { Vec2::from_angle(toward + FRAC_PI_2) } else { Vec2::from_angle(toward - FRAC_PI_2) };
             let request = LabelRequest::at_point(Label::math(text.clone()), style.small_mm, end, 0.3);
-            d.label(&text, "circle", request.owned(owner).towards(out));
+            d.label(&id, "circle", request.owned(owner).towards(out));
         }
     }
 

@@ -36,7 +36,7 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
             let words = Phrase::new(&format!("{}{}", maker.name(Captioned::Drawing(level)), tr(lang, ", ", "，"))).label();
             let words = group.into_iter().fold(words, Label::then);
             let mu = of_level(&w.scene.book, level, plate.mu);
-            let drawn = maker.titled(plate.part, words, &mu, if level == Level::Acceleration { "mu_a" } else { "mu_v" });
+            let drawn = maker.titled(plate.part, words, &mu, if level == Level::Acceleration { "acc" } else { "vel" });
             let mut parts: Vec<Part> = vec![drawn];
             parts.extend(maker.tables(&writer, &numbers).parts_of(level, |g| plate.groups.contains(&g)));
             let written: Vec<Tree> = (1..parts.len()).map(Tree::Leaf).collect();

@@ -5,6 +5,7 @@ use crate::paper::drawing::Part;
 use crate::paper::item::{Colour, Dash, Shape, Stroke};
 use crate::paper::label::Label;
 use crate::paper::place::LabelRequest;
+use crate::paper::shown::Shown;
 use crate::paper::style::Style;
 use crate::plan::notation::Notation;
 use crate::scene::{PointId, Scene};
@@ -23,6 +24,10 @@ const BARS: Colour = Colour::grey(165);
 pub struct Vector {
     /// Its symbol in the label language.
     pub symbol: String,
+    /// Its key, in ids.
+    pub key: String,
+    /// The quantity that it shows.
+    pub shown: Shown,
     /// What it is (mm).
     pub mm: Vec2,
     /// Whether it is the absolute one, the sum of the others.
@@ -68,8 +73,8 @@ impl Draft<'_> {
         for v in what.vectors.iter().filter(|v| v.mm.norm() > SHORTEST_MM) {
             let to = from + v.mm;
             let stroke = if v.absolute { style.vector } else { Stroke { width_mm: style.vector.width_mm * 0.7, ..style.vector } };
-            let (name, class) = (format!("vector-{}", v.symbol), if v.absolute { "absolute" } else { "part" });
-            let owner = self.d.shape(&name, class, Shape::Arrow { from, to, stroke, head: style.head });
+            let (name, class) = (format!("vector-{}", v.key), if v.absolute { "absolute" } else { "part" });
+            let owner = self.d.vector(&name, class, Shape::Arrow { from, to, stroke, head: style.head }, v.shown.clone());
             // Near its tip, where the vectors of one point are farthest apart.
             let request = LabelRequest::along(Label::math(&v.symbol), style.label_mm, from + v.mm * 0.5, to, stroke.width_mm / 2.0);
             self.d.label(&name, class, request.owned(owner));

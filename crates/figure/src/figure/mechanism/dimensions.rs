@@ -42,7 +42,7 @@ const STATIONS: [f64; 5] = [0.5, 0.35, 0.65, 0.22, 0.78];
 
 /// The name of the dimension of two points.
 pub fn name_of(scene: &Scene, a: PointId, b: PointId) -> String {
-    format!("dimension-{}{}", scene.point_name(a), scene.point_name(b))
+    format!("dimension-{}-{}", scene.point_name(a), scene.point_name(b))
 }
 
 /// The name that the line of a dimension has in a drawing.

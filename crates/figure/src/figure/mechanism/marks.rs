@@ -49,6 +49,16 @@ const RIM_ARROW_MM: f64 = 8.0;
 /// Distance of a straight arrow from the thing that moves.
 const ARROW_OFF_MM: f64 = 3.0;
 
+/// What a mark is called: in ids, on paper, and what it is.
+pub(super) struct Called<'a> {
+    /// In ids.
+    pub id: &'a str,
+    /// On paper, in the label language.
+    pub symbol: &'a str,
+    /// The last word of its class.
+    pub class: &'a str,
+}
+
 impl Draft<'_> {
     /// All drivers.
     pub(super) fn drivers(&mut self) {
@@ -131,13 +141,13 @@ impl Draft<'_> {
                 let (from, to) = (at + own * self.style.pin_radius_mm, at + own * (radius * 4.0 / 3.0));
                 arc.insert(0, Item::new("angle own", Shape::Line { from, to, stroke: self.style.thin }));
             }
-            let owner =
-                self.d.draw(&format!("angle-{index}"), "driver", self.behind_hatching(arc, at, radius, [reference, reference + sweep]));
+            let id = format!("angle-{}", index.replace('/', "-"));
+            let owner = self.d.draw(&id, "driver", self.behind_hatching(arc, at, radius, [reference, reference + sweep]));
             let mut symbol = format!("\\varphi_{{{}}}", name_label(&index));
             if let Some(given) = angle.as_ref().filter(|_| self.dimensioned) {
                 symbol += &format!(" = {}", Givens { scene: self.scene, lang: Lang::default() }.angle(given));
             }
-            self.arc_label(&symbol, "angle", at, radius, [reference, reference + sweep], owner);
+            self.arc_label(Called { id: &id, symbol: &symbol, class: "angle" }, at, radius, [reference, reference + sweep], owner);
         }
         let radius = match wheel {
             Some((_, _, rim)) => rim + RIM_OFF_MM,
@@ -214,9 +224,9 @@ impl Draft<'_> {
         Some((at, at + along * self.style.block_length_mm))
     }
 
-    pub(super) fn arc_label(&mut self, symbol: &str, class: &str, centre: Point, radius: f64, angles: [f64; 2], owner: u32) {
-        let request = self.arc_request(symbol, centre, radius, angles);
-        self.d.label(symbol, &format!("driver {class}"), request.owned(owner).read_as(Reads::Quantity));
+    pub(super) fn arc_label(&mut self, called: Called, centre: Point, radius: f64, angles: [f64; 2], owner: u32) {
+        let request = self.arc_request(called.symbol, centre, radius, angles);
+        self.d.label(called.id, &format!("driver {}", called.class), request.owned(owner).read_as(Reads::Quantity));
     }
 
     pub(super) fn arc_request(&self, symbol: &str, centre: Point, radius: f64, angles: [f64; 2]) -> LabelRequest {
@@ -238,7 +248,7 @@ impl Draft<'_> {
         };
         // Above the block, as the hatching is below.
         let normal = if tangent.perp().y >= 0.0 { tangent.perp() } else { -tangent.perp() };
-        let name = name_label(&name);
+        let (who, name) = (name.clone(), name_label(&name));
         let link = |l: LinkId| name_label(self.scene.link_name(l));
         // Along a guide that moves, the driver gives the motion in the guide.
         let symbol = |quantity: &str| match (guide.on == self.scene.ground, guide.pin) {
@@ -260,7 +270,7 @@ impl Draft<'_> {
             }
             _ => at + normal * (self.style.block_width_mm / 2.0 + ARROW_OFF_MM),
         };
-        self.translations(driver, &symbols, Slides { from, along: tangent, outward: normal });
+        self.translations(driver, &symbols, Slides { from, along: tangent, outward: normal, who });
     }
 
     fn stretching(&mut self, a: PointId, b: PointId, driver: &Driver) {
@@ -271,6 +281,7 @@ impl Draft<'_> {
         let rod = base + (tip - base) * 0.75 + u.perp() * ARROW_OFF_MM;
         let from = if driver.rate.value >= 0.0 { rod - u * (ARROW_MM / 2.0) } else { rod + u * (ARROW_MM / 2.0) };
         let symbols = ["v", "a"].map(|q| format!("{q}^{{{}}}_{{{nb}{na}}}", self.notation.sliding));
-        self.translations(driver, &symbols, Slides { from, along: u, outward: u.perp() });
+        let who = format!("{}-{}", self.scene.point_name(b), self.scene.point_name(a));
+        self.translations(driver, &symbols, Slides { from, along: u, outward: u.perp(), who });
     }
 }

@@ -3,10 +3,11 @@
 use crate::construct::scale;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
-use crate::paper::drawing::Part;
+use crate::paper::drawing::{Part, prefix};
 use crate::paper::item::{Colour, Dash, Shape, Stroke};
 use crate::paper::label::Label;
 use crate::paper::place::LabelRequest;
+use crate::paper::shown::Shown;
 use crate::paper::style::Style;
 use crate::paper::symbols as sym;
 use crate::plan::text::Writer;
@@ -163,11 +164,12 @@ impl Draft<'_> {
             let Some(from) = worked.construction.diagram.spots[v.0].filter(|_| vector.norm() > SHORTEST_MM) else { continue };
             let to = from + vector;
             let symbol = w.vector(level, v);
+            let key = format!("{}-{}", prefix(if level == Level::Acceleration { "acceleration" } else { "velocity" }), w.vector_key(v));
+            let shown = Shown::vector(w.vector_quantity(level, v), from, to, mu);
             self.d.of_link(worked.plan.vertex(v).link(self.scene).map(|l| l.0));
-            let owner =
-                self.d.shape(&format!("vector-{symbol}"), "vector", Shape::Arrow { from, to, stroke: style.vector, head: style.head });
+            let owner = self.d.vector(&key, "vector", Shape::Arrow { from, to, stroke: style.vector, head: style.head }, shown);
             let request = LabelRequest::along(Label::math(&symbol), style.label_mm, from, to, style.vector.width_mm / 2.0);
-            self.d.label(&format!("vector-{symbol}"), "vector", request.owned(owner));
+            self.d.label(&key, "vector", request.owned(owner));
         }
         self.d.of_link(None);
     }

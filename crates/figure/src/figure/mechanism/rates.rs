@@ -12,7 +12,7 @@ use crate::plan::names::name_label;
 use crate::scene::Driver;
 
 use super::Draft;
-use super::marks::NEXT_MM;
+use super::marks::{Called, NEXT_MM};
 
 /// Places for the arrow of a rotation: so many turned about its centre, each at so many radii.
 const TURNS: i32 = 24;
@@ -57,6 +57,8 @@ pub(super) struct Slides {
     pub along: Vec2,
     /// Away from the thing.
     pub outward: Vec2,
+    /// What moves, in ids.
+    pub who: String,
 }
 
 /// The rate that the file gives; of one that it leaves free none.
@@ -78,9 +80,10 @@ impl Draft<'_> {
             let symbol = format!("\\{letter}_{{{name}}}");
             let (radius, [from, to]) = self.clear_arc(&symbol, t.centre, (t.radius, ends), first.as_deref());
             let arrow = sym::rotation(self.style, t.centre, radius, from, to);
-            let owner = self.d.draw(&format!("{thing}-{index}"), "driver", arrow.clone());
+            let id = format!("{thing}-{}", index.replace('/', "-"));
+            let owner = self.d.draw(&id, "driver", arrow.clone());
             self.turned_at.push((t.centre, on_circle(t.centre, radius, (from + to) / 2.0)));
-            self.arc_label(&symbol, "rotation", t.centre, radius, [from, to], owner);
+            self.arc_label(Called { id: &id, symbol: &symbol, class: "rotation" }, t.centre, radius, [from, to], owner);
             first.get_or_insert(arrow);
         }
     }
@@ -119,7 +122,7 @@ impl Draft<'_> {
     pub(super) fn translations(&mut self, driver: &Driver, symbols: &[String; 2], s: Slides) {
         let (rate, acceleration) = (told_rate(driver), acceleration(driver));
         if rate != 0.0 {
-            self.straight_arrow(s.from, s.along * rate.signum(), &symbols[0]);
+            self.straight_arrow(s.from, s.along * rate.signum(), &format!("driver-vel-{}", s.who), &symbols[0]);
         }
         if acceleration == 0.0 {
             return;
@@ -136,16 +139,16 @@ impl Draft<'_> {
         };
         let crossed = |from: &Point| self.d.met_by(&[self.arrow(*from, towards)], ARC_AIR_MM);
         let Some(from) = places.iter().min_by_key(|p| crossed(p)).copied() else { return };
-        self.straight_arrow(from, towards, &symbols[1]);
+        self.straight_arrow(from, towards, &format!("driver-acc-{}", s.who), &symbols[1]);
     }
 
     fn arrow(&self, from: Point, along: Vec2) -> Item {
         Item::new("", Shape::Arrow { from, to: from + along * ARROW_MM, stroke: self.style.vector, head: self.style.head })
     }
 
-    fn straight_arrow(&mut self, from: Point, along: Vec2, symbol: &str) {
-        let owner = self.d.draw(&format!("driver-{symbol}"), "driver", vec![self.arrow(from, along)]);
-        self.d.label_along(symbol, "driver", symbol, (from, from + along * ARROW_MM), self.style.vector.width_mm / 2.0, owner);
+    fn straight_arrow(&mut self, from: Point, along: Vec2, id: &str, symbol: &str) {
+        let owner = self.d.draw(id, "driver", vec![self.arrow(from, along)]);
+        self.d.label_along(id, "driver", symbol, (from, from + along * ARROW_MM), self.style.vector.width_mm / 2.0, owner);
     }
 }
 

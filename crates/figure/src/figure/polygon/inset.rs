@@ -139,7 +139,7 @@ impl Draft<'_> {
         let ends: Vec<Point> = inset.arrows.iter().flat_map(|k| [self.arrows[*k].from, self.arrows[*k].to]).collect();
         let inner = middle(ends.iter().map(|p| inset.map(*p)));
         // What else passes through, without a name.
-        for (k, a) in self.arrows.iter().enumerate().filter(|(k, _)| !inset.arrows.contains(k)) {
+        for (_, a) in self.arrows.iter().enumerate().filter(|(k, _)| !inset.arrows.contains(k)) {
             let Some((from, to)) = within(a.from, a.to, inset.centre, near) else { continue };
             d.of_link(a.link);
             let ends_here = to.distance(a.to) < SAME_MM;
@@ -149,14 +149,15 @@ impl Draft<'_> {
             } else {
                 Shape::Line { from, to, stroke: style.vector }
             };
-            d.shape(&format!("inset-part-{k}"), &format!("inset {}", a.classes()), shape);
+            d.shape(&format!("inset-part-{}", a.key()), &format!("inset {}", a.classes()), shape);
         }
         for &k in &inset.arrows {
             let a = &self.arrows[k];
             let (from, to) = (inset.map(a.from), inset.map(a.to));
             d.of_link(a.link);
             let shape = Shape::Arrow { from, to, stroke: style.vector, head: style.head };
-            let owner = d.shape(&format!("inset-{}", a.symbols[0]), &format!("inset {}", a.classes()), shape);
+            let shown = a.shown(self.p.mu, inset.times);
+            let owner = d.vector(&format!("inset-{}", a.key()), &format!("inset {}", a.classes()), shape, shown);
             self.name(d, style, a, Shown { ends: (from, to), owner, middle: inner, within: "inset" });
         }
         d.of_link(None);
@@ -164,7 +165,7 @@ impl Draft<'_> {
         for (k, l) in self.letters(SAME_MM / inset.times).iter().enumerate() {
             if l.at.distance(inset.centre) < near {
                 let at = inset.map(l.at);
-                let name = format!("inset-{}", l.names[0]);
+                let name = format!("inset-mark-{}", l.keys[0]);
                 d.label_at(&name, &format!("inset {}", l.class(k)), &l.names.join(", "), at, 0.3, (at - inner).unit());
             }
         }

@@ -2,6 +2,9 @@
 
 use crate::construct::{Mark, Polygon};
 use crate::geom::Point;
+use crate::mechanism::Level;
+use crate::paper::drawing::id;
+use crate::paper::shown::Shown;
 use crate::plan::VertexId;
 use crate::plan::text::Writer;
 
@@ -15,4 +18,33 @@ pub(super) fn marks(w: &Writer, p: &Polygon) -> Vec<(Mark, Point)> {
         }
     }
     all
+}
+
+/// The key of a mark: `pole`, `image-B`, `normal-C-B`.
+pub(super) fn key(w: &Writer, level: Level, mark: &Mark) -> String {
+    match mark {
+        Mark::Pole => "pole".into(),
+        Mark::Image(v) if w.plan.vertex(*v).fixed => "pole".into(),
+        Mark::Image(v) => w.vector_key(*v).replacen("abs", "image", 1),
+        Mark::Part(t) => w.key(level, t),
+        Mark::Again(t) => format!("again-{}", w.key(level, t)),
+    }
+}
+
+/// What a mark shows: the end of a vector, by its name.
+pub(super) fn shown_by(w: &Writer, level: Level, mark: &Mark) -> Shown {
+    let pole = || if level == Level::Acceleration { "pole-a" } else { "pole-v" }.to_owned();
+    Shown::mark(match mark {
+        Mark::Pole => pole(),
+        Mark::Image(v) if w.plan.vertex(*v).fixed => pole(),
+        Mark::Image(v) => w.vector_quantity(level, *v),
+        Mark::Part(t) => w.quantity(level, t),
+        Mark::Again(t) => format!("{}-again", w.quantity(level, t)),
+    })
+}
+
+/// The id of a mark's element in the SVG: `acc-mark-normal-C-B`.
+pub fn mark_id(w: &Writer, level: Level, mark: &Mark) -> String {
+    let kind = if level == Level::Acceleration { "acceleration" } else { "velocity" };
+    id(kind, &format!("mark-{}", key(w, level, mark)))
 }

@@ -17,7 +17,6 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::plan::text::Writer;
 use crate::plan::{Body, By, Spot, Step, Term, TermKind, VertexId};
-use crate::report::construction::mark as mark_name;
 use crate::scene::quantity::Meaning;
 
 use crate::paper::drawing::{Drawing, Part};
@@ -25,8 +24,9 @@ use crate::paper::item::{Colour, Shape};
 use crate::paper::style::Style;
 use crate::paper::symbols as sym;
 use inset::Inset;
-use marks::marks;
-use names::{Letter, Shown};
+pub use marks::mark_id;
+use marks::{marks, shown_by};
+use names::{Letter, Name, Shown};
 pub use plates::{Plate, Share, is_full_share, plates, share_drawing, shares};
 
 /// Shorter than this a vector has neither head nor direction for the eye: it is a dot with a note that says zero.
@@ -45,9 +45,9 @@ struct Arrow {
     from: Point,
     to: Point,
     /// All its names; the last is that of a whole vector, if it is one.
-    symbols: Vec<String>,
+    symbols: Vec<Name>,
     /// Names of vectors that only paper does not tell from it.
-    nearly: Vec<String>,
+    nearly: Vec<Name>,
     class: &'static str,
     /// The actions that draw it; two vectors of one place are one arrow.
     steps: Vec<usize>,
@@ -59,12 +59,20 @@ struct Arrow {
     aside: Vec2,
 }
 
+/// A vector of no length: where it is, its key, what is noted, the step.
+struct Zero {
+    at: Point,
+    key: String,
+    note: String,
+    step: usize,
+}
+
 struct Draft<'a> {
     w: &'a Writer<'a>,
     p: &'a Polygon,
     arrows: Vec<Arrow>,
     letters: Vec<Letter>,
-    zeros: Vec<(Point, String, usize)>,
+    zeros: Vec<Zero>,
     lines: Vec<(Point, Point, usize)>,
     copies: Vec<([VertexId; 3], usize)>,
     /// What no two numbers of this polygon differ by for another reason than rounding.
@@ -79,7 +87,7 @@ pub fn polygon(style: &Style, w: &Writer, p: &Polygon) -> Part {
     let (mut draft, style) = Draft::new(style, w, p, false);
     draft.side_by_side(style.vector.width_mm);
     let finished = |mut drawing: Drawing| {
-        marks(w, p).iter().for_each(|(mark, at)| drawing.mark(&mark_name(w, p.level, mark), *at));
+        marks(w, p).iter().for_each(|(mark, at)| drawing.mark(&marks::key(w, p.level, mark), shown_by(w, p.level, mark), *at));
         drawing.finish()
     };
     let (drawing, names) = draft.draw(&style, &[]);
@@ -105,7 +113,7 @@ impl<'a> Draft<'a> {
     fn of(w: &'a Writer<'a>, p: &'a Polygon) -> Draft<'a> {
         let rounding_mm = ROUNDING * p.largest() / p.mu;
         let mut draft = Draft { w, p, arrows: vec![], letters: vec![], zeros: vec![], lines: vec![], copies: vec![], rounding_mm };
-        draft.letter(Point::ORIGIN, w.pole(p.level), 0);
+        draft.letter(Point::ORIGIN, Mark::Pole, 0);
         draft.follow();
         draft
     }
@@ -116,7 +124,7 @@ impl<'a> Draft<'a> {
         let mut style = style.clone();
         if full || draft.arrows.len() > MANY_ARROWS {
             let needed = draft.needed();
-            draft.arrows.retain(|a| a.class != "absolute" || a.symbols.iter().chain(&a.nearly).any(|s| needed.contains(s)));
+            draft.arrows.retain(|a| a.class != "absolute" || a.symbols.iter().chain(&a.nearly).any(|n| needed.contains(&n.symbol)));
             style.label_mm = style.small_mm;
         }
         (draft, style)
@@ -157,7 +165,8 @@ impl Draft<'_> {
                 }
                 Action::Nothing { terms, at, target } => {
                     let symbols = terms.iter().map(|t| format!("{} = ", self.w.symbol(p.level, t)));
-                    self.zeros.push((*at, format!("{}0", symbols.collect::<String>()), step));
+                    let note = format!("{}0", symbols.collect::<String>());
+                    self.zeros.push(Zero { at: *at, key: Name::sum(self.w, p.level, terms).key, note, step });
                     target.iter().for_each(|v| self.image(*v, step));
                 }
                 Action::Reach(v) | Action::Same { target: v, .. } => self.image(*v, step),
@@ -180,14 +189,14 @@ impl Draft<'_> {
 
     fn edge(&mut self, index: usize, step: usize) {
         let edge = &self.p.edges[index];
-        let symbols: Vec<String> = edge.terms.iter().map(|t| self.w.symbol(self.p.level, t)).collect();
-        let symbol = symbols.join(" + ");
+        let name = Name::sum(self.w, self.p.level, &edge.terms);
         if edge.from.1.distance(edge.to.1) < ZERO_MM {
             let sign = self.zero_sign(edge.from.1.distance(edge.to.1));
-            self.zeros.push((edge.to.1, format!("{symbol} {sign} 0"), step));
+            let note = format!("{} {sign} 0", name.symbol);
+            self.zeros.push(Zero { at: edge.to.1, key: name.key, note, step });
         } else {
             let link = edge.terms.first().and_then(|t| self.link_of_term(t));
-            self.arrow((edge.from.1, edge.to.1), symbol, if edge.known { "edge known" } else { "edge unknown" }, step, link);
+            self.arrow((edge.from.1, edge.to.1), name, if edge.known { "edge known" } else { "edge unknown" }, step, link);
         }
         match edge.to.0 {
             Mark::Image(v) if edge.known => self.image(v, step),
@@ -195,7 +204,7 @@ impl Draft<'_> {
                 if matches!(t.kind, TermKind::Normal | TermKind::SlideNormal | TermKind::Coriolis)
                     && edge.from.1.distance(edge.to.1) >= ZERO_MM =>
             {
-                self.letter(edge.to.1, mark_name(self.w, self.p.level, &edge.to.0), step);
+                self.letter(edge.to.1, edge.to.0, step);
             }
             Mark::Pole | Mark::Image(_) | Mark::Part(_) | Mark::Again(_) => {}
         }
@@ -217,14 +226,14 @@ impl Draft<'_> {
         }
     }
 
-    fn arrow(&mut self, (from, to): (Point, Point), symbol: String, class: &'static str, step: usize, link: Option<usize>) {
+    fn arrow(&mut self, (from, to): (Point, Point), name: Name, class: &'static str, step: usize, link: Option<usize>) {
         let rounding = self.rounding_mm;
         let same = |a: &&mut Arrow| is_one(a.from, from) && is_one(a.to, to);
         match self.arrows.iter_mut().find(same) {
             Some(a) => {
-                if !a.symbols.contains(&symbol) && !a.nearly.contains(&symbol) {
+                if !a.symbols.contains(&name) && !a.nearly.contains(&name) {
                     let exact = (to - from - (a.to - a.from)).norm() <= rounding;
-                    if exact { &mut a.symbols } else { &mut a.nearly }.push(symbol);
+                    if exact { &mut a.symbols } else { &mut a.nearly }.push(name);
                 }
                 if !a.steps.contains(&step) {
                     a.steps.push(step);
@@ -233,7 +242,7 @@ impl Draft<'_> {
             None => self.arrows.push(Arrow {
                 from,
                 to,
-                symbols: vec![symbol],
+                symbols: vec![name],
                 nearly: vec![],
                 class,
                 steps: vec![step],
@@ -251,17 +260,18 @@ impl Draft<'_> {
         if vertex.fixed {
             return;
         }
-        self.letter(at, self.w.image(self.p.level, v), step);
+        self.letter(at, Mark::Image(v), step);
         // The special point belongs to the construction: its vector answers nothing.
         if matches!(vertex.spot, Spot::Special(_)) {
             return;
         }
-        let symbol = self.w.vector(self.p.level, v);
+        let name = Name::whole(self.w, self.p.level, v);
         if at.distance(Point::ORIGIN) >= ZERO_MM {
-            self.arrow((Point::ORIGIN, at), symbol, "absolute", step, self.w.plan.vertex(v).link(self.w.scene).map(|l| l.0));
-        } else if !self.zeros.iter().any(|(_, note, _)| note.starts_with(&symbol)) {
+            self.arrow((Point::ORIGIN, at), name, "absolute", step, self.w.plan.vertex(v).link(self.w.scene).map(|l| l.0));
+        } else if !self.zeros.iter().any(|zero| zero.note.starts_with(&name.symbol)) {
             let sign = self.zero_sign(at.to_vec2().norm());
-            self.zeros.push((at, format!("{symbol} {sign} 0"), step));
+            let note = format!("{} {sign} 0", name.symbol);
+            self.zeros.push(Zero { at, key: name.key, note, step });
         }
     }
 
@@ -303,10 +313,10 @@ impl Draft<'_> {
             d.of_link(a.link);
             let (from, to) = a.drawn();
             let shape = Shape::Arrow { from, to, stroke: style.vector.coloured(a.colour), head: style.head };
-            let owner = d.shape(&format!("{}-{}", a.word(), a.symbols[0]), &a.classes(), shape);
+            let owner = d.vector(a.key(), &a.classes(), shape, a.shown(self.p.mu, 1.0));
             for (from, to) in a.joins() {
                 let class = a.classes().replacen(a.class, "aside", 1);
-                d.shape(&format!("aside-{}", a.symbols[0]), &class, Shape::Line { from, to, stroke: style.thin.coloured(a.colour) });
+                d.shape(&format!("aside-{}", a.key()), &class, Shape::Line { from, to, stroke: style.thin.coloured(a.colour) });
             }
             if !insets.iter().any(|i| i.arrows.contains(&k)) {
                 names[k] = self.name(&mut d, style, a, Shown { ends: (self.own_part(a), to), owner, middle, within: "" });
@@ -315,10 +325,10 @@ impl Draft<'_> {
         d.of_link(None);
         // Where all of them are zero the caption says so.
         let zeros = if self.p.is_empty() { &[][..] } else { &self.zeros };
-        for (at, note, step) in zeros {
+        for Zero { at, key, note, step } in zeros {
             let class = format!("zero step-{step}");
-            d.draw("zero", &class, sym::dot(style, *at));
-            d.label_at(note, &class, note, *at, style.dot_radius_mm, None);
+            d.draw(&format!("zero-{key}"), &class, sym::dot(style, *at));
+            d.label_at(&format!("zero-{key}"), &class, note, *at, style.dot_radius_mm, None);
         }
         for (k, l) in self.letters(SAME_MM).iter().enumerate() {
             let clear = if k == 0 { style.dot_radius_mm } else { 0.3 };
@@ -326,7 +336,7 @@ impl Draft<'_> {
                 d.draw("pole", "pole", sym::dot(style, l.at));
             }
             if k == 0 || !insets.iter().any(|i| i.has_alone(self, l.at)) {
-                d.label_at(l.names[0], &l.class(k), &l.names.join(", "), l.at, clear, (l.at - middle).unit());
+                d.label_at(&format!("mark-{}", l.keys[0]), &l.class(k), &l.names.join(", "), l.at, clear, (l.at - middle).unit());
             }
         }
         for inset in insets {
@@ -340,11 +350,6 @@ impl Arrow {
     /// What it is, and the steps that draw it.
     fn classes(&self) -> String {
         self.steps.iter().fold(self.class.to_owned(), |class, step| format!("{class} step-{step}"))
-    }
-
-    /// What it is, in one word.
-    fn word(&self) -> &'static str {
-        self.class.split(' ').next().unwrap_or_default()
     }
 }
 
@@ -403,7 +408,7 @@ mod tests {
         let mut names = drawn("offset-slider-crank", Level::Velocity);
         names.sort_by(|a, b| a.0.cmp(&b.0));
         // v_B and v_C are edges from the pole; v_S is found by an image and has its arrow from the pole.
-        assert_eq!(arrows(&names), ["velocity-absolute-v_S", "velocity-edge-v_B", "velocity-edge-v_C", "velocity-edge-v_CB"]);
+        assert_eq!(arrows(&names), ["vel-abs-B", "vel-abs-C", "vel-abs-S", "vel-rel-C-B"]);
     }
 
     #[test]
@@ -411,8 +416,8 @@ mod tests {
         let items = drawn("parallelogram", Level::Velocity);
         let note = |s: &Shape| matches!(s, Shape::Label { label, .. } if label.source() == "v_{CB} = 0");
         assert!(items.iter().any(|(_, s)| note(s)));
-        assert!(!arrows(&items).iter().any(|a| a.contains("CB")));
-        let dots = items.iter().filter(|(id, _)| id.starts_with("velocity-zero")).count();
+        assert!(!arrows(&items).iter().any(|a| a.contains("C-B")));
+        let dots = items.iter().filter(|(id, _)| id.starts_with("vel-zero")).count();
         assert_eq!(dots, 1);
     }
 
@@ -432,6 +437,6 @@ mod tests {
     fn three_points_of_a_link_show_their_image() {
         let items = drawn("crank-rocker", Level::Velocity);
         // b–c is an edge already: the triangle needs two more lines.
-        assert_eq!(items.iter().filter(|(id, _)| id.starts_with("velocity-image")).count(), 2);
+        assert_eq!(items.iter().filter(|(id, _)| id.starts_with("vel-image")).count(), 2);
     }
 }

@@ -3,19 +3,62 @@
 //! Decided here: which names share a place, and with which sign between them. Two points that only paper does not tell apart share
 //! their letters in the polygon, and part in an inset that shows them apart.
 
+use crate::construct::Mark;
 use crate::geom::Point;
+use crate::mechanism::Level;
 use crate::paper::drawing::Drawing;
 use crate::paper::label::Label;
 use crate::paper::place::LabelRequest;
+use crate::paper::shown::{Length, Shown as Quantity};
 use crate::paper::style::Style;
+use crate::plan::text::Writer;
+use crate::plan::{Term, VertexId};
+use crate::report::construction::mark as mark_name;
 
+use super::marks;
 use super::{Arrow, Draft, LABEL_ROOM_MM, covers, is_one};
+
+/// What a vector is called.
+#[derive(Clone)]
+pub(super) struct Name {
+    /// On paper, in the notation of the figure.
+    pub symbol: String,
+    /// In ids.
+    pub key: String,
+    /// In questions.
+    pub quantity: String,
+}
+
+impl PartialEq for Name {
+    /// One vector has one key, whatever the notation makes of it.
+    fn eq(&self, other: &Name) -> bool {
+        self.key == other.key
+    }
+}
+
+impl Name {
+    /// That of a vector from the pole.
+    pub fn whole(w: &Writer, level: Level, v: VertexId) -> Name {
+        Name { symbol: w.vector(level, v), key: w.vector_key(v), quantity: w.vector_quantity(level, v) }
+    }
+
+    /// That of terms drawn as one.
+    pub fn sum(w: &Writer, level: Level, terms: &[Term]) -> Name {
+        let all = |of: &dyn Fn(&Term) -> String, sign: &str| terms.iter().map(of).collect::<Vec<_>>().join(sign);
+        Name {
+            symbol: all(&|t| w.symbol(level, t), " + "),
+            key: all(&|t| w.key(level, t), "-and-"),
+            quantity: all(&|t| w.quantity(level, t), "+"),
+        }
+    }
+}
 
 /// A point to be marked.
 pub(super) struct Letter {
     /// Where it is.
     pub at: Point,
     name: String,
+    key: String,
     step: usize,
 }
 
@@ -25,6 +68,8 @@ pub(super) struct Spot<'a> {
     pub at: Point,
     /// Their letters.
     pub names: Vec<&'a str>,
+    /// Their keys.
+    pub keys: Vec<&'a str>,
     step: usize,
 }
 
@@ -49,19 +94,23 @@ pub(super) struct Shown {
 
 impl Draft<'_> {
     /// Marks a point, once.
-    pub(super) fn letter(&mut self, at: Point, name: String, step: usize) {
+    pub(super) fn letter(&mut self, at: Point, mark: Mark, step: usize) {
+        let (name, key) = (mark_name(self.w, self.p.level, &mark), marks::key(self.w, self.p.level, &mark));
         if !self.letters.iter().any(|l| l.name == name && is_one(l.at, at)) {
-            self.letters.push(Letter { at, name, step });
+            self.letters.push(Letter { at, name, key, step });
         }
     }
 
     /// The marked points, those together that are nearer than `one_mm`.
     pub(super) fn letters(&self, one_mm: f64) -> Vec<Spot<'_>> {
         let mut spots: Vec<Spot> = Vec::new();
-        for Letter { at, name, step } in &self.letters {
+        for Letter { at, name, key, step } in &self.letters {
             match spots.iter_mut().find(|s| s.at.distance(*at) < one_mm) {
-                Some(s) => s.names.push(name),
-                None => spots.push(Spot { at: *at, names: vec![name], step: *step }),
+                Some(s) => {
+                    s.names.push(name);
+                    s.keys.push(key);
+                }
+                None => spots.push(Spot { at: *at, names: vec![name], keys: vec![key], step: *step }),
             }
         }
         spots
@@ -82,17 +131,31 @@ impl Draft<'_> {
         let request = LabelRequest::along(Label::math(a.name()), style.label_mm, from, to, style.vector.width_mm / 2.0);
         let outward = (from + (to - from) * 0.5) - middle;
         let request = request.owned(owner).towards(outward).optional(lettered(a.from) && lettered(a.to));
-        d.label(&a.symbols[0], format!("{within} {}", a.classes()).trim_start(), request)
+        let (key, class) = (a.key(), format!("{within} {}", a.classes()));
+        d.label(&if within.is_empty() { key.to_owned() } else { format!("{within}-{key}") }, class.trim_start(), request)
     }
 }
 
 impl Arrow {
+    /// Its key: that of its first name.
+    pub(super) fn key(&self) -> &str {
+        &self.symbols[0].key
+    }
+
+    /// What it shows, drawn so many times larger than the polygon, which has the scale `mu`.
+    pub(super) fn shown(&self, mu: f64, times: f64) -> Quantity {
+        let mm = self.from.distance(self.to);
+        let names = self.symbols.iter().map(|n| n.quantity.clone()).collect();
+        Quantity { names, length: Some(Length { mm: mm * times, si: mm * mu }) }
+    }
+
     /// Its names: one sign between those of one vector, another before those that only paper does not tell from it.
     fn name(&self) -> String {
         // A normal part that is all there is bears the name of the whole, where it has one.
-        let whole = self.symbols.iter().any(|s| !s.contains("^{n}"));
-        let names: Vec<&str> = self.symbols.iter().filter(|s| !whole || !s.contains("^{n}")).map(String::as_str).collect();
-        let nearly = self.nearly.iter().map(|s| format!(" \\approx {s}"));
+        let symbols = || self.symbols.iter().map(|n| n.symbol.as_str());
+        let whole = symbols().any(|s| !s.contains("^{n}"));
+        let names: Vec<&str> = symbols().filter(|s| !whole || !s.contains("^{n}")).collect();
+        let nearly = self.nearly.iter().map(|n| format!(" \\approx {}", n.symbol));
         names.join(" = ") + &nearly.collect::<String>()
     }
 }

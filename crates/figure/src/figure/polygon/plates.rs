@@ -186,7 +186,7 @@ impl Draft<'_> {
         });
         self.lines.retain(|l| mine(l.2));
         self.copies.retain(|c| mine(c.1));
-        self.zeros.retain(|z| mine(z.2));
+        self.zeros.retain(|z| mine(z.step));
         let kept: Vec<Point> = self.arrows.iter().flat_map(|a| [a.from, a.to]).chain(corners).chain([Point::ORIGIN]).collect();
         self.letters.retain(|l| kept.iter().any(|q| is_one(l.at, *q)));
         Some(self)

@@ -10,11 +10,12 @@ use crate::figure::sheet::Options;
 use crate::figure::{mechanism, polygon};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
-use crate::paper::drawing::{Drawing, Habits, Part};
+use crate::paper::drawing::{Drawing, Habits, Part, prefix};
 use crate::paper::extent::Rect;
 use crate::paper::item::{Anchor, Colour, Dash, Item, Shape, Stroke};
 use crate::paper::label::Label;
 use crate::paper::phrase::tr;
+use crate::paper::shown::escaped;
 use crate::plan::text::Writer;
 use crate::scene::Scene;
 use crate::worked::Worked;
@@ -154,7 +155,7 @@ impl Table<'_> {
             };
             for (n, points) in lines.into_iter().enumerate() {
                 let shape = Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None };
-                items.push(Item::new("curve", shape).with_id(format!("{}-curve-{name}-{n}", shows.word())));
+                items.push(Item::new("curve", shape).with_id(format!("{}-curve-{}-{n}", prefix(shows.word()), escaped(name))));
             }
         }
         items

@@ -89,8 +89,8 @@ fn frame(table: &Table, columns: &[Column], k: usize, size: [f64; 2]) -> Figure 
         drawn.extend(part.items);
         let (level, name) = match column.shows {
             Shows::Mechanism => (Level::Position, "mechanism"),
-            Shows::Polygon(Level::Acceleration) => (Level::Acceleration, "acceleration"),
-            Shows::Polygon(level @ (Level::Velocity | Level::Position)) => (level, "velocity"),
+            Shows::Polygon(Level::Acceleration) => (Level::Acceleration, "acc"),
+            Shows::Polygon(level @ (Level::Velocity | Level::Position)) => (level, "vel"),
         };
         let (words, mu) = maker.caption(level);
         // A pose without a polygon has no scale of its own.

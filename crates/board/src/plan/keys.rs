@@ -1,0 +1,154 @@
+//! Names of vectors for programs: keys of which ids are made (`normal-C-B`), and quantities as `find` writes them (`an_CB`).
+//!
+//! Both are made from terms and vertices alone, so that they are the same in every language and notation. [`Writer::symbol`] gives two vectors one
+//! symbol exactly where they have one key.
+
+use super::text::{Writer, vertex_name};
+use super::{Body, By, Spot, Term, TermKind, VertexId};
+use crate::mechanism::Level;
+use crate::scene::Scene;
+
+/// The part of a relative motion that a vector is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Part {
+    Whole,
+    Normal,
+    Tangential,
+    Coriolis,
+    Sliding,
+    SlidingNormal,
+    SlidingTangential,
+    Rolling,
+}
+
+impl Part {
+    /// The word of a key; that of a whole vector depends on its ends.
+    fn word(self) -> &'static str {
+        match self {
+            Part::Whole => "rel",
+            Part::Normal => "normal",
+            Part::Tangential => "tangential",
+            Part::Coriolis => "coriolis",
+            Part::Sliding => "sliding",
+            Part::SlidingNormal => "sliding-normal",
+            Part::SlidingTangential => "sliding-tangential",
+            Part::Rolling => "rolling",
+        }
+    }
+
+    /// The letters that `find` writes behind `v` or `a`; of the last one, which `find` does not know, letters of its own.
+    fn letters(self) -> &'static str {
+        match self {
+            Part::Whole => "",
+            Part::Normal => "n",
+            Part::Tangential => "t",
+            Part::Coriolis => "k",
+            Part::Sliding => "r",
+            Part::SlidingNormal => "rn",
+            Part::SlidingTangential => "rt",
+            Part::Rolling => "ro",
+        }
+    }
+}
+
+impl Writer<'_> {
+    /// The key of the whole vector of a vertex: `abs-B`, `abs-B3`.
+    pub fn vector_key(&self, v: VertexId) -> String {
+        format!("abs-{}", self.vertex(v))
+    }
+
+    /// The whole vector of a vertex as `find` writes it: `v_B`, `a_B3`.
+    pub fn vector_quantity(&self, level: Level, v: VertexId) -> String {
+        format!("{}_{}", letter(level), self.vertex(v))
+    }
+
+    /// The key of a term: `abs-C`, `rel-C-B`, `normal-C-B`, `coriolis-A3-A2`.
+    pub fn key(&self, level: Level, t: &Term) -> String {
+        let part = self.part_of(level, t);
+        match (part, self.is_absolute(level, t)) {
+            (Part::Whole, true) => self.vector_key(t.of),
+            (_, true) => format!("{}-{}", part.word(), self.vertex(t.of)),
+            (_, false) => format!("{}-{}-{}", part.word(), self.vertex(t.of), self.vertex(t.to)),
+        }
+    }
+
+    /// A term as `find` writes it: `v_CB`, `an_CB`, `ak_A3A2`, `arn_A/2`.
+    pub fn quantity(&self, level: Level, t: &Term) -> String {
+        let part = self.part_of(level, t);
+        let head = format!("{}{}_{}", letter(level), part.letters(), self.vertex(t.of));
+        if self.is_absolute(level, t) {
+            return head;
+        }
+        let of_guide = matches!(part, Part::SlidingNormal | Part::SlidingTangential);
+        match t.by {
+            By::Frame { body: Some(Body::Link(l)), .. } if part != Part::Whole => format!("{head}/{}", self.scene.link_name(l)),
+            By::Frame { .. } if part != Part::Whole => format!("{head}/{}", self.vertex(t.to)),
+            By::Guide { .. } if of_guide => match self.plan.vertex(t.to).link(self.scene) {
+                Some(l) => format!("{head}/{}", self.scene.link_name(l)),
+                None => format!("{head}/{}", self.vertex(t.to)),
+            },
+            By::Turning(_) | By::Guide { .. } | By::Cylinder(_) | By::Contact(_) | By::Frame { .. } | By::Apart => {
+                let [of, to] = [t.of, t.to].map(|v| self.vertex(v));
+                let between = if self.runs_on(&of, &to, t) { "" } else { "," };
+                format!("{head}{between}{to}")
+            }
+        }
+    }
+
+    fn vertex(&self, v: VertexId) -> String {
+        vertex_name(self.scene, self.plan, v)
+    }
+
+    /// Which part of a relative motion a term is: the cases of its superscript.
+    fn part_of(&self, level: Level, t: &Term) -> Part {
+        let acceleration = level == Level::Acceleration;
+        let along_arc = match t.by {
+            By::Guide { guide, .. } => self.is_arc(guide),
+            By::Frame { about, .. } => about.is_some(),
+            By::Turning(_) | By::Cylinder(_) | By::Contact(_) | By::Apart => false,
+        };
+        let fixed_guide = self.is_absolute(level, t) && matches!(t.by, By::Guide { .. });
+        match t.kind {
+            TermKind::Relative if matches!(t.by, By::Turning(Body::Cylinder(_))) => Part::Tangential,
+            TermKind::Relative => Part::Whole,
+            TermKind::Normal => Part::Normal,
+            TermKind::Tangential => Part::Tangential,
+            TermKind::Coriolis => Part::Coriolis,
+            TermKind::Extension => Part::Sliding,
+            TermKind::Slide if fixed_guide && acceleration && along_arc => Part::Tangential,
+            TermKind::Slide if fixed_guide => Part::Whole,
+            TermKind::SlideNormal if self.is_absolute(level, t) => Part::Normal,
+            TermKind::Slide if acceleration && along_arc => Part::SlidingTangential,
+            TermKind::Slide => Part::Sliding,
+            TermKind::SlideNormal => Part::SlidingNormal,
+            TermKind::Roll if acceleration && !self.is_absolute(level, t) => Part::Rolling,
+            TermKind::Roll => Part::Whole,
+        }
+    }
+
+    /// Whether two names written one after the other can be read in one way only.
+    fn runs_on(&self, of: &str, to: &str, t: &Term) -> bool {
+        let numbered = |v: VertexId| self.plan.vertex(v).number.is_some();
+        if [of, to].iter().any(|n| n.contains(',')) || [t.of, t.to].iter().any(|v| matches!(self.plan.vertex(*v).spot, Spot::Special(_))) {
+            return false;
+        }
+        let run = format!("{of}{to}");
+        let weight = usize::from(numbered(t.of)) + usize::from(numbered(t.to));
+        let pair = |at: usize| Some(is_vertex(self.scene, &run[..at])? + is_vertex(self.scene, &run[at..])?);
+        let others = run.char_indices().map(|(at, _)| at).filter(|at| *at != 0 && *at != of.len());
+        is_vertex(self.scene, &run).is_none() && !others.filter_map(pair).any(|w| w <= weight)
+    }
+}
+
+/// Whether a text names a point (0), or a point with a link (1).
+fn is_vertex(scene: &Scene, text: &str) -> Option<usize> {
+    let link = |name: &str| scene.links.iter().any(|l| l.name == name);
+    if scene.points.iter().any(|p| p.name == text) {
+        return Some(0);
+    }
+    scene.points.iter().any(|p| text.strip_prefix(p.name.as_str()).is_some_and(link)).then_some(1)
+}
+
+fn letter(level: Level) -> &'static str {
+    if level == Level::Acceleration { "a" } else { "v" }
+}

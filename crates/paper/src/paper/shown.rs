@@ -1,0 +1,152 @@
+//! For programs: the quantities that items show, ids in ASCII, and the vectors and marks of a figure by their names.
+
+use std::fmt::Write as _;
+
+use super::item::{Figure, Item, Shape};
+use crate::geom::Point;
+
+/// The quantity that an item shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shown {
+    /// Its names as `find` writes them: `v_B`. A vector that is several on paper has all their names, the first is that of its id.
+    pub names: Vec<String>,
+    /// The length of a vector on paper and its value; marks have none.
+    pub length: Option<Length>,
+}
+
+/// A vector's length on paper and its value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Length {
+    /// Length on paper in mm, as drawn.
+    pub mm: f64,
+    /// Value in SI units.
+    pub si: f64,
+}
+
+impl Shown {
+    /// A vector of one name, drawn from one point to another at a scale in SI units per mm.
+    pub fn vector(name: impl Into<String>, from: Point, to: Point, mu: f64) -> Shown {
+        let mm = from.distance(to);
+        Shown { names: vec![name.into()], length: Some(Length { mm, si: mm * mu }) }
+    }
+
+    /// A mark.
+    pub fn mark(name: impl Into<String>) -> Shown {
+        Shown { names: vec![name.into()], length: None }
+    }
+}
+
+/// A vector of a figure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Vector<'a> {
+    /// Id of its element in the SVG.
+    pub id: &'a str,
+    /// Its names as `find` writes them.
+    pub names: &'a [String],
+    /// Tail, in mm of the paper, y up.
+    pub from: Point,
+    /// Tip.
+    pub to: Point,
+    /// Length on paper.
+    pub mm: f64,
+    /// Value in SI units: m/s, m/s².
+    pub si: f64,
+}
+
+/// A mark of a figure: a place between which lengths are measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mark<'a> {
+    /// Id of its element in the SVG.
+    pub id: &'a str,
+    /// Its names: the vector from the pole that ends there (`v_B`), the part that ends there (`an_CB`), `pole-v`, `pole-a`.
+    pub names: &'a [String],
+    /// Where it is, in mm of the paper, y up.
+    pub at: Point,
+}
+
+impl Figure {
+    /// The vectors of the figure, in the order of drawing.
+    pub fn vectors(&self) -> impl Iterator<Item = Vector<'_>> {
+        self.items.iter().filter_map(vector)
+    }
+
+    /// The first vector of a name as `find` writes it: that of a polygon before those of its insets.
+    ///
+    /// ```
+    /// use hodograph::{figure::sheet::{Options, sheet}, scene, worked::{work, Scope}};
+    /// let scene = scene::read(scene::templates::get("crank-rocker").unwrap())?.value;
+    /// let worked = work(&scene, Scope::Figure)?.value;
+    /// let figure = sheet(&scene, &worked, &Options::of_language(scene::Lang::En))?;
+    /// let b = figure.vector("v_B").unwrap();
+    /// assert_eq!(b.id, "vel-abs-B");
+    /// // The crank of 100 mm turns at 10 rad/s.
+    /// assert!((b.si - 1.0).abs() < 1e-9 && (b.from.distance(b.to) - b.mm).abs() < 1e-9);
+    /// assert_eq!(figure.mark("v_B").unwrap().at, b.to);
+    /// # Ok::<(), hodograph::diag::Faults>(())
+    /// ```
+    pub fn vector(&self, name: &str) -> Option<Vector<'_>> {
+        let named = |i: &&Item| i.shown.as_ref().is_some_and(|s| s.names.iter().any(|n| n == name));
+        let inset = |i: &&Item| i.class.split(' ').any(|word| word == "inset");
+        let all = || self.items.iter().filter(named);
+        all().filter(|i| !inset(i)).find_map(vector).or_else(|| all().find_map(vector))
+    }
+
+    /// The marks of the figure, in the order of drawing.
+    pub fn marks(&self) -> impl Iterator<Item = Mark<'_>> {
+        self.items.iter().filter_map(mark)
+    }
+
+    /// The mark of a name: `v_B` is where v_B ends, `pole-v` the pole of the velocity polygon.
+    pub fn mark(&self, name: &str) -> Option<Mark<'_>> {
+        self.marks().find(|m| m.names.iter().any(|n| n == name))
+    }
+}
+
+fn vector(item: &Item) -> Option<Vector<'_>> {
+    let (Some(shown), Shape::Arrow { from, to, .. }) = (&item.shown, &item.shape) else { return None };
+    let Length { mm, si } = shown.length?;
+    // A thin vector may be broken at a label: the tail is where it would be without the break.
+    let from = (*from - *to).unit().map_or(*from, |back| *to + back * mm);
+    Some(Vector { id: &item.id, names: &shown.names, from, to: *to, mm, si })
+}
+
+fn mark(item: &Item) -> Option<Mark<'_>> {
+    match (&item.shown, &item.shape) {
+        (Some(shown), Shape::Circle { centre, .. }) => Some(Mark { id: &item.id, names: &shown.names, at: *centre }),
+        _ => None,
+    }
+}
+
+/// A name of an id in ASCII: letters, digits and `-` stay, a comma is `__`, each other UTF-16 unit is `_` with its four hexadecimal digits.
+///
+/// Names of a scene are letters, digits, `'` and `_`, and those of coincident points may have a comma before the link: two names never become one.
+///
+/// ```
+/// use hodograph::paper::shown::escaped;
+/// assert_eq!(["normal-C-B", "O2,3", "A'", "B_1", "杆"].map(escaped), ["normal-C-B", "O2__3", "A_0027", "B_005f1", "_6746"]);
+/// ```
+pub fn escaped(name: &str) -> String {
+    let mut out = String::with_capacity(name.len());
+    for c in name.chars() {
+        match c {
+            '-' => out.push('-'),
+            c if c.is_ascii_alphanumeric() => out.push(c),
+            ',' => out.push_str("__"),
+            c => c.encode_utf16(&mut [0; 2]).iter().for_each(|unit| {
+                let _ = write!(out, "_{unit:04x}");
+            }),
+        }
+    }
+    out
+}
+
+/// A question as a part of an id: its `_` is `-`, all else as [`escaped`] has it.
+///
+/// ```
+/// assert_eq!(hodograph::paper::shown::question_id("an_CB"), "an-CB");
+/// ```
+pub fn question_id(text: &str) -> String {
+    // A hyphen is a comma to `find`, in ids it parts words.
+    let parts: Vec<String> = text.split('_').map(|part| escaped(part).replace('-', "_002d")).collect();
+    parts.join("-")
+}

@@ -1,0 +1,196 @@
+//! The elements of an SVG that have ids: where they are, what they say, how they are painted.
+
+use std::collections::HashMap;
+
+use resvg::usvg::roxmltree::{self, Node, ParsingOptions};
+
+use crate::diag::{Diagnostic, both};
+
+/// More nodes than the figure of any scene has that is accepted: drawing more would take time without bound.
+const NODES: u32 = 300_000;
+/// Figures are nested three deep; what draws them goes down by recursion.
+const DEEPEST: usize = 64;
+/// Elements that figures are made of. None of them multiplies what is drawn, but for a use, which is looked at.
+const KNOWN: &[&str] = &["svg", "title", "desc", "defs", "g", "path", "line", "rect", "circle", "use", "text", "tspan"];
+/// Millimetres of a CSS pixel.
+const PIXEL_MM: f64 = 25.4 / 96.0;
+
+/// What is compared of an SVG.
+pub struct Document {
+    /// Its size.
+    pub size_mm: [f64; 2],
+    /// Its title.
+    pub title: String,
+    /// Its description.
+    pub desc: String,
+    /// Its elements with ids, in order.
+    pub elements: Vec<Element>,
+    by_id: HashMap<String, usize>,
+}
+
+/// An element with an id.
+pub struct Element {
+    pub id: String,
+    /// What it is a vector of; empty where it tells nothing.
+    pub name: String,
+    pub mm: Option<f64>,
+    pub si: Option<f64>,
+    /// What it says.
+    pub text: Option<String>,
+    /// Colours, widths and patterns of it and of its parts.
+    pub paint: String,
+    pub geometry: Geometry,
+}
+
+/// Where an element is.
+pub enum Geometry {
+    /// Tail and tip.
+    Arrow([[f64; 2]; 2]),
+    /// Of what it is made, and its numbers.
+    Lines(String, Vec<f64>),
+}
+
+impl Document {
+    /// Reads an SVG.
+    pub fn read(text: &str) -> Result<Document, Diagnostic> {
+        let options = ParsingOptions { nodes_limit: NODES, ..ParsingOptions::default() };
+        let document = roxmltree::Document::parse_with_options(text, options)
+            .map_err(|e| super::refused(both!("the SVG cannot be read: {e}", "不能读取 SVG：{e}")))?;
+        let root = document.root_element();
+        refuse_foreign(root)?;
+        let size_mm = ["width", "height"].map(|side| root.attribute(side).and_then(length_mm));
+        let [Some(width), Some(height)] = size_mm else {
+            return Err(super::refused(both!("the SVG has no width and height", "SVG 没有宽和高")));
+        };
+        let said = |name: &str| root.children().find(|n| n.tag_name().name() == name).and_then(|n| n.text()).unwrap_or_default().to_owned();
+        let elements = named(root)?;
+        let by_id = elements.iter().enumerate().rev().map(|(k, e)| (e.id.clone(), k)).collect();
+        Ok(Document { size_mm: [width, height], title: said("title"), desc: said("desc"), elements, by_id })
+    }
+
+    /// The element of an id.
+    pub fn find(&self, id: &str) -> Option<&Element> {
+        self.by_id.get(id).map(|k| &self.elements[*k])
+    }
+}
+
+/// The elements with ids that are in none with an id, in order.
+fn named(root: Node) -> Result<Vec<Element>, Diagnostic> {
+    let mut out = Vec::new();
+    let mut left: Vec<(Node, usize)> = root.children().filter(|n| n.tag_name().name() != "defs").map(|n| (n, 1)).collect();
+    left.reverse();
+    while let Some((node, depth)) = left.pop() {
+        if depth > DEEPEST {
+            return Err(super::refused(both!("the SVG is nested more than {DEEPEST} deep", "SVG 的嵌套超过 {DEEPEST} 层")));
+        }
+        match element(node) {
+            Some(element) => out.push(element),
+            None => left.extend(node.children().rev().map(|n| (n, depth + 1))),
+        }
+    }
+    Ok(out)
+}
+
+/// What is not of a figure is not drawn: filters, patterns and uses of uses can make a small file take hours.
+fn refuse_foreign(root: Node) -> Result<(), Diagnostic> {
+    let mut drawn_once: HashMap<&str, bool> = HashMap::new();
+    for node in root.descendants().filter(Node::is_element) {
+        let name = node.tag_name().name();
+        if !KNOWN.contains(&name) {
+            return Err(super::refused(both!("the SVG has an element <{name}>, which no figure has", "SVG 含有图形中没有的元素 <{name}>")));
+        }
+        if let Some(id) = node.attribute("id") {
+            drawn_once.insert(id, name == "path");
+        }
+    }
+    for node in root.descendants().filter(|n| n.tag_name().name() == "use") {
+        let target = node.attribute(("http://www.w3.org/1999/xlink", "href")).or_else(|| node.attribute("href")).unwrap_or_default();
+        if !drawn_once.get(target.trim_start_matches('#')).copied().unwrap_or(false) {
+            return Err(super::refused(both!(
+                "the SVG uses `{target}`, which is not the outline of a letter",
+                "SVG 引用的 `{target}` 不是字形"
+            )));
+        }
+    }
+    Ok(())
+}
+
+fn length_mm(text: &str) -> Option<f64> {
+    let (number, factor) = match text.strip_suffix("mm") {
+        Some(number) => (number, 1.0),
+        None => (text.strip_suffix("px").unwrap_or(text), PIXEL_MM),
+    };
+    number.parse::<f64>().ok().map(|n| n * factor).filter(|mm| mm.is_finite() && *mm > 0.0)
+}
+
+fn element(node: Node) -> Option<Element> {
+    let id = node.attribute("id")?.to_owned();
+    let number = |key: &str| node.attribute(key).and_then(|v| v.parse::<f64>().ok());
+    let name = node.attribute("data-name").unwrap_or_default().to_owned();
+    let text = node.attribute("data-text").map(str::to_owned);
+    Some(Element { id, name, mm: number("data-mm"), si: number("data-si"), text, paint: paint(node), geometry: geometry(node) })
+}
+
+fn paint(node: Node) -> String {
+    let mut out = String::new();
+    for n in node.descendants().filter(Node::is_element) {
+        for key in ["stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "fill"] {
+            out.push_str(n.attribute(key).unwrap_or("-"));
+            out.push(' ');
+        }
+        // Letters have the colour of their label.
+        if n.has_attribute("data-text") {
+            break;
+        }
+    }
+    out
+}
+
+fn geometry(node: Node) -> Geometry {
+    if let Some(ends) = arrow(node) {
+        return Geometry::Arrow(ends);
+    }
+    let (mut form, mut numbers) = (String::new(), Vec::new());
+    for n in node.descendants().filter(Node::is_element) {
+        form.push_str(n.tag_name().name());
+        for key in ["x", "y", "width", "height", "x1", "y1", "x2", "y2", "cx", "cy", "r", "d", "transform"] {
+            n.attribute(key).into_iter().for_each(|value| take_apart(value, &mut form, &mut numbers));
+        }
+        // Where a label stands; what its letters are is told by its text.
+        if n.has_attribute("data-text") {
+            break;
+        }
+    }
+    Geometry::Lines(form, numbers)
+}
+
+/// Tail and tip of a group of a shaft and a head.
+fn arrow(node: Node) -> Option<[[f64; 2]; 2]> {
+    let head = node.children().find(|n| n.attribute("class") == Some("head"))?;
+    let shaft = node.children().find(|n| n.tag_name().name() == "line")?;
+    let tail = ["x1", "y1"].map(|key| shaft.attribute(key).and_then(|v| v.parse::<f64>().ok()));
+    let mut corners = Vec::new();
+    take_apart(head.attribute("d")?, &mut String::new(), &mut corners);
+    // The head's outline begins in its tip.
+    Some([[tail[0]?, tail[1]?], [*corners.first()?, *corners.get(1)?]])
+}
+
+/// The numbers of a value, and what stands between them.
+fn take_apart(value: &str, form: &mut String, numbers: &mut Vec<f64>) {
+    let mut rest = value;
+    while let Some(c) = rest.chars().next() {
+        let inside = |(k, c): &(usize, char)| c.is_ascii_digit() || *c == '.' || *k == 0 && *c == '-';
+        let end = rest.char_indices().take_while(inside).map(|(k, c)| k + c.len_utf8()).last().unwrap_or(0);
+        match rest[..end].parse::<f64>() {
+            Ok(number) => {
+                numbers.push(number);
+                form.push('#');
+                rest = &rest[end..];
+            }
+            Err(_) => {
+                form.push(c);
+                rest = &rest[c.len_utf8()..];
+            }
+        }
+    }
+}

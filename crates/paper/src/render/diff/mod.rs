@@ -1,0 +1,273 @@
+//! Two figures compared: vectors that moved, items that came or went, texts that changed, pixels beyond a tolerance.
+//!
+//! SVG files are compared by the ids of their elements, which are a contract (docs/svg.md), and by their pixels; PNG files by their pixels alone. Read
+//! are figures as this library writes them: what could take time or memory without bound, such as filters and nested uses, is refused.
+
+mod elements;
+mod picture;
+mod raster;
+
+use crate::diag::{Both, Diagnostic, both};
+use elements::{Document, Element, Geometry};
+pub use picture::picture;
+pub use raster::Raster;
+
+/// What counts as a difference.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Items that moved no farther than this are where they were.
+    pub tolerance_mm: f64,
+    /// Pixels of which no channel differs by more than this are alike.
+    pub channel: u8,
+    /// So many other pixels make no difference; `None`: pixels are counted and decide nothing.
+    pub pixels: Option<usize>,
+}
+
+impl Default for Options {
+    /// 0.01 mm, a fifteenth of the thinnest line; one step of a channel, by which two machines may round; no other pixel.
+    fn default() -> Options {
+        Options { tolerance_mm: 0.01, channel: 1, pixels: Some(0) }
+    }
+}
+
+/// A figure as it is compared.
+#[derive(Clone, Debug)]
+pub enum Picture {
+    /// The text of an SVG.
+    Svg(String),
+    /// The pixels of a PNG.
+    Png(Raster),
+}
+
+impl Picture {
+    /// Reads a file by its first bytes.
+    ///
+    /// # Errors
+    /// `diff-input` for a file that is neither an SVG of this library nor a PNG, or is too large.
+    pub fn read(bytes: Vec<u8>) -> Result<Picture, Diagnostic> {
+        if bytes.starts_with(raster::SIGNATURE) {
+            return Ok(Picture::Png(Raster::of_png(&bytes)?));
+        }
+        let text = String::from_utf8(bytes).map_err(|_| refused(both!("it is neither an SVG nor a PNG", "不是 SVG 或 PNG")))?;
+        Document::read(&text)?;
+        Ok(Picture::Svg(text))
+    }
+}
+
+/// A vector that is elsewhere, or has another value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Vector {
+    /// Its id.
+    pub id: String,
+    /// Its names.
+    pub name: String,
+    /// How far its tail and its tip moved.
+    pub moved_mm: [f64; 2],
+    /// Its lengths on paper, before and after, where they are told.
+    pub mm: Option<[f64; 2]>,
+    /// Its values in SI, before and after, where they are told.
+    pub si: Option<[f64; 2]>,
+}
+
+/// An item that is elsewhere.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moved {
+    /// Its id.
+    pub id: String,
+    /// How far its farthest point moved; `None` where it is made of other lines.
+    pub mm: Option<f64>,
+}
+
+/// A text that changed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Text {
+    /// The id of the label; `<title>` and `<desc>` for those of the figure.
+    pub id: String,
+    /// Before.
+    pub old: String,
+    /// After.
+    pub new: String,
+}
+
+/// The pixels of two figures.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Pixels {
+    /// How many differ by more than the tolerance in some channel.
+    pub over: usize,
+    /// By how much at most.
+    pub largest: u8,
+    /// The box around them: left, top, right, bottom, the last two excluded.
+    pub bounds: Option<[u32; 4]>,
+    /// Widths and heights, before and after.
+    pub sizes: [[u32; 2]; 2],
+}
+
+/// What differs between two figures.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Difference {
+    /// Vectors.
+    pub vectors: Vec<Vector>,
+    /// Other items.
+    pub moved: Vec<Moved>,
+    /// Items with other lines or colours: width, pattern, colour.
+    pub restyled: Vec<String>,
+    /// Items that the second figure alone has.
+    pub added: Vec<String>,
+    /// Items that the first figure alone has.
+    pub removed: Vec<String>,
+    /// Texts.
+    pub texts: Vec<Text>,
+    /// Pixels.
+    pub pixels: Pixels,
+    /// Whether there are more of them than may be.
+    pub pixels_differ: bool,
+}
+
+impl Difference {
+    /// Whether the figures are alike within the tolerances.
+    pub fn is_empty(&self) -> bool {
+        let lists = [self.vectors.len(), self.moved.len(), self.restyled.len(), self.added.len(), self.removed.len(), self.texts.len()];
+        lists.iter().all(|n| *n == 0) && !self.pixels_differ
+    }
+
+    /// The differences in words, a line each.
+    pub fn lines(&self) -> Vec<Both> {
+        let mut out = Vec::new();
+        let mm = super::number::mm;
+        for v in &self.vectors {
+            let mut line = both!(
+                "vector {} ({}): tail moved {} mm, tip {} mm",
+                "矢量 {}（{}）：起点移动 {} mm，终点 {} mm",
+                v.id,
+                v.name,
+                mm(v.moved_mm[0]),
+                mm(v.moved_mm[1])
+            );
+            if let Some([old, new]) = v.si.filter(|[a, b]| a != b) {
+                let (old, new) = (super::number::si(old), super::number::si(new));
+                line = both!("{}; value {old}, now {new}", "{}；原值 {old}，现为 {new}", line);
+            }
+            out.push(line);
+        }
+        for m in &self.moved {
+            out.push(match m.mm {
+                Some(by) => both!("moved {}: {} mm", "移动 {}：{} mm", m.id, mm(by)),
+                None => both!("redrawn {}", "重画 {}", m.id),
+            });
+        }
+        out.extend(self.restyled.iter().map(|id| both!("restyled {id}", "线型或颜色不同 {id}")));
+        out.extend(self.removed.iter().map(|id| both!("removed {id}", "缺少 {id}")));
+        out.extend(self.added.iter().map(|id| both!("added {id}", "新增 {id}")));
+        out.extend(
+            self.texts
+                .iter()
+                .map(|Text { id, old, new }| both!("text {id}: `{old}`, now `{new}`", "文字 {id}：原为 `{old}`，现为 `{new}`")),
+        );
+        let Pixels { over, largest, bounds, sizes: [old, new] } = self.pixels;
+        if old != new {
+            let ([a, b], [c, d]) = (old, new);
+            out.push(both!("size: {a} by {b} pixels, now {c} by {d}", "大小：原为 {a} × {b} 像素，现为 {c} × {d}"));
+        }
+        if let Some([left, top, right, bottom]) = bounds {
+            out.push(both!(
+                "pixels: {over} differ, by {largest} at most, from ({left}, {top}) to ({right}, {bottom})",
+                "像素：{over} 个不同，相差至多 {largest}，范围 ({left}, {top}) 到 ({right}, {bottom})"
+            ));
+        }
+        out
+    }
+}
+
+/// Compares two figures of one kind.
+///
+/// # Errors
+/// `diff-kinds` for an SVG and a PNG; what reading and drawing an SVG has.
+///
+/// ```
+/// use hodograph::render::diff::{Options, Picture, compare};
+/// let svg = |y: f64| Picture::Svg(format!(r#"<svg xmlns="http://www.w3.org/2000/svg" width="9mm" height="9mm" viewBox="0 0 9 9">
+///     <line id="link" x1="1" y1="1" x2="8" y2="{y}" stroke="black"/></svg>"#));
+/// assert!(compare(&svg(5.0), &svg(5.0), &Options::default())?.is_empty());
+/// let moved = compare(&svg(5.0), &svg(6.5), &Options::default())?;
+/// assert_eq!((moved.moved[0].id.as_str(), moved.moved[0].mm), ("link", Some(1.5)));
+/// # Ok::<(), hodograph::diag::Diagnostic>(())
+/// ```
+pub fn compare(old: &Picture, new: &Picture, options: &Options) -> Result<Difference, Diagnostic> {
+    let mut found = match (old, new) {
+        (Picture::Svg(a), Picture::Svg(b)) => by_elements(&Document::read(a)?, &Document::read(b)?, options),
+        _ => Difference::default(),
+    };
+    let [a, b] = rasters(old, new)?;
+    found.pixels = raster::compare(&a, &b, options.channel);
+    let resized = found.pixels.sizes[0] != found.pixels.sizes[1];
+    found.pixels_differ = resized || options.pixels.is_some_and(|most| found.pixels.over > most);
+    Ok(found)
+}
+
+/// The pixels of two figures of one kind, SVG files at one resolution.
+fn rasters(old: &Picture, new: &Picture) -> Result<[Raster; 2], Diagnostic> {
+    match (old, new) {
+        (Picture::Svg(a), Picture::Svg(b)) => {
+            let dpi = raster::dpi(&[Document::read(a)?.size_mm, Document::read(b)?.size_mm]);
+            Ok([Raster::of_svg(a, dpi)?, Raster::of_svg(b, dpi)?])
+        }
+        (Picture::Png(a), Picture::Png(b)) => Ok([a.clone(), b.clone()]),
+        _ => Err(Diagnostic::error("diff-kinds", both!("an SVG and a PNG cannot be compared", "SVG 与 PNG 不能比较"))
+            .help(both!("name two files of one kind", "请指定两个同类文件"))),
+    }
+}
+
+fn by_elements(old: &Document, new: &Document, options: &Options) -> Difference {
+    let mut out = Difference::default();
+    for (what, a, b) in [("<title>", &old.title, &new.title), ("<desc>", &old.desc, &new.desc)] {
+        if a != b {
+            out.texts.push(Text { id: what.into(), old: a.clone(), new: b.clone() });
+        }
+    }
+    for a in &old.elements {
+        match new.find(&a.id) {
+            Some(b) => element(a, b, options, &mut out),
+            None => out.removed.push(a.id.clone()),
+        }
+    }
+    out.added = new.elements.iter().filter(|b| old.find(&b.id).is_none()).map(|b| b.id.clone()).collect();
+    out
+}
+
+/// One element before and after.
+fn element(a: &Element, b: &Element, options: &Options, out: &mut Difference) {
+    let id = || a.id.clone();
+    if a.text != b.text {
+        let text = |e: &Element| e.text.clone().unwrap_or_default();
+        out.texts.push(Text { id: id(), old: text(a), new: text(b) });
+    }
+    if a.paint != b.paint {
+        out.restyled.push(id());
+    }
+    match (&a.geometry, &b.geometry) {
+        (Geometry::Arrow(p), Geometry::Arrow(q)) => {
+            let moved_mm = [0, 1].map(|k| libm::hypot(p[k][0] - q[k][0], p[k][1] - q[k][1]));
+            let si = a.si.zip(b.si).map(|(a, b)| [a, b]);
+            // Six digits are written.
+            let other = si.is_some_and(|[a, b]| (a - b).abs() > 2e-5 * a.abs().max(b.abs()));
+            if other || moved_mm.iter().any(|mm| *mm > options.tolerance_mm) {
+                let mm = a.mm.zip(b.mm).map(|(a, b)| [a, b]);
+                out.vectors.push(Vector { id: id(), name: a.name.clone(), moved_mm, mm, si });
+            }
+        }
+        (Geometry::Lines(form, p), Geometry::Lines(other, q)) if form == other && p.len() == q.len() => {
+            let mm = p.iter().zip(q).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
+            if mm > options.tolerance_mm {
+                out.moved.push(Moved { id: id(), mm: Some(mm) });
+            }
+        }
+        // The letters of another text stand where they stand.
+        _ if a.text != b.text => {}
+        _ => out.moved.push(Moved { id: id(), mm: None }),
+    }
+}
+
+fn refused(why: Both) -> Diagnostic {
+    Diagnostic::error("diff-input", why)
+        .help(both!("figures are SVG as `hodograph` writes them, or PNG", "可比较的图形是 `hodograph` 写出的 SVG，或 PNG"))
+}

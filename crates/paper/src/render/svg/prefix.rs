@@ -1,0 +1,72 @@
+//! A prefix for all ids of a document, so that several documents can stand in one page.
+
+use std::borrow::Cow;
+
+use crate::diag::{Diagnostic, both};
+
+/// Longest prefix: ids are read by people too.
+const LONGEST: usize = 64;
+
+/// A prefix of ids: a letter, then letters, digits, `-` and `_`, all ASCII.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct IdPrefix(String);
+
+impl IdPrefix {
+    /// Reads a prefix; an empty text is none.
+    ///
+    /// # Errors
+    /// `id-prefix` for a text that cannot begin an id.
+    pub fn new(text: &str) -> Result<IdPrefix, Diagnostic> {
+        let starts = text.chars().next().is_none_or(|c| c.is_ascii_alphabetic());
+        if starts && text.len() <= LONGEST && text.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '-' | '_')) {
+            return Ok(IdPrefix(text.to_owned()));
+        }
+        let message = both!("`{text}` cannot begin the ids of a figure", "`{text}` 不能作图中 id 的前缀");
+        Err(Diagnostic::error("id-prefix", message).help(both!(
+            "an ASCII letter first, then letters, digits, - or _, at most {LONGEST} of them, such as fig1-",
+            "以 ASCII 字母开头，后接字母、数字、- 或 _，至多 {LONGEST} 个字符，如 fig1-"
+        )))
+    }
+
+    /// A document of [`super::write()`] with the prefix before all its ids and before what refers to them.
+    ///
+    /// ```
+    /// use hodograph::render::svg::IdPrefix;
+    /// let prefix = IdPrefix::new("fig1-")?;
+    /// assert_eq!(prefix.put_before(r##"<g id="a"><use xlink:href="#b"/></g>"##), r##"<g id="fig1-a"><use xlink:href="#fig1-b"/></g>"##);
+    /// # Ok::<(), hodograph::diag::Diagnostic>(())
+    /// ```
+    pub fn put_before<'a>(&self, svg: &'a str) -> Cow<'a, str> {
+        if self.0.is_empty() {
+            return svg.into();
+        }
+        let mut out = String::with_capacity(svg.len() + svg.len() / 8);
+        let (mut rest, mut in_tag) = (svg, false);
+        // Texts between tags are left alone, whatever is written in them; within a tag each value is taken as a whole.
+        while let Some(at) = rest.find(if in_tag { ['"', '>'] } else { ['<', '<'] }) {
+            let found = rest.as_bytes()[at];
+            let (before, after) = rest.split_at(at + 1);
+            out.push_str(before);
+            rest = after;
+            if found != b'"' {
+                in_tag = found == b'<';
+                continue;
+            }
+            let end = rest.find('"').map_or(rest.len(), |end| end + 1);
+            let (value, after) = rest.split_at(end);
+            if before.ends_with(" id=\"") {
+                out.push_str(&self.0);
+                out.push_str(value);
+            } else if let Some(id) = value.strip_prefix('#').filter(|_| before.ends_with(" xlink:href=\"")) {
+                out.push('#');
+                out.push_str(&self.0);
+                out.push_str(id);
+            } else {
+                out.push_str(value);
+            }
+            rest = after;
+        }
+        out.push_str(rest);
+        out.into()
+    }
+}

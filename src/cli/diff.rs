@@ -1,0 +1,83 @@
+//! `diff`: two figures compared, with the exit codes of diff(1).
+
+use super::args::Diff;
+use super::{Failure, Run, files, lang};
+use crate::diag::{Diagnostic, both};
+use crate::render::diff::{Difference, Options, Picture, Pixels, compare, picture};
+use serde_json::{Value, json};
+use std::path::Path;
+use std::process::ExitCode;
+
+/// They differ.
+const DIFFERENT: u8 = 1;
+/// Neither is known: a file cannot be read, or cannot be written.
+const TROUBLE: u8 = 2;
+/// So many differences are told; the others are counted. `--json` has them all.
+const TOLD: usize = 60;
+
+/// Compares.
+pub fn run(a: Diff) -> Run {
+    match compared(&a) {
+        // For the other commands 1 is a file that could not be written; here it is taken.
+        Err(failure @ Failure::Output(_)) => {
+            failure.say();
+            Ok(ExitCode::from(TROUBLE))
+        }
+        other => other,
+    }
+}
+
+fn compared(a: &Diff) -> Run {
+    if let Some(path) = a.output.as_deref().filter(|p| files::ending(p).as_deref() != Some("png")) {
+        let d = Diagnostic::error("output", both!("{path} does not end in .png", "{path} 不以 .png 结尾"));
+        return Err(Failure::argument("-o", path, d.help(both!("write -o diff.png", "请写 -o diff.png"))));
+    }
+    let (old, new) = (read(&a.old)?, read(&a.new)?);
+    let usual = Options::default();
+    let options = Options {
+        tolerance_mm: a.tolerance.unwrap_or(usual.tolerance_mm),
+        // Whoever lets items move lets pixels change.
+        pixels: a.pixels.or(usual.pixels.filter(|_| a.tolerance.is_none())),
+        ..usual
+    };
+    let fault = |d: Diagnostic| Failure::input(d, &a.new, "");
+    let found = compare(&old, &new, &options).map_err(fault)?;
+    if let Some(path) = &a.output {
+        files::write(Path::new(path), &picture(&old, &new, &options).map_err(fault)?)?;
+    }
+    let alike = found.is_empty();
+    if a.json {
+        files::print(&format!("{:#}\n", told(&found)))?;
+    } else if !alike {
+        let lines = found.lines();
+        let mut text: String = lines.iter().take(TOLD).map(|line| format!("{}\n", lang::of(line))).collect();
+        if lines.len() > TOLD {
+            let more = lines.len() - TOLD;
+            text += &format!("{}\n", lang::of(&both!("and {more} more", "另有 {more} 处")));
+        }
+        files::print_names(&text)?;
+    }
+    Ok(if alike { ExitCode::SUCCESS } else { ExitCode::from(DIFFERENT) })
+}
+
+fn read(path: &str) -> Result<Picture, Failure> {
+    files::picture(path).and_then(Picture::read).map_err(|d| Failure::input(d, path, ""))
+}
+
+/// The differences for programs: lengths in mm, values in SI.
+fn told(found: &Difference) -> Value {
+    let Pixels { over, largest, bounds, sizes } = found.pixels;
+    let vectors = found.vectors.iter().map(
+        |v| json!({"id": v.id, "name": v.name, "tail_moved_mm": v.moved_mm[0], "tip_moved_mm": v.moved_mm[1], "mm": v.mm, "si": v.si}),
+    );
+    json!({
+        "alike": found.is_empty(),
+        "vectors": vectors.collect::<Vec<_>>(),
+        "moved": found.moved.iter().map(|m| json!({"id": m.id, "mm": m.mm})).collect::<Vec<_>>(),
+        "restyled": found.restyled,
+        "removed": found.removed,
+        "added": found.added,
+        "texts": found.texts.iter().map(|t| json!({"id": t.id, "old": t.old, "new": t.new})).collect::<Vec<_>>(),
+        "pixels": {"over": over, "largest": largest, "bounds": bounds, "sizes": sizes, "decide": found.pixels_differ},
+    })
+}

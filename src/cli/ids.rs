@@ -1,0 +1,32 @@
+//! The prefix of the ids of this run's SVG files: that of `--id-prefix`.
+
+use super::{Failure, args};
+use crate::diag::{Diagnostic, both};
+use crate::render::svg::IdPrefix;
+use std::borrow::Cow;
+use std::sync::OnceLock;
+
+/// The prefix of the command line; a run has one.
+static PREFIX: OnceLock<IdPrefix> = OnceLock::new();
+
+/// Takes the prefix of the command line.
+pub fn take(text: &str) -> Result<(), Failure> {
+    let prefix = IdPrefix::new(text).map_err(|d| Failure::argument("--id-prefix", text, d))?;
+    let _ = PREFIX.set(prefix);
+    Ok(())
+}
+
+/// An SVG with the prefix before its ids.
+pub fn put_before(svg: &str) -> Cow<'_, str> {
+    PREFIX.get().map_or(svg.into(), |prefix| prefix.put_before(svg))
+}
+
+/// Refuses a prefix for a whole page.
+pub fn of_lesson(a: &args::Lesson) -> Result<(), Failure> {
+    if a.look.id_prefix.is_empty() || a.reveal {
+        return Ok(());
+    }
+    let message = both!("a lesson is a page of its own: its ids have no prefix", "教学演示是独立的页面，其 id 不加前缀");
+    let d = Diagnostic::error("id-prefix", message).help(both!("it is for figures and for --reveal", "前缀用于图形和 --reveal"));
+    Err(Failure::argument("--id-prefix", &a.look.id_prefix, d))
+}

@@ -1,0 +1,122 @@
+//! Ids are ASCII, unique in a file, and the same in both languages and all notation profiles.
+
+use std::collections::BTreeSet;
+
+use hodograph::figure::list::{Entry, Extras, LIST, MECHANISM, USUAL, Wanted};
+use hodograph::figure::sheet::Options;
+use hodograph::mechanism::Level;
+use hodograph::paper::item::{Figure, Item};
+use hodograph::plan::notation::Notation;
+use hodograph::scene::{self, Lang, Scene, templates};
+use hodograph::worked::{Scope, Worked, work};
+
+use crate::wide::every;
+
+/// Labels may be left out, lines of text break elsewhere, and an inset is drawn where labels found no place: these items differ between languages.
+const WORDS: &[&str] = &[
+    "label",
+    "leader",
+    "remark",
+    "inset",
+    "heading",
+    "caption",
+    "statement",
+    "answer",
+    "title",
+    "table",
+    "agreement",
+    "note",
+    "result",
+    "list",
+];
+
+fn is_named_alike(item: &Item) -> bool {
+    let line_of_text = ["given-", "attempt-line-"].iter().any(|start| item.id.starts_with(start));
+    !line_of_text && !item.class.split(' ').any(|word| WORDS.contains(&word))
+}
+
+/// What is wrong with the ids of one figure.
+fn faults(name: &str, figure: &Figure) -> Vec<String> {
+    let (mut seen, mut out) = (BTreeSet::new(), Vec::new());
+    for item in figure.items.iter().filter(|i| !i.id.is_empty()) {
+        let good = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_');
+        if !item.id.starts_with(|c: char| c.is_ascii_lowercase()) || !item.id.chars().all(good) {
+            out.push(format!("{name}: {} is not an id in ASCII", item.id));
+        }
+        if !seen.insert(&item.id) {
+            out.push(format!("{name}: {} is not unique", item.id));
+        }
+    }
+    out
+}
+
+/// The sheet of a scene in a language and notation, and the other figures where they are wanted.
+fn figures(scene: &Scene, worked: &Worked, (lang, notation): (Lang, &str), others: bool) -> Vec<(String, Figure)> {
+    let options = Options { notation: Notation::named(notation).unwrap(), ..Options::of_language(lang) };
+    let vectors = |level| Extras { vectors: Some(level), dimensions: true, ..Extras::default() };
+    let all = [Extras::default(), vectors(Level::Velocity), vectors(Level::Acceleration)];
+    let mut out = Vec::new();
+    for (k, extras) in all.iter().enumerate() {
+        let wanted = Wanted { scene, worked, options: &options, extras };
+        let wanted_too = |e: &&&Entry| e.name == USUAL.name && k == 0 || others && (k == 0 || e.name == MECHANISM.name);
+        for entry in LIST.iter().filter(wanted_too) {
+            let Ok(pages) = (entry.draw)(&wanted) else { continue };
+            out.extend(pages.value.into_iter().map(|(word, figure)| (format!("{}-{k}-{word}", entry.name), figure)));
+        }
+    }
+    out
+}
+
+/// Faults of a scene's figures in all languages and notations, and how many items were compared.
+fn compared(name: &str, text: &str) -> (Vec<String>, usize) {
+    let scene = scene::read(text).unwrap_or_else(|f| panic!("{name}: {f}")).value;
+    let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{name}: {f}")).value;
+    let ids = |f: &Figure| -> BTreeSet<String> { f.items.iter().filter(|i| is_named_alike(i)).map(|i| i.id.clone()).collect() };
+    let (mut out, mut count, mut first) = (Vec::new(), 0, None);
+    for (lang, notation) in [(Lang::En, "en"), (Lang::Zh, "cn"), (Lang::En, "cn"), (Lang::Zh, "en")] {
+        // Language and notation change one by one on the sheet, which has most kinds of items, together on all figures.
+        let all = figures(&scene, &worked, (lang, notation), (lang == Lang::En) == (notation == "en"));
+        all.iter().for_each(|(what, f)| out.extend(faults(&format!("{name} {what} {lang:?} {notation}"), f)));
+        let named: Vec<(String, BTreeSet<String>)> = all.iter().map(|(what, f)| (what.clone(), ids(f))).collect();
+        count += named.iter().map(|(_, ids)| ids.len()).sum::<usize>();
+        let first = first.get_or_insert_with(|| named.clone());
+        for ((what, a), (_, b)) in first.iter().zip(&named) {
+            let differ: Vec<&String> = a.symmetric_difference(b).take(4).collect();
+            if !differ.is_empty() {
+                out.push(format!("{name} {what}: {lang:?} {notation} has other ids than English: {differ:?}"));
+            }
+        }
+    }
+    (out, count)
+}
+
+#[test]
+fn ids_are_ascii_unique_and_the_same_in_all_languages_and_notations() {
+    let (mut all, mut count) = (Vec::new(), 0);
+    for t in templates::list().iter().step_by(every(20)) {
+        let (faults, n) = compared(t.name, templates::get(t.name).unwrap());
+        all.extend(faults);
+        count += n;
+    }
+    assert!(count > 500, "only {count} ids were compared");
+    assert!(all.is_empty(), "{} faults:\n{}", all.len(), all.join("\n"));
+}
+
+/// Points and links whose names are no ASCII, or are one name without the signs between.
+#[test]
+fn names_that_are_no_ascii_have_ids_of_their_own() {
+    let text = templates::get("crank-rocker").unwrap();
+    let text = text.replace("\"E\"", "\"杆'\"").replace("BE", "B,杆'").replace("CE", "C,杆'").replace("_E", "_杆'");
+    let text = text.replace("\"3\": [", "\"3_\": [").replace("_3\"", "_3_\"");
+    let (faults, _) = compared("escaped", &text);
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    let scene = scene::read(&text).unwrap().value;
+    let worked = work(&scene, Scope::Figure).unwrap().value;
+    let sheet = &figures(&scene, &worked, (Lang::Zh, "cn"), false)[0].1;
+    for id in
+        ["vel-abs-_6746_0027", "acc-abs-_6746_0027", "vel-mark-image-_6746_0027", "mechanism-link-3_005f", "result-v-_6746_0027-value"]
+    {
+        assert!(sheet.items.iter().any(|i| i.id == id), "{id} is missing");
+    }
+    assert!(sheet.vector("v_杆'").is_some());
+}
