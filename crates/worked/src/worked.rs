@@ -119,7 +119,7 @@ pub struct Outcome {
     pub agreement: Option<Agreement>,
     /// The size (SI) of what it is measured against: the largest vector or rate of its kind, for positions the mechanism.
     pub scale: f64,
-    /// The answer on the other motion through each change point of the pose (see [`analytic::Singularity::other`]); empty
+    /// The answer on the other motion through each change point of the pose (see [`crate::analytic::Singularity::other`]); empty
     /// for positions and in every other pose.
     pub others: Vec<Value>,
     /// A value of no more than this (SI) cannot be told from zero.
