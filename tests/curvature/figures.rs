@@ -6,6 +6,7 @@ use hodograph::figure::sheet::Options;
 use hodograph::geom::Point;
 use hodograph::paper::extent::bounds;
 use hodograph::paper::item::{Figure, Item, Piece, Shape};
+use hodograph::paper::shown::escaped;
 use hodograph::scene::Lang;
 use hodograph::worked::{Scope, work};
 
@@ -44,7 +45,7 @@ fn the_lines_to_the_point_of_ball_are_drawn() {
     for lang in [Lang::En, Lang::Zh] {
         let page = figures("crank-rocker", 255.0, lang).remove(0);
         let spot = |name: &str| {
-            let found = page.items.iter().find(|i| i.id == format!("mechanism-{name}"));
+            let found = page.items.iter().find(|i| i.id == format!("mechanism-{}", escaped(name)));
             match found.unwrap_or_else(|| panic!("no {name}")).shape {
                 Shape::Circle { centre, .. } => centre,
                 ref other => panic!("{name}: {other:?}"),

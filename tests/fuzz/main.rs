@@ -226,6 +226,7 @@ fn fuzz_arguments() {
         "explain dead-centre --json",
         "solve scene.json --errors json",
         "curves scene.json --steps 8 -o - --format svg",
+        "diff first.svg second.svg --tolerance 0.1",
     ];
     let commands = commands();
     assert!(commands.len() > 20, "{commands:?}");
@@ -242,6 +243,9 @@ fn fuzz_arguments() {
         fs::copy(root(&format!("templates/{seed}.json")), folder.path().join(format!("{name}.json"))).unwrap();
     }
     fs::copy(root("crates/paper/src/paper/style/dark.json"), folder.path().join("style.json")).unwrap();
+    for (name, figure) in [("first", "mechanism"), ("second", "velocity")] {
+        fs::copy(root(&format!("examples/golden-images/golden/{figure}.svg")), folder.path().join(format!("{name}.svg"))).unwrap();
+    }
     let before = fs::read(folder.path().join("scene.json")).unwrap();
     fuzz("arguments", &seeds, 100, &|input, k| {
         let mut rng = Rng::new(k);
@@ -267,7 +271,9 @@ fn fuzz_arguments() {
         let code = run.status.code();
         assert!(matches!(code, Some(0 | 1 | 2 | 4)), "{line:?}: {code:?} {said}");
         assert!(!said.contains("panicked") && !said.contains('\u{1b}') && !out.contains('\u{1b}'), "{line:?}: {said:?}");
-        assert!(code == Some(0) || code == Some(4) || !said.is_empty(), "{line:?}: {code:?} without a word");
+        // Differences are an answer: they are printed.
+        let answered = code == Some(0) || code == Some(4) || code == Some(1) && line[0] == "diff" && !out.is_empty();
+        assert!(answered || !said.is_empty(), "{line:?}: {code:?} without a word");
         assert_eq!(fs::read(folder.path().join("scene.json")).unwrap(), before, "{line:?}: the scene was written over");
         code == Some(0)
     });
