@@ -80,6 +80,11 @@ impl Moved<'_> {
             let name = &plain.points[p].name;
             json["points"][name] = written(*places.get(name)?);
         }
+        // A side tells the assembly of the instant; a motion may carry the joint to the other one, so that its place is told instead.
+        let sides = json.as_object_mut()?.remove("side").unwrap_or_default();
+        for joint in sides.as_object().into_iter().flat_map(|sides| sides.keys()) {
+            json["sketch"][joint] = written(*places.get(joint)?);
+        }
         if let Some(sketch) = json.get_mut("sketch").and_then(Json::as_object_mut) {
             sketch.iter_mut().filter_map(|(p, at)| Some((at, places.get(p)?))).for_each(|(at, place)| *at = written(*place));
         }
