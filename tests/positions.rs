@@ -10,7 +10,7 @@ use hodograph::position;
 use hodograph::scene::{self, Angle, PointId, Scene, templates};
 use hodograph::stated::{Moment, breaches, is_unproven};
 use hodograph::sweep::follow::{Follower, course};
-use hodograph::sweep::{self, Placed, Stations, Width};
+use hodograph::sweep::{self, Ends, Placed, Stations, Width};
 use hodograph::worked::{Scope, work};
 use serde_json::Value as Json;
 use wide::every;
@@ -234,7 +234,7 @@ fn sweeps_are_judged_by_samples() {
         let Placed { demand, at, .. } = Placed::new(&own, &mechanism).unwrap();
         let mut stated = own.clone();
         stated.lengths.last_mut().unwrap().value.value *= 1.0 + 1e-6;
-        let placed = Placed { scene: &stated, mechanism: &mechanism, demand, at };
+        let placed = Placed { scene: &stated, mechanism: &mechanism, demand, at, ends: Ends::default() };
         let told = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 90), Width::Widest);
         // Rows that no program makes are refused one by one.
         assert!(told.map_or_else(|f| is_unproven(&f), |table| table.rows() == 0), "{name}");

@@ -8,7 +8,7 @@ use super::general::General;
 use super::pieces::{Stop, never};
 use super::station::{Stations, angle_per_value};
 use super::vary::Variation;
-use super::{Placed, Width, beside, compile, without_program};
+use super::{Ends, Placed, Width, beside, compile, without_program};
 use crate::diag::Faults;
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::{self, Configuration};
@@ -170,7 +170,7 @@ impl Batch<'_> {
     fn rows(&self, scene: &Scene, (mechanism, demand): (&Mechanism, &Demand), mut columns: Vec<&mut [f64]>) -> Result<Vec<usize>, Faults> {
         let (at, moved) = self.place(scene, mechanism, demand)?;
         let scene = moved.as_ref().unwrap_or(scene);
-        let placed = Placed { scene, mechanism, demand: demand.clone(), at };
+        let placed = Placed { scene, mechanism, demand: demand.clone(), at, ends: Ends::default() };
         let per_value = angle_per_value(scene, &placed.at, self.driver);
         let here = || Stations::of_values(vec![super::station::driver_positions(scene, &placed.at)[self.driver]], per_value);
         let stations = self.stations.as_ref().map_or_else(|| Cow::Owned(here()), Cow::Borrowed);

@@ -12,7 +12,7 @@ use super::limit::{Event, Probe, Range, range};
 use super::program::Program;
 use super::station::{Stations, angle_per_value, position_now};
 use super::swing::{Course, swing};
-use super::{Placed, Width};
+use super::{Ends, Placed, Width};
 use crate::cam::Motion;
 use crate::diag::{Diagnostic, Faults, both};
 use crate::mechanism::{Core, Demand, Leg, Mechanism};
@@ -213,7 +213,7 @@ fn placed<'a>(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<Placed<'a>, 
     let none = Demand { groups: vec![None; mechanism.groups.len()], level: Default::default(), needs: Vec::new() };
     let demand = none.with_all_positions();
     let at = crate::position::configure(scene, mechanism, &demand)?.value;
-    Ok(Placed { scene, mechanism, demand, at })
+    Ok(Placed { scene, mechanism, demand, at, ends: Ends::default() })
 }
 
 /// The same limits without a compiled program, for comparison.

@@ -63,6 +63,8 @@ use chunks::{run_on_branches, run_parts, sized};
 use general::General;
 use limit::Probe;
 use program::Program;
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
 use stood::Stood;
 
 /// A scene placed at its instant, ready to be swept.
@@ -75,6 +77,27 @@ pub struct Placed<'a> {
     pub demand: Demand,
     /// Where everything is at the instant.
     pub at: Configuration,
+    /// How far single positions could be followed.
+    pub ends: Ends,
+}
+
+/// How far each driver could be followed from the instant, each way, and why not farther: what is beyond is not tried again. By driver and whether the
+/// way is backward.
+#[derive(Debug, Default)]
+pub struct Ends(Mutex<BTreeMap<(usize, bool), (f64, Faults)>>);
+
+impl Ends {
+    /// Why a way (rad or m) of a driver leads nowhere, where that is known.
+    fn of(&self, driver: usize, way: f64) -> Option<Faults> {
+        let known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        known.get(&(driver, way < 0.0)).filter(|(end, _)| way.abs() > *end).map(|(_, why)| why.clone())
+    }
+
+    /// Notes that a driver could be followed as far as `way`, and no farther in this direction.
+    fn note(&self, driver: usize, way: f64, backward: bool, why: &Faults) {
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        known.entry((driver, backward)).or_insert_with(|| (way.abs(), why.clone()));
+    }
 }
 
 impl<'a> Placed<'a> {
@@ -86,7 +109,7 @@ impl<'a> Placed<'a> {
         position::redundant::check(scene, mechanism)?;
         let demand = Demand::of(scene, mechanism);
         let at = position::configure(scene, mechanism, &demand)?.value;
-        Ok(Placed { scene, mechanism, demand, at })
+        Ok(Placed { scene, mechanism, demand, at, ends: Ends::default() })
     }
 }
 

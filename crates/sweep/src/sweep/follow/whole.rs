@@ -122,8 +122,16 @@ impl<'a> Whole<'a> {
             let period = TAU * self.wheels.1 as f64;
             way -= period * libm::trunc(way / period);
         }
+        let ends = &self.placed.ends;
+        if let Some(why) = ends.of(self.driver, way) {
+            return Err(why);
+        }
         let first = Standing::first(self.now, &self.placed.at);
-        self.advance(&first, self.now + way).map(|s| s.now.configuration).map_err(|last| self.stopped(Some(&last), value))
+        self.advance(&first, self.now + way).map(|s| s.now.configuration).map_err(|last| {
+            let why = self.stopped(Some(&last), value);
+            ends.note(self.driver, last.now.travel - self.now, way < 0.0, &why);
+            why
+        })
     }
 
     /// The limit by which a state was the last on its way.
