@@ -1,6 +1,6 @@
 //! Every kind of file through the library's one call.
 
-use hodograph::diag::{Severity, Warned};
+use hodograph::diag::Severity;
 use hodograph::figure::list::Extras;
 use hodograph::problem::{
     Extent, Kind, Lesson, Look, Options, Pictures, Problem, Verdict, Wish, included, read, read_as, solve, templates,
@@ -63,25 +63,7 @@ fn the_program_prints_the_text_of_the_library() {
     }
 }
 
-/// A scene at a joint of two pieces of a cam's profile goes on with the piece that follows, in the library as in the program: of the two senses one
-/// leaves the piece that is read first.
-#[test]
-fn a_scene_at_a_joint_of_its_cam_goes_on() {
-    let joint = r#"{"links": {"1": ["O", "G"], "2": ["O", "Q"], "3": ["P", "B"], "4": ["G", "P"]}, "ground": "1",
-        "points": {"O": [0, 0], "G": ["-120 mm", "20 mm"]}, "lengths": {"OQ": "40 mm", "GP": "50 mm", "PB": "90 mm"},
-        "cams": [{"cam": "2", "follower": "3", "roller": {"pin": "B", "radius": "10 mm"},
-            "profile": [{"centre": "O", "radius": "25 mm"}, "tangent", {"centre": "Q", "radius": "10 mm"}, "tangent"]}],
-        "driver": [{"link": "2", "angle": "2.450057173713829 rad", "omega": "RATE rad/s"}, {"link": "4", "angle": "80 deg", "omega": "3 rad/s"}],
-        "side": {"B": "right of OP"}, "find": ["alpha_3"]}"#;
-    for (rate, alpha) in [("10", "13.56"), ("-10", "64.64")] {
-        let Warned { value, notes } = read(joint.replace("RATE", rate)).unwrap();
-        assert_eq!(notes[0].code, "joint");
-        let solved = solve(&value, &Options::default()).unwrap();
-        assert!(solved.answers(&Look::default())[0].text.starts_with(alpha), "{rate}: {:?}", solved.answers(&Look::default()));
-    }
-}
-
-/// What a kind of file does not grant is refused with its option and what to do.
+/// Wishes that a kind of file does not grant are refused with a way out.
 #[test]
 fn kinds_refuse_with_a_way_out() {
     let wishes = [

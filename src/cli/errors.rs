@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// Whether the run writes its faults as JSON.
+/// True if the run writes its faults as JSON.
 static AS_JSON: AtomicBool = AtomicBool::new(false);
 
 /// The document under way; `None` once it is written.
@@ -18,7 +18,7 @@ pub fn collect() {
     AS_JSON.store(true, Ordering::Relaxed);
 }
 
-/// Whether faults are collected for the document: nothing else goes to standard error then.
+/// Returns true if faults are collected for the document: nothing else goes to standard error then.
 pub fn as_json() -> bool {
     AS_JSON.load(Ordering::Relaxed)
 }

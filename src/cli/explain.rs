@@ -6,6 +6,7 @@
 
 use super::{Failure, Run, files, lang};
 use crate::diag::{Both, Diagnostic, both};
+use crate::json::fields::nearest;
 use crate::scene::Lang;
 use clap::Args as ClapArgs;
 use serde_json::{Value, json};
@@ -29,13 +30,6 @@ const FILES: [&str; 4] = [
     include_str!("explain/pose.txt"),
     include_str!("explain/methods.txt"),
 ];
-
-/// Codes are near one another from this similarity by Jaro and Winkler on, as misspelt keys of files are.
-const NEAR: f64 = 0.7;
-/// Beside the nearest one those are proposed that are hardly less near.
-const BESIDE: f64 = 0.05;
-/// Codes that are proposed for a misspelt one at most.
-const MOST_NEAR: usize = 3;
 
 /// A code with its explanation.
 struct Entry {
@@ -62,15 +56,8 @@ pub fn run(a: Explain) -> Run {
 }
 
 fn unknown(code: &str, all: &[Entry]) -> Diagnostic {
-    let mut near: Vec<(f64, &str)> = all.iter().map(|e| (strsim::jaro_winkler(code, e.code), e.code)).collect();
-    near.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let least = near.first().map_or(NEAR, |best| NEAR.max(best.0 - BESIDE));
-    near.retain(|n| n.0 >= least);
-    let names: Vec<String> = near.iter().take(MOST_NEAR).map(|n| format!("`{}`", n.1)).collect();
-    let help = match &names[..] {
-        [] => both!("`hodograph explain` lists all codes", "`hodograph explain` 列出全部代码"),
-        names => both!("did you mean {}?", "是否想写 {}？", Both { en: names.join(" or "), zh: names.join("或") }),
-    };
+    let help = nearest(code, all.iter().map(|e| e.code));
+    let help = help.unwrap_or_else(|| both!("`hodograph explain` lists all codes", "`hodograph explain` 列出全部代码"));
     Diagnostic::error("unknown-code", both!("no diagnostic has the code `{code}`", "没有代码为 `{code}` 的诊断")).help(help)
 }
 

@@ -231,7 +231,7 @@ impl File {
         Ok(File { name, source, notes: Vec::new(), fonts: Fonts::default(), asked: None })
     }
 
-    /// What a reader makes of the file.
+    /// Reads the file; its remarks are kept.
     fn read<T>(&mut self, read: impl FnOnce(&[u8]) -> Result<Warned<T>, Faults>) -> Result<T, Failure> {
         let Warned { value, notes } = read(self.source.as_bytes()).map_err(|faults| self.failed(faults))?;
         self.notes.extend(notes);
@@ -271,7 +271,7 @@ impl File {
         Failure::Input(self.told(faults))
     }
 
-    /// Where faults are told as JSON, says what the answers as JSON hold too.
+    /// Says the remarks where faults are told as JSON; the answers as JSON hold them too.
     fn say_notes_beside_json(&self) {
         if errors::as_json() {
             self.say_notes();
@@ -297,7 +297,7 @@ impl Input {
         Input::of(common, Extent::Motion)
     }
 
-    /// The same for what does not depend on rates.
+    /// The scene for a question that does not depend on rates.
     fn read_at_rest(common: &Common) -> Result<Input, Failure> {
         Input::of(common, Extent::Pose)
     }
@@ -327,7 +327,7 @@ impl Input {
         self.file.failed(faults)
     }
 
-    /// The same, its figures to be drawn in a style.
+    /// Takes the style in which its figures are drawn.
     fn drawn_in(mut self, style: &Style) -> Input {
         self.file.fonts = style.fonts.clone();
         self
@@ -366,16 +366,14 @@ fn granted(kind: Kind, wishes: &[(Option<String>, Wish)]) -> Result<(), Failure>
     Ok(())
 }
 
-/// How answers are written: language and notation of the command line, else those of the file.
+/// Language and notation of the command line, else those of the file, with a style and digits.
 fn look_of(common: &Common, style: Style, digits: usize) -> Look {
     Look { lang: lang::asked(), notation: common.notation.as_deref().and_then(Notation::named), style, digits }
 }
 
 /// Language and notation: the command line's, else the scene's, else English and its profile.
 fn choices(scene: &Scene, common: &Common) -> (Lang, Notation) {
-    let lang = lang::asked().or(scene.language).unwrap_or_default();
-    let notation = common.notation.as_deref().or(scene.notation.as_deref()).and_then(Notation::named);
-    (lang, notation.unwrap_or_else(|| Notation::of_language(lang)))
+    look_of(common, Style::default(), 0).of(scene.language, scene.notation.as_deref())
 }
 
 /// 3 where drawing and analysis disagree, 4 where an answer does not exist in the pose, else 0; that a radius is infinite is an answer.

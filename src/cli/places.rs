@@ -1,4 +1,4 @@
-//! Where results go and in which formats: `-o` and `--format` of all commands read alike.
+//! Destinations and formats of results: `-o` and `--format` of all commands, read alike.
 //!
 //! The ending of `-o` decides. Without an ending `--format` does, a list with commas or given several times: one format is written to
 //! the very name, of several each to the name with its ending. Standard output, a pipe and a device take one result in one format.
@@ -86,7 +86,7 @@ pub fn in_stream<F: ValueEnum + Copy>(output: &str, formats: &[F], usual: F) -> 
     }
 }
 
-/// Whether `--format` says the same as the ending of the file, or nothing.
+/// Checks that `--format` agrees with the ending of the file, or is not given.
 ///
 /// # Errors
 /// `format` where it says another.

@@ -1,4 +1,4 @@
-//! Where an output goes: through links to the file that they name, into standard output, pipes and devices as they stand, and never onto what the run
+//! Destinations of outputs: through links to the file that they name, into standard output, pipes and devices as they stand, and never onto what the run
 //! has read.
 
 use super::Failure;
@@ -33,20 +33,20 @@ pub enum Target {
     Stdout,
 }
 
-/// Whether a result has been written to standard output, which holds nothing else then.
+/// True once a result has been written to standard output, which holds nothing else then.
 static TAKEN: AtomicBool = AtomicBool::new(false);
 
-/// Whether standard output is that of a result: reports and names of files are not printed then.
+/// Returns true if standard output holds a result: reports and names of files are not printed then.
 pub fn stdout_is_taken() -> bool {
     TAKEN.load(Ordering::Relaxed)
 }
 
-/// Whether an output of this name is standard output: `-`, or where systems have a file for it.
+/// Returns true for the names of standard output: `-`, and the files that systems have for it.
 pub fn is_stdout(name: &str) -> bool {
     name == "-" || cfg!(unix) && ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].contains(&name)
 }
 
-/// Whether an output of this name is no file: standard output, a pipe, a device.
+/// Returns true if the name is no regular file: standard output, a pipe, a device.
 pub fn is_stream(name: &str) -> bool {
     let path = Path::new(name);
     let open = |m: Metadata| !m.is_dir() && (!m.is_file() || matches!(followed(path), Ok(None)));

@@ -42,10 +42,10 @@ pub enum Problem {
     Motion(Box<particle::Problem>),
 }
 
-/// How much of a scene has to be told.
+/// The part of a scene that has to be given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Extent {
-    /// All that its questions depend on.
+    /// Everything on which its questions depend.
     #[default]
     Motion,
     /// The pose: a rate that is not told is zero, and where no driver is named the first link that can be driven is.
@@ -68,7 +68,7 @@ pub fn read(source: impl AsRef<[u8]>) -> Result<Warned<Problem>, Faults> {
 /// As [`read`].
 pub fn read_as(source: impl AsRef<[u8]>, extent: Extent) -> Result<Warned<Problem>, Faults> {
     let source = source.as_ref();
-    read_scene_or(source, Kind::of(source), extent)
+    read_kind(source, Kind::of(source), extent)
 }
 
 /// Reads a file that is to be of a kind.
@@ -76,10 +76,10 @@ pub fn read_as(source: impl AsRef<[u8]>, extent: Extent) -> Result<Warned<Proble
 /// # Errors
 /// As [`read`]; of another kind of file what it lacks.
 pub fn read_of(source: impl AsRef<[u8]>, kind: Kind) -> Result<Warned<Problem>, Faults> {
-    read_scene_or(source.as_ref(), kind, Extent::Motion)
+    read_kind(source.as_ref(), kind, Extent::Motion)
 }
 
-fn read_scene_or(source: &[u8], kind: Kind, extent: Extent) -> Result<Warned<Problem>, Faults> {
+fn read_kind(source: &[u8], kind: Kind, extent: Extent) -> Result<Warned<Problem>, Faults> {
     match kind {
         Kind::Task => Ok(synthesis::read(source)?.map(|task| Problem::Task(Box::new(task)))),
         Kind::Motion => Ok(particle::read(source)?.map(|problem| Problem::Motion(Box::new(problem)))),
@@ -133,7 +133,6 @@ impl Problem {
     /// # Errors
     /// `not-a-scene` for other kinds of file.
     pub fn into_scene(self) -> Result<Scene, Diagnostic> {
-        self.kind().grants(Wish::Mechanism)?;
         match self {
             Problem::Scene(scene) => Ok(*scene),
             Problem::Task(_) | Problem::Motion(_) => Err(wish::no_mechanism(self.kind())),
@@ -141,7 +140,7 @@ impl Problem {
     }
 }
 
-/// What is solved beside the questions.
+/// Results that are wanted beside the answers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Options {
     /// Positions of all links, for figures and documents.
@@ -191,7 +190,7 @@ pub struct Solved {
     answered: Box<dyn Answered>,
 }
 
-/// How answers are written.
+/// Language, marks, digits and style of what is written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Look {
     /// The language; that of the file, or English, if `None`.
@@ -211,8 +210,8 @@ impl Default for Look {
 }
 
 impl Look {
-    /// Language and marks for a file that names a language of its own.
-    fn of(&self, language: Option<Lang>, notation: Option<&str>) -> (Lang, Notation) {
+    /// Language and marks for a file that may name its own.
+    pub fn of(&self, language: Option<Lang>, notation: Option<&str>) -> (Lang, Notation) {
         let lang = self.lang.or(language).unwrap_or_default();
         let named = || notation.and_then(Notation::named);
         (lang, self.notation.clone().or_else(named).unwrap_or_else(|| Notation::of_language(lang)))
@@ -228,7 +227,7 @@ impl Look {
 pub struct Pictures<'a> {
     /// The figures by name; those of a scene only.
     pub figures: &'a [&'static Entry],
-    /// What is drawn with the mechanism.
+    /// Vectors, dimensions, positions and paths drawn with the mechanism.
     pub extras: Extras,
     /// A picture for each step of the construction instead.
     pub steps: bool,
@@ -247,7 +246,7 @@ impl Default for Pictures<'_> {
 pub struct Lesson {
     /// Positions through a full turn, or through the travel of a slider.
     pub positions: usize,
-    /// What is moved; of motions without a mechanism, `Driver(k)` is the k-th motion.
+    /// The driver that moves; of motions without a mechanism, `Driver(k)` is the k-th motion.
     pub swept: Swept,
     /// A fragment for slides instead of a page.
     pub reveal: bool,

@@ -68,7 +68,7 @@ impl Kind {
         }
     }
 
-    /// Whether files of this kind grant a wish.
+    /// Checks that files of this kind grant a wish.
     ///
     /// # Errors
     /// `not-a-scene`, or `no-candidate`, with what to do instead.

@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 const MOST_S: f64 = 1.5;
 /// However busy the machine is.
 const DEADLINE: Duration = Duration::from_secs(60);
-/// What these do takes a second at most, whatever they are given.
+/// Commands that take a second at most, whatever they are given.
 const AT_ONCE: [&str; 5] = ["new", "templates", "schema", "explain", "diff"];
 
 /// Every command at a size that takes it seconds (or as long as it ever takes): its arguments, and the scene.

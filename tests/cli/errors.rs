@@ -150,7 +150,7 @@ fn answers_as_json_fit_their_schema() {
         }
     }
     assert!(seen > 20 && unanswered >= 2 && motions >= 1, "{seen} {unanswered} {motions}");
-    // What has another shape is refused.
+    // Documents of another shape are refused.
     let mut told: Value = serde_json::from_str(&printed(&["solve", "--json", &templates_path("shaper")])).unwrap();
     assert!(schema.is_valid(&told));
     told["answers"][0]["agrees"] = "yes".into();

@@ -79,7 +79,7 @@ fn png_files_are_compared_by_their_pixels() {
     let [left, top, right, bottom] = found.pixels.bounds.unwrap();
     assert!(found.pixels.over > 50 && right > left && bottom > top && found.vectors.is_empty(), "{found:?}");
     let made = picture(&draw(&old), &draw(&new), &Options::default()).unwrap();
-    // What is gone is red: the picture says where.
+    // The picture shows in red what only the first figure has.
     let Picture::Png(raster) = Picture::read(made).unwrap() else { panic!("a PNG") };
     let red = (left..right).flat_map(|x| (top..bottom).map(move |y| (x, y))).filter(|(x, y)| {
         let [r, g, b] = raster.at(*x, *y);
@@ -89,7 +89,7 @@ fn png_files_are_compared_by_their_pixels() {
     assert_eq!(compare(&draw(&old), &written(&old), &Options::default()).unwrap_err().code, "diff-kinds");
 }
 
-/// What would take time or memory without bound, and what is no figure.
+/// Files that would take time or memory without bound, and files that are no figures, are refused.
 #[test]
 fn hostile_files_are_refused_at_once() {
     let root = |inner: &str| {

@@ -35,7 +35,7 @@ fn is_named_alike(item: &Item) -> bool {
     !line_of_text && !item.class.split(' ').any(|word| WORDS.contains(&word))
 }
 
-/// What is wrong with the ids of one figure.
+/// Faults of the ids of one figure.
 fn faults(name: &str, figure: &Figure) -> Vec<String> {
     let (mut seen, mut out) = (BTreeSet::new(), Vec::new());
     for item in figure.items.iter().filter(|i| !i.id.is_empty()) {

@@ -1,4 +1,4 @@
-//! What vectors and marks tell of themselves is what is drawn, and what the answers say.
+//! Data attributes of vectors and marks agree with the drawing and with the answers.
 
 use hodograph::answer::Value;
 use hodograph::figure::sheet::{Options, sheet};
@@ -85,7 +85,7 @@ fn a_prefix_stands_before_all_ids_and_their_uses() {
     for bad in ["1a", "a b", "é", "a\"", "-", "_a", &"a".repeat(65)] {
         assert_eq!(svg::IdPrefix::new(bad).unwrap_err().code, "id-prefix", "{bad}");
     }
-    // What is written in a text stays.
+    // Words in a text stay.
     let text = r#"<svg><title>a id="x" > b</title><g aria-label="q > id=" id="c"/></svg>"#;
     assert!(svg::IdPrefix::new("p").unwrap().put_before(text).contains(r#"<title>a id="x" > b</title><g aria-label="q > id=" id="pc"/>"#));
 }

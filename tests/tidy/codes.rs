@@ -3,7 +3,7 @@
 use super::{code, files, finish};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How the sources make a diagnostic with a code of its own: what stands before the quotation mark.
+/// Calls in the sources that make a diagnostic with a code, up to the quotation mark.
 const MADE: [&str; 3] = ["Diagnostic::error(", "Diagnostic::warning(", "Diagnostic::note("];
 
 /// Files whose diagnostics are made by a function or constant of their own: what stands before the code there.

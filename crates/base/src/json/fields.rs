@@ -145,6 +145,15 @@ pub fn wrong<T>(node: &Node, what: impl Into<What>, wanted: Both, faults: &mut F
 
 /// The nearest of the known names, for a help line: `did you mean ...?`, or all of them where none is near.
 pub fn suggest<'a>(got: &str, known: impl Iterator<Item = &'a str> + Clone, otherwise: Both) -> Both {
+    nearest(got, known.clone()).unwrap_or_else(|| {
+        // All of them: the one that is wanted may be the last.
+        let known: Vec<&str> = known.collect();
+        both!("{} {}", "{} {}", otherwise, Both::names(&known))
+    })
+}
+
+/// A help line with the nearest of the known names, `did you mean ...?`; `None` where none is near.
+pub fn nearest<'a>(got: &str, known: impl Iterator<Item = &'a str>) -> Option<Both> {
     let lower = got.to_lowercase();
     // Jaro-Winkler 0.7 finds the long name that was meant (`lnik`) and keeps `x` from becoming `links`; in names of three or four
     // letters it misses the swapped pair (`rmp`), which one step of the edit distance finds. Two letters are too few to
@@ -157,16 +166,8 @@ pub fn suggest<'a>(got: &str, known: impl Iterator<Item = &'a str> + Clone, othe
         false => strsim::jaro_winkler(got, k),
     };
     let near = known
-        .clone()
         .map(|k| (score(k), k))
         .filter(|(score, _)| *score >= 0.7)
         .fold(None, |best: Option<(f64, &str)>, (score, k)| if best.is_some_and(|b| b.0 >= score) { best } else { Some((score, k)) });
-    match near {
-        Some((_, name)) => both!("did you mean `{name}`?", "是否想写 `{name}`？"),
-        // All of them: the one that is wanted may be the last.
-        None => {
-            let known: Vec<&str> = known.collect();
-            both!("{} {}", "{} {}", otherwise, Both::names(&known))
-        }
-    }
+    near.map(|(_, name)| both!("did you mean `{name}`?", "是否想写 `{name}`？"))
 }

@@ -99,7 +99,7 @@ impl Writer<'_> {
         vertex_name(self.scene, self.plan, v)
     }
 
-    /// Which part of a relative motion a term is: the cases of its superscript.
+    /// The part of a relative motion that a term is: the cases of its superscript.
     fn part_of(&self, level: Level, t: &Term) -> Part {
         let acceleration = level == Level::Acceleration;
         let along_arc = match t.by {
@@ -126,7 +126,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Whether two names written one after the other can be read in one way only.
+    /// Returns true if two names written one after the other can be read in one way only.
     fn runs_on(&self, of: &str, to: &str, t: &Term) -> bool {
         let numbered = |v: VertexId| self.plan.vertex(v).number.is_some();
         if [of, to].iter().any(|n| n.contains(',')) || [t.of, t.to].iter().any(|v| matches!(self.plan.vertex(*v).spot, Spot::Special(_))) {
@@ -140,7 +140,7 @@ impl Writer<'_> {
     }
 }
 
-/// Whether a text names a point (0), or a point with a link (1).
+/// 0 for the name of a point, 1 for that of a point with a link.
 fn is_vertex(scene: &Scene, text: &str) -> Option<usize> {
     let link = |name: &str| scene.links.iter().any(|l| l.name == name);
     if scene.points.iter().any(|p| p.name == text) {

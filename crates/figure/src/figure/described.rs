@@ -7,7 +7,7 @@ use crate::scene::{Lang, Scene};
 /// Names of one kind that are told; the others are counted.
 const TOLD: usize = 16;
 
-/// What these items show, in a sentence after the title.
+/// A sentence, after the title, that says which drawings these items show.
 pub fn described(scene: &Scene, lang: Lang, title: &str, items: &[Item]) -> String {
     let first = |kind: &str| items.iter().any(|i| i.class.split(' ').next() == Some(kind));
     let word = |what: &str| items.iter().any(|i| i.class.split(' ').any(|w| w == what));

@@ -227,9 +227,13 @@ impl Page<'_> {
                 let part = hodograph(&self.maker.options.style, &h);
                 let name = self.scene().point_name(point);
                 // Several points have captions of one scale.
-                let (en, zh, id) = match l {
-                    0 => ("Velocity hodograph of ${}$", "点 ${}$ 的速度矢端曲线", format!("vel-hodograph-{}", escaped(name))),
-                    _ => ("Acceleration hodograph of ${}$", "点 ${}$ 的加速度矢端曲线", format!("acc-hodograph-{}", escaped(name))),
+                let (en, zh, id) = match level {
+                    Level::Position | Level::Velocity => {
+                        ("Velocity hodograph of ${}$", "点 ${}$ 的速度矢端曲线", format!("vel-hodograph-{}", escaped(name)))
+                    }
+                    Level::Acceleration => {
+                        ("Acceleration hodograph of ${}$", "点 ${}$ 的加速度矢端曲线", format!("acc-hodograph-{}", escaped(name)))
+                    }
                 };
                 let words = fill(tr(self.maker.options.lang, en, zh), &[("", &point_label(name))]);
                 parts.push(self.maker.titled(part, Phrase::new(&words).label(), &of_level(&self.scene().book, level, mu), &id));

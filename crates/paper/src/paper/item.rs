@@ -347,7 +347,7 @@ impl Item {
         self.class.split(' ').filter_map(|word| word.strip_prefix("step-")?.parse().ok())
     }
 
-    /// The same with the quantity that it shows.
+    /// Sets the quantity that the item shows.
     pub fn showing(mut self, shown: Shown) -> Item {
         self.shown = Some(Box::new(shown));
         self

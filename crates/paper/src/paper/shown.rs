@@ -60,7 +60,7 @@ pub struct Mark<'a> {
     pub id: &'a str,
     /// Its names: the vector from the pole that ends there (`v_B`), the part that ends there (`an_CB`), `pole-v`, `pole-a`.
     pub names: &'a [String],
-    /// Where it is, in mm of the paper, y up.
+    /// Its place, in mm of the paper, y up.
     pub at: Point,
 }
 
@@ -111,10 +111,8 @@ fn vector(item: &Item) -> Option<Vector<'_>> {
 }
 
 fn mark(item: &Item) -> Option<Mark<'_>> {
-    match (&item.shown, &item.shape) {
-        (Some(shown), Shape::Circle { centre, .. }) => Some(Mark { id: &item.id, names: &shown.names, at: *centre }),
-        _ => None,
-    }
+    let (Some(shown), Shape::Circle { centre, .. }) = (&item.shown, &item.shape) else { return None };
+    Some(Mark { id: &item.id, names: &shown.names, at: *centre })
 }
 
 /// A name of an id in ASCII: letters, digits and `-` stay, a comma is `__`, each other UTF-16 unit is `_` with its four hexadecimal digits.

@@ -146,7 +146,7 @@ enum Writing {
 struct Writer {
     height_mm: f64,
     writing: Writing,
-    /// Whether vectors and marks tell what they show.
+    /// True if vectors and marks have data attributes.
     data: bool,
     /// The letters used, each with the name that its uses call it by.
     letters: BTreeMap<LetterKey, (Letter, String)>,

@@ -68,7 +68,7 @@ pub fn surveyed(scene: &Scene) -> (Survey, Vec<Option<Checked>>) {
     (survey, found)
 }
 
-/// How many pairs of gears keep a distance by their teeth that other pairs change.
+/// Number of pairs of gears whose distance other pairs change.
 fn not_kept_apart(survey: &Survey) -> usize {
     let Some(first) = survey.choices.first() else { return 0 };
     let looked = |opened: &Opened| survey.choices.iter().find_map(|c| look(&c.scene, &c.mechanism, opened).ok());

@@ -77,12 +77,12 @@ pub struct Placed<'a> {
     pub demand: Demand,
     /// Where everything is at the instant.
     pub at: Configuration,
-    /// How far single positions could be followed.
+    /// Ends of the ways along which single positions could be followed.
     pub ends: Ends,
 }
 
-/// How far each driver could be followed from the instant, each way, and why not farther: what is beyond is not tried again. By driver and whether the
-/// way is backward.
+/// The ends of the ways along which drivers could be followed from the instant, with the reason; a value beyond an end is not tried again. The key is the
+/// driver, and true for the way backward.
 #[derive(Debug, Default)]
 pub struct Ends(Mutex<BTreeMap<(usize, bool), (f64, Faults)>>);
 

@@ -17,7 +17,7 @@ use crate::plan::{self, Plan};
 use crate::position::Configuration;
 use crate::scene::{LinkId, PointId, Scene};
 
-/// What the stages from positions on are given.
+/// Input of the stages from positions on.
 #[derive(Clone, Copy)]
 pub(super) struct Given<'a> {
     pub scene: &'a Scene,
@@ -117,7 +117,7 @@ impl Drawing {
         self.answers.iter().map(|a| a.as_ref().map(|a| a.value)).collect()
     }
 
-    /// How many times rounding is magnified at the worst crossing of a level.
+    /// Factor by which rounding is magnified at the worst crossing of a level.
     pub fn magnified(&self, level: Level) -> f64 {
         self.construction.magnification[usize::from(level == Level::Acceleration)]
     }
@@ -139,7 +139,7 @@ impl Posed {
             let computed = self.solution.answer(scene, &self.configuration, &scene.find[i].what)?;
             (level > Level::Position).then(|| compare(read, computed, sizes.against(level, &computed), self.drawing.magnified(level)))
         };
-        // What longer numbers answer already is not lost.
+        // Questions that longer numbers answer already are not lost.
         let open = |i: &usize| read[*i].is_some() || self.written.is_none();
         let lost: Vec<usize> = (0..scene.find.len()).filter(open).filter(|i| near.lost(*i, agreed(*i))).collect();
         lost_groups(scene, mechanism, &self.solution, &lost)

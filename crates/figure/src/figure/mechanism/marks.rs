@@ -49,7 +49,7 @@ const RIM_ARROW_MM: f64 = 8.0;
 /// Distance of a straight arrow from the thing that moves.
 const ARROW_OFF_MM: f64 = 3.0;
 
-/// What a mark is called: in ids, on paper, and what it is.
+/// The names of a mark: in ids and on paper, with its kind.
 pub(super) struct Called<'a> {
     /// In ids.
     pub id: &'a str,

@@ -57,7 +57,7 @@ pub(super) struct Slides {
     pub along: Vec2,
     /// Away from the thing.
     pub outward: Vec2,
-    /// What moves, in ids.
+    /// The moving link or point, in ids.
     pub who: String,
 }
 

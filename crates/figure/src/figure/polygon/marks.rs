@@ -31,7 +31,7 @@ pub(super) fn key(w: &Writer, level: Level, mark: &Mark) -> String {
     }
 }
 
-/// What a mark shows: the end of a vector, by its name.
+/// The quantity of a mark: the vector that ends there.
 pub(super) fn shown_by(w: &Writer, level: Level, mark: &Mark) -> Shown {
     let pole = || if level == Level::Acceleration { "pole-a" } else { "pole-v" }.to_owned();
     Shown::mark(match mark {

@@ -18,7 +18,7 @@ use crate::report::construction::mark as mark_name;
 use super::marks;
 use super::{Arrow, Draft, LABEL_ROOM_MM, covers, is_one};
 
-/// What a vector is called.
+/// The name of a vector on paper and for programs.
 #[derive(Clone)]
 pub(super) struct Name {
     /// On paper, in the notation of the figure.
@@ -142,7 +142,7 @@ impl Arrow {
         &self.symbols[0].key
     }
 
-    /// What it shows, drawn so many times larger than the polygon, which has the scale `mu`.
+    /// The quantity it shows, drawn `times` as large as in the polygon, whose scale is `mu`.
     pub(super) fn shown(&self, mu: f64, times: f64) -> Quantity {
         let mm = self.from.distance(self.to);
         let names = self.symbols.iter().map(|n| n.quantity.clone()).collect();

@@ -15,7 +15,7 @@ const KNOWN: &[&str] = &["svg", "title", "desc", "defs", "g", "path", "line", "r
 /// Millimetres of a CSS pixel.
 const PIXEL_MM: f64 = 25.4 / 96.0;
 
-/// What is compared of an SVG.
+/// The compared parts of an SVG.
 pub struct Document {
     /// Its size.
     pub size_mm: [f64; 2],
@@ -31,22 +31,22 @@ pub struct Document {
 /// An element with an id.
 pub struct Element {
     pub id: String,
-    /// What it is a vector of; empty where it tells nothing.
+    /// Names of the vector it shows; empty for other elements.
     pub name: String,
     pub mm: Option<f64>,
     pub si: Option<f64>,
-    /// What it says.
+    /// Text of a label.
     pub text: Option<String>,
     /// Colours, widths and patterns of it and of its parts.
     pub paint: String,
     pub geometry: Geometry,
 }
 
-/// Where an element is.
+/// Places of an element's lines.
 pub enum Geometry {
     /// Tail and tip.
     Arrow([[f64; 2]; 2]),
-    /// Of what it is made, and its numbers.
+    /// Its shapes, and their numbers.
     Lines(String, Vec<f64>),
 }
 
@@ -91,7 +91,7 @@ fn named(root: Node) -> Result<Vec<Element>, Diagnostic> {
     Ok(out)
 }
 
-/// What is not of a figure is not drawn: filters, patterns and uses of uses can make a small file take hours.
+/// Refuses elements that no figure has: filters, patterns and uses of uses can make a small file take hours to draw.
 fn refuse_foreign(root: Node) -> Result<(), Diagnostic> {
     let mut drawn_once: HashMap<&str, bool> = HashMap::new();
     for node in root.descendants().filter(Node::is_element) {
@@ -156,7 +156,7 @@ fn geometry(node: Node) -> Geometry {
         for key in ["x", "y", "width", "height", "x1", "y1", "x2", "y2", "cx", "cy", "r", "d", "transform"] {
             n.attribute(key).into_iter().for_each(|value| take_apart(value, &mut form, &mut numbers));
         }
-        // Where a label stands; what its letters are is told by its text.
+        // The place of a label is enough: its letters are those of its text.
         if n.has_attribute("data-text") {
             break;
         }

@@ -12,7 +12,7 @@ use elements::{Document, Element, Geometry};
 pub use picture::picture;
 pub use raster::Raster;
 
-/// What counts as a difference.
+/// Tolerances of a comparison.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// Items that moved no farther than this are where they were.
@@ -61,7 +61,7 @@ pub struct Vector {
     pub id: String,
     /// Its names.
     pub name: String,
-    /// How far its tail and its tip moved.
+    /// Distances by which its tail and its tip moved.
     pub moved_mm: [f64; 2],
     /// Its lengths on paper, before and after, where they are told.
     pub mm: Option<[f64; 2]>,
@@ -74,7 +74,7 @@ pub struct Vector {
 pub struct Moved {
     /// Its id.
     pub id: String,
-    /// How far its farthest point moved; `None` where it is made of other lines.
+    /// Distance by which its farthest point moved; `None` where it is made of other lines.
     pub mm: Option<f64>,
 }
 
@@ -92,7 +92,7 @@ pub struct Text {
 /// The pixels of two figures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Pixels {
-    /// How many differ by more than the tolerance in some channel.
+    /// Number of pixels that differ by more than the tolerance in some channel.
     pub over: usize,
     /// By how much at most.
     pub largest: u8,
@@ -102,7 +102,7 @@ pub struct Pixels {
     pub sizes: [[u32; 2]; 2],
 }
 
-/// What differs between two figures.
+/// Differences between two figures.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Difference {
     /// Vectors.
@@ -119,12 +119,12 @@ pub struct Difference {
     pub texts: Vec<Text>,
     /// Pixels.
     pub pixels: Pixels,
-    /// Whether there are more of them than may be.
+    /// True if more pixels differ than may.
     pub pixels_differ: bool,
 }
 
 impl Difference {
-    /// Whether the figures are alike within the tolerances.
+    /// Returns true if the figures are alike within the tolerances.
     pub fn is_empty(&self) -> bool {
         let lists = [self.vectors.len(), self.moved.len(), self.restyled.len(), self.added.len(), self.removed.len(), self.texts.len()];
         lists.iter().all(|n| *n == 0) && !self.pixels_differ
@@ -193,27 +193,27 @@ impl Difference {
 /// # Ok::<(), hodograph::diag::Diagnostic>(())
 /// ```
 pub fn compare(old: &Picture, new: &Picture, options: &Options) -> Result<Difference, Diagnostic> {
-    let mut found = match (old, new) {
-        (Picture::Svg(a), Picture::Svg(b)) => by_elements(&Document::read(a)?, &Document::read(b)?, options),
-        _ => Difference::default(),
-    };
-    let [a, b] = rasters(old, new)?;
+    let ([a, b], documents) = rasters(old, new)?;
+    let mut found = documents.map_or_else(Difference::default, |[a, b]| by_elements(&a, &b, options));
     found.pixels = raster::compare(&a, &b, options.channel);
     let resized = found.pixels.sizes[0] != found.pixels.sizes[1];
     found.pixels_differ = resized || options.pixels.is_some_and(|most| found.pixels.over > most);
     Ok(found)
 }
 
-/// The pixels of two figures of one kind, SVG files at one resolution.
-fn rasters(old: &Picture, new: &Picture) -> Result<[Raster; 2], Diagnostic> {
+/// The pixels of two figures of one kind, SVG files at one resolution and with their elements.
+fn rasters(old: &Picture, new: &Picture) -> Result<([Raster; 2], Option<[Document; 2]>), Diagnostic> {
     match (old, new) {
         (Picture::Svg(a), Picture::Svg(b)) => {
-            let dpi = raster::dpi(&[Document::read(a)?.size_mm, Document::read(b)?.size_mm]);
-            Ok([Raster::of_svg(a, dpi)?, Raster::of_svg(b, dpi)?])
+            let documents = [Document::read(a)?, Document::read(b)?];
+            let dpi = raster::dpi(&documents.each_ref().map(|d| d.size_mm));
+            Ok(([Raster::of_svg(a, dpi)?, Raster::of_svg(b, dpi)?], Some(documents)))
         }
-        (Picture::Png(a), Picture::Png(b)) => Ok([a.clone(), b.clone()]),
-        _ => Err(Diagnostic::error("diff-kinds", both!("an SVG and a PNG cannot be compared", "SVG 与 PNG 不能比较"))
-            .help(both!("name two files of one kind", "请指定两个同类文件"))),
+        (Picture::Png(a), Picture::Png(b)) => Ok(([a.clone(), b.clone()], None)),
+        (Picture::Svg(_), Picture::Png(_)) | (Picture::Png(_), Picture::Svg(_)) => {
+            Err(Diagnostic::error("diff-kinds", both!("an SVG and a PNG cannot be compared", "SVG 与 PNG 不能比较"))
+                .help(both!("name two files of one kind", "请指定两个同类文件")))
+        }
     }
 }
 
@@ -262,8 +262,9 @@ fn element(a: &Element, b: &Element, options: &Options, out: &mut Difference) {
             }
         }
         // The letters of another text stand where they stand.
-        _ if a.text != b.text => {}
-        _ => out.moved.push(Moved { id: id(), mm: None }),
+        (Geometry::Arrow(_) | Geometry::Lines(..), Geometry::Arrow(_) | Geometry::Lines(..)) => {
+            out.moved.extend((a.text == b.text).then(|| Moved { id: id(), mm: None }));
+        }
     }
 }
 

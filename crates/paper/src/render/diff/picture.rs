@@ -7,7 +7,7 @@ use super::{Options, Picture, rasters};
 use crate::diag::{Diagnostic, both};
 use crate::render::png::encode;
 
-/// How dark what both have is: enough to see where one is, and less than what differs.
+/// Darkness of the ink that both have: enough to see where one is, and less than that of differences.
 const COMMON: f64 = 0.35;
 /// Another colour of the same brightness.
 const RECOLOURED: [u8; 3] = [230, 140, 0];
@@ -17,7 +17,7 @@ const RECOLOURED: [u8; 3] = [230, 140, 0];
 /// # Errors
 /// As [`super::compare()`].
 pub fn picture(old: &Picture, new: &Picture, options: &Options) -> Result<Vec<u8>, Diagnostic> {
-    let [a, b] = rasters(old, new)?;
+    let ([a, b], _) = rasters(old, new)?;
     let (width, height) = (a.width.max(b.width), a.height.max(b.height));
     let failed = |why: String| Diagnostic::error("png-size", both!("the picture cannot be made: {why}", "无法生成图像：{why}"));
     let mut pixmap = tiny_skia::Pixmap::new(width, height).ok_or_else(|| failed(format!("{width} × {height}")))?;
