@@ -9,6 +9,8 @@ use hodograph::scene::{Lang, Swept};
 use hodograph::worksheet::Sides;
 use std::process::Command;
 
+mod wide;
+
 fn problem(name: &str) -> Problem {
     let text = templates::text(name, &[]).unwrap_or_else(|f| panic!("{name}: {f}"));
     read(text).unwrap_or_else(|f| panic!("{name}: {f}")).value
@@ -103,6 +105,30 @@ fn a_lesson_moves_only_what_moves_by_itself() {
             assert_eq!(solved.lesson(&lesson, &Look::default()).is_ok(), moved, "{name} {driver}");
         }
     }
+}
+
+/// Lessons of the collected cases with cams are made or refused with a reason. A frame is read as a file of its own, with the mechanism of its
+/// piece of the cam; the ends of the motion belong to the mechanism that was followed.
+#[test]
+fn lessons_of_cams_are_made() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cases");
+    let texts = std::fs::read_dir(folder).unwrap().map(|f| std::fs::read_to_string(f.unwrap().path()).unwrap());
+    let (mut made, mut ended) = (0, 0);
+    let mut texts: Vec<String> = texts.filter(|t| t.contains("\"cams\"")).collect();
+    texts.sort();
+    // Those of cams that touch a coupler, whose frames are most unlike, and a part of the others.
+    let (couplers, others): (Vec<&String>, Vec<&String>) = texts.iter().partition(|t| t.contains("\"case\": \"jet-"));
+    for text in couplers.into_iter().chain(others.into_iter().step_by(wide::every(8))) {
+        let scene = serde_json::from_str::<serde_json::Value>(text).unwrap()["scene"].to_string();
+        let Ok(problem) = read(&scene) else { continue };
+        let Ok(solved) = solve(&problem.value, &Options { whole_motion: true, ..Options::with_figures() }) else { continue };
+        let lesson = Lesson { positions: 8, ..Lesson::default() };
+        if let Ok(page) = solved.lesson(&lesson, &Look::default()) {
+            made += 1;
+            ended += u32::from(!page.value.contains("\"limits\":[null,null]"));
+        }
+    }
+    assert!(made >= 6 && ended >= 1, "{made} {ended}");
 }
 
 /// A candidate that is not there is named; a pose needs no rate; a task takes the scene that it names.

@@ -183,5 +183,5 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
             .help(both!("with --over t all of them move, each at its rate", "用 --over t 可使它们各按其速度同时运动")),
         );
     }
-    Ok(Warned { value: page::page(scene, options, &sweep, &frames)?, notes })
+    Ok(Warned { value: page::page(scene, options, (&worked.mechanism, &sweep), &frames)?, notes })
 }

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use crate::construct::pencil::USUAL_MM;
 use crate::diag::Faults;
 use crate::geom::Point;
-use crate::mechanism::Level;
+use crate::mechanism::{Level, Mechanism};
 use crate::paper::label::Label;
 use crate::paper::words as figure_words;
 use crate::plan::names::name_label;
@@ -58,7 +58,7 @@ const SCRIPT: [&str; 7] = [
 ///
 /// # Errors
 /// Those of the SVG writer.
-pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) -> Result<String, Faults> {
+pub fn page(scene: &Scene, options: &Options, (mechanism, sweep): (&Mechanism, &Sweep), frames: &Frames) -> Result<String, Faults> {
     let notation = &options.notation;
     let written = || {
         let mut formulas = Formulas::default();
@@ -72,7 +72,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
     let drawings = drawings?;
     let told: Vec<Vec<Told>> = drawings.iter().map(|d| d.layouts.iter().enumerate().map(|(k, l)| l.track.told(k == 0)).collect()).collect();
     let mut figures = drawings.iter().zip(&told).map(|(d, told)| figure(d, told, frames, options.lang));
-    let mechanism = figures.next().unwrap_or_default();
+    let first = figures.next().unwrap_or_default();
     let polygons: String = figures.collect();
     let title = |lang: Lang| match scene.title.get(lang) {
         "" => figure_words::words(lang).diagram.to_owned(),
@@ -92,7 +92,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "travel": frames.list.iter().map(|f| ten_digits(f.travel)).collect::<Vec<_>>(),
         "base": frames.base,
         "full": frames.full,
-        "limits": limits(scene, sweep, frames),
+        "limits": limits(scene, mechanism, sweep),
         "cut": frames.cut,
         "handle": handle(frames, options.swept.lead(scene)),
         "scales": scales,
@@ -118,7 +118,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
             ("title", &escaped(&title(options.lang))),
             ("style", &with_fonts(&STYLE)),
             ("letters", &Elements::letters(drawings.iter().flat_map(|d| &d.layouts).map(|l| &l.track.elements_of))),
-            ("mechanism", &mechanism),
+            ("mechanism", &first),
             ("polygons", &polygons),
             ("noscript", &escaped(word("noscript", options.lang))),
             ("data", &data),
@@ -285,8 +285,7 @@ fn driver(scene: &Scene, k: usize) -> Value {
 }
 
 /// What is said at each end of the travel, English and Chinese; null where nothing stops the driver.
-fn limits(scene: &Scene, sweep: &Sweep, frames: &Frames) -> Value {
-    let mechanism = &frames.list[frames.base].worked.mechanism;
+fn limits(scene: &Scene, mechanism: &Mechanism, sweep: &Sweep) -> Value {
     let ends = [sweep.poses.first(), sweep.poses.last()];
     let said = ends.into_iter().zip(sweep.limits).map(|(pose, limit)| {
         let (Some(pose), Some(_)) = (pose, limit) else { return Value::Null };

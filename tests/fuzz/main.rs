@@ -1,8 +1,8 @@
 //! Mutated input, as long as one likes: scenes, style files, arguments; scenes through all commands ([`commands`]); wishes and motions ([`tasks`]).
 //! (Journals: `src/cli/part/tests.rs`.)
 //!
-//! A few seconds of it run with every `cargo test`, always the same inputs. `HODOGRAPH_FUZZ_SECONDS=60 cargo test fuzz` runs each target
-//! for a minute, `HODOGRAPH_FUZZ_SEED=7` with others. The seeds of scenes are all templates and the scenes of `tests/bad` and `tests/repro`. An
+//! A few seconds of it run with every `cargo test`, always the same inputs. `HODOGRAPH_FUZZ_TIMES=20 cargo test fuzz` tries twenty times
+//! as many, `HODOGRAPH_FUZZ_SECONDS=60` as many as a minute allows, `HODOGRAPH_FUZZ_SEED=7` others. The seeds of scenes are all templates and the scenes of `tests/bad` and `tests/repro`. An
 //! input that breaks something is printed with the failure.
 
 mod commands;
@@ -47,14 +47,15 @@ fn checks_are_on() {
     assert!(catch_unwind(|| least - 1).is_err(), "Cargo.toml: the profile of these tests has no overflow checks");
 }
 
-/// Feeds mutated inputs to a target: so many, or for as long as is asked for. Prints how many were accepted.
+/// Feeds mutated inputs to a target: the usual number or a multiple of it, or for as long as is asked for. Prints how many were accepted.
 fn fuzz(name: &str, seeds: &[String], usual: u64, target: &dyn Fn(&[u8], u64) -> bool) {
     let number = |key: &str| std::env::var(key).ok().and_then(|v| v.parse::<u64>().ok());
     let (seconds, seed) = (number("HODOGRAPH_FUZZ_SECONDS"), number("HODOGRAPH_FUZZ_SEED").unwrap_or(1));
+    let most = usual * number("HODOGRAPH_FUZZ_TIMES").unwrap_or(1);
     let begin = Instant::now();
     let mutator = Mutator::new(seeds);
     let (mut tried, mut accepted) = (0, 0);
-    while seconds.map_or(tried < usual, |s| begin.elapsed().as_secs() < s) {
+    while seconds.map_or(tried < most, |s| begin.elapsed().as_secs() < s) {
         let mut rng = Rng::new(seed.wrapping_mul(0x9e37_79b9) ^ tried);
         let input = mutator.input(&mut rng);
         let start = Instant::now();

@@ -82,9 +82,10 @@ fn fuzz_journals() {
 
     let number = |key: &str| std::env::var(key).ok().and_then(|v| v.parse::<u64>().ok());
     let (seconds, seed) = (number("HODOGRAPH_FUZZ_SECONDS"), number("HODOGRAPH_FUZZ_SEED").unwrap_or(1));
+    let most = 300 * number("HODOGRAPH_FUZZ_TIMES").unwrap_or(1);
     let begin = Instant::now();
     let (mut tried, mut refused, mut kept) = (0u64, 0, 0);
-    while seconds.map_or(tried < 300, |s| begin.elapsed().as_secs() < s) {
+    while seconds.map_or(tried < most, |s| begin.elapsed().as_secs() < s) {
         let mut state = seed.wrapping_mul(0x9e37_79b9) ^ tried;
         let mut bytes = left.clone();
         for _ in 0..1 + next(&mut state) % 3 {
