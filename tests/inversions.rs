@@ -6,6 +6,8 @@ use hodograph::mechanism::Level;
 use hodograph::scene::{self, LinkId, Scene, templates};
 use hodograph::sweep::extreme::Grashof;
 
+mod wide;
+
 fn template(name: &str, values: &[(&str, &str)]) -> Scene {
     scene::read(templates::instantiate(name, values).unwrap()).unwrap().value
 }
@@ -146,4 +148,20 @@ fn what_cannot_be_inverted_is_told() {
         assert!(one.message.en.contains(told) && (one.span.is_some() || code != "inversion-pairs"), "{name}: {one}");
         assert!(faults.list.iter().all(|d| d.english_in_chinese().is_none()));
     }
+}
+
+/// Collected cases are inverted or refused: also the one of a body that translates, where the driver of an inversion can hardly move.
+#[test]
+fn collected_cases_are_inverted() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cases");
+    let mut files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|f| f.unwrap().path()).collect();
+    files.sort();
+    let mut some: Vec<_> = files.iter().step_by(wide::every(16)).cloned().collect();
+    some.push(format!("{folder}/hit-7.17.json").into());
+    let inverted = |file: &std::path::PathBuf| {
+        let case: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap();
+        scene::read(&case["scene"].to_string()).is_ok_and(|s| inversions(&s.value).is_ok())
+    };
+    let count = some.iter().filter(|f| inverted(f)).count();
+    assert!(count * 2 > some.len(), "{count}");
 }

@@ -214,7 +214,8 @@ impl<'a> Follower<'a> {
     /// Poses from the scene's one on, in steps, as far as `reach`; where the motion ends before, the last is its end, which may be
     /// known.
     fn walk(&self, step: f64, reach: f64, known: Option<Pose>) -> (Vec<Pose>, Option<f64>) {
-        let count = ((reach / step.abs()) * (1.0 - 1e-9)).ceil() as usize;
+        let reach = known.as_ref().map_or(reach, |end| end.travel.abs());
+        let count = (((reach / step.abs()) * (1.0 - 1e-9)).ceil() as usize).max(usize::from(known.is_some()));
         let start = Pose { travel: 0.0, configuration: self.base.clone() };
         let (mut before, mut now) = (None, start);
         let mut poses = Vec::new();
