@@ -130,7 +130,7 @@ fn the_proposed_scales_keep_their_promise() {
         let l = t.larger.as_ref().unwrap();
         assert!((l.factor - t.relative.unwrap() / 0.01).abs() < 1e-12);
         let mut scene = scene.clone();
-        [scene.paper.mu_l, scene.paper.mu_v, scene.paper.mu_a] = l.mu;
+        scene.paper.scales.clone_from(&l.scales);
         let then = work(&scene, Scope::Questions).unwrap().value.with_drafting(&scene).drafting.unwrap();
         let then = then.tolerances[i].as_ref().unwrap().relative.unwrap();
         assert!(then <= 0.01, "{}: {then}", scene.find[i].text);
@@ -159,9 +159,9 @@ fn a_bad_angle_is_told_with_a_pose_that_is_better() {
     // The larger scale too: all answers within 1 %.
     let mut larger = scene.clone();
     let factor = bad.larger.unwrap();
-    larger.paper.mu_l = Some(w.construction.diagram.mu_l / factor);
-    larger.paper.mu_v = w.construction.polygon(Level::Velocity).map(|p| p.mu / factor);
-    larger.paper.mu_a = w.construction.polygon(Level::Acceleration).map(|p| p.mu / factor);
+    for level in Level::ALL {
+        larger.paper.scales.set(level.kind(), w.construction.scale(level).map(|mu| mu / factor));
+    }
     let drafting = work(&larger, Scope::Questions).unwrap().value.with_drafting(&larger).drafting.unwrap();
     assert!(drafting.tolerances.iter().flatten().all(|t| t.relative.unwrap() <= 0.01));
 }

@@ -27,7 +27,7 @@ use crate::paper::words::words as figure_words;
 use crate::report::centres::Words;
 use crate::report::html::sentence as html;
 use crate::report::math::mathml;
-use crate::scene::{Scene, Swept};
+use crate::scene::{Kind, Scene, Swept};
 use crate::sweep::follow::{Follower, Pose, Sweep};
 use crate::worked::{Worked, work_pose};
 
@@ -74,13 +74,13 @@ pub(super) fn lesson(
     options: &Options,
     (follower, sweep): (&Follower, &Sweep),
 ) -> Result<String, Faults> {
-    let mu_l = worked.construction.diagram.mu_l;
+    let mu = worked.construction.diagram.mu;
     let base = sweep.poses.iter().position(|p| p.travel == 0.0);
     let kept = |k: &usize| base.is_none_or(|base| k.abs_diff(base).is_multiple_of(EVERY));
     let poses: Vec<&Pose> = (0..sweep.poses.len()).filter(kept).map(|k| &sweep.poses[k]).collect();
     let found = |pose: &&Pose| {
         let mut scene = follower.scene_at(scene, pose.travel);
-        scene.paper.mu_l = Some(mu_l);
+        scene.paper.scales.set(Kind::Length, Some(mu));
         let (scene, worked) = work_pose(&scene, (&worked.mechanism, &worked.demand), &pose.configuration).ok()?;
         let centres = placed(&scene, &worked.mechanism, &worked.configuration).ok()?.value;
         // A centre without a place in a pose would leave its steps without one.
@@ -108,7 +108,7 @@ fn views(f: &Found, options: &sheet::Options) -> Vec<View> {
     let [mechanism, circle] = stepped(&wanted, &f.centres, REACH_MM);
     let [en, zh] = LANGS.map(figure_words);
     let both_of = |en: &str, zh: &str| Both { en: en.to_owned(), zh: zh.to_owned() };
-    let scales = vec![(Level::Position, f.frame.worked.construction.diagram.mu_l)];
+    let scales = vec![(Level::Position, f.frame.worked.construction.diagram.mu)];
     vec![
         View { part: mechanism, caption: both_of(en.centres, zh.centres), scales },
         View { part: circle, caption: both_of(en.circle_diagram, zh.circle_diagram), scales: Vec::new() },

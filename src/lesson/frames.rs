@@ -13,7 +13,7 @@ use crate::mechanism::{Demand, Level, Mechanism};
 use crate::paper::style::Style;
 use crate::plan::notation::Notation;
 use crate::position::Configuration;
-use crate::scene::Scene;
+use crate::scene::{Kind, Scene};
 use crate::worked::{Worked, work_placed, work_pose};
 
 use super::curve;
@@ -94,7 +94,7 @@ struct Trial {
 struct Papers {
     common: Scales,
     /// That of the scene's own figure (m/mm).
-    mu_l: f64,
+    mu: f64,
     /// The names of the points of the motion.
     points: Vec<String>,
     zooms: [Option<Zoom>; 2],
@@ -262,9 +262,9 @@ impl Maker<'_> {
             (Zoom::of(&self.scene.paper, &poses, &common, level, boxes, split.as_ref(), &label_mm), split)
         };
         let [(velocity, split_v), (acceleration, split_a)] = Level::RATES.map(of);
-        let mu_l = own.map_or(common.mu_l, |w| w.construction.diagram.mu_l);
+        let mu = own.map(|w| w.construction.diagram.mu).or(common.mu.get(Kind::Length)).unwrap_or(1.0);
         Papers {
-            mu_l,
+            mu,
             points: self.scene.points.iter().map(|p| p.name.clone()).collect(),
             common,
             zooms: [velocity, acceleration],
@@ -279,8 +279,10 @@ impl Maker<'_> {
             Frames { list: Vec::new(), base: 0, full: sweep.full, zoom: papers.zooms.clone(), split: papers.splits.clone(), cut: false };
         let to_scale = |trial: &Trial| {
             let mut scene = trial.scene.clone();
-            let [mu_v, mu_a] = papers.zooms.each_ref().map(|z| z.as_ref().map(|z| z.mu));
-            (scene.paper.mu_l, scene.paper.mu_v, scene.paper.mu_a) = (Some(papers.mu_l), mu_v, mu_a);
+            scene.paper.scales.set(Kind::Length, Some(papers.mu));
+            for (level, zoom) in Level::RATES.into_iter().zip(&papers.zooms) {
+                scene.paper.scales.set(level.kind(), zoom.as_ref().map(|z| z.mu));
+            }
             let Worked { mechanism, demand, configuration, .. } = &trial.worked;
             let worked = work_placed(&scene, mechanism.clone(), demand.clone(), configuration.clone()).ok()?.value;
             Some((scene, worked))
@@ -317,7 +319,7 @@ impl Papers {
     /// Joints on paper, and images if polygons are asked for, in a fixed order.
     fn marks(&self, trial: &Trial, polygons: bool) -> Vec<Option<Mark>> {
         let Trial { scene, worked, .. } = trial;
-        let on_paper = |p: Point| Some((p.to_vec2() * (1.0 / self.mu_l)).to_point()).filter(|p| p.to_vec2().norm() < FAR_MM);
+        let on_paper = |p: Point| Some((p.to_vec2() * (1.0 / self.mu)).to_point()).filter(|p| p.to_vec2().norm() < FAR_MM);
         let joint = |name: &String| Some((0, on_paper(worked.configuration.named(scene, name)?)?));
         let mut marks: Vec<Option<Mark>> = self.points.iter().map(joint).collect();
         if !polygons {

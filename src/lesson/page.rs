@@ -322,7 +322,7 @@ fn arm(frames: &Frames, driver: usize) -> f64 {
         pins.chain(contacts).filter_map(far).collect::<Vec<f64>>()
     });
     let farthest = reaches.fold(0.0, f64::max);
-    let least = ARM_MM * frames.list[frames.base].worked.construction.diagram.mu_l;
+    let least = ARM_MM * frames.list[frames.base].worked.construction.diagram.mu;
     if farthest > 0.0 { farthest } else { least }
 }
 
@@ -351,5 +351,5 @@ fn grip(frame: &Frame, driver: usize, arm: f64) -> Option<Point> {
         }
         DriverKind::Cylinder { b, .. } => at.points[b.0],
     }?;
-    Some(((place - diagram.origin) * (1.0 / diagram.mu_l)).to_point())
+    Some(((place - diagram.origin) * (1.0 / diagram.mu)).to_point())
 }

@@ -128,7 +128,7 @@ impl<'a> Studio<'a> {
         let is_full = |(w, p): (Writer, &Polygon)| share.map_or_else(|| polygon::is_full(&w, p), |s| polygon::is_full_share(&w, p, s));
         let full = frames.list.iter().any(|f| polygon_of(f, shows, notation).is_some_and(is_full));
         let mu = match shows {
-            Shows::Mechanism => frames.list[frames.base].worked.construction.diagram.mu_l,
+            Shows::Mechanism => frames.list[frames.base].worked.construction.diagram.mu,
             Shows::Polygon(level, _) => frames.zoom[place(level)].as_ref().map_or(1.0, |z| z.mu),
         };
         Studio { frames, notation, style, shows, full, mu }
@@ -337,5 +337,5 @@ fn share_of(frames: &Frames, shows: Shows) -> Option<Share<'_>> {
 /// moves.
 pub fn stray(frames: &Frames, frame: &Frame) -> Vec2 {
     let (here, first) = (&frame.worked.construction.diagram, &frames.list[frames.base].worked.construction.diagram);
-    (here.origin - first.origin) * (1.0 / first.mu_l)
+    (here.origin - first.origin) * (1.0 / first.mu)
 }

@@ -102,16 +102,15 @@ impl Zoom {
         split: Option<&Split>,
         label_mm: &[f64],
     ) -> Option<Zoom> {
-        let later = level == Level::Acceleration;
-        let one = common.mu[usize::from(later)]?;
+        let one = common.mu.get(level.kind())?;
         let whole = |w: &Worked| (size(w, level, &boxes).unwrap_or(0.0), ends(w, level).collect());
         let whole = Sight::list(poses, |w| common.holds(w, level), whole);
         let (own, middling) = Sight::usual(&whole)?;
         let half = OF_HALF * middling;
-        let fixed = if later { paper.mu_a } else { paper.mu_v };
+        let fixed = paper.scales.get(level.kind());
         let base = poses.iter().min_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))?.1;
         let usual = if own.size >= half { base.construction.polygon(level).map(|p| p.mu) } else { None };
-        let usual_mu = || scale::choose_in(paper.unit(level as usize), extent(Sight::around(&whole, half).into_iter()), boxes.polygon);
+        let usual_mu = || scale::choose_in(paper.unit(level.kind()), extent(Sight::around(&whole, half).into_iter()), boxes.polygon);
         let mu = fixed.or(usual).unwrap_or_else(|| if half > 0.0 { usual_mu() } else { one });
         let windows = match split {
             None => vec![Windows::of(&whole, label_mm[0], one)?],
@@ -204,7 +203,7 @@ fn middle(points: &[Point]) -> Point {
 pub fn diagram(worked: &Worked, k: f64) -> Worked {
     let mut worked = worked.clone();
     let diagram = &mut worked.construction.diagram;
-    diagram.mu_l /= k;
+    diagram.mu /= k;
     diagram.spots.iter_mut().flatten().for_each(|p| *p = (p.to_vec2() * k).to_point());
     worked
 }

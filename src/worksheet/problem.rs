@@ -89,10 +89,8 @@ impl Maker<'_> {
         // Dimensions need room; where the page would not hold it beside the text or above it, the mechanism is drawn to a smaller scale.
         let large = figure.width_mm > HALF_MM && figure.height_mm > HIGH_MM;
         match large.then(|| to_part(self.scene, self.worked, self.options, SMALLER)).flatten() {
-            Some((scene, worked)) => {
-                (problem_diagram(&scene, &bare(&worked), self.options, &dimensioned), worked.construction.diagram.mu_l)
-            }
-            None => (figure, self.worked.construction.diagram.mu_l),
+            Some((scene, worked)) => (problem_diagram(&scene, &bare(&worked), self.options, &dimensioned), worked.construction.diagram.mu),
+            None => (figure, self.worked.construction.diagram.mu),
         }
     }
 

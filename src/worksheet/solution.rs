@@ -112,21 +112,21 @@ impl Maker<'_> {
     /// The scales, and what the first length becomes on paper: on the solution's own drawing of the mechanism where that is `shown`, else on the problem's.
     fn scales(&self, blocks: &mut Vec<Block>, shown: bool) {
         let paper = &self.worked.construction;
-        let mu_of_figure = if shown { paper.diagram.mu_l } else { self.given_drawing().1 };
+        let mu_of_figure = if shown { paper.diagram.mu } else { self.given_drawing().1 };
         let mut members = Vec::new();
         let mm = |v: f64| format!("{} mm", number(v, RULER_DIGITS));
         let book = &self.scene.book;
-        let mut mu_l = format!("${}$", of_level(book, Level::Position, mu_of_figure));
+        let mut mu = format!("${}$", of_level(book, Level::Position, mu_of_figure));
         if let Some(l) = self.scene.lengths.first() {
             let (a, b) = (l.a.min(l.b), l.a.max(l.b));
             let ends = name_label(&format!("{}{}", self.scene.point_name(a), self.scene.point_name(b)));
             let on_paper = mm(l.value.value / mu_of_figure);
-            mu_l += &match self.lang() {
+            mu += &match self.lang() {
                 Lang::En => format!(": $l_{{{ends}}}$ is drawn ${on_paper}$ long"),
                 Lang::Zh => format!("：$l_{{{ends}}}$ 的图示长度为 ${on_paper}$"),
             };
         }
-        members.push(mu_l);
+        members.push(mu);
         for level in Level::RATES {
             members.extend(paper.polygon(level).filter(|_| !paper.is_empty(level)).map(|p| format!("${}$", of_level(book, level, p.mu))));
         }

@@ -27,7 +27,7 @@ use hodograph::paper::style::Style;
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::report::construction::sentences;
-use hodograph::scene::{self, DriverKind, Lang, Scene, driver_position, templates, with_driver_at};
+use hodograph::scene::{self, DriverKind, Kind, Lang, Scene, driver_position, templates, with_driver_at};
 use hodograph::sweep::extreme::ends;
 use hodograph::worked::{Scope, Worked, work};
 use std::collections::{BTreeMap, BTreeSet};
@@ -71,9 +71,9 @@ fn worked_at(b: &mut Browser, scene: &Scene, travel: f64) -> (Scene, Worked) {
     let mut there = with_driver_at(scene, 0, start + travel);
     let mut mu =
         |key: &str| b.eval(&format!("document.querySelector('#{key} svg')?.dataset.mu ?? ''")).as_str().unwrap().parse::<f64>().ok();
-    there.paper.mu_l = mu("mechanism");
-    there.paper.mu_v = mu("velocity");
-    there.paper.mu_a = mu("acceleration");
+    for (kind, shows) in [(Kind::Length, "mechanism"), (Kind::Velocity, "velocity"), (Kind::Acceleration, "acceleration")] {
+        there.paper.scales.set(kind, mu(shows));
+    }
     let worked = work(&there, Scope::Figure).unwrap().value;
     (there, worked)
 }
@@ -391,7 +391,7 @@ fn a_dragged_slider_follows_along_its_line() {
     let Some(hodograph::position::Path::Line { direction, .. }) = first.configuration.guides[guide.0] else { panic!("a straight guide") };
     let diagram = &first.construction.diagram;
     let place = |along: f64, across: f64| {
-        let p = (at - diagram.origin) + (direction * along + direction.perp() * across) * diagram.mu_l;
+        let p = (at - diagram.origin) + (direction * along + direction.perp() * across) * diagram.mu;
         [p.x, p.y]
     };
     let grip = in_window(&mut b, place(0.0, 0.0));
@@ -399,7 +399,7 @@ fn a_dragged_slider_follows_along_its_line() {
     for (along, across) in [(1.0, 0.0), (3.5, 2.0), (-4.0, -1.0), (-12.25, 3.0)] {
         let hand = in_window(&mut b, place(along, across));
         b.mouse("mouseMoved", hand);
-        let gone = travel(&mut b) / diagram.mu_l;
+        let gone = travel(&mut b) / diagram.mu;
         assert!((gone - along).abs() < 0.02, "{gone} mm instead of {along}");
     }
     let there = travel(&mut b);

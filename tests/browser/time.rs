@@ -2,7 +2,7 @@
 
 use super::{PROJECTOR, assert_quiet, browser, drawn, shown, travel};
 use hodograph::lesson::{Options, lesson};
-use hodograph::scene::{Lang, Swept, read, templates};
+use hodograph::scene::{Kind, Lang, Swept, read, templates};
 use hodograph::worked::{Scope, work};
 use std::path::PathBuf;
 
@@ -25,7 +25,9 @@ fn a_lesson_through_time_shows_what_holds_at_each_time() {
         let mut there = read(templates::instantiate(name, &[("t", &format!("{instant:?} s"))]).unwrap()).unwrap().value;
         let mut mu =
             |key: &str| b.eval(&format!("document.querySelector('#{key} svg')?.dataset.mu ?? ''")).as_str().unwrap().parse::<f64>().ok();
-        (there.paper.mu_l, there.paper.mu_v, there.paper.mu_a) = (mu("mechanism"), mu("velocity"), mu("acceleration"));
+        for (kind, shows) in [(Kind::Length, "mechanism"), (Kind::Velocity, "velocity"), (Kind::Acceleration, "acceleration")] {
+            there.paper.scales.set(kind, mu(shows));
+        }
         let worked = work(&there, Scope::Figure).unwrap().value;
         let (shown, drawn) = (shown(&mut b), drawn(&there, &worked));
         let mut compared = 0;

@@ -275,7 +275,7 @@ impl Oracle<'_> {
             // A special point lies nowhere but on the diagram.
             Spot::Special(_) => {
                 let d = &w.construction.diagram;
-                d.origin + d.spots[v.0].unwrap().to_vec2() * d.mu_l
+                d.origin + d.spots[v.0].unwrap().to_vec2() * d.mu
             }
         }
     }

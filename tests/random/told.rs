@@ -39,7 +39,7 @@ pub fn told(scene: &Scene, w: &Worked, d: &Differences<Big>, pencil_mm: f64) -> 
     for (action, c) in w.construction.diagram.crossed.iter().enumerate() {
         let special = w.plan.special(c.target).expect("only special points are crossed on the diagram");
         let [u, v] = special.lines.each_ref().map(|line| o.line(line).1);
-        let crossing = crossing(u, v, Big::from_decimal(&shortest(w.construction.diagram.mu_l)), pencil_mm);
+        let crossing = crossing(u, v, Big::from_decimal(&shortest(w.construction.diagram.mu)), pencil_mm);
         out.extend(crossing.map(|(what, value, nothing)| Told { level: Level::Position, action, what, value, nothing }));
     }
     for level in Level::RATES {

@@ -9,8 +9,8 @@ use crate::mechanism::{Level, Mechanism};
 use crate::number::Real;
 use crate::plan::{Between, Body, By, Chain, Plan, Rate, Spot, Step, Term, VertexId};
 use crate::position::Configuration;
-use crate::scene::Scene;
 use crate::scene::exact::Inputs;
+use crate::scene::{Kind, Scene};
 
 /// Draws a plan.
 ///
@@ -18,8 +18,8 @@ use crate::scene::exact::Inputs;
 /// Two unknown directions that are parallel: a dead centre, with the links and the joint; numbers too large to draw.
 pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, boxes: &Boxes) -> Result<Construction, Faults> {
     let mut exact = Exact;
-    let mu_l = scene.paper.mu_l.unwrap_or_else(|| scale::choose_in(scene.paper.unit(0), scale::size(scene, at), boxes.diagram));
-    let mut board = Board::new(scene, m, at, plan, mu_l, &mut exact);
+    let mu = scale::fitted(&scene.paper, Kind::Length, scale::size(scene, at), boxes.diagram);
+    let mut board = Board::new(scene, m, at, plan, mu, &mut exact);
     for g in 0..m.groups.len() {
         if plan.velocity.iter().any(|s| s.group == g && s.alternatives.len() > 1) {
             board.done.chosen[g] = board.best_alternative(g)?;
@@ -30,14 +30,10 @@ pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, 
         if plan.level < level {
             continue;
         }
-        let fixed = match level {
-            Level::Velocity => scene.paper.mu_v,
-            Level::Position | Level::Acceleration => scene.paper.mu_a,
-        };
         // Drawn once on a sheet of any size to see how large it is, then to the scale that fits.
         let mark = board.done.rates.len();
         let trial = board.draw(level, board.trial_scale(level))?;
-        let mu = fixed.unwrap_or_else(|| scale::choose_in(scene.paper.unit(level as usize), trial.extent(), boxes.polygon));
+        let mu = scale::fitted(&scene.paper, level.kind(), trial.extent(), boxes.polygon);
         board.done.rates.truncate(mark);
         let polygon = board.draw(level, mu)?;
         board.keep(polygon);
@@ -54,8 +50,8 @@ pub(super) struct Board<'a, N, P> {
     pub(super) done: Construction<N>,
     /// The scene's given numbers.
     pub(super) inputs: Inputs<'a, N>,
-    /// μ_l.
-    pub(super) mu_l: N,
+    /// μ of the mechanism (m/mm).
+    pub(super) mu: N,
     /// What a blunt pencil made of joints and guides; nothing for the exact one.
     pub(super) hand: super::hand::Hand<N>,
     /// Size of the mechanism (m).
@@ -77,7 +73,7 @@ pub(super) fn part_mark<N>(p: &Polygon<N>, term: &Term) -> Mark {
 const PARALLEL_UNITS: f64 = 8.0;
 
 impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
-    pub(super) fn new(scene: &'a Scene, m: &'a Mechanism, at: &'a Configuration<N>, plan: &'a Plan, mu_l: f64, pencil: &'a mut P) -> Self {
+    pub(super) fn new(scene: &'a Scene, m: &'a Mechanism, at: &'a Configuration<N>, plan: &'a Plan, mu: f64, pencil: &'a mut P) -> Self {
         let origin = scene.links[scene.ground.0]
             .points
             .iter()
@@ -91,9 +87,9 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             plan,
             pencil,
             inputs: Inputs::of(scene),
-            mu_l: scale::number(mu_l),
+            mu: scale::number(mu),
             done: Construction {
-                diagram: Diagram { mu_l, origin, spots: vec![None; plan.vertices.len()], crossed: Vec::new() },
+                diagram: Diagram { mu, origin, spots: vec![None; plan.vertices.len()], crossed: Vec::new() },
                 diagrams: Vec::new(),
                 rates: Vec::new(),
                 chosen: vec![0; m.groups.len()],
@@ -136,7 +132,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
 
     /// A place of the mechanism in mm of paper.
     pub(super) fn paper(&self, p: Point<N>) -> Point<N> {
-        ((p - self.done.diagram.origin) * (N::from_f64(1.0) / self.mu_l)).to_point()
+        ((p - self.done.diagram.origin) * (N::from_f64(1.0) / self.mu)).to_point()
     }
 
     fn spot(&self, v: VertexId) -> Point<N> {
@@ -145,7 +141,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
 
     /// From `to` to `of` on the diagram, in metres.
     pub(super) fn arm(&self, of: VertexId, to: VertexId) -> Vec2<N> {
-        (self.spot(of) - self.spot(to)) * self.mu_l
+        (self.spot(of) - self.spot(to)) * self.mu
     }
 
     pub(super) fn draw(&mut self, level: Level, mu: f64) -> Result<Polygon<N>, Faults> {

@@ -13,17 +13,15 @@ use crate::mechanism::{ConstraintLine, Level, Mechanism};
 use crate::number::Real;
 use crate::plan::{Body, By, Plan, SpecialLine, Spot, Term, VertexId};
 use crate::position::{Configuration, Path, Pose};
-use crate::scene::{GuideId, Normal, PointId, RollingId, Scene, Touch};
+use crate::scene::{ByKind, GuideId, Normal, PointId, RollingId, Scene, Touch};
 
 /// What has to be chosen before a drawing is made: scales, and which special points are used.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layout {
-    /// μ_l, m/mm.
-    pub mu_l: f64,
-    /// μ_v, (m/s)/mm; `None`: no velocity polygon.
-    pub mu_v: Option<f64>,
-    /// μ_a, (m/s²)/mm.
-    pub mu_a: Option<f64>,
+    /// Scale of the mechanism (m/mm).
+    pub mu: f64,
+    /// Scales of the polygons, SI per mm; what has none is not drawn.
+    pub scales: ByKind,
     /// For each group, the alternative of its steps.
     pub chosen: Vec<usize>,
 }
@@ -31,18 +29,13 @@ pub struct Layout {
 impl Layout {
     /// That of a finished construction.
     pub fn of(done: &Construction) -> Layout {
-        let mu = |level| done.polygon(level).map(|p| p.mu);
-        Layout { mu_l: done.diagram.mu_l, mu_v: mu(Level::Velocity), mu_a: mu(Level::Acceleration), chosen: done.chosen.clone() }
+        let scales = done.diagrams.iter().map(|p| (p.level.kind(), p.mu)).collect();
+        Layout { mu: done.diagram.mu, scales, chosen: done.chosen.clone() }
     }
 
     /// All drawings `factor` times as large.
     pub fn enlarged(&self, factor: f64) -> Layout {
-        Layout {
-            mu_l: self.mu_l / factor,
-            mu_v: self.mu_v.map(|mu| mu / factor),
-            mu_a: self.mu_a.map(|mu| mu / factor),
-            chosen: self.chosen.clone(),
-        }
+        Layout { mu: self.mu / factor, scales: self.scales.map(|mu| mu / factor), chosen: self.chosen.clone() }
     }
 }
 
@@ -62,11 +55,11 @@ pub fn by_hand<N: Real, P: Pencil<N>>(
     layout: &Layout,
     pencil: &mut P,
 ) -> Result<(Construction<N>, Configuration<N>), Faults> {
-    let mut board = Board::new(scene, m, at, plan, layout.mu_l, pencil);
+    let mut board = Board::new(scene, m, at, plan, layout.mu, pencil);
     board.done.chosen.clone_from(&layout.chosen);
     board.set_out();
-    for (level, mu) in [(Level::Velocity, layout.mu_v), (Level::Acceleration, layout.mu_a)] {
-        if let Some(mu) = mu {
+    for level in Level::RATES {
+        if let Some(mu) = layout.scales.get(level.kind()) {
             let polygon = board.draw(level, mu)?;
             board.keep(polygon);
         }
@@ -136,7 +129,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     pub(super) fn drawn_length(&self, term: &Term) -> f64 {
         match term.by {
             _ if P::EXACT => 0.0,
-            By::Turning(_) | By::Cylinder(_) => self.arm(term.of, term.to).approx().norm() / self.done.diagram.mu_l,
+            By::Turning(_) | By::Cylinder(_) => self.arm(term.of, term.to).approx().norm() / self.done.diagram.mu,
             By::Guide { guide, .. } => self.guide_length(guide),
             By::Contact(pair) => self.contact_length(pair),
             By::Frame { .. } | By::Apart => 0.0,
@@ -154,11 +147,11 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     /// How long a guide is drawn (mm): from its runner to the farthest joint of the link that carries it, across the
     /// diagram where there is none; for an arc its radius, square to which it runs.
     fn guide_length(&self, guide: GuideId) -> f64 {
-        let diagram = self.at.extent() / self.done.diagram.mu_l;
+        let diagram = self.at.extent() / self.done.diagram.mu;
         let g = &self.scene.guides[guide.0];
         let Some(path) = self.at.guides[guide.0] else { return diagram };
         if let Path::Arc { radius, .. } = path {
-            return radius.approx() / self.done.diagram.mu_l;
+            return radius.approx() / self.done.diagram.mu;
         }
         let runner = match (g.pin, g.slider) {
             (Some(p), _) => self.at.points[p.0],
@@ -166,8 +159,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
             (None, None) => None,
         };
         let joints = self.scene.links[g.on.0].points.iter().filter_map(|p| self.at.points[p.0]).map(Point::approx);
-        let farthest =
-            runner.map(Point::approx).map_or(0.0, |r| joints.map(|j| j.distance(r)).fold(0.0, f64::max)) / self.done.diagram.mu_l;
+        let farthest = runner.map(Point::approx).map_or(0.0, |r| joints.map(|j| j.distance(r)).fold(0.0, f64::max)) / self.done.diagram.mu;
         if farthest > 0.0 { farthest } else { diagram }
     }
 
@@ -205,7 +197,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         }
         let d = &self.done.diagram;
         for (place, joint) in shown.points.iter_mut().zip(&self.hand.joints) {
-            *place = joint.map(|q| d.origin + q.to_vec2() * self.mu_l);
+            *place = joint.map(|q| d.origin + q.to_vec2() * self.mu);
         }
         // A link without two joints shows its angle by its guide.
         for (guide, turn) in self.scene.guides.iter().zip(&self.hand.turns) {

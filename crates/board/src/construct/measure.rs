@@ -137,7 +137,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     fn contact_radius(&self, pair: RollingId, contact: VertexId) -> Vec2<N> {
         let rolling = &self.scene.rolling[pair.0];
         let [a, b] = rolling.sizes(&self.inputs);
-        let drawn = |line: Option<Vec2<N>>| line.expect("the centres at a contact are drawn") * self.mu_l;
+        let drawn = |line: Option<Vec2<N>>| line.expect("the centres at a contact are drawn") * self.mu;
         match rolling.touch() {
             Touch::Point(Normal::Centres([p, q])) => {
                 drawn(self.joint(p).zip(self.joint(q)).map(|(p, q)| q - p)) * (a * b / ((a + b) * (a + b)))

@@ -29,8 +29,8 @@ use crate::plan::{Body, Plan, Term, VertexId};
 /// The mechanism drawn to scale.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagram<N = f64> {
-    /// μ_l, m per mm.
-    pub mu_l: f64,
+    /// μ of lengths (m per mm).
+    pub mu: f64,
     /// The place (m) that lies in the diagram's origin.
     pub origin: Point<N>,
     /// Vertices' places in mm of paper.
@@ -325,6 +325,11 @@ pub struct Construction<N = f64> {
 }
 
 impl Construction {
+    /// The scale of the mechanism or of a polygon, SI per mm; `None` where there is no polygon.
+    pub fn scale(&self, level: Level) -> Option<f64> {
+        if level == Level::Position { Some(self.diagram.mu) } else { self.polygon(level).map(|p| p.mu) }
+    }
+
     /// Whether a level's polygon is a single point, because nothing moves: it has a pole, and no scale worth telling.
     pub fn is_empty(&self, level: Level) -> bool {
         self.polygon(level).is_some_and(Polygon::is_empty)

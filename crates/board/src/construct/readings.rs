@@ -227,7 +227,7 @@ pub fn read_by_hand<P: Pencil>(
     paper: &Construction,
     pencil: &mut P,
 ) -> Vec<Option<Value>> {
-    let mu_l = paper.diagram.mu_l;
+    let mu = paper.diagram.mu;
     let drawn = read(scene, m, shown, plan, paper);
     let mut measure = |find: &Find, answer: Option<Answer>| -> Option<Value> {
         // What is put together from two is calculated.
@@ -239,14 +239,14 @@ pub fn read_by_hand<P: Pencil>(
             (Value::Vector(v), Some(p)) => Value::Vector(pencil.read(level, v * (1.0 / p.mu)) * p.mu),
             // Rates were read when they were first needed; a difference of two is calculated.
             (value @ (Value::Scalar(_) | Value::Point(_)), Some(_)) | (value @ Value::Vector(_), None) => value,
-            (Value::Point(p), None) => Value::Point((pencil.read(level, p.to_vec2() * (1.0 / mu_l)) * mu_l).to_point()),
+            (Value::Point(p), None) => Value::Point((pencil.read(level, p.to_vec2() * (1.0 / mu)) * mu).to_point()),
             (Value::Scalar(s), None) => Value::Scalar(match find.what.of() {
                 Of::Link(l) if find.what.kind() == Kind::Angle => {
-                    let apart = shown.link_direction(scene, l).map_or(shown.extent(), Vec2::norm) / mu_l;
+                    let apart = shown.link_direction(scene, l).map_or(shown.extent(), Vec2::norm) / mu;
                     pencil.ruler(level, Vec2::from_angle(s), apart).angle()
                 }
                 Of::Point(_) | Of::Points(..) | Of::Link(_) | Of::Links(..) | Of::Line(..) | Of::Seen(..) => {
-                    pencil.read(level, Vec2::new(s / mu_l, 0.0)).x * mu_l
+                    pencil.read(level, Vec2::new(s / mu, 0.0)).x * mu
                 }
             }),
         })

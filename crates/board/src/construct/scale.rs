@@ -6,7 +6,7 @@ use crate::mechanism::Level;
 use crate::number::Real;
 use crate::plan::{Plan, Step};
 use crate::position::Configuration;
-use crate::scene::{Cam, Paper, Rolling, Scene};
+use crate::scene::{Cam, Kind, Paper, Rolling, Scene};
 
 /// A velocity (m/s) or an acceleration (m/s²), by the polygon's level. Laid-off and measured vectors are millimetres: the two do not mix, and only a
 /// scale μ leads from the one to the other.
@@ -147,6 +147,12 @@ pub fn choose(extent: [f64; 2], room: [f64; 2]) -> f64 {
 /// The same, round in a unit of so many SI units: 0.2 (ft/s)/mm, and not 0.05 (m/s)/mm, where velocities are printed in ft/s.
 pub fn choose_in(unit: f64, extent: [f64; 2], room: [f64; 2]) -> f64 {
     choose(extent.map(|e| e / unit), room) * unit
+}
+
+/// The scale of a drawing (SI per mm): the one that the paper fixes for its kind, or the smallest preferred one at which `extent` (SI) fits
+/// `room` (mm).
+pub fn fitted(paper: &Paper, kind: Kind, extent: [f64; 2], room: [f64; 2]) -> f64 {
+    paper.scale(kind, |unit| choose_in(unit, extent, room))
 }
 
 /// The largest preferred μ, round in a unit of so many SI units, with which a drawing is at least `factor` times as large as with `mu`.

@@ -29,7 +29,7 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     let at = &w.worked.configuration;
     let found = Cognates::of_scene(w.scene, at, w.extras.points.first().copied()).map_err(|d: Diagnostic| Faults::from(d))?;
     let diagram = &w.worked.construction.diagram;
-    let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu_l)).to_point();
+    let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu)).to_point();
     let style = &w.options.style;
     let mut d = mechanism::numbered(style, w.scene, w.worked, &w.options.notation);
     let [a, e, f] = [found.given.a, found.e, found.f].map(to_paper);

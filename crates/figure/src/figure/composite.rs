@@ -8,9 +8,9 @@ use crate::diag::{Faults, Warned};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::report::composite::{Words, symbol};
-use crate::scene::Scene;
 use crate::scene::quantity::Frame;
 use crate::scene::quantity::composite::Part as Piece;
+use crate::scene::{Kind, Scene};
 use crate::worked::Worked;
 
 use super::arrange::AIM_MM;
@@ -69,17 +69,14 @@ struct Scales {
 
 impl Scales {
     fn of(w: &Wanted, each: &[Solved]) -> Scales {
-        let one = |level: Level, fixed: Option<f64>, all: Vec<Vec2>| {
+        let one = |kind: Kind, all: Vec<Vec2>| {
             let most = all.iter().fold([0.0_f64; 2], |[x, y], v| [x.max(v.x.abs()), y.max(v.y.abs())]);
-            fixed.unwrap_or_else(|| scale::choose_in(w.scene.paper.unit(level as usize), most, [VECTOR_MM, VECTOR_MM]))
+            scale::choose_in(w.scene.paper.unit(kind), most, [VECTOR_MM, VECTOR_MM])
         };
         let velocities = each.iter().flat_map(|s| s.velocity).collect();
         let accelerations: Vec<Vec2> = each.iter().flat_map(|s| s.acceleration.iter().map(|a| a.1)).collect();
         let any = !accelerations.is_empty();
-        Scales {
-            velocity: one(Level::Velocity, None, velocities),
-            acceleration: any.then(|| one(Level::Acceleration, None, accelerations)),
-        }
+        Scales { velocity: one(Kind::Velocity, velocities), acceleration: any.then(|| one(Kind::Acceleration, accelerations)) }
     }
 }
 

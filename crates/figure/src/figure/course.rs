@@ -96,7 +96,7 @@ fn place(scene: &Scene, worked: &Worked, runs: Runs) -> Option<(f64, Option<f64>
         None => pose(guide.slider?)?.origin,
     };
     let path = at.shapes.guides[g]?;
-    let mm = 1.0 / worked.construction.diagram.mu_l;
+    let mm = 1.0 / worked.construction.diagram.mu;
     let s = path.coordinate_of(pose(guide.on)?.to_local(runner)) * mm;
     Some(match path {
         Path::Line { .. } => (s, None),

@@ -323,19 +323,12 @@ impl Smaller {
         let options = Options { style: w.options.style.reduced(part), ..w.options.clone() };
         if part < 1.0 {
             let board = &w.worked.construction;
-            let smaller = |level: Level, fixed: Option<f64>, mu: Option<f64>| {
-                let part = drawings[level as usize];
-                let coarser = |mu| if part < 1.0 { coarser(scene.paper.unit(level as usize), mu, 1.0 / part) } else { mu };
-                fixed.or_else(|| mu.map(coarser))
-            };
-            let of = |level| board.polygon(level).map(|p| p.mu);
-            let paper = &scene.paper;
-            let [l, v, a] = [
-                smaller(Level::Position, paper.mu_l, Some(board.diagram.mu_l)),
-                smaller(Level::Velocity, paper.mu_v, of(Level::Velocity)),
-                smaller(Level::Acceleration, paper.mu_a, of(Level::Acceleration)),
-            ];
-            (scene.paper.mu_l, scene.paper.mu_v, scene.paper.mu_a) = (l, v, a);
+            for level in Level::ALL {
+                let (part, kind, paper) = (drawings[level as usize], level.kind(), &scene.paper);
+                let coarser = |mu| if part < 1.0 { coarser(paper.unit(kind), mu, 1.0 / part) } else { mu };
+                let mu = paper.scales.get(kind).or_else(|| board.scale(level).map(coarser));
+                scene.paper.scales.set(kind, mu);
+            }
         }
         let again = part < 1.0 || w.scene.paper.size_mm.is_some();
         let worked = if again { Some(work(&scene, Scope::Figure)?.value) } else { None };

@@ -97,7 +97,7 @@ impl Plan<'_> {
     fn stations(&self) -> Option<Vec<Station>> {
         let (scene, worked, train) = (self.maker.scene, self.maker.worked, self.train);
         let place = |p: PointId| worked.configuration.points[p.0];
-        let (origin, mu_l) = (place(train.axis)?, worked.construction.diagram.mu_l);
+        let (origin, mu_l) = (place(train.axis)?, worked.construction.diagram.mu);
         if !scene.links[scene.ground.0].points.contains(&train.axis) {
             return None;
         }
@@ -134,7 +134,7 @@ impl Plan<'_> {
         let (maker, train) = (self.maker, self.train);
         let style = &maker.options.style;
         let stations = self.stations()?;
-        let (mu_l, mu_v) = (maker.worked.construction.diagram.mu_l, maker.worked.construction.polygon(Level::Velocity)?.mu);
+        let (mu_l, mu_v) = (maker.worked.construction.diagram.mu, maker.worked.construction.polygon(Level::Velocity)?.mu);
         // A link that turns to the left moves to the left above its centre: the plan is the mechanism turned upright.
         let speed = |link: LinkId, s: f64| self.speed(&stations, link, s) * (-mu_l / mu_v);
         let mut d = Drawing::new("kutzbach", style.clone());

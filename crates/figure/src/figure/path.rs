@@ -101,8 +101,8 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
     let ghosts = poses.iter().chain([&worked.configuration]).flat_map(|c| c.points.iter().flatten().copied());
     let places = moved.moments.iter().flat_map(|m| moved.points.iter().filter_map(|p| m.configuration.points[p.0]));
     let boxes = Boxes::of(&scene.paper, &worked.plan);
-    fitted.paper.mu_l =
-        Some(scene.paper.mu_l.unwrap_or_else(|| scale::choose_in(scene.paper.unit(0), scale::extent(ghosts.chain(places)), boxes.diagram)));
+    let mu = scale::fitted(&scene.paper, Kind::Length, scale::extent(ghosts.chain(places)), boxes.diagram);
+    fitted.paper.scales.set(Kind::Length, Some(mu));
     let worked = &work_placed(&fitted, worked.mechanism.clone(), worked.demand.clone(), worked.configuration.clone())?.value;
     let maker = Maker { scene: &fitted, worked, options, certified: Vec::new() };
     let mut page = Page { maker, moved: &moved, swept: wanted.swept, cut: false };
@@ -195,7 +195,6 @@ impl Page<'_> {
     /// Velocity and acceleration hodograph of each point, those of one kind to one scale.
     fn hodographs(&mut self, boxes: &Boxes) -> Vec<Part> {
         let paper = self.scene().paper.clone();
-        let fixed = [paper.mu_v, paper.mu_a];
         let mut parts = Vec::new();
         for (l, level) in Level::RATES.into_iter().enumerate() {
             let of = |moments: &[Moment], k: usize| -> Vec<Option<Vec2>> { moments.iter().map(|m| m.vectors[k][l]).collect() };
@@ -207,9 +206,8 @@ impl Page<'_> {
             let shown: Vec<_> = curves.iter().map(|c| runs(c, self.moved.full, most)).collect();
             self.cut |= shown.iter().any(|s| s.1);
             let ends = shown.iter().flat_map(|s| s.0.iter().flatten()).map(|v| v.to_point());
-            let mu = fixed[l].unwrap_or_else(|| {
-                scale::choose_in(paper.unit(l + 1), scale::extent(ends.chain([crate::geom::Point::ORIGIN])), boxes.polygon)
-            });
+            let kind = level.kind();
+            let mu = scale::fitted(&paper, kind, scale::extent(ends.chain([crate::geom::Point::ORIGIN])), boxes.polygon);
             for (k, &point) in self.moved.points.iter().enumerate() {
                 let find = &questions(self.scene(), point)[l];
                 let h = Hodograph {

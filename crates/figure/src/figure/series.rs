@@ -4,17 +4,15 @@
 use crate::construct::scale::{self, Boxes, extent};
 use crate::geom::Point;
 use crate::mechanism::Level;
-use crate::scene::Paper;
+use crate::scene::{ByKind, Kind, Paper};
 use crate::sweep::points::bounded;
 use crate::worked::Worked;
 
 /// One scale for each drawing.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Scales {
-    /// Of the mechanism (m/mm).
-    pub mu_l: f64,
-    /// Of velocities and accelerations (SI/mm); `None` where there are none.
-    pub mu: [Option<f64>; 2],
+    /// Of the mechanism and of the polygons that there are, SI per mm.
+    pub mu: ByKind,
     /// The largest polygons (in boxes, SI) that the paper holds.
     most: [f64; 2],
     boxes: Boxes,
@@ -25,16 +23,17 @@ impl Scales {
     /// the driver's travel; the one with travel 0 is shown in any case.
     pub fn of(paper: &Paper, poses: &[(f64, &Worked)], unlimited: bool, boxes: Boxes) -> Scales {
         let places = poses.iter().flat_map(|(_, w)| w.configuration.points.iter().flatten().copied());
-        let mu_l = paper.mu_l.unwrap_or_else(|| scale::choose_in(paper.unit(0), extent(places), boxes.diagram));
-        let mut scales = Scales { mu_l, mu: [None, None], most: [f64::INFINITY; 2], boxes };
-        for (i, (level, fixed)) in Level::RATES.into_iter().zip([paper.mu_v, paper.mu_a]).enumerate() {
+        let lengths = scale::fitted(paper, Kind::Length, extent(places), boxes.diagram);
+        let mu = ByKind::default().with(Kind::Length, Some(lengths));
+        let mut scales = Scales { mu, most: [f64::INFINITY; 2], boxes };
+        for (i, level) in Level::RATES.into_iter().enumerate() {
             let size = |w: &Worked| size(w, level, &boxes);
             let own = poses.iter().find(|p| p.0 == 0.0).and_then(|p| size(p.1)).unwrap_or(0.0);
             let Some(most) = bounded(poses.iter().filter_map(|p| size(p.1)).collect(), own, unlimited) else { continue };
             let fitting = poses.iter().map(|p| p.1).filter(|w| size(w).is_some_and(|s| s <= most));
             let ends = fitting.flat_map(|w| ends(w, level));
-            scales.mu[i] =
-                Some(fixed.unwrap_or_else(|| scale::choose_in(paper.unit(i + 1), extent(ends.chain([Point::ORIGIN])), boxes.polygon)));
+            let mu = scale::fitted(paper, level.kind(), extent(ends.chain([Point::ORIGIN])), boxes.polygon);
+            scales.mu.set(level.kind(), Some(mu));
             scales.most[i] = most;
         }
         scales
@@ -52,7 +51,7 @@ impl Scales {
 
     /// Writes the scales on a paper.
     pub fn fix(&self, paper: &mut Paper) {
-        (paper.mu_l, paper.mu_v, paper.mu_a) = (Some(self.mu_l), self.mu[0], self.mu[1]);
+        paper.scales.clone_from(&self.mu);
     }
 }
 

@@ -251,7 +251,7 @@ impl Maker<'_> {
         let book = &self.scene.book;
         let mu = |level| paper.polygon(level).map_or(0.0, |p| p.mu);
         let scale = match level {
-            Level::Position => of_level(book, level, paper.diagram.mu_l),
+            Level::Position => of_level(book, level, paper.diagram.mu),
             _ if paper.is_empty(level) => format!("\\text{{{}}}", self.words().no_vectors),
             Level::Velocity | Level::Acceleration => of_level(book, level, mu(level)),
         };

@@ -18,7 +18,7 @@ use crate::paper::style::Style;
 use crate::paper::text;
 use crate::paper::words::words;
 use crate::report::symbols::symbols;
-use crate::scene::Lang;
+use crate::scene::{Kind, Lang};
 use crate::synthesis::board::{Board, Stroke as Drawn, Weight};
 use crate::synthesis::candidate::symbol;
 use crate::synthesis::{Candidate, Task, construct};
@@ -64,8 +64,8 @@ pub fn figures(task: &Task, candidate: &Candidate, style: &Style, lang: Lang) ->
 /// # Errors
 /// Drawing and formula disagree.
 pub fn to_scale(task: &Task, candidate: &Candidate) -> Result<Option<Board>, Faults> {
-    if let Some(mu_l) = task.paper.mu_l {
-        return construct(task, candidate, mu_l);
+    if let Some(mu) = task.paper.scales.get(Kind::Length) {
+        return construct(task, candidate, mu);
     }
     // A first drawing in millimetres tells how large it is.
     let Some(board) = construct(task, candidate, 1e-3)? else { return Ok(None) };

@@ -8,7 +8,7 @@ use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::{ConstraintLine, Level};
 use crate::plan::{Plan, Special, SpecialLine, Spot, VertexId};
 use crate::position::{Configuration, Path};
-use crate::scene::{Attempted, Given, Scene};
+use crate::scene::{Attempted, ByKind, Given, Scene};
 use crate::worked::Worked;
 
 /// What is drawn of a solution.
@@ -115,19 +115,14 @@ fn to_one_scale(right: Stage, wrong: Stage) -> Option<(Stage, Stage)> {
         let all = polygons.into_iter().flatten().flat_map(marks).chain([Point::ORIGIN]);
         scale::extent(all)
     };
-    let [fixed_v, fixed_a] = [right.scene.paper.mu_v, right.scene.paper.mu_a];
-    let mu = |level: Level, fixed: Option<f64>| {
+    let mu = |level: Level| {
         let size = extent(level);
         let drawn = right.worked.construction.polygon(level)?;
-        if size == [0.0, 0.0] {
-            Some(drawn.mu)
-        } else {
-            Some(fixed.unwrap_or_else(|| scale::choose_in(right.scene.paper.unit(level as usize), size, PAGE_MM)))
-        }
+        if size == [0.0, 0.0] { Some(drawn.mu) } else { Some(scale::fitted(&right.scene.paper, level.kind(), size, PAGE_MM)) }
     };
-    let [mu_v, mu_a] = [mu(Level::Velocity, fixed_v), mu(Level::Acceleration, fixed_a)];
+    let scales: ByKind = Level::RATES.into_iter().filter_map(|level| Some((level.kind(), mu(level)?))).collect();
     let again = |s: Stage| {
-        let layout = Layout { mu_v, mu_a, ..Layout::of(&s.worked.construction) };
+        let layout = Layout { scales: scales.clone(), ..Layout::of(&s.worked.construction) };
         let (construction, _) =
             by_hand(&s.scene, &s.worked.mechanism, &s.worked.configuration, &s.worked.plan, &layout, &mut Exact).ok()?;
         Some(Stage { worked: Worked { construction, ..s.worked }, ..s })

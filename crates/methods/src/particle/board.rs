@@ -13,12 +13,12 @@ use super::ask::Asked;
 use super::law::{Way, jet, sine_cosine};
 use super::plate::Part;
 use super::{Kind, Motion, Problem};
-use crate::construct::scale::choose_in;
+use crate::construct::scale::fitted;
 use crate::diag::{Both, Diagnostic, both};
 use crate::digits::significant;
 use crate::geom::{Point, Vec2};
 use crate::number::{Big, Jet, Real, within};
-use crate::scene::front::Law;
+use crate::scene::{self, front::Law};
 
 /// Room of a drawing (mm).
 pub const ROOM_MM: [f64; 2] = [70.0, 60.0];
@@ -206,13 +206,13 @@ fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagn
     let along = Vec2::new(cosine, sine);
     let seen = (along * on.place.x + along.perp() * offset).to_point();
     let extent = most(&[on.place.to_vec2(), seen.to_vec2()]);
-    let mu_l = problem.paper.mu_l.unwrap_or_else(|| choose_in(problem.paper.unit(0), extent, VIEW_MM));
+    let mu_l = fitted(&problem.paper, scene::Kind::Length, extent, VIEW_MM);
     let (front, top) = ((on.place.to_vec2() * (1.0 / mu_l)).to_point(), (seen.to_vec2() * (1.0 / mu_l)).to_point());
     let arm = top.to_vec2();
     let reach = arm.norm() * mu_l;
     let ring = arm.perp() * mu_l;
     let (ve, vr) = (ring * w, along * on.velocity.x);
-    let mu_v = problem.paper.mu_v.unwrap_or_else(|| choose_in(problem.paper.unit(1), most(&[ve, vr, ve + vr, on.velocity]), VIEW_MM));
+    let mu_v = fitted(&problem.paper, scene::Kind::Velocity, most(&[ve, vr, ve + vr, on.velocity]), VIEW_MM);
     let paper_v = |v: Vec2| v * (1.0 / mu_v);
     // What is measured across in the view on the plate is what the view along the axis shows of v_r.
     let across = paper_v(on.velocity).x;
@@ -221,7 +221,7 @@ fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagn
     let a_r = on.normal + on.tangential;
     let ar = along * a_r.x;
     let whole = aen + aet + ar + ak;
-    let mu_a = problem.paper.mu_a.unwrap_or_else(|| choose_in(problem.paper.unit(2), most(&[aen, aet, ak, ar, whole, a_r]), VIEW_MM));
+    let mu_a = fitted(&problem.paper, scene::Kind::Acceleration, most(&[aen, aet, ak, ar, whole, a_r]), VIEW_MM);
     let paper_a = |v: Vec2| v * (1.0 / mu_a);
     let add = |all: &mut Vec<Arrow>, symbol: &str, at: Point, v: Vec2, whole: bool, step: usize| {
         if v.norm() > 0.5 {

@@ -34,7 +34,7 @@ pub use solve::{Answer, Solved, Value, course, solve, solve_again};
 
 use crate::diag::{Both, Diagnostic};
 use crate::scene::front::Law;
-use crate::scene::{Book, Lang, Localized, Paper};
+use crate::scene::{self, Book, Lang, Localized, Paper};
 use law::{Turning, Way};
 
 /// A file, read.
@@ -160,8 +160,8 @@ impl Problem {
         for plate in &mut moved.plates {
             plate.turning = plate.turning.later(t - self.instant())?;
         }
-        if let Some([l, v, a]) = mu {
-            (moved.paper.mu_l, moved.paper.mu_v, moved.paper.mu_a) = (Some(l), Some(v), Some(a));
+        if let Some(mu) = mu {
+            moved.paper.scales = scene::Kind::DRAWN.into_iter().zip(mu).collect();
         }
         Ok(moved)
     }

@@ -279,11 +279,7 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         // Infinite where singular, which JSON writes as null.
         "condition": worked.solution.condition,
         "singular": worked.solution.singular.iter().map(|s| singularity(scene, s)).collect::<Vec<_>>(),
-        "scales": {
-            "mu_l": worked.construction.diagram.mu_l,
-            "mu_v": worked.construction.polygon(Level::Velocity).map(|p| p.mu),
-            "mu_a": worked.construction.polygon(Level::Acceleration).map(|p| p.mu),
-        },
+        "scales": Level::ALL.into_iter().filter_map(|level| Some((level.kind().scale_key()?.to_owned(), json!(worked.construction.scale(level))))).collect::<serde_json::Map<_, _>>(),
         "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
     });
     if let Some(d) = &worked.drafting {

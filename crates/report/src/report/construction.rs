@@ -34,7 +34,7 @@ pub fn text(w: &Writer, paper: &Construction, steps: &Steps) -> String {
     out.push_str(&format!(
         "{}{}\n",
         tr(w.lang, "kinematic diagram: ", "机构运动简图："),
-        formula(&of_level(&w.scene.book, Level::Position, paper.diagram.mu_l))
+        formula(&of_level(&w.scene.book, Level::Position, paper.diagram.mu))
     ));
     for level in Level::RATES {
         let Some(p) = paper.polygon(level) else { continue };

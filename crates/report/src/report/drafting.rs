@@ -83,7 +83,7 @@ pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
         let by = if l.factor > 1.0 { format!("× {}", shortest(l.rounded())) } else { tr(lang, "as it is", "不必").to_string() };
         let mu = Level::ALL.map(|level| {
             let kind = level.kind();
-            l.mu[level as usize].map_or(String::new(), |mu| format!("{} {}", shortest(book.value(kind, mu)), book.scale_name(kind)))
+            l.scales.get(kind).map_or(String::new(), |mu| format!("{} {}", shortest(book.value(kind, mu)), book.scale_name(kind)))
         });
         let sheet = l.sheet().unwrap_or(tr(lang, "larger than A0", "大于 A0"));
         let [l_, v, a] = mu;
@@ -135,14 +135,12 @@ pub fn json(scene: &Scene, worked: &Worked, d: &Drafting) -> Json {
 /// The fields of one answer, for programs.
 pub fn answer_fields(t: Option<&Tolerance>) -> [(&'static str, Json); 3] {
     let larger = t.and_then(|t| t.larger.as_ref()).map(|l| {
-        json!({
-            "factor": l.factor,
-            "mu_l": l.mu[0],
-            "mu_v": l.mu[1],
-            "mu_a": l.mu[2],
-            "largest_drawing_mm": l.size_mm,
-            "paper": l.sheet(),
-        })
+        let mut all = json!({"factor": l.factor});
+        for (kind, key) in Kind::DRAWN.into_iter().filter_map(|kind| Some((kind, kind.scale_key()?))) {
+            all[key] = l.scales.get(kind).into();
+        }
+        (all["largest_drawing_mm"], all["paper"]) = (json!(l.size_mm), json!(l.sheet()));
+        all
     });
     [("tolerance", t.map(|t| t.absolute).into()), ("relative", t.and_then(|t| t.relative).into()), ("scale_for_1_percent", larger.into())]
 }

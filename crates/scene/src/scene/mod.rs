@@ -41,7 +41,7 @@ mod write;
 mod written;
 
 pub use again::Source;
-pub use book::{Book, Kind};
+pub use book::{Book, ByKind, Kind};
 pub use driver::{Position, PositionSlot};
 pub use elsewhere::{driver_position, with_driver_at};
 pub use model::*;

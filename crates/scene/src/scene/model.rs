@@ -5,7 +5,7 @@
 //! `position`.
 
 use super::again::Source;
-use super::book::Book;
+use super::book::{Book, ByKind, Kind};
 use super::quantity::{Asked, Frame};
 use super::rolling::{Rolling, RollingId};
 use super::statement::Statement;
@@ -331,22 +331,23 @@ pub struct Attempted {
 pub struct Paper {
     /// Width and height in mm; absent: as large as the sheet needs.
     pub size_mm: Option<[f64; 2]>,
-    /// μ_l, m/mm.
-    pub mu_l: Option<f64>,
-    /// μ_v, (m/s)/mm.
-    pub mu_v: Option<f64>,
-    /// μ_a, (m/s²)/mm.
-    pub mu_a: Option<f64>,
+    /// Fixed scales, SI per mm of paper.
+    pub scales: ByKind,
     /// The pencil error (mm) within which 95 % of the marks fall.
     pub pencil_mm: Option<f64>,
-    /// The units (SI) in which scales of lengths, velocities and accelerations are round; absent: SI.
-    pub round_in: Option<[f64; 3]>,
+    /// Units (SI) in which scales are round; of a kind without one the SI unit.
+    pub round_in: ByKind,
 }
 
 impl Paper {
-    /// The unit (SI) in which the scale of a drawing is round: of the mechanism (0), the velocities (1), the accelerations (2).
-    pub fn unit(&self, drawing: usize) -> f64 {
-        self.round_in.map_or(1.0, |units| units[drawing])
+    /// The scale of a kind (SI per mm): the fixed one, or the one that is chosen round in a unit (SI).
+    pub fn scale(&self, kind: Kind, choose: impl FnOnce(f64) -> f64) -> f64 {
+        self.scales.get(kind).unwrap_or_else(|| choose(self.unit(kind)))
+    }
+
+    /// The unit (SI) in which the scale of a kind is round.
+    pub fn unit(&self, kind: Kind) -> f64 {
+        self.round_in.get(kind).unwrap_or(1.0)
     }
 }
 

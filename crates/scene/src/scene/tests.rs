@@ -210,7 +210,12 @@ fn places_sides_and_paper() {
     assert!(!scene.sides[0].left);
     assert_eq!(
         scene.paper,
-        Paper { size_mm: Some([297.0, 210.0]), mu_l: Some(0.002), mu_v: Some(0.05), mu_a: Some(1.0), pencil_mm: Some(0.2), round_in: None }
+        Paper {
+            size_mm: Some([297.0, 210.0]),
+            scales: [(Kind::Length, 0.002), (Kind::Velocity, 0.05), (Kind::Acceleration, 1.0)].into_iter().collect(),
+            pencil_mm: Some(0.2),
+            round_in: ByKind::default(),
+        }
     );
     assert_eq!((scene.language, scene.notation.as_deref()), (Some(Lang::Zh), Some("cn")));
 }

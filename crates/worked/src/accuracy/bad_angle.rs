@@ -10,6 +10,7 @@ use crate::plan::text::{held_by, vertex_name};
 use crate::plan::{Spot, Step, VertexId};
 use crate::position::Configuration;
 use crate::position::newton::{driver_values, moved};
+use crate::scene::Kind;
 use std::collections::BTreeMap;
 
 /// Under this angle (degrees) a pencil error is more than five times magnified (1 / sin 10° = 5.8): the reader is told.
@@ -105,7 +106,7 @@ fn worst(tolerances: &[Option<Tolerance>]) -> f64 {
 
 /// The velocities drawn exactly in a configuration; their lines cross under the same angles as those of the accelerations.
 fn redrawn(drawn: &Drawn, at: &Configuration, layout: &Layout) -> Option<Construction> {
-    let layout = Layout { mu_a: None, ..layout.clone() };
+    let layout = Layout { scales: layout.scales.clone().with(Kind::Acceleration, None), ..layout.clone() };
     by_hand(drawn.scene, drawn.mechanism, at, drawn.plan, &layout, &mut Exact).ok().map(|(paper, _)| paper)
 }
 

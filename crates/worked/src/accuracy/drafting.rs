@@ -39,7 +39,7 @@ impl Drawn<'_> {
     pub fn size_mm(&self, level: Level) -> [f64; 2] {
         match self.construction.polygon(level) {
             Some(p) => p.extent().map(|s| s / p.mu),
-            None => scale::size(self.scene, self.configuration).map(|s| s / self.construction.diagram.mu_l),
+            None => scale::size(self.scene, self.configuration).map(|s| s / self.construction.diagram.mu),
         }
     }
 
@@ -115,7 +115,7 @@ impl CrossingTolerance {
 pub fn crossings(paper: &Construction, pencil_mm: f64) -> Vec<CrossingTolerance> {
     let mut all = Vec::new();
     for level in Level::ALL {
-        let mu = paper.polygon(level).map_or(paper.diagram.mu_l, |p| p.mu);
+        let mu = paper.polygon(level).map_or(paper.diagram.mu, |p| p.mu);
         all.extend(paper.crossings(level).into_iter().map(|c| {
             let moves_mm = pencil_mm / c.sine.abs();
             CrossingTolerance { level, target: c.target, sine: c.sine, moves_mm, moves: moves_mm * mu }

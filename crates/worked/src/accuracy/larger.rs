@@ -4,7 +4,7 @@ use super::drafting::Drawn;
 use crate::construct::Layout;
 use crate::construct::scale::finer;
 use crate::mechanism::Level;
-use crate::scene::Paper;
+use crate::scene::{ByKind, Kind, Paper};
 
 /// The relative tolerance that an engineering drawing is expected to give.
 const WANTED: f64 = 0.01;
@@ -24,9 +24,9 @@ const BORDER_MM: f64 = 10.0;
 pub struct Larger {
     /// By this factor; not more than 1 where the drawing is large enough as it is.
     pub factor: f64,
-    /// μ_l, μ_v, μ_a (SI per mm) for that: the next of the series, the present one where it suffices, `None` for a drawing
-    /// on which the reading does not rest.
-    pub mu: [Option<f64>; 3],
+    /// Scales (SI per mm) for that: the next of the series, the present one where it suffices, none for a drawing on which the reading does not
+    /// rest.
+    pub scales: ByKind,
     /// Width and height of the largest of these drawings then (mm).
     pub size_mm: [f64; 2],
 }
@@ -48,17 +48,17 @@ impl Larger {
 /// The enlargement for a relative tolerance; `parts` says which drawings matter.
 pub(super) fn larger(paper: &Paper, drawn: &Drawn, layout: &Layout, relative: f64, parts: [f64; 3]) -> Larger {
     let factor = relative / WANTED;
-    let present = [Some(layout.mu_l), layout.mu_v, layout.mu_a];
-    let mut mu = [None; 3];
+    let present = layout.scales.clone().with(Kind::Length, Some(layout.mu));
+    let mut scales = ByKind::default();
     let mut size_mm = [0.0f64; 2];
     for (i, level) in Level::ALL.into_iter().enumerate() {
-        let Some(now) = present[i].filter(|_| parts[i] > 0.0) else { continue };
-        let then = if factor > 1.0 { finer(paper.unit(i), now, factor) } else { now };
+        let Some(now) = present.get(level.kind()).filter(|_| parts[i] > 0.0) else { continue };
+        let then = if factor > 1.0 { finer(paper.unit(level.kind()), now, factor) } else { now };
         let on_paper = drawn.size_mm(level).map(|mm| mm * now / then);
         if on_paper[0].max(on_paper[1]) > size_mm[0].max(size_mm[1]) {
             size_mm = on_paper;
         }
-        mu[i] = Some(then);
+        scales.set(level.kind(), Some(then));
     }
-    Larger { factor, mu, size_mm }
+    Larger { factor, scales, size_mm }
 }

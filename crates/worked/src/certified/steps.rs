@@ -173,7 +173,7 @@ impl Climb for Redrawn<'_> {
 fn numbers<N: Certain>(book: &Book, paper: &Construction<N>, pencil_mm: Option<f64>) -> Vec<(Key, Option<Number>)> {
     let mut out = Vec::new();
     for (i, c) in paper.diagram.crossed.iter().enumerate() {
-        let told = crossing(c.sine, |moved| book.in_chosen(Kind::Length, moved * scale::number(paper.diagram.mu_l)), pencil_mm);
+        let told = crossing(c.sine, |moved| book.in_chosen(Kind::Length, moved * scale::number(paper.diagram.mu)), pencil_mm);
         out.extend(told.into_iter().map(|(what, n)| (Key::Step(Level::Position, i, what), n)));
     }
     for level in Level::RATES {

@@ -50,8 +50,8 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     let disc = &report.turning.disc;
     let reach = reach(disc);
     let unit = report.scene.book.chosen(Kind::Length).map_or(1.0, crate::scene::book::BookUnit::size);
-    let mu_l = choose_in(unit, [2.0 * reach; 2], [SIZE_MM; 2]);
-    let mut d = Drawing { report, style, scale: 1.0 / mu_l, items: Vec::new(), wanted: Vec::new() };
+    let mu = choose_in(unit, [2.0 * reach; 2], [SIZE_MM; 2]);
+    let mut d = Drawing { report, style, scale: 1.0 / mu, items: Vec::new(), wanted: Vec::new() };
     d.circles();
     d.curves();
     d.stations();
@@ -65,7 +65,7 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     }
     let mut items = d.items;
     let title = heading(report.scene, tr(lang, "profile by inversion", "反转法绘制凸轮廓线"), lang);
-    let (scale, caption) = (scale_text(report, mu_l), legend(disc, lang));
+    let (scale, caption) = (scale_text(report, mu), legend(disc, lang));
     // A small drawing stands on a paper as wide as its words.
     let wide = |text: &str, size_mm: f64| text::set(&Label::text(text).in_fonts(&style.fonts)).width_em * size_mm + 2.0 * MARGIN_MM;
     let words_mm = wide(&title, style.caption_mm * 4.0 / 3.0).max(wide(&caption, style.small_mm));
@@ -138,12 +138,12 @@ fn reach(disc: &Disc) -> f64 {
     }
 }
 
-fn scale_text(report: &Report, mu_l: f64) -> String {
+fn scale_text(report: &Report, mu: f64) -> String {
     let (name, factor) = match report.scene.book.chosen(Kind::Length) {
         Some(unit) => (unit.name().to_owned(), unit.of(1.0)),
         None => ("m".to_owned(), 1.0),
     };
-    format!("\\mu_l = {}\\,\\text{{{name}/mm}}", inked(&shortest(mu_l * factor)))
+    format!("\\mu_l = {}\\,\\text{{{name}/mm}}", inked(&shortest(mu * factor)))
 }
 
 impl Drawing<'_> {

@@ -45,7 +45,7 @@ pub fn stepped(w: &Wanted, found: &Centres, reach_mm: f64) -> Part {
 fn drawn(w: &Wanted, found: &Centres, plate: &Plate, reach_mm: f64, stepped: bool) -> Part {
     let (style, scene) = (&w.options.style, w.scene);
     let diagram = &w.worked.construction.diagram;
-    let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu_l)).to_point();
+    let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu)).to_point();
     let mut d = mechanism::numbered(style, scene, w.worked, &w.options.notation);
     let lines = d.bounds();
     let window = window(found, plate, (lines, reach_mm), &to_paper);

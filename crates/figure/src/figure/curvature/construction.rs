@@ -93,7 +93,7 @@ fn text(w: &Wanted, words: &Words, of: &OfLink) -> Part {
 /// The drawing.
 fn part(w: &Wanted, words: &Words, of: &OfLink) -> Part {
     let diagram = &w.worked.construction.diagram;
-    let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu_l)).to_point();
+    let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu)).to_point();
     let mut d = mechanism::numbered(&w.options.style, w.scene, w.worked, &w.options.notation);
     if w.scene.links.len() > LINKS_NAMED {
         only_named_what_is_used(w, of, &mut d);
@@ -273,7 +273,7 @@ impl Over<'_, '_> {
     /// Inflection circle, pole tangent and normal, Bresse's circle, and the poles.
     fn circles(&mut self, pole: crate::curvature::motion::Turning) {
         let style = self.board.style;
-        let mu = self.w.worked.construction.diagram.mu_l;
+        let mu = self.w.worked.construction.diagram.mu;
         let (at, j) = (self.at(pole.pole), self.at(pole.inflection_pole()));
         let symbol = self.words.pole(self.of);
         if !self.board.holds(at) {
@@ -324,7 +324,7 @@ impl Over<'_, '_> {
 
     /// Half of the length of the tangent (mm), the pole in its middle.
     pub(super) fn half_tangent(&self) -> f64 {
-        let diameter_mm = self.of.pole().map_or(0.0, |pole| pole.diameter()) / self.w.worked.construction.diagram.mu_l;
+        let diameter_mm = self.of.pole().map_or(0.0, |pole| pole.diameter()) / self.w.worked.construction.diagram.mu;
         TANGENT_MM.min(diameter_mm.max(2.0 * SENSE_MM))
     }
 
@@ -409,7 +409,7 @@ impl Over<'_, '_> {
     /// An arrow to a pole that the paper does not hold: from the first point, with the distance, else from the middle.
     fn far(&mut self, symbol: &str, at: Point) {
         let own = self.of.points.first().map(|q| (self.named(q.point), self.at(q.at))).filter(|(_, p)| self.board.holds(*p));
-        let mu = self.w.worked.construction.diagram.mu_l;
+        let mu = self.w.worked.construction.diagram.mu;
         let (from, label) = match own {
             Some((name, from)) => (from, self.distance(&name, symbol, at.distance(from) * mu)),
             None => (self.board.window.centre(), Label::math(symbol)),

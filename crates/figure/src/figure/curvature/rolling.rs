@@ -61,7 +61,7 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
     let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let words = Words { found, lang: w.options.lang };
     let (style, diagram) = (&w.options.style, &w.worked.construction.diagram);
-    let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu_l)).to_point();
+    let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu)).to_point();
     let d = mechanism::rolling(style, w.scene, w.worked, &w.options.notation, [of.link, found.against]);
     // Branches that stay near need no more paper than they take.
     let all = || paths.stations.iter().flatten().flat_map(|s| [s.fixed, s.moving].map(|v| to_paper((v * (1.0 / s.omega)).to_point())));

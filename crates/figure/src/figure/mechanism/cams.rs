@@ -95,13 +95,13 @@ impl Draft<'_> {
     }
 
     pub(super) fn mm(&self, length: f64) -> f64 {
-        length / self.worked.construction.diagram.mu_l
+        length / self.worked.construction.diagram.mu
     }
 
     /// From the frame of the pieces that a pose places to paper.
     fn of_pieces(&self, pieces: &Pieces) -> Option<impl Fn(Vec2) -> Point + use<'_>> {
         let [from, to] = pieces.frame.map(|p| self.point(p));
-        let (from, mu) = (from?, self.worked.construction.diagram.mu_l);
+        let (from, mu) = (from?, self.worked.construction.diagram.mu);
         let axis = (to? - from).unit()?;
         Some(move |v: Vec2| from + v.rotate_by(axis) * (1.0 / mu))
     }
@@ -110,7 +110,7 @@ impl Draft<'_> {
     fn of_cam(&self, c: &Cam) -> Option<impl Fn(Vec2) -> Point + use<'_>> {
         let t = c.disc.as_ref()?;
         let centre = self.point(t.pivot)?;
-        let (turn, mu) = (self.turned(t)?, self.worked.construction.diagram.mu_l);
+        let (turn, mu) = (self.turned(t)?, self.worked.construction.diagram.mu);
         Some(move |v: Vec2| centre + v.rotate_by(turn) * (1.0 / mu))
     }
 

@@ -194,7 +194,7 @@ impl<'a> Draft<'a> {
     /// From the plane (m) to paper (mm).
     fn paper(&self, p: Point) -> Point {
         let diagram = &self.worked.construction.diagram;
-        ((p - diagram.origin) * (1.0 / diagram.mu_l)).to_point()
+        ((p - diagram.origin) * (1.0 / diagram.mu)).to_point()
     }
 
     /// A point's place on paper.
@@ -204,7 +204,7 @@ impl<'a> Draft<'a> {
 
     /// A guide on paper.
     fn guide(&self, g: GuideId) -> Option<Path> {
-        let mu = self.worked.construction.diagram.mu_l;
+        let mu = self.worked.construction.diagram.mu;
         Some(match self.worked.configuration.guides[g.0]? {
             Path::Line { through, direction } => Path::Line { through: self.paper(through), direction },
             Path::Arc { centre, radius } => Path::Arc { centre: self.paper(centre), radius: radius / mu },

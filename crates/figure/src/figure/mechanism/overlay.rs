@@ -74,7 +74,7 @@ impl Overlay {
     pub fn mu(&self, scene: &Scene, worked: &Worked) -> Option<f64> {
         let p = worked.construction.polygon(self.vectors?)?;
         let most = shown(worked, self.vectors?).map(|(_, at)| at).fold([0.0_f64; 2], |[x, y], v| [x.max(v.x.abs()), y.max(v.y.abs())]);
-        Some(scale::choose_in(scene.paper.unit(p.level as usize), most.map(|mm| mm * p.mu), [VECTOR_MM, VECTOR_MM]))
+        Some(scale::choose_in(scene.paper.unit(p.level.kind()), most.map(|mm| mm * p.mu), [VECTOR_MM, VECTOR_MM]))
     }
 }
 

@@ -51,8 +51,8 @@ pub(super) struct Column {
 impl Table<'_> {
     /// The columns that the scales allow.
     pub(super) fn columns(&self) -> Vec<Column> {
-        let levels = Level::RATES.into_iter().zip(self.scales.mu).filter(|(_, mu)| mu.is_some());
-        let shows = std::iter::once(Shows::Mechanism).chain(levels.map(|(level, _)| Shows::Polygon(level)));
+        let levels = Level::RATES.into_iter().filter(|level| self.scales.mu.get(level.kind()).is_some());
+        let shows = std::iter::once(Shows::Mechanism).chain(levels.map(Shows::Polygon));
         shows
             .map(|shows| {
                 let parts = self.parts(shows);
@@ -94,7 +94,7 @@ impl Table<'_> {
                     let mut part = drawing.finish_after(&mut habits);
                     // The diagram's origin may be a point that moves.
                     let (here, first) = (&row.worked.construction.diagram, &self.rows[0].worked.construction.diagram);
-                    part.translate((here.origin - first.origin) * (1.0 / first.mu_l));
+                    part.translate((here.origin - first.origin) * (1.0 / first.mu));
                     part
                 }
                 Shows::Polygon(_) => match self.polygon(row, shows) {
@@ -139,13 +139,13 @@ impl Table<'_> {
             let lines: Vec<Vec<Point>> = match shows {
                 Shows::Mechanism => {
                     let diagram = &first.worked.construction.diagram;
-                    let paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu_l)).to_point();
+                    let paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu)).to_point();
                     let places = moved.moments.iter().chain(moved.moments.first().filter(|_| moved.full));
                     vec![places.filter_map(|m| m.configuration.points[point.0]).map(paper).collect()]
                 }
                 Shows::Polygon(level) => {
                     let l = usize::from(level == Level::Acceleration);
-                    let Some(mu) = self.scales.mu[l] else { continue };
+                    let Some(mu) = self.scales.mu.get(level.kind()) else { continue };
                     let curve: Vec<Option<Vec2>> = moved.moments.iter().map(|m| m.vectors[k][l]).collect();
                     let paper = |v: &Vec2| (*v * (1.0 / mu)).to_point();
                     // As far as the polygons reach.

@@ -113,7 +113,7 @@ impl Poses {
 
     fn table<'a>(&'a self, options: &'a Options, swept: Swept, still: bool) -> Table<'a> {
         let Poses { rows, full, moved, scales } = self;
-        Table { options, rows, full: *full, swept, moved: moved.as_ref(), scales: *scales, still }
+        Table { options, rows, full: *full, swept, moved: moved.as_ref(), scales: scales.clone(), still }
     }
 
     /// What is to be known of the poses that were asked for.

@@ -58,7 +58,7 @@ impl Table<'_> {
         let mu = match column.shows {
             Shows::Polygon(level) => {
                 let book = &self.rows[0].scene.book;
-                of_level(book, level, self.scales.mu[usize::from(level == Level::Acceleration)].unwrap_or(1.0))
+                of_level(book, level, self.scales.mu.get(level.kind()).unwrap_or(1.0))
             }
             Shows::Mechanism => mu,
         };

@@ -94,10 +94,8 @@ fn frame(table: &Table, columns: &[Column], k: usize, size: [f64; 2]) -> Figure 
         };
         let (words, mu) = maker.caption(level);
         // A pose without a polygon has no scale of its own.
-        let mu = match (level, table.scales.mu) {
-            (Level::Velocity, [Some(mu), _]) | (Level::Acceleration, [_, Some(mu)]) => of_level(&row.scene.book, level, mu),
-            (Level::Position, _) | (Level::Velocity, [None, _]) | (Level::Acceleration, [_, None]) => mu,
-        };
+        let own = table.scales.mu.get(level.kind()).filter(|_| level > Level::Position);
+        let mu = own.map_or(mu, |mu| of_level(&row.scene.book, level, mu));
         let at = Point::new(middle.x, foot - CAPTION_MM);
         put(&format!("caption-{name}"), at, Label::text(words), style.caption_mm, Anchor::Middle);
         put(&format!("scale-{name}"), Point::new(at.x, at.y - SCALE_MM), Label::math(mu), style.small_mm, Anchor::Middle);

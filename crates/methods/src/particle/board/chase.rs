@@ -6,10 +6,11 @@ use super::super::pursuit::{Chase, End};
 use super::super::solve::course;
 use super::super::{Motion, Problem};
 use super::{Drawn, ROOM_MM, Told, Views, arrow, mm, most};
-use crate::construct::scale::choose_in;
+use crate::construct::scale::{choose_in, fitted};
 use crate::diag::{Both, Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::number::Real;
+use crate::scene;
 
 /// Room of the course (mm).
 const COURSE_MM: [f64; 2] = [120.0, 75.0];
@@ -79,10 +80,10 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
     let (b, v_b) = (Point::new(x[0], y[0]), Vec2::new(x[1], y[1]));
     let a = b - Vec2::new(here.d[0], here.d[1]);
     let run = known.and_then(Whole::again).map_or_else(|| Whole::of(&chase, t), Ok)?;
-    let mu_l = problem.paper.mu_l.unwrap_or_else(|| run.scale([a, b], problem.paper.unit(0)));
+    let mu_l = problem.paper.scale(scene::Kind::Length, |unit| run.scale([a, b], unit));
     let (on_paper_a, on_paper_b) = ((a.to_vec2() * (1.0 / mu_l)).to_point(), (b.to_vec2() * (1.0 / mu_l)).to_point());
     let Some(along) = (on_paper_b - on_paper_a).unit() else { return Ok(None) };
-    let mu_v = problem.paper.mu_v.unwrap_or_else(|| choose_in(problem.paper.unit(1), most(&[v_b, along * speed[0]]), ROOM_MM));
+    let mu_v = fitted(&problem.paper, scene::Kind::Velocity, most(&[v_b, along * speed[0]]), ROOM_MM);
     let (tip_a, tip_b) = (along * (speed[0] / mu_v), v_b * (1.0 / mu_v));
     // The perpendicular from b on the line of v_A.
     let foot = along * along.dot(tip_b);
@@ -95,7 +96,7 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
     let omega = rate * mu_v / (arm * mu_l) * if along.cross(tip_b) < 0.0 { -1.0 } else { 1.0 };
     let (a_t, a_n) = (speed[1], tip_a.norm() * mu_v * omega);
     let whole = along * a_t + along.perp() * a_n;
-    let mu_a = problem.paper.mu_a.unwrap_or_else(|| choose_in(problem.paper.unit(2), most(&[whole, along * a_t]), ROOM_MM));
+    let mu_a = fitted(&problem.paper, scene::Kind::Acceleration, most(&[whole, along * a_t]), ROOM_MM);
     let (tip_t, tip_n) = (along * (a_t / mu_a), along.perp() * (a_n / mu_a));
     let velocities =
         vec![arrow(&format!("v_{}", m.point), Point::ORIGIN, tip_a, true, 1), arrow(&format!("v_{target}"), Point::ORIGIN, tip_b, true, 1)];

@@ -20,22 +20,25 @@ pub(super) fn paper(raw: &RawScene, values: &Values, book: &Book, faults: &mut F
         Some(RawSize::Sides(sides)) => sides_mm(sides, values, faults),
         None => None,
     };
-    let mut scale = |q: &Option<RawQuantity>, wanted: Wanted, key: &str| {
-        let q = q.as_ref()?;
+    let mut scale = |kind: Kind, q: &Option<RawQuantity>, wanted: Wanted| {
+        let (q, key) = (q.as_ref()?, kind.scale_key()?);
         let given = values.si(q, wanted, faults)?;
         if given.value <= 0.0 {
             faults.push(Diagnostic::error("not-positive", both!("`{key}` must be greater than zero", "`{key}` 应大于零")).at(q.span));
             return None;
         }
         // The value counts per metre of paper.
-        Some(given.value / 1000.0)
+        Some((kind, given.value / 1000.0))
     };
+    let scales = [
+        scale(Kind::Length, &raw.paper.mu_l, Wanted::ScaleOfLengths),
+        scale(Kind::Velocity, &raw.paper.mu_v, Wanted::ScaleOfVelocities),
+        scale(Kind::Acceleration, &raw.paper.mu_a, Wanted::ScaleOfAccelerations),
+    ];
     Paper {
         size_mm,
-        mu_l: scale(&raw.paper.mu_l, Wanted::ScaleOfLengths, "mu_l"),
-        mu_v: scale(&raw.paper.mu_v, Wanted::ScaleOfVelocities, "mu_v"),
-        mu_a: scale(&raw.paper.mu_a, Wanted::ScaleOfAccelerations, "mu_a"),
-        round_in: Some([Kind::Length, Kind::Velocity, Kind::Acceleration].map(|k| book.size(k))).filter(|units| *units != [1.0; 3]),
+        scales: scales.into_iter().flatten().collect(),
+        round_in: Kind::DRAWN.into_iter().map(|kind| (kind, book.size(kind))).filter(|(_, unit)| *unit != 1.0).collect(),
         pencil_mm: raw.paper.pencil.as_ref().and_then(|q| pencil_mm(q, values, faults)),
     }
 }
