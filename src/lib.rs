@@ -79,7 +79,7 @@
 //! - [`webfont`]: the letters that every page brings with it.
 //! - [`problem`]: every kind of file through one call: read, solve, and what is written of the answers.
 //! - [`cli`]: the only room that prints, reads arguments or touches files.
-//! - Small shared ones: [`geom`], [`trig`], [`digits`], [`diag`], [`json`].
+//! - Small shared ones: [`geom`], [`trig`], [`digits`], [`diag`], [`json`](hodograph_base::json).
 //!
 //! # Crates
 //! The rooms are crates under `crates/`, so that Cargo refuses what the table below forbids, above all that drawing and analysis know one
@@ -180,21 +180,19 @@
 // The map names private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
-pub use hodograph_analytic::analytic;
+pub use hodograph_analytic as analytic;
 pub use hodograph_base::{cam, diag, digits, geom, number, trig};
 pub use hodograph_board::{construct, plan};
-pub use hodograph_figure::figure;
+pub use hodograph_figure as figure;
 pub use hodograph_mechanism::{answer, mechanism, motion, position, stated};
 pub use hodograph_methods::{attempts, centres, composite, curvature, gears, inversions, particle, trains};
 pub use hodograph_paper::{paper, render};
-pub use hodograph_report::report;
-pub use hodograph_scene::scene;
-pub use hodograph_search::search;
-pub use hodograph_sweep::sweep;
-pub use hodograph_synthesis::synthesis;
+pub use hodograph_report as report;
+pub use hodograph_scene as scene;
+pub use hodograph_search as search;
+pub use hodograph_sweep as sweep;
+pub use hodograph_synthesis as synthesis;
 pub use hodograph_worked::{accuracy, certified, effort, worked};
-
-use hodograph_base::json;
 
 #[cfg(feature = "cli")]
 mod cli;

@@ -160,7 +160,7 @@ fn collected_cases_are_inverted() {
     some.push(format!("{folder}/hit-7.17.json").into());
     let inverted = |file: &std::path::PathBuf| {
         let case: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap();
-        scene::read(&case["scene"].to_string()).is_ok_and(|s| inversions(&s.value).is_ok())
+        scene::read(case["scene"].to_string()).is_ok_and(|s| inversions(&s.value).is_ok())
     };
     let count = some.iter().filter(|f| inverted(f)).count();
     assert!(count * 2 > some.len(), "{count}");

@@ -8,10 +8,12 @@
 mod codes;
 #[path = "tidy/kinds.rs"]
 mod kinds;
+#[path = "tidy/map.rs"]
+mod map;
 #[path = "tidy/wording.rs"]
 mod wording;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// Files longer than [`LONGEST`], each with the lines that it may have. The list only shrinks: a file that grows past its number is
@@ -20,16 +22,6 @@ const LONG_FILES: &[(&str, usize)] = &[("tests/random/mech.rs", 639), ("tests/ra
 
 /// Lines that a reader still oversees.
 const LONGEST: usize = 450;
-
-/// Imports that no table may ever allow, and why.
-const NEVER: &[(&str, &str, &str)] = &[
-    ("construct", "analytic", "their agreement is evidence only because the drawing does not know the loop equations"),
-    ("analytic", "construct", "their agreement is evidence only because the loop equations do not know the drawing"),
-    ("analytic", "plan", "the loop equations share the mechanism and its positions with the drawing, nothing else"),
-    ("stated", "motion", "what proves positions shares nothing with what finds them"),
-    ("plan", "number", "a plan holds no numbers"),
-    ("plan", "position", "a plan holds no numbers"),
-];
 
 /// Functions of `f64` whose last bit the platform's own library decides. `sqrt`, `mul_add`, `rem_euclid` and rounding are exact
 /// everywhere and are not among them.
@@ -43,8 +35,8 @@ const PLATFORM_FUNCTIONS: &[&str] = &[
 const PLATFORM_FUNCTIONS_ALLOWED: &[(&str, &str)] = &[
     ("crates/base/src/number/", "defines the functions of each kind of number, by libm where it is f64"),
     ("crates/base/src/geom.rs", "vectors of any kind of number"),
-    ("crates/scene/src/scene/eval.rs", "expressions in any kind of number"),
-    ("crates/scene/src/scene/exact.rs", "given values in any kind of number"),
+    ("crates/scene/src/eval.rs", "expressions in any kind of number"),
+    ("crates/scene/src/exact.rs", "given values in any kind of number"),
     ("crates/base/src/cam/disc.rs", "pressure angles in any kind of number"),
     ("crates/base/src/cam/jet.rs", "sine, cosine and directions with their derivatives in any kind of number"),
     ("crates/mechanism/src/position/assemble.rs", "positions in any kind of number; `sin_cos` of the inputs"),
@@ -55,9 +47,9 @@ const PLATFORM_FUNCTIONS_ALLOWED: &[(&str, &str)] = &[
     ("crates/worked/src/effort/truth.rs", "differences in longer numbers"),
     ("crates/worked/src/certified/ladder.rs", "directions in intervals"),
     ("crates/worked/src/certified/steps.rs", "angles of crossings in intervals"),
-    ("crates/synthesis/src/synthesis/time_ratio/crank_rocker/family.rs", "transmission angles in double-double numbers"),
-    ("crates/sweep/src/sweep/reading.rs", "directions over lanes, by libm"),
-    ("crates/sweep/src/sweep/turns.rs", "directions over lanes, by libm"),
+    ("crates/synthesis/src/time_ratio/crank_rocker/family.rs", "transmission angles in double-double numbers"),
+    ("crates/sweep/src/reading.rs", "directions over lanes, by libm"),
+    ("crates/sweep/src/turns.rs", "directions over lanes, by libm"),
 ];
 
 fn root() -> &'static Path {
@@ -88,11 +80,12 @@ fn sources(endings: &[&str]) -> Vec<(String, String)> {
     [files("src", endings), files("crates", endings)].concat()
 }
 
-/// The libraries' files without their tests and comments: lines keep their numbers. `main.rs` and `lib.rs` belong to no room.
+/// The libraries' files without their tests and comments: lines keep their numbers. `main.rs` belongs to no room, nor does the `lib.rs` of a crate with
+/// several.
 fn code() -> Vec<(String, String)> {
-    let library = sources(&["rs"]).into_iter().filter(|(name, _)| {
-        !name.ends_with("/tests.rs") && !name.contains("/tests/") && !["src/main.rs", "src/lib.rs"].iter().any(|top| name.ends_with(top))
-    });
+    let of_none = |name: &str| name == "src/main.rs" || name.ends_with("src/lib.rs") && !map::whole().contains(map::crate_of(name));
+    let library =
+        sources(&["rs"]).into_iter().filter(|(name, _)| !name.ends_with("/tests.rs") && !name.contains("/tests/") && !of_none(name));
     let bare = |text: String| {
         let end = text.match_indices("#[cfg(test)]\nmod ").find(|(i, _)| text[*i..].lines().nth(1).is_some_and(|l| l.ends_with('{')));
         let (code, tests) = text.split_at(end.map_or(text.len(), |(i, _)| i));
@@ -119,181 +112,8 @@ fn words(line: &str) -> impl Iterator<Item = (&str, &str, &str)> {
     starts.map(|i| (&line[..i], word(&line[i..]), &line[i + word(&line[i..]).len()..]))
 }
 
-/// A file's place in its crate: `src/room/...` or `src/room.rs` of the root package, `crates/crate/src/room/...` of another.
-fn in_crate(file: &str) -> &str {
-    file.split_once("src/").expect("a file of a library").1
-}
-
-/// The room of a file.
-fn room_of(file: &str) -> &str {
-    word(in_crate(file))
-}
-
-/// The rooms that follow `crate::`, or as many `super::` as lead to the crate's root; in braces there are several.
-fn imports(file: &str, code: &str) -> Vec<(usize, String)> {
-    // A room's own file stands one step under the root.
-    let depth = 1 + in_crate(file).matches('/').count() - usize::from(file.ends_with("/mod.rs"));
-    let to_root = "super::".repeat(depth);
-    let mut found = Vec::new();
-    for door in ["crate::", to_root.as_str()] {
-        for (i, _) in code.match_indices(door) {
-            if code[..i].ends_with(is_word) || code[..i].ends_with("::") || code[..i].ends_with('$') {
-                continue;
-            }
-            let line = code[..i].matches('\n').count() + 1;
-            let rest = &code[i + door.len()..];
-            let Some(list) = rest.strip_prefix('{') else {
-                found.push((line, word(rest).to_owned()));
-                continue;
-            };
-            let (mut level, mut at_start) = (0, true);
-            for (k, c) in list.char_indices() {
-                match c {
-                    '{' => level += 1,
-                    '}' if level == 0 => break,
-                    '}' => level -= 1,
-                    ',' if level == 0 => at_start = true,
-                    c if is_word(c) && at_start => {
-                        found.push((line, word(&list[k..]).to_owned()));
-                        at_start = false;
-                    }
-                    _ => {}
-                }
-            }
-        }
-    }
-    found
-}
-
-/// The modules that each crate's `src/lib.rs` declares, by the crate's folder; that of the root package is `.`.
-fn crates() -> BTreeMap<String, BTreeSet<String>> {
-    let mut all = BTreeMap::new();
-    for (name, text) in sources(&["rs"]).into_iter().filter(|(name, _)| name.ends_with("src/lib.rs")) {
-        let folder = name.strip_suffix("/src/lib.rs").and_then(|n| n.strip_prefix("crates/")).unwrap_or(".").to_owned();
-        let declared = text.lines().filter_map(|l| l.strip_prefix("pub mod ").or(l.strip_prefix("mod ")));
-        all.insert(folder, declared.map(|l| l.trim_end_matches(';').to_owned()).collect());
-    }
-    all
-}
-
-fn rooms() -> BTreeSet<String> {
-    crates().into_values().flatten().collect()
-}
-
-/// The part of the crate's documentation under a heading.
-fn chapter(heading: &str) -> String {
-    let lib = std::fs::read_to_string(root().join("src/lib.rs")).unwrap();
-    let doc: Vec<&str> = lib.lines().map_while(|l| l.strip_prefix("//!")).map(|l| l.strip_prefix(' ').unwrap_or(l)).collect();
-    let from = doc.iter().position(|l| *l == heading).unwrap_or_else(|| panic!("src/lib.rs has no chapter {heading:?}"));
-    let length = doc[from + 1..].iter().position(|l| l.starts_with("# ")).unwrap_or(doc.len() - from - 1);
-    doc[from + 1..from + 1 + length].join("\n")
-}
-
-/// The table of the crate's documentation: rooms from the bottom up, each with what it imports.
-fn table() -> Vec<(String, BTreeSet<String>)> {
-    let chapter = chapter("# Who may import whom");
-    let block = chapter.split("```").nth(1).expect("a block with the table").strip_prefix("text\n").expect("text").to_owned();
-    let row = |line: &str| {
-        let mut words = line.split_whitespace();
-        let room = words.next().expect("a room").to_owned();
-        (room, words.filter(|w| *w != "-").map(str::to_owned).collect())
-    };
-    block.lines().map(row).collect()
-}
-
 fn finish(faults: &[String], law: &str) {
     assert!(faults.is_empty(), "{law}\n{} faults:\n{}", faults.len(), faults.join("\n"));
-}
-
-#[test]
-fn imports_are_those_of_the_map() {
-    let rooms = rooms();
-    let mut actual: BTreeMap<(String, String), String> = BTreeMap::new();
-    let mut faults = Vec::new();
-    for (file, text) in code() {
-        let room = room_of(&file);
-        for (line, other) in imports(&file, &text) {
-            if !rooms.contains(&other) {
-                faults.push(format!("{file}:{line}: {other} is no room of any crate; import from the room that has it"));
-            } else if other != room {
-                actual.entry((room.to_owned(), other)).or_insert_with(|| format!("{file}:{line}"));
-            }
-        }
-    }
-    let table = table();
-    let place = |room: &str| table.iter().position(|(r, _)| r == room);
-    let allowed: BTreeSet<(String, String)> =
-        table.iter().flat_map(|(room, list)| list.iter().map(move |other| (room.clone(), other.clone()))).collect();
-    for ((room, other), at) in &actual {
-        if !allowed.contains(&(room.clone(), other.clone())) {
-            faults.push(format!("{at}: {room} imports {other}, which the table does not allow"));
-        }
-        if let Some((_, _, why)) = NEVER.iter().find(|(r, o, _)| r == room && o == other) {
-            faults.push(format!("{at}: {room} must never import {other}: {why}"));
-        }
-    }
-    for (room, other) in &allowed {
-        if !actual.contains_key(&(room.clone(), other.clone())) {
-            faults.push(format!("the table allows {room} to import {other}, and no file does: strike it off"));
-        }
-        if place(room) <= place(other) {
-            faults.push(format!("{room} imports {other}, which does not stand below it: a circle"));
-        }
-    }
-    finish(&faults, "Imports follow the table under \"Who may import whom\" in src/lib.rs, from the bottom up.");
-}
-
-#[test]
-fn the_map_lists_every_room() {
-    let rooms = rooms();
-    let mut faults = Vec::new();
-    let map = chapter("# Rooms");
-    let listed: BTreeSet<String> = map.split("[`").skip(1).filter_map(|l| l.split("`]").next()).map(str::to_owned).collect();
-    faults.extend(rooms.iter().filter(|r| !listed.contains(*r)).map(|r| format!("{r} is not in the list of rooms")));
-    let names: Vec<String> = table().into_iter().map(|(room, _)| room).collect();
-    let in_table: BTreeSet<String> = names.iter().cloned().collect();
-    assert_eq!(names.len(), in_table.len(), "a room stands in the table twice: {names:?}");
-    faults.extend(rooms.difference(&in_table).map(|r| format!("{r} has no row in the table of imports")));
-    faults.extend(in_table.difference(&rooms).map(|r| format!("the table of imports has a row for {r}, which is no room")));
-    finish(&faults, "The crate's documentation in src/lib.rs lists every room that it and the crates under it declare.");
-}
-
-/// The proof of positions takes from the position solver the value that it proves, and nothing else.
-#[test]
-fn the_proof_of_positions_shares_nothing_with_their_solver() {
-    let (mut files, mut faults) = (0, Vec::new());
-    for (name, text) in code().into_iter().filter(|(name, _)| room_of(name) == "stated") {
-        files += 1;
-        for (i, _) in text.match_indices("position::") {
-            let rest = text[i + "position::".len()..].split([';', '\n']).next().unwrap_or_default();
-            if rest != "Configuration" {
-                faults.push(format!("{name}: position::{rest}"));
-            }
-        }
-        faults.extend(
-            ["guides[", "guide(", "closures", ".shapes"]
-                .iter()
-                .filter(|word| text.contains(&format!("at.{word}")))
-                .map(|word| format!("{name} reads `{word}` of the configuration: that is the solver's, the scene states it")),
-        );
-    }
-    assert!(files > 1, "{files}");
-    finish(&faults, "What proves positions reads the scene, and of the configuration places and directions of links alone.");
-}
-
-/// Cargo forbids a crate what it does not name; which rooms share one is the map's.
-#[test]
-fn crates_hold_the_rooms_that_the_map_says() {
-    let chapter = chapter("# Crates");
-    let block = chapter.split("```").nth(1).expect("a block with the table").strip_prefix("text\n").expect("text").to_owned();
-    let row = |line: &str| {
-        let mut words = line.split_whitespace().map(str::to_owned);
-        (words.next().expect("a crate"), words.collect::<BTreeSet<_>>())
-    };
-    let told: BTreeMap<_, _> = block.lines().map(row).collect();
-    let mut crates = crates();
-    crates.remove(".");
-    assert_eq!(told, crates);
 }
 
 #[test]

@@ -4,9 +4,9 @@ use super::draw::points_named;
 use super::{Failure, Input, Run, Told, args, choices, files};
 use crate::curvature::{Asked, centrodes, couplers, curvature};
 use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::json::fields::suggest;
 use crate::report::{curvature as report, curvature_json};
 use crate::scene::{LinkId, Scene};
+use hodograph_base::json::fields::suggest;
 use std::process::ExitCode;
 
 /// Runs the command.

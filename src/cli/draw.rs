@@ -8,7 +8,6 @@ use super::values::{Format, Vectors};
 use super::{Failure, File, Run, Told, files, granted, ids, look_of, pencil, verdict};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::figure::list::{Entry, Extras};
-use crate::json::fields::suggest;
 use crate::mechanism::Level;
 use crate::paper::font::own::Fonts;
 use crate::paper::item::Figure;
@@ -17,6 +16,7 @@ use crate::problem::{self, Extent, Pictures, Wish};
 use crate::render::pdf;
 use crate::scene::{self, PointId, Scene};
 use crate::worked::Worked;
+use hodograph_base::json::fields::suggest;
 use std::path::{Path, PathBuf};
 
 /// Formats that are written into a folder unless the command line says otherwise.

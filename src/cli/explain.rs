@@ -6,9 +6,9 @@
 
 use super::{Failure, Run, files, lang};
 use crate::diag::{Both, Diagnostic, both};
-use crate::json::fields::nearest;
 use crate::scene::Lang;
 use clap::Args as ClapArgs;
+use hodograph_base::json::fields::nearest;
 use serde_json::{Value, json};
 
 /// The arguments of the command.

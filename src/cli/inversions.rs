@@ -4,8 +4,8 @@ use super::together::Together;
 use super::{Failure, Input, Run, args, choices, files, places};
 use crate::diag::{Diagnostic, Warned, both};
 use crate::inversions::inversions;
-use crate::json::fields::suggest;
 use crate::report::inversions as report;
+use hodograph_base::json::fields::suggest;
 use std::path::Path;
 use std::process::ExitCode;
 

@@ -2,8 +2,8 @@
 
 use super::{Failure, Run, files, values};
 use crate::diag::{Diagnostic, both};
-use crate::json::fields::suggest;
 use crate::problem::{Kind, templates};
+use hodograph_base::json::fields::suggest;
 use std::process::ExitCode;
 
 /// Writes a template.

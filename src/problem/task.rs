@@ -4,12 +4,12 @@ use super::{Answer, Answered, Lesson, Look, Options, Pictures, Solved};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::figure::list::Pages;
 use crate::figure::{fit, sheet, synthesis as figure};
-use crate::json;
 use crate::lesson::design as lesson;
 use crate::report::synthesis as report;
 use crate::scene::Lang;
 use crate::synthesis::{self, Candidate, Design, Task};
 use crate::worksheet::{self, Document, Sides};
+use hodograph_base::json;
 use serde_json::Value as Json;
 
 /// The construction of a candidate as text and for programs.

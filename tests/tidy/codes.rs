@@ -8,11 +8,11 @@ const MADE: [&str; 3] = ["Diagnostic::error(", "Diagnostic::warning(", "Diagnost
 
 /// Files whose diagnostics are made by a function or constant of their own: what stands before the code there.
 const OWN: &[(&str, &[&str])] = &[
-    ("crates/figure/src/figure/gears.rs", &["fault(", "note("]),
+    ("crates/figure/src/gears.rs", &["fault(", "note("]),
     ("crates/mechanism/src/stated/mod.rs", &["const UNPROVEN: &str = "]),
     ("crates/methods/src/particle/pursuit.rs", &["const LOST: &str = "]),
     ("crates/methods/src/particle/read.rs", &["self.fault("]),
-    ("crates/synthesis/src/synthesis/judge.rs", &["== Demand::FullTurn { ", "} else { "]),
+    ("crates/synthesis/src/judge.rs", &["== Demand::FullTurn { ", "} else { "]),
 ];
 
 /// The word in quotation marks that a text begins with.

@@ -1,6 +1,12 @@
-//! The loop equations of a mechanism, all rows at once in `f64`: the proof of the drawing, which it does not know.
+//! The independent check: all constraint equations and their Jacobian at once.
 //!
-//! Room: [`analytic`] (constraint rows, Jacobian, conditioning; singular poses by the next orders).
+//! Unknown are the velocities (and accelerations) of every moving link, three numbers each, and of every pin that sits on
+//! no link. The rows come from differentiating the constraint equations once and twice ([`rows`]); groups, legs, plan and
+//! paper are not known here, and no formula of a relative-motion term (normal, Coriolis) is ever written down: where one is asked for, [`asked`]
+//! takes it from rows of the same kinds.
+//!
+//! # Source
+//! Φ_q q̇ = −Φ_t, Φ_q q̈ = γ: E. J. Haug, *Computer Aided Kinematics and Dynamics of Mechanical Systems*, ch. 3.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -11,8 +17,363 @@
 // The maps name private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
-use hodograph_base::{cam, diag, geom};
-use hodograph_mechanism::{answer, mechanism, position};
-use hodograph_scene::scene;
+mod asked;
+mod blocks;
+mod cams;
+mod factor;
+mod fork;
+mod jet;
+mod pose;
+mod relation;
+mod rows;
+mod series;
+mod singular;
+mod staged;
+mod third;
+mod words;
 
-pub mod analytic;
+pub use fork::Decided;
+pub use pose::{Near, Refused, SingularKind, Singularity};
+pub use singular::Why;
+pub use third::third;
+
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Passive};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::{LinkId, PointId, Scene};
+use nalgebra::{DMatrix, DVector, Dyn, LU};
+use pose::Pose;
+use singular::Blocks;
+use staged::{LARGE, Staged};
+
+/// Velocities and accelerations of all links that the demand reaches, each as far as it is wanted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    links: Vec<Option<LinkMotion>>,
+    /// Velocities and accelerations of pins that sit on no link.
+    bare: [Vec<(PointId, Vec2)>; 2],
+    /// For velocities and for accelerations, the first solved link that carries each point.
+    home: [Vec<Option<LinkId>>; 2],
+    /// Places, for the vectors of further points.
+    points: Vec<Option<Point>>,
+    origins: Vec<Option<Point>>,
+    ground: LinkId,
+    /// Estimated condition number of the scaled Jacobian (1-norm); infinite where it is singular.
+    pub condition: f64,
+    /// The parts that are singular in this pose and were answered by the next order of the equations, in solving order.
+    pub singular: Vec<Singularity>,
+    /// The parts that have no motion in this pose (dead centres and the like), in solving order.
+    pub refused: Vec<Refused>,
+    /// The parts that are nearly singular, the worst first; those that are singular are not among them.
+    pub near: Vec<Near>,
+    /// What the reader should know of the pose.
+    pub notes: Vec<Diagnostic>,
+    /// Number of unknowns solved for, at velocity and at acceleration level.
+    pub size: [usize; 2],
+}
+
+/// Motion of a link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct LinkMotion {
+    /// Velocity of the frame's origin (m/s).
+    v: Vec2,
+    /// ω (rad/s).
+    omega: f64,
+    /// Acceleration of the origin (m/s²) and α (rad/s²), where they are wanted.
+    second: Option<(Vec2, f64)>,
+}
+
+/// Solves the loop equations of everything the demand reaches: accelerations only of what is wanted so far.
+///
+/// Where the Jacobian is singular the equations are carried to the next order ([`Singularity`]): a change point is answered
+/// on the way that is meant, a driver at its limit by the way back. A part that has no motion, and what rests on it, is left
+/// without one and told in [`Solution::refused`], with a note of one of these codes:
+/// - `dead-centre`: the drivers cannot move the links through the pose, velocities are unbounded;
+/// - `locked`: the pose can be assembled but not left as asked;
+/// - `undetermined`: links can move while the drivers stand; `singular`: more than one freedom is open;
+/// - `acceleration-undetermined`: velocities are finite, accelerations are not.
+///
+/// # Errors
+/// `overflow`: numbers out of range.
+pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> Result<Solution, Faults> {
+    let mut solution = Solution {
+        links: vec![None; scene.links.len()],
+        bare: [Vec::new(), Vec::new()],
+        home: [Vec::new(), Vec::new()],
+        points: Vec::new(),
+        origins: Vec::new(),
+        ground: scene.ground,
+        condition: 1.0,
+        singular: Vec::new(),
+        refused: Vec::new(),
+        near: Vec::new(),
+        notes: Vec::new(),
+        size: [0; 2],
+    };
+    solution.links[scene.ground.0] = Some(LinkMotion { v: Vec2::ZERO, omega: 0.0, second: Some((Vec2::ZERO, 0.0)) });
+    if demand.level == Level::Position {
+        return Ok(solution);
+    }
+    let layout = rows::Layout::new(scene, m, at, demand, Level::Velocity);
+    solution.points.clone_from(&at.points);
+    if layout.unknowns > 0 {
+        let system = System::new(scene, at, &layout)?;
+        solution.condition = system.condition;
+        solution.size[0] = layout.unknowns;
+        if system.condition > SUSPECT || system.condition.is_nan() {
+            let pose = Pose { scene, at, demand, layout: &layout };
+            let rounding = layout.rounding(at);
+            let blocks = Blocks::new(&system.rows, layout.unknowns, rounding, |b| pose.blur(b, rounding));
+            solution.near = pose.near(&system.rows, &blocks, rounding);
+            if blocks.singular() {
+                return Ok(pose.singular(&system.rows, &blocks, solution));
+            }
+        }
+        let rhs = DVector::from_iterator(layout.unknowns, system.rows.iter().map(|r| r.rate));
+        let rates = system.solve(&rhs).ok_or_else(|| overflow(scene, &layout))?;
+        layout.unpack_rates(&rates, &mut solution);
+        if layout.second {
+            let gamma = system.solve(&system.gamma(&rates));
+            layout.unpack_accelerations(&gamma.ok_or_else(|| overflow(scene, &layout))?, &mut solution);
+            solution.size[1] = layout.unknowns;
+        } else if demand.level >= Level::Acceleration {
+            // What only its velocity is wanted of takes no part in the second system.
+            let part = rows::Layout::new(scene, m, at, demand, Level::Acceleration);
+            if part.unknowns > 0 {
+                let system = System::new(scene, at, &part)?;
+                let gamma = part.rates_from(scene, at, &layout, &rates).and_then(|q| system.solve(&system.gamma(&q)));
+                part.unpack_accelerations(&gamma.ok_or_else(|| overflow(scene, &part))?, &mut solution);
+                solution.size[1] = part.unknowns;
+            }
+        }
+    }
+    solution.settle(scene, &layout);
+    Ok(solution)
+}
+
+/// Above this condition number the blocks are looked at one by one: below it, double precision leaves eleven digits, which is what
+/// two ways that agree promise.
+const SUSPECT: f64 = 1e3;
+
+/// The rows of a layout and its decomposed Jacobian.
+struct System {
+    rows: Vec<relation::Row>,
+    factors: Factors,
+    condition: f64,
+}
+
+/// A decomposed Jacobian.
+enum Factors {
+    Whole { jacobian: DMatrix<f64>, lu: LU<f64, Dyn, Dyn> },
+    Staged(Staged),
+}
+
+impl System {
+    /// # Errors
+    /// Not as many rows as unknowns.
+    fn new(scene: &Scene, at: &Configuration, layout: &rows::Layout) -> Result<System, Faults> {
+        let n = layout.unknowns;
+        let rows = layout.rows(scene, at);
+        if rows.len() != n {
+            return Err(
+                Diagnostic::error("not-square", both!("{} equations for {n} unknowns", "{} 个方程，{n} 个未知数", rows.len())).into()
+            );
+        }
+        if n >= LARGE {
+            let staged = Staged::new(&rows, n);
+            let condition = staged.one_norm() * inverse_one_norm(&|b| staged.solve(b), &|b| staged.solve_transposed(b), n);
+            return Ok(System { rows, factors: Factors::Staged(staged), condition });
+        }
+        let mut jacobian = DMatrix::zeros(n, n);
+        for (i, row) in rows.iter().enumerate() {
+            for &(k, c) in &row.coefficients {
+                jacobian[(i, k)] += c;
+            }
+        }
+        let lu = jacobian.clone().lu();
+        let (l, u, p) = (lu.l(), lu.u(), lu.p());
+        let solve_transposed = |b: &DVector<f64>| -> Option<DVector<f64>> {
+            let mut y = u.tr_solve_upper_triangular(b).and_then(|y| l.tr_solve_lower_triangular(&y))?;
+            p.inv_permute_rows(&mut y);
+            Some(y)
+        };
+        let condition = one_norm(&jacobian) * inverse_one_norm(&|b| lu.solve(b), &solve_transposed, n);
+        Ok(System { rows, factors: Factors::Whole { jacobian, lu }, condition })
+    }
+
+    /// Solves and refines once, which makes the result as good as the data where the matrix is badly scaled.
+    fn solve(&self, b: &DVector<f64>) -> Option<DVector<f64>> {
+        let x = match &self.factors {
+            Factors::Whole { jacobian, lu } => {
+                let x = lu.solve(b)?;
+                let r = b - jacobian * &x;
+                x + lu.solve(&r)?
+            }
+            Factors::Staged(staged) => {
+                let x = staged.solve(b)?;
+                let r = staged.residual(&x, b);
+                x + staged.solve(&r)?
+            }
+        };
+        x.iter().all(|v| v.is_finite()).then_some(x)
+    }
+
+    /// The right-hand side of the accelerations at the given rates.
+    fn gamma(&self, rates: &DVector<f64>) -> DVector<f64> {
+        DVector::from_iterator(self.rows.len(), self.rows.iter().map(|r| r.acceleration(rates)))
+    }
+}
+
+fn one_norm(m: &DMatrix<f64>) -> f64 {
+    m.column_iter().map(|c| c.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max)
+}
+
+/// x with J x = b, or with Jᵀ x = b.
+type Solve<'a> = &'a dyn Fn(&DVector<f64>) -> Option<DVector<f64>>;
+
+/// ‖J⁻¹‖₁ by Hager's estimate.
+///
+/// # Source
+/// W. W. Hager, *Condition estimates*, SIAM J. Sci. Stat. Comput. 5 (1984); N. J. Higham, *Accuracy and Stability*, §15.
+fn inverse_one_norm(solve: Solve, solve_transposed: Solve, n: usize) -> f64 {
+    let mut x = DVector::from_element(n, 1.0 / n as f64);
+    let mut estimate = 0.0f64;
+    for _ in 0..5 {
+        let Some(y) = solve(&x) else { return f64::INFINITY };
+        let norm = y.iter().map(|v| v.abs()).sum::<f64>();
+        if !norm.is_finite() {
+            return f64::INFINITY;
+        }
+        let Some(z) = solve_transposed(&y.map(|v| if v >= 0.0 { 1.0 } else { -1.0 })) else { return f64::INFINITY };
+        let (best, big) = z.iter().enumerate().fold((0, 0.0), |(i, b), (k, v)| if v.abs() > b { (k, v.abs()) } else { (i, b) });
+        if norm <= estimate || big <= z.dot(&x) {
+            return estimate.max(norm);
+        }
+        estimate = norm;
+        x = DVector::zeros(n);
+        x[best] = 1.0;
+    }
+    estimate
+}
+
+fn overflow(scene: &Scene, layout: &rows::Layout) -> Diagnostic {
+    let names: Vec<_> = layout.links.iter().map(|l| scene.link_name(*l)).collect();
+    Diagnostic::error(
+        "overflow",
+        both!("the numbers of links {} are too large or too small to be solved", "构件 {} 的数值过大或过小，无法求解", Both::names(&names)),
+    )
+}
+
+impl Solution {
+    /// Remembers where the links' vectors are counted from, and by which link each point is looked up.
+    fn settle(&mut self, scene: &Scene, layout: &rows::Layout) {
+        self.origins.clone_from(&layout.origins);
+        self.home = [false, true].map(|second| self.homes(scene, second));
+    }
+
+    /// The largest vector (m/s, m/s²) or the largest turning (rad/s, rad/s²) of a level among all links, for accelerations
+    /// the normal ones included: what a small answer is judged by where nothing was drawn.
+    pub fn largest(&self, level: Level, turning: bool) -> f64 {
+        let moving = || self.links.iter().flatten();
+        let acceleration = level == Level::Acceleration;
+        if turning {
+            let of = |m: &LinkMotion| if acceleration { m.second.map_or(0.0, |s| s.1.abs()).max(m.omega * m.omega) } else { m.omega.abs() };
+            return moving().map(of).fold(0.0, f64::max);
+        }
+        let of_points = (0..self.points.len()).filter_map(|p| self.vector(level, PointId(p), None)).map(Vec2::norm);
+        let of_links = moving().map(|m| if acceleration { m.second.map_or(0.0, |s| s.0.norm()) } else { m.v.norm() });
+        of_points.chain(of_links).fold(0.0, f64::max)
+    }
+
+    /// Takes back that parts are singular, where longer numbers told that they are not, and says instead what `note` makes of
+    /// the links in words.
+    pub fn taken_for_singular(&mut self, note: impl Fn(&Both) -> Diagnostic) {
+        let words = self.singular.drain(..).map(|s| s.words).chain(self.refused.drain(..).map(|r| r.words));
+        self.notes = words.map(|w| note(&w)).collect();
+    }
+
+    fn homes(&self, scene: &Scene, second: bool) -> Vec<Option<LinkId>> {
+        let mut home = vec![None; scene.points.len()];
+        for (l, motion) in self.links.iter().enumerate() {
+            if motion.is_some_and(|m| !second || m.second.is_some()) {
+                for p in &scene.links[l].points {
+                    home[p.0].get_or_insert(LinkId(l));
+                }
+            }
+        }
+        home
+    }
+
+    /// Whether the motion of a pin was solved for, up to a level.
+    pub fn reaches_pin(&self, level: Level, p: PointId) -> bool {
+        let slot = usize::from(level == Level::Acceleration);
+        self.bare[slot].iter().any(|b| b.0 == p) || self.home[slot].get(p.0).is_some_and(|l| l.is_some())
+    }
+
+    /// Whether the motion of a link was solved for, up to a level.
+    pub fn reaches(&self, level: Level, link: LinkId) -> bool {
+        self.links[link.0].is_some_and(|m| level < Level::Acceleration || m.second.is_some())
+    }
+}
+
+impl Solution {
+    /// The vector of a moving link's point that lies at a place.
+    fn of_place(&self, level: Level, link: LinkId, place: Point) -> Option<Vec2> {
+        let motion = self.links[link.0]?;
+        let r = place - self.origins[link.0]?;
+        Some(match level {
+            Level::Velocity => motion.v + r.perp() * motion.omega,
+            Level::Position | Level::Acceleration => {
+                let (a, alpha) = motion.second?;
+                a + r.perp() * alpha - r * (motion.omega * motion.omega)
+            }
+        })
+    }
+}
+
+impl Source for Solution {
+    fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2> {
+        let slot = usize::from(level == Level::Acceleration);
+        if on.is_none()
+            && let Some((_, v)) = self.bare[slot].iter().find(|b| b.0 == p)
+        {
+            return Some(*v);
+        }
+        let link = match on {
+            Some(l) => l,
+            None => (*self.home[slot].get(p.0)?)?,
+        };
+        if link == self.ground {
+            return Some(Vec2::ZERO);
+        }
+        self.of_place(level, link, (*self.points.get(p.0)?)?)
+    }
+
+    fn turning(&self, level: Level, link: LinkId) -> Option<f64> {
+        let m = self.links[link.0]?;
+        if level == Level::Velocity { Some(m.omega) } else { m.second.map(|s| s.1) }
+    }
+}
+
+/// Which links take part at a level: those of groups wanted so far, and the numbered ones that follow them.
+fn taking_part(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, level: Level) -> Vec<LinkId> {
+    let reached = |l: LinkId| m.group_of_link[l.0].is_some_and(|g| demand.wants(g, level));
+    (0..scene.links.len())
+        .map(LinkId)
+        .filter(|&l| l != scene.ground && at.poses[l.0].is_some())
+        .filter(|&l| match m.passive[l.0] {
+            None => reached(l),
+            Some(Passive::Block(g)) => {
+                let guide = &scene.guides[g.0];
+                let pin = guide.pin.is_some_and(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level)));
+                pin && (guide.on == scene.ground || reached(guide.on))
+            }
+            Some(Passive::Cylinder(_) | Passive::Held(..)) => {
+                let ends = m.line_of(scene, l).map(<[PointId; 2]>::from);
+                ends.is_some_and(|ends| ends.iter().all(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level))))
+            }
+        })
+        .collect()
+}

@@ -12,9 +12,5 @@
 // The maps name private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
-use hodograph_base::{diag, digits, geom, number};
-use hodograph_mechanism::{answer, mechanism, position};
-use hodograph_scene::scene;
-
 pub mod construct;
 pub mod plan;

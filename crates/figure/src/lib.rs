@@ -1,6 +1,6 @@
-//! What is drawn: diagram, polygons, tables and sheet as items on paper; motions as line diagrams, paths, poses and frames.
+//! The figure as typed items in millimetres of paper.
 //!
-//! Room: [`figure`].
+//! Everything here is y up and knows no file format; the room `render` turns a [`hodograph_paper::paper::item::Figure`] into ink.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -9,16 +9,38 @@
 // The maps name private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
-use hodograph_analytic::analytic;
-use hodograph_base::{cam, diag, digits, geom};
-use hodograph_board::{construct, plan};
-use hodograph_mechanism::{answer, mechanism, position};
-use hodograph_methods::{attempts, centres, composite, curvature, gears, inversions, particle, trains};
-use hodograph_paper::paper;
-use hodograph_report::report;
-use hodograph_scene::scene;
-use hodograph_sweep::sweep;
-use hodograph_synthesis::synthesis;
-use hodograph_worked::{accuracy, certified, effort, worked};
-
-pub mod figure;
+mod arrange;
+pub mod attempts;
+pub mod cam;
+pub mod centres;
+mod cognates;
+mod composite;
+#[doc(hidden)]
+pub mod course;
+mod curvature;
+pub mod curves;
+mod described;
+pub mod fit;
+mod gears;
+pub mod groups;
+pub(crate) mod hodograph;
+mod inversions;
+mod kutzbach;
+pub mod list;
+pub mod mechanism;
+pub mod particle;
+pub mod path;
+mod plot;
+pub mod polygon;
+pub mod poses;
+pub mod price;
+#[doc(hidden)]
+pub mod remarks;
+pub mod results;
+#[doc(hidden)]
+pub mod series;
+pub mod sheet;
+pub mod steps;
+pub mod synthesis;
+#[doc(hidden)]
+pub mod tables;

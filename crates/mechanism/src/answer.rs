@@ -5,13 +5,13 @@
 //! (`analytic::Solution::answer` takes the parts of a relative motion from rows of its own), so that a wrong definition shows as
 //! a disagreement.
 
-use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
-use crate::number::Real;
 use crate::position::{Configuration, Path};
-pub use crate::scene::quantity::Value;
-use crate::scene::quantity::{Asked, Known};
-use crate::scene::{GuideId, LinkId, OnLink, PointId, Scene};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+pub use hodograph_scene::quantity::Value;
+use hodograph_scene::quantity::{Asked, Known};
+use hodograph_scene::{GuideId, LinkId, OnLink, PointId, Scene};
 
 /// Where vectors and rates are looked up.
 pub trait Source<N = f64> {

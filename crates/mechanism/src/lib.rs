@@ -13,9 +13,6 @@
 // The maps name private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
-use hodograph_base::{cam, diag, digits, geom, number, trig};
-use hodograph_scene::scene;
-
 pub mod answer;
 pub mod mechanism;
 pub mod motion;

@@ -13,13 +13,13 @@
 //! assert_eq!(all.len(), 4);
 //! ```
 
-use crate::diag::{Both, Diagnostic, Faults, Warned, both};
-use crate::mechanism::Mechanism;
-use crate::position::{Configuration, Path};
-use crate::scene::{self, GuidePath, LinkId, PointId, Scene};
-use crate::sweep::extreme::{self, Limits};
-use crate::worked::{Scope, Worked, work};
 pub use chain::{Part, part};
+use hodograph_base::diag::{Both, Diagnostic, Faults, Warned, both};
+use hodograph_mechanism::mechanism::Mechanism;
+use hodograph_mechanism::position::{Configuration, Path};
+use hodograph_scene::{self as scene, GuidePath, LinkId, PointId, Scene};
+use hodograph_sweep::extreme::{self, Limits};
+use hodograph_worked::worked::{Scope, Worked, work};
 use serde_json::{Map, Value as Json, json};
 
 mod belts;

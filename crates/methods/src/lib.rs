@@ -11,14 +11,6 @@
 // The maps name private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
-use hodograph_analytic::analytic;
-use hodograph_base::{diag, digits, geom, json, number};
-use hodograph_board::{construct, plan};
-use hodograph_mechanism::{answer, mechanism, position};
-use hodograph_scene::scene;
-use hodograph_sweep::sweep;
-use hodograph_worked::{certified, worked};
-
 pub mod attempts;
 pub mod centres;
 pub mod composite;

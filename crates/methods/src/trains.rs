@@ -8,8 +8,8 @@
 //! # Source
 //! R. Willis, *Principles of Mechanism*, 1841.
 
-use crate::scene::exact::Inputs;
-use crate::scene::{LinkId, PointId, Relation, RollingId, Scene, Touch};
+use hodograph_scene::exact::Inputs;
+use hodograph_scene::{LinkId, PointId, Relation, RollingId, Scene, Touch};
 
 /// The gears of one arm that mesh with one another.
 #[derive(Clone, Debug, PartialEq)]
@@ -216,10 +216,10 @@ fn train(scene: &Scene, meshes: &[Mesh]) -> Option<Train> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::Source;
-    use crate::mechanism::Level;
-    use crate::scene::read;
-    use crate::worked::{Scope, work};
+    use hodograph_mechanism::answer::Source;
+    use hodograph_mechanism::mechanism::Level;
+    use hodograph_scene::read;
+    use hodograph_worked::worked::{Scope, work};
 
     /// A train: links, gears, drivers; then rates as ratios of the driver's that books print.
     type Train = (&'static str, &'static str, &'static str, &'static [(&'static str, f64)]);

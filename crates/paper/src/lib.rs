@@ -9,10 +9,5 @@
 // The maps name private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
-use hodograph_base::{diag, geom, json};
-use hodograph_board::plan;
-use hodograph_mechanism::mechanism;
-use hodograph_scene::scene;
-
 pub mod paper;
 pub mod render;

@@ -1,6 +1,4 @@
-//! What is told: plan, construction, answers and diagnostics as text in either language, as JSON, and as tables.
-//!
-//! Room: [`report`].
+//! What is said about a run, as text and as JSON: the plan, the construction, the answers, the diagnostics; tables of numbers as files.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -9,15 +7,44 @@
 // The maps name private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
-use hodograph_analytic::analytic;
-use hodograph_base::{cam, diag, digits, geom, number};
-use hodograph_board::{construct, plan};
-use hodograph_mechanism::{answer, mechanism, motion, position};
-use hodograph_methods::{attempts, centres, composite, curvature, inversions, particle, trains};
-use hodograph_paper::{paper, render};
-use hodograph_scene::scene;
-use hodograph_sweep::sweep;
-use hodograph_synthesis::synthesis;
-use hodograph_worked::{accuracy, certified, effort, worked};
-
-pub mod report;
+#[doc(hidden)]
+pub mod amount;
+pub mod answers;
+pub mod attempts;
+pub mod cam;
+pub mod centres;
+mod centres_found;
+pub mod centres_json;
+mod columns;
+pub mod composite;
+pub mod construction;
+pub mod curvature;
+pub mod curvature_json;
+mod curvature_legend;
+mod curvature_steps;
+pub mod diagnostics;
+pub mod drafting;
+#[doc(hidden)]
+pub mod equation;
+#[doc(hidden)]
+pub mod given;
+#[doc(hidden)]
+pub mod html;
+pub mod inversions;
+pub mod limits;
+#[doc(hidden)]
+pub mod math;
+pub mod mobility;
+pub mod particle;
+pub mod plan;
+pub mod plan_json;
+pub mod price;
+pub mod readings;
+pub mod statement;
+#[doc(hidden)]
+pub mod symbols;
+pub mod synthesis;
+#[cfg(feature = "tables")]
+pub mod table;
+pub mod trains;
+mod writing;

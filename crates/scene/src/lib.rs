@@ -1,6 +1,7 @@
-//! The file a person writes of a mechanism.
+//! The file a person writes: raw mirror, validation, units, expressions, embedded templates.
 //!
-//! Room: [`scene`] (from its text to a valid [`scene::Scene`]; templates, schema, what can be asked).
+//! Bytes → JSON tree with places (`json`) → `RawScene` (`decode`) → [`Scene`] (`resolve`). A later stage finds
+//! nothing in a [`Scene`] that it would have to interpret; an earlier one knows nothing of the rules of a later one.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -9,6 +10,258 @@
 // The maps name private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
-use hodograph_base::{cam, diag, digits, geom, json, number, trig};
+mod again;
+pub mod book;
+pub mod build;
+pub mod cams;
+mod decode;
+mod driver;
+pub mod edit;
+mod elsewhere;
+pub mod eval;
+pub mod exact;
+pub mod expr;
+pub mod folded;
+pub mod front;
+mod keys;
+pub mod kind;
+mod lang;
+mod law;
+mod mistake;
+pub mod model;
+mod names;
+mod parameters;
+pub mod quantity;
+mod raw;
+pub mod readings;
+mod resolve;
+pub mod rolling;
+pub mod schema;
+pub mod statement;
+mod swept;
+pub mod templates;
+#[cfg(test)]
+mod tests;
+mod told;
+pub mod units;
+mod values;
+mod write;
+mod written;
 
-pub mod scene;
+pub use again::Source;
+pub use book::Book;
+pub use driver::{Position, PositionSlot};
+pub use elsewhere::{driver_position, with_driver_at};
+pub use kind::{ByKind, Kind};
+pub use model::*;
+pub use quantity::{Asked, Axis};
+pub use rolling::{Contours, Flanks, Normal, Relation, Rolling, RollingId, RollingKind, Sizes, Touch};
+pub use swept::Swept;
+pub use write::write;
+pub use written::Told;
+
+use hodograph_base::diag::{Diagnostic, Faults, Severity, Span, Warned, both};
+use hodograph_base::json::{self, Node, Word};
+use raw::Extent;
+
+/// Reads the error of a pencil as `"paper": {"pencil": ...}` would say it, such as `0.1 mm`; in mm.
+///
+/// # Errors
+/// What is no length, not greater than zero, or more than 5 mm; places count in `text`.
+///
+/// ```
+/// assert_eq!(hodograph::scene::pencil("1/4 * 1 mm").unwrap(), 0.25);
+/// assert!(hodograph::scene::pencil("1 deg").is_err());
+/// ```
+pub fn pencil(text: &str) -> Result<f64, Faults> {
+    let mut faults = Faults::default();
+    let quantity = raw::RawQuantity { text: text.to_owned(), span: Span::new(0, text.len()), bare: true };
+    let read = resolve::pencil(&quantity, text, &mut faults);
+    read.filter(|_| !faults.has_errors()).ok_or(faults)
+}
+
+/// Reads a text, or one in each language, of no more than so many characters: English and Chinese, `None` where one is not given.
+pub fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) -> [Option<Word>; 2] {
+    decode::localized(node, what, most, faults).map_or([None, None], |raw| [raw.en, raw.zh])
+}
+
+/// Reads the width of a page, such as `80 mm`; in mm.
+///
+/// # Errors
+/// What is no length, or no side of a paper; places count in `text`.
+///
+/// ```
+/// assert_eq!(hodograph::scene::width("80 mm").unwrap(), 80.0);
+/// assert!(hodograph::scene::width("1 mm").is_err());
+/// ```
+pub fn width(text: &str) -> Result<f64, Faults> {
+    let mut faults = Faults::default();
+    let quantity = raw::RawQuantity { text: text.to_owned(), span: Span::new(0, text.len()), bare: true };
+    let read = resolve::width(&quantity, text, &mut faults);
+    read.filter(|_| !faults.has_errors()).ok_or(faults)
+}
+
+/// Whether a text begins as a question does: `v_`, `omega_`.
+pub fn begins_a_question(text: &str) -> bool {
+    resolve::begins_a_question(text)
+}
+
+/// Reads a scene file: JSON in UTF-8, in the format that `docs/scene.md` describes.
+///
+/// # Errors
+/// All faults of the file in one list, each with its place as byte offsets into `source`; warnings are among them.
+///
+/// ```
+/// let scene = hodograph::scene::read(r#"{
+///   "links": {"1": ["A", "B"], "2": ["A"]}, "ground": "2", "lengths": {"AB": "100 mm"},
+///   "driver": {"link": "1", "angle": "30 deg", "omega": "10 rad/s"}, "find": ["v_B"] }"#).unwrap().value;
+/// assert_eq!(scene.lengths[0].value.value, 0.1);
+/// ```
+pub fn read(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
+    read_with(source.as_ref(), None)
+}
+
+/// Places from here on count in the questions of [`read_asking`] instead of in the file: no file is so long.
+const ASKED: usize = usize::MAX / 2;
+
+/// The same with other questions than the file's, such as `v_E, a_E`.
+///
+/// # Errors
+/// As [`read`]. The places of the questions, in these faults and in those of later stages, are told from the file's by
+/// [`place_in_asked`].
+///
+/// ```
+/// use hodograph::{diag::Span, scene};
+/// let text = scene::templates::get("crank-rocker").unwrap();
+/// assert_eq!(scene::read_asking(text, "a_C, x_C").unwrap().value.find.len(), 2);
+/// let faults = scene::read_asking(text, "a_C, x_Q").unwrap_err();
+/// assert_eq!(faults.list[0].span.and_then(scene::place_in_asked), Some(Span::new(5, 8)));
+/// ```
+pub fn read_asking(source: impl AsRef<[u8]>, questions: &str) -> Result<Warned<Scene>, Faults> {
+    read_with(source.as_ref(), Some(questions))
+}
+
+/// A place in the questions of [`read_asking`]; `None` where it is one in the file.
+pub fn place_in_asked(span: Span) -> Option<Span> {
+    Some(Span::new(span.start.checked_sub(ASKED)?, span.end.checked_sub(ASKED)?))
+}
+
+/// The language that a scene names, as far as its JSON can be read: what is wrong with it is told in that.
+pub fn language_of(source: &[u8]) -> Option<Lang> {
+    let (_, root) = json::parse(source, &mut Faults::default()).ok()?;
+    decode::language_of(&root)
+}
+
+/// Reads links and pairs, as counting them needs: a driver, its rate, the direction of a guide, any length may be missing.
+///
+/// # Errors
+/// As [`read`].
+///
+/// ```
+/// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1"}"#;
+/// assert!(hodograph::scene::read_topology(text).unwrap().value.drivers.is_empty());
+/// assert!(hodograph::scene::read(text).is_err());
+/// ```
+pub fn read_topology(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
+    read_as(source.as_ref(), None, Extent::Pairs)
+}
+
+/// Reads a mechanism in its pose: drivers and their rates may be missing. A rate that is not told counts as one ([`Driver::rate_told`]).
+///
+/// # Errors
+/// As [`read`].
+///
+/// ```
+/// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1",
+///     "points": {"A": [0, 0], "B": ["30 mm", "40 mm"], "C": ["120 mm", "60 mm"], "D": ["100 mm", 0]}, "driver": {"link": "2"}}"#;
+/// assert!(!hodograph::scene::read_pose(text).unwrap().value.drivers[0].rate_told);
+/// assert!(hodograph::scene::read(text).is_err());
+/// ```
+pub fn read_pose(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
+    read_as(source.as_ref(), None, Extent::Pose)
+}
+
+/// Reads a scene for what does not depend on rates: those that are not told are zero, and where no driver is named the first link that can be driven
+/// is.
+///
+/// # Errors
+/// As [`read`].
+///
+/// ```
+/// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1",
+///     "points": {"A": [0, 0], "B": ["30 mm", "40 mm"], "C": ["120 mm", "60 mm"], "D": ["100 mm", 0]}}"#;
+/// assert_eq!(hodograph::scene::read_at_rest(text).unwrap().value.drivers[0].rate.value, 0.0);
+/// ```
+pub fn read_at_rest(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
+    read_as(source.as_ref(), None, Extent::Rest)
+}
+
+/// Reads a scene that says no rate, or no driver: one unit of the rate is taken where nothing that it asks depends on it, and a note says so.
+///
+/// # Errors
+/// As [`read`]; a question that depends on the rate leaves the scene without one.
+///
+/// ```
+/// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1",
+///     "points": {"A": [0, 0], "B": ["30 mm", "40 mm"], "C": ["110 mm", "60 mm"], "D": ["100 mm", 0]}, "find": ["P_13", "i_24"]}"#;
+/// assert!(!hodograph::scene::read_at_any_rate(text).unwrap().value.drivers[0].rate_told);
+/// ```
+pub fn read_at_any_rate(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
+    let told = read_as(source.as_ref(), None, Extent::Motion);
+    let Err(faults) = told else { return told };
+    let asks_no_rate = |f: &Find| matches!(f.what.kind(), Kind::Length | Kind::Angle | Kind::Time | Kind::Number);
+    let free = read_as(source.as_ref(), None, Extent::AnyRate).ok().filter(|read| read.value.find.iter().all(asks_no_rate));
+    let mut read = free.ok_or(faults)?;
+    let message = both!(
+        "no rate is given, and nothing asked depends on it: one unit of it is taken",
+        "未给出原动件的速度，所求各量与之无关：取单位速度"
+    );
+    read.notes.push(Diagnostic::note("free-rate", message));
+    Ok(read)
+}
+
+fn read_with(source: &[u8], questions: Option<&str>) -> Result<Warned<Scene>, Faults> {
+    read_as(source, questions, Extent::Motion)
+}
+
+fn read_as(source: &[u8], questions: Option<&str>, extent: Extent) -> Result<Warned<Scene>, Faults> {
+    let mut faults = Faults::default();
+    let (text, root) = json::parse(source, &mut faults)?;
+    let raw = decode::scene(&root, extent, &mut faults).map(|raw| match questions {
+        Some(questions) => raw::RawScene { find: Some(asked(questions, &mut faults)), ..raw },
+        None => raw,
+    });
+    let scene = raw.and_then(|raw| resolve::resolve(&raw, text, &mut faults));
+    match scene {
+        Some(value) if !faults.has_errors() => Ok(Warned { value, notes: faults.list }),
+        _ => {
+            // Errors first; within each kind the order of the file, so that the list can be worked down from the top.
+            faults.list.sort_by_key(|d| (d.severity != Severity::Error, d.span.map_or(0, |s| s.start)));
+            Err(faults)
+        }
+    }
+}
+
+/// The questions of a list that is parted by commas, with their places: what does not begin as a question does (`v_`, `omega_`) belongs to
+/// the one before.
+fn asked(questions: &str, faults: &mut Faults) -> Vec<json::Word> {
+    let mut words = Vec::new();
+    let mut start = ASKED;
+    for part in questions.split(',') {
+        let from = start + part.len() - part.trim_start().len();
+        let word = json::Word { text: part.trim().to_owned(), span: Span::new(from, from + part.trim().len()) };
+        faults.list.extend(json::unprintable(&word));
+        match words.last_mut() {
+            _ if word.text.is_empty() => {}
+            // Names of points may be parted by a comma too.
+            Some(last) if !begins_a_question(&word.text) => {
+                let last: &mut json::Word = last;
+                last.text = format!("{},{}", last.text, word.text);
+                last.span.end = word.span.end;
+            }
+            _ => words.push(word),
+        }
+        start += part.len() + 1;
+    }
+    words
+}

@@ -1,7 +1,15 @@
-//! All positions of a driver, as fast as the loop written by hand.
+//! A whole motion at once: the scene compiled into a straight list of operations and run over all positions of a driver.
 //!
-//! Room: [`sweep`] (the scene compiled to operations over chunks of positions; limits and extremes of the motion; batches of
-//! mechanisms).
+//! [`run()`] is the way in: a placed scene, the driver and its stations to a [`Table`]; a [`Sweep`] is compiled once for many. [`compile()`] makes the [`program::Program`], one
+//! operation for each group and effect ([`closure`], [`carry`], [`rows`], [`reading`] are the kernels). [`fuse`] makes one operation of
+//! those that belong together, and [`run`](mod@run) runs them over chunks of positions, four side by side where the machine can
+//! ([`lane`]); joints that may change their branch on the way are known by [`suspect`]; what rolls turns by the ratios of its [`train`], counted in whole [`turns`]; class III groups, and as a whole the mechanisms that have no program, are followed from one position to the next ([`follow`]). Positions at
+//! which the formulas have no value (a dead centre, a change point) are handed to the general solver one by one; those that
+//! cannot be assembled are left out, with the reason in the notes.
+//! [`long`] sweeps, those of parameters ([`vary`]) and those through time ([`timed`]), go piece by piece ([`pieces`]), [`batch`]es block by block. [`stood`] answers what has no kernel where the program puts everything. [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
+//!
+//! Not decided here: what a question means ([`hodograph_mechanism::answer`]) and how a single position is solved for drawing
+//! ([`hodograph_mechanism::position`], [`hodograph_analytic`]); both are the check of this room.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -10,9 +18,354 @@
 // The maps name private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
-use hodograph_analytic::analytic;
-use hodograph_base::{cam, diag, digits, geom, number, trig};
-use hodograph_mechanism::{answer, mechanism, motion, position, stated};
-use hodograph_scene::scene;
+pub mod batch;
+mod carry;
+mod changes;
+mod chunks;
+mod closure;
+mod compile;
+pub mod extreme;
+pub mod follow;
+mod fuse;
+mod general;
+mod kernel;
+mod lane;
+mod led;
+pub mod limit;
+pub mod long;
+pub mod pieces;
+pub mod points;
+mod program;
+mod reading;
+#[cfg(test)]
+mod rolling_tests;
+mod rows;
+mod run;
+mod sampled;
+pub mod station;
+mod stood;
+mod suspect;
+mod swing;
+pub mod table;
+pub mod timed;
+mod train;
+mod turns;
+pub mod vary;
+pub mod zoom;
 
-pub mod sweep;
+use pieces::never;
+
+pub use compile::compile;
+pub use lane::Width;
+pub use run::CHUNK;
+pub use station::{Stations, Steps};
+pub use table::{Column, Table};
+
+use changes::Changes;
+use chunks::{run_on_branches, run_parts, sized};
+use general::General;
+use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_mechanism::mechanism::{Demand, Mechanism};
+use hodograph_mechanism::position::{self, Configuration};
+use hodograph_scene::Scene;
+use limit::Probe;
+use program::Program;
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+use stood::Stood;
+
+/// A scene placed at its instant, ready to be swept.
+pub struct Placed<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Its topology.
+    pub mechanism: &'a Mechanism,
+    /// What is called for.
+    pub demand: Demand,
+    /// Where everything is at the instant.
+    pub at: Configuration,
+    /// Ends of the ways along which single positions could be followed.
+    pub ends: Ends,
+}
+
+/// The ends of the ways along which drivers could be followed from the instant, with the reason; a value beyond an end is not tried again. The key is the
+/// driver, and true for the way backward.
+#[derive(Debug, Default)]
+pub struct Ends(Mutex<BTreeMap<(usize, bool), (f64, Faults)>>);
+
+impl Ends {
+    /// Why a way (rad or m) of a driver leads nowhere, where that is known.
+    fn of(&self, driver: usize, way: f64) -> Option<Faults> {
+        let known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        known.get(&(driver, way < 0.0)).filter(|(end, _)| way.abs() > *end).map(|(_, why)| why.clone())
+    }
+
+    /// Notes that a driver could be followed as far as `way`, and no farther in this direction.
+    fn note(&self, driver: usize, way: f64, backward: bool, why: &Faults) {
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        known.entry((driver, backward)).or_insert_with(|| (way.abs(), why.clone()));
+    }
+}
+
+impl<'a> Placed<'a> {
+    /// Places a scene for its own questions.
+    ///
+    /// # Errors
+    /// Those of [`position::configure`], and of [`position::redundant::check`] for a pair that locks the mechanism.
+    pub fn new(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<Placed<'a>, Faults> {
+        position::redundant::check(scene, mechanism)?;
+        let demand = Demand::of(scene, mechanism);
+        let at = position::configure(scene, mechanism, &demand)?.value;
+        Ok(Placed { scene, mechanism, demand, at, ends: Ends::default() })
+    }
+}
+
+/// The answers to the scene's questions at all stations of a driver.
+///
+/// A row for each station that can be assembled, in the order of the stations; see [`Table`]. The result does not depend on
+/// the number of threads, on the width or on how the stations are cut into chunks.
+///
+/// # Errors
+/// A driver that the scene does not have; a sampled position that is not the scene's.
+pub fn run(placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Result<Table, Faults> {
+    let sweep = Sweep::new(placed, driver)?;
+    sampled::proved(placed, driver, stations.len(), |i| stations.values[i])?;
+    Ok(sweep.run(stations, width, Table::default()))
+}
+
+/// The answers at some values of a driver (rad or m); `None` for a driver that the scene does not have.
+pub fn of_values(placed: &Placed, driver: usize, values: Vec<f64>) -> Option<Table> {
+    let per_value = station::angle_per_value(placed.scene, &placed.at, driver);
+    run(placed, driver, &Stations::of_values(values, per_value), Width::Widest).ok()
+}
+
+/// A scene compiled for one of its drivers, to be swept again and again.
+pub struct Sweep<'a> {
+    placed: &'a Placed<'a>,
+    driver: usize,
+    /// Or why there is none.
+    program: Result<Program, Diagnostic>,
+}
+
+impl<'a> Sweep<'a> {
+    /// Compiles a placed scene.
+    ///
+    /// # Errors
+    /// A driver that the scene does not have.
+    pub fn new(placed: &'a Placed<'a>, driver: usize) -> Result<Sweep<'a>, Faults> {
+        let scene = placed.scene;
+        if driver >= scene.drivers.len() {
+            return Err(
+                Diagnostic::error("no-driver", both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1)).into()
+            );
+        }
+        let program = compiled(placed, driver);
+        Ok(Sweep { placed, driver, program })
+    }
+
+    /// The answers at all stations, as those of [`run()`], in the memory of a table that is no longer needed: fresh memory costs more
+    /// than the numbers in it.
+    pub fn run(&self, stations: &Stations, width: Width, used: Table) -> Table {
+        let Sweep { placed, driver, program } = self;
+        let mut stock: Vec<Vec<f64>> = used.columns.into_iter().map(|c| c.values).collect();
+        let mut first = stock.pop().unwrap_or_default();
+        let mut notes = Vec::new();
+        let general = General::new(placed, *driver);
+        let rows = match program {
+            Ok(program) => {
+                let columns = sized(stock, program, stations);
+                let (mut rows, changes) = run_on_branches(program, placed, *driver, stations, width, columns);
+                notes.extend(changes);
+                rows.complete(&general, stations, &never, &|row| beside(program, placed, *driver, stations.values[row]));
+                rows.explain(&general, stations);
+                if !rows.missing.is_empty() {
+                    notes.extend(ends(program, placed, *driver, stations));
+                }
+                rows
+            }
+            Err(note) => {
+                let (rows, told) = without_program(&general, stations, note);
+                notes.extend(told);
+                rows
+            }
+        };
+        first.clear();
+        first.extend_from_slice(&stations.values);
+        rows.into_table(placed, *driver, stations, first, notes)
+    }
+}
+
+/// How the rows of questions are made that have no program.
+enum Beside {
+    /// Each by the general solver: followers of cams move by laws, or the scene is read again for each.
+    Each,
+    /// The positions have a program.
+    Stood(Box<Stood>),
+    /// The whole mechanism is followed.
+    Whole,
+}
+
+impl Beside {
+    fn of(placed: &Placed, driver: usize) -> Beside {
+        let laws = placed.scene.has_laws(driver);
+        if General::new(placed, driver).is_read_again() || laws && General::new(placed, driver).is_closed_everywhere() {
+            return Beside::Each;
+        }
+        match Stood::of(placed, driver) {
+            Some(stood) => Beside::Stood(Box::new(stood)),
+            None if laws => Beside::Each,
+            None => Beside::Whole,
+        }
+    }
+}
+
+/// All rows of questions that have no program, for which there is a reason; and what is told of them.
+fn without_program(general: &General, stations: &Stations, why: &Diagnostic) -> (chunks::Rows, Vec<Diagnostic>) {
+    let (placed, driver) = (general.placed(), general.driver());
+    let mut notes = vec![why.clone()];
+    let rows = match Beside::of(placed, driver) {
+        Beside::Each => return (each(general, stations), Vec::new()),
+        Beside::Stood(stood) => {
+            let (parts, changes) = branches(stood.program.clone(), placed, driver, stations);
+            notes.extend(changes);
+            let rows = stood.rows(&parts, general, stations, &never).unwrap_or_default();
+            if !rows.missing.is_empty() {
+                notes.extend(ends(&stood.program, placed, driver, stations));
+            }
+            rows
+        }
+        Beside::Whole => {
+            let (rows, limits) = follow::whole::follow(placed, driver, stations);
+            notes.extend(limits);
+            rows
+        }
+    };
+    (rows, notes)
+}
+
+/// The topology of a scene for its whole motion ([`follow::course::over_a_turn`]). Questions about the contact of a cam are allowed that the scene
+/// defines where it is read, though a driver stands for the contact.
+///
+/// # Errors
+/// Those of [`Mechanism::new`].
+pub fn mechanism(scene: &Scene) -> Result<Mechanism, Faults> {
+    let own = Mechanism::new(scene);
+    match own {
+        Err(_) if scene.source.is_some() && (0..scene.drivers.len()).any(|d| scene.is_led(d)) => {
+            Mechanism::new(&scene.read_again(&|_| None)?)?;
+            Ok(Mechanism::new(&Scene { find: Vec::new(), ..scene.clone() })?.value)
+        }
+        own => Ok(own?.value),
+    }
+}
+
+/// The program of a driver.
+fn compiled(placed: &Placed, driver: usize) -> Result<Program, Diagnostic> {
+    if General::new(placed, driver).is_read_again()
+        && let Some(cam) = placed.scene.kept_cams().next()
+    {
+        let (cam, follower) = (placed.scene.link_name(cam.cam), placed.scene.link_name(cam.follower));
+        let message = both!(
+            "the contact of cam {} with {} has no compiled form: each position is solved by itself",
+            "凸轮 {} 与 {} 的接触不能预编译，逐位置求解（较慢）",
+            cam,
+            follower
+        );
+        return Err(Diagnostic::note("no-kernel", message));
+    }
+    compile(placed.scene, placed.mechanism, &placed.at, Some(driver), &placed.scene.find)
+}
+
+/// All rows by the general solver, each by itself.
+fn each(general: &General, stations: &Stations) -> chunks::Rows {
+    let width = general.scene().find.iter().flat_map(compile::ask::names).count();
+    let columns = vec![vec![f64::NAN; stations.len()]; width];
+    let mut rows = chunks::Rows { columns, open: (0..stations.len()).collect(), ..Default::default() };
+    rows.complete(general, stations, &never, &|_| None);
+    rows.explain(general, stations);
+    rows
+}
+
+/// The numbers next to a station: the mean of a thousandth of the reach to either side, each on its own side of a change point.
+fn beside(program: &Program, placed: &Placed, driver: usize, x: f64) -> Option<Vec<f64>> {
+    let off = 1e-3 * limit::reach(placed, driver);
+    let sides = Stations::of_values(vec![x - off, x + off], station::angle_per_value(placed.scene, &placed.at, driver));
+    let (parts, _) = branches(program.clone(), placed, driver, &sides);
+    let rows = run_parts(&parts, placed, driver, &sides, Width::One);
+    let mean: Vec<f64> = rows.columns.iter().map(|c| 0.5 * (c[0] + c[1])).collect();
+    mean.iter().all(|v| v.is_finite()).then_some(mean)
+}
+
+/// Lowest and highest of the stations and of where the driver stands.
+fn span(placed: &Placed, driver: usize, stations: &Stations) -> (f64, [f64; 2]) {
+    let now = station::position_now(placed.scene, &placed.at, driver);
+    let low = stations.values.iter().copied().fold(now, f64::min);
+    let high = stations.values.iter().copied().fold(now, f64::max);
+    (now, [low, high])
+}
+
+/// A note for each limit of the driver within the span of the stations.
+fn ends(program: &Program, placed: &Placed, driver: usize, stations: &Stations) -> Vec<Diagnostic> {
+    let (now, span) = span(placed, driver, stations);
+    let end = |until: f64| (until != now).then(|| Probe::of(program.clone(), placed, driver).walk(until).0).flatten();
+    span.into_iter().filter_map(end).map(|e| general::limit_note(placed.scene, driver, &e)).collect()
+}
+
+/// The program of each stretch between change points, with its stations; and a note for each change point.
+fn branches(program: Program, placed: &Placed, driver: usize, stations: &Stations) -> (Vec<(Program, Vec<usize>)>, Vec<Diagnostic>) {
+    let (now, span) = span(placed, driver, stations);
+    let changes = change_points(&program, placed, driver, now, span);
+    let notes = change_notes(placed, driver, &changes, span);
+    (stretches(program, now, &changes, stations), notes)
+}
+
+/// A note for each change point of the driver's way, and one where they come again on further turns.
+fn change_notes(placed: &Placed, driver: usize, changes: &[Changes; 2], span: [f64; 2]) -> Vec<Diagnostic> {
+    let mut notes = Vec::new();
+    for (changes, until) in changes.iter().zip(span) {
+        let (met, more) = changes.met(until);
+        notes.extend(met.iter().map(|c| general::change_note(placed.scene, driver, c)));
+        notes.extend(more.then(|| general::again_note(placed.scene, driver, until)));
+    }
+    notes
+}
+
+/// The change points of the driver's way from where it stands downward, and those upward.
+fn change_points(program: &Program, placed: &Placed, driver: usize, now: f64, span: [f64; 2]) -> [Changes; 2] {
+    let mut changes = [Changes::default(), Changes::default()];
+    if program.tracks.is_empty() && program.suspects().next().is_some() {
+        // Both ways are searched by one program.
+        program.fused_crossings();
+        for (changes, until) in changes.iter_mut().zip(span).filter(|(_, until)| *until != now) {
+            *changes = Probe::of(program.clone(), placed, driver).walk(until).1;
+        }
+    }
+    changes
+}
+
+/// The program of each stretch between change points, with its stations.
+fn stretches(program: Program, now: f64, changes: &[Changes; 2], stations: &Stations) -> Vec<(Program, Vec<usize>)> {
+    let all: Vec<usize> = (0..stations.len()).collect();
+    if changes.iter().all(|c| c.events.is_empty()) {
+        return vec![(program, all)];
+    }
+    let [down, up] = changes;
+    let mut rows: [Vec<Vec<usize>>; 2] = [vec![Vec::new(); down.stretches()], vec![Vec::new(); up.stretches()]];
+    for i in all {
+        let value = stations.values[i];
+        if value < now { rows[0][down.stretch(value, -1.0)].push(i) } else { rows[1][up.stretch(value, 1.0)].push(i) }
+    }
+    let mut parts: Vec<(Program, Vec<usize>)> = Vec::new();
+    for (changes, rows) in changes.iter().zip(rows) {
+        let mut program = program.clone();
+        for (k, rows) in rows.into_iter().enumerate() {
+            if !rows.is_empty() {
+                parts.push((program.clone(), rows));
+            }
+            if let Some(joint) = changes.events.get(k).and_then(|c| c.joint) {
+                program.flip(joint);
+            }
+        }
+    }
+    parts
+}

@@ -1,6 +1,21 @@
-//! Synthesis: from what a linkage is to do to scenes that do it.
+//! Synthesis: from a file that says what a linkage is to do to scenes that do it.
 //!
-//! Room: [`synthesis`] (closed formulas, the construction with ruler and paper, judging by sweeping).
+//! A synthesis file has the front of a scene (title, units, parameters, paper) and a kind of task ([`KINDS`], a file for each). [`read`]
+//! gives a [`Task`], [`solve`] its [`Design`]: all solutions as [`Candidate`]s, each with a scene that every other command takes, judged
+//! by sweeping that scene ([`judge`]). Numbers come from closed formulas; the construction with ruler and paper is drawn from the same
+//! data by its own arithmetic and must agree with them.
+//!
+//! Not decided here: how a scene moves ([`hodograph_sweep`], [`hodograph_mechanism::position`]).
+//!
+//! ```
+//! let task = hodograph::synthesis::read(r#"{"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 1.5,
+//!     "rocker": "75 mm", "frame": "100 mm", "limit": "45 deg"}"#).unwrap().value;
+//! let design = hodograph::synthesis::solve(&task).unwrap();
+//! let best = &design.candidates[0];
+//! assert!(best.judged.defects.is_empty());
+//! assert!((best.judged.time_ratio.unwrap() - 1.5).abs() < 1e-9);
+//! assert!(hodograph::scene::read(best.scene_text()).is_ok());
+//! ```
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -9,11 +24,267 @@
 // The maps name private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
-use hodograph_base::{diag, digits, geom, json, number};
-use hodograph_board::construct;
-use hodograph_mechanism::{mechanism, position};
-use hodograph_scene::scene;
-use hodograph_search::search;
-use hodograph_sweep::sweep;
+#[doc(hidden)]
+pub mod board;
+pub mod body;
+#[doc(hidden)]
+pub mod by_hand;
+pub mod candidate;
+pub mod cognates;
+pub(crate) mod form;
+pub(crate) mod fourbar;
+pub mod function;
+pub mod grashof;
+#[doc(hidden)]
+pub mod judge;
+mod laid;
+pub(crate) mod limits;
+pub(crate) mod nearest;
+mod order;
+pub mod path;
+mod poly;
+pub mod schema;
+pub mod straight_line;
+pub mod templates;
+pub mod time_ratio;
+pub(crate) mod told;
 
-pub mod synthesis;
+pub use board::Board;
+pub use candidate::{Candidate, Compared, Draft, Number, Wanted};
+pub use fourbar::{FourBar, Heading};
+pub use told::{Proof, Statement};
+
+use form::Form;
+use hodograph_base::diag::{Both, Diagnostic, Faults, Warned, both};
+use hodograph_base::json::fields::{Fields, suggest};
+use hodograph_base::json::{self, Kind as NodeKind, Node};
+use hodograph_scene::front::{self, Front, RawFront};
+use hodograph_scene::{Book, Lang, Paper};
+use std::cell::RefCell;
+use std::fmt::Debug;
+use std::sync::Arc;
+
+/// What a kind of task knows to do.
+pub trait Wish: Debug + Send + Sync {
+    /// What it is called where the file has no title.
+    fn title(&self) -> Both;
+
+    /// The rate of the driver (rad/s) where the file names none.
+    fn rate(&self) -> f64 {
+        USUAL_OMEGA
+    }
+
+    /// All designs, in any order, with what is to be said of the task as a whole.
+    ///
+    /// # Errors
+    /// There is none: which root is not real, and the nearest wish that has one.
+    fn solve(&self, heading: &Heading) -> Result<Found, Faults>;
+
+    /// Draws the construction of a design on the board, from what is given: the formula's numbers are only what it is compared with. What
+    /// least squares, an exchange or a search computed is laid off, and what it misses is measured. `None` where the drawing does not close.
+    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()>;
+
+    /// The task as a problem: what is given and wanted.
+    fn statement(&self) -> Statement;
+
+    /// The closed formula with the numbers of a design.
+    fn proof(&self, draft: &Draft) -> Vec<Proof>;
+}
+
+/// What a kind of task finds.
+#[derive(Clone, Debug, Default)]
+pub struct Found {
+    /// All designs.
+    pub drafts: Vec<Draft>,
+    /// Numbers of the task as a whole, such as precision points and poles.
+    pub numbers: Vec<Number>,
+    /// What is to be said of it as a whole.
+    pub notes: Vec<Diagnostic>,
+}
+
+/// A kind of task: one file in this room.
+pub struct KindOfTask {
+    /// Its name, the value of `"synthesis"`.
+    pub name: &'static str,
+    /// What it does, in a line.
+    pub what: [&'static str; 2],
+    /// Its keys, beside those of the front and of every task.
+    pub keys: &'static [&'static str],
+    read: fn(&Form) -> Option<Box<dyn Wish>>,
+}
+
+/// All kinds.
+pub const KINDS: &[&KindOfTask] =
+    &[&function::KIND, &time_ratio::KIND, &limits::KIND, &body::KIND, &path::KIND, &cognates::KIND, &straight_line::KIND];
+
+/// The keys of every task.
+const COMMON: [&str; 3] = ["synthesis", "omega", "transmission"];
+
+/// A synthesis file, read.
+#[derive(Clone, Debug)]
+pub struct Task {
+    /// The name of its kind.
+    pub kind: &'static str,
+    /// How its scenes are headed and driven.
+    pub heading: Heading,
+    /// The language it names.
+    pub language: Option<Lang>,
+    /// Its sheet and scales.
+    pub paper: Paper,
+    /// The units in which is printed.
+    pub book: Book,
+    /// The least transmission angle that is wanted (rad).
+    pub transmission: f64,
+    wish: Arc<dyn Wish>,
+}
+
+impl Task {
+    /// The task as a problem: what is given and wanted.
+    pub fn statement(&self) -> Statement {
+        self.wish.statement().written(&self.book)
+    }
+
+    /// The closed formula with the numbers of a design, the proof of its drawing.
+    pub fn proof(&self, candidate: &Candidate) -> Vec<Proof> {
+        self.wish.proof(&candidate.draft).iter().map(|p| p.written(&self.book)).collect()
+    }
+}
+
+/// All that a task comes to.
+#[derive(Clone, Debug)]
+pub struct Design {
+    /// All solutions, the best first: without defect, with a crank that turns fully, of approximations the
+    /// nearest, the greatest least transmission angle, the smallest.
+    pub candidates: Vec<Candidate>,
+    /// Numbers of the task as a whole, such as precision points and poles.
+    pub numbers: Vec<Number>,
+    /// What is to be said of the task as a whole.
+    pub notes: Vec<Diagnostic>,
+}
+
+/// The rate of the driver where the task gives none (rad/s).
+const USUAL_OMEGA: f64 = 10.0;
+
+/// Whether a file says that it is a synthesis file.
+pub fn is_task(source: &[u8]) -> bool {
+    json::parse(source, &mut Faults::default()).is_ok_and(|(_, root)| form::is_task(&root))
+}
+
+/// Reads a synthesis file: JSON in UTF-8.
+///
+/// # Errors
+/// All faults of the file in one list, each with its place as byte offsets into `source`.
+pub fn read(source: impl AsRef<[u8]>) -> Result<Warned<Task>, Faults> {
+    let mut faults = Faults::default();
+    let (text, root) = json::parse(source.as_ref(), &mut faults)?;
+    let faults = RefCell::new(faults);
+    let task = of_kind(&root, text, &faults);
+    let mut faults = faults.into_inner();
+    match task {
+        Some(value) if !faults.has_errors() => Ok(Warned { value, notes: faults.list }),
+        _ => {
+            faults.list.retain(|d| d.code != "unused-parameter");
+            faults.list.sort_by_key(|d| d.span.map_or(0, |s| s.start));
+            Err(faults)
+        }
+    }
+}
+
+fn of_kind(root: &Node, text: &str, faults: &RefCell<Faults>) -> Option<Task> {
+    let kind = kind_of(root, &mut faults.borrow_mut())?;
+    let keys: Vec<&str> = front::KEYS.iter().chain(&COMMON).chain(kind.keys).copied().collect();
+    let fields = Fields::open(root, both!("a synthesis file of this kind", "此类综合文件"), &keys, &mut faults.borrow_mut())?;
+    let raw = RawFront::decode(root, &mut faults.borrow_mut());
+    let front = Front::new(&raw, text, &mut faults.borrow_mut());
+    let form = Form::new(fields, &front, faults);
+    let wish = (kind.read)(&form);
+    let omega = form.omega("omega");
+    let transmission = form.angle("transmission").unwrap_or(judge::USUAL_GAMMA);
+    faults.borrow_mut().list.extend(front.unused());
+    let wish: Arc<dyn Wish> = wish?.into();
+    let omega = omega.unwrap_or_else(|| wish.rate());
+    let idle = form.idle(kind.keys);
+    faults.borrow_mut().list.extend(idle);
+    let title = front.title.as_ref().map_or_else(|| wish.title(), |t| Both { en: t.en.clone(), zh: t.zh.clone() });
+    let language = front.language.map(|l| if l == Lang::Zh { "zh" } else { "en" });
+    let heading = Heading { title, language, omega, answers: front.answers() };
+    Some(Task { kind: kind.name, heading, language: front.language, paper: front.paper, book: front.book, transmission, wish })
+}
+
+/// The kind that the file names.
+fn kind_of(root: &Node, faults: &mut Faults) -> Option<&'static KindOfTask> {
+    let NodeKind::Object(members) = &root.kind else {
+        faults.push(Diagnostic::error("not-a-task", both!("a synthesis file is a JSON object", "综合文件是一个 JSON 对象")).at(root.span));
+        return None;
+    };
+    let Some((_, node)) = members.iter().find(|(k, _)| k.text == "synthesis") else {
+        let d = Diagnostic::error(
+            "not-a-task",
+            both!("this is no synthesis file: it has no key `synthesis`", "这不是综合文件：没有键 `synthesis`"),
+        );
+        faults.push(
+            d.help(both!("a scene goes to `hodograph solve` or `hodograph draw`", "机构文件请用 `hodograph solve` 或 `hodograph draw`")),
+        );
+        return None;
+    };
+    let name = json::fields::word(node, "\"synthesis\"", faults)?;
+    let found = KINDS.iter().find(|k| k.name == name.text).copied();
+    if found.is_none() {
+        let d =
+            Diagnostic::error("unknown-kind", both!("there is no kind of synthesis `{}`", "没有综合类型 `{}`", name.text)).at(name.span);
+        faults.push(d.help(suggest(&name.text, KINDS.iter().map(|k| k.name), both!("the kinds are", "类型有"))));
+    }
+    found
+}
+
+/// Solves a task: all solutions, judged by their scenes and sorted.
+///
+/// # Errors
+/// There is no solution: which root is not real, and the nearest wish that has one.
+pub fn solve(task: &Task) -> Result<Design, Faults> {
+    let Found { drafts, numbers, notes } = task.wish.solve(&task.heading)?;
+    let mut candidates = Vec::new();
+    for draft in drafts {
+        candidates.push(judge::judge(draft, task.transmission)?);
+    }
+    candidates.sort_by(|a, b| {
+        let key = |c: &Candidate| (c.judged.defects.len(), !c.judged.rotates);
+        let gamma = |c: &Candidate| c.judged.transmission.map_or(0.0, |t| t.0);
+        key(a)
+            .cmp(&key(b))
+            .then(a.draft.error.total_cmp(&b.draft.error))
+            .then(gamma(b).total_cmp(&gamma(a)))
+            .then(a.judged.size_m.total_cmp(&b.judged.size_m))
+    });
+    Ok(Design { candidates, numbers, notes })
+}
+
+/// The construction of a candidate with ruler and compasses, to a scale (m for a mm of paper); `None` where it does not close on paper.
+///
+/// # Errors
+/// The drawing and the formula disagree, which is an error of ours.
+pub fn construct(task: &Task, candidate: &Candidate, mu_l: f64) -> Result<Option<Board>, Faults> {
+    let mut board = Board::new(mu_l);
+    let drawn = task.wish.construct(&candidate.draft, &mut board);
+    if drawn.is_none() || board.steps.is_empty() {
+        return Ok(None);
+    }
+    for reading in &board.readings {
+        let Some(number) = candidate.number(&reading.name) else { continue };
+        let off = (board.value(reading) - number.abs()).abs();
+        if off > AGREEMENT * number.abs().max(if reading.angle { 1.0 } else { candidate.judged.size_m }) {
+            let message = both!(
+                "{} is {} on the drawing and {} by the formula",
+                "{} 作图得 {}，公式得 {}",
+                reading.name,
+                board.value(reading),
+                number
+            );
+            return Err(Diagnostic::error("disagreement", message).into());
+        }
+    }
+    Ok(Some(board))
+}
+
+/// Drawing and formula agree to this: both are of double precision, crossings under small angles cost a few digits.
+const AGREEMENT: f64 = 1e-7;

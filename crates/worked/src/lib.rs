@@ -10,13 +10,6 @@
 // The maps name private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
-use hodograph_analytic::analytic;
-use hodograph_base::{diag, digits, geom, number};
-use hodograph_board::{construct, plan};
-use hodograph_mechanism::{answer, mechanism, motion, position, stated};
-use hodograph_scene::scene;
-use hodograph_sweep::sweep;
-
 pub mod accuracy;
 pub mod certified;
 pub mod effort;

@@ -21,16 +21,16 @@ use self::pose::{Given, Posed, groups_of};
 use self::sizes::Sizes;
 use crate::accuracy::Rung;
 use crate::accuracy::{Agreement, BadAngle, Drafting, Drawn, bad_angles, compare, drafting, regular, settled};
-use crate::analytic::{Refused, Solution};
-use crate::answer::Value;
-use crate::construct::{self, Answer, Construction};
-use crate::diag::{Faults, Warned};
-use crate::mechanism::{Demand, Level, Mechanism, Need};
-use crate::plan::Plan;
-use crate::position::redundant::Verdict;
-use crate::position::{self, Configuration};
-use crate::scene::{Find, LinkId, Scene};
-use crate::stated::{self, Moment};
+use hodograph_analytic::{Refused, Solution};
+use hodograph_base::diag::{Faults, Warned};
+use hodograph_board::construct::{self, Answer, Construction};
+use hodograph_board::plan::Plan;
+use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Need};
+use hodograph_mechanism::position::redundant::Verdict;
+use hodograph_mechanism::position::{self, Configuration};
+use hodograph_mechanism::stated::{self, Moment};
+use hodograph_scene::{Find, LinkId, Scene};
 
 /// How much is wanted beyond the scene's questions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -119,7 +119,7 @@ pub struct Outcome {
     pub agreement: Option<Agreement>,
     /// The size (SI) of what it is measured against: the largest vector or rate of its kind, for positions the mechanism.
     pub scale: f64,
-    /// The answer on the other motion through each change point of the pose (see [`crate::analytic::Singularity::other`]); empty
+    /// The answer on the other motion through each change point of the pose (see [`hodograph_analytic::Singularity::other`]); empty
     /// for positions and in every other pose.
     pub others: Vec<Value>,
     /// A value of no more than this (SI) cannot be told from zero.
@@ -154,7 +154,7 @@ fn blur_of(pose: &Solution) -> f64 {
 pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     joint::goes_on(scene)?;
     let Warned { value: mechanism, mut notes } = Mechanism::new(scene)?;
-    notes.extend(crate::scene::quantity::notes(scene));
+    notes.extend(hodograph_scene::quantity::notes(scene));
     let mut demand = Demand::of(scene, &mechanism);
     // What only repeats the others is checked by its pins as far as the motion is asked for.
     for (a, b) in (0..scene.links.len()).filter_map(|l| mechanism.held(LinkId(l))) {

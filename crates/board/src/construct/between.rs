@@ -3,10 +3,10 @@
 use super::board::{Board, part_mark};
 use super::pencil::Pencil;
 use super::{Action, Edge, Polygon};
-use crate::diag::Faults;
-use crate::mechanism::Level;
-use crate::number::Real;
 use crate::plan::{Between, Body, By, Rate, Term, TermKind};
+use hodograph_base::diag::Faults;
+use hodograph_base::number::Real;
+use hodograph_mechanism::mechanism::Level;
 
 impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     /// What is drawn between images, as far as they are there, and the turnings measured from what is drawn. What cannot be read yet stays

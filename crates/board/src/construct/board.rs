@@ -3,14 +3,14 @@
 use super::pencil::{Exact, Pencil};
 use super::scale::{self, Boxes};
 use super::{Action, Construction, Diagram, Edge, Mark, Polygon};
-use crate::diag::{Both, Diagnostic, Faults, both};
-use crate::geom::{Point, Vec2, cross_lines};
-use crate::mechanism::{Level, Mechanism};
-use crate::number::Real;
 use crate::plan::{Between, Body, By, Chain, Plan, Rate, Spot, Step, Term, VertexId};
-use crate::position::Configuration;
-use crate::scene::exact::Inputs;
-use crate::scene::{Kind, Scene};
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_base::geom::{Point, Vec2, cross_lines};
+use hodograph_base::number::Real;
+use hodograph_mechanism::mechanism::{Level, Mechanism};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::exact::Inputs;
+use hodograph_scene::{Kind, Scene};
 
 /// Draws a plan.
 ///

@@ -2,11 +2,11 @@
 //! their line the relative velocity is zero and the relative acceleration is aⁿ alone. No crossing uses it, so it checks the drawing.
 
 use super::{Construction, Polygon};
-use crate::geom::Point;
-use crate::mechanism::{Level, Mechanism};
 use crate::plan::Plan;
-use crate::position::Configuration;
-use crate::scene::{PointId, Scene};
+use hodograph_base::geom::Point;
+use hodograph_mechanism::mechanism::{Level, Mechanism};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::{PointId, Scene};
 
 /// A condition of an opened link, and by how much the drawing misses it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +25,7 @@ pub struct Condition {
 pub fn conditions(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Construction) -> Vec<Condition> {
     let mut out = Vec::new();
     for (index, redundant) in m.redundant.iter().enumerate() {
-        let crate::mechanism::Opened::Link(l) = redundant.opened else { continue };
+        let hodograph_mechanism::mechanism::Opened::Link(l) = redundant.opened else { continue };
         let Some(pins) = m.held(l) else { continue };
         for level in Level::RATES {
             let off = off_mm(scene, at, plan, paper, pins, level);

@@ -3,9 +3,9 @@
 
 use super::board::Board;
 use super::pencil::Pencil;
-use crate::diag::{Diagnostic, Faults, both};
-use crate::geom::{Point, Vec2, cross_lines};
-use crate::mechanism::{Core, Level};
+use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_base::geom::{Point, Vec2, cross_lines};
+use hodograph_mechanism::mechanism::{Core, Level};
 
 /// The pairs of legs on which the special point of a triad may lie, in the order of the plan's alternatives.
 pub(super) const SPECIAL_LEGS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];

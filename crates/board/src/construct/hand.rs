@@ -7,13 +7,13 @@
 use super::Construction;
 use super::board::Board;
 use super::pencil::Pencil;
-use crate::diag::Faults;
-use crate::geom::{Point, Vec2};
-use crate::mechanism::{ConstraintLine, Level, Mechanism};
-use crate::number::Real;
 use crate::plan::{Body, By, Plan, SpecialLine, Spot, Term, VertexId};
-use crate::position::{Configuration, Path, Pose};
-use crate::scene::{ByKind, GuideId, Normal, PointId, RollingId, Scene, Touch};
+use hodograph_base::diag::Faults;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_mechanism::mechanism::{ConstraintLine, Level, Mechanism};
+use hodograph_mechanism::position::{Configuration, Path, Pose};
+use hodograph_scene::{ByKind, GuideId, Normal, PointId, RollingId, Scene, Touch};
 
 /// What has to be chosen before a drawing is made: scales, and which special points are used.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,13 +4,13 @@ use super::board::Board;
 use super::pencil::Pencil;
 use super::scale::{self, Si};
 use super::{Action, Mark, Polygon, RateMeasured, RateReading};
-use crate::diag::Faults;
-use crate::geom::{Point, Vec2};
-use crate::mechanism::Level;
-use crate::number::Real;
 use crate::plan::{Body, By, Rate, Spot, Term, TermKind, VertexId};
-use crate::position::Path;
-use crate::scene::{Normal, RollingId, Touch};
+use hodograph_base::diag::Faults;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_mechanism::position::Path;
+use hodograph_scene::{Normal, RollingId, Touch};
 
 impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     /// ω or α of a body from what was read so far.

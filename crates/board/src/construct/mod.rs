@@ -21,10 +21,10 @@ pub use checks::{Condition, conditions};
 pub use hand::{Layout, by_hand};
 pub use readings::{Answer, Measured, Shown, ShownAs, read, read_by_hand};
 
-use crate::geom::{Point, Vec2};
-use crate::mechanism::Level;
-use crate::number::Real;
 use crate::plan::{Body, Plan, Term, VertexId};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_mechanism::mechanism::Level;
 
 /// The mechanism drawn to scale.
 #[derive(Clone, Debug, PartialEq)]

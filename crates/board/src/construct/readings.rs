@@ -5,16 +5,16 @@
 
 use super::pencil::Pencil;
 use super::{Construction, Mark};
-use crate::answer::{Value, place};
-use crate::geom::{Point, Vec2};
-use crate::mechanism::{Level, Mechanism};
-use crate::number::Real;
 use crate::plan::{Asking, Plan, Spot, Term, VertexId, asking, body_of};
-use crate::position::Configuration;
-use crate::scene::quantity::combined::combine;
-use crate::scene::quantity::composite::Part;
-use crate::scene::quantity::{Composite, Frame, Meaning, Of, Seen};
-use crate::scene::{Asked, Find, Kind, LinkId, OnLink, PointId, Scene};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_mechanism::answer::{Value, place};
+use hodograph_mechanism::mechanism::{Level, Mechanism};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::quantity::combined::combine;
+use hodograph_scene::quantity::composite::Part;
+use hodograph_scene::quantity::{Composite, Frame, Meaning, Of, Seen};
+use hodograph_scene::{Asked, Find, Kind, LinkId, OnLink, PointId, Scene};
 
 /// The answer to one question.
 #[derive(Clone, Debug, PartialEq)]

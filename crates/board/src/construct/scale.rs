@@ -1,12 +1,12 @@
 //! The one door between SI and millimetres of paper: scales μ from the series 1, 2, 2.5, 5 × 10^k.
 
-use crate::digits::shortest;
-use crate::geom::{Point, Vec2};
-use crate::mechanism::Level;
-use crate::number::Real;
 use crate::plan::{Plan, Step};
-use crate::position::Configuration;
-use crate::scene::{Cam, Kind, Paper, Rolling, Scene};
+use hodograph_base::digits::shortest;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::{Cam, Kind, Paper, Rolling, Scene};
 
 /// A velocity (m/s) or an acceleration (m/s²), by the polygon's level. Laid-off and measured vectors are millimetres: the two do not mix, and only a
 /// scale μ leads from the one to the other.
@@ -201,9 +201,9 @@ fn decimal(step: f64, e: i32) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mechanism::{Demand, Mechanism};
-    use crate::number::{Ball, Dd};
-    use crate::position::configure;
+    use hodograph_base::number::{Ball, Dd};
+    use hodograph_mechanism::mechanism::{Demand, Mechanism};
+    use hodograph_mechanism::position::configure;
 
     #[test]
     fn preferred_series() {
@@ -248,7 +248,7 @@ mod tests {
                     r * unit,
                     ring * unit
                 );
-                let scene = crate::scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+                let scene = hodograph_scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
                 let m = Mechanism::new(&scene).unwrap().value;
                 let at = configure(&scene, &m, &Demand::of(&scene, &m).with_all_positions()).unwrap().value;
                 let [w, h] = size(&scene, &at).map(|x| x / unit);

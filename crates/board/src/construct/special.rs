@@ -4,12 +4,12 @@ use super::Crossed;
 use super::board::{Board, Line};
 use super::choices::SPECIAL_LEGS;
 use super::pencil::Pencil;
-use crate::geom::{Point, Vec2, cross_lines};
-use crate::mechanism::{ConstraintLine, Core, Leg, Level};
-use crate::number::Real;
 use crate::plan::{Special, SpecialLine, VertexId};
-use crate::position::Path;
-use crate::scene::{Normal, RollingId, Touch};
+use hodograph_base::geom::{Point, Vec2, cross_lines};
+use hodograph_base::number::Real;
+use hodograph_mechanism::mechanism::{ConstraintLine, Core, Leg, Level};
+use hodograph_mechanism::position::Path;
+use hodograph_scene::{Normal, RollingId, Touch};
 
 impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     pub(super) fn special_point(&mut self, v: VertexId, special: &Special) -> Option<Point<N>> {

@@ -6,9 +6,9 @@
 
 use super::build::{Builder, slot};
 use super::{Between, Body, By, Plan, Rate, Spot, Step, Term, TermKind, Vertex, VertexId, canonical};
-use crate::mechanism::{Joined, Level, Mechanism, Need, Passive, Strut, joined, nodes_of};
-use crate::scene::quantity::{Frame, Meaning, Seen, Split};
-use crate::scene::{Asked, GuidePath, LinkId, OnLink, PointId, Scene};
+use hodograph_mechanism::mechanism::{Joined, Level, Mechanism, Need, Passive, Strut, joined, nodes_of};
+use hodograph_scene::quantity::{Frame, Meaning, Seen, Split};
+use hodograph_scene::{Asked, GuidePath, LinkId, OnLink, PointId, Scene};
 
 /// What a question of motion means on paper.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,8 +55,8 @@ fn asking_of(scene: &Scene, m: &Mechanism, vertices: &[Vertex], what: &Asked) ->
         let (of, to) = (vertex(a)?, vertex(b)?);
         Some(Asking::Terms(kinds.iter().map(|kind| Term { kind: *kind, of, to, by, known: false }).collect()))
     };
-    let arc = |g: crate::scene::GuideId| matches!(scene.guides[g.0].path, GuidePath::Arc { .. });
-    let still = |g: crate::scene::GuideId| m.never_turns[scene.guides[g.0].on.0];
+    let arc = |g: hodograph_scene::GuideId| matches!(scene.guides[g.0].path, GuidePath::Arc { .. });
+    let still = |g: hodograph_scene::GuideId| m.never_turns[scene.guides[g.0].on.0];
     let guide = |guide| By::Guide { guide, driver: None };
     let even = |g| scene.drivers.iter().any(|d| d.kind.guide() == Some(g) && d.acceleration.is_none());
     let level = what.level();

@@ -3,8 +3,8 @@
 use super::between::body_of;
 use super::names::small_letters;
 use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Special, Spot, Step, Vertex, VertexId, canonical, effects};
-use crate::mechanism::{Demand, Level, Mechanism, Need, Opened};
-use crate::scene::{Guide, GuideId, LinkId, PointId, Scene};
+use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Need, Opened};
+use hodograph_scene::{Guide, GuideId, LinkId, PointId, Scene};
 use std::collections::{HashMap, HashSet};
 
 /// The plan of a scene's demand.
@@ -198,7 +198,7 @@ impl Builder<'_> {
         let group = match body {
             // What only follows has no group: its turning is read off after those of its pins and of the link that carries it.
             Body::Link(l) if self.m.passive[l.0].is_some() => {
-                let nodes = crate::mechanism::nodes_of(self.scene, self.m, Need::Turning(l));
+                let nodes = hodograph_mechanism::mechanism::nodes_of(self.scene, self.m, Need::Turning(l));
                 nodes.into_iter().filter_map(|n| self.m.group_of(n)).max()
             }
             Body::Link(l) => self.m.group_of_link[l.0],
@@ -342,7 +342,7 @@ impl Builder<'_> {
     /// Gives each thing asked for to the last group that it needs.
     fn assign_needs(&mut self) {
         for (need, level) in &self.demand.needs {
-            let nodes = crate::mechanism::nodes_of(self.scene, self.m, *need);
+            let nodes = hodograph_mechanism::mechanism::nodes_of(self.scene, self.m, *need);
             if let Some(g) = nodes.into_iter().filter_map(|n| self.m.group_of(n)).max() {
                 self.due[g].push((*need, *level));
                 // A point of a block on a curved guide other than its pin is found by the block's turning, whose ω its acceleration needs.

@@ -3,13 +3,13 @@
 use super::Term;
 use super::names::{name_label, point_label};
 use super::text::Writer;
-use crate::scene::{Normal, RollingId, Touch};
+use hodograph_scene::{Normal, RollingId, Touch};
 
 impl Writer<'_> {
     /// The normal at a contact: the line of centres, or square to a straight track.
     pub(super) fn normal_line(&self, pair: RollingId) -> String {
         let pair = &self.scene.rolling[pair.0];
-        let p = |q: crate::scene::PointId| point_label(self.scene.point_name(q));
+        let p = |q: hodograph_scene::PointId| point_label(self.scene.point_name(q));
         match pair.touch() {
             Touch::Point(Normal::Centres([a, b])) => format!("\\parallel {}{}", p(a.min(b)), p(a.max(b))),
             Touch::Point(Normal::Square { guide, .. }) => format!("\\perp {}", self.guide_line(guide)),

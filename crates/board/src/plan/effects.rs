@@ -1,8 +1,8 @@
 //! Which effects a plan considers, whether each is in or out, and why.
 
 use super::{By, Effect, Plan, Reason, Step, TermKind};
-use crate::mechanism::{Demand, Level, Mechanism};
-use crate::scene::{GuideId, Scene};
+use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
+use hodograph_scene::{GuideId, Scene};
 
 /// What was considered, and why it is in or out.
 pub(super) fn considered(scene: &Scene, m: &Mechanism, demand: &Demand, plan: &Plan) -> Vec<(Effect, bool, Reason)> {

@@ -2,8 +2,8 @@
 
 use super::build::{Builder, slot};
 use super::{Body, Chain, Method, Rate, Special, SpecialLine, Step, VertexId};
-use crate::mechanism::{Core, Entry, Hold, Leg, Level, Strut};
-use crate::scene::{LinkId, PointId, RollingId, Scene, Touch};
+use hodograph_mechanism::mechanism::{Core, Entry, Hold, Leg, Level, Strut};
+use hodograph_scene::{LinkId, PointId, RollingId, Scene, Touch};
 
 impl Builder<'_> {
     /// The alternatives of one group; leaves its results known. `None` where it is not drawn.

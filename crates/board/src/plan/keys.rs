@@ -5,8 +5,8 @@
 
 use super::text::{Writer, vertex_name};
 use super::{Body, By, Spot, Term, TermKind, VertexId};
-use crate::mechanism::Level;
-use crate::scene::Scene;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::Scene;
 
 /// The part of a relative motion that a vector is.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::names::{name_label, point_label};
 use super::text::Writer;
-use crate::scene::{Angle, Direction, Guide, GuideId, GuidePath, PointId, Through};
+use hodograph_scene::{Angle, Direction, Guide, GuideId, GuidePath, PointId, Through};
 
 /// Directions nearer than this are one.
 const PARALLEL_RAD: f64 = 1e-9;

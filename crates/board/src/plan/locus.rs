@@ -6,8 +6,8 @@
 
 use super::build::Builder;
 use super::{Body, By, Chain, Term, TermKind, VertexId};
-use crate::mechanism::{Hold, Level, Strut};
-use crate::scene::{GuideId, GuidePath, LinkId, PointId, RollingId, Touch};
+use hodograph_mechanism::mechanism::{Hold, Level, Strut};
+use hodograph_scene::{GuideId, GuidePath, LinkId, PointId, RollingId, Touch};
 
 impl Builder<'_> {
     /// Terms of a turning body between two of its points: known ones and, unless the rate is known, the unknown one.

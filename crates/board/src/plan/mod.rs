@@ -4,7 +4,7 @@
 //! Where the drawing must choose by the numbers (which two constraint lines of a triad cross most squarely), the plan
 //! holds all alternatives and the drawing board picks one.
 //!
-//! Each group is entered by its legs ([`crate::mechanism::Leg`]); [`locus`] turns what one holds into a chain of terms with one
+//! Each group is entered by its legs ([`hodograph_mechanism::mechanism::Leg`]); [`locus`] turns what one holds into a chain of terms with one
 //! unknown magnitude, two chains for one point make an equation, and further points follow by images.
 
 mod between;
@@ -27,8 +27,8 @@ pub use between::{Asking, asking};
 pub use build::{plan, plan_without};
 pub use rest::Rest;
 
-use crate::mechanism::{ConstraintLine, Level};
-use crate::scene::{GuideId, LinkId, PointId, RollingId, Scene};
+use hodograph_mechanism::mechanism::{ConstraintLine, Level};
+use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
 /// Index into [`Plan::vertices`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

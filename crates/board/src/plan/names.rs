@@ -6,7 +6,7 @@
 use super::{Plan, Spot};
 use std::collections::HashMap;
 
-use crate::scene::{PointId, Scene};
+use hodograph_scene::{PointId, Scene};
 
 /// A name, or several run together (`O2B`, `3/2`), as it stands among other signs: `B_1` → `B\_1`.
 ///

@@ -1,6 +1,6 @@
 //! Notation profiles: marks that differ between textbooks, as data.
 
-use crate::scene::Lang;
+use hodograph_scene::Lang;
 use serde::Deserialize;
 
 /// A notation profile (method.md's table): read from `crates/board/src/plan/notation/*.json`.

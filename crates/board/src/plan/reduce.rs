@@ -11,8 +11,8 @@
 
 use super::build::Builder;
 use super::{Body, By, Chain, Method, Rate, Special, SpecialLine, Spot, Step, Term, TermKind, VertexId};
-use crate::mechanism::{Form, Hold, Level, Runner, Strut};
-use crate::scene::{LinkId, PointId, RollingId, Scene};
+use hodograph_mechanism::mechanism::{Form, Hold, Level, Runner, Strut};
+use hodograph_scene::{LinkId, PointId, RollingId, Scene};
 
 /// A link of the group that is no mere bar from a known pin.
 struct Member {
@@ -315,7 +315,7 @@ fn special_line(scene: &Scene, line: &Line) -> SpecialLine {
 
 /// The members of a group and what holds them; `None` where a pair of the group is no bar, guide, slot, cylinder or contact between a
 /// member and a known body, and no pin between members.
-fn members(scene: &Scene, m: &crate::mechanism::Mechanism, g: usize) -> Option<Vec<Member>> {
+fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechanism, g: usize) -> Option<Vec<Member>> {
     let group = &m.groups[g];
     let forms: Vec<Form> = group.constraints.iter().map(|&c| m.constraints[c].form()).collect();
     let on =

@@ -5,8 +5,8 @@
 //! the rate 0 as it is written counts.
 
 use super::{Body, By, Plan, Term, TermKind};
-use crate::mechanism::{Level, Mechanism};
-use crate::scene::{Driver, GuidePath, Scene};
+use hodograph_mechanism::mechanism::{Level, Mechanism};
+use hodograph_scene::{Driver, GuidePath, Scene};
 
 /// What is at rest.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,7 +1,7 @@
 //! Accessors of a step: its vertex, its chains, the guides along which its terms slide, the body whose turning makes its Coriolis part.
 
 use super::{By, Chain, Plan, Step, VertexId};
-use crate::scene::{GuideId, LinkId, Scene};
+use hodograph_scene::{GuideId, LinkId, Scene};
 
 impl Step {
     /// The vertex that it finds.

@@ -6,9 +6,9 @@ pub use super::names::point_label;
 use super::names::{image_label, image_of, is_image, name_label, numbered, pole_letter, special_name};
 use super::notation::Notation;
 use super::{Body, By, Chain, Plan, Spot, Step, Term, TermKind, VertexId};
-use crate::diag::{Both, both};
-use crate::mechanism::Level;
-use crate::scene::{GuideId, GuidePath, Lang, Scene};
+use hodograph_base::diag::{Both, both};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::{GuideId, GuidePath, Lang, Scene};
 
 /// What the texts are written for.
 #[derive(Clone, Copy, Debug)]

@@ -5,7 +5,7 @@
 //! group: steps that share one are the same group, and so are those that then depend on one another.
 
 use super::{Core, Group, Item, Mechanism, Passive};
-use crate::scene::{GuideId, LinkId, PointId, Scene};
+use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 
 /// One group, or what is driven, or a pin carried by a known link.
 #[derive(Clone, Debug)]

@@ -1,8 +1,8 @@
 //! What the questions of a scene call for: which groups, up to which level. Simulate only the effects a scene calls for.
 
 use super::{Mechanism, Node};
-use crate::scene::quantity::{Level, Need};
-use crate::scene::{Find, LinkId, PointId, Scene};
+use hodograph_scene::quantity::{Level, Need};
+use hodograph_scene::{Find, LinkId, PointId, Scene};
 
 /// What the questions call for.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,7 +10,7 @@
 use super::leg::{Entry, Hold, Leg};
 use super::mobility::Assignment;
 use super::{Form, Mechanism, Node, Passive, Runner};
-use crate::scene::{GuideId, LinkId, PointId, Scene};
+use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap, HashMap};
 

@@ -5,7 +5,7 @@
 //! Positions, plan, drawing and sweep match the statements and work them out each in its own numbers; none of them asks for the kind
 //! of leg. Not decided here: which legs a group has ([`super::groups`]), and any length.
 
-use crate::scene::{GuideId, LinkId, PointId, RollingId};
+use hodograph_scene::{GuideId, LinkId, PointId, RollingId};
 
 /// How a known body holds an unknown point or link; [`Leg::freedoms`] says how much of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

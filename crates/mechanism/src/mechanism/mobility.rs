@@ -4,8 +4,8 @@
 //! equation without a node depends on others; both are told in the diagnosis.
 
 use super::{Constraint, Item, Node, Passive};
-use crate::diag::{Both, Diagnostic, Faults, both};
-use crate::scene::{LinkId, PointId, Scene};
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_scene::{LinkId, PointId, Scene};
 use std::collections::BTreeSet;
 
 /// Mobility F = 3n − 2P_L − P_H with its counts.
@@ -268,7 +268,7 @@ fn unlisted_pivots(scene: &Scene) -> Option<Both> {
         .filter(|(i, p)| {
             let carriers: Vec<_> = scene.carriers(PointId(*i)).collect();
             let runs = scene.guides.iter().any(|g| g.pin == Some(PointId(*i)));
-            matches!(p.place, crate::scene::Place::At(_)) && !runs && carriers.len() == 1 && carriers[0] != scene.ground
+            matches!(p.place, hodograph_scene::Place::At(_)) && !runs && carriers.len() == 1 && carriers[0] != scene.ground
         })
         .map(|(_, p)| p.name.as_str())
         .collect();

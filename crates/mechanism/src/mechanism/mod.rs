@@ -27,10 +27,10 @@ pub use survey::{Counts, ForDrivers, Local, Survey, compound};
 
 use redundant::Opening;
 
-pub use crate::scene::quantity::{Joined, Level, Need, joined};
+pub use hodograph_scene::quantity::{Joined, Level, Need, joined};
 
-use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::scene::{Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene, quantity};
+use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
+use hodograph_scene::{Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene, quantity};
 
 /// A thing whose place is to be found: a link (three freedoms) or a pin (two).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

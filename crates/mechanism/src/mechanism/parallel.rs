@@ -6,7 +6,7 @@
 //! itself: its gear need not hold it.
 
 use super::{Constraint, Form, Node};
-use crate::scene::{Direction, Guide, GuidePath, LinkId, Scene};
+use hodograph_scene::{Direction, Guide, GuidePath, LinkId, Scene};
 use petgraph::unionfind::UnionFind;
 use std::f64::consts::PI;
 

@@ -11,8 +11,8 @@
 
 use super::mobility::Matched;
 use super::{Constraint, Core, Item, Mechanism, Passive, find_constraints, find_pins, touching};
-use crate::diag::Span;
-use crate::scene::{Guide, GuideId, LinkId, Normal, PointId, Rolling, RollingId, Scene, Touch};
+use hodograph_base::diag::Span;
+use hodograph_scene::{Guide, GuideId, LinkId, Normal, PointId, Rolling, RollingId, Scene, Touch};
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 

@@ -9,7 +9,7 @@
 
 use super::Mechanism;
 use super::redundant::{Opened, Opening, Redundant};
-use crate::scene::{Driver, DriverKind, Given, GuideId, LinkId, PointId, Scene};
+use hodograph_scene::{Driver, DriverKind, Given, GuideId, LinkId, PointId, Scene};
 
 /// A link whose only pair is the pin about which it turns: its turning moves nothing else.
 #[derive(Clone, Debug, PartialEq, Eq)]

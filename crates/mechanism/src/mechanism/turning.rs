@@ -5,7 +5,7 @@
 //! dyads. The new equations are sums of the old ones, so the solutions are the same.
 
 use super::{Constraint, Core, Mechanism};
-use crate::scene::LinkId;
+use hodograph_scene::LinkId;
 
 /// The constraints with the locks of every group without a core said against a link that is known before the group; `None` where that
 /// changes nothing.

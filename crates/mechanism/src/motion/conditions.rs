@@ -8,13 +8,13 @@
 //! unit nor on what else is placed: scaling a scene by 2^k changes no digit, and neither does asking for more.
 
 use super::{LinkMotion, Motion};
-use crate::geom::{Point, Vec2};
 use crate::mechanism::{Form, Group, Mechanism, Node, Runner};
-use crate::number::Real;
 use crate::position::kernel::power_of_two_scale;
 use crate::position::{Configuration, Path};
-use crate::scene::exact::Inputs;
-use crate::scene::{LinkId, PointId, RollingId, Scene, Touch};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_scene::exact::Inputs;
+use hodograph_scene::{LinkId, PointId, RollingId, Scene, Touch};
 
 /// A point of a body: of one whose motion is known, or of an unknown of the group.
 #[derive(Clone, Copy)]

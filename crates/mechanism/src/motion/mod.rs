@@ -10,13 +10,13 @@
 pub(crate) mod conditions;
 
 use crate::answer::Source;
-use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Level, Mechanism, Passive};
-use crate::number::{Ball, Big, Dd, Real};
 use crate::position::{Configuration, Placed};
-use crate::scene::exact::Inputs;
-use crate::scene::{LinkId, PointId, Scene};
 use conditions::Conditions;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::{Ball, Big, Dd, Real};
+use hodograph_scene::exact::Inputs;
+use hodograph_scene::{LinkId, PointId, Scene};
 
 /// Motion of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]

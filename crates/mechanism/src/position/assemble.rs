@@ -3,12 +3,12 @@
 use super::branch::{self, Trial};
 use super::shape::{self, Frame, LinkShape, given_place};
 use super::{Configuration, Path, Pose};
-use crate::diag::{Both, Diagnostic, Faults, both};
-use crate::geom::{Point, Vec2};
 use crate::mechanism::{Core, Demand, Group, Hold, Leg, Mechanism, Passive, Strut};
-use crate::number::Real;
-use crate::scene::exact::Inputs;
-use crate::scene::{Direction, GuideId, GuidePath, LinkId, Place, PointId, Scene, Through};
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_scene::exact::Inputs;
+use hodograph_scene::{Direction, GuideId, GuidePath, LinkId, Place, PointId, Scene, Through};
 
 /// See [`super::recompute`].
 pub(super) fn recompute<N: Real>(

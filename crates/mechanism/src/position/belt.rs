@@ -1,11 +1,11 @@
 //! The strand between two wheels of a belt or chain: where it runs off the one and onto the other; and the direction of a rope.
 
 use super::{Configuration, Path};
-use crate::diag::{Diagnostic, both};
-use crate::digits::significant;
-use crate::geom::{Point, Vec2};
-use crate::number::Real;
-use crate::scene::{Given, Guide, GuideId, PointId, Rolling, Scene};
+use hodograph_base::diag::{Diagnostic, both};
+use hodograph_base::digits::significant;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_scene::{Given, Guide, GuideId, PointId, Rolling, Scene};
 
 /// The normal m of the strand left of the line of centres, away from the first of them, as cosine and sine of its angle from that line: the strand
 /// lies at the radius from either centre, so that (B − A)·m = ρ₁ + ρ₂ with the signed sizes of [`Rolling::sizes`]. `None` for wheels that lie

@@ -2,11 +2,11 @@
 
 use super::Pose;
 use super::shape::given_at;
-use crate::diag::{Both, Diagnostic, both};
-use crate::digits::{direction_degrees, significant};
-use crate::geom::Point;
-use crate::number::Real;
-use crate::scene::{LinkId, PointId, Scene, Side};
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::digits::{direction_degrees, significant};
+use hodograph_base::geom::Point;
+use hodograph_base::number::Real;
+use hodograph_scene::{LinkId, PointId, Scene, Side};
 
 /// One closure of a group: where its pins and links (and the points on them) would be.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,10 +4,10 @@
 //! took to build. Calls go through a method of the number, which is compiled here.
 
 use super::{Configuration, assemble};
-use crate::diag::Faults;
 use crate::mechanism::{Demand, Mechanism};
-use crate::number::{Ball, Big, Dd, Real};
-use crate::scene::Scene;
+use hodograph_base::diag::Faults;
+use hodograph_base::number::{Ball, Big, Dd, Real};
+use hodograph_scene::Scene;
 
 /// A number in which mechanisms are assembled: [`recompute`] and [`later`] as methods of it.
 pub trait Placed: Real {

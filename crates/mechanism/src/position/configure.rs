@@ -3,10 +3,10 @@
 
 use super::Configuration;
 use super::assemble::{Assembly, names_of};
-use crate::diag::{Both, Diagnostic, Faults, Severity, Warned, both};
 use crate::mechanism::{Demand, Mechanism};
-use crate::number::{Ball, Big, Dd, Real, within};
-use crate::scene::Scene;
+use hodograph_base::diag::{Both, Diagnostic, Faults, Severity, Warned, both};
+use hodograph_base::number::{Ball, Big, Dd, Real, within};
+use hodograph_scene::Scene;
 
 /// Finds where everything is that the demand calls for.
 ///

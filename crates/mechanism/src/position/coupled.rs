@@ -10,11 +10,11 @@ use super::branch::Trial;
 use super::equations::{self, Given, Measured, View};
 use super::proof::{self, Unproven};
 use super::{Configuration, Path, Pose};
-use crate::diag::Diagnostic;
-use crate::geom::{Point, Vec2};
 use crate::mechanism::{Form, Group, Node, Runner};
-use crate::number::Real;
-use crate::scene::{GuideId, LinkId, PointId, RollingId};
+use hodograph_base::diag::Diagnostic;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_scene::{GuideId, LinkId, PointId, RollingId};
 
 /// Poses of the group's links and places of its pins.
 #[derive(Clone)]
@@ -307,7 +307,7 @@ mod tests {
     use super::*;
     use crate::mechanism::{Demand, Mechanism};
     use crate::position::{configure, newton};
-    use crate::scene::{self, templates};
+    use hodograph_scene::{self as scene, templates};
     use std::collections::BTreeSet;
 
     fn kind(a: &Assembly<f64>, form: Form) -> &'static str {

@@ -10,7 +10,7 @@
 //! (K. H. Hunt, *Kinematic Geometry of Mechanisms*, §7). Roots by companion matrices: A. Edelman, H. Murakami, Math. Comp. 64 (1995).
 
 use super::triad::TriadLeg;
-use crate::geom::{Point, Vec2};
+use hodograph_base::geom::{Point, Vec2};
 use nalgebra::{DMatrix, Schur};
 use std::f64::consts::TAU;
 

@@ -5,10 +5,10 @@
 //! form measures without anything given. Not decided here: what is given, by drivers or by the pose of the instant.
 
 use super::{Configuration, Path, Pose};
-use crate::geom::{Point, Vec2};
 use crate::mechanism::{Form, Runner};
-use crate::number::Real;
-use crate::scene::{GuideId, LinkId, PointId, RollingId, Scene};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
 /// Where links and points are, and their rigid shapes; `None` for what is not placed.
 pub(super) trait View<N: Real> {

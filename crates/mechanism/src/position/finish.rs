@@ -2,12 +2,12 @@
 
 use super::assemble::Assembly;
 use super::{Configuration, Path, Pose, Rolled, Shapes, rolling, touch};
-use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
-use crate::digits::significant;
-use crate::geom::Point;
 use crate::mechanism::{Mechanism, Opened, Passive};
-use crate::number::Real;
-use crate::scene::{Direction, GuideId, GuidePath, LinkId, Place, PointId, Scene};
+use hodograph_base::diag::{Both, Diagnostic, Faults, Span, Warned, both};
+use hodograph_base::digits::significant;
+use hodograph_base::geom::Point;
+use hodograph_base::number::Real;
+use hodograph_scene::{Direction, GuideId, GuidePath, LinkId, Place, PointId, Scene};
 
 impl<N: Real> Assembly<'_, N> {
     /// Adds the points that only follow, and lays into their links the guides that needed the pose.

@@ -10,7 +10,7 @@
 use super::newton::{self, DriverValues, System};
 use super::{Configuration, finish};
 use crate::mechanism::Mechanism;
-use crate::scene::Scene;
+use hodograph_scene::Scene;
 use nalgebra::DVector;
 
 /// Most corrections of a place on the curve, and of the zero on it: from next to the fold both converge in less than ten.
@@ -129,7 +129,7 @@ mod tests {
     use super::*;
     use crate::mechanism::Demand;
     use crate::position::{configure, newton};
-    use crate::scene;
+    use hodograph_scene as scene;
 
     /// A crank-rocker (AB, BC, CD, AD) driven by its rocker, whose angle stands so far (rad) inside the limit at which crank and coupler are
     /// stretched out (1) or fold (−1), so far from the origin (m); the fold that is found, and the limit by the cosine law.

@@ -6,11 +6,11 @@ use super::assemble::Assembly;
 use super::branch::Trial;
 use super::shape::{Frame, given_at};
 use super::{Configuration, Pose, Shapes, newton};
-use crate::diag::{Both, Diagnostic, both};
-use crate::geom::{Point, Vec2};
 use crate::mechanism::{Form, Group, Node};
-use crate::number::Real;
-use crate::scene::{GuideId, LinkId, PointId};
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_scene::{GuideId, LinkId, PointId};
 
 impl<N: Real> Assembly<'_, N> {
     /// A group for which only Newton's method from a sketch remains.

@@ -6,8 +6,8 @@
 //!
 //! No tolerance is in this file: what cannot be closed is reported with the amount by which it misses.
 
-use crate::geom::{Point, Vec2, cross_lines};
-use crate::number::Real;
+use hodograph_base::geom::{Point, Vec2, cross_lines};
+use hodograph_base::number::Real;
 
 /// A locus of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,11 +6,11 @@ use super::proof::Unproven;
 use super::shape::{Frame, given_at, given_place};
 use super::triad::{self, TriadLeg};
 use super::{Path, Pose};
-use crate::diag::{Both, Diagnostic, both};
-use crate::geom::{Point, Vec2};
 use crate::mechanism::{Entry, Hold, Leg};
-use crate::number::Real;
-use crate::scene::{Direction, Guide, GuideId, GuidePath, LinkId, PointId, RollingId};
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_scene::{Direction, Guide, GuideId, GuidePath, LinkId, PointId, RollingId};
 
 impl<N: Real> Assembly<'_, N> {
     /// The possible poses of a core link.

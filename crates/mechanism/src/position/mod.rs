@@ -37,10 +37,10 @@ pub use configure::configure;
 pub use rolling::Rolled;
 pub use touch::Touch;
 
-use crate::geom::{Point, Vec2};
 use crate::mechanism::Mechanism;
-use crate::number::Real;
-use crate::scene::{Direction, Guide, GuideId, GuidePath, LinkId, PointId, Scene};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_scene::{Direction, Guide, GuideId, GuidePath, LinkId, PointId, Scene};
 
 /// Place and direction of a link: its local frame in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -185,7 +185,7 @@ pub struct Shapes<N = f64> {
     pub points: Vec<Vec<(PointId, Point<N>)>>,
     /// For each guide, its path in the carrying link.
     pub guides: Vec<Option<Path<N>>>,
-    /// For each rolling pair the sizes of its contours, see [`Rolling::sizes`](crate::scene::Rolling::sizes).
+    /// For each rolling pair the sizes of its contours, see [`Rolling::sizes`](hodograph_scene::Rolling::sizes).
     pub rolling: Vec<[N; 2]>,
 }
 

@@ -8,9 +8,9 @@
 use super::equations::{self, Given, Measured, View};
 use super::rolling::{self, Rolled, Seen};
 use super::{Configuration, Path, Pose, Shapes};
-use crate::geom::{Point, Vec2};
 use crate::mechanism::{Form, Group, Item, Mechanism, Node, constraints_of};
-use crate::scene::{GuideId, LinkId, PointId, RollingId, Scene};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 use nalgebra::{DMatrix, DVector};
 
 /// Poses of all links and places of all points, as far as they are known.

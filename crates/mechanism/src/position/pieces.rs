@@ -2,9 +2,9 @@
 //! from the ends of each piece, in a pose that is known.
 
 use super::{Configuration, Path, Pose};
-use crate::cam::Segment;
-use crate::geom::{Point, Vec2};
-use crate::scene::{Cam, LinkId, Pieces, Scene};
+use hodograph_base::cam::Segment;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_scene::{Cam, LinkId, Pieces, Scene};
 
 /// A contact, seen from the cam.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,11 +3,11 @@
 use super::Path;
 use super::assemble::Assembly;
 use super::kernel::{self, Locus, Miss};
-use crate::diag::{Both, Diagnostic, both};
-use crate::geom::{Point, Vec2};
 use crate::mechanism::{Entry, Hold, Leg, Strut};
-use crate::number::Real;
-use crate::scene::{GuideId, LinkId, PointId};
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_scene::{GuideId, LinkId, PointId};
 
 impl<N: Real> Assembly<'_, N> {
     /// The possible places of a pin on its two loci.

@@ -9,7 +9,7 @@
 //! R. Krawczyk, *Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken*, Computing 4 (1969); R. E. Moore,
 //! *A test for existence of solutions to nonlinear systems*, SIAM J. Numer. Anal. 14 (1977).
 
-use crate::number::Real;
+use hodograph_base::number::Real;
 use nalgebra::DMatrix;
 
 /// As many equations as unknowns, about a state that can be moved.
@@ -112,11 +112,11 @@ fn largest(all: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// The unit vector `axis` turned by 2 atan(`step`/2): the angle of the step but for its cube, and rational.
-pub(super) fn turned<N: Real>(axis: crate::geom::Vec2<N>, step: N) -> crate::geom::Vec2<N> {
+pub(super) fn turned<N: Real>(axis: hodograph_base::geom::Vec2<N>, step: N) -> hodograph_base::geom::Vec2<N> {
     let one = N::from_f64(1.0);
     let t = step * N::from_f64(0.5);
     let norm = one + t * t;
-    axis.rotate_by(crate::geom::Vec2::new((one - t * t) / norm, (t + t) / norm))
+    axis.rotate_by(hodograph_base::geom::Vec2::new((one - t * t) / norm, (t + t) / norm))
 }
 
 fn approximate_inverse<N: Real>(jacobian: &[Vec<N>]) -> Option<DMatrix<f64>> {
@@ -128,7 +128,7 @@ fn approximate_inverse<N: Real>(jacobian: &[Vec<N>]) -> Option<DMatrix<f64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Ball;
+    use hodograph_base::number::Ball;
 
     /// x − 2 = 0 twice, in the second of which the slope, or the residual beside the root, is told in balls of some width or not.
     struct Pair {

@@ -14,10 +14,10 @@ use super::newton::{self, DriverValues, System};
 use super::repeats::reason;
 pub use super::repeats::{Reason, opened_words};
 use super::{Configuration, configure, recompute};
-use crate::diag::{Both, Diagnostic, Faults};
 use crate::mechanism::{Core, Demand, Group, Item, Level, Mechanism, Need, Node, Opened, constraints_of};
-use crate::number::{Ball, Dd, Real};
-use crate::scene::{LinkId, PointId, Scene};
+use hodograph_base::diag::{Both, Diagnostic, Faults};
+use hodograph_base::number::{Ball, Dd, Real};
+use hodograph_scene::{LinkId, PointId, Scene};
 
 /// Whether an opened pair holds when the driver moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

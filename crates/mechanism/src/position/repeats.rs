@@ -2,10 +2,10 @@
 
 use super::redundant::{Checked, Verdict};
 use super::{Configuration, Path};
-use crate::diag::{Both, Diagnostic, Span, both};
-use crate::digits::significant;
 use crate::mechanism::{Item, Mechanism, Opened, words_of};
-use crate::scene::{Cam, Direction, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
+use hodograph_base::diag::{Both, Diagnostic, Span, both};
+use hodograph_base::digits::significant;
+use hodograph_scene::{Cam, Direction, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
 
 /// Why a pair repeats what the others fix.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -10,12 +10,12 @@ use super::finish::same_place;
 use super::kernel::Locus;
 use super::shape::{Frame, given_place};
 use super::{Configuration, Path, Pose, Shapes};
-use crate::diag::{Diagnostic, both};
-use crate::geom::{Point, Vec2};
 use crate::mechanism::{Group, Hold};
-use crate::number::Real;
-use crate::scene::{Driver, GuideId, LinkId, Normal, PointId, Relation, Rolling, RollingId, Scene, Touch};
-use crate::trig::turns_of;
+use hodograph_base::diag::{Diagnostic, both};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_base::trig::turns_of;
+use hodograph_scene::{Driver, GuideId, LinkId, Normal, PointId, Relation, Rolling, RollingId, Scene, Touch};
 use std::f64::consts::TAU;
 
 impl<N: Real> Configuration<N> {

@@ -6,12 +6,12 @@
 
 use super::Path;
 use super::kernel::{Locus, Miss, meet};
-use crate::diag::{Both, Diagnostic, Faults, both};
-use crate::geom::{Point, Vec2};
 use crate::mechanism::Mechanism;
-use crate::number::Real;
-use crate::scene::exact::Inputs;
-use crate::scene::{Direction, Given, GuideId, GuidePath, LinkId, Place, PointId, Scene, Through};
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_scene::exact::Inputs;
+use hodograph_scene::{Direction, Given, GuideId, GuidePath, LinkId, Place, PointId, Scene, Through};
 
 /// How far a link's frame is fixed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,9 +7,9 @@
 //! `analytic` tells singular poses by what the loop equations load, for any block; the two do not know one another.
 
 use super::Configuration;
-use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::{ConstraintLine, Core, Group, Hold, Leg, Mechanism, Strut};
-use crate::scene::{Lang, LinkId, PointId, Scene};
+use hodograph_base::geom::{Point, Vec2, cross_lines};
+use hodograph_scene::{Lang, LinkId, PointId, Scene};
 
 /// At a limit found to the last digit of the driver the sine is the root of the rounding (1e-8 for links of like length),
 /// elsewhere it is not small.

@@ -1,9 +1,9 @@
 //! Where a cam and its follower touch, from the pair that stands for the contact; of a law from the geometry of the cam.
 
 use super::{Configuration, Path};
-use crate::geom::{Point, Vec2};
-use crate::number::Real;
-use crate::scene::{Cam, GuideId, Scene};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_scene::{Cam, GuideId, Scene};
 
 /// Where two contours touch.
 #[derive(Clone, Copy, Debug, PartialEq)]

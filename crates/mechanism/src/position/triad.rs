@@ -5,8 +5,8 @@ use super::Pose;
 use super::eliminant;
 use super::kernel::{Locus, meet};
 use super::proof::{self, Unproven};
-use crate::geom::{Point, Vec2};
-use crate::number::Real;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
 
 /// A leg of the link: where a point of the link must lie, as a function of the link's angle.
 #[derive(Clone, Copy, Debug)]

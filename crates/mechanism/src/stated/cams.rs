@@ -4,9 +4,9 @@
 //! direction of its normal. Which piece of the profile the solver took plays no part.
 
 use super::Judge;
-use crate::cam::{Follower, Motion, Segment, Side, Touch};
-use crate::geom::{Point, Vec2};
-use crate::scene::{Cam, DriverKind, PointId, Turning};
+use hodograph_base::cam::{Follower, Motion, Segment, Side, Touch};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_scene::{Cam, DriverKind, PointId, Turning};
 
 /// Distance of a follower from its cam.
 pub(super) struct Contact {

@@ -7,16 +7,16 @@
 
 mod cams;
 
-use crate::diag::{Both, Diagnostic, Faults, both};
-use crate::digits::significant;
-use crate::geom::{Point, Vec2};
 use crate::mechanism::{Mechanism, Opened};
 use crate::position::Configuration;
-use crate::scene::{
+use cams::Contact;
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_base::digits::significant;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::trig::sin_cos;
+use hodograph_scene::{
     Angle, Contours, Direction, Driver, DriverKind, Given, GuideId, GuidePath, LinkId, Place, PointId, Rolling, Scene, Sizes, Through,
 };
-use crate::trig::sin_cos;
-use cams::Contact;
 use std::f64::consts::TAU;
 
 /// Part of the mechanism's size, or radians, by which a statement may be missed.
@@ -33,7 +33,7 @@ pub struct Breach {
     /// The amount: metres, or radians where an angle is stated.
     pub off: f64,
     /// The statement in the file.
-    pub span: crate::diag::Span,
+    pub span: hodograph_base::diag::Span,
 }
 
 impl Breach {
@@ -125,7 +125,7 @@ impl Judge<'_> {
     }
 
     /// Notes a length that is missed by `off` (m) at a place.
-    fn length_off(&mut self, off: f64, at: Point, span: crate::diag::Span, words: impl FnOnce(&Self) -> Both) {
+    fn length_off(&mut self, off: f64, at: Point, span: hodograph_base::diag::Span, words: impl FnOnce(&Self) -> Both) {
         // What is no number is no proof.
         if off.abs() <= self.slack(at) {
             return;
@@ -135,7 +135,7 @@ impl Judge<'_> {
     }
 
     /// Notes an angle that is missed by `off` (rad).
-    fn angle_off(&mut self, off: f64, span: crate::diag::Span, words: impl FnOnce(String) -> Both) {
+    fn angle_off(&mut self, off: f64, span: hodograph_base::diag::Span, words: impl FnOnce(String) -> Both) {
         let off = off - TAU * libm::round(off / TAU);
         if off.abs() <= SAME {
             return;

@@ -2,10 +2,10 @@
 
 use super::rewrite::{crossing, replace_crossing};
 use super::{Shown, Side, Site, Topology};
-use crate::diag::{Both, both};
-use crate::mechanism::{ConstraintLine, Level};
-use crate::plan::{Body, By, Chain, Plan, Special, SpecialLine, Spot, Step, TermKind, Vertex, VertexId};
-use crate::scene::{GuidePath, LinkId, PointId, Scene};
+use hodograph_base::diag::{Both, both};
+use hodograph_board::plan::{Body, By, Chain, Plan, Special, SpecialLine, Spot, Step, TermKind, Vertex, VertexId};
+use hodograph_mechanism::mechanism::{ConstraintLine, Level};
+use hodograph_scene::{GuidePath, LinkId, PointId, Scene};
 
 /// What is needed to build it.
 struct Found {
@@ -28,9 +28,9 @@ fn normal_line(scene: &Scene, link: LinkId, pin: PointId) -> Option<ConstraintLi
     if let Some(far) = turning {
         return Some(ConstraintLine::Along { near: pin, far: *far });
     }
-    let leads = |g: &&crate::scene::Guide| g.pin == Some(pin) && g.on == scene.ground && matches!(g.path, GuidePath::Line { .. });
+    let leads = |g: &&hodograph_scene::Guide| g.pin == Some(pin) && g.on == scene.ground && matches!(g.path, GuidePath::Line { .. });
     let guide = scene.guides.iter().position(|g| leads(&g))?;
-    Some(ConstraintLine::Normal { pin, guide: crate::scene::GuideId(guide) })
+    Some(ConstraintLine::Normal { pin, guide: hodograph_scene::GuideId(guide) })
 }
 
 /// The crossing that finds one end of a link from the other, both of whose velocities have known directions.

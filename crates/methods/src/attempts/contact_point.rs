@@ -5,16 +5,16 @@
 //! the normal is missing, for the profiles roll and slide past one another and the point of contact changes on both.
 
 use super::{Missing, Shown, Side, Site, Stage, Topology};
-use crate::diag::{Both, both};
-use crate::digits::significant;
-use crate::geom::Vec2;
-use crate::mechanism::Level;
-use crate::plan::{Body, TermKind};
-use crate::position::{Configuration, Path};
-use crate::scene::quantity::{Meaning, PointMotion, Rate};
-use crate::scene::{Angle, Cam, Direction, Find, Follows, Given, Guide, GuidePath, Kind, LinkId, OnLink, PointId, Scene, Through};
-use crate::worked::Worked;
-use crate::worked::contact::{name, with_contact, work_at};
+use hodograph_base::diag::{Both, both};
+use hodograph_base::digits::significant;
+use hodograph_base::geom::Vec2;
+use hodograph_board::plan::{Body, TermKind};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_mechanism::position::{Configuration, Path};
+use hodograph_scene::quantity::{Meaning, PointMotion, Rate};
+use hodograph_scene::{Angle, Cam, Direction, Find, Follows, Given, Guide, GuidePath, Kind, LinkId, OnLink, PointId, Scene, Through};
+use hodograph_worked::worked::Worked;
+use hodograph_worked::worked::contact::{name, with_contact, work_at};
 
 /// Digits of the missing part in the table.
 const DIGITS: usize = 4;
@@ -89,7 +89,7 @@ fn missing(scene: &Scene, [owner, frame]: [LinkId; 2], own: PointId, right: &Sta
     Some(Missing {
         symbol: format!("a^{{n}}_{{{e}{owner}{e}{frame}}}"),
         direction: "\\parallel n\\text{–}n".into(),
-        magnitude: book.label(Kind::Acceleration, &crate::digits::inked(&number)),
+        magnitude: book.label(Kind::Acceleration, &hodograph_base::digits::inked(&number)),
     })
 }
 

@@ -2,10 +2,10 @@
 
 use super::rewrite::{known_terms, leave_out};
 use super::{Shown, Side, Site, Topology};
-use crate::diag::{Both, both};
-use crate::mechanism::Level;
-use crate::plan::{Body, By, Plan, Term, TermKind};
-use crate::scene::{GuideId, LinkId, Scene};
+use hodograph_base::diag::{Both, both};
+use hodograph_board::plan::{Body, By, Plan, Term, TermKind};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::{GuideId, LinkId, Scene};
 
 fn is_at(guide: GuideId) -> impl Fn(&Term) -> bool {
     move |t| t.kind == TermKind::Coriolis && matches!(t.by, By::Guide { guide: g, .. } if g == guide)

@@ -2,10 +2,10 @@
 
 use super::rewrite::{each, steps};
 use super::{Shown, Side, Site, Topology};
-use crate::diag::{Both, both};
-use crate::mechanism::Level;
-use crate::plan::{Plan, Spot, Step, VertexId};
-use crate::scene::{LinkId, PointId, Scene};
+use hodograph_base::diag::{Both, both};
+use hodograph_board::plan::{Plan, Spot, Step, VertexId};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::{LinkId, PointId, Scene};
 
 /// A point found by an image of its link, and a pin of the link with a fixed point of another link that hangs on the pin.
 fn across(scene: &Scene, plan: &Plan, step: &Step) -> Option<(PointId, LinkId, LinkId, [VertexId; 2])> {

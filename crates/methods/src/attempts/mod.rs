@@ -18,11 +18,11 @@ mod solved;
 pub use shown::{Missing, Shown, Side};
 pub use solved::{Attempt, Gap, Row, Stage, solved};
 
-use crate::diag::{Both, Diagnostic, Faults, both};
-use crate::mechanism::Mechanism;
-use crate::plan::Plan;
-use crate::scene::{Attempted, GuideId, LinkId, Mistake, PointId, RollingId, Scene};
-use crate::worked::Worked;
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_board::plan::Plan;
+use hodograph_mechanism::mechanism::Mechanism;
+use hodograph_scene::{Attempted, GuideId, LinkId, Mistake, PointId, RollingId, Scene};
+use hodograph_worked::worked::Worked;
 
 /// A mistake that the scene lets one make, with its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,7 +91,7 @@ impl Site {
             Site::NoNormal(_) | Site::AccelerationByCentre(_) => None,
             Site::RollingPointAZero(r) => Some(name(scene.rolling[r.0].at[0])),
             Site::RollingPointAsBase(_, p) => Some(name(p)),
-            Site::ContactPoint(c, _) => Some(crate::worked::contact::name(scene, c)),
+            Site::ContactPoint(c, _) => Some(hodograph_worked::worked::contact::name(scene, c)),
             Site::ImageAcrossLinks(p, ..) => Some(name(p)),
         }
     }
@@ -118,7 +118,7 @@ impl Site {
             return both!("at {point}, with ω of link {}", "{point} 处，用构件 {} 的角速度", scene.link_name(l));
         }
         if let Site::ContactPoint(c, l) = *self {
-            let point = crate::worked::contact::name(scene, c);
+            let point = hodograph_worked::worked::contact::name(scene, c);
             return both!("at {point}, frame on link {}", "{point} 处，动系取在构件 {} 上", scene.link_name(l));
         }
         if let Site::RollingPointAsBase(r, p) = *self {

@@ -2,10 +2,10 @@
 
 use super::rewrite::{known_terms, leave_out};
 use super::{Shown, Side, Site, Topology};
-use crate::diag::{Both, both};
-use crate::mechanism::Level;
-use crate::plan::{Body, By, Plan, Term, TermKind};
-use crate::scene::{LinkId, Scene};
+use hodograph_base::diag::{Both, both};
+use hodograph_board::plan::{Body, By, Plan, Term, TermKind};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::{LinkId, Scene};
 
 fn is_of(link: LinkId) -> impl Fn(&Term) -> bool {
     move |t| t.kind == TermKind::Normal && t.by == By::Turning(Body::Link(link))

@@ -1,8 +1,8 @@
 //! Changes of a plan: terms left out, a crossing replaced by something else.
 
 use super::Topology;
-use crate::mechanism::Level;
-use crate::plan::{Between, Chain, GroupSteps, Plan, Step, Term, TermKind, VertexId};
+use hodograph_board::plan::{Between, Chain, GroupSteps, Plan, Step, Term, TermKind, VertexId};
+use hodograph_mechanism::mechanism::Level;
 
 /// The steps of a level.
 pub fn steps(plan: &mut Plan, level: Level) -> &mut Vec<GroupSteps> {

@@ -3,11 +3,11 @@
 
 use super::rewrite::{crossing, replace_crossing, steps};
 use super::{Missing, Shown, Side, Site, Topology};
-use crate::diag::{Both, both};
-use crate::mechanism::Level;
-use crate::plan::names::name_label;
-use crate::plan::{Body, By, Chain, Method, Plan, Spot, Step, Term, TermKind, VertexId};
-use crate::scene::{LinkId, Normal, PointId, RollingId, Scene, Touch};
+use hodograph_base::diag::{Both, both};
+use hodograph_board::plan::names::name_label;
+use hodograph_board::plan::{Body, By, Chain, Method, Plan, Spot, Step, Term, TermKind, VertexId};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::{LinkId, Normal, PointId, RollingId, Scene, Touch};
 
 /// The crossing that finds the wheel's point at a contact, and the term along the normal in it.
 fn found(plan: &Plan, pair: RollingId) -> Option<(usize, (VertexId, Term))> {

@@ -1,7 +1,7 @@
 //! The equation in which a mistake is seen, and the vector in it that is framed.
 
-use crate::mechanism::Level;
-use crate::plan::{Plan, Step, Term};
+use hodograph_board::plan::{Plan, Step, Term};
+use hodograph_mechanism::mechanism::Level;
 
 /// Whose equation it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,15 +1,15 @@
 //! A wrong solution drawn beside the right one, and what they give.
 
 use super::{Shown, Side, Site, by_centre, contact_point, coriolis, image, normal, rolling_point};
-use crate::answer::Value;
-use crate::construct::pencil::Exact;
-use crate::construct::{Layout, Polygon, by_hand, read, scale};
-use crate::geom::{Point, Vec2, cross_lines};
-use crate::mechanism::{ConstraintLine, Level};
-use crate::plan::{Plan, Special, SpecialLine, Spot, VertexId};
-use crate::position::{Configuration, Path};
-use crate::scene::{Attempted, ByKind, Given, Scene};
-use crate::worked::Worked;
+use hodograph_base::geom::{Point, Vec2, cross_lines};
+use hodograph_board::construct::pencil::Exact;
+use hodograph_board::construct::{Layout, Polygon, by_hand, read, scale};
+use hodograph_board::plan::{Plan, Special, SpecialLine, Spot, VertexId};
+use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::mechanism::{ConstraintLine, Level};
+use hodograph_mechanism::position::{Configuration, Path};
+use hodograph_scene::{Attempted, ByKind, Given, Scene};
+use hodograph_worked::worked::Worked;
 
 /// What is drawn of a solution.
 #[derive(Clone, Debug)]
@@ -185,7 +185,7 @@ fn is_near(special: &Special, at: &Configuration) -> Option<bool> {
 
 fn rows(scene: &Scene, worked: &Worked, wrong: &[Option<Value>], said: Option<&Attempted>) -> Vec<Row> {
     let printed = |text: &str| said.and_then(|s| s.printed.iter().find(|(f, _)| f.text == text).map(|(_, v)| v.clone()));
-    let row = |(k, r): (usize, &crate::worked::Outcome)| {
+    let row = |(k, r): (usize, &hodograph_worked::worked::Outcome)| {
         let find = &scene.find[r.find];
         // What is no more than rounding is zero.
         let wrong = wrong[r.find].map(|v| v.above(ROUNDING * r.scale));
@@ -204,7 +204,7 @@ fn rows(scene: &Scene, worked: &Worked, wrong: &[Option<Value>], said: Option<&A
 fn gap(right: &Stage, wrong: &Stage, shown: &Shown) -> Option<Gap> {
     let of = |level: Level, v: VertexId| {
         let vertex = right.worked.plan.vertex(v);
-        let same = |w: &crate::plan::Vertex| w.spot == vertex.spot && w.on == vertex.on;
+        let same = |w: &hodograph_board::plan::Vertex| w.spot == vertex.spot && w.on == vertex.on;
         let other = VertexId(wrong.worked.plan.vertices.iter().position(same)?);
         let tips = [right.worked.construction.vector(level, v)?, wrong.worked.construction.vector(level, other)?];
         let mu = right.worked.construction.polygon(level)?.mu;

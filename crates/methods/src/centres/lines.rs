@@ -3,7 +3,7 @@
 //! A place is (x, y, 1), a direction (x, y, 0), a line (a, b, c) with ax + by + cw = 0; join and crossing are cross products. Lengths are
 //! counted from the middle of the mechanism in units of its size, so that a unit vector tells near from far.
 
-use crate::geom::{Point, Vec2};
+use hodograph_base::geom::{Point, Vec2};
 
 /// Where a centre lies.
 #[derive(Clone, Copy, Debug, PartialEq)]

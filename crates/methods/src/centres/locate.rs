@@ -3,9 +3,9 @@
 //! A centre is at infinity only where topology says so, or where the difference of the angular rates is certified to be zero. Where all
 //! lines of a centre coincide in the pose, velocities tell its place, if they can.
 
-use crate::position::Path;
-use crate::scene::{DriverKind, GuideId, Scene};
-use crate::worked::Worked;
+use hodograph_mechanism::position::Path;
+use hodograph_scene::{DriverKind, GuideId, Scene};
+use hodograph_worked::worked::Worked;
 
 use super::lines::{Frame, Place, Ruled, Unit, choose, norm, volume};
 use super::primary::Primary;

@@ -32,13 +32,13 @@ pub use rounds::{Closure, How, Line, Pair, Step};
 pub use task::Task;
 pub use uses::{By, Motion, Speed, Turning, Uses};
 
-use crate::answer::Value;
-use crate::diag::{Both, Diagnostic, Faults, Severity, Warned, both};
-use crate::mechanism::{Demand, Mechanism};
-use crate::position::Configuration;
-use crate::scene::quantity::{self, PointMotion, Rate};
-use crate::scene::{Asked, Find, LinkId, OnLink, PointId, Scene};
-use crate::worked::{Scope, Worked, work, work_placed};
+use hodograph_base::diag::{Both, Diagnostic, Faults, Severity, Warned, both};
+use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::mechanism::{Demand, Mechanism};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::quantity::{self, PointMotion, Rate};
+use hodograph_scene::{Asked, Find, LinkId, OnLink, PointId, Scene};
+use hodograph_worked::worked::{Scope, Worked, work, work_placed};
 use velocities::Velocities;
 
 /// More links than this are refused: their centres are thousands, each with a line through every other link.
@@ -165,8 +165,8 @@ pub fn moving_at_all(scene: &Scene) -> (Scene, bool) {
             driver.rate.value = 1.0;
             driver.rate.radius = 0.0;
             driver.rate.text = match driver.kind {
-                crate::scene::DriverKind::Turn { .. } => "1 rad/s".into(),
-                crate::scene::DriverKind::Slide { .. } | crate::scene::DriverKind::Cylinder { .. } => "1 m/s".into(),
+                hodograph_scene::DriverKind::Turn { .. } => "1 rad/s".into(),
+                hodograph_scene::DriverKind::Slide { .. } | hodograph_scene::DriverKind::Cylinder { .. } => "1 m/s".into(),
             };
         }
     }

@@ -1,10 +1,10 @@
 //! A centre by the normals to two velocities: how a stalled closure is opened on paper.
 
 use super::{Centre, Centres, How, Place};
-use crate::answer::Source;
-use crate::geom::{Point, Vec2};
-use crate::mechanism::Level;
-use crate::scene::PointId;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::PointId;
 
 /// Two velocities nearer to one direction than this (sine) cross badly.
 const SQUARE: f64 = 0.02;

@@ -3,8 +3,8 @@
 //! This is the one place where a kind of pair says what it gives. A pair that rolls or meshes gives its contact as a [`Primary`] of its
 //! own; one that only touches gives its common normal as a [`Normal`].
 
-use crate::scene::exact::Inputs;
-use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
+use hodograph_scene::exact::Inputs;
+use hodograph_scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
 
 /// A centre that needs no line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,7 +4,7 @@
 //! never turn against one another give the line at infinity. Two lines that are not one for topological reasons find the centre. A round
 //! uses what earlier rounds found. Where a round finds nothing, one centre is taken from velocities, and the rounds go on.
 
-use crate::scene::{GuideId, LinkId, PointId, Scene};
+use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 
 use super::primary::{Given, Primary, given};
 

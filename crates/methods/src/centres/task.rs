@@ -1,9 +1,9 @@
 //! Tasks that ask for centres, and what centres answer to questions.
 
 use super::{Centres, centres};
-use crate::mechanism::Level;
-use crate::scene::quantity::Meaning;
-use crate::scene::{Asked, Find, OnLink, Scene};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::quantity::Meaning;
+use hodograph_scene::{Asked, Find, OnLink, Scene};
 
 /// A task that asks for centres.
 #[derive(Clone, Debug)]

@@ -4,13 +4,13 @@
 //! link m has at P_km. The frame f is the link against which the driver's motion is given, mostly the ground. Velocities only: the
 //! acceleration of a centre is not zero.
 
-use crate::answer::Source;
-use crate::geom::{Point, Vec2};
-use crate::mechanism::Level;
-use crate::position::Path;
-use crate::scene::quantity::Meaning;
-use crate::scene::{DriverKind, LinkId, PointId, Scene};
-use crate::worked::Worked;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_mechanism::position::Path;
+use hodograph_scene::quantity::Meaning;
+use hodograph_scene::{DriverKind, LinkId, PointId, Scene};
+use hodograph_worked::worked::Worked;
 
 use super::lines::{Place, SAME};
 use super::locate::Centre;

@@ -1,12 +1,12 @@
 //! What the loop equations say of a centre: P_ij = i (v_i − v_j)/(ω_i − ω_j), v of the links' points at one place.
 
-use crate::answer::Source;
-use crate::certified::certify;
-use crate::certified::ladder::Part;
-use crate::geom::{Point, Vec2};
-use crate::mechanism::Level;
-use crate::scene::{Find, LinkId, PointId, Scene};
-use crate::worked::{Scope, Worked, work};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::{Find, LinkId, PointId, Scene};
+use hodograph_worked::certified::certify;
+use hodograph_worked::certified::ladder::Part;
+use hodograph_worked::worked::{Scope, Worked, work};
 
 use super::lines::{Frame, Place};
 use super::omega;

@@ -6,18 +6,18 @@
 //! a_rⁿ = Ω²ρ₂ − (v_s − Ωρ₂)²/(ρ₁ + ρ₂) along the normal; Ω²ρ₁ + 2Ωv_s for a flat body, Ω²ρ₂ for a flat frame. So it serves, from the cam, from the
 //! follower, and from axes that translate with the centre of the cam's circle, in which that circle stands still.
 //!
-//! The point is another one at the next instant: it is added to the scene in its pose ([`crate::worked::contact`]).
+//! The point is another one at the next instant: it is added to the scene in its pose ([`hodograph_worked::worked::contact`]).
 
 use super::{Choice, Place, Solved, Verdict, choices, judge, solved, usable};
-use crate::answer::Source;
-use crate::diag::{Faults, Warned};
-use crate::geom::Vec2;
-use crate::mechanism::{Demand, Level, Mechanism};
-use crate::position::{self, Configuration};
-use crate::scene::quantity::{Frame, RelativePath};
-use crate::scene::{Follows, LinkId, Moving, OnLink, PointId, Scene};
-use crate::worked::contact::{with_contact, work_at};
-use crate::worked::{Scope, Worked, work};
+use hodograph_base::diag::{Faults, Warned};
+use hodograph_base::geom::Vec2;
+use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
+use hodograph_mechanism::position::{self, Configuration};
+use hodograph_scene::quantity::{Frame, RelativePath};
+use hodograph_scene::{Follows, LinkId, Moving, OnLink, PointId, Scene};
+use hodograph_worked::worked::contact::{with_contact, work_at};
+use hodograph_worked::worked::{Scope, Worked, work};
 
 /// A point of contact of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,7 +77,7 @@ impl Staged {
     /// A scene as it stands in its pose; one that cannot be placed has no contacts.
     pub fn new(scene: &Scene) -> Staged {
         let bare = || Staged { scene: scene.clone(), contacts: Vec::new(), at: None };
-        let offers = |c: &crate::scene::Cam| matches!(c.follows, Follows::Face(_) | Follows::Arc(..)) && c.circle.is_some();
+        let offers = |c: &hodograph_scene::Cam| matches!(c.follows, Follows::Face(_) | Follows::Arc(..)) && c.circle.is_some();
         if !scene.cams.iter().any(offers) {
             return bare();
         }
@@ -135,7 +135,7 @@ impl Staged {
     }
 
     fn named(&self, scene: &Scene) -> Vec<Choice> {
-        let one = |s: &crate::scene::Seen| match s.of {
+        let one = |s: &hodograph_scene::Seen| match s.of {
             Moving::Point(of) => Some(judge(&self.scene, of, s.frame, Place::Named)),
             Moving::Contact { cam, on } => {
                 let contact = self.contacts.iter().find(|c| c.cam == cam)?;

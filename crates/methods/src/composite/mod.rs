@@ -15,9 +15,9 @@ pub use projection::{On, Projection, Term, projections};
 use solved::solved;
 pub use solved::{Closure, Known, Solved, Turned};
 
-use crate::mechanism::Level;
-use crate::scene::quantity::{Frame, RelativePath, owns, relative_path};
-use crate::scene::{GuidePath, LinkId, Moving, OnLink, PointId, Scene};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::quantity::{Frame, RelativePath, owns, relative_path};
+use hodograph_scene::{GuidePath, LinkId, Moving, OnLink, PointId, Scene};
 
 /// Whether a moving point and a frame serve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,11 +40,11 @@ pub enum Place {
     /// The scene names it.
     Named,
     /// A sliding pair.
-    Guide(crate::scene::GuideId),
+    Guide(hodograph_scene::GuideId),
     /// A pin.
     Pin(PointId),
     /// The contact of a rolling pair.
-    Contact(crate::scene::RollingId),
+    Contact(hodograph_scene::RollingId),
     /// The contact of a cam, index into the scene's list.
     Cam(usize),
 }
@@ -101,7 +101,7 @@ pub fn choices(scene: &Scene) -> Vec<Choice> {
         }
     }
     for (g, guide) in scene.guides.iter().enumerate().filter(|(_, g)| g.rolling.is_none()) {
-        list.guide(crate::scene::GuideId(g), guide);
+        list.guide(hodograph_scene::GuideId(g), guide);
     }
     for p in (0..scene.points.len()).map(PointId) {
         list.pin(p);
@@ -112,7 +112,7 @@ pub fn choices(scene: &Scene) -> Vec<Choice> {
         let [a, b] = pair.links;
         for (own, other) in [(a, b), (b, a)] {
             let of = OnLink { point: contact, link: Some(own) };
-            list.add_moving(of, Frame::Link(other), Place::Contact(crate::scene::RollingId(r)));
+            list.add_moving(of, Frame::Link(other), Place::Contact(hodograph_scene::RollingId(r)));
         }
     }
     list.all.truncate(MOST);
@@ -163,7 +163,7 @@ impl List<'_> {
         of.link == Some(self.scene.ground)
     }
 
-    fn guide(&mut self, id: crate::scene::GuideId, guide: &crate::scene::Guide) {
+    fn guide(&mut self, id: hodograph_scene::GuideId, guide: &hodograph_scene::Guide) {
         let (scene, place) = (self.scene, Place::Guide(id));
         let Some(pin) = guide.pin else { return };
         let of_pin = OnLink { point: pin, link: None };

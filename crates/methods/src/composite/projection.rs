@@ -4,10 +4,10 @@
 
 use super::Solved;
 use super::solved::{Closure, Known};
-use crate::geom::Vec2;
-use crate::mechanism::Level;
-use crate::scene::quantity::RelativePath;
-use crate::scene::quantity::composite::Part;
+use hodograph_base::geom::Vec2;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::quantity::RelativePath;
+use hodograph_scene::quantity::composite::Part;
 
 /// A part below this share of the largest stands square to the line, and has no part on it.
 const SQUARE: f64 = 1e-9;

@@ -2,14 +2,14 @@
 
 use super::contact::Slip;
 use super::{Choice, Staged};
-use crate::diag::{Faults, Warned};
-use crate::geom::Vec2;
-use crate::mechanism::Level;
-use crate::position::Path;
-use crate::scene::quantity::composite::Part;
-use crate::scene::quantity::{Composite, Frame, PointMotion, Rate, RelativePath, relative_path};
-use crate::scene::{Asked, Find, Guide, GuidePath, LinkId, OnLink, PointId, Scene};
-use crate::worked::{Outcome, Worked};
+use hodograph_base::diag::{Faults, Warned};
+use hodograph_base::geom::Vec2;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_mechanism::position::Path;
+use hodograph_scene::quantity::composite::Part;
+use hodograph_scene::quantity::{Composite, Frame, PointMotion, Rate, RelativePath, relative_path};
+use hodograph_scene::{Asked, Find, Guide, GuidePath, LinkId, OnLink, PointId, Scene};
+use hodograph_worked::worked::{Outcome, Worked};
 
 /// The parts of one choice.
 #[derive(Clone, Debug)]
@@ -136,8 +136,8 @@ fn parts(staged: &Staged, scene: &Scene, worked: &Worked, c: &Choice, level: Lev
     let value = |what: &Asked| {
         let of = |r: &&Outcome| scene.find[r.find].what == *what;
         match worked.results.iter().find(of)?.value() {
-            crate::answer::Value::Vector(v) => Some(v),
-            crate::answer::Value::Scalar(_) | crate::answer::Value::Point(_) => None,
+            hodograph_mechanism::answer::Value::Vector(v) => Some(v),
+            hodograph_mechanism::answer::Value::Scalar(_) | hodograph_mechanism::answer::Value::Point(_) => None,
         }
     };
     let velocity =
@@ -253,7 +253,7 @@ fn parted(acceleration: &mut Vec<(Option<Part>, Vec2)>, normal: Vec2) {
 
 /// Which of the two motions a plan knows first: that of the earlier group.
 fn known(scene: &Scene, worked: &Worked, c: &Choice) -> Known {
-    use crate::mechanism::{Need, Node, nodes_of};
+    use hodograph_mechanism::mechanism::{Need, Node, nodes_of};
     let m = &worked.mechanism;
     let latest = |need: Need| nodes_of(scene, m, need).into_iter().filter_map(|n: Node| m.group_of(n)).max();
     let of_point = latest(Need::Point(c.of.point, c.of.link));

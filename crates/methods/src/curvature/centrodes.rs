@@ -4,15 +4,15 @@
 //! denominator ω is kept too: between two poses in which ω changes its sign the path passes through infinity, and a figure draws it to the
 //! edge of the paper on both sides.
 
-use crate::analytic;
-use crate::answer::Source;
-use crate::diag::{Diagnostic, Faults, both};
-use crate::geom::{Point, Vec2};
-use crate::mechanism::{Demand, Level, Need};
-use crate::position::Configuration;
-use crate::scene::{Given, LinkId, PointId, Scene};
-use crate::sweep::follow::Follower;
-use crate::worked::Worked;
+use hodograph_analytic as analytic;
+use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::mechanism::{Demand, Level, Need};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::{Given, LinkId, PointId, Scene};
+use hodograph_sweep::follow::Follower;
+use hodograph_worked::worked::Worked;
 
 /// Positions along a centrode: a turn in half degrees, as it bends sharply where it runs through infinity.
 pub const STEPS: usize = 720;

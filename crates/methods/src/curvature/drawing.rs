@@ -10,8 +10,8 @@
 
 use super::known::{Known, Why};
 use super::plane::{End, Line, meet};
-use crate::geom::{Point, Vec2};
-use crate::scene::{PointId, RollingId};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_scene::{PointId, RollingId};
 
 /// How the curvature of a link is drawn.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,9 +6,9 @@
 
 use super::drawing::{Drawing, Rays, Rolled};
 use super::plane::{End, Line, meet};
-use crate::geom::Point;
-use crate::position::{Configuration, Path};
-use crate::scene::{GuideId, LinkId, PointId, RollingId, Scene};
+use hodograph_base::geom::Point;
+use hodograph_mechanism::position::{Configuration, Path};
+use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
 /// Why a centre of curvature is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -142,7 +142,7 @@ impl Places<'_> {
         Some(Known { moving: End::At(self.point(p)?), fixed: End::At(self.point(about)?), why: Why::Crank(p, about, by) })
     }
 
-    fn guided(&self, link: LinkId, g: GuideId, guide: &crate::scene::Guide) -> Option<Known> {
+    fn guided(&self, link: LinkId, g: GuideId, guide: &hodograph_scene::Guide) -> Option<Known> {
         let path = self.at.guides[g.0]?;
         // A line of a block that slides on a link about a fixed pin always leads through that pin.
         if let (true, Path::Line { direction, .. }, Some(pivot)) = (guide.slider == Some(link), path, self.hinge(guide.on)) {
@@ -157,7 +157,7 @@ impl Places<'_> {
                     Known { moving: End::At(place), fixed: End::Infinity(direction.perp()), why: Why::Straight(pin, g) }
                 }
                 Path::Arc { centre, .. } => {
-                    let crate::scene::GuidePath::Arc { centre: about, .. } = guide.path else { return None };
+                    let hodograph_scene::GuidePath::Arc { centre: about, .. } = guide.path else { return None };
                     Known { moving: End::At(place), fixed: End::At(centre), why: Why::Arc(pin, about, g) }
                 }
             });

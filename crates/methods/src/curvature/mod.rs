@@ -21,16 +21,16 @@ pub mod motion;
 #[doc(hidden)]
 pub mod plane;
 
-use crate::analytic::third;
-use crate::answer::{Source, Value};
 use crate::centres::moving_at_all;
-use crate::diag::{Diagnostic, Faults, Severity, Warned, both};
-use crate::geom::{Point, Vec2};
-use crate::mechanism::Level;
-use crate::scene::quantity::{PointMotion, Rate, Turning};
-use crate::scene::{Asked as Question, Find, LinkId, OnLink, PointId, Scene};
-use crate::worked::{Scope, Worked, work};
 use drawing::{Drawing, Traced, traced};
+use hodograph_analytic::third;
+use hodograph_base::diag::{Diagnostic, Faults, Severity, Warned, both};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_mechanism::answer::{Source, Value};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::quantity::{PointMotion, Rate, Turning};
+use hodograph_scene::{Asked as Question, Find, LinkId, OnLink, PointId, Scene};
+use hodograph_worked::worked::{Scope, Worked, work};
 use known::Places;
 use motion::{Bend, Motion, State, Turning as Pole};
 

@@ -8,7 +8,7 @@
 //! # Source
 //! O. Bottema, B. Roth, *Theoretical Kinematics*, ch. VIII; J. Bresse, 1853; R. Ball, 1871.
 
-use crate::geom::{Point, Vec2};
+use hodograph_base::geom::{Point, Vec2};
 
 /// The motion of a plane at one of its places.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 //!
 //! Homogeneous coordinates: a point (x, y, w), a line (a, b, c) with ax + by + cw = 0; both operations are the cross product.
 
-use crate::geom::{Point, Vec2};
+use hodograph_base::geom::{Point, Vec2};
 
 /// A point of the plane, or one at infinity.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,7 +70,7 @@ pub fn meet(a: Line, b: Line) -> Option<End> {
         (Some(p), Some(q)) => {
             let (u, w) = (a.unit()?, b.unit()?);
             if u.cross(w).abs() > PARALLEL {
-                return Some(End::At(crate::geom::cross_lines(p, u, q, w).at));
+                return Some(End::At(hodograph_base::geom::cross_lines(p, u, q, w).at));
             }
             let apart = (q - p).cross(u).abs();
             (apart > PARALLEL * (q - p).norm() && apart > 0.0).then_some(End::Infinity(u))

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::{Basic, Gear, Pair, inv};
-use crate::geom::{Point, Vec2};
+use hodograph_base::geom::{Point, Vec2};
 
 impl Gear {
     /// Half the angle of a tooth (of a ring: of a space) at a radius on or outside the base circle: (π/2 + 2x tan α)/z + inv α − inv α_r.

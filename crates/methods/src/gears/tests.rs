@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::gears::Mate::Gear as External;
-use crate::geom::{Point, Vec2};
+use hodograph_base::geom::{Point, Vec2};
 
 fn degrees(d: f64) -> f64 {
     d * PI / 180.0

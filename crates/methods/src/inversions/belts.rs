@@ -1,7 +1,7 @@
 //! Belts and chains of an inversion: they run as before, whichever link is the ground.
 
 use super::pairs::metres;
-use crate::scene::{Contours, Rolling, RollingKind, Scene};
+use hodograph_scene::{Contours, Rolling, RollingKind, Scene};
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
 

@@ -2,10 +2,10 @@
 //! several pieces or a law, the driver's angle tells what is touched: those are refused.
 
 use super::pairs::metres;
-use crate::diag::{Diagnostic, Faults, both};
-use crate::position::{Configuration, Path};
-use crate::scene::cams::{Cam, Follows};
-use crate::scene::{Guide, PointId, Scene};
+use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_mechanism::position::{Configuration, Path};
+use hodograph_scene::cams::{Cam, Follows};
+use hodograph_scene::{Guide, PointId, Scene};
 use serde_json::{Value as Json, json};
 
 /// Every cam that is not inverted, and why.

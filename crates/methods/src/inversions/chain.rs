@@ -1,6 +1,6 @@
 //! The slider-crank chain: what each of its four links is in it.
 
-use crate::scene::{GuidePath, LinkId, Scene};
+use hodograph_scene::{GuidePath, LinkId, Scene};
 
 /// A link of the slider-crank chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,8 +6,8 @@
 //! the ground it is written as the guide that it is, with the other part as slider.
 
 use super::belts;
-use crate::position::{Configuration, Path};
-use crate::scene::{Contours, Driver, DriverKind, Guide, LinkId, Rolling, RollingKind, Scene, Sizes};
+use hodograph_mechanism::position::{Configuration, Path};
+use hodograph_scene::{Contours, Driver, DriverKind, Guide, LinkId, Rolling, RollingKind, Scene, Sizes};
 use serde_json::{Value as Json, json};
 
 pub(super) fn metres(x: f64) -> String {
@@ -75,7 +75,8 @@ fn gear(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json
 
 /// A drum and the load that its rope draws.
 fn rope(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json> {
-    let ([load, drum], [_, radius]) = (pair.links.map(|l| scene.link_name(l)), pair.sizes(&crate::scene::exact::Inputs::<f64>::of(scene)));
+    let ([load, drum], [_, radius]) =
+        (pair.links.map(|l| scene.link_name(l)), pair.sizes(&hodograph_scene::exact::Inputs::<f64>::of(scene)));
     let centre = scene.point_name(pair.centres()[1]?);
     let at = scene.point_name(pair.contact()?);
     Some(json!({"drum": drum, "centre": centre, "radius": metres(radius), "load": load, "angle": direction, "at": at}))
@@ -87,7 +88,7 @@ fn wheel(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Jso
     let at = scene.point_name(pair.contact()?);
     Some(match &pair.contours {
         Contours::Circles { centres: [track, centre], hollow, .. } => {
-            let [size, own] = pair.sizes(&crate::scene::exact::Inputs::<f64>::of(scene)).map(f64::abs);
+            let [size, own] = pair.sizes(&hodograph_scene::exact::Inputs::<f64>::of(scene)).map(f64::abs);
             json!({
                 "wheel": wheel, "centre": scene.point_name(*centre), "radius": metres(own), "on": on,
                 "track": scene.point_name(*track), "track_radius": metres(size), "inside": hollow.is_some(), "at": at,

@@ -2,8 +2,8 @@
 
 use super::plate::Part;
 use super::{Kind, Problem};
-use crate::diag::{Diagnostic, Span, both};
-use crate::json::fields::suggest;
+use hodograph_base::diag::{Diagnostic, Span, both};
+use hodograph_base::json::fields::suggest;
 
 /// A question.
 #[derive(Clone, Debug, PartialEq)]

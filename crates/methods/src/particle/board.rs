@@ -13,12 +13,12 @@ use super::ask::Asked;
 use super::law::{Way, jet, sine_cosine};
 use super::plate::Part;
 use super::{Kind, Motion, Problem};
-use crate::construct::scale::fitted;
-use crate::diag::{Both, Diagnostic, both};
-use crate::digits::significant;
-use crate::geom::{Point, Vec2};
-use crate::number::{Big, Jet, Real, within};
-use crate::scene::{self, front::Law};
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::digits::significant;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::{Big, Jet, Real, within};
+use hodograph_board::construct::scale::fitted;
+use hodograph_scene::{self as scene, front::Law};
 
 /// Room of a drawing (mm).
 pub const ROOM_MM: [f64; 2] = [70.0, 60.0];

@@ -1,12 +1,12 @@
 //! Ways by laws of time: where a point is on its plane, and how a plate turns, with rate and second derivative, in any number.
 //!
 //! A way gives two coordinates: x and y on the fixed plane, distance from the axis and height along it on a plate. Nothing is
-//! differentiated by hand: the laws are evaluated in jets of time ([`crate::number::Jet`]).
+//! differentiated by hand: the laws are evaluated in jets of time ([`hodograph_base::number::Jet`]).
 
-use crate::diag::Diagnostic;
-use crate::number::{Jet, Real};
-use crate::scene::folded::Folded;
-use crate::scene::front::Law;
+use hodograph_base::diag::Diagnostic;
+use hodograph_base::number::{Jet, Real};
+use hodograph_scene::folded::Folded;
+use hodograph_scene::front::Law;
 
 /// Two coordinates and their derivatives.
 pub type Pair<N> = [Jet<N>; 2];

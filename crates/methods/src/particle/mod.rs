@@ -5,7 +5,7 @@
 //! answers with bounds of their errors: laws are differentiated exactly ([`law`]), a pursuit is integrated ([`pursuit`]), and it says so. The same by
 //! ruler and paper is in [`board`], which knows the laws at the instant and nothing of what is computed here.
 //!
-//! Points that move on links of mechanisms by laws of time are scenes ([`crate::scene`]).
+//! Points that move on links of mechanisms by laws of time are scenes ([`hodograph_scene`]).
 //!
 //! ```
 //! let problem = hodograph::particle::read(hodograph::particle::templates::get("pursuit").unwrap())?.value;
@@ -32,9 +32,9 @@ pub use ask::{Asked, Find, Mutual};
 pub use read::{is_problem, read};
 pub use solve::{Answer, Solved, Value, course, solve, solve_again};
 
-use crate::diag::{Both, Diagnostic};
-use crate::scene::front::Law;
-use crate::scene::{self, Book, Lang, Localized, Paper};
+use hodograph_base::diag::{Both, Diagnostic};
+use hodograph_scene::front::Law;
+use hodograph_scene::{self as scene, Book, Lang, Localized, Paper};
 use law::{Turning, Way};
 
 /// A file, read.

@@ -1,6 +1,6 @@
 //! What is written in a part of a file, whatever else is wrong with it.
 
-use crate::json::{Kind as NodeKind, Node, Word};
+use hodograph_base::json::{Kind as NodeKind, Node, Word};
 
 /// A name in a motion, whatever else is wrong with that.
 pub(super) fn named(node: &Node, wanted: &str) -> Option<Word> {

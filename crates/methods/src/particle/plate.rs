@@ -6,8 +6,8 @@
 
 use super::law::{Turn, jet};
 use super::{Kind, Motion, Plate, Problem};
-use crate::diag::Diagnostic;
-use crate::number::{Jet, Real};
+use hodograph_base::diag::Diagnostic;
+use hodograph_base::number::{Jet, Real};
 
 /// A vector in space, by x, y, z.
 pub type Space<N> = [N; 3];

@@ -7,10 +7,10 @@
 //! is taken as the difference of its last two extrapolations, which is that of the worse of the two.
 
 use super::law::{Way, jet};
-use crate::diag::{Diagnostic, both};
-use crate::number::{Ball, Dd, Real};
-use crate::scene::folded::Folded;
-use crate::scene::front::Law;
+use hodograph_base::diag::{Diagnostic, both};
+use hodograph_base::number::{Ball, Dd, Real};
+use hodograph_scene::folded::Folded;
+use hodograph_scene::front::Law;
 
 /// The code of what is said where the steps do not follow a course to its end.
 pub const LOST: &str = "pursuit-lost";

@@ -5,12 +5,12 @@ use super::law::{Turning, Way, jet};
 use super::peek::{member, named, texts};
 use super::rest;
 use super::{Axis, Kind, Motion, Plate, Problem};
-use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
-use crate::json::fields::{Fields, list, object, suggest, word};
-use crate::json::{self, Kind as NodeKind, Node, Word};
-use crate::scene::Localized;
-use crate::scene::front::{self, Front, Law, RawFront, TIME};
-use crate::scene::units::Wanted;
+use hodograph_base::diag::{Both, Diagnostic, Faults, Span, Warned, both};
+use hodograph_base::json::fields::{Fields, list, object, suggest, word};
+use hodograph_base::json::{self, Kind as NodeKind, Node, Word};
+use hodograph_scene::Localized;
+use hodograph_scene::front::{self, Front, Law, RawFront, TIME};
+use hodograph_scene::units::Wanted;
 
 /// The keys beside those of the front.
 pub(super) const KEYS: [&str; 6] = ["statement", "time", "points", "plates", "motions", "find"];

@@ -3,9 +3,9 @@
 
 use super::law::Way;
 use super::{Kind, Motion, Problem, ask};
-use crate::diag::Span;
-use crate::json::Word;
-use crate::scene::front::Law;
+use hodograph_base::diag::Span;
+use hodograph_base::json::Word;
+use hodograph_scene::front::Law;
 
 /// A place, by name.
 pub(super) type Place = (Word, [Law; 2]);

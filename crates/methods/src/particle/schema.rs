@@ -12,7 +12,7 @@ mod tests {
     use super::*;
     use crate::particle::read::{KEYS, MOTION, PLATE};
     use crate::particle::templates;
-    use crate::scene::front;
+    use hodograph_scene::front;
     use serde_json::Value;
     use std::collections::BTreeSet;
 

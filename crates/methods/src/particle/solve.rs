@@ -7,9 +7,9 @@ use super::ask::{Asked, Mutual};
 use super::plate::State;
 use super::pursuit::{self, Chase, End};
 use super::{Kind, Motion, Problem};
-use crate::diag::{Diagnostic, Faults, both};
-use crate::number::decimal::{Certain, Enclosure};
-use crate::number::{Ball, Big, Dd, Real, within};
+use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_base::number::decimal::{Certain, Enclosure};
+use hodograph_base::number::{Ball, Big, Dd, Real, within};
 
 /// Bits of the longer numbers.
 const BITS: usize = 256;

@@ -1,6 +1,6 @@
 //! Templates of motions without a mechanism, whose parameters can be set.
 
-use crate::diag::Both;
+use hodograph_base::diag::Both;
 
 /// Every template: its name and its text.
 const FILES: &[(&str, &str)] = &[

@@ -3,7 +3,7 @@
 //! Heads are drawn by ourselves, not by SVG markers: a marker takes no part in bounding boxes, its colour does not
 //! follow the line everywhere, and PDF has none.
 
-use crate::geom::{Point, Vec2};
+use hodograph_base::geom::{Point, Vec2};
 
 use super::extent::on_circle;
 

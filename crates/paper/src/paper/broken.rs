@@ -5,7 +5,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::geom::Point;
+use hodograph_base::geom::Point;
 
 use super::extent::{Rect, on_circle};
 use super::item::{Item, Piece, Shape, Stroke};

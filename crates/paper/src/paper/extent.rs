@@ -1,6 +1,6 @@
 //! How much paper an item takes, and moving it there.
 
-use crate::geom::{Point, Vec2};
+use hodograph_base::geom::{Point, Vec2};
 
 use super::arrow;
 use super::item::{Anchor, Item, Piece, Shape, Stroke};

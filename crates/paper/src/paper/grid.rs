@@ -2,7 +2,7 @@
 //!
 //! Decided here: only where cells stand. The origin is the upper left corner; rows go down.
 
-use crate::geom::Point;
+use hodograph_base::geom::Point;
 
 use super::item::{Anchor, Colour, Item, Shape};
 use super::label::Label;

@@ -3,8 +3,8 @@
 //! Decided here: nothing about looks. An item is finished: its writer needs no style, no scene and no solution.
 //! Items are drawn in the order of the list. Only the SVG writer turns y over.
 
-use crate::diag::{Diagnostic, both};
-use crate::geom::Point;
+use hodograph_base::diag::{Diagnostic, both};
+use hodograph_base::geom::Point;
 
 use super::arrow::Head;
 use super::font::own::Fonts;

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::item::{Figure, Item, Shape};
-use crate::geom::Point;
+use hodograph_base::geom::Point;
 
 /// The quantity that an item shows.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::diag::{Diagnostic, both, shortened};
+use hodograph_base::diag::{Diagnostic, both, shortened};
 
 use super::font::{Face, Glyph, Ink, Slant, own::Fonts};
 use super::label::{Label, Node, Role};

@@ -1,7 +1,7 @@
 //! All words on figures, in both languages: one table.
 
-use crate::mechanism::Level;
-use crate::scene::Lang;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::Lang;
 
 /// The words of one language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 //!
 //! Decided here: groups of code and value, as Autodesk's *DXF Reference* for release 12 lists them. Arcs stay arcs; what is no arc is a polyline.
 
-use crate::geom::Vec2;
+use hodograph_base::geom::Vec2;
 
 /// A line of the drawing, in mm.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use gif::{Encoder, Frame, Repeat};
 
-use crate::diag::{Diagnostic, both};
+use hodograph_base::diag::{Diagnostic, both};
 
 use super::png;
 
@@ -56,7 +56,7 @@ pub fn write(frames: &[String], dpi: f64, seconds: f64) -> Result<Vec<u8>, Diagn
     encode(&pictures, [w, h], delay).map_err(|e| fault(both!("the picture cannot be encoded: {e}", "图像不能编码：{e}")))
 }
 
-fn fault(message: crate::diag::Both) -> Diagnostic {
+fn fault(message: hodograph_base::diag::Both) -> Diagnostic {
     Diagnostic::error("gif-size", message)
 }
 

@@ -1,6 +1,6 @@
 //! Ink: numbers, SVG, PNG, PDF; moving pictures as GIF and SVG.
 
-use crate::diag::{Both, Diagnostic};
+use hodograph_base::diag::{Both, Diagnostic};
 
 #[cfg(feature = "png")]
 pub mod diff;

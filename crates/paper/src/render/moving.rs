@@ -5,8 +5,8 @@
 
 use std::collections::HashMap;
 
-use crate::diag::{Faults, both};
 use crate::paper::item::{Colour, Figure};
+use hodograph_base::diag::{Faults, both};
 
 use super::number::mm;
 use super::svg::Elements;
@@ -110,8 +110,8 @@ fn between(shown: &[Vec<String>], from: &[usize], to: &[usize], seconds: f64, ou
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geom::Point;
     use crate::paper::item::{Item, Shape, Stroke};
+    use hodograph_base::geom::Point;
 
     #[test]
     fn what_is_alike_is_written_once_and_the_rest_shown_in_turn() {

@@ -24,14 +24,14 @@ use krilla::{Data, Document, SerializeSettings};
 
 use self::structure::List;
 use super::pages::{Kind, Page, Part};
-use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::geom::{Point, Vec2};
 use crate::paper::arrow;
 use crate::paper::extent::{anchor_shift_em, on_circle};
 use crate::paper::font::FaceKey;
 use crate::paper::item::{Cap, Colour, Figure, Item, Piece, Shape, Stroke};
 use crate::paper::label::Label;
 use crate::paper::text;
+use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
+use hodograph_base::geom::{Point, Vec2};
 
 /// Points of a millimetre: PDF measures in 1/72 inch.
 const POINTS_PER_MM: f32 = 72.0 / 25.4;

@@ -2,7 +2,7 @@
 
 use resvg::{tiny_skia, usvg};
 
-use crate::diag::{Diagnostic, both};
+use hodograph_base::diag::{Diagnostic, both};
 
 /// Millimetres of an inch.
 const INCH_MM: f64 = 25.4;

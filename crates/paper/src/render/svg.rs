@@ -15,13 +15,13 @@ use ::svg::Document;
 use ::svg::node::element::{Circle, Definitions, Description, Group, Line, Path, Rectangle, Title};
 use ::svg::node::{Blob, Node, Text};
 
-use crate::diag::{Faults, Warned, both};
-use crate::geom::Point;
 use crate::paper::arrow;
 use crate::paper::extent::{anchor_shift_em, on_circle};
 use crate::paper::item::{Cap, Colour, Figure, Item, Piece, Shape, Stroke};
 use crate::paper::label::Label;
 use crate::paper::text::{self, Typeset};
+use hodograph_base::diag::{Faults, Warned, both};
+use hodograph_base::geom::Point;
 
 use super::not_finite;
 use super::number::{mm, si};

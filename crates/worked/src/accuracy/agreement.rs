@@ -1,7 +1,7 @@
 //! Drawing against analysis, question by question.
 
-use crate::answer::Value;
-use crate::scene::quantity::Form;
+use hodograph_mechanism::answer::Value;
+use hodograph_scene::quantity::Form;
 
 /// How one question's two answers compare.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +43,7 @@ pub const ROUNDING: f64 = STEPS * f64::EPSILON;
 /// Compares two values of one question.
 ///
 /// `scale` is the largest vector (or rate) of its level; `magnification` is by how much the worst crossing magnifies
-/// rounding there (see [`crate::construct::Construction::magnification`]).
+/// rounding there (see [`hodograph_board::construct::Construction::magnification`]).
 pub fn compare(drawn: Value, computed: Value, scale: f64, magnification: f64) -> Agreement {
     let difference = drawn.apart(&computed).unwrap_or(f64::INFINITY);
     // A place is counted from a chosen origin: how near it lies to that says nothing of its error.
@@ -56,7 +56,7 @@ pub fn compare(drawn: Value, computed: Value, scale: f64, magnification: f64) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geom::Point;
+    use hodograph_base::geom::Point;
 
     #[test]
     fn zero_answers_are_judged_by_their_polygon() {

@@ -1,16 +1,16 @@
 //! Crossings under a bad angle, and what helps in each case: only what has been tried and found to help is proposed.
 
 use super::drafting::{CrossingTolerance, Drawn, Tolerance, crossings, drafting};
-use crate::construct::pencil::Exact;
-use crate::construct::{Action, Construction, Layout, by_hand};
-use crate::diag::{Both, Diagnostic, both};
-use crate::digits::{shortest, significant};
-use crate::mechanism::Level;
-use crate::plan::text::{held_by, vertex_name};
-use crate::plan::{Spot, Step, VertexId};
-use crate::position::Configuration;
-use crate::position::newton::{driver_values, moved};
-use crate::scene::Kind;
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::digits::{shortest, significant};
+use hodograph_board::construct::pencil::Exact;
+use hodograph_board::construct::{Action, Construction, Layout, by_hand};
+use hodograph_board::plan::text::{held_by, vertex_name};
+use hodograph_board::plan::{Spot, Step, VertexId};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_mechanism::position::Configuration;
+use hodograph_mechanism::position::newton::{driver_values, moved};
+use hodograph_scene::Kind;
 use std::collections::BTreeMap;
 
 /// Under this angle (degrees) a pencil error is more than five times magnified (1 / sin 10° = 5.8): the reader is told.

@@ -1,21 +1,21 @@
 //! What drawing by hand is worth: the tolerance of every reading, derived step by step.
 //!
 //! Each mark of the construction is displaced by itself while all other steps are repeated exactly; what the answers do
-//! is the sensitivity to that mark. Marks miss independently and normally ([`Blunt`](crate::construct::pencil::Blunt)), so
+//! is the sensitivity to that mark. Marks miss independently and normally ([`Blunt`](hodograph_board::construct::pencil::Blunt)), so
 //! the variances of what they do add up (the square root of the sum of squares), and the tolerance is the radius within which 95 % of
 //! the answers fall. It is of first order: true while it is small against the answer, and a warning where it is not.
 //! [`simulate`](super::simulate()) is the check.
 
 use super::larger::{Larger, larger};
-use crate::answer::Value;
-use crate::construct::pencil::{Pencil, WITHIN, radius_in_deviations};
-use crate::construct::{Construction, Layout, by_hand, read_by_hand, scale};
-use crate::diag::Faults;
-use crate::geom::{Point, Vec2};
-use crate::mechanism::{Level, Mechanism};
-use crate::plan::{Plan, VertexId};
-use crate::position::Configuration;
-use crate::scene::{Asked, Kind, Scene};
+use hodograph_base::diag::Faults;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::construct::pencil::{Pencil, WITHIN, radius_in_deviations};
+use hodograph_board::construct::{Construction, Layout, by_hand, read_by_hand, scale};
+use hodograph_board::plan::{Plan, VertexId};
+use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::mechanism::{Level, Mechanism};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::{Asked, Kind, Scene};
 
 /// A finished construction with all that is needed to draw it again.
 #[derive(Clone, Debug)]

@@ -1,10 +1,10 @@
 //! How large the drawings have to be for a wanted tolerance.
 
 use super::drafting::Drawn;
-use crate::construct::Layout;
-use crate::construct::scale::finer;
-use crate::mechanism::Level;
-use crate::scene::{ByKind, Kind, Paper};
+use hodograph_board::construct::Layout;
+use hodograph_board::construct::scale::finer;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::{ByKind, Kind, Paper};
 
 /// The relative tolerance that an engineering drawing is expected to give.
 const WANTED: f64 = 0.01;

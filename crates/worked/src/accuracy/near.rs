@@ -5,13 +5,13 @@
 
 use super::agreement::{Agreement, compare};
 use super::written::{Regular, regular};
-use crate::analytic::{Near, Solution};
-use crate::answer::Value;
-use crate::diag::{Diagnostic, both};
-use crate::digits::significant;
-use crate::mechanism::{Demand, Level, Mechanism};
-use crate::position::Configuration;
-use crate::scene::Scene;
+use hodograph_analytic::{Near, Solution};
+use hodograph_base::diag::{Diagnostic, both};
+use hodograph_base::digits::significant;
+use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::Scene;
 
 /// How many digits text answers print unless more are asked for; where fewer are kept, a warning is due.
 const PRINTED: f64 = 6.0;

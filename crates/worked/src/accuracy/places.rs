@@ -4,13 +4,13 @@
 //! Drawing and analysis share the positions: digits that these have lost neither way can notice.
 
 use super::rung::{Climb, Rung};
-use crate::geom::{Point, Vec2};
-use crate::mechanism::{Demand, Mechanism};
-use crate::motion::Moved;
-use crate::number::Real;
-use crate::number::decimal::Certain;
-use crate::position::{self, Configuration, Path, Pose};
-use crate::scene::Scene;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_base::number::decimal::Certain;
+use hodograph_mechanism::mechanism::{Demand, Mechanism};
+use hodograph_mechanism::motion::Moved;
+use hodograph_mechanism::position::{self, Configuration, Path, Pose};
+use hodograph_scene::Scene;
 
 /// Positions whose bound is within this part of the mechanism's size are taken as they are. A crossing under the angle φ magnifies
 /// rounding by 1/sin φ: a bound of 6e-14 stands for a crossing under a degree or two, or for a chain of many dyads.

@@ -1,8 +1,8 @@
 //! The rungs of the precision ladder: balls over `f64`, over double-double, over longer and longer numbers.
 
-use crate::motion::Moved;
-use crate::number::decimal::Certain;
-use crate::number::{Ball, Big, Dd, within};
+use hodograph_base::number::decimal::Certain;
+use hodograph_base::number::{Ball, Big, Dd, within};
+use hodograph_mechanism::motion::Moved;
 
 /// A rung of the ladder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -1,8 +1,8 @@
 //! Drawing many times with a blunt pencil, and how far the readings lie from the truth.
 
 use super::drafting::{Drawn, difference};
-use crate::construct::Layout;
-use crate::construct::pencil::Blunt;
+use hodograph_board::construct::Layout;
+use hodograph_board::construct::pencil::Blunt;
 
 /// Errors of one answer over many drawings.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +34,7 @@ pub fn simulate(drawn: &Drawn, pencil_mm: f64, runs: usize, seed: u64) -> Vec<Op
             });
         }
     }
-    let of = |(list, value): (Vec<f64>, &Option<crate::answer::Value>)| summary(list, (*value)?.magnitude());
+    let of = |(list, value): (Vec<f64>, &Option<hodograph_mechanism::answer::Value>)| summary(list, (*value)?.magnitude());
     errors.into_iter().zip(&drawn.values).map(of).collect()
 }
 

@@ -5,13 +5,13 @@
 //! is written, and a group whose pivots are surely not zero has one motion.
 
 use super::rung::{Climb, Rung};
-use crate::answer::{Value, evaluate};
-use crate::mechanism::{Demand, Mechanism};
-use crate::motion::{self, Moved};
-use crate::number::Real;
-use crate::number::decimal::Certain;
-use crate::position::{self, Configuration};
-use crate::scene::{Find, Place, Scene};
+use hodograph_base::number::Real;
+use hodograph_base::number::decimal::Certain;
+use hodograph_mechanism::answer::{Value, evaluate};
+use hodograph_mechanism::mechanism::{Demand, Mechanism};
+use hodograph_mechanism::motion::{self, Moved};
+use hodograph_mechanism::position::{self, Configuration};
+use hodograph_scene::{Find, Place, Scene};
 
 /// A pose that is not singular as written.
 #[derive(Clone, Debug, PartialEq)]

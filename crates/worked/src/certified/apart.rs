@@ -1,8 +1,8 @@
 //! Answers that are looked at together although some of them may rest on a group that does not close.
 
 use super::ladder::Why;
-use crate::diag::Diagnostic;
-use crate::mechanism::Demand;
+use hodograph_base::diag::Diagnostic;
+use hodograph_mechanism::mechanism::Demand;
 
 /// Looks at some answers together.
 type Look<'a, T> = &'a dyn Fn(&[usize]) -> Result<Vec<Result<T, Why>>, Diagnostic>;
@@ -57,8 +57,8 @@ pub(super) fn apart<T>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diag::Both;
-    use crate::mechanism::Level;
+    use hodograph_base::diag::Both;
+    use hodograph_mechanism::mechanism::Level;
     use std::cell::Cell;
 
     /// A chain of groups, each resting on the one before it, of which one does not close: what rests on it is refused, the rest is told,

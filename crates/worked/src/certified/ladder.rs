@@ -7,19 +7,19 @@ use super::apart::apart;
 pub use super::printed::Part;
 use super::printed::with_printed;
 use crate::accuracy::{Climb, Rung};
-use crate::answer::{Value, evaluate};
-use crate::construct::scale;
-use crate::diag::{Both, Diagnostic, Faults, both};
-use crate::digits;
-use crate::geom::Vec2;
-use crate::mechanism::Demand;
-use crate::motion::Moved;
-use crate::number::Real;
-use crate::number::decimal::{Certain, Enclosure};
-use crate::position::Configuration;
-use crate::scene::{Kind, Lang, Scene};
 use crate::worked::{Outcome, Worked};
-use crate::{motion, position};
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_base::digits;
+use hodograph_base::geom::Vec2;
+use hodograph_base::number::Real;
+use hodograph_base::number::decimal::{Certain, Enclosure};
+use hodograph_board::construct::scale;
+use hodograph_mechanism::answer::{Value, evaluate};
+use hodograph_mechanism::mechanism::Demand;
+use hodograph_mechanism::motion::Moved;
+use hodograph_mechanism::position::Configuration;
+use hodograph_mechanism::{motion, position};
+use hodograph_scene::{Kind, Lang, Scene};
 
 /// A number with an interval that surely contains it.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,9 +2,9 @@
 //! there and rounded once.
 
 use super::ladder::{Certified, Number, Why};
-use crate::answer::Value;
-use crate::number::decimal::Certain;
-use crate::scene::{Asked, Book};
+use hodograph_base::number::decimal::Certain;
+use hodograph_mechanism::answer::Value;
+use hodograph_scene::{Asked, Book};
 
 /// Which number of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

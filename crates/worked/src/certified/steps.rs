@@ -6,17 +6,17 @@
 
 use super::ladder::{Number, READING_DIGITS, Why};
 use crate::accuracy::{Climb, Rung};
-use crate::construct::pencil::Exact;
-use crate::construct::{Action, Construction, Edge, Layout, Mark, Polygon, by_hand, scale};
-use crate::geom::Vec2;
-use crate::mechanism::Level;
-use crate::motion::Moved;
-use crate::number::Real;
-use crate::number::decimal::Certain;
-use crate::plan::VertexId;
-use crate::position;
-use crate::scene::{Book, Kind, Scene};
 use crate::worked::Worked;
+use hodograph_base::geom::Vec2;
+use hodograph_base::number::Real;
+use hodograph_base::number::decimal::Certain;
+use hodograph_board::construct::pencil::Exact;
+use hodograph_board::construct::{Action, Construction, Edge, Layout, Mark, Polygon, by_hand, scale};
+use hodograph_board::plan::VertexId;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_mechanism::motion::Moved;
+use hodograph_mechanism::position;
+use hodograph_scene::{Book, Kind, Scene};
 use std::collections::BTreeMap;
 
 /// Which number of a step.

@@ -8,10 +8,10 @@ pub mod truth;
 pub mod ways;
 
 use crate::certified::ladder::Certified;
-use crate::construct::{Action, Mark, Polygon};
-use crate::mechanism::Level;
-use crate::plan::Step;
 use crate::worked::Worked;
+use hodograph_board::construct::{Action, Mark, Polygon};
+use hodograph_board::plan::Step;
+use hodograph_mechanism::mechanism::Level;
 
 /// What was done at one level of motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

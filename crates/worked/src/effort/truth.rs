@@ -4,16 +4,16 @@
 //! Only the positions are shared with the rest. With 640 bits and a time of 2^-180 s the formula's own error is near 1e-108
 //! of the third derivative, rounding near 1e-84: no formula for a velocity or an acceleration is believed.
 
-use crate::answer::{Source, Value, evaluate};
-use crate::diag::Faults;
-use crate::geom::{Point, Vec2};
-use crate::mechanism::Level;
-use crate::number::{Big, Real};
-use crate::position::{self, Configuration};
-use crate::scene::{LinkId, PointId, Scene};
 use crate::worked::Worked;
+use hodograph_base::diag::Faults;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::{Big, Real};
+use hodograph_mechanism::answer::{Source, Value, evaluate};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_mechanism::position::{self, Configuration};
+use hodograph_scene::{LinkId, PointId, Scene};
 
-/// Bits of the numbers in which [`answers`] must run: see [`crate::number::within`].
+/// Bits of the numbers in which [`answers`] must run: see [`hodograph_base::number::within`].
 pub const BITS: usize = 640;
 
 /// Exponent of the time step.

@@ -7,19 +7,19 @@
 use super::truth::Differences;
 use crate::accuracy::Rung;
 use crate::accuracy::{Errors, simulate};
-use crate::analytic;
-use crate::answer::{Source, Value, evaluate};
-use crate::construct::pencil::Single;
-use crate::construct::scale::Boxes;
-use crate::construct::{self, Layout};
-use crate::diag::{Diagnostic, Faults, both};
-use crate::mechanism::Level;
-use crate::number::{Ball, Big, Dd, Kept, Real, within};
-use crate::position::{Configuration, newton};
-use crate::scene::{Scene, driver_position, with_driver_at};
-use crate::sweep::extreme::ends;
 use crate::worked::{Scope, Worked, work};
-use crate::{motion, position};
+use hodograph_analytic as analytic;
+use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_base::number::{Ball, Big, Dd, Kept, Real, within};
+use hodograph_board::construct::pencil::Single;
+use hodograph_board::construct::scale::Boxes;
+use hodograph_board::construct::{self, Layout};
+use hodograph_mechanism::answer::{Source, Value, evaluate};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_mechanism::position::{Configuration, newton};
+use hodograph_mechanism::{motion, position};
+use hodograph_scene::{Scene, driver_position, with_driver_at};
+use hodograph_sweep::extreme::ends;
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -329,7 +329,7 @@ fn one(scene: &Scene, worked: &Worked, truth: &[Option<Long>], way: Way, watch: 
 
 /// The radius of each answer in one rung.
 fn certified(scene: &Scene, worked: &Worked, rung: Rung) -> Vec<Option<f64>> {
-    fn radii<M: crate::number::ball::Middle>(scene: &Scene, worked: &Worked) -> Vec<Option<f64>>
+    fn radii<M: hodograph_base::number::ball::Middle>(scene: &Scene, worked: &Worked) -> Vec<Option<f64>>
     where
         Ball<M>: motion::Moved,
     {

@@ -3,11 +3,11 @@
 //! In the next instant another point is touched, so it is no point of the scene; in a solved pose it can be added to it, its place in the link
 //! known, and what moves there be asked as of any other point.
 
-use crate::geom::Point;
-use crate::mechanism::{Demand, Mechanism};
-use crate::position::Configuration;
-use crate::scene::{LinkId, Place, PointId, Scene};
 use crate::worked::{Worked, work_placed};
+use hodograph_base::geom::Point;
+use hodograph_mechanism::mechanism::{Demand, Mechanism};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::{LinkId, Place, PointId, Scene};
 
 /// The name of the point of contact: that of the scene, or E, or the next letter that is free.
 pub fn name(scene: &Scene, cam: usize) -> String {
@@ -32,7 +32,7 @@ pub fn with_contact(
     let pose = at.poses[owner.0]?;
     let (name, span) = (name(&scene, index), scene.cams[index].span);
     let own = scene.cams[index].touch.take().unwrap_or_else(|| {
-        scene.points.push(crate::scene::Point { name, place: Place::Unknown, sketch: None, span });
+        scene.points.push(hodograph_scene::Point { name, place: Place::Unknown, sketch: None, span });
         at.points.push(None);
         PointId(scene.points.len() - 1)
     });

@@ -1,13 +1,13 @@
 //! Questions whose answer is no value: those that have none in the pose, and instantaneous centres at infinity, which are told as directions.
 
-use crate::analytic::{Refused, Solution};
-use crate::answer::Value;
-use crate::diag::Both;
-use crate::digits::line_degrees;
-use crate::geom::Vec2;
-use crate::position::Configuration;
-use crate::scene::quantity::{Asked, PointMotion, Rate, Turning};
-use crate::scene::{LinkId, OnLink, PointId, Scene};
+use hodograph_analytic::{Refused, Solution};
+use hodograph_base::diag::Both;
+use hodograph_base::digits::line_degrees;
+use hodograph_base::geom::Vec2;
+use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::quantity::{Asked, PointMotion, Rate, Turning};
+use hodograph_scene::{LinkId, OnLink, PointId, Scene};
 
 /// What rounding leaves of a relative velocity, as a part of the larger of the two.
 const ROUNDING: f64 = 1e-12;

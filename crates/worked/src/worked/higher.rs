@@ -1,9 +1,9 @@
 //! Groups higher than class III: which of them the special points draw, and what is said of them.
 
-use crate::diag::{Both, Diagnostic, both};
-use crate::mechanism::{Core, Group, Item, Mechanism};
-use crate::plan::Plan;
-use crate::scene::Scene;
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_board::plan::Plan;
+use hodograph_mechanism::mechanism::{Core, Group, Item, Mechanism};
+use hodograph_scene::Scene;
 
 /// The groups without a core that a plan draws.
 pub(super) fn drawn_by_special_points(mechanism: &Mechanism, plan: &Plan) -> Vec<usize> {

@@ -5,13 +5,13 @@
 //! on the piece that it was read with, and taken over to the other where that is the one that follows. Where one link carries both, the scene
 //! has decided it when it was read.
 
-use crate::analytic::{self, Solution};
-use crate::answer::{Source, Value};
-use crate::diag::{Both, Diagnostic, Faults, Severity, Warned, both};
-use crate::digits::significant;
-use crate::mechanism::{Demand, Level, Mechanism};
-use crate::position::{self, Configuration, pieces};
-use crate::scene::{Cam, Find, Kind, Pieces, Scene};
+use hodograph_analytic::{self as analytic, Solution};
+use hodograph_base::diag::{Both, Diagnostic, Faults, Severity, Warned, both};
+use hodograph_base::digits::significant;
+use hodograph_mechanism::answer::{Source, Value};
+use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
+use hodograph_mechanism::position::{self, Configuration, pieces};
+use hodograph_scene::{Cam, Find, Kind, Pieces, Scene};
 
 /// A contact nearer to an end of its piece than this (rad, or a part of a line) is on the joint: what nine digits of a pose can tell.
 const ON_THE_JOINT: f64 = 1e-9;

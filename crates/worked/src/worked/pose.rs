@@ -7,15 +7,15 @@
 use super::higher;
 use super::sizes::Sizes;
 use crate::accuracy::{Agreement, Kept, Regular, Ways, compare, estimated, groups_of_question, kept, regular, settled_finely};
-use crate::analytic::{self, Solution};
-use crate::answer::Value;
-use crate::construct::scale::Boxes;
-use crate::construct::{self, Answer, Construction};
-use crate::diag::{Both, Diagnostic, Faults, both};
-use crate::mechanism::{Demand, Level, Mechanism};
-use crate::plan::{self, Plan};
-use crate::position::Configuration;
-use crate::scene::{LinkId, PointId, Scene};
+use hodograph_analytic::{self as analytic, Solution};
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_board::construct::scale::Boxes;
+use hodograph_board::construct::{self, Answer, Construction};
+use hodograph_board::plan::{self, Plan};
+use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::{LinkId, PointId, Scene};
 
 /// Input of the stages from positions on.
 #[derive(Clone, Copy)]

@@ -1,11 +1,11 @@
 //! Motions of scenes with cams. Each pose has its own replacement of them, as [`work`] has that of the instant.
 
 use super::{Scope, Worked, instant, work, work_placed};
-use crate::diag::Faults;
-use crate::mechanism::{Demand, Mechanism};
-use crate::position::{self, Configuration};
-use crate::scene::{PointId, Scene};
-use crate::sweep::follow::course::over_a_turn;
+use hodograph_base::diag::Faults;
+use hodograph_mechanism::mechanism::{Demand, Mechanism};
+use hodograph_mechanism::position::{self, Configuration};
+use hodograph_scene::{PointId, Scene};
+use hodograph_sweep::follow::course::over_a_turn;
 
 /// Points of two readings of a scene are in one place if they lie no farther apart than this part of its extent: an assembly that is another one
 /// differs by more, rounding by less.

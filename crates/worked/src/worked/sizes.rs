@@ -2,11 +2,11 @@
 //!
 //! Decided here: what counts as large in a pose. They are found once for a construction, as a sheet may ask for thousands of answers.
 
-use crate::answer::Value;
-use crate::construct::{self, Construction};
-use crate::mechanism::Level;
-use crate::position::Configuration;
-use crate::scene::{Driver, Scene};
+use hodograph_board::construct::{self, Construction};
+use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::{Driver, Scene};
 
 /// The sizes of a pose and of its polygons.
 pub(super) struct Sizes {

@@ -1,10 +1,10 @@
 //! What a scene means where it says a thing in another way than usual: seen in what is answered and told.
 
 use super::{Scope, work};
-use crate::analytic::SingularKind;
-use crate::answer::Value;
-use crate::diag::Diagnostic;
-use crate::scene::{read, templates};
+use hodograph_analytic::SingularKind;
+use hodograph_base::diag::Diagnostic;
+use hodograph_mechanism::answer::Value;
+use hodograph_scene::{read, templates};
 
 fn values(source: &str) -> Vec<Value> {
     let scene = read(source).unwrap_or_else(|f| panic!("{f}")).value;
@@ -175,7 +175,7 @@ fn what_rest_leaves_undefined_is_one_answer_of_many() {
         // Those that the scene has.
         asked.retain(|q| {
             json["find"] = serde_json::json!([q]);
-            read(json.to_string()).is_ok_and(|s| crate::scene::quantity::undefined(&s.value).list.is_empty())
+            read(json.to_string()).is_ok_and(|s| hodograph_scene::quantity::undefined(&s.value).list.is_empty())
         });
         json["find"] = serde_json::json!(asked);
         let mut scene = read(json.to_string()).unwrap_or_else(|f| panic!("{template}: {f}")).value;

@@ -2,8 +2,8 @@
 //! turn as two wheels that roll on one another do, in an open belt as one inside the other.
 
 use super::{Demands, Kind};
-use crate::diag::both;
-use crate::scene::RollingKind;
+use hodograph_base::diag::both;
+use hodograph_scene::RollingKind;
 
 pub(super) const BELT: Kind = Kind {
     form: Demands::Rolling { kind: RollingKind::Belt, told: |a, b| both!("a belt runs round {a} and {b}", "带绕过带轮 {a} 与 {b}") },

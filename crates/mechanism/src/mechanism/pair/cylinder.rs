@@ -1,7 +1,7 @@
 //! A cylinder: a driver of the distance of two pins. Barrel and rod follow it.
 
 use super::{Demands, DriverForm, Form, Kind};
-use crate::diag::both;
+use hodograph_base::diag::both;
 
 pub(super) const CYLINDER: Kind = Kind {
     form: Demands::Driver(DriverForm {

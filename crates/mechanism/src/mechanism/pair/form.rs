@@ -6,7 +6,7 @@
 //! equations it is, what has to be laid in a link for it.
 
 use super::super::Node;
-use crate::scene::{GuideId, LinkId, PointId, RollingId};
+use hodograph_scene::{GuideId, LinkId, PointId, RollingId};
 
 /// A statement about where points and links are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

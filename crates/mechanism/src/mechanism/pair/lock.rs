@@ -4,8 +4,8 @@
 //! which turn with the tangent.
 
 use super::{Demands, Form, Kind};
-use crate::diag::both;
-use crate::scene::GuidePath;
+use hodograph_base::diag::both;
+use hodograph_scene::GuidePath;
 
 pub(super) const LOCK: Kind = Kind {
     form: Demands::Guide(|_, g| match g.path {

@@ -20,8 +20,8 @@ mod turning;
 pub use form::{Form, Runner};
 
 use super::Node;
-use crate::diag::{Both, Span};
-use crate::scene::{DriverKind, Guide, GuideId, LinkId, PointId, RollingId, RollingKind, Scene};
+use hodograph_base::diag::{Both, Span};
+use hodograph_scene::{DriverKind, Guide, GuideId, LinkId, PointId, RollingId, RollingKind, Scene};
 
 /// What of a scene constrains: a point on a link, a guide, a driver, a rolling pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! A pin on a link: the links that meet at a pin each hold their own point there.
 
 use super::{Demands, Form, Kind};
-use crate::diag::both;
+use hodograph_base::diag::both;
 
 pub(super) const PIN: Kind = Kind {
     form: Demands::Pin(|pin, link| Some(Form::Meet { pin, link })),

@@ -1,8 +1,8 @@
 //! Rolling pairs: gears in mesh or on a rack, and a wheel on its track.
 
 use super::{Demands, Kind};
-use crate::diag::both;
-use crate::scene::RollingKind;
+use hodograph_base::diag::both;
+use hodograph_scene::RollingKind;
 
 /// Two links with teeth; their rolling contours are pitch circles and pitch lines.
 pub(super) const GEARS: Kind = Kind {

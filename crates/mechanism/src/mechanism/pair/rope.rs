@@ -1,8 +1,8 @@
 //! A rope between a drum and the load that it draws along: it neither stretches nor slips.
 
 use super::{Demands, Kind};
-use crate::diag::both;
-use crate::scene::RollingKind;
+use hodograph_base::diag::both;
+use hodograph_scene::RollingKind;
 
 pub(super) const ROPE: Kind = Kind {
     form: Demands::Rolling {

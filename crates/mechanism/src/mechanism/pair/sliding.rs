@@ -1,7 +1,7 @@
 //! A driver that slides a pin or a slider along its guide.
 
 use super::{Demands, DriverForm, Form, Kind, Node, Runner};
-use crate::diag::both;
+use hodograph_base::diag::both;
 
 pub(super) const SLIDING: Kind = Kind {
     form: Demands::Driver(DriverForm {

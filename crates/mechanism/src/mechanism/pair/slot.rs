@@ -1,7 +1,7 @@
 //! A pin in a guide, straight or along an arc.
 
 use super::{Demands, Form, Kind, Runner};
-use crate::diag::both;
+use hodograph_base::diag::both;
 
 pub(super) const SLOT: Kind = Kind {
     form: Demands::Guide(|guide, g| Some(Form::OnPath { runner: Runner::Pin(g.pin?), guide, on: g.on })),

@@ -1,7 +1,7 @@
 //! A turning driver: a crank against ground or against another link.
 
 use super::{Demands, DriverForm, Form, Kind};
-use crate::diag::both;
+use hodograph_base::diag::both;
 
 pub(super) const TURNING: Kind = Kind {
     form: Demands::Driver(DriverForm {

@@ -5,12 +5,12 @@
 //! pose that is meant.
 
 use super::{Coupled, Placed};
-use crate::geom::{Point, Vec2};
-use crate::number::Real;
 use crate::position::equations::View;
 use crate::position::rolling::whole;
 use crate::position::{Configuration, Path};
-use crate::scene::{GuideId, LinkId, PointId, Relation, RollingId};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_scene::{GuideId, LinkId, PointId, Relation, RollingId};
 
 /// By how much a pair misses rolling, as an angle of its second link, and the coefficients of that in the lengths by which steps are counted.
 pub(super) struct Slip<N> {

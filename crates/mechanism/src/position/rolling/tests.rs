@@ -3,7 +3,7 @@
 use super::*;
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::configure;
-use crate::scene;
+use hodograph_scene as scene;
 
 #[test]
 fn whole_turns_are_those_of_what_is_known_roughly() {

@@ -6,11 +6,11 @@ use super::super::pursuit::{Chase, End};
 use super::super::solve::course;
 use super::super::{Motion, Problem};
 use super::{Drawn, ROOM_MM, Told, Views, arrow, mm, most};
-use crate::construct::scale::{choose_in, fitted};
-use crate::diag::{Both, Diagnostic, both};
-use crate::geom::{Point, Vec2};
-use crate::number::Real;
-use crate::scene;
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_board::construct::scale::{choose_in, fitted};
+use hodograph_scene as scene;
 
 /// Room of the course (mm).
 const COURSE_MM: [f64; 2] = [120.0, 75.0];

@@ -13,7 +13,7 @@ use skrifa::attribute::Style;
 use skrifa::string::StringId;
 
 use super::{Bytes, Cut, Face, Loaded, Slant};
-use crate::diag::{Both, Diagnostic, both};
+use hodograph_base::diag::{Both, Diagnostic, both};
 
 /// The largest font file that is read: whole Chinese fonts are smaller.
 pub const LARGEST: usize = 64 << 20;

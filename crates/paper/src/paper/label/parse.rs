@@ -1,7 +1,7 @@
 //! The parser of the label language: characters to rows of atoms.
 
-use crate::diag::{Both, Diagnostic, both};
 use crate::paper::font::Slant;
+use hodograph_base::diag::{Both, Diagnostic, both};
 
 use super::{Node, Role};
 

@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_4, TAU};
 use std::sync::LazyLock;
 
-use crate::geom::{Point, Vec2};
 use crate::paper::extent::Rect;
+use hodograph_base::geom::{Point, Vec2};
 
 use super::{Reads, Target, Wanted};
 

@@ -94,8 +94,8 @@ fn best(raster: &mut Raster, wanted: &Wanted, paper: Rect, stood: Option<usize>,
 mod tests {
     use super::super::raster::CELL_MM;
     use super::*;
-    use crate::geom::{Point, Vec2};
     use crate::paper::label::Label;
+    use hodograph_base::geom::{Point, Vec2};
 
     /// Points on a spiral, as densely as they come, with a line from each to the next.
     fn crowd(n: usize, side_mm: f64) -> (Vec<LabelRequest>, Obstacles, Rect) {

@@ -1,7 +1,7 @@
 //! What a place costs, in millimetres of foreign line covered.
 
-use crate::geom::{Point, Vec2};
 use crate::paper::extent::Rect;
+use hodograph_base::geom::{Point, Vec2};
 
 use super::candidate::{Candidate, FACTOR_MM, nearest};
 use super::obstacle::{Bar, Disc, Obstacles};

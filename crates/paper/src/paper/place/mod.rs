@@ -21,7 +21,7 @@ pub use raster::Raster;
 
 use std::f64::consts::PI;
 
-use crate::geom::{Point, Vec2};
+use hodograph_base::geom::{Point, Vec2};
 
 use super::extent::Rect;
 use super::item::{Anchor, Colour, Item, Piece, Shape, Stroke};

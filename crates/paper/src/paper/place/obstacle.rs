@@ -1,9 +1,9 @@
 //! What labels keep off: the ink of the items, as lines with a width, discs and boxes.
 
-use crate::geom::Point;
 use crate::paper::arrow;
 use crate::paper::extent::{Rect, on_circle, turned_corners};
 use crate::paper::item::{Item, Piece, Shape, Stroke};
+use hodograph_base::geom::Point;
 
 /// A straight piece of ink.
 #[derive(Clone, Copy, Debug, PartialEq)]

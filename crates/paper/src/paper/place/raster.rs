@@ -2,8 +2,8 @@
 //!
 //! What is asked of it takes time that goes with the cells in question, however much is drawn.
 
-use crate::geom::{Point, Vec2};
 use crate::paper::extent::Rect;
+use hodograph_base::geom::{Point, Vec2};
 
 use super::cost;
 use super::obstacle::Obstacles;

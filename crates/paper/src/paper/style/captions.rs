@@ -1,13 +1,13 @@
 //! Names under drawings and over what is written that a style gives in place of the usual ones, for each language.
 
-use crate::diag::{Diagnostic, Faults, both};
-use crate::json::fields::Fields;
-use crate::json::{Node, Word};
-use crate::mechanism::Level;
 use crate::paper::phrase::Phrase;
 use crate::paper::text;
 use crate::paper::words::{Words, words};
-use crate::scene::{Lang, localized};
+use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_base::json::fields::Fields;
+use hodograph_base::json::{Node, Word};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::{Lang, localized};
 
 /// Longest caption: a line of A4.
 const LONGEST: usize = 80;

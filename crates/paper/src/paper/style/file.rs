@@ -5,14 +5,14 @@
 //! ```
 
 use super::{Marks, Style};
-use crate::diag::{Diagnostic, Faults, both};
-use crate::json::fields::{Fields, What, list, suggest, word, wrong};
-use crate::json::{self, Kind, Node};
 use crate::paper::font::own::Fonts;
 use crate::paper::item::Colour;
 use crate::paper::label::Label;
 use crate::paper::text;
-use crate::plan::notation::Vectors;
+use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_base::json::fields::{Fields, What, list, suggest, word, wrong};
+use hodograph_base::json::{self, Kind, Node};
+use hodograph_board::plan::notation::Vectors;
 
 /// A length that a style sets: its key, where it is kept, and its bounds in mm.
 type Length = (&'static str, fn(&mut Style) -> &mut f64, [f64; 2]);
@@ -252,9 +252,9 @@ fn marks(node: &Node, marks: &mut Marks, faults: &mut Faults) {
 mod tests {
     use super::super::Captioned;
     use super::*;
-    use crate::diag::Both;
-    use crate::mechanism::Level;
-    use crate::scene::Lang;
+    use hodograph_base::diag::Both;
+    use hodograph_mechanism::mechanism::Level;
+    use hodograph_scene::Lang;
 
     #[test]
     fn captions_and_vectors_of_a_style() {

@@ -1,8 +1,8 @@
 //! Revolute joints, supports and the ground.
 
-use crate::geom::{Point, Vec2};
 use crate::paper::item::{Colour, Item, Piece, Shape};
 use crate::paper::style::Style;
+use hodograph_base::geom::{Point, Vec2};
 
 /// A revolute joint: a white circle over the links that it joins.
 pub fn pin(style: &Style, at: Point) -> Vec<Item> {

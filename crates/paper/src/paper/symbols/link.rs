@@ -1,8 +1,8 @@
 //! Links: bars, plates, and the mark of a rigid corner.
 
-use crate::geom::Point;
 use crate::paper::item::{Cap, Colour, Dash, Item, Shape, Stroke};
 use crate::paper::style::Style;
+use hodograph_base::geom::Point;
 
 /// A link with two joints, or a bent one through several points.
 pub fn link(style: &Style, points: &[Point]) -> Vec<Item> {

@@ -1,9 +1,9 @@
 //! Marks beside the mechanism: sense of rotation, angles, dimensions, scales.
 
-use crate::geom::{Point, Vec2};
 use crate::paper::item::{Anchor, Colour, Item, Shape};
 use crate::paper::label::Label;
 use crate::paper::style::Style;
+use hodograph_base::geom::{Point, Vec2};
 
 /// The arrow of a rotation around `centre`, with its head at `to_rad`; counter-clockwise when `to_rad` > `from_rad`.
 pub fn rotation(style: &Style, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<Item> {

@@ -2,10 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::geom::{Point, Vec2};
 use crate::paper::extent::on_circle;
 use crate::paper::item::{Colour, Dash, Item, Piece, Shape, Stroke};
 use crate::paper::style::Style;
+use hodograph_base::geom::{Point, Vec2};
 
 use super::joint::ground_line;
 

@@ -1,11 +1,11 @@
 use std::sync::LazyLock;
 
 use super::*;
-use crate::geom::{Point, Vec2};
 use crate::paper::extent::{Rect, bounds};
 use crate::paper::item::{Item, Piece, Shape};
 use crate::paper::place::Obstacles;
 use crate::paper::style::Style;
+use hodograph_base::geom::{Point, Vec2};
 
 static STYLE: LazyLock<Style> = LazyLock::new(Style::default);
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use resvg::usvg::roxmltree::{self, Node, ParsingOptions};
 
-use crate::diag::{Diagnostic, both};
+use hodograph_base::diag::{Diagnostic, both};
 
 /// More nodes than the figure of any scene has that is accepted: drawing more would take time without bound.
 const NODES: u32 = 300_000;

@@ -7,8 +7,8 @@ mod elements;
 mod picture;
 mod raster;
 
-use crate::diag::{Both, Diagnostic, both};
 use elements::{Document, Element, Geometry};
+use hodograph_base::diag::{Both, Diagnostic, both};
 pub use picture::picture;
 pub use raster::Raster;
 

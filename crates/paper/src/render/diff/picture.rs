@@ -4,8 +4,8 @@ use resvg::tiny_skia;
 
 use super::raster::{DPI, apart};
 use super::{Options, Picture, rasters};
-use crate::diag::{Diagnostic, both};
 use crate::render::png::encode;
+use hodograph_base::diag::{Diagnostic, both};
 
 /// Darkness of the ink that both have: enough to see where one is, and less than that of differences.
 const COMMON: f64 = 0.35;

@@ -3,8 +3,8 @@
 use std::io::Cursor;
 
 use super::Pixels;
-use crate::diag::{Diagnostic, both};
 use crate::render::png as ours;
+use hodograph_base::diag::{Diagnostic, both};
 
 /// The first bytes of a PNG.
 pub const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::diag::{Diagnostic, both};
+use hodograph_base::diag::{Diagnostic, both};
 
 /// Longest prefix: ids are read by people too.
 const LONGEST: usize = 64;

@@ -1,0 +1,201 @@
+//! What the analysis answers to a question: vectors and rates are unknowns of the solution; the parts of a relative motion are derivatives of
+//! position equations.
+//!
+//! Each part has its own coordinate: how far a point lies along and across a line of the carrying link ([`Along`](super::relation::Relation::Along)),
+//! how long the line of two points is ([`Distance`](super::relation::Relation::Distance)), how it turns ([`Line`](super::relation::Relation::Line)).
+//! The first and second derivatives of these coordinates at the solution are v_r, aʳ, aⁿ and aᵗ; the Coriolis part is the whole less these.
+
+use super::Solution;
+use super::relation::{Handle, Pair, Row};
+use super::rows::{along_line, distance, projection};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_mechanism::answer::{Source, Value, evaluate};
+use hodograph_mechanism::mechanism::{Joined, Level, joined};
+use hodograph_mechanism::position::{Configuration, Path};
+use hodograph_scene::quantity::{Frame, Meaning, Seen, Split, ratio, split};
+use hodograph_scene::{Asked, GuideId, LinkId, OnLink, PointId, Scene};
+use nalgebra::DVector;
+
+/// Unknowns of a small system of its own: three of a body that turns, two of a point, two of another.
+type Unknowns = [f64; 7];
+const BODY: Handle = Handle { first: Some(0), turns: true, r: Vec2::ZERO };
+const POINT: Handle = Handle { first: Some(3), turns: false, r: Vec2::ZERO };
+const OTHER: Handle = Handle { first: Some(5), turns: false, r: Vec2::ZERO };
+
+/// The first derivative of the coordinate that a row is of, where nothing is given for it.
+fn first(row: &Row, x: &Unknowns) -> f64 {
+    row.coefficients.iter().map(|(k, c)| c * x[*k]).sum()
+}
+
+/// Its second derivative.
+fn second(row: &Row, x: &Unknowns, xx: &Unknowns) -> f64 {
+    first(row, xx) - row.acceleration(&DVector::from_column_slice(x))
+}
+
+/// The parts of the motion of one end of a line against the other.
+struct Parts {
+    normal: Vec2,
+    tangential: Vec2,
+    sliding: [Vec2; 2],
+    coriolis: Vec2,
+}
+
+impl Solution {
+    /// What the loop equations answer to a question; `None` where they have no answer.
+    pub fn answer(&self, scene: &Scene, at: &Configuration, what: &Asked) -> Option<Value> {
+        let level = what.level();
+        let vector = |p: &OnLink| self.vector(level, p.point, p.link);
+        match what.meaning(scene) {
+            Some(Meaning::Vector(p)) => vector(&p).map(Value::Vector),
+            Some(Meaning::Relative(split, a, b)) => {
+                let parts = || self.parts(scene, at, &a, &b);
+                Some(Value::Vector(match (split, level) {
+                    (Split::Whole, _) => vector(&a)? - vector(&b)?,
+                    (Split::Along, _) => parts()?.normal,
+                    (Split::Across, _) => parts()?.tangential,
+                    (Split::Sliding, Level::Acceleration) => parts()?.sliding[1],
+                    (Split::Sliding, Level::Position | Level::Velocity) => self.sliding_velocity(scene, at, &a, &b)?,
+                    (Split::SlidingNormal, _) => self.along_guide(scene, at, &a, &b, parts()?.sliding[1])?[1],
+                    (Split::SlidingTangential, _) => self.along_guide(scene, at, &a, &b, parts()?.sliding[1])?[0],
+                    (Split::Coriolis, _) => parts()?.coriolis,
+                }))
+            }
+            Some(Meaning::Seen(seen, of, frame, about)) => self.seen(at, seen, &of, frame, about).map(Value::Vector),
+            Some(Meaning::Turning(l, None)) => self.turning(level, l).map(Value::Scalar),
+            Some(Meaning::Turning(l, Some(against))) => Some(Value::Scalar(self.turning(level, l)? - self.turning(level, against)?)),
+            Some(Meaning::Ratio(links, arm)) => {
+                let of = |l| self.turning(level, l);
+                ratio([of(links[0])?, of(links[1])?], arm.map_or(Some(0.0), of)?).map(Value::Scalar)
+            }
+            // No row is of it: its own formula, with the places of the pose and the vectors and rates of the rows.
+            Some(Meaning::Place(_)) | None => evaluate(scene, at, self, what),
+        }
+    }
+
+    /// v_r alone, which asks for no acceleration.
+    fn sliding_velocity(&self, scene: &Scene, at: &Configuration, a: &OnLink, b: &OnLink) -> Option<Vec2> {
+        match joined(scene, a, b)? {
+            Joined::Guide(g) => Some(self.seen_from_guide(scene, at, g, a, b, Level::Velocity)?[0]),
+            Joined::Cylinder(_) => Some(self.along_line(at, a, b, Level::Velocity)?.sliding[0]),
+            Joined::Link(_) => None,
+        }
+    }
+
+    fn parts(&self, scene: &Scene, at: &Configuration, a: &OnLink, b: &OnLink) -> Option<Parts> {
+        match joined(scene, a, b)? {
+            Joined::Guide(g) => {
+                let sliding = self.seen_from_guide(scene, at, g, a, b, Level::Acceleration)?;
+                let whole = self.vector(Level::Acceleration, a.point, a.link)? - self.vector(Level::Acceleration, b.point, b.link)?;
+                Some(Parts { normal: Vec2::ZERO, tangential: Vec2::ZERO, sliding, coriolis: whole - sliding[1] })
+            }
+            Joined::Link(_) | Joined::Cylinder(_) => self.along_line(at, a, b, Level::Acceleration),
+        }
+    }
+
+    /// Velocity and acceleration of one coincident point against the other as the link that carries the guide sees them: from the
+    /// derivatives of two coordinates in that link.
+    fn seen_from_guide(&self, scene: &Scene, at: &Configuration, g: GuideId, a: &OnLink, b: &OnLink, level: Level) -> Option<[Vec2; 2]> {
+        let carrier = scene.guides[g.0].on;
+        let (through, along) = match at.guides[g.0]? {
+            Path::Line { through, direction } => (through, direction),
+            Path::Arc { centre, .. } => (centre, Vec2::new(1.0, 0.0)),
+        };
+        let of_carrier = |p: &OnLink| p.link.map_or_else(|| scene.links[carrier.0].points.contains(&p.point), |l| l == carrier);
+        let (runner, sign) = if of_carrier(b) { (a, 1.0) } else { (b, -1.0) };
+        let seen = self.seen_from(at, carrier, (through, along), runner, level)?;
+        Some(seen.map(|v| v * sign))
+    }
+
+    /// Velocity and acceleration of a point as a link sees it: from the derivatives of two coordinates in that link, counted from one of
+    /// its places along a direction and square to it.
+    fn seen_from(
+        &self,
+        at: &Configuration,
+        carrier: LinkId,
+        (through, along): (Point, Vec2),
+        runner: &OnLink,
+        level: Level,
+    ) -> Option<[Vec2; 2]> {
+        let place = at.points[runner.point.0]?;
+        // The origin of the carrier lies in `through`, so that its arm is none.
+        let unknowns = |level| -> Option<Unknowns> {
+            let (q, turning) = (self.at_place(level, carrier, through)?, self.turning(level, carrier)?);
+            let p = self.vector(level, runner.point, runner.link)?;
+            Some([q.x, q.y, turning, p.x, p.y, 0.0, 0.0])
+        };
+        let x = unknowns(Level::Velocity)?;
+        let xx = if level == Level::Acceleration { unknowns(level)? } else { Unknowns::default() };
+        let mut seen = [Vec2::ZERO; 2];
+        for k in [along, along.perp()] {
+            let row = projection(POINT, BODY, k, place - through, [0.0; 2], Pair::Pin(runner.point));
+            seen[0] += k * first(&row, &x);
+            seen[1] += k * second(&row, &x, &xx);
+        }
+        Some(seen)
+    }
+
+    /// An acceleration along a guide, parted along it and square to it.
+    fn along_guide(&self, scene: &Scene, at: &Configuration, a: &OnLink, b: &OnLink, whole: Vec2) -> Option<[Vec2; 2]> {
+        let Joined::Guide(g) = joined(scene, a, b)? else { return None };
+        Some(match at.guides[g.0]? {
+            Path::Line { .. } => [whole, Vec2::ZERO],
+            Path::Arc { centre, .. } => split((centre - at.points[a.point.0]?).perp().unit(), whole),
+        })
+    }
+
+    /// A part of the motion of a point seen from a frame.
+    fn seen(&self, at: &Configuration, part: Seen, of: &OnLink, frame: Frame, about: Option<PointId>) -> Option<Vec2> {
+        use Level::{Acceleration, Velocity};
+        let seat = frame.transport_point(*of);
+        let vector = |level, p: &OnLink| self.vector(level, p.point, p.link);
+        let relative = |level| Some(vector(level, of)? - vector(level, &seat)?);
+        let place = at.points[of.point.0]?;
+        let seen = || match frame {
+            Frame::Link(l) => Some(self.seen_from(at, l, (place, Vec2::new(1.0, 0.0)), of, Acceleration)?[1]),
+            Frame::Point(_) => relative(Acceleration),
+        };
+        let path = || match about {
+            Some(k) => Some((at.points[k.0]? - place).perp().unit()),
+            None => Some(relative(Velocity)?.unit()),
+        };
+        Some(match part {
+            Seen::Relative => seen()?,
+            Seen::Coriolis => relative(Acceleration)? - seen()?,
+            Seen::RelativeNormal => split(path()?, seen()?)[1],
+            Seen::RelativeTangential => split(path()?, seen()?)[0],
+            Seen::TransportNormal => split(vector(Velocity, &seat)?.unit(), vector(Acceleration, &seat)?)[1],
+            Seen::TransportTangential => split(vector(Velocity, &seat)?.unit(), vector(Acceleration, &seat)?)[0],
+        })
+    }
+
+    /// The motion of one end of a line against the other, taken apart along and across the line: its length and its direction are the
+    /// coordinates.
+    fn along_line(&self, at: &Configuration, a: &OnLink, b: &OnLink, level: Level) -> Option<Parts> {
+        let d = at.points[a.point.0]? - at.points[b.point.0]?;
+        let u = d.unit()?;
+        let unknowns = |level| -> Option<Unknowns> {
+            let (q, p) = (self.vector(level, b.point, b.link)?, self.vector(level, a.point, a.link)?);
+            Some([0.0, 0.0, 0.0, p.x, p.y, q.x, q.y])
+        };
+        let mut x = unknowns(Level::Velocity)?;
+        let xx = if level == Level::Acceleration { unknowns(level)? } else { Unknowns::default() };
+        let pair = Pair::Pin(a.point);
+        // A body that turns with the line, so that the line keeps its angle against it; and a length that changes as it does.
+        let turning = along_line(BODY, POINT, OTHER, d, [0.0; 2], pair);
+        x[2] = first(&turning, &x);
+        let stretch = first(&distance(POINT, OTHER, d, [0.0; 2], pair), &x);
+        let length = distance(POINT, OTHER, d, [stretch, 0.0], pair);
+        let sliding = [u * stretch, u * second(&length, &x, &xx)];
+        let (normal, tangential) = (d * -(x[2] * x[2]), d.perp() * second(&turning, &x, &xx));
+        let whole = Vec2::new(xx[3] - xx[5], xx[4] - xx[6]);
+        Some(Parts { normal, tangential, sliding, coriolis: whole - sliding[1] - normal - tangential })
+    }
+
+    /// The vector of a link's point that lies at a place.
+    fn at_place(&self, level: Level, link: LinkId, place: Point) -> Option<Vec2> {
+        if link == self.ground {
+            return Some(Vec2::ZERO);
+        }
+        self.of_place(level, link, place)
+    }
+}

@@ -1,0 +1,303 @@
+//! The classification of singular and nearly singular poses, and the messages about them.
+
+use super::fork::{self, Decided};
+use super::relation::Row;
+use super::rows::Layout;
+use super::singular::{Blocks, Carried, Fork, Part, Passed, Refusal, Why};
+use super::{Solution, blocks::Block, words};
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_mechanism::mechanism::{Demand, Level};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::{LinkId, Place, PointId, Scene};
+use nalgebra::DVector;
+
+/// A part of a mechanism that is singular in the pose and was answered all the same.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Singularity {
+    /// What it is.
+    pub kind: SingularKind,
+    /// The links whose velocities do not follow from the pose's directions alone: no line of theirs can be crossed on paper.
+    pub links: Vec<LinkId>,
+    /// Pins of that part that sit on no link.
+    pub pins: Vec<PointId>,
+    /// The links that lie in line, or leave the freedom open together with guides.
+    pub named: Vec<LinkId>,
+    /// The same in words, with the joints: `link 1 (AB) and link 2 (BC) lie in line at B`.
+    pub words: Both,
+    /// How far the pose is from one that is singular to the last digit (radians, or parts of the mechanism's size): the
+    /// answers are as far from those there, relative to the largest of them.
+    pub off: f64,
+    /// What decided between two ways on; `None` where there is but one.
+    pub decided: Option<Decided>,
+    /// The motion of the whole mechanism on the way that was not taken.
+    pub other: Option<Box<Solution>>,
+}
+
+/// A part of a mechanism that has no motion in the pose, or none that is determined; what rests on it has none either.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refused {
+    /// Why.
+    pub why: Why,
+    /// The links without a motion (but for those that rest on them).
+    pub links: Vec<LinkId>,
+    /// Pins of that part that sit on no link.
+    pub pins: Vec<PointId>,
+    /// The links that lie in line, or leave the freedom open together with guides.
+    pub named: Vec<LinkId>,
+    /// The same in words, with the joints: `link 1 (AB) and link 2 (BC) lie in line at B`.
+    pub words: Both,
+    /// The whole of it for the reader, with its place in the scene and what to do.
+    pub diagnostic: Diagnostic,
+}
+
+/// The kinds of singular pose that have an answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SingularKind {
+    /// Two motions lead through the pose: a change point.
+    ChangePoint,
+    /// The driver stands at the limit of its range and turns back.
+    Limit,
+    /// A dead centre or change point with all drivers at rest for good: nothing moves.
+    Rest,
+}
+
+pub(super) struct Pose<'a> {
+    pub scene: &'a Scene,
+    pub at: &'a Configuration,
+    pub demand: &'a Demand,
+    pub layout: &'a Layout,
+}
+
+/// A part of a mechanism whose equations are nearly singular in the pose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Near {
+    /// Its links.
+    pub links: Vec<LinkId>,
+    /// Pins of it that sit on no link.
+    pub pins: Vec<PointId>,
+    /// The links that nearly lie in line, in words: `link 1 (AB) and link 2 (BC) lie in line at B`.
+    pub words: Both,
+    /// What the rounding of the coordinates may come to in its velocities, relative to the largest.
+    pub loss: f64,
+}
+
+/// A part that may lose more than this is near to being singular: some hundred roundings in its velocities, ten thousand in its
+/// accelerations, and a thousand times that where these are small against the largest.
+const SLIGHT: f64 = 2e-14;
+
+impl Pose<'_> {
+    /// Whether a block's places come out of lengths: then its pose near a limit is known to the root of their rounding only.
+    fn by_lengths(&self, block: &Block) -> bool {
+        let point = |p: PointId| matches!(self.scene.points[p.0].place, Place::At(_));
+        block.unknowns.iter().any(|u| match (self.layout.link_of(*u), self.layout.bare_of(*u)) {
+            (Some(l), _) => !self.scene.links[l.0].points.iter().all(|p| point(*p)),
+            (None, Some(p)) => !point(p),
+            (None, None) => false,
+        })
+    }
+
+    /// The pivot up to which a block may be singular within what is known of its pose.
+    pub fn blur(&self, block: &Block, rounding: f64) -> f64 {
+        if self.by_lengths(block) { (8.0 * rounding).sqrt() } else { 0.0 }
+    }
+
+    /// The blocks that are near to being singular, but not taken for it, the worst first.
+    pub fn near(&self, system: &[Row], blocks: &Blocks, rounding: f64) -> Vec<Near> {
+        let loss = |p: &Part| rounding * p.factor.magnified / p.factor.ratio;
+        let mut near: Vec<&Part> = blocks.list.iter().filter(|p| p.deficiency == 0 && loss(p) > SLIGHT).collect();
+        near.sort_by(|a, b| loss(b).total_cmp(&loss(a)));
+        let told = |p: &Part| Near {
+            links: words::links_of(self.layout, p),
+            pins: self.bare_pins(p),
+            words: words::held(self.scene, self.at, self.layout, system, p).text,
+            loss: loss(p),
+        };
+        near.into_iter().map(told).collect()
+    }
+
+    /// The motion through a singular pose, as far as there is one.
+    pub fn singular(&self, system: &[Row], blocks: &Blocks, mut empty: Solution) -> Solution {
+        empty.condition = f64::INFINITY;
+        // Drivers that start from rest, or stay there: in t² instead of t their accelerations are what their rates are elsewhere. Only
+        // where that is a dead point (a driver at its own limit) velocities come into being at once.
+        let starts = system.iter().all(|r| r.relation.drive()[0] == 0.0);
+        if starts {
+            let slow: Vec<Row> = system.iter().map(Row::started).collect();
+            let slow = self.ways(&slow, blocks, &empty, true);
+            if slow.refused.iter().all(|r| r.why != Why::DeadPoint) {
+                return self.with_notes(slow);
+            }
+        }
+        self.with_notes(self.ways(system, blocks, &empty, false))
+    }
+
+    /// The motion that is meant, with the other one beside each change point.
+    fn ways(&self, rows: &[Row], blocks: &Blocks, empty: &Solution, from_rest: bool) -> Solution {
+        let terms = if self.demand.level >= Level::Acceleration && !from_rest { 2 } else { 1 };
+        let choose = |fork: &Fork| {
+            let of = words::links_of(self.layout, &blocks.list[fork.block]);
+            let both = fork.ways.each_ref().map(|w| {
+                let mut way = self.unpacked(empty, w, None);
+                self.layout.keep(|u| fork.motion.order(u), &mut way);
+                way.settle(self.scene, self.layout);
+                way
+            });
+            fork::choose(self.scene, self.at, &both, &of, fork.turning)
+        };
+        let mut decided: Vec<(usize, Decided)> = Vec::new();
+        let taken = blocks.carry(rows, terms, |fork| {
+            let (way, by) = choose(fork);
+            decided.push((fork.block, by));
+            way
+        });
+        let mut solution = self.solution(empty, &taken, from_rest);
+        for passed in &taken.passed {
+            let by = decided.iter().find(|d| d.0 == passed.block).map(|d| d.1);
+            // The other way through this block; what lies behind it is chosen by the same rules.
+            let other = by.and_then(|_| {
+                let turned = blocks.carry(rows, terms, |fork| {
+                    let way = choose(fork).0;
+                    if fork.block == passed.block { 1 - way } else { way }
+                });
+                turned.refused.is_empty().then(|| Box::new(self.solution(empty, &turned, from_rest)))
+            });
+            solution.singular.push(self.singularity(rows, blocks, passed, by, other));
+        }
+        solution.refused = taken.refused.iter().map(|r| self.refused(rows, blocks, r)).collect();
+        solution
+    }
+
+    fn refused(&self, rows: &[Row], blocks: &Blocks, refusal: &Refusal) -> Refused {
+        let part = &blocks.list[refusal.block];
+        let held = words::held(self.scene, self.at, self.layout, rows, part);
+        let diagnostic = words::refusal(self.scene, self.layout, part, refusal, &held);
+        Refused {
+            why: refusal.why,
+            links: words::links_of(self.layout, part),
+            pins: self.bare_pins(part),
+            named: held.links,
+            words: held.text,
+            diagnostic,
+        }
+    }
+
+    /// Pins of a block that sit on no link.
+    fn bare_pins(&self, part: &Part) -> Vec<PointId> {
+        let mut pins: Vec<PointId> = part.block.unknowns.iter().filter_map(|u| self.layout.bare_of(*u)).collect();
+        pins.dedup();
+        pins
+    }
+
+    fn singularity(
+        &self,
+        rows: &[Row],
+        blocks: &Blocks,
+        passed: &Passed,
+        decided: Option<Decided>,
+        other: Option<Box<Solution>>,
+    ) -> Singularity {
+        let part = &blocks.list[passed.block];
+        let held = words::held(self.scene, self.at, self.layout, rows, part);
+        let pins = self.bare_pins(part);
+        let kind = match (passed.rest, passed.turning) {
+            (true, _) => SingularKind::Rest,
+            (false, true) => SingularKind::Limit,
+            (false, false) => SingularKind::ChangePoint,
+        };
+        let links = words::links_of(self.layout, part);
+        Singularity { kind, links, pins, named: held.links, words: held.text, off: passed.off, decided, other }
+    }
+
+    /// A solution of the rates, and of the accelerations where they are known.
+    fn unpacked(&self, empty: &Solution, rates: &DVector<f64>, accelerations: Option<&DVector<f64>>) -> Solution {
+        let mut out = empty.clone();
+        self.layout.unpack_rates(rates, &mut out);
+        if let Some(accelerations) = accelerations {
+            self.layout.unpack_accelerations(accelerations, &mut out);
+            out.size[1] = self.layout.unknowns;
+        }
+        out.settle(self.scene, self.layout);
+        out
+    }
+
+    fn solution(&self, empty: &Solution, carried: &Carried, from_rest: bool) -> Solution {
+        let n = self.layout.unknowns;
+        let term = |k: usize| DVector::from_iterator(n, (0..n).map(|u| carried.motion.term(u, k)));
+        let (rates, accelerations) = if from_rest { (DVector::zeros(n), term(1) * 2.0) } else { (term(1), term(2) * 2.0) };
+        let wanted = self.demand.level >= Level::Acceleration;
+        let mut out = self.unpacked(empty, &rates, wanted.then_some(&accelerations));
+        let order = |u: usize| carried.motion.order(u) + usize::from(from_rest);
+        self.layout.keep(|u| if carried.motion.order(u) == 0 { 0 } else { order(u) }, &mut out);
+        out.settle(self.scene, self.layout);
+        out
+    }
+
+    fn with_notes(&self, mut s: Solution) -> Solution {
+        s.notes.extend(s.singular.iter().map(note));
+        s.notes.extend(s.refused.iter().map(|r| r.diagnostic.clone()));
+        s
+    }
+}
+
+fn note(s: &Singularity) -> Diagnostic {
+    let words = &s.words;
+    let by = match s.decided {
+        Some(Decided::Side) => both!("\"side\" says which is meant, as it is just after the pose", "由 \"side\" 按该位置稍后的情形确定"),
+        Some(Decided::Sketch) => both!("taken is the one that leads toward the sketch", "取趋向草图的一种"),
+        Some(Decided::Kind) => both!(
+            "taken is the one on which the assembly keeps its kind (a parallelogram stays a parallelogram)",
+            "取保持装配型式的一种（平行四边形仍为平行四边形）"
+        ),
+        Some(Decided::Sense) => both!(
+            "taken is the one on which the first link of them that turns goes counter-clockwise",
+            "取其中首个转动构件逆时针转动的一种"
+        ),
+        None => Both::default(),
+    };
+    let undrawn = both!(
+        "their velocities are not crossed on paper, they come from the loop equations",
+        "其速度不由作图求交，而由封闭矢量方程（解析法）求得"
+    );
+    match s.kind {
+        SingularKind::ChangePoint if s.other.is_some() => Diagnostic::note(
+            "change-point",
+            both!(
+                "change point: {}, and two motions lead through this pose; {}; {}",
+                "运动不确定位置：{}，有两种运动可通过该位置；{}；{}",
+                words,
+                by,
+                undrawn
+            ),
+        )
+        .help(both!(
+            "the other motion stands beside the answers; \"side\", told for the pose just after, chooses",
+            "另一种运动附在结果旁；可用 \"side\" 按该位置稍后的情形选取"
+        )),
+        SingularKind::ChangePoint => Diagnostic::note(
+            "change-point",
+            both!(
+                "change point: {}, and one motion only leads through this pose with the driver moving as given; {}",
+                "运动不确定位置：{}，按所给原动件运动只有一种运动可通过该位置；{}",
+                words,
+                undrawn
+            ),
+        ),
+        SingularKind::Limit => Diagnostic::note(
+            "driver-at-limit",
+            both!(
+                "the driver stands at its limit and turns back: {}, and the links pass through in one sense or the other; {}; {}",
+                "原动件在极限位置折返：{}，各构件可沿两种转向之一通过；{}；{}",
+                words,
+                by,
+                undrawn
+            ),
+        )
+        .help(both!(
+            "the other sense stands beside the answers; \"side\", told for the pose just after, chooses",
+            "另一种转向附在结果旁；可用 \"side\" 按该位置稍后的情形选取"
+        )),
+        SingularKind::Rest => {
+            Diagnostic::note("at-rest", both!("{} while the drivers stand still: everything rests", "{}，而原动件不动：各构件静止", words))
+        }
+    }
+}

@@ -1,0 +1,338 @@
+//! The motion through a pose whose Jacobian is singular: dead point, change point, limit of a driver.
+//!
+//! The unknown motion is a power series in time ([`Motion`]); a block whose Jacobian has a left null vector l and a right
+//! one z leaves one number open in every order, q̇ = p + y z, and its equations must agree before they can be solved:
+//! - first order: l·Φ_t = 0, else no velocity is finite: a *dead point*;
+//! - second order: A y² + B y + C = 0, a *change point* where it has two roots (two motions go through the pose), no motion
+//!   at all where it has none;
+//! - each further order is linear with the slope 2 A y + B and gives the acceleration, the jerk and so on.
+//!
+//! The same equation answers a driver that stands still at its own limit and turns back (B = 0, C its acceleration), and one
+//! that is at rest (C = 0: all rest).
+//!
+//! # Source
+//! K. Wohlhart, *Degrees of shakiness*, Mech. Mach. Theory 34 (1999); A. Müller, *Higher-order analysis of kinematic
+//! singularities of lower pair linkages and serial manipulators*, J. Mech. Robotics 10 (2018).
+
+use super::blocks::{Block, blocks};
+use super::factor::Factor;
+use super::relation::Row;
+use super::series::Motion;
+use nalgebra::{DMatrix, DVector};
+
+/// The system in its blocks, each factored.
+pub(super) struct Blocks {
+    n: usize,
+    pub list: Vec<Part>,
+}
+
+/// A block and what it shows of its rank.
+pub(super) struct Part {
+    pub block: Block,
+    pub factor: Factor,
+    /// How many of its equations follow from the others, as far as the numbers can tell.
+    pub deficiency: usize,
+    /// What the rounding of the coefficients adds up to.
+    data: f64,
+}
+
+/// Why a pose has no finite motion, or not one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Why {
+    /// The drivers' motion contradicts the pose: velocities grow beyond bounds.
+    DeadPoint,
+    /// The pose can be assembled, but not left in the given sense.
+    Locked,
+    /// The links can move though the drivers stand.
+    Loose,
+    /// More than one freedom is open at once.
+    Several,
+    /// There are velocities, but accelerations do not follow from the next order.
+    NoAcceleration,
+}
+
+/// A block that has no motion, and so has nothing that rests on it.
+#[derive(Clone, Debug)]
+pub(super) struct Refusal {
+    pub block: usize,
+    pub why: Why,
+}
+
+/// Two ways on from a block.
+pub(super) struct Fork<'a> {
+    pub block: usize,
+    /// Rates of all unknowns on each; zero for those that are not solved yet.
+    pub ways: [DVector<f64>; 2],
+    /// What is solved so far, the block included.
+    pub motion: &'a Motion,
+    /// Whether the drivers stand still, so that the ways differ by the sense of time only.
+    pub turning: bool,
+}
+
+/// A block through which the motion was carried on.
+#[derive(Clone, Debug)]
+pub(super) struct Passed {
+    pub block: usize,
+    /// Whether everything in the block is at rest.
+    pub rest: bool,
+    /// Whether the drivers stand still, so that the ways differ by the sense of time only.
+    pub turning: bool,
+    /// How far the pose is from one that is singular to the last digit (radians, or parts of the mechanism's size).
+    pub off: f64,
+}
+
+/// The motion and the singular blocks on its way.
+pub(super) struct Carried {
+    pub motion: Motion,
+    pub passed: Vec<Passed>,
+    pub refused: Vec<Refusal>,
+}
+
+impl Blocks {
+    /// Splits and factors. `data` is the relative rounding of the coefficients; `bound_of` may name a larger bound for a
+    /// block whose pose is itself less well known.
+    pub fn new(rows: &[Row], n: usize, data: f64, bound_of: impl Fn(&Block) -> f64) -> Blocks {
+        let list = blocks(rows, n)
+            .into_iter()
+            .map(|block| {
+                let size = block.unknowns.len();
+                let mut a = DMatrix::zeros(size, size);
+                for (i, r) in block.rows.iter().enumerate() {
+                    for &(u, c) in &rows[*r].coefficients {
+                        if let Ok(k) = block.unknowns.binary_search(&u) {
+                            a[(i, k)] += c;
+                        }
+                    }
+                }
+                let reach = |u: usize| block.rows.iter().map(|r| rows[*r].relation.reach(u)).fold(0.0, f64::max);
+                let reach: Vec<f64> = block.unknowns.iter().map(|u| reach(*u)).collect();
+                let factor = Factor::new(a, &reach);
+                // A few units of each coefficient's rounding add up over the unknowns.
+                let data = 4.0 * size as f64 * data * factor.magnified;
+                let deficiency = factor.deficiency(data.max(bound_of(&block)));
+                Part { block, factor, deficiency, data }
+            })
+            .collect();
+        Blocks { n, list }
+    }
+
+    /// Whether any block is singular.
+    pub fn singular(&self) -> bool {
+        self.list.iter().any(|p| p.deficiency > 0)
+    }
+
+    /// Carries the motion through all blocks, `terms` terms far (1: velocities, 2: accelerations too). The equations may
+    /// drive otherwise than those that were factored. Where two ways lead on, `pick` says which is meant.
+    ///
+    /// A block that has no motion is refused and left without terms, and so is all that rests on it; the others go on.
+    pub fn carry(&self, rows: &[Row], terms: usize, mut pick: impl FnMut(&Fork) -> usize) -> Carried {
+        let singular = self.list.iter().filter(|p| p.deficiency > 0).count();
+        let mut out = Carried { motion: Motion::new(self.n), passed: Vec::new(), refused: Vec::new() };
+        for (i, part) in self.list.iter().enumerate() {
+            let known = known_before(rows, part, &out.motion).unwrap_or(terms + singular);
+            if known == 0 {
+                continue;
+            }
+            let done = if part.deficiency == 0 {
+                follow(rows, part, known, &mut out.motion)
+            } else {
+                self.pass(rows, i, known, &mut out.motion, &mut pick).and_then(|passed| {
+                    out.passed.push(passed);
+                    if out.motion.order(part.block.unknowns[0]) < terms { Err(Why::NoAcceleration) } else { Ok(()) }
+                })
+            };
+            if let Err(why) = done {
+                // Velocities stand where only accelerations do not follow from them.
+                if why != Why::NoAcceleration {
+                    part.block.unknowns.iter().for_each(|u| out.motion.forget(*u));
+                }
+                out.refused.push(Refusal { block: i, why });
+            }
+        }
+        out
+    }
+
+    fn pass(
+        &self,
+        rows: &[Row],
+        index: usize,
+        known: usize,
+        motion: &mut Motion,
+        pick: &mut impl FnMut(&Fork) -> usize,
+    ) -> Result<Passed, Why> {
+        let part = &self.list[index];
+        if part.deficiency > 1 {
+            return Err(Why::Several);
+        }
+        if known < 2 {
+            return Err(Why::NoAcceleration);
+        }
+        let z = part.factor.right().ok_or(Why::Several)?;
+        let l = part.factor.left();
+        let first = residuals(rows, part, motion, 1);
+        let p = part.factor.solve(&-&first, true).ok_or(Why::Several)?;
+        let still = first.amax() == 0.0;
+
+        // Rates of the order of what drives; where nothing moves yet, of what its acceleration makes.
+        let at_p = second(rows, part, motion, &p);
+        let unit = match p.amax().max(first.amax()) {
+            0.0 if at_p.amax() == 0.0 => 1.0,
+            0.0 => at_p.amax().sqrt(),
+            rate => rate,
+        };
+        let (up, down) = (second(rows, part, motion, &(&p + &z * unit)), second(rows, part, motion, &(&p - &z * unit)));
+        let quadratic = (&up + &down - &at_p * 2.0) / (2.0 * unit * unit);
+        let linear = (&up - &down) / (2.0 * unit);
+        let (a, b, c) = (l.dot(&quadratic), l.dot(&linear), l.dot(&at_p));
+        // l and z are as true as the pose, and a pose that lengths give at a limit is true to the root of their rounding.
+        let blur = 16.0 * part.data.sqrt();
+        // A form that is nothing but rounding has no size of its own: it is judged by the rates it was made of.
+        let zero = |value: f64, of: &DVector<f64>, made_of: f64| value.abs() <= (blur * of.amax()).max(part.data * made_of);
+        let (no_a, no_b) = (zero(a, &quadratic, 1.0), zero(b, &linear, unit));
+        let no_c = zero(c, &at_p, unit * unit);
+
+        if still && at_p.amax() == 0.0 && (3..=known).all(|n| residuals(rows, part, motion, n).amax() == 0.0) {
+            if no_a {
+                return Err(Why::Loose);
+            }
+            for n in 1..=known {
+                set(part, motion, n, &DVector::zeros(z.len()));
+            }
+            return Ok(Passed { block: index, rest: true, turning: true, off: 0.0 });
+        }
+        // F(Y, t) = g t + A Y² + B Y t + C t²: the nearest pose at which both derivatives vanish is at Y = −g B/D, where
+        // g² A/D is left, D = B² − 4 A C. Only if that is rounding, this is a change point.
+        let g = l.dot(&first);
+        let d = b * b - 4.0 * a * c;
+        let size = b * b + 4.0 * (a * c).abs();
+        let agrees = g.abs() <= part.data * first.amax()
+            || (d.abs() > blur * size && (g * g * a / d).abs() <= part.data && (g * b / d).abs() <= blur);
+        if !agrees {
+            return Err(Why::DeadPoint);
+        }
+        let mut rates = |y: f64| {
+            set(part, motion, 1, &(&p + &z * y));
+            DVector::from_iterator(self.n, (0..self.n).map(|u| motion.term(u, 1)))
+        };
+        let y = if no_a {
+            match (no_b, no_c) {
+                (false, _) => -c / b,
+                (true, false) => return Err(Why::DeadPoint),
+                (true, true) => return Err(Why::Loose),
+            }
+        } else if d.abs() <= blur * size {
+            -b / (2.0 * a)
+        } else if d < 0.0 {
+            return Err(Why::Locked);
+        } else {
+            // The larger sum first, so that no digits cancel.
+            let s = -0.5 * (b + d.sqrt().copysign(b));
+            let roots = [s / a, c / s];
+            let ways = roots.map(&mut rates);
+            roots[pick(&Fork { block: index, ways, motion, turning: still }).min(1)]
+        };
+        set(part, motion, 1, &(&p + &z * y));
+        let slope = 2.0 * a * y + b;
+        if slope.abs() > blur * (a * y).abs().max(b.abs()) {
+            for n in 2..known {
+                let p = part.factor.solve(&-residuals(rows, part, motion, n), true).ok_or(Why::Several)?;
+                set(part, motion, n, &p);
+                let y = -l.dot(&residuals(rows, part, motion, n + 1)) / slope;
+                set(part, motion, n, &(p + &z * y));
+            }
+        }
+        let aside = if d == 0.0 { 0.0 } else { (g * b / d).abs() };
+        Ok(Passed { block: index, rest: false, turning: still, off: part.factor.ratio.max(aside) })
+    }
+}
+
+/// Carries the motion through a block that determines it.
+fn follow(rows: &[Row], part: &Part, known: usize, motion: &mut Motion) -> Result<(), Why> {
+    for n in 1..=known {
+        let c = part.factor.solve(&-residuals(rows, part, motion, n), false).ok_or(Why::Several)?;
+        set(part, motion, n, &c);
+    }
+    Ok(())
+}
+
+fn set(part: &Part, motion: &mut Motion, n: usize, c: &DVector<f64>) {
+    for (u, value) in part.block.unknowns.iter().zip(c.iter()) {
+        motion.set(*u, n, *value);
+    }
+}
+
+/// How many terms are known of what a block rests on; `None` where it rests on nothing.
+fn known_before(rows: &[Row], part: &Part, motion: &Motion) -> Option<usize> {
+    let of = part.block.rows.iter().flat_map(|r| &rows[*r].coefficients).map(|c| c.0);
+    of.filter(|u| part.block.unknowns.binary_search(u).is_err()).map(|u| motion.order(u)).min()
+}
+
+/// What the block's equations leave in t^n.
+fn residuals(rows: &[Row], part: &Part, motion: &Motion, n: usize) -> DVector<f64> {
+    DVector::from_iterator(part.block.rows.len(), part.block.rows.iter().map(|r| motion.residual(&rows[*r].relation, n)))
+}
+
+/// What the block leaves in t² with the rates `c` and no acceleration of its own.
+fn second(rows: &[Row], part: &Part, motion: &mut Motion, c: &DVector<f64>) -> DVector<f64> {
+    set(part, motion, 1, c);
+    let left = residuals(rows, part, motion, 2);
+    for u in &part.block.unknowns {
+        motion.forget(*u);
+    }
+    left
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::System;
+    use crate::rows::Layout;
+    use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
+    use hodograph_mechanism::position::configure;
+    use hodograph_scene as scene;
+
+    /// What comes of a four-bar in line, whose C lies `off` beside the line, where poses are known to 1e-6.
+    fn carried(link: u8, d: f64, off: f64) -> Carried {
+        carried_in(&format!(
+            r#"{{"links": {{"1": ["A", "B"], "2": ["B", "C"], "3": ["D", "C"], "0": ["A", "D"]}}, "ground": "0", "units": {{"length": "m"}},
+            "points": {{"A": [0, 0], "B": [1, 0], "C": [4, {off:e}], "D": [3, {d}]}}, "driver": {{"link": "{link}", "omega": "1 rad/s"}}, "find": ["omega_2"]}}"#
+        ))
+    }
+
+    fn carried_in(text: &str) -> Carried {
+        let scene = scene::read(text).unwrap().value;
+        let m = Mechanism::new(&scene).unwrap().value;
+        let demand = Demand::of(&scene, &m);
+        let at = configure(&scene, &m, &demand).unwrap().value;
+        let layout = Layout::new(&scene, &m, &at, &demand, Level::Velocity);
+        let Ok(system) = System::new(&scene, &at, &layout) else { panic!("{text}") };
+        Blocks::new(&system.rows, layout.unknowns, 1e-15, |_| 1e-6).carry(&system.rows, 2, |_| 0)
+    }
+
+    /// A change point is one for a pose that is off by what is not known of it; a dead point is not.
+    #[test]
+    fn a_pose_that_is_known_roughly_is_passed_where_both_ways_lead_on() {
+        for off in [0.0, 1e-14, -1e-11, 1e-9, -1e-9, 4e-9] {
+            // A parallelogram: A, B, C and D in line.
+            let through = carried(1, 0.0, off);
+            assert!(through.refused.is_empty() && through.passed.len() == 1, "{off}: {:?}", through.refused.first().map(|r| r.why));
+            assert!(off == 0.0 || through.passed[0].off > 0.0, "{off}");
+            // The rocker's drive at its limit: only A, B and C in line.
+            let dead = carried(3, -2.0, off);
+            assert_eq!(dead.refused.iter().map(|r| r.why).collect::<Vec<_>>(), [Why::DeadPoint], "{off}");
+        }
+    }
+
+    /// Two sliders on parallel guides, joined by a rod that is square to them: both ways are one, and accelerations do not follow.
+    #[test]
+    fn two_ways_that_are_one_within_what_is_known() {
+        for off in [0.0, 1e-13, -1e-11, 1e-10, -1e-10, 1e-9] {
+            let one = carried_in(&format!(
+                r#"{{"links": {{"1": ["A", "B"], "0": ["O"]}}, "ground": "0", "units": {{"length": "m"}}, "points": {{"O": [-1, 0], "A": [0, 0], "B": [{off:e}, 3]}},
+                "guides": [{{"pin": "A", "on": "0", "angle": "0 deg"}}, {{"pin": "B", "on": "0", "angle": "0 deg"}}],
+                "driver": {{"slide": "A", "velocity": "1 m/s"}}, "find": ["v_B", "a_B"]}}"#
+            ));
+            assert_eq!((one.passed.len(), one.refused.iter().map(|r| r.why).collect::<Vec<_>>()), (1, vec![Why::NoAcceleration]), "{off}");
+        }
+    }
+}

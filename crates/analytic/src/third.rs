@@ -1,0 +1,87 @@
+//! The third derivative of the motion: one more order of the loop equations, with the Jacobian that velocities and accelerations have.
+//!
+//! With c₁ = q̇ and c₂ = q̈/2 known, the terms of t³ leave J c₃ = −r₃, where r₃ is what each equation makes of the lower terms
+//! ([`super::series`]). Drivers keep their accelerations, followers by laws have the third derivative of their law.
+
+use super::rows::Layout;
+use super::series::Motion;
+use super::{Solution, System};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::{LinkId, Scene};
+use nalgebra::DVector;
+
+/// The third derivatives of one link: that of a place of it (m/s³), and that of its angle (rad/s³).
+type Third = (Vec2, f64);
+
+/// The third derivatives of the places of all links that are wanted up to their accelerations, at the link's point of a place; `None` for the others,
+/// and for all in a singular pose.
+pub fn third(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, solution: &Solution, place: Point) -> Vec<Option<Third>> {
+    let mut out = vec![None; scene.links.len()];
+    out[scene.ground.0] = Some((Vec2::ZERO, 0.0));
+    if let Some(found) = solved(scene, m, at, demand, solution) {
+        for (l, third) in found {
+            out[l.0] = solution.moved_to(l, place, third);
+        }
+    }
+    out
+}
+
+fn solved(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, solution: &Solution) -> Option<Vec<(LinkId, Third)>> {
+    if !solution.singular.is_empty() || !solution.refused.is_empty() {
+        return None;
+    }
+    let layout = Layout::new(scene, m, at, demand, Level::Acceleration);
+    if layout.unknowns == 0 {
+        return None;
+    }
+    let mut motion = Motion::new(layout.unknowns);
+    let [rates, accelerations] = [Level::Velocity, Level::Acceleration].map(|level| packed(&layout, solution, level));
+    for (u, (rate, acceleration)) in rates?.into_iter().zip(accelerations?).enumerate() {
+        motion.set(u, 1, rate);
+        motion.set(u, 2, 0.5 * acceleration);
+    }
+    let system = System::new(scene, at, &layout).ok()?;
+    let left = system.rows.iter().map(|row| layout.third_by_law(scene, row.of) / 6.0 - motion.residual(&row.relation, 3));
+    let terms = system.solve(&DVector::from_iterator(system.rows.len(), left))? * 6.0;
+    Some(
+        layout
+            .links
+            .iter()
+            .enumerate()
+            .map(|(i, l)| (*l, (Vec2::new(terms[3 * i], terms[3 * i + 1]) * (1.0 / layout.scale), terms[3 * i + 2])))
+            .collect(),
+    )
+}
+
+/// The rates of a level of a layout's unknowns, from a solution; `None` where it does not hold them.
+fn packed(layout: &Layout, from: &Solution, level: Level) -> Option<Vec<f64>> {
+    let mut x = Vec::with_capacity(layout.unknowns);
+    let second = level == Level::Acceleration;
+    for l in &layout.links {
+        let motion = from.links[l.0]?;
+        let (v, turning) = if second { motion.second? } else { (motion.v, motion.omega) };
+        x.extend([v.x * layout.scale, v.y * layout.scale, turning]);
+    }
+    for p in &layout.bare {
+        let v = from.bare[usize::from(second)].iter().find(|b| b.0 == *p)?.1;
+        x.extend([v.x * layout.scale, v.y * layout.scale]);
+    }
+    Some(x)
+}
+
+impl Solution {
+    /// The velocity or acceleration of the point of a link that lies at a place.
+    pub fn of_link(&self, level: Level, link: LinkId, place: Point) -> Option<Vec2> {
+        if link == self.ground { Some(Vec2::ZERO) } else { self.of_place(level, link, place) }
+    }
+
+    /// The third derivative at a place of a link, from that at its origin: (D³ e^{iθ}) r = (i θ⃛ − 3 ω α − i ω³) r.
+    fn moved_to(&self, link: LinkId, place: Point, (of_origin, turning): Third) -> Option<Third> {
+        let motion = self.links[link.0]?;
+        let (omega, (_, alpha)) = (motion.omega, motion.second?);
+        let r = place - self.origins[link.0]?;
+        Some((of_origin + r.perp() * (turning - omega * omega * omega) - r * (3.0 * omega * alpha), turning))
+    }
+}

@@ -1,0 +1,332 @@
+//! Where the parts of a sheet stand: a few arrangements that textbooks use, measured, and the one taken that fills a page best.
+
+use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_base::geom::Point;
+
+use hodograph_paper::paper::drawing::Part;
+use hodograph_paper::paper::item::Item;
+
+/// The parts of a sheet.
+pub(super) struct Pieces {
+    /// The title.
+    pub title: Option<Part>,
+    /// Mechanism and polygons, with their captions.
+    pub drawings: Vec<Part>,
+    /// Equations with their heading, for each level.
+    pub equations: Vec<(Part, Vec<Part>)>,
+    /// The results.
+    pub results: Part,
+}
+
+/// Between drawings, and between drawings and text.
+const GAP_MM: f64 = 10.0;
+/// Between equations.
+const LINE_GAP_MM: f64 = 2.4;
+/// Above a heading in the middle of a column.
+const HEADING_AIR_MM: f64 = 3.0;
+/// A4 across: the page that sheets aim at.
+pub(super) const AIM_MM: [f64; 2] = [297.0, 210.0];
+/// What a third of an empty page costs against a sheet that is as much larger.
+const EMPTY_COST: f64 = 0.35;
+
+/// How a box's children stand.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Along {
+    Row,
+    Column,
+}
+
+/// A tree of boxes; leaves are parts by index.
+pub(super) enum Tree {
+    Leaf(usize),
+    /// Air in a column.
+    Air(f64),
+    Group {
+        along: Along,
+        gap_mm: f64,
+        children: Vec<Tree>,
+        centred: bool,
+    },
+}
+
+impl Tree {
+    pub fn row(children: Vec<Tree>) -> Tree {
+        Tree::Group { along: Along::Row, gap_mm: GAP_MM, children, centred: true }
+    }
+
+    pub fn text_row(children: Vec<Tree>) -> Tree {
+        Tree::Group { along: Along::Row, gap_mm: GAP_MM, children, centred: false }
+    }
+
+    pub fn column(children: Vec<Tree>) -> Tree {
+        Tree::Group { along: Along::Column, gap_mm: GAP_MM, children, centred: true }
+    }
+
+    pub fn text_column(children: Vec<Tree>) -> Tree {
+        Tree::Group { along: Along::Column, gap_mm: LINE_GAP_MM, children, centred: false }
+    }
+
+    /// Width and height (mm).
+    pub fn size(&self, parts: &[Part]) -> [f64; 2] {
+        match self {
+            Tree::Leaf(k) => [parts[*k].bounds.width_mm(), parts[*k].bounds.height_mm()],
+            Tree::Air(mm) => [0.0, *mm],
+            Tree::Group { along, gap_mm, children, .. } => {
+                let sizes: Vec<[f64; 2]> = children.iter().map(|c| c.size(parts)).filter(|s| s[1] > 0.0).collect();
+                let gaps = gap_mm * sizes.len().saturating_sub(1) as f64;
+                let sum = |k: usize| sizes.iter().map(|s| s[k]).sum::<f64>();
+                let max = |k: usize| sizes.iter().map(|s| s[k]).fold(0.0, f64::max);
+                match along {
+                    Along::Row => [sum(0) + gaps, max(1)],
+                    Along::Column => [max(0), sum(1) + gaps],
+                }
+            }
+        }
+    }
+
+    /// Puts the parts into a box whose upper left corner is `at`.
+    pub fn put(&self, parts: &mut [Part], at: Point) {
+        match self {
+            Tree::Leaf(k) => parts[*k].stand_at(at),
+            Tree::Air(_) => {}
+            Tree::Group { along, gap_mm, children, centred } => {
+                let [width, height] = self.size(parts);
+                let mut here = at;
+                for c in children {
+                    let [w, h] = c.size(parts);
+                    if h <= 0.0 {
+                        continue;
+                    }
+                    let part = if *centred { 0.5 } else { 0.0 };
+                    match along {
+                        Along::Row => {
+                            c.put(parts, Point::new(here.x, at.y - (height - h) * part));
+                            here.x += w + gap_mm;
+                        }
+                        Along::Column => {
+                            c.put(parts, Point::new(at.x + (width - w) * part, here.y));
+                            here.y -= h + gap_mm;
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Arranges the parts; returns all items and the size of the paper.
+///
+/// # Errors
+/// `paper-too-small` when a fixed paper does not hold the best arrangement.
+pub(super) fn arrange(pieces: Pieces, paper: Option<[f64; 2]>, margin_mm: f64) -> Result<(Vec<Item>, [f64; 2]), Faults> {
+    let layout = Layout::of(pieces);
+    let aim = paper.map_or(AIM_MM, |[w, h]| [w - 2.0 * margin_mm, h - 2.0 * margin_mm]);
+    let best = layout.candidates().into_iter().min_by(|a, b| layout.cost(a, aim).total_cmp(&layout.cost(b, aim)));
+    let best = best.expect("there is always an arrangement");
+    let [w, h] = best.size(&layout.parts);
+    let size = paper.unwrap_or([w + 2.0 * margin_mm, h + 2.0 * margin_mm]);
+    let (free_x, free_y) = (size[0] - w, size[1] - h);
+    if free_x < 0.0 || free_y < 0.0 {
+        return Err(Diagnostic::error(
+            "paper-too-small",
+            both!(
+                "the sheet needs {w:.0} mm by {h:.0} mm, the paper has {} by {}",
+                "图面需要 {w:.0} mm × {h:.0} mm，而图纸为 {} × {}",
+                size[0],
+                size[1]
+            ),
+        )
+        .help(both!("give a larger paper, leave its size to the sheet, or ask for less", "请用更大的图纸，或不规定图幅，或少求一些量"))
+        .into());
+    }
+    let mut parts = layout.parts;
+    best.put(&mut parts, Point::new(free_x / 2.0, size[1] - free_y / 2.0));
+    Ok((parts.into_iter().flat_map(|p| p.items).collect(), size))
+}
+
+/// Arranges the parts in a width, as low as it goes, in one of the textbooks' arrangements or in rows as a text is set in lines; where
+/// nothing is narrow enough, as narrow as it goes. Returns all items and the size of what they take, without a border.
+pub(super) fn arrange_in(pieces: Pieces, width_mm: f64) -> (Vec<Item>, [f64; 2]) {
+    let layout = Layout::of(pieces);
+    let cost = |tree: &Tree| {
+        let [w, h] = tree.size(&layout.parts);
+        if w <= width_mm { (0.0, h) } else { (w, h) }
+    };
+    let all = layout.candidates().into_iter().chain(layout.in_rows(width_mm));
+    let best = all.min_by(|a, b| cost(a).0.total_cmp(&cost(b).0).then(cost(a).1.total_cmp(&cost(b).1)));
+    let best = best.expect("there is always an arrangement");
+    let size = best.size(&layout.parts);
+    let mut parts = layout.parts;
+    best.put(&mut parts, Point::new(0.0, size[1]));
+    (parts.into_iter().flat_map(|p| p.items).collect(), size)
+}
+
+/// Blocks, of which the first so many are drawings, in rows of at most this width and of the least height in sum: the shortest way from
+/// the first block to the last. A block that is wider has a row of its own.
+fn lines(blocks: Vec<Tree>, drawings: usize, width_mm: f64, parts: &[Part]) -> Vec<Tree> {
+    let sizes: Vec<[f64; 2]> = blocks.iter().map(|tree| tree.size(parts)).collect();
+    // For each number of blocks: the least height of their rows, and where the last of these begins.
+    let mut least = vec![(0.0_f64, 0)];
+    for end in 1..=blocks.len() {
+        let (mut wide, mut high) = (-GAP_MM, 0.0_f64);
+        let mut best = (f64::INFINITY, end - 1);
+        for start in (0..end).rev() {
+            wide += GAP_MM + sizes[start][0];
+            high = high.max(sizes[start][1]);
+            if start + 1 < end && wide > width_mm {
+                break;
+            }
+            let height = least[start].0 + high + GAP_MM;
+            if height < best.0 {
+                best = (height, start);
+            }
+        }
+        least.push(best);
+    }
+    let mut starts = vec![blocks.len()];
+    while let Some(&end) = starts.last().filter(|end| **end > 0) {
+        starts.push(least[end].1);
+    }
+    let mut blocks = blocks.into_iter();
+    let rows = starts.iter().rev().zip(starts.iter().rev().skip(1));
+    rows.map(|(start, end)| {
+        let row = blocks.by_ref().take(end - start).collect();
+        if *start < drawings { Tree::row(row) } else { Tree::text_row(row) }
+    })
+    .collect()
+}
+
+/// Parts as one, standing as the tree says.
+pub(super) fn put_together(tree: Tree, mut parts: Vec<Part>) -> Part {
+    tree.put(&mut parts, Point::ORIGIN);
+    Part::of(parts.into_iter().flat_map(|p| p.items).collect())
+}
+
+/// The equations of all levels, one below the other; `None` where there are none.
+pub(super) fn column(equations: Vec<(Part, Vec<Part>)>) -> Option<Part> {
+    let mut parts = Vec::new();
+    let mut tree = Vec::new();
+    for (heading, lines) in equations.into_iter().filter(|(_, lines)| !lines.is_empty()) {
+        if !tree.is_empty() {
+            tree.push(Tree::Air(HEADING_AIR_MM));
+        }
+        for part in std::iter::once(heading).chain(lines) {
+            tree.push(Tree::Leaf(parts.len()));
+            parts.push(part);
+        }
+    }
+    let all = put_together(Tree::text_column(tree), parts);
+    (!all.items.is_empty()).then_some(all)
+}
+
+struct Layout {
+    parts: Vec<Part>,
+    title: Option<usize>,
+    drawings: Vec<usize>,
+    equations: Vec<Vec<usize>>,
+    results: usize,
+}
+
+impl Layout {
+    fn of(pieces: Pieces) -> Layout {
+        let mut parts = Vec::new();
+        let mut add = |part: Part| {
+            parts.push(part);
+            parts.len() - 1
+        };
+        let title = pieces.title.map(&mut add);
+        let drawings: Vec<usize> = pieces.drawings.into_iter().map(&mut add).collect();
+        let equations: Vec<Vec<usize>> = pieces
+            .equations
+            .into_iter()
+            .filter(|(_, lines)| !lines.is_empty())
+            .map(|(heading, lines)| std::iter::once(heading).chain(lines).map(&mut add).collect())
+            .collect();
+        let results = add(pieces.results);
+        Layout { parts, title, drawings, equations, results }
+    }
+
+    /// The parts in their order, in rows: the drawings; the equations of each level, or of all in columns side by side; the results. At
+    /// last everything below one another.
+    fn in_rows(&self, width_mm: f64) -> Vec<Tree> {
+        let by_level = || self.equations.iter().map(|e| Tree::text_column(e.iter().map(|k| Tree::Leaf(*k)).collect())).collect();
+        let beside = |columns| vec![Tree::text_row(self.text_columns(columns))];
+        let rows = |equations: Vec<Tree>, width_mm: f64| {
+            let blocks = self.drawings.iter().map(|k| Tree::Leaf(*k)).chain(equations).chain([Tree::Leaf(self.results)]);
+            let rows = lines(blocks.collect(), self.drawings.len(), width_mm, &self.parts);
+            Tree::column(self.title.map(Tree::Leaf).into_iter().chain(rows).collect())
+        };
+        let all = std::iter::once(by_level()).chain((1..=4).map(beside));
+        all.map(|equations| rows(equations, width_mm)).chain([rows(beside(1), 0.0)]).collect()
+    }
+
+    /// How much larger than the page, plus how much of it stays empty.
+    fn cost(&self, tree: &Tree, aim: [f64; 2]) -> f64 {
+        let [w, h] = tree.size(&self.parts);
+        let scale = (w / aim[0]).max(h / aim[1]);
+        let used: f64 = self.parts.iter().map(|p| p.bounds.width_mm() * p.bounds.height_mm()).sum();
+        scale + EMPTY_COST * (1.0 - used / (scale * scale * aim[0] * aim[1]))
+    }
+
+    fn candidates(&self) -> Vec<Tree> {
+        let mut all = Vec::new();
+        let leaf = |k: &usize| Tree::Leaf(*k);
+        let polygons = || -> Vec<Tree> { self.drawings[1..].iter().map(leaf).collect() };
+        let diagram = || Tree::Leaf(self.drawings[0]);
+        let results = || Tree::Leaf(self.results);
+        for columns in 1..=4 {
+            // Drawings above, everything written below.
+            let mut text = self.text_columns(columns);
+            text.push(results());
+            all.push(vec![Tree::row(self.drawings.iter().map(leaf).collect()), Tree::text_row(text)]);
+            // The mechanism at the left with the results below it; polygons and equations at the right.
+            let right = Tree::column(vec![Tree::row(polygons()), Tree::text_row(self.text_columns(columns))]);
+            all.push(vec![Tree::text_row(vec![Tree::column(vec![diagram(), results()]), right])]);
+            // The same with the results at the right.
+            let mut text = self.text_columns(columns);
+            text.push(results());
+            let right = Tree::column(vec![Tree::row(polygons()), Tree::text_row(text)]);
+            all.push(vec![Tree::row(vec![diagram(), right])]);
+            // All drawings at the left, one below the other; the text at the right.
+            let mut text = self.text_columns(columns);
+            text.push(results());
+            all.push(vec![Tree::row(vec![Tree::column(self.drawings.iter().map(leaf).collect()), Tree::text_row(text)])]);
+        }
+        // Each polygon above its own equations.
+        let mut columns = vec![Tree::column(vec![diagram(), results()])];
+        for (k, polygon) in self.drawings[1..].iter().enumerate() {
+            let mut column = vec![Tree::Leaf(*polygon)];
+            column.extend(self.equations.get(k).map(|e| Tree::text_column(e.iter().map(leaf).collect())));
+            columns.push(Tree::column(column));
+        }
+        all.push(vec![Tree::text_row(columns)]);
+        let title = self.title;
+        all.into_iter().map(|rest| Tree::column(title.map(Tree::Leaf).into_iter().chain(rest).collect())).collect()
+    }
+
+    /// All equations in so many columns of about the same height; a column never begins with the last line of a level.
+    fn text_columns(&self, columns: usize) -> Vec<Tree> {
+        let lines: Vec<usize> = self.equations.iter().flatten().copied().collect();
+        let height = |k: &usize| self.parts[*k].bounds.height_mm() + LINE_GAP_MM;
+        let total: f64 = lines.iter().map(height).sum();
+        let mut out: Vec<Vec<Tree>> = vec![Vec::new()];
+        let mut done = 0.0;
+        for k in &lines {
+            let h = height(k);
+            let heading = self.equations.iter().any(|e| e[0] == *k);
+            // A line goes where its middle falls; a heading where the middle of the line after it would.
+            let middle = done + if heading { h + LINE_GAP_MM } else { h / 2.0 };
+            let column = ((middle / total * columns as f64) as usize).min(columns - 1);
+            if column >= out.len() {
+                out.push(Vec::new());
+            }
+            let column = out.last_mut().expect("there is a column");
+            if heading && !column.is_empty() {
+                column.push(Tree::Air(HEADING_AIR_MM));
+            }
+            column.push(Tree::Leaf(*k));
+            done += h;
+        }
+        out.into_iter().filter(|c| !c.is_empty()).map(Tree::text_column).collect()
+    }
+}

@@ -1,0 +1,311 @@
+//! The profile by inversion 反转法: the cam stands and the follower goes round it the other way, in twelve numbered stations.
+
+use super::{heading, words_at};
+use hodograph_base::cam::{Disc, Follower, Motion, Side, Station, Touch, round};
+use hodograph_base::digits::{inked, shortest};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::construct::scale::choose_in;
+use hodograph_paper::paper::extent::Rect;
+use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, Item, PLACED, Shape, Stroke};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::phrase::tr;
+use hodograph_paper::paper::place::{Bar, LabelRequest, Obstacles, place};
+use hodograph_paper::paper::style::Style;
+use hodograph_paper::paper::text;
+use hodograph_paper::paper::words::words;
+use hodograph_report::cam::Report;
+use hodograph_scene::{Kind, Lang};
+use std::f64::consts::TAU;
+
+/// Stations in a turn.
+const STATIONS: usize = 12;
+/// The drawing's larger side, about, in mm.
+const SIZE_MM: f64 = 165.0;
+/// Around the drawing, above it and below it, in mm.
+const MARGIN_MM: f64 = 9.0;
+const ABOVE_MM: f64 = 16.0;
+const BELOW_MM: f64 = 20.0;
+/// Points of the curves: one for each half degree.
+const STEPS: usize = 720;
+
+/// Between what is drawn and the arrow of the sense outside of it, in mm: a number fits between.
+const ARROW_MM: f64 = 9.0;
+/// How much wider than the arrow the sector is in which it looks (rad).
+const ARROW_AIR: f64 = 0.12;
+/// Points looked at on each line.
+const SAMPLES: usize = 32;
+
+/// The drawing under way: items in mm about the centre of the cam.
+struct Drawing<'a> {
+    report: &'a Report<'a>,
+    style: &'a Style,
+    /// mm of paper for a metre.
+    scale: f64,
+    items: Vec<Item>,
+    wanted: Vec<LabelRequest>,
+}
+
+/// Draws the figure.
+pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
+    let disc = &report.turning.disc;
+    let reach = reach(disc);
+    let unit = report.scene.book.chosen(Kind::Length).map_or(1.0, hodograph_scene::book::BookUnit::size);
+    let mu = choose_in(unit, [2.0 * reach; 2], [SIZE_MM; 2]);
+    let mut d = Drawing { report, style, scale: 1.0 / mu, items: Vec::new(), wanted: Vec::new() };
+    d.circles();
+    d.curves();
+    d.stations();
+    d.turning();
+    let half = hodograph_paper::paper::extent::bounds(&d.items).map_or(SIZE_MM / 2.0, |b| b.max.y.max(-b.min.y).max(b.max.x).max(-b.min.x))
+        + MARGIN_MM;
+    let bounds = Rect::new(Point::new(-half, -half), Point::new(half, half));
+    let placed = place(&d.wanted, &Obstacles::of(&d.items), bounds);
+    for (k, (request, at)) in d.wanted.iter().zip(&placed).enumerate() {
+        d.items.extend(at.items(request, PLACED, style.thin).into_iter().map(|i| i.with_id(format!("cam-label-{k}"))));
+    }
+    let mut items = d.items;
+    let title = heading(report.scene, tr(lang, "profile by inversion", "反转法绘制凸轮廓线"), lang);
+    let (scale, caption) = (scale_text(report, mu), legend(disc, lang));
+    // A small drawing stands on a paper as wide as its words.
+    let wide = |text: &str, size_mm: f64| text::set(&Label::text(text).in_fonts(&style.fonts)).width_em * size_mm + 2.0 * MARGIN_MM;
+    let words_mm = wide(&title, style.caption_mm * 4.0 / 3.0).max(wide(&caption, style.small_mm));
+    let (width_mm, height_mm) = ((2.0 * half).max(words_mm), 2.0 * half + ABOVE_MM + BELOW_MM);
+    hodograph_paper::paper::extent::translate(&mut items, Vec2::new(width_mm / 2.0, half + BELOW_MM));
+    let middle = width_mm / 2.0;
+    items.push(words_at(
+        "title",
+        Point::new(middle, height_mm - 10.0),
+        Label::text(title.as_str()),
+        style.caption_mm * 4.0 / 3.0,
+        Anchor::Middle,
+        style,
+    ));
+    items.push(words_at("caption", Point::new(middle, 14.0), Label::text(caption.as_str()), style.small_mm, Anchor::Middle, style));
+    items.push(words_at("mu_l", Point::new(middle, 7.0), Label::math(scale), style.small_mm, Anchor::Middle, style));
+    let desc = match lang {
+        Lang::En => format!("{}. {caption}.", hodograph_report::cam::kind(report.cam, disc, lang)),
+        Lang::Zh => format!("{}。{caption}。", hodograph_report::cam::kind(report.cam, disc, lang)),
+    };
+    let mut figure = Figure { width_mm, height_mm, title, desc, lang: words(lang).tag.into(), paper: Colour::WHITE, items };
+    style.palette.paint(&mut figure);
+    figure
+}
+
+/// The circle of the roller's centre on the base circle, drawn where the profile comes from a law of motion.
+fn prime_m(disc: &Disc) -> Option<f64> {
+    let radius = if let Touch::Point { radius } = disc.touch { radius } else { 0.0 };
+    (radius > 0.0 && matches!(disc.motion, Motion::Law { .. })).then(|| disc.base() + radius)
+}
+
+/// What the lines are, in words: those that this cam has.
+fn legend(disc: &Disc, lang: Lang) -> String {
+    let rolling = matches!(disc.touch, Touch::Point { radius } if radius > 0.0);
+    let offset = matches!(disc.follower, Follower::Translating { offset, .. } if offset != 0.0);
+    let swinging = matches!(disc.follower, Follower::Oscillating { .. });
+    let mut dashed = Vec::new();
+    dashed.extend(prime_m(disc).map(|_| tr(lang, "prime circle", "理论廓线基圆")));
+    dashed.extend(swinging.then(|| tr(lang, "circle of the pivots", "从动件转动中心所在圆")));
+    let (thick, between) = (
+        if rolling { tr(lang, "thick: profile", "粗线为实际廓线") } else { tr(lang, "thick: profile", "粗线为廓线") },
+        tr(lang, "; ", "，"),
+    );
+    let mut parts = vec![thick.to_owned()];
+    parts.extend(rolling.then(|| tr(lang, "chain line: pitch curve", "点画线为理论廓线").to_owned()));
+    let thin = match (offset, lang) {
+        (true, Lang::En) => "thin: stations of the follower, base and offset circles",
+        (true, Lang::Zh) => "细线为从动件各位置及基圆、偏距圆",
+        (false, Lang::En) => "thin: stations of the follower, base circle",
+        (false, Lang::Zh) => "细线为从动件各位置及基圆",
+    };
+    parts.push(thin.to_owned());
+    if !dashed.is_empty() {
+        parts.push(format!("{}{}", tr(lang, "dashed: ", "虚线为"), dashed.join(tr(lang, ", ", "、"))));
+    }
+    parts.join(between)
+}
+
+/// The largest distance from the centre of what is drawn (m).
+fn reach(disc: &Disc) -> f64 {
+    let stations = round(disc, STEPS / 4).into_iter().filter_map(|(phi, side)| disc.station(phi, side));
+    let end = match disc.touch {
+        Touch::Point { radius } => radius,
+        Touch::Flat { .. } => 0.0,
+    };
+    let far = stations.map(|s| s.pitch.norm().max(s.contact.norm()) + end).fold(disc.base(), f64::max);
+    match disc.follower {
+        Follower::Translating { .. } => far * 1.06,
+        Follower::Oscillating { pivot, .. } => far.max(pivot.norm() * 1.06),
+    }
+}
+
+fn scale_text(report: &Report, mu: f64) -> String {
+    let (name, factor) = match report.scene.book.chosen(Kind::Length) {
+        Some(unit) => (unit.name().to_owned(), unit.of(1.0)),
+        None => ("m".to_owned(), 1.0),
+    };
+    format!("\\mu_l = {}\\,\\text{{{name}/mm}}", inked(&shortest(mu * factor)))
+}
+
+impl Drawing<'_> {
+    fn disc(&self) -> &Disc {
+        &self.report.turning.disc
+    }
+
+    fn at(&self, v: Vec2) -> Point {
+        (v * self.scale).to_point()
+    }
+
+    fn draw(&mut self, class: &str, shape: Shape, link: Option<usize>) {
+        let id = format!("cam-{class}-{}", self.items.len());
+        self.items.push(Item { link, ..Item::new(class, shape).with_id(id) });
+    }
+
+    fn circle(&mut self, class: &str, radius: f64, stroke: Stroke) {
+        let radius_mm = radius * self.scale;
+        // Smaller than a dot it is none.
+        if radius_mm > 0.5 {
+            self.draw(class, Shape::Circle { centre: Point::ORIGIN, radius_mm, stroke: Some(stroke), fill: None }, None);
+        }
+    }
+
+    fn label(&mut self, text: &str, at: Point, clear_mm: f64, towards: Vec2) {
+        let label = Label::math(text).in_fonts(&self.style.fonts);
+        let request = LabelRequest::at_point(label, self.style.small_mm, at, clear_mm);
+        self.wanted.push(if towards == Vec2::ZERO { request } else { request.towards(towards) });
+    }
+
+    /// Profile and pitch curve.
+    fn curves(&mut self) {
+        let disc = self.disc().clone();
+        let link = Some(self.report.cam.cam.0);
+        let points: Vec<Point> = disc.outline(STEPS).into_iter().map(|p| self.at(p)).collect();
+        let stroke = self.style.link;
+        self.draw("profile", Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None }, link);
+        if let Touch::Point { radius } = disc.touch
+            && radius > 0.0
+        {
+            let all = round(&disc, STEPS).into_iter().filter_map(|(phi, side)| disc.station(phi, side));
+            let points: Vec<Point> = all.map(|s| self.at(s.pitch)).collect();
+            let stroke = self.style.thin.dashed(Dash::DashDot);
+            self.draw("pitch", Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None }, None);
+        }
+    }
+
+    /// Base circle, the circle of the roller's centre on it, offset circle, circle of the pivots.
+    fn circles(&mut self) {
+        let disc = self.disc().clone();
+        let base = disc.base();
+        let (thin, dashed) = (self.style.thin, self.style.thin.dashed(Dash::Dashed));
+        self.circle("base", base, thin);
+        if let Some(radius) = prime_m(&disc) {
+            self.circle("pitch-circle", radius, dashed);
+        }
+        // Radii are drawn where the follower does not stand: between two stations.
+        let radius = |d: &mut Drawing, name: &str, r: f64, angle: f64| {
+            let to = d.at(Vec2::from_angle(angle) * r);
+            let (stroke, head) = (d.style.thin, d.style.thin_head);
+            d.draw("radius", Shape::Arrow { from: Point::ORIGIN, to, stroke, head }, None);
+            let label = Label::math(name).in_fonts(&d.style.fonts);
+            d.wanted.push(LabelRequest::along(label, d.style.small_mm, Point::ORIGIN, to, 0.2));
+        };
+        radius(self, "r_0", base, (-105.0f64).to_radians());
+        match disc.follower {
+            Follower::Translating { offset, .. } if offset != 0.0 => {
+                self.circle("offset", offset.abs(), thin);
+                radius(self, "e", offset.abs(), (-15.0f64).to_radians());
+            }
+            Follower::Translating { .. } => {}
+            Follower::Oscillating { pivot, .. } => self.circle("pivots", pivot.norm(), dashed),
+        }
+        let dot = Shape::Circle { centre: Point::ORIGIN, radius_mm: self.style.dot_radius_mm, stroke: None, fill: Some(Colour::BLACK) };
+        self.draw("centre", dot, None);
+        let name = self.report.scene.point_name(self.report.turning.pivot).to_owned();
+        self.label(&name, Point::ORIGIN, 1.2, Vec2::new(-1.0, 1.0));
+    }
+
+    /// The follower in its stations, the first one in thick lines.
+    fn stations(&mut self) {
+        let disc = self.disc().clone();
+        for k in 0..STATIONS {
+            let phi = TAU * k as f64 / STATIONS as f64;
+            let Some(s) = disc.station(phi, Side::After) else { continue };
+            let stroke = if k == 0 { self.style.outline } else { self.style.thin };
+            self.follower(&disc, &s, k, stroke);
+        }
+    }
+
+    fn follower(&mut self, disc: &Disc, s: &Station, k: usize, stroke: Stroke) {
+        let link = Some(self.report.cam.follower.0);
+        let back = Vec2::from_angle(-disc.sense * s.phi);
+        let pitch = self.at(s.pitch);
+        let contact = self.at(s.contact);
+        let name = k.to_string();
+        if let Touch::Point { radius } = disc.touch
+            && radius > 0.0
+        {
+            let shape = Shape::Circle { centre: pitch, radius_mm: radius * self.scale, stroke: Some(stroke), fill: None };
+            self.draw("roller", shape, link);
+        }
+        let dot = |centre| Shape::Circle { centre, radius_mm: 0.6, stroke: None, fill: Some(Colour::BLACK) };
+        match disc.follower {
+            Follower::Translating { direction, offset } => {
+                let d = direction.rotate_by(back);
+                let foot = self.at(d.perp() * -offset);
+                let far = pitch + d * self.beyond(disc);
+                self.draw("station", Shape::Line { from: foot, to: far, stroke }, link);
+                self.label(&name, far, 0.5, d);
+            }
+            Follower::Oscillating { pivot, .. } => {
+                let p = self.at(pivot.rotate_by(back));
+                // The arm, or the face from beside the pivot to its contact and beyond.
+                let (from, to) = match disc.touch {
+                    Touch::Point { .. } => (p, pitch),
+                    Touch::Flat { .. } => (pitch, contact + (contact - pitch) * 0.15),
+                };
+                if from != p && (from - p).norm() > 0.5 && matches!(disc.touch, Touch::Flat { .. }) {
+                    self.draw("lever", Shape::Line { from: p, to: from, stroke }, link);
+                }
+                self.draw("station", Shape::Line { from, to, stroke }, link);
+                let pin = Shape::Circle { centre: p, radius_mm: 1.0, stroke: Some(stroke), fill: Some(Colour::WHITE) };
+                self.draw("pivot", pin, None);
+                self.label(&name, p, 1.2, p.to_vec2());
+            }
+        }
+        if let (Touch::Flat { .. }, Follower::Translating { .. }) = (disc.touch, disc.follower) {
+            let half = (s.contact - s.pitch).norm() * self.scale + 6.0;
+            let along = s.normal.perp() * half;
+            self.draw("face", Shape::Line { from: pitch - along, to: pitch + along, stroke }, link);
+        }
+        self.draw("contact", dot(contact), None);
+        if let Touch::Point { radius } = disc.touch
+            && radius > 0.0
+        {
+            self.draw("pitch-point", dot(pitch), None);
+        }
+    }
+
+    /// How far the line of a translating follower goes beyond its point (mm).
+    fn beyond(&self, disc: &Disc) -> f64 {
+        match disc.touch {
+            Touch::Point { radius } => (radius * self.scale + 3.0).max(6.0),
+            Touch::Flat { .. } => 6.0,
+        }
+    }
+
+    /// In which sense the follower goes round: against the cam. The arrow stands outside of what is drawn there.
+    fn turning(&mut self) {
+        let sense = -self.disc().sense;
+        let from_rad = 0.25 * TAU + sense * 0.12;
+        let (stroke, head) = (self.style.thin, self.style.thin_head);
+        let to_rad = from_rad + sense * 0.28;
+        let angles = [from_rad.min(to_rad), from_rad.max(to_rad)];
+        let there = |p: &Point| (angles[0] - ARROW_AIR..angles[1] + ARROW_AIR).contains(&p.to_vec2().angle());
+        let along = |bar: &Bar| (0..=SAMPLES).map(|k| bar.from + (bar.to - bar.from) * (k as f64 / SAMPLES as f64)).collect::<Vec<_>>();
+        let drawn = Obstacles::of(&self.items).bars;
+        let reach_mm = drawn.iter().flat_map(along).filter(there).map(|p| p.to_vec2().norm()).fold(0.0, f64::max);
+        let radius_mm = reach_mm + ARROW_MM;
+        self.draw("sense", Shape::ArcArrow { centre: Point::ORIGIN, radius_mm, from_rad, to_rad, stroke, head }, None);
+        let label = Label::math("−ω").in_fonts(&self.style.fonts);
+        self.wanted.push(LabelRequest::along_arc(label, self.style.small_mm, Point::ORIGIN, radius_mm, angles, 0.3));
+    }
+}

@@ -1,0 +1,25 @@
+//! Figures of a disc cam: the motion of its follower over a turn ([`motion`]), its profile by inversion ([`inversion`]).
+
+pub mod inversion;
+pub mod motion;
+
+use hodograph_base::geom::Point;
+use hodograph_paper::paper::item::{Anchor, Colour, Item, Shape};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::style::Style;
+use hodograph_scene::{Lang, Scene};
+
+/// Title of a figure, or what it is where the scene has none.
+fn heading(scene: &Scene, otherwise: &str, lang: Lang) -> String {
+    let title = scene.title.get(lang);
+    match (title.is_empty(), lang) {
+        (true, _) => otherwise.to_owned(),
+        (false, Lang::En) => format!("{title}: {otherwise}"),
+        (false, Lang::Zh) => format!("{title}：{otherwise}"),
+    }
+}
+
+/// Words at a given place.
+fn words_at(class: &str, at: Point, label: Label, size_mm: f64, anchor: Anchor, style: &Style) -> Item {
+    Item::new(class, Shape::Label { at, label: label.in_fonts(&style.fonts), size_mm, anchor, colour: Colour::BLACK })
+}

@@ -1,0 +1,179 @@
+//! The circle diagram (瞬心多边形): links on a circle, a chord for each centre, solid for those of the pairs, dashed and numbered in the order
+//! of finding for the others; beside it the list of the lines that find them.
+
+use crate::list::Wanted;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::plan::names::name_label;
+use hodograph_methods::centres::{Centre, Centres, How};
+use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_paper::paper::extent::{Rect, bounds, on_circle};
+use hodograph_paper::paper::item::{Anchor, Colour, Dash, Item, Shape, tag};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::style::Style;
+use hodograph_paper::paper::symbols as sym;
+use hodograph_report::centres::Words;
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use super::symbol;
+
+/// Radius of the circle for each link: the numbers on the chords have room.
+const RADIUS_PER_LINK_MM: f64 = 5.2;
+/// The smallest and the largest circle.
+const RADIUS_MM: [f64; 2] = [22.0, 75.0];
+/// Between the circle and the list, and between two columns of it.
+const GAP_MM: f64 = 8.0;
+/// More rows than this make two columns.
+const ROWS: usize = 22;
+/// Numbers of the order, as a part of the small type: two digits stand in a disc that is no taller than a line of the list.
+const NUMBER_PART: f64 = 0.85;
+/// Where on its chord a number may stand, in steps of a fiftieth: not at the ends, where chords run together.
+const STATIONS: std::ops::RangeInclusive<usize> = 8..=42;
+
+/// The diagram with its list.
+pub fn part(w: &Wanted, found: &Centres) -> Part {
+    drawn(w, found, false)
+}
+
+/// The same; each item of a centre has its place in the order of finding as its step.
+pub fn stepped(w: &Wanted, found: &Centres) -> Part {
+    drawn(w, found, true)
+}
+
+fn drawn(w: &Wanted, found: &Centres, stepped: bool) -> Part {
+    let diagram = chords(w, found, stepped);
+    let mut items = diagram.items;
+    let right = diagram.bounds.max.x + GAP_MM;
+    items.extend(list(w, found, Point::new(right, diagram.bounds.max.y), stepped));
+    Part { placements: diagram.placements, left_out: diagram.left_out, ..Part::of(items) }
+}
+
+/// The centres that are not of a pair, numbered from 1 on, each behind its place in the order of finding.
+fn numbered(found: &Centres) -> impl Iterator<Item = (usize, (usize, &Centre))> {
+    let later = found.list.iter().enumerate().filter(|(_, c)| !matches!(c.step.how, How::Primary(_)));
+    later.enumerate().map(|(k, (place, c))| (place, (k + 1, c)))
+}
+
+/// The class of an item that a centre brings.
+fn class(word: &str, stepped: bool, place: usize) -> String {
+    if stepped { format!("{word} step-{place}") } else { word.to_owned() }
+}
+
+/// A number in its disc.
+fn badge(style: &Style, at: Point, k: usize) -> Vec<Item> {
+    let size_mm = style.small_mm * NUMBER_PART;
+    let disc = Shape::Circle { centre: at, radius_mm: radius_of_badge(style), stroke: Some(style.thin), fill: Some(Colour::WHITE) };
+    // Digits are some two thirds of their em tall.
+    let label = Label::math(k.to_string()).in_fonts(&style.fonts);
+    let at = Point::new(at.x, at.y - size_mm / 3.0);
+    let number = Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
+    vec![Item::new("order", disc), Item::new("order number", number)]
+}
+
+fn radius_of_badge(style: &Style) -> f64 {
+    style.small_mm * NUMBER_PART * 0.72
+}
+
+/// How far a place is from a line.
+fn distance(p: Point, (a, b): (Point, Point)) -> f64 {
+    let u = b - a;
+    let t = (u.dot(p - a) / u.norm2()).clamp(0.0, 1.0);
+    (a + u * t).distance(p)
+}
+
+/// For each numbered chord (an index) the place of its number: as far as can be from other chords, and from the numbers before it; of
+/// two that are as good the one nearer to the middle.
+fn stations(chords: &[(Point, Point)], numbered: &[usize], disc_mm: f64) -> Vec<Point> {
+    let mut placed: Vec<Point> = Vec::new();
+    for k in numbered {
+        let (a, b) = chords[*k];
+        let worth = |p: Point| {
+            let others = chords.iter().enumerate().filter(|(l, _)| l != k).map(|(_, c)| distance(p, *c));
+            let numbers = placed.iter().map(|q| (p.distance(*q) - disc_mm) / 1.5);
+            // Farther than a disc and a half from all others is far enough.
+            others.chain(numbers).fold(1.5 * disc_mm, f64::min)
+        };
+        let at = |t: usize| a + (b - a) * (t as f64 / 50.0);
+        let cost = |t: &usize| 0.02 * (*t as f64 - 25.0).abs() - worth(at(*t));
+        let best = STATIONS.min_by(|s, t| cost(s).total_cmp(&cost(t))).unwrap_or(25);
+        placed.push(at(best));
+    }
+    placed
+}
+
+fn chords(w: &Wanted, found: &Centres, stepped: bool) -> Part {
+    let style = &w.options.style;
+    let links = &found.closure.links;
+    let n = links.len().max(2) as f64;
+    let radius = (RADIUS_PER_LINK_MM * n).clamp(RADIUS_MM[0], RADIUS_MM[1]);
+    // The first link at the top, the others clockwise.
+    let at = |l| {
+        let k = links.iter().position(|m| *m == l).unwrap_or(0);
+        on_circle(Point::ORIGIN, radius, FRAC_PI_2 - TAU * k as f64 / n)
+    };
+    let mut d = Drawing::new("circle", style.clone());
+    let outline =
+        Shape::Circle { centre: Point::ORIGIN, radius_mm: radius, stroke: Some(style.thin.coloured(Colour::grey(170))), fill: None };
+    d.frame("circle", "circle", outline);
+    let chord = |c: &Centre| (at(c.step.pair.i), at(c.step.pair.j));
+    for (place, c) in found.list.iter().enumerate() {
+        let (from, to) = chord(c);
+        let (word, stroke) = match c.step.how {
+            How::Primary(_) => ("chord primary", style.outline),
+            How::Lines(_) => ("chord found", style.thin.dashed(Dash::Dashed)),
+            How::Velocities => ("chord velocities", style.thin.dashed(Dash::DashDot)),
+        };
+        d.shape(&format!("chord-{}", c.step.pair.name(w.scene)), &class(word, stepped, place), Shape::Line { from, to, stroke });
+    }
+    let chords: Vec<(Point, Point)> = found.list.iter().map(chord).collect();
+    let later: Vec<usize> = (0..chords.len()).filter(|k| !matches!(found.list[*k].step.how, How::Primary(_))).collect();
+    for ((k, at), place) in stations(&chords, &later, radius_of_badge(style)).into_iter().enumerate().zip(&later) {
+        d.draw(&format!("order-{}", k + 1), class("", stepped, *place).trim(), badge(style, at, k + 1));
+    }
+    for l in links {
+        let place = at(*l);
+        let name = w.scene.link_name(*l);
+        d.draw(&format!("node-{name}"), "node", sym::dot(style, place));
+        let text = name_label(name);
+        let outward: Vec2 = place - Point::ORIGIN;
+        d.label_at(&format!("node-{name}"), "node", &text, place, style.dot_radius_mm, Some(outward));
+    }
+    d.finish()
+}
+
+/// The list: a row for each numbered centre; its upper left corner stands at `corner`.
+fn list(w: &Wanted, found: &Centres, corner: Point, stepped: bool) -> Vec<Item> {
+    let style = &w.options.style;
+    let words = Words::new(found, w.options.lang);
+    let line = style.small_mm * 1.8;
+    let rows = numbered(found).count();
+    let per_column = if rows > ROWS { rows.div_ceil(2) } else { rows };
+    let mut items: Vec<Item> = Vec::new();
+    let mut left = corner.x;
+    let mut column = 0;
+    for (place, (k, c)) in numbered(found) {
+        if per_column > 0 && (k - 1) / per_column > column {
+            column = (k - 1) / per_column;
+            left = bounds(&items).map_or(left, |b: Rect| b.max.x + GAP_MM);
+        }
+        let row = (k - 1) % per_column.max(1);
+        let by = if c.step.how == How::Velocities { ": " } else { " = " };
+        let text = Label::math(symbol(w.scene, c.step.pair)).then(Label::text(by)).then(words.found_by(c).label());
+        let base = Point::new(left, corner.y - line * (row as f64 + 1.0));
+        let disc = radius_of_badge(style);
+        let mut number = badge(style, base + Vec2::new(disc, style.small_mm * 0.25), k);
+        number.iter_mut().enumerate().for_each(|(part, item)| item.id = format!("circle-list-{k}-number-{part}"));
+        if stepped {
+            tag(&mut number, &format!("step-{place}"));
+        }
+        items.extend(number);
+        let shape = Shape::Label {
+            at: base + Vec2::new(2.0 * disc + style.small_mm * 0.5, 0.0),
+            label: text.in_fonts(&style.fonts),
+            size_mm: style.small_mm,
+            anchor: Anchor::Start,
+            colour: Colour::BLACK,
+        };
+        items.push(Item::new(class("circle list", stepped, place), shape).with_id(format!("circle-list-{k}")));
+    }
+    items
+}

@@ -1,0 +1,289 @@
+//! Composite motion of a point: for each moving point and frame a column, v_a = v_e + v_r at the point on the mechanism as a parallelogram
+//! whose diagonal is v_a, the parts of the acceleration at the point, their polygon, and the projections in words. Several solutions of one
+//! problem stand side by side, to one μ.
+
+use hodograph_base::diag::{Faults, Warned};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::construct::scale;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_methods::composite::{Solved, Staged, level, name_of};
+use hodograph_report::composite::{Words, symbol};
+use hodograph_scene::quantity::Frame;
+use hodograph_scene::quantity::composite::Part as Piece;
+use hodograph_scene::{Kind, Scene};
+use hodograph_worked::worked::Worked;
+
+use super::arrange::AIM_MM;
+use super::list::{Entry, Pages, Wanted, page};
+use super::mechanism::{self, Composed, Vector};
+use super::sheet::{MARGIN_MM, Maker};
+use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_paper::paper::extent::Rect;
+use hodograph_paper::paper::grid::{self, Cell, Row};
+use hodograph_paper::paper::item::{Anchor, Figure, Item, Shape};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::phrase::Phrase;
+use hodograph_paper::paper::place::LabelRequest;
+use hodograph_paper::paper::shown::{Length, Shown};
+use hodograph_paper::paper::style::Captioned;
+use hodograph_report::amount::of_level;
+
+/// The parallelograms and the parts of the accelerations.
+pub const ENTRY: Entry = Entry {
+    name: "composite",
+    about: ["Composite motion of a point: its parallelogram and its parts", "点的合成运动：动点处的速度平行四边形和加速度各分量"],
+    draw,
+};
+
+/// Columns where the scene names no moving point.
+const MOST: usize = 1;
+/// Room for the longest vector.
+const VECTOR_MM: f64 = 60.0;
+/// Between drawings.
+const GAP_MM: f64 = 10.0;
+/// Values to a line below a drawing.
+const PER_LINE: usize = 2;
+/// Distance of lines of text.
+const ROW_MM: f64 = 5.6;
+/// The smallest type on the printed page that is read at ease.
+const TYPE_MM: f64 = 2.3;
+/// Shorter vectors are not drawn.
+const SHORTEST_MM: f64 = mechanism::SHORTEST_MM;
+
+fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
+    let staged = Staged::new(w.scene);
+    let choices = staged.shown(w.scene, MOST);
+    if choices.is_empty() {
+        return page(ENTRY.name, None);
+    }
+    let Warned { value: (worked, each), .. } = staged.solved(&choices, level(w.scene))?;
+    let staged = Wanted { scene: &staged.scene, ..*w };
+    page(ENTRY.name, (!each.is_empty()).then(|| figure(&staged, &worked, &each)))
+}
+
+/// The scales of all columns: SI per mm.
+struct Scales {
+    velocity: f64,
+    acceleration: Option<f64>,
+}
+
+impl Scales {
+    fn of(w: &Wanted, each: &[Solved]) -> Scales {
+        let one = |kind: Kind, all: Vec<Vec2>| {
+            let most = all.iter().fold([0.0_f64; 2], |[x, y], v| [x.max(v.x.abs()), y.max(v.y.abs())]);
+            scale::choose_in(w.scene.paper.unit(kind), most, [VECTOR_MM, VECTOR_MM])
+        };
+        let velocities = each.iter().flat_map(|s| s.velocity).collect();
+        let accelerations: Vec<Vec2> = each.iter().flat_map(|s| s.acceleration.iter().map(|a| a.1)).collect();
+        let any = !accelerations.is_empty();
+        Scales { velocity: one(Kind::Velocity, velocities), acceleration: any.then(|| one(Kind::Acceleration, accelerations)) }
+    }
+}
+
+fn figure(w: &Wanted, worked: &Worked, each: &[Solved]) -> Figure {
+    let maker = Maker { scene: w.scene, worked, options: w.options, certified: Vec::new() };
+    let scales = Scales::of(w, each);
+    let words = Words { scene: w.scene, lang: w.options.lang, notation: &w.options.notation };
+    let mut parts: Vec<Part> = Vec::new();
+    let mut add = |part: Part| {
+        parts.push(part);
+        parts.len() - 1
+    };
+    let mut columns: Vec<Vec<usize>> = Vec::new();
+    for (k, s) in each.iter().enumerate() {
+        let letter = if each.len() > 1 { format!("({}) ", k + 1) } else { String::new() };
+        let mut column = vec![add(velocities(w, &maker, &scales, s, Label::text(letter).then(words.heading(&s.choice).label()), k))];
+        if let Some(mu) = scales.acceleration {
+            column.push(add(accelerations(w, &maker, mu, s, k)));
+            column.push(add(polygon(w, &maker, mu, s, k)));
+        }
+        column.push(add(text(w, &words, s, k)));
+        columns.push(column);
+    }
+    arrange(&mut parts, &columns, w.options.style.small_mm);
+    let mut figure = maker.alone(Part::of(parts.into_iter().flat_map(|p| p.items).collect()));
+    let told = each.iter().flat_map(|s| words.lines(s)).map(|l| l.plain()).collect::<Vec<_>>();
+    figure.desc = told.join("; ");
+    figure
+}
+
+/// One solution fills a page across: drawings in a row, the text below; in shorter rows where a long mechanism would make the type on the
+/// page too small. Several solutions stand side by side; below one another where that would make the type too small.
+fn arrange(parts: &mut [Part], columns: &[Vec<usize>], type_mm: f64) {
+    let [one] = columns else {
+        let row = |k: usize| columns.iter().map(|column| column[k]).collect();
+        let beside: Vec<Vec<usize>> = (0..columns[0].len()).map(row).collect();
+        stand(parts, &beside);
+        let printed_mm = type_mm * printed(parts);
+        if printed_mm < TYPE_MM {
+            stand(parts, columns);
+            if type_mm * printed(parts) < printed_mm {
+                stand(parts, &beside);
+            }
+        }
+        return;
+    };
+    let in_rows_of = |n: usize| one.chunks(n).map(<[usize]>::to_vec).collect::<Vec<_>>();
+    let mut best: (f64, usize) = (0.0, 1);
+    for n in (1..one.len()).rev() {
+        stand(parts, &in_rows_of(n));
+        let printed_mm = type_mm * printed(parts);
+        if printed_mm > best.0 {
+            best = (printed_mm, n);
+        }
+        if printed_mm >= TYPE_MM {
+            return;
+        }
+    }
+    stand(parts, &in_rows_of(best.1));
+}
+
+/// The part of its size at which what stands together fits on A4 with its margins, upright or across.
+fn printed(parts: &[Part]) -> f64 {
+    let Some(all) = parts.iter().map(|p| p.bounds).reduce(Rect::union) else { return 1.0 };
+    let [width, height] = [all.width_mm(), all.height_mm()].map(|side| side + 2.0 * MARGIN_MM);
+    let [long, short] = AIM_MM;
+    let fits = |x: f64, y: f64| (x / width).min(y / height);
+    fits(long, short).max(fits(short, long)).min(1.0)
+}
+
+/// Puts parts into rows and columns: each row as high as its highest part, each column as wide as its widest.
+fn stand(parts: &mut [Part], rows: &[Vec<usize>]) {
+    let many = rows.iter().map(Vec::len).max().unwrap_or(0);
+    // A row of one part does not widen the first column of the others.
+    let counts = |r: &&Vec<usize>| r.len() > 1 || many == 1;
+    let width = |k: usize| rows.iter().filter(counts).filter_map(|r| r.get(k)).map(|p| parts[*p].bounds.width_mm()).fold(0.0, f64::max);
+    let widths: Vec<f64> = (0..many).map(width).collect();
+    let mut y = 0.0;
+    for row in rows {
+        let mut x = 0.0;
+        let height = row.iter().map(|p| parts[*p].bounds.height_mm()).fold(0.0, f64::max);
+        for (p, wide) in row.iter().zip(&widths) {
+            // Captions of a row are on one line: the parts stand on their feet, text on its head.
+            let part = &mut parts[*p];
+            let drop = if part.items.iter().any(|i| i.id.contains("caption")) { height - part.bounds.height_mm() } else { 0.0 };
+            part.stand_at(Point::new(x, y - drop));
+            x += wide + GAP_MM;
+        }
+        y -= height + GAP_MM;
+    }
+}
+
+/// The vectors of a level on paper, the absolute first.
+fn vectors(w: &Wanted, s: &Solved, level: Level, mu: f64) -> Vec<Vector> {
+    let notation = &w.options.notation;
+    let vector = |part: Option<Piece>, v: Vec2| {
+        let mm = v * (1.0 / mu);
+        let shown = Shown { names: vec![quantity(w.scene, s, part, level)], length: Some(Length { mm: mm.norm(), si: v.norm() }) };
+        Vector { symbol: symbol(part, level, notation), key: key(part).into(), shown, mm, absolute: part.is_none() }
+    };
+    match level {
+        Level::Acceleration => s.acceleration.iter().map(|(part, v)| vector(*part, *v)).collect(),
+        Level::Position | Level::Velocity => {
+            let parts = [None, Some(Piece::TransportVelocity), Some(Piece::RelativeVelocity)];
+            parts.into_iter().zip(s.velocity).map(|(part, v)| vector(part, v)).collect()
+        }
+    }
+}
+
+/// The key of a part of the motion, in ids.
+fn key(part: Option<Piece>) -> &'static str {
+    match part {
+        None => "abs",
+        Some(Piece::TransportVelocity | Piece::Transport) => "transport",
+        Some(Piece::TransportNormal) => "transport-normal",
+        Some(Piece::TransportTangential) => "transport-tangential",
+        Some(Piece::RelativeVelocity | Piece::Relative | Piece::Path) => "relative",
+        Some(Piece::RelativeNormal) => "relative-normal",
+        Some(Piece::RelativeTangential) => "relative-tangential",
+        Some(Piece::Coriolis) => "coriolis",
+    }
+}
+
+/// A part of the motion as `find` writes it: `ve_A/2`, `a_A`.
+fn quantity(scene: &Scene, s: &Solved, part: Option<Piece>, level: Level) -> String {
+    let letters = match part {
+        None => "",
+        Some(Piece::TransportVelocity | Piece::Transport) => "e",
+        Some(Piece::TransportNormal) => "en",
+        Some(Piece::TransportTangential) => "et",
+        Some(Piece::RelativeVelocity | Piece::Relative | Piece::Path) => "r",
+        Some(Piece::RelativeNormal) => "rn",
+        Some(Piece::RelativeTangential) => "rt",
+        Some(Piece::Coriolis) => "k",
+    };
+    let letter = if level == Level::Acceleration { "a" } else { "v" };
+    let frame = match s.choice.frame {
+        Frame::Link(l) => scene.link_name(l).to_owned(),
+        Frame::Point(p) => name_of(scene, &p),
+    };
+    let seen = part.map_or_else(String::new, |_| format!("/{frame}"));
+    format!("{letter}{letters}_{}{seen}", name_of(scene, &s.choice.of))
+}
+
+fn velocities(w: &Wanted, maker: &Maker, scales: &Scales, s: &Solved, heading: Label, k: usize) -> Part {
+    let composed = Composed { at: s.choice.of.point, vectors: vectors(w, s, Level::Velocity, scales.velocity), parallelogram: true };
+    let part = mechanism::composed(&w.options.style, w.scene, maker.worked, &w.options.notation, &composed);
+    let mu = format!("{},\\quad {}", maker.caption(Level::Position).1, of_level(&w.scene.book, Level::Velocity, scales.velocity));
+    named(maker.titled(part, heading, &mu, "velocities"), "velocities", k)
+}
+
+fn accelerations(w: &Wanted, maker: &Maker, mu: f64, s: &Solved, k: usize) -> Part {
+    let composed = Composed { at: s.choice.of.point, vectors: vectors(w, s, Level::Acceleration, mu), parallelogram: false };
+    let part = mechanism::composed(&w.options.style, w.scene, maker.worked, &w.options.notation, &composed);
+    let words = maker.words().composite_acceleration;
+    named(maker.titled(part, Label::text(words), &of_level(&w.scene.book, Level::Acceleration, mu), "accelerations"), "accelerations", k)
+}
+
+/// The parts one after another from the pole, and the absolute vector from the pole to their end.
+fn polygon(w: &Wanted, maker: &Maker, mu: f64, s: &Solved, k: usize) -> Part {
+    let style = &w.options.style;
+    let mut d = Drawing::new("composite", style.clone());
+    let all = vectors(w, s, Level::Acceleration, mu);
+    let pole = Point::ORIGIN;
+    let mut at = pole;
+    let arrow = |d: &mut Drawing, from: Point, v: &Vector| {
+        if v.mm.norm() <= SHORTEST_MM {
+            return;
+        }
+        let to = from + v.mm;
+        let width_mm = if v.absolute { style.vector.width_mm } else { style.vector.width_mm * 0.7 };
+        let stroke = hodograph_paper::paper::item::Stroke { width_mm, ..style.vector };
+        let owner = d.vector(&v.key, "edge", Shape::Arrow { from, to, stroke, head: style.head }, v.shown.clone());
+        let request = LabelRequest::along(Label::math(&v.symbol), style.label_mm, from, to, width_mm / 2.0);
+        d.label(&v.key, "edge", request.owned(owner));
+    };
+    for v in all.iter().filter(|v| !v.absolute) {
+        arrow(&mut d, at, v);
+        at = at + v.mm;
+    }
+    all.iter().filter(|v| v.absolute).for_each(|v| arrow(&mut d, pole, v));
+    let pole_name = format!("{}'", w.options.notation.pole);
+    d.draw("pole", "pole", hodograph_paper::paper::symbols::dot(style, pole));
+    d.label("pole", "pole", LabelRequest::at_point(Label::math(pole_name), style.label_mm, pole, style.dot_radius_mm));
+    let words = maker.name(Captioned::Drawing(Level::Acceleration));
+    named(maker.titled(d.finish(), Phrase::new(words).label(), &of_level(&w.scene.book, Level::Acceleration, mu), "polygon"), "polygon", k)
+}
+
+/// What is told below the drawings.
+fn text(w: &Wanted, words: &Words, s: &Solved, k: usize) -> Part {
+    let style = &w.options.style;
+    let row = |(i, line): (usize, hodograph_paper::paper::phrase::Phrase)| {
+        let (label, id) = (line.label().in_fonts(&style.fonts), format!("composite-{}-line-{}", k + 1, i + 1));
+        let cell = Cell { label, size_mm: style.small_mm, anchor: Anchor::Start, class: "remark".into(), id };
+        Row { cells: vec![Some(cell)], height_mm: ROW_MM }
+    };
+    let rows: Vec<Row> = words.body(s, PER_LINE).into_iter().enumerate().map(row).collect();
+    Part::of(grid::set(&rows, 0.0))
+}
+
+/// The part with names of its own: those of one column are not those of another.
+fn named(mut part: Part, what: &str, k: usize) -> Part {
+    let name = |item: &mut Item| {
+        if !item.id.is_empty() {
+            item.id = format!("{what}-{}-{}", k + 1, item.id);
+        }
+    };
+    part.items.iter_mut().for_each(name);
+    part
+}

@@ -1,0 +1,68 @@
+//! The lines that find Ball's point: rectangles on pole tangent and normal, the line of their corners, and what it cuts off.
+
+use super::construction::Over;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_methods::curvature::drawing::{Ball, Rays};
+use hodograph_methods::curvature::plane::End;
+use hodograph_paper::paper::item::Dash;
+use hodograph_scene::PointId;
+
+/// The corners of a point's rectangle: on the tangent, opposite to the pole, on the normal.
+fn rectangle(rays: &Rays, corner: Point) -> [Point; 3] {
+    let normal = rays.normal().unit().unwrap_or(Vec2::ZERO);
+    let up = normal * (corner - rays.pole).dot(normal);
+    [corner - up, corner, rays.pole + up]
+}
+
+/// All places of the construction.
+pub(super) fn places(rays: &Rays) -> Vec<Point> {
+    let Some(ball) = rays.ball() else { return Vec::new() };
+    let rectangles = ball.corners.iter().flat_map(|corner| rectangle(rays, *corner));
+    rectangles.chain([ball.crossing, ball.on_tangent, ball.at, rays.inflection]).collect()
+}
+
+impl Over<'_, '_> {
+    /// The construction of Ball's point in the letters of its steps, where the paper holds all of it: lines that lead off it explain nothing.
+    pub(super) fn ball(&mut self, rays: &Rays, ball: &Ball) {
+        if !places(rays).iter().all(|p| self.board.holds(self.at(*p))) {
+            return;
+        }
+        for (known, corner) in rays.known.iter().zip(ball.corners) {
+            let End::At(moving) = known.moving else { continue };
+            let [on_tangent, corner, on_normal] = rectangle(rays, corner).map(|p| self.at(p));
+            let moving = self.at(moving);
+            self.chain("ball-perpendicular", &[on_tangent, moving, on_normal]);
+            self.axes(self.at(rays.pole), on_tangent, on_normal);
+            for side in [on_tangent, on_normal] {
+                self.segment("ball-rectangle", [side, corner], Dash::Dashed);
+            }
+            let name = self.words.below(self.words.corner(), known.why.moving().unwrap_or(PointId(0)));
+            self.spot(&name, corner);
+        }
+        let [g, h] = ball.corners.map(|p| self.at(p));
+        let [crossing, foot, at, j, pole] = [ball.crossing, ball.on_tangent, ball.at, rays.inflection, rays.pole].map(|p| self.at(p));
+        self.chain("ball-line", &[g, h, crossing]);
+        self.chain("ball-parallel", &[j, crossing]);
+        self.segment("ball-foot", [crossing, foot], Dash::Dashed);
+        self.chain("ball-line", &[foot, j, at]);
+        self.segment("ball-foot", [pole, at], Dash::Dashed);
+        self.spot(self.words.corner(), crossing);
+        self.spot(self.words.foot(), foot);
+    }
+
+    /// Tangent and normal as far as the corners on them, where they are not drawn so far.
+    fn axes(&mut self, pole: Point, on_tangent: Point, on_normal: Point) {
+        let normal = self.board.cut(pole, on_normal);
+        self.board.line("ball-normal", "curvature line", normal, self.thin);
+        let way = on_tangent - pole;
+        let drawn = self.half_tangent();
+        if way.norm() > drawn {
+            self.segment("ball-tangent", [pole + way * (drawn / way.norm()), on_tangent], Dash::DashDot);
+        }
+    }
+
+    fn segment(&mut self, name: &str, [from, to]: [Point; 2], dash: Dash) {
+        let cut = self.board.cut(from, to);
+        self.board.line(name, "curvature line", cut, self.thin.dashed(dash));
+    }
+}

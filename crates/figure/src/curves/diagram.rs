@@ -1,0 +1,173 @@
+//! What a line diagram shows: the answers of a sweep as panels of curves, with their extremes.
+
+use crate::sheet::swept_symbol;
+use hodograph_board::plan::notation::Notation;
+use hodograph_report::amount::symbol;
+use hodograph_scene::quantity::{Level, Of};
+use hodograph_scene::{Asked, Kind, Scene, Swept};
+use hodograph_sweep::{Placed, Table, of_values, zoom};
+use std::f64::consts::TAU;
+
+/// The degree, upright in the label language: its axes have ticks of their own.
+pub(super) const DEGREE: &str = "\\degree";
+/// What is smaller than this part of a line's largest value is where it passes zero: a magnitude's kink is found to 1e-6 of a step.
+const ZERO: f64 = 1e-6;
+/// One line of a diagram.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// Its symbol, in the label language.
+    pub symbol: String,
+    /// Its values in the unit of its panel, one for each place of the driver.
+    pub values: Vec<f64>,
+    /// Its highest and lowest point: place of the driver and value.
+    pub extremes: Vec<(f64, f64)>,
+    /// The link whose motion it shows.
+    pub link: Option<usize>,
+}
+
+/// Lines of one kind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    /// The unit, in the label language.
+    pub unit: String,
+    /// The lines.
+    pub curves: Vec<Curve>,
+}
+
+impl Panel {
+    /// What is shown, in the label language: the symbol of its one curve, or the letters of several.
+    pub fn quantity(&self) -> String {
+        if let [one] = &self.curves[..] {
+            return one.symbol.clone();
+        }
+        let letter = |c: &Curve| c.symbol.trim_matches('|').split(['_', '^']).next().unwrap_or_default().to_owned();
+        let mut letters: Vec<String> = Vec::new();
+        for found in self.curves.iter().map(letter) {
+            if !letters.contains(&found) {
+                letters.push(found);
+            }
+        }
+        letters.join(" ,\\, ")
+    }
+}
+
+/// What is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Diagram {
+    /// The driver's symbol and unit, in the label language.
+    pub driver: [String; 2],
+    /// Its places, increasing; where a step is longer than the usual one nothing is known between.
+    pub places: Vec<f64>,
+    /// The panels, from top to bottom.
+    pub panels: Vec<Panel>,
+}
+
+impl Diagram {
+    /// Whether there is nothing to draw.
+    pub fn is_empty(&self) -> bool {
+        self.panels.is_empty()
+    }
+
+    /// The answers of a sweep of one driver: see [`Diagram::swept`].
+    pub fn of(placed: &Placed, driver: usize, table: &Table, notation: &Notation) -> Diagram {
+        let swept_at = |values| of_values(placed, driver, values);
+        Diagram::swept(placed.scene, Swept::Driver(driver), table, &swept_at, notation)
+    }
+
+    /// The answers of a sweep of one driver, or of the time: displacements, angles, velocities, angular rates, accelerations, their rates, a
+    /// panel each. A vector along one axis all the time (a slider's) is shown with its sign, any other by its magnitude.
+    /// `swept_at` sweeps other values, for the extremes between those of the table.
+    pub fn swept(scene: &Scene, swept: Swept, table: &Table, swept_at: &dyn Fn(Vec<f64>) -> Option<Table>, notation: &Notation) -> Diagram {
+        let column = |name: &str| table.column(name).map(|c| c.values.clone());
+        let first = table.columns.first();
+        let (named, moves) = swept_symbol(scene, swept);
+        let (driver_unit, factor) = scene.book.fine(moves);
+        let si: &[f64] = first.map_or(&[], |c| &c.values);
+        let places = si.iter().map(|v| v * factor).collect();
+        let mut panels: Vec<((Level, bool), Panel)> = Vec::new();
+        for find in &scene.find {
+            let (order, kind) = (order(&find.what), find.what.kind());
+            let (unit, times) = scene.book.fine(kind);
+            let turning = kind == Kind::Angle;
+            let parts = [".x", ".y"].map(|part| format!("{}{part}", find.text));
+            let own = symbol(find, notation);
+            // A component is named as one, and a magnitude as one: both stand in one panel. A place has no magnitude, only its coordinates.
+            let [x, y] = [0, 1].map(|k| (parts[k].as_str(), component(&own, ['x', 'y'][k])));
+            let wanted = match parts.each_ref().map(|p| column(p)) {
+                [Some(_), Some(_)] if column(&find.text).is_none() => vec![x, y],
+                [Some(a), Some(b)] if vanishes(&b, &a) => vec![x],
+                [Some(a), Some(b)] if vanishes(&a, &b) => vec![y],
+                [Some(_), Some(_)] => vec![(find.text.as_str(), format!("|{own}|"))],
+                [_, None] | [None, _] => vec![(find.text.as_str(), own)],
+            };
+            for (name, named) in wanted {
+                let Some(values) = column(name) else { continue };
+                let most = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+                let shown: Vec<f64> = values.iter().map(|v| v * times).collect();
+                let shown = if turning { unwound(&shown, TAU * times) } else { shown };
+                let mut extremes = Vec::new();
+                for highest in [true, false] {
+                    let by = |a: &usize, b: &usize| if highest { shown[*a].total_cmp(&shown[*b]) } else { shown[*b].total_cmp(&shown[*a]) };
+                    let Some(k) = (0..shown.len()).max_by(by) else { continue };
+                    let around = [si[k.saturating_sub(1)], si[(k + 1).min(si.len() - 1)]];
+                    // An angle is sought on the turn on which the line has it, so not across its jump.
+                    let found = zoom::extreme(swept_at, name, around, highest).filter(|(_, v)| !turning || (v - values[k]).abs() < 1.0);
+                    let (at, value) = found.unwrap_or((si[k], values[k]));
+                    let value = if value.abs() < ZERO * most { 0.0 } else { value };
+                    extremes.push((at * factor, shown[k] + (value - values[k]) * times));
+                }
+                // A curve that does not rise or fall has one value.
+                if extremes.len() == 2 && extremes[0].1 - extremes[1].1 <= ZERO * most * times.abs() {
+                    extremes.pop();
+                }
+                let curve = Curve { symbol: named, values: shown, extremes, link: link(scene, &find.what) };
+                match panels.iter_mut().find(|(o, _)| *o == order) {
+                    Some((_, panel)) => panel.curves.push(curve),
+                    None => panels.push((order, Panel { unit: unit.clone(), curves: vec![curve] })),
+                }
+            }
+        }
+        panels.sort_by_key(|p| p.0);
+        Diagram { driver: [named, driver_unit], places, panels: panels.into_iter().map(|p| p.1).collect() }
+    }
+}
+
+/// The symbol of a vector's component: `v_{C}` → `v_{C,x}`.
+fn component(symbol: &str, axis: char) -> String {
+    match symbol.strip_suffix('}') {
+        Some(before) => format!("{before},{axis}}}"),
+        None => format!("{symbol}_{axis}"),
+    }
+}
+
+/// Which panel a quantity belongs to, from the top: level by level, that of the links below that of the points.
+fn order(what: &Asked) -> (Level, bool) {
+    let kind = what.kind();
+    (kind.level(), kind != kind.level().kind())
+}
+
+/// The link whose motion it is: of a pin's links the first that moves.
+fn link(scene: &Scene, what: &Asked) -> Option<usize> {
+    let link = match what.of() {
+        Of::Link(l) => Some(l),
+        Of::Point(p) => p.link.or_else(|| scene.mover(p.point)),
+        Of::Points(..) | Of::Links(..) | Of::Line(..) | Of::Seen(..) => None,
+    };
+    link.map(|l| l.0)
+}
+
+/// Whether one component is nothing but rounding beside the other.
+fn vanishes(small: &[f64], large: &[f64]) -> bool {
+    let most = |v: &[f64]| v.iter().filter(|x| x.is_finite()).fold(0.0, |m: f64, x| m.max(x.abs()));
+    most(small) <= 1e-9 * most(large)
+}
+
+/// Angles without their jumps by a whole turn, in the unit of that turn.
+fn unwound(angles: &[f64], turn: f64) -> Vec<f64> {
+    let mut out: Vec<f64> = Vec::with_capacity(angles.len());
+    for d in angles {
+        let before = out.last().copied().unwrap_or(*d);
+        out.push(d - turn * libm::round((d - before) / turn));
+    }
+    out
+}

@@ -1,0 +1,141 @@
+//! Line diagrams: what a sweep found, against the position of the driver. One panel for each kind of quantity, all over one
+//! another with the same axis below, extremes marked.
+//!
+//! Decided here: where panels, names and marks stand. [`diagram`] says what is shown, the [`plot`](super::plot) how a plot looks.
+
+mod diagram;
+
+pub use diagram::{Curve, Diagram, Panel};
+
+use super::plot::{Axis, Plot, over};
+use diagram::DEGREE;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_paper::paper::extent::Rect;
+use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, Item, Shape};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::phrase::{formula, tr};
+use hodograph_paper::paper::place::LabelRequest;
+use hodograph_paper::paper::style::Style;
+use hodograph_paper::paper::words::words;
+use hodograph_report::amount::number;
+use hodograph_scene::{Lang, Scene};
+
+/// A panel's plot, in mm.
+const PLOT_MM: [f64; 2] = [150.0, 62.0];
+/// Room for the numbers of the vertical axis, and right of the plot for names.
+const LEFT_MM: f64 = 30.0;
+const RIGHT_MM: f64 = 24.0;
+/// Between panels, above the first and below the last.
+const BETWEEN_MM: f64 = 12.0;
+const ABOVE_MM: f64 = 18.0;
+const BELOW_MM: f64 = 18.0;
+/// Lines of one panel are told apart without colour.
+const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDot, Dash::Dotted];
+/// Zero is near a panel's values where it is off them by less than this part of their range.
+const ZERO_NEAR: f64 = 0.5;
+/// Extremes so near to one another are one point of the diagram (mm).
+const SAME_MM: f64 = 0.3;
+/// Digits of the extremes: more than can be read off a diagram, and fewer than a sweep in `f64` has.
+const DIGITS: usize = 4;
+
+/// A4 upright, and how many panels stand on it.
+const A4_MM: [f64; 2] = [210.0, 297.0];
+const ON_A4: usize = 3;
+
+/// Draws a diagram as one figure, all panels over one another.
+pub fn figure(scene: &Scene, diagram: &Diagram, style: &Style, lang: Lang) -> Figure {
+    let n = diagram.panels.len().max(1) as f64;
+    let size_mm = [LEFT_MM + PLOT_MM[0] + RIGHT_MM, ABOVE_MM + n * PLOT_MM[1] + (n - 1.0) * BETWEEN_MM + BELOW_MM];
+    page(scene, diagram, &diagram.panels, size_mm, style, lang)
+}
+
+/// Draws a diagram as pages of A4, three panels on each.
+pub fn pages(scene: &Scene, diagram: &Diagram, style: &Style, lang: Lang) -> Vec<Figure> {
+    diagram.panels.chunks(ON_A4).map(|panels| page(scene, diagram, panels, A4_MM, style, lang)).collect()
+}
+
+/// Some panels of a diagram over one another, below a title.
+fn page(scene: &Scene, diagram: &Diagram, panels: &[Panel], [width_mm, height_mm]: [f64; 2], style: &Style, lang: Lang) -> Figure {
+    let left_mm = LEFT_MM + (width_mm - LEFT_MM - PLOT_MM[0] - RIGHT_MM) / 2.0;
+    let x = Axis::of(&diagram.places, diagram.driver[1] == DEGREE, 12);
+    let title = scene.title.get(lang);
+    let heading = if title.is_empty() { tr(lang, "Motion", "运动线图").to_owned() } else { title.to_owned() };
+    let mut items = Vec::new();
+    let title = Shape::Label {
+        at: Point::new(width_mm / 2.0, height_mm - 10.0),
+        label: Label::text(heading.as_str()).in_fonts(&style.fonts),
+        size_mm: style.caption_mm * 4.0 / 3.0,
+        anchor: Anchor::Middle,
+        colour: Colour::BLACK,
+    };
+    items.push(Item::new("title", title));
+    let mut said = Vec::new();
+    for (k, panel) in panels.iter().enumerate() {
+        let top = height_mm - ABOVE_MM - k as f64 * (PLOT_MM[1] + BETWEEN_MM);
+        let frame = Rect::new(Point::new(left_mm, top - PLOT_MM[1]), Point::new(left_mm + PLOT_MM[0], top));
+        let mut values: Vec<f64> = panel.curves.iter().flat_map(|c| c.values.iter().copied()).filter(|v| v.is_finite()).collect();
+        let (lo, hi) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
+        // Zero belongs to the diagram where it is near: only then is seen what changes its sense. From afar it would press the lines flat.
+        if lo.max(-hi) < ZERO_NEAR * (hi - lo) {
+            values.push(0.0);
+        }
+        let y = Axis::of(&values, panel.unit == DEGREE, 6);
+        let mut plot = Plot::new(format!("panel-{k}"), style, frame, [x.clone(), y]);
+        let last = k + 1 == panels.len();
+        let [driver, unit] = &diagram.driver;
+        plot.axes(last.then(|| Label::math(over(driver, unit))), Label::math(over(&panel.quantity(), &panel.unit)));
+        curves(&mut plot, panel, diagram, &mut said);
+        items.extend(plot.finish(Rect::new(frame.min - Vec2::new(0.0, 1.0), frame.max + Vec2::new(RIGHT_MM, BETWEEN_MM / 2.0))));
+    }
+    let desc = match lang {
+        Lang::En => format!("Diagrams against {}. {}.", formula(&diagram.driver[0]), said.join("; ")),
+        Lang::Zh => format!("随 {} 变化的线图。{}。", formula(&diagram.driver[0]), said.join("；")),
+    };
+    let mut figure = Figure { width_mm, height_mm, title: heading, desc, lang: words(lang).tag.into(), paper: Colour::WHITE, items };
+    style.palette.paint(&mut figure);
+    figure
+}
+
+/// Lines with their names, and their extremes with their values.
+fn curves(plot: &mut Plot, panel: &Panel, diagram: &Diagram, said: &mut Vec<String>) {
+    let (style, places) = (plot.style, &diagram.places);
+    let usual = places.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
+    // What several curves have in one point is written once.
+    let mut marked: Vec<(Point, String)> = Vec::new();
+    for (k, curve) in panel.curves.iter().enumerate() {
+        // Beyond the kinds of dashes the lines are thin.
+        let line = if k < DASHES.len() { style.vector } else { style.thin };
+        let stroke = line.dashed(DASHES[k % DASHES.len()]);
+        let known: Vec<(f64, f64)> = places.iter().copied().zip(curve.values.iter().copied()).filter(|(_, v)| v.is_finite()).collect();
+        let apart = |w: &(f64, f64), v: &(f64, f64)| v.0 - w.0 <= 1.5 * usual;
+        for run in known.chunk_by(apart).filter(|r| r.len() > 1) {
+            let points: Vec<Point> = run.iter().map(|(x, y)| plot.at(*x, *y)).collect();
+            let shape = Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None };
+            plot.draw("curve", shape, curve.link);
+        }
+        let texts: Vec<String> = curve
+            .extremes
+            .iter()
+            .map(|(x, y)| {
+                format!("{} = {}\\,{} ({}\\,{})", curve.symbol, number(*y, DIGITS), panel.unit, number(*x, DIGITS), diagram.driver[1])
+            })
+            .collect();
+        said.extend(texts.iter().map(|t| Label::math(t.as_str()).plain()));
+        for &(x, y) in &curve.extremes {
+            let at = plot.at(x, y);
+            let (value, near) = (number(y, DIGITS), |(p, text): &(Point, String)| p.distance(at) < SAME_MM && *text == number(y, DIGITS));
+            if marked.iter().any(near) {
+                continue;
+            }
+            marked.push((at, value.clone()));
+            let dot = Shape::Circle { centre: at, radius_mm: style.dot_radius_mm, stroke: None, fill: Some(Colour::BLACK) };
+            plot.draw("extreme", dot, curve.link);
+            let label = Label::math(value);
+            let request = LabelRequest::at_point(label, style.small_mm, at, style.dot_radius_mm);
+            plot.label(request, curve.link);
+        }
+        // The name beside the line's highest lobe, where it is read first.
+        let Some(&(x, y)) = known.get(known.len() / 5 + (k * known.len() / 7) % known.len().max(1) / 2) else { continue };
+        plot.label(LabelRequest::at_point(Label::math(curve.symbol.as_str()), style.label_mm, plot.at(x, y), 0.4), curve.link);
+    }
+}

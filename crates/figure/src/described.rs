@@ -1,0 +1,71 @@
+//! The description of a figure for readers who do not see it: the drawings on it, with the links of the mechanism and the vectors of the polygons.
+
+use hodograph_paper::paper::item::{Item, Shape};
+use hodograph_paper::paper::phrase::tr;
+use hodograph_scene::{Lang, Scene};
+
+/// Names of one kind that are told; the others are counted.
+const TOLD: usize = 16;
+
+/// A sentence, after the title, that says which drawings these items show.
+pub fn described(scene: &Scene, lang: Lang, title: &str, items: &[Item]) -> String {
+    let first = |kind: &str| items.iter().any(|i| i.class.split(' ').next() == Some(kind));
+    let word = |what: &str| items.iter().any(|i| i.class.split(' ').any(|w| w == what));
+    let mut shown = Vec::new();
+    if first("mechanism") {
+        let moving = (0..scene.links.len()).filter(|l| *l != scene.ground.0).map(|l| scene.links[l].name.clone()).collect();
+        let (links, ground) = (list(lang, moving), scene.link_name(scene.ground));
+        shown.push(match lang {
+            Lang::En => format!("kinematic diagram to scale, links {links}, ground {ground}"),
+            Lang::Zh => format!("按比例绘制的机构运动简图，构件 {links}，机架 {ground}"),
+        });
+    }
+    let polygons = [("velocity", "velocity polygon", "速度多边形"), ("acceleration", "acceleration polygon", "加速度多边形")];
+    for (kind, en, zh) in polygons {
+        if !items.iter().any(|i| i.class.starts_with(&format!("{kind} pole"))) {
+            continue;
+        }
+        let names = vectors(items, kind);
+        let what = tr(lang, en, zh);
+        shown.push(match (lang, names.is_empty()) {
+            (_, true) => what.to_owned(),
+            (Lang::En, false) => format!("{what} of {}", list(lang, names)),
+            (Lang::Zh, false) => format!("{what}（{}）", list(lang, names)),
+        });
+    }
+    if word("table") || word("statement") {
+        shown.push(tr(lang, "vector equations", "矢量方程").to_owned());
+    }
+    if word("result") {
+        shown.push(tr(lang, "results", "结果").to_owned());
+    }
+    let (colon, between, end) = match lang {
+        Lang::En => (": ", "; ", ". "),
+        Lang::Zh => ("：", "；", "。"),
+    };
+    if shown.is_empty() { format!("{title}{end}") } else { format!("{title}{colon}{}{end}", shown.join(between)) }
+}
+
+/// The symbols of a polygon's vectors, as its labels have them.
+fn vectors(items: &[Item], kind: &str) -> Vec<String> {
+    let mut out: Vec<String> = Vec::new();
+    for item in items {
+        let Shape::Label { label, .. } = &item.shape else { continue };
+        let mut words = item.class.split(' ');
+        if words.next() == Some(kind) && words.any(|w| matches!(w, "edge" | "absolute")) && !out.contains(&label.plain()) {
+            out.push(label.plain());
+        }
+    }
+    out
+}
+
+fn list(lang: Lang, mut names: Vec<String>) -> String {
+    let more = names.len().saturating_sub(TOLD);
+    names.truncate(TOLD);
+    let told = names.join(tr(lang, ", ", "、"));
+    match (lang, more) {
+        (_, 0) => told,
+        (Lang::En, more) => format!("{told} and {more} more"),
+        (Lang::Zh, more) => format!("{told}，另有 {more} 个"),
+    }
+}

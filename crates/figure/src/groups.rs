@@ -1,0 +1,116 @@
+//! The groups drawn apart 拆杆组: what is driven with the ground, then every group in its pose with its class, from left to right in solving
+//! order; the number in front counts from the far end, in the order in which groups are taken off.
+
+use super::mechanism::{Piece, apart};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::plan::notation::Notation;
+use hodograph_mechanism::mechanism::Assur;
+use hodograph_paper::paper::drawing::Part;
+use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, Shape};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::phrase::tr;
+use hodograph_paper::paper::style::Style;
+use hodograph_paper::paper::words::words;
+use hodograph_report::plan::{dyad, grade};
+use hodograph_scene::{Lang, Scene};
+use hodograph_worked::worked::Worked;
+
+/// Between parts, and around them.
+const GAP_MM: f64 = 16.0;
+/// From a part to its name.
+const NAME_MM: f64 = 9.0;
+/// Rows are no wider than this where more than one part stands in them: A4 across without its margins.
+const WIDE_MM: f64 = 281.0;
+/// Border of the figure.
+const MARGIN_MM: f64 = 8.0;
+
+/// The figure; `worked` is to hold all positions.
+pub fn figure(scene: &Scene, worked: &Worked, style: &Style, notation: &Notation, lang: Lang) -> Figure {
+    let parts = apart(style, scene, worked, notation);
+    let groups = parts.iter().filter(|(piece, _)| matches!(piece, Piece::Group(_))).count();
+    let mut number = groups;
+    let mut named = Vec::new();
+    for (piece, drawing) in parts {
+        let name = match piece {
+            Piece::Driven => tr(lang, "driver and ground", "原动件和机架").to_owned(),
+            Piece::Group(g) => {
+                number -= 1;
+                format!("{}. {}", number + 1, group_name(&g, lang))
+            }
+            Piece::Repeats => tr(lang, "virtual constraint", "虚约束").to_owned(),
+        };
+        let (mut part, baseline) = with_name(drawing.finish(), &name, style);
+        // A pair between two parts is shown in both, under names of their own.
+        let of = named.len();
+        part.items.iter_mut().for_each(|i| i.id = format!("part-{of}-{}", i.id));
+        named.push((part, baseline));
+    }
+    let heading = tr(lang, "Groups drawn apart", "拆杆组");
+    let (mut items, width_mm, height_mm) = rows(named);
+    let label = Label::text(heading).in_fonts(&style.fonts);
+    let at = Point::new(width_mm / 2.0, height_mm - MARGIN_MM - style.caption_mm);
+    let shape = Shape::Label { at, label, size_mm: style.caption_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
+    items.insert(0, Item::new("heading", shape).with_id("heading"));
+    let title = match scene.title.get(lang) {
+        "" => heading.to_owned(),
+        title => format!("{title}{}{heading}", tr(lang, ": ", "：")),
+    };
+    let desc = match lang {
+        Lang::En => format!("{title}. What is driven with the ground, and {groups} groups, each in its pose."),
+        Lang::Zh => format!("{title}。原动件和机架，以及 {groups} 个杆组，均按其位置绘出。"),
+    };
+    let mut figure = Figure { width_mm, height_mm, title, desc, lang: words(lang).tag.into(), paper: Colour::WHITE, items };
+    style.palette.paint(&mut figure);
+    figure
+}
+
+fn group_name(g: &Assur, lang: Lang) -> String {
+    let kind = dyad(g).map_or(String::new(), |kind| format!(" {kind}"));
+    let class = g.class().unwrap_or_default();
+    match lang {
+        Lang::En => format!("class {class}{kind}"),
+        Lang::Zh => format!("{}杆组{kind}", grade(class)),
+    }
+}
+
+/// The part with its name below, and the baseline of that.
+fn with_name(part: Part, name: &str, style: &Style) -> (Part, f64) {
+    let label = Label::text(name).in_fonts(&style.fonts);
+    let at = Point::new(part.bounds.centre().x, part.bounds.min.y - NAME_MM);
+    let shape = Shape::Label { at, label, size_mm: style.small_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
+    let mut items = part.items;
+    items.push(Item::new("caption", shape).with_id("caption"));
+    (Part::of(items), at.y)
+}
+
+/// The parts side by side, their names on one line, in as many rows as it takes; and the size of the figure.
+fn rows(parts: Vec<(Part, f64)>) -> (Vec<Item>, f64, f64) {
+    let mut lines: Vec<Vec<(Part, f64)>> = Vec::new();
+    let mut width = f64::INFINITY;
+    for part in parts {
+        let own = part.0.bounds.width_mm();
+        let wider = width + GAP_MM + own;
+        if wider > WIDE_MM {
+            lines.push(Vec::new());
+            width = own;
+        } else {
+            width = wider;
+        }
+        lines.last_mut().expect("a line was begun").push(part);
+    }
+    let width_of = |line: &Vec<(Part, f64)>| line.iter().map(|p| p.0.bounds.width_mm() + GAP_MM).sum::<f64>() - GAP_MM;
+    let widest = lines.iter().map(width_of).fold(0.0, f64::max);
+    let (mut items, mut y) = (Vec::new(), MARGIN_MM);
+    for line in lines.into_iter().rev() {
+        let mut x = MARGIN_MM + (widest - width_of(&line)) / 2.0;
+        let height = line.iter().map(|(p, baseline)| p.bounds.max.y - baseline).fold(0.0, f64::max);
+        for (mut part, baseline) in line {
+            let by: Vec2 = Point::new(x, y) - Point::new(part.bounds.min.x, baseline);
+            part.translate(by);
+            x += part.bounds.width_mm() + GAP_MM;
+            items.extend(part.items);
+        }
+        y += height + GAP_MM;
+    }
+    (items, widest + 2.0 * MARGIN_MM, y + MARGIN_MM)
+}

@@ -1,0 +1,89 @@
+//! The inversions of a chain side by side: one pose, another ground in each, with type and turning links below.
+
+use hodograph_base::diag::{Faults, Warned};
+use hodograph_base::geom::Point;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_methods::inversions::{Inversion, inversions};
+use hodograph_report::inversions as report;
+
+use super::list::{Entry, Pages, Wanted};
+use super::mechanism;
+use super::sheet::Maker;
+use hodograph_paper::paper::drawing::Part;
+use hodograph_paper::paper::item::{Figure, Item};
+use hodograph_paper::paper::label::Label;
+
+/// All inversions.
+pub const ENTRY: Entry =
+    Entry {
+        name: "inversions", about: ["Each link of the chain as ground in turn", "机构的倒置：依次以各构件为机架"], draw
+    };
+
+/// Between drawings.
+const GAP_MM: f64 = 14.0;
+/// Most drawings to a page; where there are more, a page has fewer: such chains have many links, and need the room.
+const PER_PAGE: usize = 6;
+const FEWER: usize = 4;
+/// Drawings to a row: four links stand two by two, six three by two.
+const PER_ROW: [usize; 2] = [2, 3];
+
+fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
+    let Warned { value: all, notes } = inversions(w.scene)?;
+    let numbered: Vec<(usize, &Inversion)> = all.iter().enumerate().collect();
+    // Equal pages: twelve as three of four.
+    let count = numbered.len().div_ceil(PER_PAGE).max(1);
+    let count = if count > 1 { numbered.len().div_ceil(FEWER) } else { count };
+    let mut pages = Pages::new();
+    for (k, some) in numbered.chunks(numbered.len().div_ceil(count).max(1)).enumerate() {
+        let name = if count > 1 { format!("{}-{}", ENTRY.name, k + 1) } else { ENTRY.name.to_owned() };
+        pages.push((name, sheet(w, some)));
+    }
+    Ok(Warned { value: pages, notes })
+}
+
+/// Some of them on a page.
+fn sheet(w: &Wanted, some: &[(usize, &Inversion)]) -> Figure {
+    let mut parts: Vec<Part> = some.iter().map(|(k, i)| part(w, i, *k)).collect();
+    let columns = PER_ROW[usize::from(parts.len() > 4)];
+    stand(&mut parts, columns);
+    let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
+    let mut figure = maker.alone(Part::of(parts.into_iter().flat_map(|p| p.items).collect()));
+    figure.desc = some.iter().map(|(_, i)| report::line(i, w.options.lang)).collect::<Vec<_>>().join("; ");
+    figure
+}
+
+/// One of them, with its name.
+fn part(w: &Wanted, i: &Inversion, k: usize) -> Part {
+    let maker = Maker { scene: &i.scene, worked: &i.worked, options: w.options, certified: Vec::new() };
+    let drawing = mechanism::numbered(&w.options.style, &i.scene, &i.worked, &w.options.notation).finish();
+    let (_, mu) = maker.caption(Level::Position);
+    let caption = format!("({}) {}", k + 1, report::heading(i, w.options.lang));
+    let below = format!("\\text{{{}}},\\quad {mu}", report::words(i, w.options.lang));
+    let mut part = maker.titled(drawing, Label::text(caption), &below, "inversion");
+    part.items.iter_mut().for_each(|item| named(item, k));
+    part
+}
+
+/// Names of one drawing are not those of another.
+fn named(item: &mut Item, k: usize) {
+    if !item.id.is_empty() {
+        item.id = format!("inversion-{}-{}", k + 1, item.id);
+    }
+}
+
+/// In rows, captions of a row on one line, columns as wide as their widest.
+fn stand(parts: &mut [Part], columns: usize) {
+    let width = |k: usize| parts.iter().skip(k).step_by(columns).map(|p| p.bounds.width_mm()).fold(0.0, f64::max);
+    let widths: Vec<f64> = (0..columns).map(width).collect();
+    let mut y = 0.0;
+    for row in parts.chunks_mut(columns) {
+        let height = row.iter().map(|p| p.bounds.height_mm()).fold(0.0, f64::max);
+        let mut x = 0.0;
+        for (part, wide) in row.iter_mut().zip(&widths) {
+            let (w, h) = (part.bounds.width_mm(), part.bounds.height_mm());
+            part.stand_at(Point::new(x + (wide - w) / 2.0, y - (height - h)));
+            x += wide + GAP_MM;
+        }
+        y -= height + GAP_MM;
+    }
+}

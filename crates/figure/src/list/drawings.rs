@@ -1,0 +1,31 @@
+//! The mechanism alone, with what is drawn over it, and each polygon alone.
+
+use crate::sheet::{diagram, drawing};
+use hodograph_base::diag::{Faults, Warned};
+use hodograph_mechanism::mechanism::Level;
+
+use super::{Entry, Pages, Wanted, page};
+
+/// The mechanism.
+pub const MECHANISM: Entry = Entry { name: "mechanism", about: ["The kinematic diagram", "机构运动简图"], draw: mechanism };
+/// The velocity polygon.
+pub const VELOCITY: Entry = Entry {
+    name: "velocity",
+    about: ["The velocity polygon", "速度多边形"],
+    draw: |w| page(VELOCITY.name, drawing(w.scene, w.worked, w.options, Level::Velocity)),
+};
+/// The acceleration polygon.
+pub const ACCELERATION: Entry = Entry {
+    name: "acceleration",
+    about: ["The acceleration polygon", "加速度多边形"],
+    draw: |w| page(ACCELERATION.name, drawing(w.scene, w.worked, w.options, Level::Acceleration)),
+};
+
+fn mechanism(w: &Wanted) -> Result<Warned<Pages>, Faults> {
+    let figure = if w.extras.any() {
+        Some(diagram(w.scene, w.worked, w.options, &w.extras.overlay(w.scene, w.worked)))
+    } else {
+        drawing(w.scene, w.worked, w.options, Level::Position)
+    };
+    page(MECHANISM.name, figure)
+}

@@ -1,0 +1,12 @@
+//! The equations with their tables, alone.
+
+use crate::sheet;
+
+use super::{Entry, page};
+
+/// The equations.
+pub const ENTRY: Entry = Entry {
+    name: "equations",
+    about: ["The equations with their tables", "矢量方程及其表格"],
+    draw: |w| page(ENTRY.name, sheet::equations(w.scene, w.worked, w.options)),
+};

@@ -1,0 +1,21 @@
+//! Kutzbach's plan of each gear train, with Willis' table.
+
+use crate::kutzbach::plans;
+use crate::sheet::Maker;
+use hodograph_base::diag::{Faults, Warned};
+use hodograph_worked::certified::certify;
+
+use super::{Entry, Pages, Wanted};
+
+/// Gear trains: velocities over the line of centres, rates, and the table.
+pub const ENTRY: Entry =
+    Entry {
+        name: "kutzbach", about: ["Gear trains: Kutzbach's plan and Willis' table", "轮系：线速度图、转速图和列表法"], draw
+    };
+
+fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
+    let certified = certify(w.scene, w.worked, w.options.digits);
+    let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified };
+    let pages = plans(&maker).into_iter().map(|(name, figure)| (format!("{}{name}", ENTRY.name), figure)).collect();
+    Ok(Warned { value: pages, notes: Vec::new() })
+}

@@ -1,0 +1,50 @@
+//! The polygons of a mechanism with many links, split by group: a page of A4 for what each group adds, with its equations.
+
+use crate::arrange::{Tree, put_together};
+use crate::polygon::plates;
+use crate::sheet::Maker;
+use hodograph_base::diag::{Faults, Warned};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_paper::paper::drawing::Part;
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::style::Captioned;
+use hodograph_report::amount::of_level;
+use hodograph_report::plan::group_set;
+use hodograph_worked::certified::{certify, steps};
+
+use super::{Entry, Pages, Wanted};
+
+/// The plates.
+pub const ENTRY: Entry = Entry {
+    name: "plates",
+    about: ["The polygons split by group, with the equations of each", "按杆组分开的速度和加速度多边形及其方程"],
+    draw,
+};
+
+fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
+    let certified = certify(w.scene, w.worked, w.options.digits);
+    let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified };
+    let numbers = steps(w.scene, w.worked, None);
+    let (writer, lang) = (maker.writer(), w.options.lang);
+    let mut pages = Pages::new();
+    for level in Level::RATES {
+        let Some(polygon) = w.worked.construction.polygon(level) else { continue };
+        for plate in plates(&w.options.style, &writer, &w.worked.mechanism, polygon) {
+            let m = &w.worked.mechanism;
+            let group = m.assur_of(w.scene, plate.groups[0]).map(|g| group_set(w.scene, m, &g, lang).label());
+            let words = Phrase::new(&format!("{}{}", maker.name(Captioned::Drawing(level)), tr(lang, ", ", "，"))).label();
+            let words = group.into_iter().fold(words, Label::then);
+            let mu = of_level(&w.scene.book, level, plate.mu);
+            let drawn = maker.titled(plate.part, words, &mu, if level == Level::Acceleration { "acc" } else { "vel" });
+            let mut parts: Vec<Part> = vec![drawn];
+            parts.extend(maker.tables(&writer, &numbers).parts_of(level, |g| plate.groups.contains(&g)));
+            let written: Vec<Tree> = (1..parts.len()).map(Tree::Leaf).collect();
+            let tree = Tree::row(vec![Tree::Leaf(0), Tree::text_column(written)]);
+            let kind = if level == Level::Acceleration { "acceleration" } else { "velocity" };
+            let number = pages.iter().filter(|(name, _)| name.starts_with(kind)).count() + 1;
+            pages.push((format!("{kind}-{number}"), maker.alone(put_together(tree, parts))));
+        }
+    }
+    Ok(Warned { value: pages, notes: Vec::new() })
+}

@@ -1,0 +1,127 @@
+//! The mechanism drawn apart 拆杆组: what is driven with its ground, every group by itself, and what only repeats others, each in its pose.
+//!
+//! A pair between two parts is shown in both: the pin as a circle, the block on its guide. Only what is driven stands on its supports.
+
+use super::form::Form;
+use super::{Course, Draft};
+use hodograph_board::plan::notation::Notation;
+use hodograph_mechanism::mechanism::{Assur, Opened, Passive};
+use hodograph_paper::paper::drawing::Drawing;
+use hodograph_paper::paper::style::Style;
+use hodograph_scene::{GuideId, LinkId, PointId, Scene};
+use hodograph_worked::worked::Worked;
+
+/// What is shown of a mechanism.
+#[derive(Clone, Debug, Default)]
+pub struct Only {
+    links: Vec<bool>,
+    drivers: Vec<bool>,
+    /// Pins of the part that sit on none of its links.
+    pins: Vec<PointId>,
+}
+
+/// What a part of the mechanism is.
+#[derive(Clone, Debug)]
+pub enum Piece<'a> {
+    /// What is driven, with the ground.
+    Driven,
+    /// A group.
+    Group(Assur<'a>),
+    /// What only repeats others.
+    Repeats,
+}
+
+/// The parts in solving order, before their labels are placed.
+pub fn apart<'a>(style: &Style, scene: &Scene, worked: &'a Worked, notation: &Notation) -> Vec<(Piece<'a>, Drawing)> {
+    let course = Course::of_one(style, scene, worked, notation);
+    let m = &worked.mechanism;
+    let draw = |only: Only| {
+        let mut draft = Draft::new(style, scene, worked, notation, &course);
+        draft.forms.iter_mut().zip(&only.links).filter(|(_, shown)| !**shown).for_each(|(form, _)| *form = None::<Form>);
+        draft.only = Some(only);
+        draft.pieces_of_it();
+        draft.d
+    };
+    let nothing = || Only { links: vec![false; scene.links.len()], drivers: vec![false; scene.drivers.len()], pins: Vec::new() };
+    let mut driven = nothing();
+    let groups = m.assur(scene);
+    groups.iter().filter(|g| g.class().is_none() && !g.is_carried()).for_each(|g| driven.add(scene, worked, g));
+    let mut parts = Vec::new();
+    // Cylinders drive within their groups.
+    if driven.drivers.contains(&true) {
+        driven.links[scene.ground.0] = true;
+        parts.push((Piece::Driven, draw(driven)));
+    }
+    for g in groups.into_iter().filter(|g| g.class().is_some()) {
+        let mut only = nothing();
+        only.add(scene, worked, &g);
+        parts.push((Piece::Group(g), draw(only)));
+    }
+    for opened in m.redundant.iter().map(|r| &r.opened) {
+        if let Opened::Link(l) = opened {
+            let mut only = nothing();
+            only.links[l.0] = true;
+            parts.push((Piece::Repeats, draw(only)));
+        }
+    }
+    parts
+}
+
+impl Only {
+    /// A group with its blocks, and with the drivers that belong to it.
+    fn add(&mut self, scene: &Scene, worked: &Worked, g: &Assur) {
+        let m = &worked.mechanism;
+        g.links.iter().for_each(|l| self.links[l.0] = true);
+        let pins = g.pins();
+        for (l, passive) in m.passive.iter().enumerate() {
+            let Some(Passive::Block(guide)) = passive else { continue };
+            let guide = &scene.guides[guide.0];
+            self.links[l] |= g.links.contains(&guide.on) || guide.pin.is_some_and(|p| pins.contains(&p));
+        }
+        self.pins.extend(pins);
+        for d in g.drivers(m) {
+            self.pins.extend(scene.drivers[d].kind.ends().into_iter().flatten());
+            self.drivers[d] = true;
+        }
+    }
+}
+
+impl Draft<'_> {
+    /// Whether a link is shown.
+    pub(super) fn shows(&self, l: LinkId) -> bool {
+        self.only.as_ref().is_none_or(|o| o.links[l.0])
+    }
+
+    /// Whether what drives it is shown.
+    pub(super) fn shows_driver(&self, d: usize) -> bool {
+        self.only.as_ref().is_none_or(|o| o.drivers[d])
+    }
+
+    /// Whether a point is one of a moving link that is shown, or a pin of the part.
+    pub(super) fn shows_point(&self, p: PointId) -> bool {
+        let Some(only) = &self.only else { return true };
+        only.pins.contains(&p) || self.scene.carriers(p).any(|l| l != self.scene.ground && only.links[l.0])
+    }
+
+    /// Whether what runs in a guide is shown.
+    pub(super) fn shows_runner(&self, g: GuideId) -> bool {
+        let guide = &self.scene.guides[g.0];
+        guide.pin.is_none_or(|p| self.shows_point(p)) && guide.slider.is_none_or(|s| self.shows(s))
+    }
+
+    /// The part, from back to front.
+    fn pieces_of_it(&mut self) {
+        self.ground_guides();
+        self.wheels();
+        self.plates(true);
+        self.carriers();
+        self.blocks();
+        self.plates(false);
+        self.bars();
+        self.cylinders();
+        self.joints();
+        self.drivers();
+        self.numbers();
+        self.letters();
+    }
+}

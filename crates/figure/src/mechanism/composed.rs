@@ -1,0 +1,83 @@
+//! The vectors of a composite motion at the moving point: with two parts the parallelogram whose diagonal is the absolute vector.
+
+use hodograph_base::geom::Vec2;
+use hodograph_board::plan::notation::Notation;
+use hodograph_paper::paper::drawing::Part;
+use hodograph_paper::paper::item::{Colour, Dash, Shape, Stroke};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::place::LabelRequest;
+use hodograph_paper::paper::shown::Shown;
+use hodograph_paper::paper::style::Style;
+use hodograph_scene::{PointId, Scene};
+use hodograph_worked::worked::Worked;
+
+use super::{Course, Draft};
+
+/// A vector shorter than this has neither head nor direction for the eye.
+pub const SHORTEST_MM: f64 = 0.4;
+
+/// Bars stand back behind the vectors.
+const BARS: Colour = Colour::grey(165);
+
+/// A vector on paper.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Vector {
+    /// Its symbol in the label language.
+    pub symbol: String,
+    /// Its key, in ids.
+    pub key: String,
+    /// The quantity that it shows.
+    pub shown: Shown,
+    /// What it is (mm).
+    pub mm: Vec2,
+    /// Whether it is the absolute one, the sum of the others.
+    pub absolute: bool,
+}
+
+/// The vectors at a point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Composed {
+    /// The moving point.
+    pub at: PointId,
+    /// The absolute vector and its parts.
+    pub vectors: Vec<Vector>,
+    /// Whether dashed lines close the parallelogram of two parts.
+    pub parallelogram: bool,
+}
+
+/// The mechanism with the vectors.
+pub fn composed(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, what: &Composed) -> Part {
+    let alone = Course::default();
+    // A vector often lies along a bar, and would not be seen on it.
+    let style = &Style { link: style.link.coloured(BARS), ..style.clone() };
+    let mut draft = Draft::new(style, scene, worked, notation, &alone);
+    draft.everything();
+    draft.vectors_at(what);
+    draft.d.finish()
+}
+
+impl Draft<'_> {
+    fn vectors_at(&mut self, what: &Composed) {
+        let (Some(from), style) = (self.point(what.at), self.style) else { return };
+        let parts: Vec<&Vector> = what.vectors.iter().filter(|v| !v.absolute).collect();
+        if let (true, [a, b]) = (what.parallelogram, &parts[..]) {
+            let stroke = style.thin.dashed(Dash::Dashed);
+            for (start, along) in [(a.mm, b.mm), (b.mm, a.mm)] {
+                let (start, end) = (from + start, from + start + along);
+                // Over the vectors themselves it would be another line.
+                if along.norm() > SHORTEST_MM && a.mm.cross(b.mm).abs() > SHORTEST_MM * a.mm.norm().max(b.mm.norm()) {
+                    self.d.shape("parallelogram", "closing", Shape::Line { from: start, to: end, stroke });
+                }
+            }
+        }
+        for v in what.vectors.iter().filter(|v| v.mm.norm() > SHORTEST_MM) {
+            let to = from + v.mm;
+            let stroke = if v.absolute { style.vector } else { Stroke { width_mm: style.vector.width_mm * 0.7, ..style.vector } };
+            let (name, class) = (format!("vector-{}", v.key), if v.absolute { "absolute" } else { "part" });
+            let owner = self.d.vector(&name, class, Shape::Arrow { from, to, stroke, head: style.head }, v.shown.clone());
+            // Near its tip, where the vectors of one point are farthest apart.
+            let request = LabelRequest::along(Label::math(&v.symbol), style.label_mm, from + v.mm * 0.5, to, stroke.width_mm / 2.0);
+            self.d.label(&name, class, request.owned(owner));
+        }
+    }
+}

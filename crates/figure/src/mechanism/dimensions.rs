@@ -1,0 +1,386 @@
+//! The given lengths as dimensions (GB/T 4458.4, ISO 129-1): numbers stand along their lines, to be read from below or from the right, and
+//! on no body.
+//!
+//! Decided here: on which side of its points and how far off each dimension stands: the first place where its number covers nothing and
+//! its lines cross least. A dimension without such a place is not drawn; the list of given values names it instead. More than a hundred
+//! are placed on a raster of what is taken: what one of them costs in time then does not depend on how many others there are.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use hodograph_base::digits::{inked, shortest};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_paper::paper::drawing::{Drawing, id};
+use hodograph_paper::paper::extent::turned_corners;
+use hodograph_paper::paper::item::{COARSE, Colour, Item, PLACED, Shape};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::place::{Obstacles, Raster, is_coarse};
+use hodograph_paper::paper::symbols as sym;
+use hodograph_scene::{Given, GuidePath, Kind, Place, PointId, Scene, Through, Told};
+
+use super::{Draft, form};
+
+/// The nearest dimension line, clear of the joints' letters, and the distance of the next ones.
+const FIRST_MM: f64 = 9.0;
+const NEXT_MM: f64 = 5.0;
+const LEVELS: i32 = 9;
+/// From the dimension line up to its number.
+const GAP_MM: f64 = 0.8;
+/// Air around a number.
+const AIR_MM: f64 = 0.7;
+/// What speaks against a place: to cross a line with the dimension line or an extension line, to lead the dimension line over a body, to be one step farther off, to be on the side
+/// of the mechanism's middle, to have the number away from the middle of its line or beyond its end.
+const CROSSED_COST: f64 = 3.0;
+const OVER_COST: f64 = 5.0;
+const FAR_COST: f64 = 1.0;
+const INSIDE_COST: f64 = 2.5;
+const ASIDE_COST: f64 = 0.8;
+const BEYOND_COST: f64 = 2.0;
+/// Around all that is drawn and all places of dimensions: a number beyond the end of its line.
+const BORDER_MM: f64 = 20.0;
+/// Where along its line a number may stand, as parts of it; then beyond either end.
+const STATIONS: [f64; 5] = [0.5, 0.35, 0.65, 0.22, 0.78];
+
+/// The name of the dimension of two points.
+pub fn name_of(scene: &Scene, a: PointId, b: PointId) -> String {
+    format!("dimension-{}-{}", scene.point_name(a), scene.point_name(b))
+}
+
+/// The name that the line of a dimension has in a drawing.
+pub fn id_of(scene: &Scene, a: PointId, b: PointId) -> String {
+    id("mechanism", &name_of(scene, a, b))
+}
+
+/// The places that a dimension is between, its name, and its number.
+type Wanted = (Point, Point, String, String);
+
+/// A dimension in a place.
+struct Placed {
+    lines: Vec<Item>,
+    number: Item,
+}
+
+/// A place of a number: the foot of its middle and its direction, what speaks against it, and the line that goes on under it where it
+/// stands beyond an end.
+struct Spot {
+    at: Point,
+    angle_rad: f64,
+    cost: f64,
+    beyond: Option<[Point; 2]>,
+}
+
+/// What no number stands on.
+struct Bodies {
+    areas: Vec<Vec<Point>>,
+    discs: Vec<(Point, f64)>,
+}
+
+impl Bodies {
+    fn cover(&self, p: Point) -> bool {
+        self.areas.iter().any(|a| form::inside(p, a)) || self.discs.iter().any(|(c, r)| c.distance(p) < *r)
+    }
+}
+
+/// How what is in the way is found.
+enum Ways {
+    /// By comparing with all that is drawn.
+    Each(Bodies),
+    /// By the cells that are taken.
+    Cells(Raster),
+}
+
+impl Ways {
+    fn new(d: &Drawing, bodies: Bodies, dimensions: usize) -> Ways {
+        if !is_coarse(dimensions) {
+            return Ways::Each(bodies);
+        }
+        let mut raster = Raster::of(d.obstacles(), d.bounds().grown(FIRST_MM + NEXT_MM * f64::from(LEVELS) + BORDER_MM));
+        bodies.areas.iter().for_each(|a| raster.add_area(a));
+        bodies.discs.iter().for_each(|(c, r)| raster.add_disc(*c, *r));
+        Ways::Cells(raster)
+    }
+
+    /// What speaks against the lines of a dimension.
+    fn crossed(&mut self, d: &Drawing, (p, q): (Point, Point), lines: &[Item]) -> f64 {
+        match self {
+            Ways::Each(bodies) => {
+                let crossed = CROSSED_COST * d.met_by(&lines[2..], AIR_MM) as f64 + d.met_by(&lines[..2], 0.1) as f64;
+                let over = (1..8).any(|k| bodies.cover(p + (q - p) * (f64::from(k) / 8.0)));
+                crossed + if over { OVER_COST } else { 0.0 }
+            }
+            Ways::Cells(raster) => {
+                let (met, over) = raster.met_on(p, q);
+                let extensions = lines[..2].iter().map(|line| {
+                    let Shape::Line { from, to, .. } = line.shape else { return 0 };
+                    raster.met_on(from, to).0
+                });
+                let crossed = CROSSED_COST * met as f64 + extensions.sum::<usize>() as f64;
+                crossed + if over { OVER_COST } else { 0.0 }
+            }
+        }
+    }
+
+    /// Whether a number with these corners stands on nothing.
+    fn is_free(&mut self, d: &Drawing, [a, b, c, e]: [Point; 4]) -> bool {
+        let part = |p: Point, q: Point, t: f64| p + (q - p) * t;
+        match self {
+            Ways::Each(bodies) => {
+                let column = |i: i32| (part(a, b, f64::from(i) / 4.0), part(e, c, f64::from(i) / 4.0));
+                let mut grid = (0..=4).flat_map(|i| [0.0, 0.5, 1.0].map(|j| part(column(i).0, column(i).1, j)));
+                !grid.any(|p| bodies.cover(p)) && d.met(&Obstacles::of_turned([a, b, c, e]), AIR_MM) == 0
+            }
+            Ways::Cells(raster) => {
+                let [along, up] = [(a, b), (a, e)].map(|(p, q)| (q - p).unit().unwrap_or(Vec2::ZERO) * AIR_MM);
+                raster.is_free([a - along - up, b + along - up, c + along + up, e - along + up])
+            }
+        }
+    }
+
+    /// A dimension has been drawn.
+    fn take(&mut self, placed: &Placed) {
+        if let Ways::Cells(raster) = self {
+            raster.add(&Obstacles::of(&placed.lines));
+            raster.add(&Obstacles::of(std::slice::from_ref(&placed.number)));
+        }
+    }
+}
+
+/// The corners of a number in a place.
+fn turned(level: &[Point; 4], spot: &Spot) -> [Point; 4] {
+    let turn = Vec2::from_angle(spot.angle_rad);
+    level.map(|corner| spot.at + corner.to_vec2().rotate_by(turn))
+}
+
+impl Draft<'_> {
+    /// All dimensions.
+    pub(super) fn dimensions(&mut self) {
+        let wanted = self.lengths();
+        let mut ways = Ways::new(&self.d, self.bodies(), wanted.len());
+        self.draw_dimensions(wanted, &mut ways);
+    }
+
+    fn draw_dimensions(&mut self, wanted: Vec<Wanted>, ways: &mut Ways) {
+        let places: Vec<Point> = (0..self.scene.points.len()).filter_map(|p| self.point(PointId(p))).collect();
+        let middle = places.iter().fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / places.len().max(1) as f64));
+        let class = if matches!(ways, Ways::Cells(_)) { format!("dimension {COARSE} {PLACED}") } else { "dimension".to_owned() };
+        for (a, b, name, text) in wanted {
+            let label = Label::math(text).in_fonts(&self.style.fonts);
+            let Some(placed) = self.place_dimension(a, b, &label, middle, ways) else { continue };
+            ways.take(&placed);
+            self.d.draw(&name, "", placed.lines);
+            self.d.draw(&format!("{name}-number"), &class, vec![placed.number]);
+        }
+    }
+
+    /// What is given between two places: these, a name, and the number.
+    fn lengths(&self) -> Vec<Wanted> {
+        // The longest come last, as they stand farthest out.
+        let mut wanted: Vec<Wanted> = Vec::new();
+        let of_cam = |p: PointId| self.scene.cams.iter().any(|c| c.span == self.scene.points[p.0].span);
+        for length in self.scene.lengths.iter().filter(|l| !of_cam(l.a) && !of_cam(l.b)) {
+            let (Some(a), Some(b)) = (self.point(length.a), self.point(length.b)) else { continue };
+            wanted.push((a, b, name_of(self.scene, length.a, length.b), self.dimension(&length.value)));
+        }
+        for p in (0..self.scene.points.len()).map(PointId) {
+            let Some(at) = self.point(p) else { continue };
+            match &self.scene.points[p.0].place {
+                Place::InLink { base: (a, b), xy: [x, y] } => {
+                    let (Some(a), Some(b)) = (self.point(*a), self.point(*b)) else { continue };
+                    let Some(u) = (b - a).unit() else { continue };
+                    let foot = a + u * (at - a).dot(u);
+                    let name = self.scene.point_name(p);
+                    let mut add = |from: Point, to: Point, axis: &str, given: &Given| {
+                        if from.distance(to) > super::SAME_MM {
+                            wanted.push((
+                                from,
+                                to,
+                                format!("dimension-{axis}-{name}"),
+                                self.dimension(given).trim_start_matches('−').to_owned(),
+                            ));
+                        }
+                    };
+                    add(a, foot, "x", x);
+                    add(foot, at, "y", y);
+                }
+                Place::Polar { base: (a, _), length, .. } => {
+                    let Some(from) = self.point(*a) else { continue };
+                    wanted.push((from, at, name_of(self.scene, *a, p), self.dimension(length)));
+                }
+                Place::At(_) | Place::Unknown => {}
+            }
+        }
+        wanted.extend(self.offsets());
+        wanted.sort_by(|a, b| a.0.distance(a.1).total_cmp(&b.0.distance(b.1)));
+        wanted
+    }
+
+    /// The offsets of guides, from the point that the guide would pass through without.
+    fn offsets(&self) -> Vec<Wanted> {
+        let mut out = Vec::new();
+        for (g, guide) in self.scene.guides.iter().enumerate().filter(|(_, g)| g.rolling.is_none()) {
+            let GuidePath::Line { through, offset: Some(offset), .. } = &guide.path else { continue };
+            let from = match through {
+                Through::Point(p) => self.point(*p),
+                Through::At([x, y]) => Some(self.paper(Point::new(x.value, y.value))),
+                Through::Pin => None,
+            };
+            let (Some(from), Some(hodograph_mechanism::position::Path::Line { through, direction })) =
+                (from, self.guide(hodograph_scene::GuideId(g)))
+            else {
+                continue;
+            };
+            let foot = through + direction * (from - through).dot(direction);
+            if from.distance(foot) > super::SAME_MM {
+                let number = self.dimension(offset).trim_start_matches('−').to_owned();
+                out.push((from, foot, format!("dimension-offset-{g}"), number));
+            }
+        }
+        out
+    }
+
+    /// Plates, wheels and cams.
+    fn bodies(&self) -> Bodies {
+        let areas = self.forms.iter().flatten().filter(|f| !f.plate.is_empty()).map(|f| f.plate.clone()).collect();
+        let mut discs = Vec::new();
+        for pair in &self.scene.rolling {
+            let round = |i: usize| {
+                let centre = self.point(pair.centres()[i]?)?;
+                Some((centre, centre.distance(self.point(pair.at[i])?)))
+            };
+            discs.extend([0, 1].into_iter().filter(|i| pair.hollow() != Some(*i)).filter_map(round));
+        }
+        for c in &self.scene.cams {
+            if let Some((centre, radius)) = c.circle
+                && let Some(centre) = self.point(centre)
+            {
+                discs.push((centre, self.mm(radius)));
+            }
+        }
+        Bodies { areas, discs }
+    }
+
+    fn place_dimension(&self, a: Point, b: Point, label: &Label, middle: Point, ways: &mut Ways) -> Option<Placed> {
+        let along = (b - a).unit()?;
+        let level = turned_corners(Point::ORIGIN, 0.0, label, self.style.small_mm)?;
+        let inside = along.cross(middle - a).signum();
+        let mut best: Option<(f64, f64, Spot)> = None;
+        for step in 0..LEVELS {
+            for side in [-inside, inside] {
+                let side = if side == 0.0 { 1.0 } else { side };
+                let offset = side * (FIRST_MM + NEXT_MM * f64::from(step));
+                let base = FAR_COST * f64::from(step) + if side == inside { INSIDE_COST } else { 0.0 };
+                let ends = sym::dimension_line(a, b, offset);
+                let mut crossed = None;
+                for spot in self.spots(ends, &level) {
+                    let dearer = |best: &Option<(f64, f64, Spot)>, cost: f64| best.as_ref().is_some_and(|(least, ..)| *least <= cost);
+                    if dearer(&best, base + spot.cost) || !ways.is_free(&self.d, turned(&level, &spot)) {
+                        continue;
+                    }
+                    let crossed = *crossed.get_or_insert_with(|| ways.crossed(&self.d, ends, &sym::dimension(self.style, a, b, offset)));
+                    let cost = base + crossed + spot.cost;
+                    if !dearer(&best, cost) {
+                        best = Some((cost, offset, spot));
+                    }
+                }
+            }
+        }
+        let (_, offset, spot) = best?;
+        let mut lines = sym::dimension(self.style, a, b, offset);
+        let beyond = |[from, to]: [Point; 2]| Item::new("dimension", Shape::Line { from, to, stroke: self.style.thin });
+        lines.extend(spot.beyond.map(beyond));
+        let shape = Shape::Turned {
+            at: spot.at,
+            angle_rad: spot.angle_rad,
+            label: label.clone(),
+            size_mm: self.style.small_mm,
+            colour: Colour::BLACK,
+        };
+        Some(Placed { lines, number: Item::new("", shape) })
+    }
+
+    /// The places of a number along its line; `level` has the corners of its box where it is level.
+    fn spots(&self, (p, q): (Point, Point), level: &[Point; 4]) -> Vec<Spot> {
+        let length = p.distance(q);
+        let Some(along) = (q - p).unit() else { return Vec::new() };
+        // Read from below, or from the right.
+        let mut angle_rad = along.angle();
+        if angle_rad > FRAC_PI_2 + 1e-6 {
+            angle_rad -= PI;
+        } else if angle_rad <= -FRAC_PI_2 + 1e-6 {
+            angle_rad += PI;
+        }
+        let up = Vec2::from_angle(angle_rad).perp();
+        let [c0, c1, ..] = level;
+        let (wide, below) = (c1.x - c0.x, -c0.y);
+        let spot = |at: Point, cost: f64, beyond| Spot { at: at + up * (GAP_MM + below.max(0.0)), angle_rad, cost, beyond };
+        let heads = 2.0 * self.style.thin_head.length_mm;
+        let mut out = Vec::new();
+        for (k, part) in STATIONS.into_iter().enumerate() {
+            if part.min(1.0 - part) * length >= wide / 2.0 + if k == 0 { 0.0 } else { heads / 2.0 } && length >= wide + 1.0 {
+                out.push(spot(p + along * (part * length), ASIDE_COST * k as f64, None));
+            }
+        }
+        for (end, out_of) in [(q, along), (p, -along)] {
+            out.push(spot(end + out_of * (wide / 2.0 + 1.2), BEYOND_COST, Some([end, end + out_of * (wide + 2.0)])));
+        }
+        out
+    }
+
+    /// A given length at its dimension line: millimetres to the micrometre without their name, all else with its unit.
+    fn dimension(&self, given: &Given) -> String {
+        let number = |value: f64| inked(&shortest((value * 1e3).round() / 1e3));
+        match self.scene.told(Kind::Length, &given.text, given.value) {
+            Told::AsWritten(number, unit) if unit.name() != "mm" => unit.label(&inked(&number)),
+            Told::Computed(value, unit) if unit.name() != "mm" => unit.label(&number(value)),
+            Told::AsWritten(..) | Told::Computed(..) | Told::Usual => shortest((given.value * 1e6).round() / 1e3),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hodograph_board::plan::notation::Notation;
+    use hodograph_paper::paper::style::Style;
+    use hodograph_scene as scene;
+    use hodograph_worked::worked::{Scope, work};
+
+    /// A crank-rocker with `n` points on its coupler, each with two coordinates.
+    fn scene_of(n: usize) -> Scene {
+        let names: Vec<String> = (0..n).map(|k| format!("\"P{k}\"")).collect();
+        let place = |k: usize| format!(r#"{{"base": "BC", "x": "{} mm", "y": "{} mm"}}"#, 5 + 240 * k / n, 20 + (37 * k) % 61);
+        let points: Vec<String> = names.iter().enumerate().map(|(k, name)| format!("{name}: {}", place(k))).collect();
+        let text = format!(
+            r#"{{"links": {{"1": ["A", "B"], "2": ["B", "C", {}], "3": ["C", "D"], "4": ["A", "D"]}}, "ground": "4", "points": {{{}}}, "side": {{"C": "left of BD"}},
+            "lengths": {{"AB": "100 mm", "BC": "250 mm", "CD": "200 mm", "AD": "300 mm"}}, "driver": {{"link": "1", "angle": "60 deg", "omega": "10 rad/s"}},
+            "find": ["omega_3"]}}"#,
+            names.join(", "),
+            points.join(", ")
+        );
+        scene::read(&text).unwrap().value
+    }
+
+    /// More than a hundred dimensions: twice as many are twice the work, and they are told as placed coarsely.
+    #[test]
+    fn work_grows_with_the_number_of_dimensions() {
+        let (style, notation, course) =
+            (Style::default(), Notation::of_language(hodograph_scene::Lang::En), super::super::Course::default());
+        let mut last: Option<f64> = None;
+        for n in [60, 120, 240, 480] {
+            let scene = scene_of(n);
+            let worked = work(&scene, Scope::Figure).unwrap().value;
+            let mut draft = Draft::new(&style, &scene, &worked, &notation, &course);
+            draft.everything();
+            let wanted = draft.lengths();
+            let count = wanted.len() as f64;
+            let mut ways = Ways::new(&draft.d, draft.bodies(), wanted.len());
+            let before = if let Ways::Cells(raster) = &ways { raster.touched() } else { panic!("{n} are few") };
+            draft.draw_dimensions(wanted, &mut ways);
+            let Ways::Cells(raster) = &ways else { panic!("{n} are few") };
+            let each = (raster.touched() - before) as f64 / count;
+            assert!(last.is_none_or(|last| each < 1.2 * last), "{n} points: {each} cells for each dimension, {last:?} before");
+            let coarse = draft.d.finish().items.iter().filter(|i| i.class.contains("dimension coarse label")).count();
+            assert!(coarse > 3, "{n} points: {coarse}");
+            last = Some(each);
+        }
+    }
+}

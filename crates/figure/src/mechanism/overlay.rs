@@ -1,0 +1,176 @@
+//! What can be drawn with the mechanism besides itself: vectors at its points, other positions behind it, paths of points.
+
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::construct::scale;
+use hodograph_board::plan::text::Writer;
+use hodograph_board::plan::{Spot, VertexId};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_mechanism::position::Configuration;
+use hodograph_paper::paper::drawing::{Part, prefix};
+use hodograph_paper::paper::item::{Colour, Dash, Shape, Stroke};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::place::LabelRequest;
+use hodograph_paper::paper::shown::Shown;
+use hodograph_paper::paper::style::Style;
+use hodograph_paper::paper::symbols as sym;
+use hodograph_scene::{PointId, Scene};
+use hodograph_sweep::follow::Follower;
+use hodograph_sweep::points::at_equal_steps;
+use hodograph_worked::worked::{Worked, work_motion};
+
+use super::{Course, Draft};
+
+/// Positions along a path: a chord of a full turn's circle is then off it by less than a thousandth of its radius.
+const PATH_STEPS: usize = 180;
+/// Room for the longest vector: a third of the usual diagram.
+const VECTOR_MM: f64 = 45.0;
+/// A vector shorter than this has neither head nor direction for the eye.
+const SHORTEST_MM: f64 = 0.4;
+/// How far other positions and paths stand back.
+const BEHIND: Colour = Colour::grey(150);
+
+/// What is drawn besides the mechanism.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Overlay {
+    /// Vectors of this level at the points.
+    pub vectors: Option<Level>,
+    /// Other positions of everything.
+    pub poses: Vec<Configuration>,
+    /// The given lengths as dimensions.
+    pub dimensions: bool,
+    /// Where points go (m), and whether they come back to where they began.
+    pub paths: Vec<Track>,
+}
+
+/// The path of a point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Track {
+    /// Whose path.
+    pub point: PointId,
+    /// Its places (m).
+    pub places: Vec<Point>,
+    /// Whether the last place is followed by the first.
+    pub closed: bool,
+    /// Places to be numbered, from 1 on. A path that has some is the subject of its figure, any other stands back behind the
+    /// mechanism.
+    pub marks: Vec<Point>,
+}
+
+impl Overlay {
+    /// The same with so many positions through the travel of the first driver, and the paths of these points.
+    pub fn with_motion(mut self, scene: &Scene, worked: &Worked, poses: usize, points: &[PointId]) -> Overlay {
+        let motion_of_cams = work_motion(scene).ok().flatten();
+        let (scene, worked) = motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
+        let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, 0);
+        let sweep = follower.sweep(PATH_STEPS);
+        self.poses = at_equal_steps(&follower, &sweep, poses).into_iter().map(|pose| pose.configuration).collect();
+        let places = |p: PointId| sweep.poses.iter().filter_map(|pose| pose.configuration.points[p.0]).collect();
+        let track = |&point: &PointId| Track { point, places: places(point), closed: sweep.full, marks: Vec::new() };
+        self.paths = points.iter().map(track).collect();
+        self
+    }
+
+    /// The scale of the vectors (SI per mm); `None` where none are drawn.
+    pub fn mu(&self, scene: &Scene, worked: &Worked) -> Option<f64> {
+        let p = worked.construction.polygon(self.vectors?)?;
+        let most = shown(worked, self.vectors?).map(|(_, at)| at).fold([0.0_f64; 2], |[x, y], v| [x.max(v.x.abs()), y.max(v.y.abs())]);
+        Some(scale::choose_in(scene.paper.unit(p.level.kind()), most.map(|mm| mm * p.mu), [VECTOR_MM, VECTOR_MM]))
+    }
+}
+
+/// The points of the mechanism that have a vector on paper, and the vector (mm of the polygon).
+fn shown(worked: &Worked, level: Level) -> impl Iterator<Item = (VertexId, Vec2)> + '_ {
+    let images = worked.construction.polygon(level).into_iter().flat_map(|p| p.images.iter().enumerate());
+    images.filter_map(|(v, at)| {
+        let vertex = worked.plan.vertex(VertexId(v));
+        let own = !vertex.fixed && matches!(vertex.spot, Spot::Point(_));
+        Some((VertexId(v), at.filter(|_| own)?.to_vec2()))
+    })
+}
+
+/// The mechanism with what is drawn over and behind it.
+pub fn overlaid(style: &Style, scene: &Scene, worked: &Worked, w: &Writer, overlay: &Overlay) -> Part {
+    let alone = Course::default();
+    let mut draft = Draft::new(style, scene, worked, w.notation, &alone);
+    // Numbers of positions and numbers of links would be taken for one another.
+    draft.constructed = overlay.paths.iter().all(|path| path.marks.is_empty());
+    draft.dimensioned = overlay.dimensions;
+    draft.behind(overlay);
+    draft.everything();
+    draft.vectors(w, overlay);
+    draft.marks(overlay);
+    if overlay.dimensions {
+        draft.dimensions();
+    }
+    draft.d.finish()
+}
+
+impl Draft<'_> {
+    /// Other positions and paths, thin and grey.
+    fn behind(&mut self, overlay: &Overlay) {
+        let thin = self.style.thin.coloured(BEHIND);
+        for (k, configuration) in overlay.poses.iter().enumerate() {
+            let there = Worked { configuration: configuration.clone(), ..self.worked.clone() };
+            let alone = Course::default();
+            let other = Draft::new(self.style, self.scene, &there, self.notation, &alone);
+            for (l, form) in other.forms.iter().enumerate() {
+                let Some(form) = form else { continue };
+                for (from, to) in form.segments() {
+                    self.d.shape(&format!("pose-{k}-link-{l}"), "pose", Shape::Line { from, to, stroke: thin });
+                }
+            }
+            for at in (0..self.scene.points.len()).map(PointId).filter(|p| other.is_pin(*p) && !other.is_fixed_pivot(*p)) {
+                let Some(centre) = other.point(at) else { continue };
+                let dot = Shape::Circle { centre, radius_mm: self.style.dot_radius_mm, stroke: None, fill: Some(BEHIND) };
+                self.d.shape(&format!("pose-{k}-pin"), "pose", dot);
+            }
+        }
+        overlay.paths.iter().filter(|path| path.marks.is_empty()).for_each(|path| self.path(path));
+    }
+
+    /// A path: behind the mechanism thin, as the subject of a figure over it, and thick.
+    fn path(&mut self, path: &Track) {
+        let behind = path.marks.is_empty();
+        let points: Vec<Point> = path.places.iter().map(|p| self.paper(*p)).collect();
+        let thin = Stroke { width_mm: self.style.outline.width_mm, dash: Dash::DashDot, ..self.style.thin };
+        let stroke = if behind { thin } else { self.style.vector };
+        self.d.of_link(self.scene.mover(path.point).map(|l| l.0).filter(|_| !behind));
+        let shape = Shape::Polyline { points, closed: path.closed, stroke: Some(stroke), fill: None };
+        self.d.shape(&format!("path-{}", self.scene.point_name(path.point)), "path", shape);
+        self.d.of_link(None);
+    }
+
+    /// The numbered places of paths.
+    fn marks(&mut self, overlay: &Overlay) {
+        for path in overlay.paths.iter().filter(|path| !path.marks.is_empty()) {
+            self.path(path);
+            self.d.of_link(self.scene.mover(path.point).map(|l| l.0));
+            for (k, at) in path.marks.iter().enumerate() {
+                let (at, name) = (self.paper(*at), format!("path-{}-{}", self.scene.point_name(path.point), k + 1));
+                self.d.draw(&name, "position", sym::dot(self.style, at));
+                let request = LabelRequest::at_point(Label::math((k + 1).to_string()), self.style.small_mm, at, self.style.dot_radius_mm);
+                self.d.label(&name, "position", request);
+            }
+        }
+        self.d.of_link(None);
+    }
+
+    fn vectors(&mut self, w: &Writer, overlay: &Overlay) {
+        let (Some(level), Some(mu)) = (overlay.vectors, overlay.mu(self.scene, self.worked)) else { return };
+        let Some(p) = self.worked.construction.polygon(level) else { return };
+        let (worked, style) = (self.worked, self.style);
+        for (v, vector) in shown(worked, level) {
+            let vector = vector * (p.mu / mu);
+            let Some(from) = worked.construction.diagram.spots[v.0].filter(|_| vector.norm() > SHORTEST_MM) else { continue };
+            let to = from + vector;
+            let symbol = w.vector(level, v);
+            let key = format!("{}-{}", prefix(if level == Level::Acceleration { "acceleration" } else { "velocity" }), w.vector_key(v));
+            let shown = Shown::vector(w.vector_quantity(level, v), from, to, mu);
+            self.d.of_link(worked.plan.vertex(v).link(self.scene).map(|l| l.0));
+            let owner = self.d.vector(&key, "vector", Shape::Arrow { from, to, stroke: style.vector, head: style.head }, shown);
+            let request = LabelRequest::along(Label::math(&symbol), style.label_mm, from, to, style.vector.width_mm / 2.0);
+            self.d.label(&key, "vector", request.owned(owner));
+        }
+        self.d.of_link(None);
+    }
+}

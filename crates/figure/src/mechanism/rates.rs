@@ -1,0 +1,161 @@
+//! The arrows of what drivers are given: a rate and an acceleration are two arrows, each in its own sense, as a driver that slows down has
+//! them opposed; what is zero has no arrow and no name.
+
+use std::f64::consts::TAU;
+
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::plan::names::name_label;
+use hodograph_paper::paper::extent::on_circle;
+use hodograph_paper::paper::item::{Item, Shape};
+use hodograph_paper::paper::place::{Obstacles, free_places, roomiest};
+use hodograph_paper::paper::symbols as sym;
+use hodograph_scene::Driver;
+
+use super::Draft;
+use super::marks::{Called, NEXT_MM};
+
+/// Places for the arrow of a rotation: so many turned about its centre, each at so many radii.
+const TURNS: i32 = 24;
+const OUTS: usize = 6;
+const OUT_MM: f64 = 1.6;
+/// Air around it: a line beside it would be read as part of it.
+const ARC_AIR_MM: f64 = 0.8;
+/// What speaks against one: a line crossed is worse than any place; a step outward is as bad as a turn of 75°, a turn of twice that four
+/// times as bad, as the eye looks for the arrow at the link.
+const CROSSED_COST: f64 = 60.0;
+const OUT_COST: f64 = 1.5;
+const TURN_COST: f64 = 0.06;
+/// The second arrow keeps this far from the first one, whose label fits between.
+const APART_MM: f64 = NEXT_MM;
+/// It also looks for a place that is free for its label and for what is named nearby, such as the ground's number under a support: to be
+/// nearer to anything than this is as bad as four steps outward.
+const FREE_MM: f64 = 3.0;
+const FREE_COST: f64 = 6.0;
+/// What room for its name is worth.
+const ROOM_COST: f64 = 12.0;
+/// The owner of an arrow that is not drawn yet.
+const OWN: u32 = u32::MAX;
+/// Length of a straight arrow, and the gap to the other one of its driver in the same line.
+pub(super) const ARROW_MM: f64 = 12.0;
+const IN_LINE_MM: f64 = 3.0;
+
+/// Where the arrows of a link that turns are looked for.
+pub(super) struct Turns {
+    pub centre: Point,
+    pub radius: f64,
+    /// Where the first arrow begins and ends in a counter-clockwise sense, or clockwise.
+    pub angles: [f64; 2],
+    /// The direction beyond which the second one is looked for.
+    pub mirror: f64,
+}
+
+/// Where the arrows of a thing that slides are.
+pub(super) struct Slides {
+    /// The tail of the first one.
+    pub from: Point,
+    /// The positive sense.
+    pub along: Vec2,
+    /// Away from the thing.
+    pub outward: Vec2,
+    /// The moving link or point, in ids.
+    pub who: String,
+}
+
+/// The rate that the file gives; of one that it leaves free none.
+fn told_rate(driver: &Driver) -> f64 {
+    if driver.rate_told { driver.rate.value } else { 0.0 }
+}
+
+impl Draft<'_> {
+    /// The arrows of ω and α.
+    pub(super) fn rotations(&mut self, driver: &Driver, index: &str, t: Turns) {
+        let name = name_label(index);
+        let given = [("rotation", "omega", told_rate(driver)), ("angular-acceleration", "alpha", acceleration(driver))];
+        let mut first: Option<Vec<Item>> = None;
+        for (thing, letter, value) in given.into_iter().filter(|g| g.2 != 0.0) {
+            let [low, high] = sorted(t.angles);
+            let (low, high) = if first.is_some() { (2.0 * t.mirror - high, 2.0 * t.mirror - low) } else { (low, high) };
+            // The head is at the end that the link turns to, or is urged to.
+            let ends = if value > 0.0 { [low, high] } else { [high, low] };
+            let symbol = format!("\\{letter}_{{{name}}}");
+            let (radius, [from, to]) = self.clear_arc(&symbol, t.centre, (t.radius, ends), first.as_deref());
+            let arrow = sym::rotation(self.style, t.centre, radius, from, to);
+            let id = format!("{thing}-{}", index.replace('/', "-"));
+            let owner = self.d.draw(&id, "driver", arrow.clone());
+            self.turned_at.push((t.centre, on_circle(t.centre, radius, (from + to) / 2.0)));
+            self.arc_label(Called { id: &id, symbol: &symbol, class: "rotation" }, t.centre, radius, [from, to], owner);
+            first.get_or_insert(arrow);
+        }
+    }
+
+    /// Where the arrow of a rotation crosses least and has room for its name: where it is asked for, else turned about its centre or farther
+    /// out, as little as may be. In a series it does not look for room, as it would jump from one figure to the next.
+    fn clear_arc(&self, symbol: &str, centre: Point, (radius, [from, to]): (f64, [f64; 2]), beside: Option<&[Item]>) -> (f64, [f64; 2]) {
+        let beside = beside.map(Obstacles::of);
+        let place = |out: usize, turn: i32| {
+            let by = f64::from(turn) * TAU / f64::from(TURNS);
+            (radius + out as f64 * OUT_MM, [from + by, to + by])
+        };
+        let cost = |out: usize, turn: i32| {
+            let (radius, [from, to]) = place(out, turn);
+            let arrow = sym::rotation(self.style, centre, radius, from, to);
+            let near = beside.as_ref().map_or(0, |b| b.met_by(&Obstacles::of(&arrow), APART_MM));
+            let crossed = self.d.met_by(&arrow, ARC_AIR_MM) + near;
+            let crowded = if beside.is_some() && self.d.met_by(&arrow, FREE_MM) > 0 { FREE_COST } else { 0.0 };
+            CROSSED_COST * crossed as f64 + crowded + OUT_COST * out as f64 + TURN_COST * f64::from(turn * turn)
+        };
+        let all = (0..OUTS).flat_map(|out| (0..TURNS).map(move |k| (out, if k % 2 == 0 { k / 2 } else { -(k + 1) / 2 })));
+        let mut priced: Vec<(f64, (f64, [f64; 2]))> = all.map(|(out, turn)| (cost(out, turn), place(out, turn))).collect();
+        priced.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let cheapest = priced[0];
+        let in_series = !self.course.supports.is_empty();
+        let room = |(radius, [from, to]): (f64, [f64; 2])| {
+            let mut drawn = self.d.obstacles().clone();
+            drawn.add(&sym::rotation(self.style, centre, radius, from, to), Some(OWN));
+            free_places(&self.arc_request(symbol, centre, radius, [from, to]).owned(OWN), &drawn)
+        };
+        let affordable = priced.into_iter().take_while(|p| p.0 < cheapest.0 + ROOM_COST);
+        if in_series { cheapest.1 } else { roomiest(affordable.map(|p| p.1), room).unwrap_or(cheapest.1) }
+    }
+
+    /// The arrows of a velocity and an acceleration along a line, with their symbols.
+    pub(super) fn translations(&mut self, driver: &Driver, symbols: &[String; 2], s: Slides) {
+        let (rate, acceleration) = (told_rate(driver), acceleration(driver));
+        if rate != 0.0 {
+            self.straight_arrow(s.from, s.along * rate.signum(), &format!("driver-vel-{}", s.who), &symbols[0]);
+        }
+        if acceleration == 0.0 {
+            return;
+        }
+        let towards = s.along * acceleration.signum();
+        let beside = |k: f64| s.from + s.outward * (k * APART_MM);
+        let places = if rate == 0.0 {
+            vec![s.from]
+        } else if (rate > 0.0) == (acceleration > 0.0) {
+            vec![s.from + towards * (ARROW_MM + IN_LINE_MM), beside(1.0), s.from - towards * (ARROW_MM + IN_LINE_MM), beside(2.0)]
+        } else {
+            // Tail to tail: the two point away from one another.
+            vec![s.from + towards * IN_LINE_MM, beside(1.0) - towards * ARROW_MM, beside(2.0) - towards * ARROW_MM]
+        };
+        let crossed = |from: &Point| self.d.met_by(&[self.arrow(*from, towards)], ARC_AIR_MM);
+        let Some(from) = places.iter().min_by_key(|p| crossed(p)).copied() else { return };
+        self.straight_arrow(from, towards, &format!("driver-acc-{}", s.who), &symbols[1]);
+    }
+
+    fn arrow(&self, from: Point, along: Vec2) -> Item {
+        Item::new("", Shape::Arrow { from, to: from + along * ARROW_MM, stroke: self.style.vector, head: self.style.head })
+    }
+
+    fn straight_arrow(&mut self, from: Point, along: Vec2, id: &str, symbol: &str) {
+        let owner = self.d.draw(id, "driver", vec![self.arrow(from, along)]);
+        self.d.label_along(id, "driver", symbol, (from, from + along * ARROW_MM), self.style.vector.width_mm / 2.0, owner);
+    }
+}
+
+fn acceleration(driver: &Driver) -> f64 {
+    driver.acceleration.as_ref().map_or(0.0, |a| a.value)
+}
+
+fn sorted([a, b]: [f64; 2]) -> [f64; 2] {
+    [a.min(b), a.max(b)]
+}

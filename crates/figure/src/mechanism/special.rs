@@ -1,0 +1,46 @@
+//! Special points: where two lines meet along which a link is held.
+
+use super::Draft;
+use hodograph_base::geom::Point;
+use hodograph_board::plan::names::{point_label, special_name};
+use hodograph_board::plan::{SpecialLine, Spot};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_paper::paper::item::{Dash, Shape};
+use hodograph_paper::paper::symbols as sym;
+
+/// A special point further from the mechanism than this part of its size is only told in words: drawn, it would make the
+/// mechanism small.
+const REACH: f64 = 0.8;
+
+impl Draft<'_> {
+    /// Draws every special point that the construction used, with its two lines.
+    pub(super) fn special_points(&mut self) {
+        let worked = self.worked;
+        for (v, vertex) in worked.plan.vertices.iter().enumerate() {
+            let (Spot::Special(k), Some(at)) = (vertex.spot, worked.construction.diagram.spots[v]) else { continue };
+            let drawn = worked.construction.polygon(Level::Velocity).is_some_and(|p| p.images[v].is_some());
+            if vertex.on.is_some() || !drawn || !self.within_reach(at) {
+                continue;
+            }
+            for line in &worked.plan.specials[k].lines {
+                let pin = match *line {
+                    SpecialLine::Leg(line) => line.pin(),
+                    SpecialLine::Through { pin, .. } => pin,
+                };
+                if let Some(from) = self.point(pin) {
+                    let shape = Shape::Line { from, to: at, stroke: self.style.thin.dashed(Dash::DashDot) };
+                    self.d.shape("constraint-line", "special construction", shape);
+                }
+            }
+            let name = point_label(&special_name(self.scene, &worked.plan, k));
+            self.d.draw("special-point", "special point", sym::dot(self.style, at));
+            self.d.label_at("special-point-letter", "special letter", &name, at, self.style.dot_radius_mm, None);
+        }
+    }
+
+    fn within_reach(&self, at: Point) -> bool {
+        let placed: Vec<Point> = self.worked.configuration.points.iter().flatten().map(|p| self.paper(*p)).collect();
+        let size = placed.iter().flat_map(|p| placed.iter().map(move |q| p.distance(*q))).fold(0.0, f64::max);
+        placed.iter().any(|p| p.distance(at) <= REACH * size)
+    }
+}

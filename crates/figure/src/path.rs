@@ -1,0 +1,383 @@
+//! The motion of points as one figure: their paths on the mechanism, the hodographs of their velocities and accelerations, and
+//! a table of the positions that are numbered alike in all of them.
+//!
+//! Decided here: scales, captions and where the parts stand. [`super::hodograph`] draws one hodograph, [`super::mechanism`] the
+//! mechanism with what lies over it, [`hodograph_sweep::points`] follows the points.
+
+use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
+use hodograph_base::digits::direction_degrees;
+use hodograph_base::geom::Vec2;
+use hodograph_board::construct::scale::{self, Boxes};
+use hodograph_board::plan::names::point_label;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_paper::paper::phrase::{Phrase, fill, tr};
+use hodograph_scene::{Kind, PointId, Scene, Swept};
+use hodograph_sweep::points::{Moment, Motion, alone, at_equal_steps, bounded, motion, questions};
+use hodograph_worked::worked::{Worked, work_motion, work_placed};
+
+use super::arrange::{AIM_MM, Tree};
+use super::hodograph::{Hodograph, hodograph, runs};
+use super::mechanism::{Overlay, Track, overlaid};
+use super::plot::over;
+use super::sheet::{MARGIN_MM, Maker, Options, swept_symbol};
+use hodograph_paper::paper::drawing::Part;
+use hodograph_paper::paper::grid::{self, Cell, Row};
+use hodograph_paper::paper::item::{Anchor, Figure, Item};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::shown::escaped;
+use hodograph_report::amount::of_level;
+use hodograph_report::amount::{number, symbol};
+use hodograph_sweep::follow::Follower;
+
+/// Positions that are numbered unless others are asked for: as many as the months, as in textbooks' course work.
+pub const MARKS: usize = 12;
+/// Most positions that are numbered: every 5° of a turn.
+pub const MOST_MARKS: usize = 72;
+/// Digits in the table: what a line diagram tells too.
+const DIGITS: usize = 4;
+/// Positions in one row of the table: what stands side by side on A4.
+const IN_ROW: usize = 12;
+/// Distance of the table's baselines, and between its columns.
+const ROW_MM: f64 = 6.0;
+const COLUMN_MM: f64 = 3.2;
+
+/// What is drawn of a motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wanted {
+    /// Whose paths.
+    pub points: Vec<PointId>,
+    /// What moves; drivers that do not, stand.
+    pub swept: Swept,
+    /// So many positions are numbered, at equal steps of the driver.
+    pub marks: usize,
+    /// The mechanism in so many positions, one over another.
+    pub poses: usize,
+}
+
+/// The figure; notes tell what of the motion it does not show.
+///
+/// # Errors
+/// `no-driver`, `no-path` (a point that stands still), `no-motion` where the mechanism cannot be followed from its pose.
+///
+/// ```
+/// use hodograph::figure::{path, sheet::Options};
+/// use hodograph::scene::{self, Lang, Swept, PointId, templates};
+/// use hodograph::worked::{Scope, work};
+/// let scene = scene::read(templates::get("crank-rocker").unwrap())?.value;
+/// let worked = work(&scene, Scope::Figure)?.value;
+/// let e = PointId(scene.points.iter().position(|p| p.name == "E").unwrap());
+/// let wanted = path::Wanted { points: vec![e], swept: Swept::Driver(0), marks: 12, poses: 0 };
+/// let figure = path::figure(&scene, &worked, &Options::of_language(Lang::En), &wanted)?.value;
+/// assert!(figure.title.starts_with("Crank-rocker"));
+/// # Ok::<(), hodograph::diag::Faults>(())
+/// ```
+pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted) -> Result<Warned<Figure>, Faults> {
+    check(scene, wanted)?;
+    let motion_of_cams = work_motion(scene)?;
+    let (scene, worked) = motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
+    // Each velocity is then tangent to the path that is drawn.
+    let alone = alone(scene, wanted.swept);
+    let moved = motion(
+        &alone,
+        &worked.mechanism,
+        &worked.demand,
+        &worked.configuration,
+        wanted.swept,
+        &wanted.points,
+        wanted.marks.clamp(1, MOST_MARKS),
+    );
+    Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept)
+        .proved(moved.moments.iter().chain(&moved.marks).map(|m| &m.configuration))?;
+    if moved.moments.len() < 2 {
+        let d = Diagnostic::error(
+            "no-motion",
+            both!("the mechanism cannot be followed from its pose: there is no path", "从该位置无法跟踪机构的运动：没有轨迹"),
+        );
+        return Err(d.help(both!("give another pose, or move another driver with --over", "请改变位置，或用 --over 另选原动件")).into());
+    }
+    let poses = poses(scene, worked, wanted);
+    // All that is drawn of the mechanism fits its box.
+    let mut fitted = scene.clone();
+    let ghosts = poses.iter().chain([&worked.configuration]).flat_map(|c| c.points.iter().flatten().copied());
+    let places = moved.moments.iter().flat_map(|m| moved.points.iter().filter_map(|p| m.configuration.points[p.0]));
+    let boxes = Boxes::of(&scene.paper, &worked.plan);
+    let mu = scale::fitted(&scene.paper, Kind::Length, scale::extent(ghosts.chain(places)), boxes.diagram);
+    fitted.paper.scales.set(Kind::Length, Some(mu));
+    let worked = &work_placed(&fitted, worked.mechanism.clone(), worked.demand.clone(), worked.configuration.clone())?.value;
+    let maker = Maker { scene: &fitted, worked, options, certified: Vec::new() };
+    let mut page = Page { maker, moved: &moved, swept: wanted.swept, cut: false };
+
+    let mut drawings = vec![page.mechanism(poses)];
+    drawings.extend(page.hodographs(&boxes));
+    let text = page.text();
+    let mut notes = Vec::new();
+    if scene.own_drivers() > 1 && wanted.swept != Swept::Time {
+        notes.push(Diagnostic::note(
+            "path-driver",
+            both!(
+                "the scene has several drivers: one of them moves, the others stand still here",
+                "有几个原动件：此处只有一个运动，其余静止"
+            ),
+        ));
+    }
+    let (items, size) = stand(page.maker.title(), drawings, text);
+    let mut figure = page.maker.figure(items, size);
+    figure.desc = page.described();
+    Ok(Warned { value: figure, notes })
+}
+
+fn check(scene: &Scene, wanted: &Wanted) -> Result<(), Faults> {
+    let mut faults = Faults::default();
+    if let Swept::Driver(driver) = wanted.swept
+        && driver >= scene.drivers.len()
+    {
+        faults.push(Diagnostic::error("no-driver", both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1)));
+    }
+    if wanted.points.is_empty() {
+        faults.push(
+            Diagnostic::error("no-path", both!("no point is named", "未指定点"))
+                .help(both!("name one with --point", "请用 --point 指定一个点")),
+        );
+    }
+    let stands = |p: &&PointId| scene.mover(**p).is_none() || scene.links[scene.ground.0].points.contains(p);
+    for p in wanted.points.iter().filter(stands) {
+        let d = Diagnostic::error("no-path", both!("point {} stands still: it has no path", "点 {} 静止，没有轨迹", scene.point_name(*p)));
+        faults.push(d.at(scene.points[p.0].span).help(both!("name a point that moves", "请指定一个运动的点")));
+    }
+    if faults.has_errors() { Err(faults) } else { Ok(()) }
+}
+
+/// The mechanism in other positions.
+fn poses(scene: &Scene, worked: &Worked, wanted: &Wanted) -> Vec<hodograph_mechanism::position::Configuration> {
+    if wanted.poses == 0 {
+        return Vec::new();
+    }
+    let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept);
+    let sweep = follower.sweep(MOST_MARKS);
+    at_equal_steps(&follower, &sweep, wanted.poses.min(MOST_MARKS)).into_iter().map(|p| p.configuration).collect()
+}
+
+/// The figure in the making.
+struct Page<'a> {
+    maker: Maker<'a>,
+    moved: &'a Motion,
+    swept: Swept,
+    /// Whether a hodograph leaves the paper.
+    cut: bool,
+}
+
+impl Page<'_> {
+    fn scene(&self) -> &Scene {
+        self.maker.scene
+    }
+
+    fn mechanism(&self, poses: Vec<hodograph_mechanism::position::Configuration>) -> Part {
+        let places = |moments: &[Moment], p: PointId| moments.iter().filter_map(|m| m.configuration.points[p.0]).collect();
+        let track = |&point: &PointId| Track {
+            point,
+            places: places(&self.moved.moments, point),
+            closed: self.moved.full,
+            marks: places(&self.moved.marks, point),
+        };
+        let overlay = Overlay { poses, paths: self.moved.points.iter().map(track).collect(), ..Overlay::default() };
+        let maker = &self.maker;
+        let part = overlaid(&maker.options.style, maker.scene, maker.worked, &maker.writer(), &overlay);
+        let names: Vec<String> = self.moved.points.iter().map(|p| format!("${}$", point_label(self.scene().point_name(*p)))).collect();
+        let words = match (&names[..], self.maker.options.lang) {
+            (names, hodograph_scene::Lang::Zh) => format!("点 {} 的轨迹", names.join("、")),
+            ([one], _) => format!("Path of {one}"),
+            (names, _) => format!("Paths of {}", names.join(", ")),
+        };
+        let (_, mu) = maker.caption(Level::Position);
+        maker.titled(part, Phrase::new(&words).label(), &mu, "mechanism")
+    }
+
+    /// Velocity and acceleration hodograph of each point, those of one kind to one scale.
+    fn hodographs(&mut self, boxes: &Boxes) -> Vec<Part> {
+        let paper = self.scene().paper.clone();
+        let mut parts = Vec::new();
+        for (l, level) in Level::RATES.into_iter().enumerate() {
+            let of = |moments: &[Moment], k: usize| -> Vec<Option<Vec2>> { moments.iter().map(|m| m.vectors[k][l]).collect() };
+            let curves: Vec<Vec<Option<Vec2>>> = (0..self.moved.points.len()).map(|k| of(&self.moved.moments, k)).collect();
+            let sizes = curves.iter().flatten().flatten().map(|v| v.norm()).collect();
+            let own = self.moved.moments.iter().find(|m| m.travel == 0.0);
+            let own = own.into_iter().flat_map(|m| m.vectors.iter().filter_map(|v| v[l])).map(Vec2::norm).fold(0.0, f64::max);
+            let Some(most) = bounded(sizes, own, self.moved.limits == [false, false]) else { continue };
+            let shown: Vec<_> = curves.iter().map(|c| runs(c, self.moved.full, most)).collect();
+            self.cut |= shown.iter().any(|s| s.1);
+            let ends = shown.iter().flat_map(|s| s.0.iter().flatten()).map(|v| v.to_point());
+            let kind = level.kind();
+            let mu = scale::fitted(&paper, kind, scale::extent(ends.chain([hodograph_base::geom::Point::ORIGIN])), boxes.polygon);
+            for (k, &point) in self.moved.points.iter().enumerate() {
+                let find = &questions(self.scene(), point)[l];
+                let h = Hodograph {
+                    level,
+                    quantity: &find.text,
+                    pole: &self.maker.writer().pole(level),
+                    link: self.scene().mover(point).map(|l| l.0),
+                    curve: &curves[k],
+                    closed: self.moved.full,
+                    marks: &of(&self.moved.marks, k),
+                    most,
+                    mu,
+                    book: &self.scene().book,
+                };
+                let part = hodograph(&self.maker.options.style, &h);
+                let name = self.scene().point_name(point);
+                // Several points have captions of one scale.
+                let (en, zh, id) = match level {
+                    Level::Position | Level::Velocity => {
+                        ("Velocity hodograph of ${}$", "点 ${}$ 的速度矢端曲线", format!("vel-hodograph-{}", escaped(name)))
+                    }
+                    Level::Acceleration => {
+                        ("Acceleration hodograph of ${}$", "点 ${}$ 的加速度矢端曲线", format!("acc-hodograph-{}", escaped(name)))
+                    }
+                };
+                let words = fill(tr(self.maker.options.lang, en, zh), &[("", &point_label(name))]);
+                parts.push(self.maker.titled(part, Phrase::new(&words).label(), &of_level(&self.scene().book, level, mu), &id));
+            }
+        }
+        parts
+    }
+
+    /// The numbered positions: where the driver stands, the magnitudes of the vectors; and what is to be said of them.
+    fn text(&self) -> Part {
+        let (style, lang) = (&self.maker.options.style, self.maker.options.lang);
+        let book = &self.scene().book;
+        let (driver, kind) = swept_symbol(self.scene(), self.swept);
+        let ((unit, factor), parts) = (book.fine(kind), book.parts(kind, 100.0));
+        let mut rows = Vec::new();
+        for (block, marks) in self.moved.marks.chunks(IN_ROW).enumerate() {
+            let cell = |text: Label, anchor, row: &str, k: usize| {
+                let id = format!("position-{row}-{}", block * IN_ROW + k);
+                Some(Cell { label: text.in_fonts(&style.fonts), size_mm: style.small_mm, anchor, class: "positions".into(), id })
+            };
+            let mut row = |name: &str, head: Label, text: &dyn Fn(usize) -> Label| {
+                let first = cell(head, Anchor::Start, name, 0);
+                let rest = (0..marks.len()).map(|k| cell(text(k), Anchor::End, name, k + 1));
+                let height_mm = if name == "number" && block > 0 { ROW_MM * 1.6 } else { ROW_MM };
+                rows.push(Row { cells: std::iter::once(first).chain(rest).collect(), height_mm });
+            };
+            row("number", Label::text(tr(lang, "Position", "位置")), &|k| Label::math((block * IN_ROW + k + 1).to_string()));
+            row("driver", Label::math(over(&driver, &unit)), &|k| {
+                let value = marks[k].place;
+                let shown = if kind == Kind::Angle { turned(value, factor, self.moved.full) } else { value * factor };
+                Label::math(hodograph_base::digits::inked(&hodograph_base::digits::shortest((shown * parts).round() / parts)))
+            });
+            for (p, point) in self.moved.points.iter().enumerate() {
+                for (l, find) in questions(self.scene(), *point).iter().enumerate() {
+                    let unit = book.upright(find.what.kind());
+                    let symbol = symbol(find, &self.maker.options.notation);
+                    row(&find.text, Label::math(over(&symbol, &unit)), &|k| match marks[k].vectors[p][l] {
+                        Some(v) => Label::math(number(book.value(find.what.kind(), v.norm()), DIGITS)),
+                        None => Label::text("—"),
+                    });
+                }
+            }
+        }
+        let width = rows.len();
+        let mut items = grid::set(&rows, COLUMN_MM);
+        let y = -rows[..width].iter().map(|r| r.height_mm).sum::<f64>();
+        for (k, said) in self.remarks().into_iter().enumerate() {
+            let at = hodograph_base::geom::Point::new(0.0, y - ROW_MM * (k as f64 + 1.2));
+            let shape = hodograph_paper::paper::item::Shape::Label {
+                at,
+                label: Label::text(said).in_fonts(&style.fonts),
+                size_mm: style.small_mm,
+                anchor: Anchor::Start,
+                colour: hodograph_paper::paper::item::Colour::BLACK,
+            };
+            items.push(Item::new("remark", shape).with_id(format!("remark-{k}")));
+        }
+        Part::of(items)
+    }
+
+    fn remarks(&self) -> Vec<&'static str> {
+        let lang = self.maker.options.lang;
+        let cut = tr(
+            lang,
+            "Next to a limit the vectors grow beyond all bounds; there the hodographs leave the paper.",
+            "接近极限位置时矢量趋于无穷大，该处的矢端曲线超出图纸。",
+        );
+        let alone = tr(lang, "One driver moves, the others stand still.", "一个原动件运动，其余原动件静止。");
+        let mut said = Vec::new();
+        said.extend(self.cut.then_some(cut));
+        said.extend((self.scene().drivers.len() > 1 && self.swept != Swept::Time).then_some(alone));
+        said
+    }
+
+    /// What the figure shows, in words.
+    fn described(&self) -> String {
+        let lang = self.maker.options.lang;
+        let mut said = Vec::new();
+        for (k, point) in self.moved.points.iter().enumerate() {
+            let name = self.scene().point_name(*point);
+            let speeds = self.moved.moments.iter().filter_map(|m| m.vectors[k][0]);
+            let [slow, fast] = speeds.fold([f64::INFINITY, 0.0_f64], |[lo, hi], v| [lo.min(v.norm()), hi.max(v.norm())]);
+            let first = self.moved.marks.first().and_then(|m| m.vectors[k][0]).map(|v| direction_degrees(v.angle()));
+            let words = tr(
+                lang,
+                "Path of point {}, its velocity and its acceleration drawn from one pole through {travel}: speed from {slow} to {fast} {unit}, at position 1 towards {first}°.",
+                "点 {} 的轨迹，及其速度、加速度在{travel}中的矢端曲线：速度大小 {slow} 至 {fast} {unit}，位置 1 的方向 {first}°。",
+            );
+            let travel = match (self.moved.full, self.moved.limits) {
+                (true, _) => tr(lang, "a full turn", "原动件一整转"),
+                (_, [true, true]) => tr(lang, "the travel between its limits", "两极限位置之间的行程"),
+                _ => tr(lang, "the travel", "行程"),
+            };
+            let plain = |v: f64| hodograph_base::digits::significant(v, 3);
+            let book = &self.scene().book;
+            let speed = |v: f64| plain(book.value(Kind::Velocity, v));
+            let fast = if self.cut { "∞".to_owned() } else { speed(fast) };
+            let first = first.map_or("—".to_owned(), plain);
+            said.push(fill(
+                words,
+                &[
+                    ("", name),
+                    ("travel", travel),
+                    ("slow", &speed(if slow.is_finite() { slow } else { f64::NAN })),
+                    ("fast", &fast),
+                    ("unit", book.name(Kind::Velocity)),
+                    ("first", &first),
+                ],
+            ));
+        }
+        said.join(" ")
+    }
+}
+
+/// An angle as it is written beside a crank, in a unit of which a radian has so many: less than a turn, and not less than zero, where
+/// the crank turns fully.
+pub(super) fn turned(radians: f64, factor: f64, full: bool) -> f64 {
+    let shown = (radians * factor * 1e8).round() / 1e8;
+    if full { shown.rem_euclid(std::f64::consts::TAU * factor) } else { shown }
+}
+
+/// Title, drawings and table on the page: the mechanism beside the hodographs, these in one row or one column for each kind,
+/// whichever comes nearer to A4.
+fn stand(title: Option<Part>, drawings: Vec<Part>, text: Part) -> (Vec<Item>, [f64; 2]) {
+    let per_level = drawings.len().saturating_sub(1) / 2;
+    let mut parts = drawings;
+    let leaves = |from: usize, count: usize| (from..from + count).map(Tree::Leaf).collect::<Vec<_>>();
+    let (table, heading) = (parts.len(), title.is_some().then_some(parts.len() + 1));
+    let levels = parts.len().saturating_sub(1).div_ceil(per_level.max(1));
+    parts.push(text);
+    parts.extend(title);
+    let level = |k: usize| leaves(1 + k * per_level, per_level);
+    // Levels side by side, the points of each below one another; or the other way.
+    let rows = || Tree::row((0..levels).map(|k| Tree::column(level(k))).collect());
+    let columns = || Tree::column((0..levels).map(|k| Tree::row(level(k))).collect());
+    let layouts = [rows(), columns()].map(|right| {
+        let body = Tree::row(vec![Tree::Leaf(0), right]);
+        Tree::column(heading.map(Tree::Leaf).into_iter().chain([body, Tree::Leaf(table)]).collect())
+    });
+    let scale = |t: &Tree| {
+        let [w, h] = t.size(&parts);
+        (w / AIM_MM[0]).max(h / AIM_MM[1])
+    };
+    let best = layouts.into_iter().min_by(|a, b| scale(a).total_cmp(&scale(b))).unwrap_or(Tree::Leaf(0));
+    let [w, h] = best.size(&parts);
+    let size = [w + 2.0 * MARGIN_MM, h + 2.0 * MARGIN_MM];
+    best.put(&mut parts, hodograph_base::geom::Point::new(MARGIN_MM, size[1] - MARGIN_MM));
+    (parts.into_iter().flat_map(|p| p.items).collect(), size)
+}

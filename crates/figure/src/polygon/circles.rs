@@ -1,0 +1,171 @@
+//! Image circles: what rolls on the mechanism is a circle in the polygon too.
+//!
+//! By the principle of images the pitch circle of a link is a circle about the image of its centre through the image of its point of
+//! contact: its radius is |ω| r/μ_v, and r √(α² + ω⁴)/μ_a. In velocities those of a pair touch in the image of the contact, as its two
+//! points have one velocity; in accelerations they need not, as only the parts along the common tangent agree.
+
+use std::f64::consts::TAU;
+
+use crate::tables::found_by;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_paper::paper::drawing::Drawing;
+use hodograph_paper::paper::item::{Dash, Shape};
+use hodograph_paper::paper::style::Style;
+use hodograph_scene::{LinkId, PointId};
+
+use super::{Draft, SAME_MM};
+
+/// A smaller circle is hidden by the letters at its middle.
+const LEAST_MM: f64 = 4.0;
+/// So much larger than the polygon a whole circle may be: one about the pole through the farthest image is twice as large, and leaves
+/// the vectors, which are what is read, in a corner of their paper. Of a larger circle the arc at the contact is drawn.
+const LARGEST: f64 = 1.5;
+/// Half of the arc that is drawn of a circle too large: to both sides of the contact it bends by an eighth of its length.
+const ARC_RAD: f64 = 0.5;
+
+/// The image of a pitch circle, on paper.
+pub(super) struct Circle {
+    pub centre: Point,
+    /// The image of the contact.
+    pub through: Point,
+    link: LinkId,
+    /// The action after which both are there.
+    step: usize,
+    /// Whether there is room for all of it.
+    whole: bool,
+}
+
+impl Circle {
+    fn radius_mm(&self) -> f64 {
+        self.centre.distance(self.through)
+    }
+
+    /// Corners of the box around what is drawn of it: of an arc its ends and its middle.
+    pub fn corners(&self) -> Vec<Point> {
+        let r = self.radius_mm();
+        if self.whole {
+            let half = Vec2::new(r, r);
+            return vec![self.centre - half, self.centre + half];
+        }
+        let along = (self.through - self.centre).angle();
+        [-ARC_RAD, 0.0, ARC_RAD].map(|a| self.centre + Vec2::from_angle(along + a) * r).to_vec()
+    }
+}
+
+impl Draft<'_> {
+    /// The image circles of a polygon, each once.
+    pub(super) fn image_circles(&self) -> Vec<Circle> {
+        let scene = self.w.scene;
+        let mut all: Vec<Circle> = Vec::new();
+        for pair in &scene.rolling {
+            for (link, centre) in pair.links.into_iter().zip(pair.centres()) {
+                let (Some(centre), true) = (centre, link != scene.ground) else { continue };
+                let (Some((centre, a)), Some((through, b))) = (self.image_of(centre, link), self.image_of(pair.at_of(link), link)) else {
+                    continue;
+                };
+                let circle = Circle { centre, through, link, step: a.max(b), whole: true };
+                let same = |c: &Circle| {
+                    c.link == link && c.centre.distance(centre) < SAME_MM && (c.radius_mm() - circle.radius_mm()).abs() < SAME_MM
+                };
+                if circle.radius_mm() >= LEAST_MM && !all.iter().any(same) {
+                    all.push(circle);
+                }
+            }
+        }
+        let size = self.size_mm();
+        all.iter_mut().for_each(|c| c.whole = 2.0 * c.radius_mm() <= LARGEST * size);
+        all
+    }
+
+    /// The image of a point of a link, and the action that finds it.
+    fn image_of(&self, p: PointId, link: LinkId) -> Option<(Point, usize)> {
+        let (scene, plan) = (self.w.scene, self.w.plan);
+        if scene.links[scene.ground.0].points.contains(&p) {
+            return Some((Point::ORIGIN, 0));
+        }
+        let v = plan.find_vertex(scene, p, Some(link)).or_else(|| plan.find_vertex(scene, p, None))?;
+        Some((self.p.images[v.0]?, found_by(self.p, v).unwrap_or(0)))
+    }
+
+    /// The longer side of the box around the images.
+    fn size_mm(&self) -> f64 {
+        let all = || self.letters.iter().map(|l| l.at);
+        let side = |of: fn(Point) -> f64| all().map(of).fold(f64::NEG_INFINITY, f64::max) - all().map(of).fold(f64::INFINITY, f64::min);
+        side(|p| p.x).max(side(|p| p.y))
+    }
+
+    /// Draws the image circles, behind the vectors.
+    pub(super) fn circles(&self, d: &mut Drawing, style: &Style) {
+        for c in self.image_circles() {
+            let along = (c.through - c.centre).angle();
+            let (from_rad, to_rad) = if c.whole { (along, along + TAU) } else { (along - ARC_RAD, along + ARC_RAD) };
+            let stroke = style.thin.dashed(Dash::DashDot);
+            let shape = Shape::Arc { centre: c.centre, radius_mm: c.radius_mm(), from_rad, to_rad, stroke };
+            d.of_link(Some(c.link.0));
+            d.shape(&format!("circle-{}", self.w.scene.link_name(c.link)), &format!("circle step-{}", c.step), shape);
+        }
+        d.of_link(None);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hodograph_board::plan::notation::Notation;
+    use hodograph_board::plan::text::Writer;
+    use hodograph_mechanism::mechanism::Level;
+    use hodograph_scene::{Lang, read};
+    use hodograph_worked::worked::{Scope, work};
+
+    /// A planet on a sun that turns, inside a ring that turns: all circles but that of the arm.
+    const DIFFERENTIAL: &str = r#"{"units": {"length": "mm", "angle": "deg"},
+        "links": {"1": ["O"], "2": ["O", "Q"], "3": ["Q"], "4": ["O"], "5": ["O"]}, "ground": "1", "points": {"O": [0, 0], "Q": [42, 56]},
+        "gears": [{"links": ["4", "3"], "centres": ["O", "Q"], "radii": [40, 30], "at": "K"},
+                  {"links": ["3", "5"], "centres": ["Q", "O"], "radii": [30, 100], "ring": "5", "at": "E"}],
+        "driver": [{"link": "4", "omega": "7 rad/s", "alpha": "-3 rad/s^2"}, {"link": "5", "omega": "-2 rad/s", "alpha": "4 rad/s^2"}],
+        "find": ["omega_2", "omega_3", "alpha_2", "alpha_3", "a_K3", "a_K4", "a_E3", "a_E5"]}"#;
+
+    /// For each circle of a polygon: link, centre, image of the contact, radius; and the polygon's scale.
+    fn circles(text: &str, level: Level) -> (Vec<(String, Circle)>, f64) {
+        let scene = read(text).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let notation = Notation::of_language(Lang::En);
+        let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
+        let p = worked.construction.polygon(level).unwrap();
+        let all = Draft::of(&w, p).image_circles();
+        (all.into_iter().map(|c| (scene.link_name(c.link).to_owned(), c)).collect(), p.mu)
+    }
+
+    #[test]
+    fn radii_are_those_of_the_motion() {
+        let (r, omega, alpha) = ([0.04, 0.03, 0.1], [7.0_f64, -8.0, -2.0], [-3.0_f64, 26.0 / 3.0, 4.0]);
+        let index = |name: &str| ["4", "3", "5"].iter().position(|n| *n == name).unwrap();
+        for level in Level::RATES {
+            let (all, mu) = circles(DIFFERENTIAL, level);
+            assert_eq!(all.len(), 3, "sun, planet (once for two contacts), ring");
+            for (name, c) in all {
+                let k = index(&name);
+                let rate = if level == Level::Velocity { omega[k].abs() } else { (alpha[k].powi(2) + omega[k].powi(4)).sqrt() };
+                let wanted = rate * r[k] / mu;
+                assert!((c.radius_mm() - wanted).abs() < 1e-9 * wanted, "{name} at {level:?}: {} and not {wanted}", c.radius_mm());
+            }
+        }
+    }
+
+    #[test]
+    fn in_velocities_those_of_a_pair_touch() {
+        let (all, _) = circles(DIFFERENTIAL, Level::Velocity);
+        let of = |name: &str| all.iter().find(|(n, _)| n == name).map(|(_, c)| (c.centre, c.radius_mm())).unwrap();
+        let ((o, sun), (q, planet), (_, ring)) = (of("4"), of("3"), of("5"));
+        let apart = o.distance(q);
+        // The sense in which two circles touch is that of the rates: outside one another or one inside the other.
+        let touch = |a: f64, b: f64| (apart - a - b).abs().min((apart - (a - b).abs()).abs()) < 1e-9 * (a + b);
+        assert!(touch(sun, planet) && touch(planet, ring), "{apart} {sun} {planet} {ring}");
+    }
+
+    #[test]
+    fn a_circle_that_would_swamp_the_polygon_is_an_arc() {
+        let (all, _) = circles(DIFFERENTIAL, Level::Velocity);
+        assert!(all.iter().any(|(_, c)| c.whole) && all.iter().all(|(_, c)| c.whole || 2.0 * c.radius_mm() > c.radius_mm() * LARGEST));
+    }
+}

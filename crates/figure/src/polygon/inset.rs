@@ -1,0 +1,191 @@
+//! Insets: a cluster of vectors too small for their names, drawn once more beside the polygon to a scale of its own.
+
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::construct::scale;
+use hodograph_paper::paper::drawing::Drawing;
+use hodograph_paper::paper::item::{Anchor, Colour, Shape};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::style::Style;
+use hodograph_report::amount::of_level;
+
+use super::names::Shown;
+use super::{Draft, SAME_MM, ZERO_MM, middle};
+
+/// A vector longer than this carries its name itself, or nothing near it does.
+const SHORT_MM: f64 = 10.0;
+/// Shorter, and a vector is a head without a shaft.
+const HEADLESS_MM: f64 = 1.2;
+/// Vectors in trouble nearer than this are one cluster.
+const NEAR_MM: f64 = 9.0;
+/// More insets than this, and the figure is a collection of them.
+const INSETS_MAX: usize = 2;
+/// Room for an enlarged cluster.
+const ROOM_MM: f64 = 42.0;
+/// Smaller enlargements are not worth a second drawing.
+const LEAST: f64 = 2.0;
+/// Air around a cluster in the inset: room for the letters at its ends.
+const AIR_MM: f64 = 7.0;
+/// From the polygon to the inset.
+const GAP_MM: f64 = 9.0;
+
+/// A cluster and where its enlargement goes.
+pub(super) struct Inset {
+    /// The arrows in it.
+    pub arrows: Vec<usize>,
+    /// The middle of the cluster, and the radius that holds it with its letters.
+    centre: Point,
+    radius_mm: f64,
+    /// The scale of the enlargement (SI per mm), and how many times larger it is.
+    mu: f64,
+    times: f64,
+    /// The middle of the enlargement.
+    at: Point,
+}
+
+impl Inset {
+    /// Whether a point belongs to the cluster and to no vector outside it.
+    pub fn has_alone(&self, draft: &Draft, p: Point) -> bool {
+        let ends = |k: usize| {
+            let a = &draft.arrows[k];
+            a.from.distance(p) < SAME_MM || a.to.distance(p) < SAME_MM
+        };
+        self.arrows.iter().any(|k| ends(*k)) && !(0..draft.arrows.len()).any(|k| !self.arrows.contains(&k) && ends(k))
+    }
+
+    fn map(&self, p: Point) -> Point {
+        self.at + (p - self.centre) * self.times
+    }
+
+    fn outer_mm(&self) -> f64 {
+        self.radius_mm * self.times
+    }
+}
+
+impl Draft<'_> {
+    /// The clusters that need an inset, as the names of some of their vectors found no place: two at most, the gravest ones.
+    pub(super) fn insets(&self, unnamed: impl Fn(usize) -> bool) -> Vec<Inset> {
+        let length = |k: usize| self.arrows[k].from.distance(self.arrows[k].to);
+        let short: Vec<usize> = (0..self.arrows.len()).filter(|&k| (ZERO_MM..SHORT_MM).contains(&length(k))).collect();
+        let trouble = |k: &&usize| unnamed(**k) || length(**k) < HEADLESS_MM;
+        let mut clusters: Vec<Vec<usize>> = Vec::new();
+        for &k in short.iter().filter(trouble) {
+            let (together, apart): (Vec<_>, Vec<_>) = clusters.into_iter().partition(|c| c.iter().any(|o| self.apart_mm(*o, k) < NEAR_MM));
+            clusters = apart;
+            clusters.push(together.into_iter().flatten().chain([k]).collect());
+        }
+        // One vector that its ends name needs no second drawing.
+        clusters.retain(|c| c.len() > 1 || c.iter().any(|k| length(*k) < HEADLESS_MM));
+        clusters.sort_by_key(|c| (std::cmp::Reverse(c.len()), c[0]));
+        let mut insets: Vec<Inset> = Vec::new();
+        for mut cluster in clusters.into_iter().take(INSETS_MAX) {
+            // Its short neighbours are drawn with it.
+            let joined = short.iter().filter(|k| !cluster.contains(k) && cluster.iter().any(|o| self.apart_mm(*o, **k) < SAME_MM));
+            let joined: Vec<usize> = joined.copied().collect();
+            cluster.extend(joined);
+            cluster.sort_unstable();
+            insets.extend(self.enlarged(cluster, &insets));
+        }
+        insets
+    }
+
+    /// How far the ends of two vectors are apart at least.
+    fn apart_mm(&self, a: usize, b: usize) -> f64 {
+        let (a, b) = (&self.arrows[a], &self.arrows[b]);
+        let pairs = [(a.from, b.from), (a.from, b.to), (a.to, b.from), (a.to, b.to)];
+        pairs.into_iter().map(|(p, q)| p.distance(q)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Where a cluster's enlargement goes: right, left or below the polygon and the insets before, whichever is nearest.
+    fn enlarged(&self, arrows: Vec<usize>, before: &[Inset]) -> Option<Inset> {
+        let ends: Vec<Point> = arrows.iter().flat_map(|k| [self.arrows[*k].from, self.arrows[*k].to]).collect();
+        let (lo, hi) = around(ends.iter().copied());
+        let size = hi - lo;
+        let mu =
+            scale::choose_in(self.w.scene.book.size(self.p.level.kind()), [size.x * self.p.mu, size.y * self.p.mu], [ROOM_MM, ROOM_MM]);
+        let times = self.p.mu / mu;
+        if !(times.is_finite() && times >= LEAST) {
+            return None;
+        }
+        let centre = lo + size * 0.5;
+        let mut inset = Inset { arrows, centre, radius_mm: size.norm() / 2.0 + AIR_MM / times, mu, times, at: centre };
+        let mut all: Vec<Point> = self.arrows.iter().flat_map(|a| [a.from, a.to]).collect();
+        all.extend(self.image_circles().iter().flat_map(|c| c.corners()));
+        for i in before {
+            all.extend([Vec2::new(1.0, 1.0), Vec2::new(-1.0, -1.0)].map(|u| i.at + u * i.outer_mm()));
+        }
+        let (lo, hi) = around(all.iter().copied());
+        let off = inset.outer_mm() + GAP_MM;
+        let sides = [Point::new(hi.x + off, centre.y), Point::new(lo.x - off, centre.y), Point::new(centre.x, lo.y - off)];
+        let at = sides.into_iter().min_by(|a, b| a.distance(centre).total_cmp(&b.distance(centre))).unwrap_or(centre);
+        // Clear of the ring around the cluster, which may reach beyond the polygon.
+        let u = (at - centre).unit().unwrap_or(Vec2::new(1.0, 0.0));
+        inset.at = centre + u * at.distance(centre).max(inset.radius_mm + inset.outer_mm() + GAP_MM / 2.0);
+        Some(inset)
+    }
+
+    /// Draws a cluster once more, larger.
+    pub(super) fn inset(&self, d: &mut Drawing, style: &Style, inset: &Inset) {
+        let steps: Vec<usize> = inset.arrows.iter().flat_map(|k| self.arrows[*k].steps.iter().copied()).collect();
+        let class = steps.iter().fold("inset".to_owned(), |class, step| format!("{class} step-{step}"));
+        let ring = |centre, radius_mm| Shape::Arc { centre, radius_mm, from_rad: 0.0, to_rad: std::f64::consts::TAU, stroke: style.thin };
+        let u = (inset.at - inset.centre).unit().unwrap_or(Vec2::new(1.0, 0.0));
+        let near = inset.radius_mm;
+        let lead = Shape::Line { from: inset.centre + u * near, to: inset.at - u * inset.outer_mm(), stroke: style.thin };
+        d.behind(|d| {
+            d.shape("inset-of", &class, ring(inset.centre, near));
+        });
+        d.shape("inset-frame", &class, ring(inset.at, near * inset.times));
+        d.shape("inset-lead", &class, lead);
+        let ends: Vec<Point> = inset.arrows.iter().flat_map(|k| [self.arrows[*k].from, self.arrows[*k].to]).collect();
+        let inner = middle(ends.iter().map(|p| inset.map(*p)));
+        // What else passes through, without a name.
+        for (_, a) in self.arrows.iter().enumerate().filter(|(k, _)| !inset.arrows.contains(k)) {
+            let Some((from, to)) = within(a.from, a.to, inset.centre, near) else { continue };
+            d.of_link(a.link);
+            let ends_here = to.distance(a.to) < SAME_MM;
+            let (from, to) = (inset.map(from), inset.map(to));
+            let shape = if ends_here {
+                Shape::Arrow { from, to, stroke: style.vector, head: style.head }
+            } else {
+                Shape::Line { from, to, stroke: style.vector }
+            };
+            d.shape(&format!("inset-part-{}", a.key()), &format!("inset {}", a.classes()), shape);
+        }
+        for &k in &inset.arrows {
+            let a = &self.arrows[k];
+            let (from, to) = (inset.map(a.from), inset.map(a.to));
+            d.of_link(a.link);
+            let shape = Shape::Arrow { from, to, stroke: style.vector, head: style.head };
+            let shown = a.shown(self.p.mu, inset.times);
+            let owner = d.vector(&format!("inset-{}", a.key()), &format!("inset {}", a.classes()), shape, shown);
+            self.name(d, style, a, Shown { ends: (from, to), owner, middle: inner, within: "inset" });
+        }
+        d.of_link(None);
+        // What the enlargement shows apart has names apart.
+        for (k, l) in self.letters(SAME_MM / inset.times).iter().enumerate() {
+            if l.at.distance(inset.centre) < near {
+                let at = inset.map(l.at);
+                let name = format!("inset-mark-{}", l.keys[0]);
+                d.label_at(&name, &format!("inset {}", l.class(k)), &l.names.join(", "), at, 0.3, (at - inner).unit());
+            }
+        }
+        let mu = of_level(&self.w.scene.book, self.p.level, inset.mu);
+        let at = inset.at - Vec2::new(0.0, inset.outer_mm() + style.small_mm + 0.8);
+        let label = Shape::Label { at, label: Label::math(mu), size_mm: style.small_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
+        d.shape("inset-scale", &class, label);
+    }
+}
+
+/// The part of a segment inside a circle.
+fn within(a: Point, b: Point, centre: Point, radius_mm: f64) -> Option<(Point, Point)> {
+    let (d, m) = (b - a, a - centre);
+    let (p, q) = (m.dot(d) / d.norm2(), (m.norm2() - radius_mm * radius_mm) / d.norm2());
+    let root = (p * p - q).max(0.0).sqrt();
+    let (t0, t1) = ((-p - root).max(0.0), (-p + root).min(1.0));
+    (t0 < t1).then(|| (a + d * t0, a + d * t1))
+}
+
+fn around(points: impl Iterator<Item = Point>) -> (Point, Point) {
+    let start = (Point::new(f64::INFINITY, f64::INFINITY), Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY));
+    points.fold(start, |(lo, hi), p| (Point::new(lo.x.min(p.x), lo.y.min(p.y)), Point::new(hi.x.max(p.x), hi.y.max(p.y))))
+}

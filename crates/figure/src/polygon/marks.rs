@@ -1,0 +1,50 @@
+//! The marks of a polygon, for programs that measure on the drawing.
+
+use hodograph_base::geom::Point;
+use hodograph_board::construct::{Mark, Polygon};
+use hodograph_board::plan::VertexId;
+use hodograph_board::plan::text::Writer;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_paper::paper::drawing::id;
+use hodograph_paper::paper::shown::Shown;
+
+/// All marks of a polygon between which something can be measured, each once: the pole, images, ends of parts.
+pub(super) fn marks(w: &Writer, p: &Polygon) -> Vec<(Mark, Point)> {
+    let images = p.images.iter().enumerate().filter_map(|(v, at)| Some((p.mark(w.plan, VertexId(v)), (*at)?)));
+    let mut all = vec![(Mark::Pole, Point::ORIGIN)];
+    for mark in p.edges.iter().flat_map(|e| [e.from, e.to]).chain(images) {
+        if !all.iter().any(|m| m.0 == mark.0) {
+            all.push(mark);
+        }
+    }
+    all
+}
+
+/// The key of a mark: `pole`, `image-B`, `normal-C-B`.
+pub(super) fn key(w: &Writer, level: Level, mark: &Mark) -> String {
+    match mark {
+        Mark::Pole => "pole".into(),
+        Mark::Image(v) if w.plan.vertex(*v).fixed => "pole".into(),
+        Mark::Image(v) => w.vector_key(*v).replacen("abs", "image", 1),
+        Mark::Part(t) => w.key(level, t),
+        Mark::Again(t) => format!("again-{}", w.key(level, t)),
+    }
+}
+
+/// The quantity of a mark: the vector that ends there.
+pub(super) fn shown_by(w: &Writer, level: Level, mark: &Mark) -> Shown {
+    let pole = || if level == Level::Acceleration { "pole-a" } else { "pole-v" }.to_owned();
+    Shown::mark(match mark {
+        Mark::Pole => pole(),
+        Mark::Image(v) if w.plan.vertex(*v).fixed => pole(),
+        Mark::Image(v) => w.vector_quantity(level, *v),
+        Mark::Part(t) => w.quantity(level, t),
+        Mark::Again(t) => format!("{}-again", w.quantity(level, t)),
+    })
+}
+
+/// The id of a mark's element in the SVG: `acc-mark-normal-C-B`.
+pub fn mark_id(w: &Writer, level: Level, mark: &Mark) -> String {
+    let kind = if level == Level::Acceleration { "acceleration" } else { "velocity" };
+    id(kind, &format!("mark-{}", key(w, level, mark)))
+}

@@ -1,0 +1,442 @@
+//! A velocity or acceleration polygon, from the drawing board's actions to ink.
+//!
+//! Decided here: which vectors are drawn and once only, what is thin, how points and vectors are marked. ([`inset`] enlarges
+//! what is too small for its names, [`aside`] draws side by side what lies over another, [`circles`] are the images of what rolls, [`names`] says what is written at them, [`mod@plates`] splits one of many vectors.) The places are
+//! those of the board. Every item carries the class `step-N`, the index of the action that draws it, so that a lesson
+//! can show the polygon as it grows.
+
+pub(crate) mod aside;
+mod circles;
+mod inset;
+mod marks;
+mod names;
+mod plates;
+
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::construct::{Action, Mark, Polygon};
+use hodograph_board::plan::text::Writer;
+use hodograph_board::plan::{Body, By, Spot, Step, Term, TermKind, VertexId};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::quantity::Meaning;
+
+use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_paper::paper::item::{Colour, Shape};
+use hodograph_paper::paper::style::Style;
+use hodograph_paper::paper::symbols as sym;
+use inset::Inset;
+pub use marks::mark_id;
+use marks::{marks, shown_by};
+use names::{Letter, Name, Shown};
+pub use plates::{Plate, Share, is_full_share, plates, share_drawing, shares};
+
+/// Shorter than this a vector has neither head nor direction for the eye: it is a dot with a note that says zero.
+const ZERO_MM: f64 = 0.05;
+/// A vector this much shorter than the longest is rounding, not a small vector.
+const ROUNDING: f64 = 1e-11;
+/// Two ends nearer than half a line's width are one point on paper.
+const SAME_MM: f64 = 0.1;
+/// How far a construction line goes on beyond its crossing: to be seen past an arrowhead's barbs.
+const BEYOND_MM: f64 = 4.0;
+/// A part of a vector shorter than this has no room for its name.
+const LABEL_ROOM_MM: f64 = 5.0;
+
+/// A vector to be drawn, with all names that it has.
+struct Arrow {
+    from: Point,
+    to: Point,
+    /// All its names; the last is that of a whole vector, if it is one.
+    symbols: Vec<Name>,
+    /// Names of vectors that only paper does not tell from it.
+    nearly: Vec<Name>,
+    class: &'static str,
+    /// The actions that draw it; two vectors of one place are one arrow.
+    steps: Vec<usize>,
+    /// The link whose motion it shows.
+    link: Option<usize>,
+    /// Black; grey where a plate only starts from it.
+    colour: Colour,
+    /// By how much it is drawn beside its place.
+    aside: Vec2,
+}
+
+/// A vector of no length: where it is, its key, what is noted, the step.
+struct Zero {
+    at: Point,
+    key: String,
+    note: String,
+    step: usize,
+}
+
+struct Draft<'a> {
+    w: &'a Writer<'a>,
+    p: &'a Polygon,
+    arrows: Vec<Arrow>,
+    letters: Vec<Letter>,
+    zeros: Vec<Zero>,
+    lines: Vec<(Point, Point, usize)>,
+    copies: Vec<([VertexId; 3], usize)>,
+    /// What no two numbers of this polygon differ by for another reason than rounding.
+    rounding_mm: f64,
+}
+
+/// More arrows than this, and vectors from the pole that nothing asks for are left out; the names become smaller.
+const MANY_ARROWS: usize = 16;
+
+/// Draws a polygon; its pole lies in the origin. A cluster too small for its names gets an inset.
+pub fn polygon(style: &Style, w: &Writer, p: &Polygon) -> Part {
+    let (mut draft, style) = Draft::new(style, w, p, false);
+    draft.side_by_side(style.vector.width_mm);
+    let finished = |mut drawing: Drawing| {
+        marks(w, p).iter().for_each(|(mark, at)| drawing.mark(&marks::key(w, p.level, mark), shown_by(w, p.level, mark), *at));
+        drawing.finish()
+    };
+    let (drawing, names) = draft.draw(&style, &[]);
+    let part = finished(drawing);
+    let insets = draft.insets(|arrow| part.left_out.contains(&names[arrow]));
+    if insets.is_empty() { part } else { finished(draft.draw(&style, &insets).0) }
+}
+
+/// The same without insets and before its labels are placed, for series of drawings: those of which one is `full` ([`is_full`]) are
+/// all lettered alike.
+pub fn drawing(style: &Style, w: &Writer, p: &Polygon, full: bool) -> Drawing {
+    let (draft, style) = Draft::new(style, w, p, full);
+    draft.draw(&style, &[]).0
+}
+
+/// Whether a polygon has so many vectors that not all are named, and in smaller type.
+pub fn is_full(w: &Writer, p: &Polygon) -> bool {
+    Draft::of(w, p).arrows.len() > MANY_ARROWS
+}
+
+impl<'a> Draft<'a> {
+    /// A polygon's things.
+    fn of(w: &'a Writer<'a>, p: &'a Polygon) -> Draft<'a> {
+        let rounding_mm = ROUNDING * p.largest() / p.mu;
+        let mut draft = Draft { w, p, arrows: vec![], letters: vec![], zeros: vec![], lines: vec![], copies: vec![], rounding_mm };
+        draft.letter(Point::ORIGIN, Mark::Pole, 0);
+        draft.follow();
+        draft
+    }
+
+    /// A polygon's things as far as they are drawn, and the style that suits their number.
+    fn new(style: &Style, w: &'a Writer<'a>, p: &'a Polygon, full: bool) -> (Draft<'a>, Style) {
+        let mut draft = Draft::of(w, p);
+        let mut style = style.clone();
+        if full || draft.arrows.len() > MANY_ARROWS {
+            let needed = draft.needed();
+            draft.arrows.retain(|a| a.class != "absolute" || a.symbols.iter().chain(&a.nearly).any(|n| needed.contains(&n.symbol)));
+            style.label_mm = style.small_mm;
+        }
+        (draft, style)
+    }
+}
+
+impl Draft<'_> {
+    /// Symbols of the vectors from the pole that a question asks for or an equation starts with.
+    fn needed(&self) -> Vec<String> {
+        let (w, level) = (self.w, self.p.level);
+        let asked = w.scene.find.iter().filter(|f| f.what.level() == level).filter_map(|f| match f.what.meaning(w.scene)? {
+            Meaning::Vector(p) => w.plan.find_vertex(w.scene, p.point, p.link),
+            Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Turning(..) | Meaning::Ratio(..) | Meaning::Place(_) => None,
+        });
+        let steps = w.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
+        let starts = steps.flat_map(Step::chains).map(|c| c.start);
+        asked.chain(starts).map(|v| w.vector(level, v)).collect()
+    }
+
+    /// Goes through the board's actions.
+    fn follow(&mut self) {
+        let p = self.p;
+        let mut open: Vec<(Point, Vec2, usize)> = Vec::new();
+        for (step, action) in p.actions.iter().enumerate() {
+            match action {
+                Action::LayOff(e) => self.edge(*e, step),
+                Action::Line { through, direction, .. } => open.push((*through, *direction, step)),
+                Action::Cross { target, edges, .. } => {
+                    for ((through, direction, at), e) in open.drain(..).zip(edges) {
+                        let end = p.edges[*e].to.1;
+                        // Without a length the direction itself is shown, both ways.
+                        let along = (end - through).unit().filter(|_| end.distance(through) > ZERO_MM);
+                        let (from, out) = along.map_or((through - direction * BEYOND_MM, direction), |u| (through, u));
+                        self.lines.push((from, end + out * BEYOND_MM, at));
+                        self.edge(*e, step);
+                    }
+                    self.image(*target, step);
+                }
+                Action::Nothing { terms, at, target } => {
+                    let symbols = terms.iter().map(|t| format!("{} = ", self.w.symbol(p.level, t)));
+                    let note = format!("{}0", symbols.collect::<String>());
+                    self.zeros.push(Zero { at: *at, key: Name::sum(self.w, p.level, terms).key, note, step });
+                    target.iter().for_each(|v| self.image(*v, step));
+                }
+                Action::Reach(v) | Action::Same { target: v, .. } => self.image(*v, step),
+                Action::Copy { target, from } => {
+                    self.image(*target, step);
+                    self.copies.push(([from.0, from.1, *target], step));
+                }
+                Action::Join(e) => self.edge(*e, step),
+                Action::Perpendicular { edges, direction } => {
+                    // The line on which the perpendicular is dropped goes on past its foot.
+                    let [along, _] = edges.map(|e| &p.edges[e]);
+                    let out = (along.to.1 - along.from.1).unit().unwrap_or(*direction);
+                    self.lines.push((along.from.1, along.to.1 + out * BEYOND_MM, step));
+                    edges.iter().for_each(|e| self.edge(*e, step));
+                }
+                Action::Rate(_) => {}
+            }
+        }
+    }
+
+    fn edge(&mut self, index: usize, step: usize) {
+        let edge = &self.p.edges[index];
+        let name = Name::sum(self.w, self.p.level, &edge.terms);
+        if edge.from.1.distance(edge.to.1) < ZERO_MM {
+            let sign = self.zero_sign(edge.from.1.distance(edge.to.1));
+            let note = format!("{} {sign} 0", name.symbol);
+            self.zeros.push(Zero { at: edge.to.1, key: name.key, note, step });
+        } else {
+            let link = edge.terms.first().and_then(|t| self.link_of_term(t));
+            self.arrow((edge.from.1, edge.to.1), name, if edge.known { "edge known" } else { "edge unknown" }, step, link);
+        }
+        match edge.to.0 {
+            Mark::Image(v) if edge.known => self.image(v, step),
+            Mark::Part(t) | Mark::Again(t)
+                if matches!(t.kind, TermKind::Normal | TermKind::SlideNormal | TermKind::Coriolis)
+                    && edge.from.1.distance(edge.to.1) >= ZERO_MM =>
+            {
+                self.letter(edge.to.1, edge.to.0, step);
+            }
+            Mark::Pole | Mark::Image(_) | Mark::Part(_) | Mark::Again(_) => {}
+        }
+    }
+
+    /// The link whose turning or sliding makes a vector.
+    fn link_of_term(&self, term: &Term) -> Option<usize> {
+        let scene = self.w.scene;
+        match term.by {
+            By::Turning(Body::Link(l)) => Some(l.0),
+            By::Turning(Body::Cylinder(d)) | By::Cylinder(d) => scene.drivers[d].kind.parts().first().map(|l| l.0),
+            By::Guide { guide, .. } => {
+                let g = &scene.guides[guide.0];
+                if g.on == scene.ground { g.slider.map(|l| l.0) } else { Some(g.on.0) }
+            }
+            By::Contact(_) => self.w.plan.vertex(term.of).on.map(|l| l.0),
+            By::Frame { body: Some(Body::Link(l)), .. } => Some(l.0),
+            By::Frame { .. } | By::Apart => None,
+        }
+    }
+
+    fn arrow(&mut self, (from, to): (Point, Point), name: Name, class: &'static str, step: usize, link: Option<usize>) {
+        let rounding = self.rounding_mm;
+        let same = |a: &&mut Arrow| is_one(a.from, from) && is_one(a.to, to);
+        match self.arrows.iter_mut().find(same) {
+            Some(a) => {
+                if !a.symbols.contains(&name) && !a.nearly.contains(&name) {
+                    let exact = (to - from - (a.to - a.from)).norm() <= rounding;
+                    if exact { &mut a.symbols } else { &mut a.nearly }.push(name);
+                }
+                if !a.steps.contains(&step) {
+                    a.steps.push(step);
+                }
+            }
+            None => self.arrows.push(Arrow {
+                from,
+                to,
+                symbols: vec![name],
+                nearly: vec![],
+                class,
+                steps: vec![step],
+                link,
+                colour: Colour::BLACK,
+                aside: Vec2::ZERO,
+            }),
+        }
+    }
+
+    /// Marks an image and draws its vector from the pole, if it is not there already.
+    fn image(&mut self, v: VertexId, step: usize) {
+        let vertex = self.w.plan.vertex(v);
+        let Some(at) = self.p.images[v.0] else { return };
+        if vertex.fixed {
+            return;
+        }
+        self.letter(at, Mark::Image(v), step);
+        // The special point belongs to the construction: its vector answers nothing.
+        if matches!(vertex.spot, Spot::Special(_)) {
+            return;
+        }
+        let name = Name::whole(self.w, self.p.level, v);
+        if at.distance(Point::ORIGIN) >= ZERO_MM {
+            self.arrow((Point::ORIGIN, at), name, "absolute", step, self.w.plan.vertex(v).link(self.w.scene).map(|l| l.0));
+        } else if !self.zeros.iter().any(|zero| zero.note.starts_with(&name.symbol)) {
+            let sign = self.zero_sign(at.to_vec2().norm());
+            let note = format!("{} {sign} 0", name.symbol);
+            self.zeros.push(Zero { at, key: name.key, note, step });
+        }
+    }
+
+    /// Whether a vector too short to be drawn is nothing but rounding, or merely small.
+    fn zero_sign(&self, length_mm: f64) -> &'static str {
+        if length_mm <= self.rounding_mm { "=" } else { "\\approx" }
+    }
+
+    /// Draws everything; for each arrow the name of its label. What is named in an inset is not named in the polygon.
+    fn draw(&self, style: &Style, insets: &[Inset]) -> (Drawing, Vec<String>) {
+        let kind = match self.p.level {
+            Level::Acceleration => "acceleration",
+            Level::Position | Level::Velocity => "velocity",
+        };
+        let mut d = Drawing::new(kind, style.clone());
+        let middle = middle(self.letters.iter().map(|l| l.at));
+        for (from, to, step) in &self.lines {
+            d.shape("line", &format!("construction step-{step}"), Shape::Line { from: *from, to: *to, stroke: style.thin });
+        }
+        self.circles(&mut d, style);
+        let mut drawn: Vec<(Point, Point)> = self.arrows.iter().map(|a| (a.from, a.to)).collect();
+        for ([a, b, c], step) in &self.copies {
+            let corners = [*a, *b, *c].map(|v| self.p.images[v.0]);
+            let [Some(a), Some(b), Some(c)] = corners else { continue };
+            for (from, to) in [(a, b), (b, c), (a, c)] {
+                if from.distance(to) > SAME_MM && !drawn.iter().any(|s| covers(*s, from) && covers(*s, to)) {
+                    d.shape("image", &format!("image step-{step}"), Shape::Line { from, to, stroke: style.thin });
+                    drawn.push((from, to));
+                }
+            }
+        }
+        // The small vectors last, so that their heads lie over the large ones.
+        let mut order: Vec<usize> = (0..self.arrows.len()).collect();
+        let length = |k: usize| self.arrows[k].from.distance(self.arrows[k].to);
+        order.sort_by(|&a, &b| length(b).total_cmp(&length(a)));
+        let mut names = vec![String::new(); self.arrows.len()];
+        for k in order {
+            let a = &self.arrows[k];
+            d.of_link(a.link);
+            let (from, to) = a.drawn();
+            let shape = Shape::Arrow { from, to, stroke: style.vector.coloured(a.colour), head: style.head };
+            let owner = d.vector(a.key(), &a.classes(), shape, a.shown(self.p.mu, 1.0));
+            for (from, to) in a.joins() {
+                let class = a.classes().replacen(a.class, "aside", 1);
+                d.shape(&format!("aside-{}", a.key()), &class, Shape::Line { from, to, stroke: style.thin.coloured(a.colour) });
+            }
+            if !insets.iter().any(|i| i.arrows.contains(&k)) {
+                names[k] = self.name(&mut d, style, a, Shown { ends: (self.own_part(a), to), owner, middle, within: "" });
+            }
+        }
+        d.of_link(None);
+        // Where all of them are zero the caption says so.
+        let zeros = if self.p.is_empty() { &[][..] } else { &self.zeros };
+        for Zero { at, key, note, step } in zeros {
+            let class = format!("zero step-{step}");
+            d.draw(&format!("zero-{key}"), &class, sym::dot(style, *at));
+            d.label_at(&format!("zero-{key}"), &class, note, *at, style.dot_radius_mm, None);
+        }
+        for (k, l) in self.letters(SAME_MM).iter().enumerate() {
+            let clear = if k == 0 { style.dot_radius_mm } else { 0.3 };
+            if k == 0 {
+                d.draw("pole", "pole", sym::dot(style, l.at));
+            }
+            if k == 0 || !insets.iter().any(|i| i.has_alone(self, l.at)) {
+                d.label_at(&format!("mark-{}", l.keys[0]), &l.class(k), &l.names.join(", "), l.at, clear, (l.at - middle).unit());
+            }
+        }
+        for inset in insets {
+            self.inset(&mut d, style, inset);
+        }
+        (d, names)
+    }
+}
+
+impl Arrow {
+    /// What it is, and the steps that draw it.
+    fn classes(&self) -> String {
+        self.steps.iter().fold(self.class.to_owned(), |class, step| format!("{class} step-{step}"))
+    }
+}
+
+fn middle(points: impl Iterator<Item = Point> + Clone) -> Point {
+    let n = points.clone().count().max(1) as f64;
+    points.fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / n))
+}
+
+/// Whether two ends are one point on paper.
+fn is_one(p: Point, q: Point) -> bool {
+    // Most are far apart, which is seen without a root.
+    (p.x - q.x).abs() < SAME_MM && (p.y - q.y).abs() < SAME_MM && p.distance(q) < SAME_MM
+}
+
+/// Whether a point lies on a segment.
+fn covers((a, b): (Point, Point), p: Point) -> bool {
+    let apart = |p: f64, a: f64, b: f64| p < a.min(b) - SAME_MM || p > a.max(b) + SAME_MM;
+    if apart(p.x, a.x, b.x) || apart(p.y, a.y, b.y) {
+        return false;
+    }
+    let d = b - a;
+    let off = d.cross(p - a);
+    if off * off > SAME_MM * SAME_MM * d.norm2() {
+        return false;
+    }
+    let t = ((p - a).dot(d) / d.norm2()).clamp(0.0, 1.0);
+    p.distance(a + d * t) < SAME_MM
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hodograph_board::plan::notation::Notation;
+    use hodograph_scene::{Lang, read, templates};
+    use hodograph_worked::worked::{Scope, work};
+
+    fn drawn(name: &str, level: Level) -> Vec<(String, Shape)> {
+        drawn_of(templates::get(name).unwrap(), level)
+    }
+
+    fn drawn_of(text: &str, level: Level) -> Vec<(String, Shape)> {
+        let scene = read(text).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let notation = Notation::of_language(Lang::En);
+        let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
+        let part = polygon(&Style::default(), &w, worked.construction.polygon(level).unwrap());
+        part.items.into_iter().map(|i| (i.id, i.shape)).collect()
+    }
+
+    fn arrows(items: &[(String, Shape)]) -> Vec<&str> {
+        items.iter().filter(|(_, s)| matches!(s, Shape::Arrow { .. })).map(|(id, _)| id.as_str()).collect()
+    }
+
+    #[test]
+    fn a_vector_that_is_an_edge_is_drawn_once() {
+        let mut names = drawn("offset-slider-crank", Level::Velocity);
+        names.sort_by(|a, b| a.0.cmp(&b.0));
+        // v_B and v_C are edges from the pole; v_S is found by an image and has its arrow from the pole.
+        assert_eq!(arrows(&names), ["vel-abs-B", "vel-abs-C", "vel-abs-S", "vel-rel-C-B"]);
+    }
+
+    #[test]
+    fn vectors_of_no_length_are_noted() {
+        let items = drawn("parallelogram", Level::Velocity);
+        let note = |s: &Shape| matches!(s, Shape::Label { label, .. } if label.source() == "v_{CB} = 0");
+        assert!(items.iter().any(|(_, s)| note(s)));
+        assert!(!arrows(&items).iter().any(|a| a.contains("C-B")));
+        let dots = items.iter().filter(|(id, _)| id.starts_with("vel-zero")).count();
+        assert_eq!(dots, 1);
+    }
+
+    #[test]
+    fn a_mechanism_at_rest_has_its_pole_and_nothing_else() {
+        let still = templates::instantiate("crank-rocker", &[("omega_1", "0 rad/s")]).unwrap();
+        for (level, letters) in [(Level::Velocity, "o, b, c, e"), (Level::Acceleration, "o', b', c', e'")] {
+            let items = drawn_of(&still, level);
+            let labels: Vec<&str> =
+                items.iter().filter_map(|(_, s)| if let Shape::Label { label, .. } = s { Some(label.source()) } else { None }).collect();
+            assert_eq!(labels, [letters]);
+            assert!(arrows(&items).is_empty());
+        }
+    }
+
+    #[test]
+    fn three_points_of_a_link_show_their_image() {
+        let items = drawn("crank-rocker", Level::Velocity);
+        // b–c is an edge already: the triangle needs two more lines.
+        assert_eq!(items.iter().filter(|(id, _)| id.starts_with("vel-image")).count(), 2);
+    }
+}

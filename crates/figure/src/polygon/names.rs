@@ -1,0 +1,161 @@
+//! What is written at a polygon: the letters of its points and the names of its vectors.
+//!
+//! Decided here: which names share a place, and with which sign between them. Two points that only paper does not tell apart share
+//! their letters in the polygon, and part in an inset that shows them apart.
+
+use hodograph_base::geom::Point;
+use hodograph_board::construct::Mark;
+use hodograph_board::plan::text::Writer;
+use hodograph_board::plan::{Term, VertexId};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_paper::paper::drawing::Drawing;
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::place::LabelRequest;
+use hodograph_paper::paper::shown::{Length, Shown as Quantity};
+use hodograph_paper::paper::style::Style;
+use hodograph_report::construction::mark as mark_name;
+
+use super::marks;
+use super::{Arrow, Draft, LABEL_ROOM_MM, covers, is_one};
+
+/// The name of a vector on paper and for programs.
+#[derive(Clone)]
+pub(super) struct Name {
+    /// On paper, in the notation of the figure.
+    pub symbol: String,
+    /// In ids.
+    pub key: String,
+    /// In questions.
+    pub quantity: String,
+}
+
+impl PartialEq for Name {
+    /// One vector has one key, whatever the notation makes of it.
+    fn eq(&self, other: &Name) -> bool {
+        self.key == other.key
+    }
+}
+
+impl Name {
+    /// That of a vector from the pole.
+    pub fn whole(w: &Writer, level: Level, v: VertexId) -> Name {
+        Name { symbol: w.vector(level, v), key: w.vector_key(v), quantity: w.vector_quantity(level, v) }
+    }
+
+    /// That of terms drawn as one.
+    pub fn sum(w: &Writer, level: Level, terms: &[Term]) -> Name {
+        let all = |of: &dyn Fn(&Term) -> String, sign: &str| terms.iter().map(of).collect::<Vec<_>>().join(sign);
+        Name {
+            symbol: all(&|t| w.symbol(level, t), " + "),
+            key: all(&|t| w.key(level, t), "-and-"),
+            quantity: all(&|t| w.quantity(level, t), "+"),
+        }
+    }
+}
+
+/// A point to be marked.
+pub(super) struct Letter {
+    /// Where it is.
+    pub at: Point,
+    name: String,
+    key: String,
+    step: usize,
+}
+
+/// All points that are one on a drawing.
+pub(super) struct Spot<'a> {
+    /// Where the first of them is.
+    pub at: Point,
+    /// Their letters.
+    pub names: Vec<&'a str>,
+    /// Their keys.
+    pub keys: Vec<&'a str>,
+    step: usize,
+}
+
+impl Spot<'_> {
+    /// What it is, and the step that marks it; the first of a polygon is the pole.
+    pub fn class(&self, index: usize) -> String {
+        if index == 0 { "pole".to_owned() } else { format!("point step-{}", self.step) }
+    }
+}
+
+/// Where a vector is shown.
+pub(super) struct Shown {
+    /// The part of it that bears its name.
+    pub ends: (Point, Point),
+    /// Whose line it is.
+    pub owner: u32,
+    /// What the name keeps away from.
+    pub middle: Point,
+    /// Nothing in the polygon, `inset` in an inset.
+    pub within: &'static str,
+}
+
+impl Draft<'_> {
+    /// Marks a point, once.
+    pub(super) fn letter(&mut self, at: Point, mark: Mark, step: usize) {
+        let (name, key) = (mark_name(self.w, self.p.level, &mark), marks::key(self.w, self.p.level, &mark));
+        if !self.letters.iter().any(|l| l.name == name && is_one(l.at, at)) {
+            self.letters.push(Letter { at, name, key, step });
+        }
+    }
+
+    /// The marked points, those together that are nearer than `one_mm`.
+    pub(super) fn letters(&self, one_mm: f64) -> Vec<Spot<'_>> {
+        let mut spots: Vec<Spot> = Vec::new();
+        for Letter { at, name, key, step } in &self.letters {
+            match spots.iter_mut().find(|s| s.at.distance(*at) < one_mm) {
+                Some(s) => {
+                    s.names.push(name);
+                    s.keys.push(key);
+                }
+                None => spots.push(Spot { at: *at, names: vec![name], keys: vec![key], step: *step }),
+            }
+        }
+        spots
+    }
+
+    /// Where the part of a vector begins that no shorter one covers: there its name belongs.
+    pub(super) fn own_part(&self, a: &Arrow) -> Point {
+        let (from, to) = a.drawn();
+        let inside = |b: &(Point, Point)| is_one(b.0, from) && covers((from, to), b.1) && b.1.distance(to) > LABEL_ROOM_MM;
+        let far = self.arrows.iter().map(Arrow::drawn).filter(inside).max_by(|b, c| from.distance(b.1).total_cmp(&from.distance(c.1)));
+        far.map_or(from, |b| b.1)
+    }
+
+    /// Asks for a vector's name along a line that shows it; it may be left out where both ends are lettered.
+    pub(super) fn name(&self, d: &mut Drawing, style: &Style, a: &Arrow, shown: Shown) -> String {
+        let Shown { ends: (from, to), owner, middle, within } = shown;
+        let lettered = |p: Point| self.letters.iter().any(|l| is_one(l.at, p));
+        let request = LabelRequest::along(Label::math(a.name()), style.label_mm, from, to, style.vector.width_mm / 2.0);
+        let outward = (from + (to - from) * 0.5) - middle;
+        let request = request.owned(owner).towards(outward).optional(lettered(a.from) && lettered(a.to));
+        let (key, class) = (a.key(), format!("{within} {}", a.classes()));
+        d.label(&if within.is_empty() { key.to_owned() } else { format!("{within}-{key}") }, class.trim_start(), request)
+    }
+}
+
+impl Arrow {
+    /// Its key: that of its first name.
+    pub(super) fn key(&self) -> &str {
+        &self.symbols[0].key
+    }
+
+    /// The quantity it shows, drawn `times` as large as in the polygon, whose scale is `mu`.
+    pub(super) fn shown(&self, mu: f64, times: f64) -> Quantity {
+        let mm = self.from.distance(self.to);
+        let names = self.symbols.iter().map(|n| n.quantity.clone()).collect();
+        Quantity { names, length: Some(Length { mm: mm * times, si: mm * mu }) }
+    }
+
+    /// Its names: one sign between those of one vector, another before those that only paper does not tell from it.
+    fn name(&self) -> String {
+        // A normal part that is all there is bears the name of the whole, where it has one.
+        let symbols = || self.symbols.iter().map(|n| n.symbol.as_str());
+        let whole = symbols().any(|s| !s.contains("^{n}"));
+        let names: Vec<&str> = symbols().filter(|s| !whole || !s.contains("^{n}")).collect();
+        let nearly = self.nearly.iter().map(|n| format!(" \\approx {}", n.symbol));
+        names.join(" = ") + &nearly.collect::<String>()
+    }
+}

@@ -1,0 +1,194 @@
+//! A polygon of many vectors split by group: each plate shows what one group adds, to a scale of its own, with the vectors known before
+//! that it starts from in grey.
+
+use std::collections::HashMap;
+
+use hodograph_base::geom::Point;
+use hodograph_board::construct::{Action, Mark, Polygon, scale};
+use hodograph_board::plan::text::Writer;
+use hodograph_board::plan::{GroupSteps, Step, VertexId};
+use hodograph_mechanism::mechanism::Mechanism;
+use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_paper::paper::item::Colour;
+use hodograph_paper::paper::style::Style;
+
+use super::{Draft, MANY_ARROWS, is_one};
+
+/// Room for a plate: what stands beside its equations on a page of A4 across.
+const ROOM_MM: [f64; 2] = [125.0, 120.0];
+/// Vectors known before are grey: to be seen, and not to be taken for the plate's own.
+const KNOWN: Colour = Colour::grey(150);
+
+/// The vectors that are found together may be more; of groups put together there are no more than these.
+const MOST_TOGETHER: usize = 10;
+
+/// What a group adds to a polygon.
+pub struct Plate {
+    /// The group, by its place in the mechanism's list, and behind it those pins that only sit on its links.
+    pub groups: Vec<usize>,
+    /// Its scale (SI/mm).
+    pub mu: f64,
+    /// The drawing, its pole in the origin.
+    pub part: Part,
+}
+
+/// Which part of a split polygon is meant.
+#[derive(Clone, Copy)]
+pub struct Share<'a> {
+    /// The part of each action ([`shares`]).
+    pub of: &'a [usize],
+    /// The one meant.
+    pub part: usize,
+}
+
+impl Share<'_> {
+    /// Whether an action belongs to it.
+    pub fn holds(&self, action: usize) -> bool {
+        self.of.get(action) == Some(&self.part)
+    }
+
+    /// The ends of its vectors and what they find, on paper, in an order that poses with the same actions share; the pole not among them.
+    pub fn ends(&self, p: &Polygon) -> Vec<Option<Point>> {
+        let mut ends = Vec::new();
+        for (_, action) in p.actions.iter().enumerate().filter(|(k, _)| self.holds(*k)) {
+            ends.extend(action.edges().iter().flat_map(|e| [p.edges[*e].from.1, p.edges[*e].to.1]).map(Some));
+            ends.extend(action.finds().map(|v| p.images[v.0]));
+        }
+        ends
+    }
+}
+
+/// The part that each action of a polygon belongs to, counted from 0, where it is split so that at most some ten vectors stand
+/// together: as few parts as the groups, in the order of solving, can be put together to. One part is no split.
+pub fn shares(w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<usize> {
+    let heads = heads(w, mechanism, p);
+    let of: Vec<usize> = groups_of_actions(w, p)
+        .into_iter()
+        .map(|group| group.and_then(|g| heads.iter().position(|head| head.contains(&g))).unwrap_or(0))
+        .collect();
+    let mut sizes = vec![0; heads.len()];
+    p.actions.iter().zip(&of).for_each(|(action, head)| sizes[*head] += action.edges().len() + usize::from(action.finds().is_some()));
+    let (mut part, mut held) = (0, 0);
+    let part_of: Vec<usize> = sizes
+        .iter()
+        .map(|size| {
+            if held > 0 && held + size > MOST_TOGETHER {
+                (part, held) = (part + 1, 0);
+            }
+            held += size;
+            part
+        })
+        .collect();
+    of.into_iter().map(|head| part_of[head]).collect()
+}
+
+/// A part of a split polygon before its labels are placed; nothing where it has no vector. `full` as for [`super::drawing`].
+pub fn share_drawing(style: &Style, w: &Writer, p: &Polygon, share: Share, full: bool) -> Option<Drawing> {
+    let draft = Draft::of(w, p).only(&|step| share.holds(step))?;
+    let mut style = style.clone();
+    if full {
+        style.label_mm = style.small_mm;
+    }
+    Some(draft.draw(&style, &[]).0)
+}
+
+/// Whether a part of a split polygon has more vectors than can be named in type of the usual size.
+pub fn is_full_share(w: &Writer, p: &Polygon, share: Share) -> bool {
+    Draft::of(w, p).only(&|step| share.holds(step)).is_some_and(|draft| draft.arrows.len() > MANY_ARROWS)
+}
+
+/// The groups that start a plate, each with the pins behind it that only sit on its links.
+fn heads(w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<Vec<usize>> {
+    let mut heads: Vec<Vec<usize>> = Vec::new();
+    for group in w.plan.steps(p.level).iter().map(|g| g.group) {
+        match heads.last_mut() {
+            Some(head) if mechanism.groups[group].is_carried() => head.push(group),
+            _ => heads.push(vec![group]),
+        }
+    }
+    heads
+}
+
+/// The plates of a polygon in the order of solving; none for a group that adds no vector.
+pub fn plates(style: &Style, w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<Plate> {
+    let heads = heads(w, mechanism, p);
+    let of = groups_of_actions(w, p);
+    let of_head = |groups: Vec<usize>| {
+        let mine = |step: usize| of.get(step).copied().flatten().is_some_and(|g| groups.contains(&g));
+        let (mu, part) = plate(style, w, p, &mine)?;
+        Some(Plate { groups, mu, part })
+    };
+    heads.into_iter().filter_map(of_head).collect()
+}
+
+fn plate(style: &Style, w: &Writer, p: &Polygon, mine: &dyn Fn(usize) -> bool) -> Option<(f64, Part)> {
+    let (draft, _) = Draft::new(style, w, p, false);
+    let shown = draft.only(mine)?;
+    let ends: Vec<Point> = shown.arrows.iter().flat_map(|a| [a.from, a.to]).chain([Point::ORIGIN]).collect();
+    let over = |f: fn(&Point) -> f64| {
+        let all = ends.iter().map(f);
+        all.clone().fold(f64::NEG_INFINITY, f64::max) - all.fold(f64::INFINITY, f64::min)
+    };
+    let mu = scale::choose_in(w.scene.book.size(p.level.kind()), [over(|q| q.x) * p.mu, over(|q| q.y) * p.mu], ROOM_MM);
+    let own = p.to_scale(mu);
+    let mut draft = Draft::of(w, &own).only(mine)?;
+    draft.side_by_side(style.vector.width_mm);
+    let (drawing, names) = draft.draw(style, &[]);
+    let part = drawing.finish();
+    let insets = draft.insets(|arrow| part.left_out.contains(&names[arrow]));
+    let part = if insets.is_empty() { part } else { draft.draw(style, &insets).0.finish() };
+    Some((mu, part))
+}
+
+/// The group whose image each action finds, or serves to find; what reads between images belongs to the group before.
+fn groups_of_actions(w: &Writer, p: &Polygon) -> Vec<Option<usize>> {
+    let mut of: HashMap<VertexId, usize> = HashMap::new();
+    for GroupSteps { group, alternatives, further, .. } in w.plan.steps(p.level) {
+        for step in alternatives.iter().flatten().chain(further) {
+            let (Step::Equation { target, .. } | Step::Image { target, .. } | Step::Same { target, .. }) = step;
+            of.entry(*target).or_insert(*group);
+        }
+    }
+    let laid = |action: &Action| {
+        let Action::LayOff(e) = action else { return None };
+        match p.edges[*e].to.0 {
+            Mark::Image(v) => Some(v),
+            Mark::Pole | Mark::Part(_) | Mark::Again(_) => None,
+        }
+    };
+    let found: Vec<Option<usize>> =
+        p.actions.iter().map(|action| action.finds().or_else(|| laid(action)).and_then(|v| of.get(&v).copied())).collect();
+    let mut out = vec![None; found.len()];
+    let mut before = None;
+    for (k, action) in p.actions.iter().enumerate() {
+        let next = || found[k..].iter().flatten().next().copied();
+        out[k] = if action.reads() { before } else { next().or(before) };
+        before = out[k].or(before);
+    }
+    out
+}
+
+impl Draft<'_> {
+    /// What these steps draw, and in grey the vectors from which they start; `None` where they draw no vector.
+    fn only(mut self, mine: &dyn Fn(usize) -> bool) -> Option<Self> {
+        let own = |steps: &[usize]| steps.iter().any(|s| mine(*s));
+        let ends: Vec<Point> = self.arrows.iter().filter(|a| own(&a.steps)).flat_map(|a| [a.from, a.to]).collect();
+        if ends.is_empty() {
+            return None;
+        }
+        let corners: Vec<Point> = self.copies.iter().filter(|c| mine(c.1)).flat_map(|c| c.0).filter_map(|v| self.p.images[v.0]).collect();
+        let touches = |p: Point| ends.iter().chain(&corners).any(|q| is_one(*q, p));
+        self.arrows.retain_mut(|a| {
+            if !own(&a.steps) {
+                a.colour = KNOWN;
+            }
+            own(&a.steps) || is_one(a.from, Point::ORIGIN) && touches(a.to)
+        });
+        self.lines.retain(|l| mine(l.2));
+        self.copies.retain(|c| mine(c.1));
+        self.zeros.retain(|z| mine(z.step));
+        let kept: Vec<Point> = self.arrows.iter().flat_map(|a| [a.from, a.to]).chain(corners).chain([Point::ORIGIN]).collect();
+        self.letters.retain(|l| kept.iter().any(|q| is_one(l.at, *q)));
+        Some(self)
+    }
+}

@@ -1,0 +1,172 @@
+//! What stands in the cells of a sheet of poses: a drawing for each of them, as on any other sheet, with ground or pole at one place
+//! of its cell, so that neighbouring poses can be compared. In a table only the first drawing of a column that has room for them has all its names; the
+//! others have the letters of their points.
+
+use super::{Row, Table, text};
+use crate::course::courses;
+use crate::hodograph::runs;
+use crate::sheet::Options;
+use crate::{mechanism, polygon};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::construct::Polygon;
+use hodograph_board::plan::text::Writer;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_paper::paper::drawing::{Drawing, Habits, Part, prefix};
+use hodograph_paper::paper::extent::Rect;
+use hodograph_paper::paper::item::{Anchor, Colour, Dash, Item, Shape, Stroke};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::phrase::tr;
+use hodograph_paper::paper::shown::escaped;
+use hodograph_scene::Scene;
+use hodograph_worked::worked::Worked;
+
+/// Curves behind polygons stand back.
+const BEHIND: Colour = Colour::grey(150);
+
+/// What a column shows.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Shows {
+    Mechanism,
+    Polygon(Level),
+}
+
+impl Shows {
+    /// In one word, for names.
+    fn word(self) -> &'static str {
+        match self {
+            Shows::Mechanism => "mechanism",
+            Shows::Polygon(Level::Acceleration) => "acceleration",
+            Shows::Polygon(Level::Velocity | Level::Position) => "velocity",
+        }
+    }
+}
+
+/// A column: a drawing for each row, and the box that holds each of them with ground or pole at one place.
+pub(super) struct Column {
+    pub shows: Shows,
+    pub parts: Vec<Part>,
+    pub bounds: Rect,
+}
+
+impl Table<'_> {
+    /// The columns that the scales allow.
+    pub(super) fn columns(&self) -> Vec<Column> {
+        let levels = Level::RATES.into_iter().filter(|level| self.scales.mu.get(level.kind()).is_some());
+        let shows = std::iter::once(Shows::Mechanism).chain(levels.map(Shows::Polygon));
+        shows
+            .map(|shows| {
+                let parts = self.parts(shows);
+                let all = parts.iter().filter(|p| !p.items.is_empty()).map(|p| p.bounds).reduce(Rect::union);
+                Column { shows, parts, bounds: all.unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)) }
+            })
+            .collect()
+    }
+
+    /// A row's polygon, where it is on the paper, and who writes its letters.
+    fn polygon<'a>(&'a self, row: &'a Row, shows: Shows) -> Option<(Writer<'a>, &'a Polygon)> {
+        let Shows::Polygon(level) = shows else { return None };
+        let shown = !row.unbounded() && row.shown[usize::from(level == Level::Acceleration)];
+        let p = row.worked.construction.polygon(level).filter(|_| shown)?;
+        let Options { notation, lang, .. } = self.options;
+        Some((Writer { scene: &row.scene, plan: &row.worked.plan, notation, lang: *lang }, p))
+    }
+
+    fn parts(&self, shows: Shows) -> Vec<Part> {
+        let Options { style, notation, .. } = self.options;
+        let poses: Vec<(&Scene, &Worked)> = self.rows.iter().map(|r| (&r.scene, &r.worked)).collect();
+        let courses = courses(&poses, style, notation);
+        let behind = self.behind(shows);
+        let full = self.rows.iter().filter_map(|row| self.polygon(row, shows)).any(|(w, p)| polygon::is_full(&w, p));
+        let (mut habits, mut of_polygon) = (Habits::new(), Habits::new());
+        let mut parts = Vec::new();
+        let mut named = false;
+        let mut with_names = |mut drawing: Drawing, room: bool| {
+            if (named || !room) && !self.still {
+                drawing.letters_only();
+            }
+            named |= room;
+            drawing
+        };
+        for (k, row) in self.rows.iter().enumerate() {
+            let mut part = match shows {
+                Shows::Mechanism => {
+                    let drawing = with_names(mechanism::drawing(style, &row.scene, &row.worked, notation, &courses[k]), true);
+                    let mut part = drawing.finish_after(&mut habits);
+                    // The diagram's origin may be a point that moves.
+                    let (here, first) = (&row.worked.construction.diagram, &self.rows[0].worked.construction.diagram);
+                    part.translate((here.origin - first.origin) * (1.0 / first.mu));
+                    part
+                }
+                Shows::Polygon(_) => match self.polygon(row, shows) {
+                    // An inset would take more room than the pose.
+                    Some((w, p)) if self.still => polygon::drawing(style, &w, p, full).finish_after(&mut of_polygon),
+                    Some((w, p)) => with_names(polygon::drawing(style, &w, p, full), has_room(p)).finish(),
+                    None => Part::of(self.absent(row)),
+                },
+            };
+            if !behind.is_empty() {
+                part = Part::of(behind.iter().cloned().chain(part.items).collect());
+            }
+            for item in &mut part.items {
+                let word = if item.id == "absent" { format!("absent-{}", shows.word()) } else { item.id.clone() };
+                item.id = format!("pose-{}-{word}", k + 1);
+            }
+            parts.push(part);
+        }
+        parts
+    }
+
+    /// What stands where there is no polygon.
+    fn absent(&self, row: &Row) -> Vec<Item> {
+        let lang = self.options.lang;
+        let said = if row.unbounded() {
+            tr(lang, "limit: unbounded", "极限位置：无穷大")
+        } else {
+            tr(lang, "too large for the paper", "超出图纸")
+        };
+        let style = &self.options.style;
+        let said = text("absent", Point::ORIGIN, Label::text(said), style.small_mm, Anchor::Middle).with_id("absent");
+        vec![said.in_fonts(&style.fonts)]
+    }
+
+    /// Paths behind the mechanism, hodographs behind the polygons: they are the same in all rows.
+    fn behind(&self, shows: Shows) -> Vec<Item> {
+        let (Some(moved), Some(first)) = (self.moved, self.rows.first()) else { return Vec::new() };
+        let stroke = Stroke { dash: Dash::Solid, ..self.options.style.thin.coloured(BEHIND) };
+        let mut items = Vec::new();
+        for (k, point) in moved.points.iter().enumerate() {
+            let name = first.scene.point_name(*point);
+            let lines: Vec<Vec<Point>> = match shows {
+                Shows::Mechanism => {
+                    let diagram = &first.worked.construction.diagram;
+                    let paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu)).to_point();
+                    let places = moved.moments.iter().chain(moved.moments.first().filter(|_| moved.full));
+                    vec![places.filter_map(|m| m.configuration.points[point.0]).map(paper).collect()]
+                }
+                Shows::Polygon(level) => {
+                    let l = usize::from(level == Level::Acceleration);
+                    let Some(mu) = self.scales.mu.get(level.kind()) else { continue };
+                    let curve: Vec<Option<Vec2>> = moved.moments.iter().map(|m| m.vectors[k][l]).collect();
+                    let paper = |v: &Vec2| (*v * (1.0 / mu)).to_point();
+                    // As far as the polygons reach.
+                    let most = self.scales.longest_mm() * mu;
+                    runs(&curve, moved.full, most).0.iter().map(|run| run.iter().map(paper).collect()).collect()
+                }
+            };
+            for (n, points) in lines.into_iter().enumerate() {
+                let shape = Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None };
+                items.push(Item::new("curve", shape).with_id(format!("{}-curve-{}-{n}", prefix(shows.word()), escaped(name))));
+            }
+        }
+        items
+    }
+}
+
+/// Whether the vectors of a polygon are so long that each can have its name.
+fn has_room(p: &Polygon) -> bool {
+    let lengths = p.edges.iter().map(|e| e.from.1.distance(e.to.1));
+    lengths.sum::<f64>() >= NAMED_MM * p.edges.len() as f64
+}
+
+/// The mean length of vectors that have their names beside them.
+const NAMED_MM: f64 = 12.0;

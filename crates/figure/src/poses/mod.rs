@@ -1,0 +1,171 @@
+//! The sheet of many poses: for each of them the mechanism with its velocity and acceleration polygon, all to one set of scales,
+//! in the rows of a table, as in a course's design work.
+//!
+//! Decided here: which poses there are, and their scales. What stands in the cells is decided by [`cells`], how they make pages by
+//! [`page`]; [`turn`](mod@turn) shows them one after the other.
+
+mod cells;
+mod page;
+mod turn;
+
+pub use turn::{Turn, turn};
+
+use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
+use hodograph_base::geom::Point;
+use hodograph_board::construct::scale::Boxes;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::{PointId, Scene, Swept};
+use hodograph_sweep::follow::{Follower, Pose};
+use hodograph_sweep::points::{Motion, at_equal_steps, motion};
+use hodograph_sweep::station;
+use hodograph_worked::worked::{Worked, work_motion, work_placed, work_pose};
+
+use super::series::Scales;
+use super::sheet::Options;
+use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, Shape};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::style::Style;
+
+/// Steps in which the mechanism is followed through a turn: 2°.
+const STEPS: usize = 180;
+/// Room for the drawings of one pose in the table: a row of three is as wide as A4 upright, which holds four or five of them.
+const BOXES: Boxes = Boxes { diagram: [48.0, 44.0], polygon: [44.0, 44.0] };
+
+/// What is on the sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wanted {
+    /// So many poses at equal steps of what moves: of a driver from the scene's own through a full turn, or from one end of its travel to
+    /// the other.
+    pub count: usize,
+    /// What moves.
+    pub swept: Swept,
+    /// Points whose paths and hodographs lie behind the drawings.
+    pub points: Vec<PointId>,
+}
+
+/// The sheet: of the size that the scene fixes for its paper, else A4, or A3 where a row is wider; as many pages as it takes.
+///
+/// # Errors
+/// `no-motion` where the mechanism cannot be followed from its pose; `paper-too-small` where the paper does not hold one row.
+///
+/// ```
+/// use hodograph::figure::{poses, sheet::Options};
+/// use hodograph::scene::{self, Lang, Swept, templates};
+/// use hodograph::worked::{Scope, work};
+/// let scene = scene::read(templates::get("slider-crank").unwrap())?.value;
+/// let worked = work(&scene, Scope::Figure)?.value;
+/// let wanted = poses::Wanted { count: 4, swept: Swept::Driver(0), points: Vec::new() };
+/// let pages = poses::sheets(&scene, &worked, &Options::of_language(Lang::En), &wanted)?.value;
+/// assert_eq!(pages.len(), 2); // a page of A4 holds two or three rows
+/// # Ok::<(), hodograph::diag::Faults>(())
+/// ```
+pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted) -> Result<Warned<Vec<Figure>>, Faults> {
+    let poses = Poses::of(scene, worked, wanted, BOXES)?;
+    let style = Style { label_mm: options.style.small_mm, ..options.style.clone() };
+    let options = Options { style, ..options.clone() };
+    let pages = poses.table(&options, wanted.swept, false).pages(scene.paper.size_mm)?;
+    Ok(Warned { value: pages, notes: poses.notes(scene, wanted) })
+}
+
+/// All poses worked through to one set of scales.
+struct Poses {
+    rows: Vec<Row>,
+    full: bool,
+    moved: Option<Motion>,
+    scales: Scales,
+}
+
+impl Poses {
+    fn of(scene: &Scene, worked: &Worked, wanted: &Wanted, boxes: Boxes) -> Result<Poses, Faults> {
+        let motion_of_cams = work_motion(scene)?;
+        let (scene, worked) = motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
+        let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept);
+        let sweep = follower.sweep(STEPS);
+        let poses = at_equal_steps(&follower, &sweep, wanted.count);
+        follower.proved(poses.iter().map(|p| &p.configuration))?;
+        // Their own scales first, to see how large everything is.
+        let work = |p: &Pose| work_pose(&follower.scene_at(scene, p.travel), (&worked.mechanism, &worked.demand), &p.configuration).ok();
+        let trials: Vec<(&Pose, (Scene, Worked))> = poses.iter().filter_map(|p| Some((p, work(p)?))).collect();
+        let sized: Vec<(f64, &Worked)> = trials.iter().map(|(p, (_, w))| (p.travel, w)).collect();
+        let scales = Scales::of(&scene.paper, &sized, sweep.is_unlimited(), boxes);
+        let now = station::now(scene, &worked.configuration, wanted.swept);
+        let rows: Vec<Row> = trials
+            .iter()
+            .filter_map(|(pose, (scene, trial))| {
+                let end = sweep.limits.iter().flatten().any(|limit| *limit == pose.travel);
+                let mut scene = scene.clone();
+                scales.fix(&mut scene.paper);
+                let Worked { mechanism, demand, configuration, .. } = trial;
+                let worked = work_placed(&scene, mechanism.clone(), demand.clone(), configuration.clone()).ok()?.value;
+                let shown = Level::RATES.map(|level| scales.holds(trial, level));
+                Some(Row { scene, worked, shown, end, place: now + pose.travel })
+            })
+            .collect();
+        // A table has at least one row.
+        if rows.is_empty() || rows.len() < 2 && wanted.count > 1 {
+            let d = Diagnostic::error("no-motion", both!("the mechanism cannot be followed from its pose", "从该位置无法跟踪机构的运动"));
+            return Err(d.help(both!("give another pose, or ask for the sheet of this one", "请改变位置，或只画该位置的图")).into());
+        }
+        let moved = (!wanted.points.is_empty())
+            .then(|| motion(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept, &wanted.points, 0));
+        Ok(Poses { rows, full: sweep.full, moved, scales })
+    }
+
+    fn table<'a>(&'a self, options: &'a Options, swept: Swept, still: bool) -> Table<'a> {
+        let Poses { rows, full, moved, scales } = self;
+        Table { options, rows, full: *full, swept, moved: moved.as_ref(), scales: scales.clone(), still }
+    }
+
+    /// What is to be known of the poses that were asked for.
+    fn notes(&self, scene: &Scene, wanted: &Wanted) -> Vec<Diagnostic> {
+        let rows = &self.rows;
+        let mut notes = Vec::new();
+        if rows.len() < wanted.count {
+            notes.push(Diagnostic::note(
+                "poses",
+                both!("{} of {} poses can be drawn", "{1} 个位置中可画出 {0} 个", rows.len(), wanted.count),
+            ));
+        }
+        if scene.own_drivers() > 1 && wanted.swept != Swept::Time {
+            let text = both!(
+                "the scene has several drivers: one of them moves from pose to pose, the others hold their positions, with their rates",
+                "有几个原动件：其中一个逐个位置运动，其余保持位置和速度"
+            );
+            notes.push(Diagnostic::note("poses-driver", text));
+        }
+        notes
+    }
+}
+
+/// A pose to the common scales.
+struct Row {
+    scene: Scene,
+    worked: Worked,
+    shown: [bool; 2],
+    /// Whether the driver can go no farther: then nothing but the driver has a vector, and that is no polygon.
+    end: bool,
+    /// Where that stands which moves (rad, m or s).
+    place: f64,
+}
+
+impl Row {
+    fn unbounded(&self) -> bool {
+        self.end || !self.worked.solution.refused.is_empty()
+    }
+}
+
+/// All poses, to be laid out.
+struct Table<'a> {
+    options: &'a Options,
+    rows: &'a [Row],
+    full: bool,
+    swept: Swept,
+    moved: Option<&'a Motion>,
+    scales: Scales,
+    /// Whether names stay where they were in the pose before, as the poses follow one another in time.
+    still: bool,
+}
+
+fn text(class: &str, at: Point, label: Label, size_mm: f64, anchor: Anchor) -> Item {
+    Item::new(class, Shape::Label { at, label, size_mm, anchor, colour: Colour::BLACK })
+}

@@ -1,0 +1,106 @@
+//! The poses of a motion one after the other: figures of one size, with ground and poles at one place in all of them.
+//!
+//! Decided here: what stands where in a frame. Not decided here: how frames become a moving picture (`render::gif`,
+//! `render::moving`).
+
+use super::cells::{Column, Shows};
+use super::{Poses, Table, Wanted, text};
+use crate::sheet::{MARGIN_MM, Maker, Options, swept_symbol};
+use hodograph_base::diag::{Faults, Warned};
+use hodograph_base::geom::Point;
+use hodograph_board::construct::scale::Boxes;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_paper::paper::item::{Anchor, Figure, Item};
+use hodograph_paper::paper::label::Label;
+use hodograph_report::amount::of_level;
+use hodograph_scene::{Scene, Swept};
+use hodograph_worked::worked::Worked;
+
+/// Between drawings.
+const GAP_MM: f64 = 10.0;
+/// Room for the drawings of a frame.
+const BOXES: Boxes = Boxes { diagram: [90.0, 80.0], polygon: [95.0, 80.0] };
+/// From the title to the drawings.
+const TITLE_MM: f64 = 12.0;
+/// From the drawings to the caption's baseline, and from there to the scale's.
+const CAPTION_MM: f64 = 8.0;
+const SCALE_MM: f64 = 5.6;
+
+/// A motion as figures.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Turn {
+    /// One for each pose, all of one size.
+    pub frames: Vec<Figure>,
+    /// Whether the last is followed by the first: after a full turn, and where time goes on; else the motion goes back the way that it came.
+    pub full: bool,
+}
+
+impl Turn {
+    /// The frames of one period, in the order of time.
+    pub fn period(&self) -> Vec<&Figure> {
+        let back = self.frames.iter().rev().skip(1).take(self.frames.len().saturating_sub(2));
+        self.frames.iter().chain(back.filter(|_| !self.full)).collect()
+    }
+}
+
+/// The poses at equal steps of a driver as figures of one size, `step_mm` the unit in which it is measured: width and height are whole
+/// even numbers of it, as moving pictures of even numbers of pixels want.
+///
+/// # Errors
+/// `no-motion` where the mechanism cannot be followed from its pose.
+pub fn turn(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted, step_mm: f64) -> Result<Warned<Turn>, Faults> {
+    let poses = Poses::of(scene, worked, wanted, BOXES)?;
+    let table = poses.table(options, wanted.swept, true);
+    let columns = table.columns();
+    let width: f64 = columns.iter().map(|c| c.bounds.width_mm()).sum::<f64>() + GAP_MM * columns.len().saturating_sub(1) as f64;
+    let height = columns.iter().map(|c| c.bounds.height_mm()).fold(0.0, f64::max);
+    let even = |mm: f64| (mm / (2.0 * step_mm)).ceil() * 2.0 * step_mm;
+    let size = [even(width + 2.0 * MARGIN_MM), even(height + TITLE_MM + CAPTION_MM + SCALE_MM + 2.0 * MARGIN_MM)];
+    let frames = (0..poses.rows.len()).map(|k| frame(&table, &columns, k, size)).collect();
+    Ok(Warned { value: Turn { frames, full: poses.full || wanted.swept == Swept::Time }, notes: poses.notes(scene, wanted) })
+}
+
+fn frame(table: &Table, columns: &[Column], k: usize, size: [f64; 2]) -> Figure {
+    let (options, row) = (table.options, &table.rows[k]);
+    let maker = Maker { scene: &row.scene, worked: &row.worked, options, certified: Vec::new() };
+    let foot = MARGIN_MM + SCALE_MM + CAPTION_MM;
+    let room = size[1] - MARGIN_MM - TITLE_MM - foot;
+    let mut items = Vec::new();
+    if let Some(mut title) = maker.title() {
+        title.stand_at(Point::new(MARGIN_MM, size[1] - MARGIN_MM));
+        items.extend(title.items);
+    }
+    let style = &options.style;
+    let mut put = |id: &str, at: Point, label: Label, size_mm: f64, anchor: Anchor| {
+        items.push(text("caption", at, label, size_mm, anchor).with_id(id).in_fonts(&style.fonts));
+    };
+    let (symbol, value) = (swept_symbol(&row.scene, table.swept).0, table.position(k));
+    let corner = Point::new(size[0] - MARGIN_MM, size[1] - MARGIN_MM - style.caption_mm);
+    put("position", corner, Label::math(format!("{symbol} = {value}")), style.caption_mm, Anchor::End);
+    let used: f64 = columns.iter().map(|c| c.bounds.width_mm()).sum::<f64>() + GAP_MM * columns.len().saturating_sub(1) as f64;
+    let mut edge = (size[0] - used) / 2.0;
+    let mut drawn: Vec<Item> = Vec::new();
+    for column in columns {
+        let middle = Point::new(edge + column.bounds.width_mm() / 2.0, foot + room / 2.0);
+        let mut part = column.parts[k].clone();
+        let absent = part.items.iter().any(|i| i.class == "absent");
+        let held = if absent { part.bounds.centre() } else { column.bounds.centre() };
+        part.translate(middle - held);
+        drawn.extend(part.items);
+        let (level, name) = match column.shows {
+            Shows::Mechanism => (Level::Position, "mechanism"),
+            Shows::Polygon(Level::Acceleration) => (Level::Acceleration, "acc"),
+            Shows::Polygon(level @ (Level::Velocity | Level::Position)) => (level, "vel"),
+        };
+        let (words, mu) = maker.caption(level);
+        // A pose without a polygon has no scale of its own.
+        let own = table.scales.mu.get(level.kind()).filter(|_| level > Level::Position);
+        let mu = own.map_or(mu, |mu| of_level(&row.scene.book, level, mu));
+        let at = Point::new(middle.x, foot - CAPTION_MM);
+        put(&format!("caption-{name}"), at, Label::text(words), style.caption_mm, Anchor::Middle);
+        put(&format!("scale-{name}"), Point::new(at.x, at.y - SCALE_MM), Label::math(mu), style.small_mm, Anchor::Middle);
+        edge += column.bounds.width_mm() + GAP_MM;
+    }
+    items.extend(drawn);
+    maker.figure(items, size)
+}

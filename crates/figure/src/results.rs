@@ -1,0 +1,373 @@
+//! The results: for each question the length measured, the scale, the value with unit and sense; then how far drawing
+//! and loop equations are apart.
+
+use hodograph_base::digits::inked;
+use hodograph_board::construct::ShownAs;
+use hodograph_board::plan::notation::Notation;
+use hodograph_board::plan::text::Writer;
+use hodograph_board::plan::{Body, Rate};
+use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_methods::centres::{Centre, Centres, Origin, Place, centres};
+use hodograph_paper::paper::phrase::{Phrase, fill};
+use hodograph_report::answers::{Line, at_infinity, lines as by_question, reason, verdict};
+use hodograph_report::centres as report_of_centres;
+use hodograph_report::drafting::{self, Amount};
+use hodograph_scene::quantity::Meaning;
+use hodograph_scene::{Asked, Book, Find, Kind, Lang, Scene};
+use hodograph_worked::certified::ladder::{Certified, Number, READING_DIGITS, Why};
+use hodograph_worked::worked::{Outcome, Worked};
+
+use hodograph_report::amount::{amount, number, sense, symbol};
+
+use super::remarks::{agreement, pencil, remarks};
+use hodograph_paper::paper::drawing;
+use hodograph_paper::paper::grid::{self, Cell, Row};
+use hodograph_paper::paper::item::Anchor;
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::lines::wrapped;
+use hodograph_paper::paper::shown::question_id;
+use hodograph_paper::paper::style::{Captioned, Style};
+use hodograph_paper::paper::words::Words;
+
+/// Distance of the rows' baselines: scripts of one must not touch those of the next.
+const ROW_MM: f64 = 6.4;
+/// From the first row up to the heading.
+const HEADING_MM: f64 = 2.2;
+/// Distance of a value below the length measured, as a part of that.
+const BELOW: f64 = 0.9;
+/// Distance of the lines of remarks below.
+const REMARK_MM: f64 = 5.2;
+/// Between columns.
+const GAP_MM: f64 = 1.8;
+/// Digits shown unless others are asked for: one more than a ruler gives, so that rounding is not mistaken for the
+/// drawing's error.
+pub const DIGITS: usize = 4;
+
+/// What the block of results shows.
+pub struct Answers<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Its answers.
+    pub worked: &'a Worked,
+    /// How many of their digits are true.
+    pub certified: &'a [Certified],
+    /// Marks.
+    pub notation: &'a Notation,
+    /// Words.
+    pub words: &'static Words,
+    /// Significant digits asked for.
+    pub digits: usize,
+}
+
+impl<'a> Answers<'a> {
+    fn writer(&self) -> Writer<'a> {
+        Writer { scene: self.scene, plan: &self.worked.plan, notation: self.notation, lang: self.words.lang() }
+    }
+}
+
+/// The block of results.
+pub fn results(style: &Style, answers: &Answers) -> drawing::Part {
+    block(style, answers, None)
+}
+
+/// The block of results in a column of this width, and whether it is whole: remarks take more lines; where that is not enough values
+/// stand below the lengths measured, and at last these are left out.
+pub fn results_in(style: &Style, answers: &Answers, width_mm: f64) -> (drawing::Part, bool) {
+    let set = |measured| block(style, answers, Some(Column { width_mm, measured }));
+    let tries = [Measured::Before, Measured::Above].map(set).into_iter().find(|part| part.bounds.width_mm() <= width_mm);
+    match tries {
+        Some(whole) => (whole, true),
+        None => (set(Measured::Nowhere), false),
+    }
+}
+
+/// A narrow column of results.
+#[derive(Clone, Copy)]
+struct Column {
+    width_mm: f64,
+    measured: Measured,
+}
+
+/// Where the lengths measured stand.
+#[derive(Clone, Copy, PartialEq)]
+enum Measured {
+    /// Before the value in its row.
+    Before,
+    /// In a row of their own, the value below.
+    Above,
+    /// They are left out.
+    Nowhere,
+}
+
+/// The block; in a column of a width remarks are broken into lines.
+fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::Part {
+    let Answers { scene, worked, certified, notation, words, digits } = *answers;
+    let row_mm = style.leading(ROW_MM);
+    let placed = column.map_or(Measured::Before, |c| c.measured);
+    let heading = Cell {
+        label: Phrase::new(style.captions.of(Captioned::Results, words.lang())).label().in_fonts(&style.fonts),
+        size_mm: style.caption_mm,
+        anchor: Anchor::Start,
+        class: "result heading".into(),
+        id: "heading-results".into(),
+    };
+    let mut rows = Vec::new();
+    let mut lines = Vec::new();
+    let centres = drawn_centres(scene);
+    for line in by_question(worked, certified) {
+        let (r, c) = match line {
+            Line::Answer(r, c) => (r, c),
+            Line::Far(far) => {
+                rows.push(told(style, notation, &scene.find[far.find], &at_infinity(far, words.lang())));
+                continue;
+            }
+            Line::None(u) => {
+                let find = &scene.find[u.find];
+                rows.push(told(style, notation, find, verdict(u, words.lang())));
+                let why = reason(scene, u, words.lang());
+                if !lines.iter().any(|(_, _, told): &(_, _, Phrase)| *told == Phrase::new(&why)) {
+                    lines.push(("remark", format!("remark-{}", find.text), Phrase::new(&why)));
+                }
+                continue;
+            }
+        };
+        let find = &scene.find[r.find];
+        // A singular pose is told once for all, below.
+        if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, Why::NextOrder(_))) {
+            let symbol = format!("${}$", symbol(find, notation));
+            let text = fill(words.uncertain, &[("", &symbol), ("why", &why.words(words.lang()))]);
+            lines.push(("remark", format!("remark-{}", find.text), Phrase::new(&text)));
+        }
+        let id = format!("result-{}", question_id(&find.text));
+        let cell = |text: Label, anchor, what: &str| Some(cell(style, text, anchor, format!("{id}-{what}")));
+        let sign = |what: &str| cell(Label::math("="), Anchor::Middle, what);
+        let value = r.value();
+        // Where nothing moves there is no polygon to measure.
+        let nothing = worked.construction.is_empty(find.what.level());
+        let by_lines = || by_lines(centres.as_ref()?, find, words);
+        let measured = if placed == Measured::Nowhere {
+            None
+        } else if let Some(read) = by_lines() {
+            Some(read)
+        } else if nothing {
+            None
+        } else {
+            measured(&scene.book, r, c, find, words).or_else(|| as_another(answers, find))
+        };
+        let name = || cell(Label::math(named(&answers.writer(), find, r)), Anchor::Start, "symbol");
+        let found = Label::math(amount(&scene.book, find, value, c, digits));
+        let towards = sense(find, value, c, words, digits);
+        let sure = tolerance(&scene.book, worked, r, find);
+        if placed == Measured::Above {
+            // Value, sense and tolerance run on, so that no column is wider than what stands in it.
+            let gap = || Label::math("\\quad");
+            let whole = [Some(towards), sure].into_iter().flatten().fold(found, |line, next| line.then(gap()).then(next));
+            let mut row = |first, from, what: &str| {
+                let (height_mm, what_is) = if first { (row_mm, "is") } else { (BELOW * row_mm, "equals") };
+                let cells = vec![if first { name() } else { None }, sign(what_is), cell(from, Anchor::Start, what)];
+                rows.push(Row { cells, height_mm });
+            };
+            let above = measured.is_some();
+            if let Some(read) = measured {
+                row(true, read, "measured");
+            }
+            row(!above, whole, "value");
+            continue;
+        }
+        let [from, equals] = match measured {
+            Some(m) => [cell(m, Anchor::Start, "measured"), sign("equals")],
+            None => [None, None],
+        };
+        // Without a measurement the value follows the first sign, so that the column of values stays in line.
+        let first = if from.is_some() { sign("is") } else { None };
+        let second = equals.or_else(|| sign("is"));
+        rows.push(Row {
+            cells: vec![
+                name(),
+                first,
+                from,
+                second,
+                cell(found, Anchor::Start, "value"),
+                cell(towards, Anchor::Start, "sense"),
+                sure.and_then(|t| cell(t, Anchor::Start, "tolerance")),
+            ],
+            height_mm: row_mm,
+        });
+    }
+    let mut items = grid::set(&rows, GAP_MM);
+    items.extend(grid::set(&[Row { cells: vec![Some(heading)], height_mm: -style.leading(HEADING_MM) }], 0.0));
+    let others = pencil(answers).into_iter().chain(remarks(answers)).enumerate();
+    lines.extend(others.map(|(k, remark)| ("remark", format!("remark-{}", k + 1), remark)));
+    lines.extend(
+        centres.as_ref().and_then(|found| crossings_agree(found, scene, worked, words)).map(|text| ("agreement", "centres".into(), text)),
+    );
+    lines.extend(agreement(worked, words).map(|text| ("agreement", "agreement".into(), text)));
+    let mut below = rows.iter().map(|r| r.height_mm).sum::<f64>() + 1.1 * row_mm;
+    for (class, id, line) in lines {
+        let labels = match column {
+            Some(Column { width_mm, .. }) => wrapped(&line, width_mm, style.small_mm, &style.fonts),
+            None => vec![line.label().in_fonts(&style.fonts)],
+        };
+        for (k, label) in labels.into_iter().enumerate() {
+            let id = if k == 0 { id.clone() } else { format!("{id}-{}", k + 1) };
+            let cell = Cell { label, size_mm: style.small_mm, anchor: Anchor::Start, class: class.into(), id };
+            items.extend(grid::set(&[Row { cells: vec![Some(cell)], height_mm: below }], 0.0));
+            below += style.leading(REMARK_MM);
+        }
+    }
+    drawing::Part::of(items)
+}
+
+/// The drawing of the centres, where one of them is asked.
+pub fn drawn_centres(scene: &Scene) -> Option<Centres> {
+    let asks = scene.find.iter().any(|f| matches!(f.what, Asked::InstantCentre(_)));
+    asks.then(|| centres(scene).ok()).flatten().map(|found| found.value)
+}
+
+/// The centre that a question asks for, if the ruler finds it: by its pair, or by two lines.
+fn by_ruler<'a>(found: &'a Centres, find: &Find) -> Option<&'a Centre> {
+    let Asked::InstantCentre(q) = find.what else { return None };
+    let c = found.of(q.links[0].0, q.links[1].0)?;
+    matches!(c.origin, Some(Origin::Pair | Origin::Crossing(_))).then_some(c)
+}
+
+/// How the ruler finds a centre: `23·34 × 12·14`.
+pub fn by_lines(found: &Centres, find: &Find, words: &Words) -> Option<Label> {
+    let c = by_ruler(found, find)?;
+    let told = report_of_centres::Words::new(found, words.lang());
+    Some(told.found_by(c).label())
+}
+
+/// How far the centres that the ruler finds are from those that the velocities of the loop equations tell, as a part of the mechanism's size.
+pub fn crossings_agree(found: &Centres, scene: &Scene, worked: &Worked, words: &Words) -> Option<Phrase> {
+    let size = worked.configuration.extent();
+    let off = |r: &Outcome| {
+        let (Some(Place::At(at)), Value::Point(p)) = (by_ruler(found, &scene.find[r.find])?.place, r.computed) else { return None };
+        Some(at.distance(p) / (size + p.to_vec2().norm()))
+    };
+    let worst = worked.results.iter().filter_map(off).reduce(f64::max)?;
+    let digits = if worst < 1e-15 { 15 } else { (-libm::ceil(libm::log10(worst))).max(0.0) as usize };
+    Some(Phrase::new(&match words.lang() {
+        Lang::En => format!("Centres by lines and by the velocities of the loop equations agree to {digits} digits."),
+        Lang::Zh => format!("瞬心作图与解析法的速度结果有 {digits} 位数字一致。"),
+    }))
+}
+
+/// A cell of the list.
+fn cell(style: &Style, label: Label, anchor: Anchor, id: String) -> Cell {
+    Cell { label: label.in_fonts(&style.fonts), size_mm: style.caption_mm, anchor, class: "result".into(), id }
+}
+
+/// All results in one sentence, for readers who do not see the figure.
+pub fn sentence(answers: &Answers) -> String {
+    let Answers { scene, worked, certified, notation, words, digits } = *answers;
+    let each = by_question(worked, certified).into_iter().map(|line| {
+        let (r, c) = match line {
+            Line::Answer(r, c) => (r, c),
+            Line::Far(far) => {
+                return format!("{}: {}", Label::math(symbol(&scene.find[far.find], notation)).plain(), at_infinity(far, words.lang()));
+            }
+            Line::None(u) => {
+                return format!("{}: {}", Label::math(symbol(&scene.find[u.find], notation)).plain(), verdict(u, words.lang()));
+            }
+        };
+        let find = &scene.find[r.find];
+        let value = r.value();
+        let plain = format!("{} = {} ", named(&answers.writer(), find, r), amount(&scene.book, find, value, c, digits));
+        let text = Label::math(plain).then(Label::text(" ")).then(sense(find, value, c, words, digits)).plain();
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    });
+    each.collect::<Vec<_>>().join("; ")
+}
+
+/// A question whose answer is words.
+fn told(style: &Style, notation: &Notation, find: &Find, words: &str) -> Row {
+    let (id, symbol) = (format!("result-{}", question_id(&find.text)), symbol(find, notation));
+    let cell = |text: Label, anchor, what: &str| Some(cell(style, text, anchor, format!("{id}-{what}")));
+    Row {
+        cells: vec![
+            cell(Label::math(symbol.as_str()), Anchor::Start, "symbol"),
+            None,
+            None,
+            cell(Label::math(":"), Anchor::Middle, "is"),
+            cell(Label::text(words), Anchor::Start, "value"),
+        ],
+        height_mm: style.leading(ROW_MM),
+    }
+}
+
+/// The symbol of an answer: the question's, and where the drawing names the vector otherwise, as it is named there: `v_{CB} = v_C`,
+/// `v^{r}_{B2B3} = −v^{r}_{B3B2}`.
+pub fn named(w: &Writer, find: &Find, r: &Outcome) -> String {
+    let asked = symbol(find, w.notation);
+    let level = find.what.level();
+    let Some(shown) = r.drawn.as_ref().and_then(|d| d.measured.as_ref()).and_then(|m| m.shown.as_ref()) else { return asked };
+    let drawn = match &shown.vector {
+        ShownAs::Image(v) => w.vector(level, *v),
+        ShownAs::Edges(terms) => terms.iter().map(|t| w.symbol(level, t)).collect::<Vec<_>>().join(" + "),
+    };
+    match (drawn == asked, shown.reversed) {
+        (true, false) => asked,
+        (_, false) => format!("{asked} = {drawn}"),
+        (_, true) if drawn.contains(" + ") => format!("{asked} = −({drawn})"),
+        (_, true) => format!("{asked} = −{drawn}"),
+    }
+}
+
+/// The tolerance of drawing by hand: `± 0.62 %`; nothing where it was not asked for, and for what is given.
+fn tolerance(book: &Book, worked: &Worked, r: &Outcome, find: &Find) -> Option<Label> {
+    let t = worked.drafting.as_ref()?.tolerances[r.find].as_ref()?;
+    let number = |value| number(value, drafting::DIGITS);
+    Some(match drafting::amount(book, find, t)? {
+        Amount::Percent(value) => Label::math(format!("\\pm\\,{}", number(value))).then(Label::text(" %")),
+        Amount::Of(kind, value) => Label::math(book.label(kind, &format!("\\pm\\,{}", number(value)))),
+    })
+}
+
+/// `ω_2`, for a link that turns as another does.
+fn as_another(answers: &Answers, find: &Find) -> Option<Label> {
+    let Some(Meaning::Turning(link, None)) = find.what.meaning(answers.scene) else { return None };
+    let level = find.what.level();
+    let plan = &answers.worked.plan;
+    let groups = match level {
+        Level::Position => return None,
+        Level::Velocity => &plan.velocity,
+        Level::Acceleration => &plan.acceleration,
+    };
+    let other = groups.iter().flat_map(|g| &g.rates).find_map(|(body, rate)| match (body, rate) {
+        (Body::Link(l), Rate::Same(other)) if *l == link => Some(*other),
+        (Body::Link(_) | Body::Cylinder(_), _) => None,
+    });
+    Some(Label::math(answers.writer().turning(level, Body::Link(other?))))
+}
+
+/// What the ruler gave: `48.32 mm · μ_v`, for angular rates over the link's length.
+pub fn measured(book: &Book, r: &Outcome, c: &Certified, find: &Find, words: &Words) -> Option<Label> {
+    let level = find.what.level();
+    if level == Level::Position {
+        return None;
+    }
+    let Some(drawn) = &r.drawn else {
+        return Some(Label::text(if r.longer.is_some() { words.longer } else { words.computed }));
+    };
+    let measured = drawn.measured.as_ref()?;
+    let mm = measured.length_mm;
+    let scale = if level == Level::Acceleration { "\\mu_a" } else { "\\mu_v" };
+    // Less than a thousandth of a millimetre is nothing that a ruler gives.
+    let certain = |n: Option<&Number>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| inked(&t.0));
+    let mm_text = match certain(c.reading.as_ref().map(|r| &r.length_mm)) {
+        Some(text) => text,
+        None if mm < 1e-3 => "0".to_owned(),
+        None => number(mm, DIGITS),
+    };
+    let read = format!("{mm_text} mm \\cdot {scale}");
+    Some(Label::math(match measured.arm_m {
+        Some(length) => {
+            let arm = certain(c.reading.as_ref().and_then(|r| r.arm.as_ref()));
+            let arm = arm.unwrap_or_else(|| number(book.value(Kind::Length, length), DIGITS));
+            format!("{read} / {}", book.label(Kind::Length, &arm))
+        }
+        None => read,
+    }))
+}

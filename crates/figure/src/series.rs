@@ -1,0 +1,71 @@
+//! One set of scales for a series of poses: everything fits the paper, but what stands next to a limit, where vectors grow beyond
+//! all bounds.
+
+use hodograph_base::geom::Point;
+use hodograph_board::construct::scale::{self, Boxes, extent};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::{ByKind, Kind, Paper};
+use hodograph_sweep::points::bounded;
+use hodograph_worked::worked::Worked;
+
+/// One scale for each drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scales {
+    /// Of the mechanism and of the polygons that there are, SI per mm.
+    pub mu: ByKind,
+    /// The largest polygons (in boxes, SI) that the paper holds.
+    most: [f64; 2],
+    boxes: Boxes,
+}
+
+impl Scales {
+    /// The scales at which all poses fit their boxes, but those next to a limit; what the paper fixes stays. Poses come with
+    /// the driver's travel; the one with travel 0 is shown in any case.
+    pub fn of(paper: &Paper, poses: &[(f64, &Worked)], unlimited: bool, boxes: Boxes) -> Scales {
+        let places = poses.iter().flat_map(|(_, w)| w.configuration.points.iter().flatten().copied());
+        let lengths = scale::fitted(paper, Kind::Length, extent(places), boxes.diagram);
+        let mu = ByKind::default().with(Kind::Length, Some(lengths));
+        let mut scales = Scales { mu, most: [f64::INFINITY; 2], boxes };
+        for (i, level) in Level::RATES.into_iter().enumerate() {
+            let size = |w: &Worked| size(w, level, &boxes);
+            let own = poses.iter().find(|p| p.0 == 0.0).and_then(|p| size(p.1)).unwrap_or(0.0);
+            let Some(most) = bounded(poses.iter().filter_map(|p| size(p.1)).collect(), own, unlimited) else { continue };
+            let fitting = poses.iter().map(|p| p.1).filter(|w| size(w).is_some_and(|s| s <= most));
+            let ends = fitting.flat_map(|w| ends(w, level));
+            let mu = scale::fitted(paper, level.kind(), extent(ends.chain([Point::ORIGIN])), boxes.polygon);
+            scales.mu.set(level.kind(), Some(mu));
+            scales.most[i] = most;
+        }
+        scales
+    }
+
+    /// Whether the paper holds a pose's polygon (there is one, and it is not next to a limit).
+    pub fn holds(&self, worked: &Worked, level: Level) -> bool {
+        size(worked, level, &self.boxes).is_some_and(|s| s <= self.most[usize::from(level == Level::Acceleration)])
+    }
+
+    /// The diagonal of the room for a polygon (mm): no vector on the paper is longer.
+    pub fn longest_mm(&self) -> f64 {
+        libm::hypot(self.boxes.polygon[0], self.boxes.polygon[1])
+    }
+
+    /// Writes the scales on a paper.
+    pub fn fix(&self, paper: &mut Paper) {
+        paper.scales.clone_from(&self.mu);
+    }
+}
+
+/// The ends of all vectors of a pose's polygon, seen from the pole (SI).
+pub fn ends(worked: &Worked, level: Level) -> impl Iterator<Item = Point> {
+    worked.construction.polygon(level).into_iter().flat_map(|p| {
+        let mu = p.mu;
+        let marks = p.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(p.images.iter().flatten().copied());
+        marks.map(move |q| (q.to_vec2() * mu).to_point())
+    })
+}
+
+/// How large a polygon is (SI per mm of its box).
+pub fn size(worked: &Worked, level: Level, boxes: &Boxes) -> Option<f64> {
+    let [w, h] = worked.construction.polygon(level)?.extent();
+    Some((w / boxes.polygon[0]).max(h / boxes.polygon[1]))
+}

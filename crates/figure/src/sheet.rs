@@ -1,0 +1,379 @@
+//! The whole sheet: title, mechanism, polygons, equations and results, arranged by their measured sizes.
+//!
+//! Decided here: which parts there are and what stands under them. [`super::arrange`] decides where they stand.
+
+use hodograph_base::diag::{Both, Faults, both};
+use hodograph_base::geom::Point;
+use hodograph_board::construct::Polygon;
+use hodograph_board::plan::names::name_label;
+use hodograph_board::plan::notation::Notation;
+use hodograph_board::plan::text::Writer;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_paper::paper::phrase::Phrase;
+use hodograph_report::given::Givens;
+use hodograph_scene::{Kind, Lang, Scene, Swept};
+use hodograph_worked::worked::Worked;
+
+use hodograph_report::amount::of_level;
+
+use super::arrange::{Pieces, Tree, arrange, arrange_in, column, put_together};
+use super::described::described;
+use super::mechanism::{Overlay, dimensions};
+use super::results::Answers;
+use super::tables::Tables;
+use super::{mechanism, polygon, results};
+use hodograph_paper::paper::drawing::Part;
+use hodograph_paper::paper::grid::{self, Cell, Row};
+use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, Shape};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::lines::wrapped;
+use hodograph_paper::paper::style::{Captioned, Style};
+use hodograph_paper::paper::words::{Words, words};
+use hodograph_worked::certified::{Certified, Steps, certify, steps};
+
+/// How a sheet is written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// Language of all words.
+    pub lang: Lang,
+    /// Marks.
+    pub notation: Notation,
+    /// Significant digits of the results, as far as they are certain.
+    pub digits: usize,
+    /// Weights, sizes and colours. Its marks are already in `notation`.
+    pub style: Style,
+}
+
+impl Options {
+    /// The usual look of a language's textbooks.
+    pub fn of_language(lang: Lang) -> Options {
+        Options { lang, notation: Notation::of_language(lang), digits: results::DIGITS, style: Style::default() }
+    }
+}
+
+/// Border of a sheet: what a printer cannot reach on most paper.
+pub(super) const MARGIN_MM: f64 = 8.0;
+/// The least width of the list of what is given.
+const GIVEN_MM: f64 = 90.0;
+/// From a drawing to its caption's baseline.
+const CAPTION_MM: f64 = 8.0;
+/// From the caption's baseline to the scale's.
+const SCALE_MM: f64 = 5.6;
+
+/// The whole sheet.
+///
+/// # Errors
+/// `paper-too-small` when the scene fixes a size of paper on which the parts do not fit.
+pub fn sheet(scene: &Scene, worked: &Worked, options: &Options) -> Result<Figure, Faults> {
+    let certified = certify(scene, worked, options.digits);
+    let maker = Maker { scene, worked, options, certified };
+    let title = maker.title();
+    let drawings = maker.drawings(true);
+    let equations = maker.equations(&steps(scene, worked, None), None);
+    let results = results::results(&options.style, &maker.answers());
+    let pieces = Pieces { title, drawings, equations, results };
+    let (items, size) = arrange(pieces, scene.paper.size_mm, MARGIN_MM)?;
+    Ok(maker.figure(items, size))
+}
+
+/// What may be left out of a sheet where it is too wide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Fewer {
+    /// Nothing.
+    No,
+    /// What is written.
+    Words,
+    /// Polygons too.
+    Drawings,
+}
+
+/// The whole sheet in a width, as high as it becomes. What is left out of it is told.
+pub fn sheet_in(scene: &Scene, worked: &Worked, options: &Options, width_mm: f64, fewer: Fewer) -> (Figure, Vec<Both>) {
+    let certified = certify(scene, worked, options.digits);
+    let maker = Maker { scene, worked, options, certified };
+    let mut out = Vec::new();
+    let fits = |part: &Part| part.bounds.width_mm() <= width_mm;
+    let title = maker.title().and_then(|whole| if fits(&whole) { Some(whole) } else { maker.title_in(width_mm) });
+    let broken = fewer >= Fewer::Words;
+    let mut equations = maker.equations(&steps(scene, worked, None), broken.then_some(width_mm));
+    let mut results = results::results(&options.style, &maker.answers());
+    if broken {
+        let count = |e: &[(Part, Vec<Part>)]| e.iter().map(|(_, lines)| lines.len()).sum::<usize>();
+        let all = count(&equations);
+        equations.iter_mut().for_each(|(_, lines)| lines.retain(fits));
+        match (all - count(&equations), all) {
+            (0, _) => {}
+            (gone, all) if gone == all => out.push(both!("the equations", "方程")),
+            (gone, all) => out.push(both!("{gone} of {all} equations", "{all} 个方程中的 {gone} 个")),
+        }
+        let (part, whole) = results::results_in(&options.style, &maker.answers(), width_mm);
+        match (fits(&part), whole) {
+            (true, true) => results = part,
+            (true, false) => {
+                results = part;
+                out.push(both!("the lengths measured", "图上量得的长度"));
+            }
+            (false, _) => {
+                results = Part::of(Vec::new());
+                out.push(both!("the results", "结果"));
+            }
+        }
+    }
+    let mut drawings = maker.drawings(true);
+    if fewer == Fewer::Drawings {
+        let polygons = Level::RATES.into_iter().filter(|l| worked.construction.polygon(*l).is_some());
+        let levels: Vec<Level> = std::iter::once(Level::Position).chain(polygons).collect();
+        let gone = drawings.iter().zip(&levels).filter(|(part, level)| **level != Level::Position && !fits(part));
+        out.extend(gone.map(|(_, level)| match level {
+            Level::Position => both!("the mechanism", "机构运动简图"),
+            Level::Velocity => both!("the velocity polygon", "速度多边形"),
+            Level::Acceleration => both!("the acceleration polygon", "加速度多边形"),
+        }));
+        let mut level = levels.iter();
+        drawings.retain(|part| level.next() == Some(&Level::Position) || fits(part));
+    }
+    let pieces = Pieces { title, drawings, equations, results };
+    let (items, size) = arrange_in(pieces, width_mm);
+    (maker.figure(items, size), out)
+}
+
+/// The drawing of a level alone, with its caption and scale: the mechanism for positions, else the polygon; `None` where the scene
+/// does not call for it.
+pub fn drawing(scene: &Scene, worked: &Worked, options: &Options, level: Level) -> Option<Figure> {
+    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+    let part = match level {
+        Level::Position => maker.mechanism(),
+        Level::Velocity | Level::Acceleration => maker.polygon(worked.construction.polygon(level)?),
+    };
+    Some(maker.alone(maker.captioned(part, "", level)))
+}
+
+/// The equations of all levels alone; `None` where the scene calls for none.
+pub fn equations(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure> {
+    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+    Some(maker.alone(column(maker.equations(&steps(scene, worked, None), None))?))
+}
+
+/// The results alone.
+pub fn results(scene: &Scene, worked: &Worked, options: &Options) -> Figure {
+    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+    maker.alone(results::results(&options.style, &maker.answers()))
+}
+
+/// The mechanism with vectors at its points, other positions behind it, or paths of points.
+pub fn diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Overlay) -> Figure {
+    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+    let part = mechanism::overlaid(&options.style, scene, worked, &maker.writer(), overlay);
+    let (words, mut mu) = maker.caption(Level::Position);
+    if let (Some(level), Some(of_vectors)) = (overlay.vectors, overlay.mu(scene, worked)) {
+        mu = format!("{mu},\\quad {}", of_level(&scene.book, level, of_vectors));
+    }
+    let titled = maker.titled(part, Phrase::new(words).label(), &mu, "mechanism");
+    maker.alone(if overlay.dimensions { maker.with_givens(titled) } else { titled })
+}
+
+/// The mechanism with what is drawn over it, and no list below: the document around it has one.
+pub fn problem_diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Overlay) -> Figure {
+    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+    let part = mechanism::overlaid(&options.style, scene, worked, &maker.writer(), overlay);
+    maker.alone(maker.captioned(part, "", Level::Position))
+}
+
+/// Makes the parts of a sheet.
+pub(super) struct Maker<'a> {
+    pub scene: &'a Scene,
+    pub worked: &'a Worked,
+    pub options: &'a Options,
+    pub certified: Vec<Certified>,
+}
+
+impl Maker<'_> {
+    fn answers(&self) -> Answers<'_> {
+        let Options { notation, digits, .. } = self.options;
+        Answers { scene: self.scene, worked: self.worked, certified: &self.certified, notation, words: self.words(), digits: *digits }
+    }
+
+    pub fn words(&self) -> &'static Words {
+        words(self.options.lang)
+    }
+
+    pub fn writer(&self) -> Writer<'_> {
+        Writer { scene: self.scene, plan: &self.worked.plan, notation: &self.options.notation, lang: self.options.lang }
+    }
+
+    /// The equations of each level with their heading; nothing where there are none. `steps` are the certified numbers of the
+    /// construction; in a column of a width long ones are broken.
+    pub fn equations(&self, steps: &Steps, width_mm: Option<f64>) -> Vec<(Part, Vec<Part>)> {
+        let writer = self.writer();
+        let tables = Tables { width_mm, ..self.tables(&writer, steps) };
+        Level::RATES.map(|l| (self.heading(l), tables.parts(l))).into()
+    }
+
+    /// What the tables are made from.
+    pub fn tables<'t>(&'t self, writer: &'t Writer<'t>, steps: &'t Steps) -> Tables<'t> {
+        let worked = self.worked;
+        Tables { style: &self.options.style, writer, construction: &worked.construction, steps, width_mm: None }
+    }
+
+    pub fn mechanism(&self) -> Part {
+        mechanism::mechanism(&self.options.style, self.scene, self.worked, &self.options.notation)
+    }
+
+    pub fn polygon(&self, p: &Polygon) -> Part {
+        polygon::polygon(&self.options.style, &self.writer(), p)
+    }
+
+    /// The drawings with their captions.
+    fn drawings(&self, lettered: bool) -> Vec<Part> {
+        let mut all = vec![(Level::Position, self.mechanism())];
+        for level in Level::RATES {
+            if let Some(p) = self.worked.construction.polygon(level) {
+                all.push((level, self.polygon(p)));
+            }
+        }
+        let mut letters = ["(a) ", "(b) ", "(c) "].into_iter();
+        all.into_iter()
+            .map(|(level, part)| {
+                let letter = letters.next().filter(|_| lettered).unwrap_or_default();
+                self.captioned(part, letter, level)
+            })
+            .collect()
+    }
+
+    /// What is written at a drawing or a list.
+    pub fn name(&self, what: Captioned) -> &str {
+        self.options.style.captions.of(what, self.options.lang)
+    }
+
+    /// The name of the drawing of a level, and its scale.
+    pub fn caption(&self, level: Level) -> (&str, String) {
+        let paper = &self.worked.construction;
+        let book = &self.scene.book;
+        let mu = |level| paper.polygon(level).map_or(0.0, |p| p.mu);
+        let scale = match level {
+            Level::Position => of_level(book, level, paper.diagram.mu),
+            _ if paper.is_empty(level) => format!("\\text{{{}}}", self.words().no_vectors),
+            Level::Velocity | Level::Acceleration => of_level(book, level, mu(level)),
+        };
+        (self.name(Captioned::Drawing(level)), scale)
+    }
+
+    /// A part alone on its paper.
+    pub fn alone(&self, mut part: Part) -> Figure {
+        let size = [part.bounds.width_mm() + 2.0 * MARGIN_MM, part.bounds.height_mm() + 2.0 * MARGIN_MM];
+        part.stand_at(Point::new(MARGIN_MM, size[1] - MARGIN_MM));
+        self.figure(part.items, size)
+    }
+
+    pub fn captioned(&self, part: Part, letter: &str, level: Level) -> Part {
+        let (words, mu) = self.caption(level);
+        let id = match level {
+            Level::Position => "mechanism",
+            Level::Velocity => "vel",
+            Level::Acceleration => "acc",
+        };
+        self.titled(part, Phrase::new(&format!("{letter}{words}")).label(), &mu, id)
+    }
+
+    /// A part with its name and its scales below; `id` tells these labels from those of other parts.
+    pub fn titled(&self, mut part: Part, words: Label, mu: &str, id: &str) -> Part {
+        let x = part.bounds.centre().x;
+        let y = part.bounds.min.y - self.options.style.leading(CAPTION_MM);
+        let text = |at: Point, label: Label, size_mm: f64, what: &str| {
+            let label = label.in_fonts(&self.options.style.fonts);
+            let shape = Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
+            Item::new(what, shape).with_id(format!("{what}-{id}"))
+        };
+        part.items.push(text(Point::new(x, y), words, self.options.style.caption_mm, "caption"));
+        part.items.push(text(
+            Point::new(x, y - self.options.style.leading(SCALE_MM)),
+            Label::math(mu),
+            self.options.style.small_mm,
+            "scale",
+        ));
+        let (placements, left_out) = (part.placements, part.left_out);
+        Part { placements, left_out, ..Part::of(part.items) }
+    }
+
+    /// Below a dimensioned drawing, all that is given and not drawn as a dimension.
+    fn with_givens(&self, part: Part) -> Part {
+        let scene = self.scene;
+        let drawn = |a, b| part.items.iter().any(|i| i.id == dimensions::id_of(scene, a, b));
+        let lines = Givens { scene, lang: self.options.lang }.beside(drawn);
+        let size_mm = self.options.style.small_mm;
+        let width_mm = part.bounds.width_mm().max(GIVEN_MM);
+        let labels = lines.iter().flat_map(|l| wrapped(l, width_mm, size_mm, &self.options.style.fonts));
+        let row = |label: Label| Row {
+            cells: vec![Some(Cell { label, size_mm, anchor: Anchor::Start, class: "given".into(), id: String::new() })],
+            height_mm: size_mm * 1.55,
+        };
+        let mut items = grid::set(&labels.map(row).collect::<Vec<_>>(), 0.0);
+        for (k, item) in items.iter_mut().enumerate() {
+            item.id = format!("given-{}", k + 1);
+        }
+        put_together(Tree::column(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![part, Part::of(items)])
+    }
+
+    fn line(&self, id: &str, label: Label, size_mm: f64) -> Part {
+        let label = label.in_fonts(&self.options.style.fonts);
+        let shape = Shape::Label { at: Point::ORIGIN, label, size_mm, anchor: Anchor::Start, colour: Colour::BLACK };
+        Part::of(vec![Item::new(id, shape).with_id(id)])
+    }
+
+    pub fn title(&self) -> Option<Part> {
+        let title = self.scene.title.get(self.options.lang);
+        // A third larger than the captions: a heading without a bold face.
+        (!title.is_empty()).then(|| self.line("title", Label::text(title), self.options.style.caption_mm * 4.0 / 3.0))
+    }
+
+    /// The title in as many lines as it takes.
+    fn title_in(&self, width_mm: f64) -> Option<Part> {
+        let size_mm = self.options.style.caption_mm * 4.0 / 3.0;
+        let lines = wrapped(&Phrase::new(self.scene.title.get(self.options.lang)), width_mm, size_mm, &self.options.style.fonts);
+        let item = |(k, label): (usize, Label)| {
+            let shape = Shape::Label {
+                at: Point::new(0.0, -1.3 * size_mm * k as f64),
+                label,
+                size_mm,
+                anchor: Anchor::Middle,
+                colour: Colour::BLACK,
+            };
+            Item::new("title", shape).with_id(if k == 0 { "title".into() } else { format!("title-{}", k + 1) })
+        };
+        Some(Part::of(lines.into_iter().enumerate().map(item).collect()))
+    }
+
+    fn heading(&self, level: Level) -> Part {
+        let id = if level == Level::Acceleration { "heading-acceleration" } else { "heading-velocity" };
+        self.line(id, Phrase::new(self.name(Captioned::Equations(level))).label(), self.options.style.caption_mm)
+    }
+
+    pub fn figure(&self, items: Vec<Item>, size: [f64; 2]) -> Figure {
+        let words = self.words();
+        let title = self.scene.title.get(self.options.lang);
+        let title = if title.is_empty() { words.diagram } else { title };
+        let found = results::sentence(&self.answers());
+        let mut figure = Figure {
+            width_mm: size[0],
+            height_mm: size[1],
+            title: title.into(),
+            desc: format!("{}{found}", described(self.scene, self.options.lang, title, &items)).trim_end().to_owned(),
+            lang: words.tag.into(),
+            paper: Colour::WHITE,
+            items,
+        };
+        self.options.style.palette.paint(&mut figure);
+        figure
+    }
+}
+
+/// What goes on from pose to pose in the label language, and what it is: `\varphi_{1}` an angle, `s_{B}` or `l_{BC}` a length, `t` a time.
+pub fn swept_symbol(scene: &Scene, swept: impl Into<Swept>) -> (String, Kind) {
+    let (name, kind) = swept.into().name(scene);
+    let symbol = match name.split_once('_') {
+        Some(("phi", link)) => format!("\\varphi_{{{}}}", name_label(link)),
+        Some((letter, of)) => format!("{letter}_{{{}}}", name_label(of)),
+        None => name,
+    };
+    (symbol, kind)
+}

@@ -1,0 +1,178 @@
+//! The construction as a series of pictures: the mechanism, the polygon as it has grown so far with what the step draws in full
+//! ink, the equation that is being solved, and the step's sentence. All pictures have one size, so that slides do not jump.
+
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::construct::Polygon;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_paper::paper::phrase::Phrase;
+use hodograph_report::construction::sentences;
+use hodograph_scene::{Lang, Scene};
+use hodograph_worked::certified;
+use hodograph_worked::worked::Worked;
+
+use super::fit::Within;
+use super::sheet::{MARGIN_MM, Maker, Options};
+use hodograph_paper::paper::drawing::Part;
+use hodograph_paper::paper::extent::Rect;
+use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, Shape};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::lines::wrapped;
+use hodograph_paper::paper::style::Palette;
+
+/// Between the drawings, and between them and what is written below.
+const GAP_MM: f64 = 12.0;
+/// From the sentence to the equation above it.
+const LINE_MM: f64 = 5.0;
+/// From line to line of a sentence, in sizes of its type.
+const LEADING: f64 = 1.5;
+/// How far what earlier steps drew stands back.
+const EARLIER: Colour = Colour::grey(135);
+
+/// One picture for each step of the velocity and the acceleration polygon, the poles first.
+pub fn figures(scene: &Scene, worked: &Worked, options: &Options) -> Vec<Figure> {
+    figures_in(scene, worked, options, None)
+}
+
+/// [`figures`] within so much room: sentences and equations are broken into lines. What is wider all the same sticks out.
+pub fn figures_in(scene: &Scene, worked: &Worked, options: &Options, room: Option<Within>) -> Vec<Figure> {
+    let width_mm = room.map(|room| room.width_mm);
+    // Nothing of the results is shown: they need no digits.
+    let maker = Maker { scene, worked, options, certified: Vec::new() };
+    let told = certified::steps(scene, worked, None);
+    let levels: Vec<Steps> = Level::RATES
+        .into_iter()
+        .zip(maker.equations(&told, width_mm))
+        .filter_map(|(level, (_, written))| Some(Steps::of(&maker, worked.construction.polygon(level)?, (&told, &written), width_mm)))
+        .collect();
+    let diagram = maker.captioned(maker.mechanism(), "", Level::Position);
+    let most = |size: fn(&Steps) -> f64| levels.iter().map(size).fold(0.0, f64::max);
+    let (polygon_width, polygon_height) = (most(|s| s.polygon.bounds.width_mm()), most(|s| s.polygon.bounds.height_mm()));
+    let (text_width, text_height) = (most(|s| s.text_mm()[0]), most(|s| s.text_mm()[1]));
+    let (diagram_width, diagram_height) = (diagram.bounds.width_mm(), diagram.bounds.height_mm());
+    let stacked = room.is_some_and(|room| room.stacked);
+    let drawings = match stacked {
+        false => [diagram_width + GAP_MM + polygon_width, diagram_height.max(polygon_height)],
+        true => [diagram_width.max(polygon_width), diagram_height + GAP_MM + polygon_height],
+    };
+    let inner = [drawings[0].max(text_width), drawings[1] + GAP_MM + text_height];
+    let size = inner.map(|mm| mm + 2.0 * MARGIN_MM);
+    let total: usize = levels.iter().map(|s| s.sentences.len()).sum();
+    let mut done = 0;
+    let mut out = Vec::with_capacity(total);
+    for steps in &levels {
+        for k in 0..steps.sentences.len() {
+            done += 1;
+            let mut diagram = diagram.clone();
+            let top = size[1] - MARGIN_MM;
+            // The centres of the two drawings.
+            let [of_diagram, of_polygon] = match stacked {
+                false => {
+                    let middle = top - drawings[1] / 2.0;
+                    let left = MARGIN_MM + diagram_width + GAP_MM;
+                    [Point::new(MARGIN_MM + diagram_width / 2.0, middle), Point::new(left + polygon_width / 2.0, middle)]
+                }
+                true => {
+                    let middle = MARGIN_MM + drawings[0] / 2.0;
+                    [Point::new(middle, top - diagram_height / 2.0), Point::new(middle, top - drawings[1] + polygon_height / 2.0)]
+                }
+            };
+            diagram.translate(of_diagram - diagram.bounds.centre());
+            let mut polygon = steps.at(k);
+            polygon.translate(of_polygon - polygon.bounds.centre());
+            let mut text = steps.text(k);
+            text.stand_at(Point::new(MARGIN_MM, top - drawings[1] - GAP_MM));
+            let items = [diagram.items, polygon.items, text.items].concat();
+            let mut figure = maker.figure(items, size);
+            let step = match options.lang {
+                Lang::En => format!("step {done} of {total}"),
+                Lang::Zh => format!("第 {done} 步，共 {total} 步"),
+            };
+            figure.title = format!("{} · {step}", figure.title);
+            figure.desc = steps.sentences[k].plain();
+            out.push(figure);
+        }
+    }
+    out
+}
+
+/// The steps of one polygon.
+struct Steps {
+    polygon: Part,
+    sentences: Vec<Phrase>,
+    /// Their lines.
+    lines: Vec<Vec<Label>>,
+    /// For each sentence, the equation being solved.
+    equations: Vec<Option<Part>>,
+    caption_mm: f64,
+}
+
+impl Steps {
+    fn of(maker: &Maker, p: &Polygon, (told, written): (&certified::Steps, &[Part]), width_mm: Option<f64>) -> Steps {
+        let polygon = maker.captioned(maker.polygon(p), "", p.level);
+        let sentences = sentences(&maker.writer(), &maker.worked.construction, p, told);
+        let finds = |part: &Part| part.items.iter().flat_map(Item::steps).max();
+        // The pole has no equation; an action belongs to the first equation that is solved at it or after it. What is
+        // only read off belongs to none.
+        let equation = |k: usize| {
+            let action = k.checked_sub(1)?;
+            if p.actions[action].reads() {
+                return None;
+            }
+            written.iter().find(|part| finds(part).is_some_and(|step| step >= action)).cloned()
+        };
+        let equations = (0..sentences.len()).map(equation).collect();
+        let style = &maker.options.style;
+        let broken = |phrase: &Phrase| match width_mm {
+            None => vec![phrase.label().in_fonts(&style.fonts)],
+            Some(width_mm) => wrapped(phrase, width_mm, style.caption_mm, &style.fonts),
+        };
+        let lines = sentences.iter().map(broken).collect();
+        Steps { polygon, sentences, lines, equations, caption_mm: style.caption_mm }
+    }
+
+    /// The polygon when `k` actions are done: later ones are not there, earlier ones stand back.
+    fn at(&self, k: usize) -> Part {
+        let faded = Palette { ink: EARLIER, ..Palette::default() };
+        let mut part = self.polygon.clone();
+        part.items.retain(|item| item.steps().next().is_none_or(|_| item.steps().any(|step| step < k)));
+        for item in &mut part.items {
+            let earlier = item.steps().next().is_some() && !item.steps().any(|step| step + 1 == k);
+            if earlier {
+                faded.item(item);
+            }
+        }
+        part
+    }
+
+    /// The equation and the sentence below it.
+    fn text(&self, k: usize) -> Part {
+        let mut items = Vec::new();
+        let mut y = 0.0;
+        if let Some(equation) = &self.equations[k] {
+            let mut equation = equation.clone();
+            equation.stand_at(Point::ORIGIN);
+            y -= equation.bounds.height_mm() + LINE_MM;
+            items.append(&mut equation.items);
+        }
+        for (n, label) in self.lines[k].iter().enumerate() {
+            let shape = Shape::Label {
+                at: Point::new(0.0, y - self.caption_mm * (1.0 + LEADING * n as f64)),
+                label: label.clone(),
+                size_mm: self.caption_mm,
+                anchor: Anchor::Start,
+                colour: Colour::BLACK,
+            };
+            let id = if n == 0 { "sentence".to_owned() } else { format!("sentence-{}", n + 1) };
+            items.push(Item::new("sentence", shape).with_id(&id));
+        }
+        let mut part = Part::of(items);
+        // From its upper left corner, whatever its first letter looks like.
+        part.bounds = Rect::new(part.bounds.min, Point::ORIGIN + Vec2::new(part.bounds.max.x, 0.0));
+        part
+    }
+
+    fn text_mm(&self) -> [f64; 2] {
+        let sizes = (0..self.sentences.len()).map(|k| self.text(k).bounds);
+        sizes.fold([0.0, 0.0], |[w, h], b| [w.max(b.width_mm()), h.max(b.height_mm())])
+    }
+}

@@ -1,0 +1,288 @@
+//! Figures of a synthesis: the construction with numbered steps, the linkage in its wanted positions, wanted against real.
+
+mod positions;
+
+pub use positions::{MOVES, Scaled, deviation, linkage, scaled};
+
+use hodograph_base::diag::Faults;
+use hodograph_base::digits::{inked, shortest, significant};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::construct::scale::choose;
+use hodograph_paper::paper::extent::{Rect, translate};
+use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, PLACED, Shape, Stroke, tag};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::lines::wrapped;
+use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::place::{LabelRequest, Obstacles, place};
+use hodograph_paper::paper::style::Style;
+use hodograph_paper::paper::text;
+use hodograph_paper::paper::words::words;
+use hodograph_report::symbols::symbols;
+use hodograph_scene::{Kind, Lang};
+use hodograph_synthesis::board::{Board, Stroke as Drawn, Weight};
+use hodograph_synthesis::candidate::symbol;
+use hodograph_synthesis::{Candidate, Task, construct};
+
+/// Room of a drawing (mm): an A4 sheet with its margins, and text below.
+const ROOM_MM: [f64; 2] = [150.0, 120.0];
+const MARGIN_MM: f64 = 10.0;
+/// Construction lines go on for so much beyond what is marked.
+const BEYOND_MM: f64 = 14.0;
+/// Width of the text below.
+const TEXT_MM: f64 = 165.0;
+/// Widths of the three kinds of stroke: given strong, construction thin, result like a vector.
+const THIN: Stroke = Stroke::new(0.13);
+
+/// How a figure is set.
+#[derive(Clone, Copy, Debug)]
+pub struct Set<'a> {
+    /// Weights, sizes, fonts, colours.
+    pub style: &'a Style,
+    /// The language of its words.
+    pub lang: Lang,
+    /// Whether it stands for itself: with its title, and the sentences of the steps below. Else what is around it says them.
+    pub whole: bool,
+}
+
+/// All figures of a candidate, each with the word that names its file.
+///
+/// # Errors
+/// Drawing and formula disagree.
+pub fn figures(task: &Task, candidate: &Candidate, style: &Style, lang: Lang) -> Result<Vec<(&'static str, Figure)>, Faults> {
+    let set = Set { style, lang, whole: true };
+    let mut out = Vec::new();
+    if let Some(board) = to_scale(task, candidate)? {
+        out.push(("construction", construction(task, candidate, &board, set)));
+    }
+    out.push(("positions", linkage(task, candidate, set)));
+    out.extend(deviation(task, candidate, set).map(|f| ("deviation", f)));
+    Ok(out)
+}
+
+/// The construction to a round scale that fits the paper, or to the scale that the file asks for.
+///
+/// # Errors
+/// Drawing and formula disagree.
+pub fn to_scale(task: &Task, candidate: &Candidate) -> Result<Option<Board>, Faults> {
+    if let Some(mu) = task.paper.scales.get(Kind::Length) {
+        return construct(task, candidate, mu);
+    }
+    // A first drawing in millimetres tells how large it is.
+    let Some(board) = construct(task, candidate, 1e-3)? else { return Ok(None) };
+    let Some(window) = window(&board) else { return Ok(None) };
+    construct(task, candidate, choose([window.width_mm() * 1e-3, window.height_mm() * 1e-3], ROOM_MM))
+}
+
+/// A picture for each step of a construction: later steps are not there yet.
+pub fn growing(construction: &Figure) -> Vec<(String, Figure)> {
+    let last = construction.items.iter().flat_map(Item::steps).max().unwrap_or(0);
+    let at = |k: usize| {
+        let mut figure = construction.clone();
+        figure.items.retain(|item| item.steps().all(|step| step <= k));
+        (format!("step-{:02}", k + 1), figure)
+    };
+    (0..=last).map(at).collect()
+}
+
+/// What is marked, and the lines of the linkage.
+fn window(board: &Board) -> Option<Rect> {
+    let marks = board.steps.iter().flat_map(|s| s.marks.iter().map(|m| m.1));
+    let ends = board.steps.iter().flat_map(|s| &s.strokes).filter(|(_, w)| *w != Weight::Thin).flat_map(|(stroke, _)| match *stroke {
+        Drawn::Line(p, q) => vec![p, q],
+        Drawn::Circle(c, r) | Drawn::Arc(c, r, _) => vec![c - Vec2::new(r, r), c + Vec2::new(r, r)],
+    });
+    let own = around(marks.chain(ends))?;
+    // Where the compasses strike, too, as long as that makes the drawing little larger.
+    let struck = board.steps.iter().flat_map(|s| &s.strokes).filter_map(|(stroke, _)| match *stroke {
+        Drawn::Arc(c, r, at) => Some(c + Vec2::from_angle(at) * r),
+        Drawn::Line(..) | Drawn::Circle(..) => None,
+    });
+    let room = |grown: Rect| grown.width_mm().max(grown.height_mm()) <= MORE * own.width_mm().max(own.height_mm());
+    Some(struck.fold(own, |window, at| Some(window.union(Rect::new(at, at))).filter(|w| room(*w)).unwrap_or(window)))
+}
+
+/// So much larger a drawing may become to show where the compasses strike.
+const MORE: f64 = 1.2;
+
+fn around(points: impl Iterator<Item = Point>) -> Option<Rect> {
+    points.map(|p| Rect::new(p, p)).reduce(Rect::union)
+}
+
+/// The part of a chain of points within a window, in pieces.
+fn clipped(points: &[Point], window: Rect) -> Vec<Vec<Point>> {
+    let inside = |p: &Point| p.x >= window.min.x && p.x <= window.max.x && p.y >= window.min.y && p.y <= window.max.y;
+    let mut out: Vec<Vec<Point>> = vec![Vec::new()];
+    for p in points {
+        match out.last_mut() {
+            Some(piece) if inside(p) => piece.push(*p),
+            Some(piece) if !piece.is_empty() => out.push(Vec::new()),
+            _ => {}
+        }
+    }
+    out.retain(|piece| piece.len() > 1);
+    out
+}
+
+/// Half the angle of the arc that the compasses strike at a crossing (rad).
+const ARC: f64 = 0.2;
+
+/// A stroke as chains of points: fine enough that no corner shows.
+fn chain(stroke: &Drawn) -> Vec<Point> {
+    const STEPS: usize = 720;
+    match *stroke {
+        Drawn::Line(p, q) => (0..=STEPS).map(|k| p + (q - p) * (k as f64 / STEPS as f64)).collect(),
+        Drawn::Arc(c, r, middle) => {
+            let at = |k: usize| c + Vec2::from_angle(middle + ARC * (k as f64 / 20.0 - 1.0)) * r;
+            (0..=40).map(at).collect()
+        }
+        Drawn::Circle(c, r) => (0..=STEPS).map(|k| c + Vec2::from_angle(std::f64::consts::TAU * k as f64 / STEPS as f64) * r).collect(),
+    }
+}
+
+/// The construction with its steps numbered.
+pub fn construction(task: &Task, candidate: &Candidate, board: &Board, set: Set) -> Figure {
+    let Set { style, lang, whole } = set;
+    let window = window(board).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(BEYOND_MM);
+    let mut items = Vec::new();
+    let mut wanted: Vec<(LabelRequest, usize)> = Vec::new();
+    let label = |text: &str| Label::math(text).in_fonts(&style.fonts);
+    for (k, step) in board.steps.iter().enumerate() {
+        let stroke_of = |weight: Weight| match weight {
+            Weight::Given => style.outline,
+            Weight::Thin => THIN.coloured(Colour::grey(90)),
+            Weight::Result => style.vector,
+        };
+        let class = format!("step-{k} construction");
+        let mut numbered = false;
+        for (stroke, weight) in &step.strokes {
+            let whole = chain(stroke);
+            let pieces = clipped(&whole, window);
+            // Of an arc at the edge a piece would tell nothing: it is all there, or not at all.
+            let cut = matches!(stroke, Drawn::Arc(..)) && pieces.iter().map(Vec::len).sum::<usize>() < whole.len();
+            for points in pieces.into_iter().filter(|_| !cut) {
+                // The number of the step stands at its first stroke.
+                if !numbered && points.len() > 4 {
+                    let at = points.len() / 3;
+                    let number = Label::text(format!("({})", k + 1)).in_fonts(&style.fonts);
+                    wanted.push((
+                        LabelRequest::along(number, style.small_mm * 0.8, points[at], points[at + points.len() / 6], 0.3).optional(true),
+                        k,
+                    ));
+                    numbered = true;
+                }
+                let points = match stroke {
+                    Drawn::Line(..) => [points.first(), points.last()].into_iter().flatten().copied().collect(),
+                    Drawn::Circle(..) | Drawn::Arc(..) => points,
+                };
+                let shape = Shape::Polyline { points, closed: false, stroke: Some(stroke_of(*weight)), fill: None };
+                items.push(Item::new(class.clone(), shape));
+            }
+        }
+        for (name, at) in &step.marks {
+            let shape = Shape::Circle { centre: *at, radius_mm: 0.55, stroke: None, fill: Some(Colour::BLACK) };
+            items.push(Item::new(class.clone(), shape));
+            wanted.push((LabelRequest::at_point(label(name), style.small_mm, *at, 0.9), k));
+        }
+    }
+    let room = window.grown(6.0);
+    let (requests, brought): (Vec<LabelRequest>, Vec<usize>) = wanted.into_iter().unzip();
+    let placed = place(&requests, &Obstacles::of(&items), room);
+    for ((request, at), k) in requests.iter().zip(&placed).zip(brought) {
+        let mut labels = at.items(request, PLACED, style.thin);
+        tag(&mut labels, &format!("step-{k}"));
+        items.extend(labels);
+    }
+    let lines = if whole { sentences(candidate, board, set) } else { Vec::new() };
+    let part = tr(lang, "construction", "作图");
+    page(task, part, items, room, (Some(scale_of(board.mu_l)), lines), set)
+}
+
+/// A scale as a caption.
+fn scale_of(mu_l: f64) -> Label {
+    Label::math(format!("\\mu_l = {}\\,\\text{{m/mm}}", inked(&shortest(mu_l))))
+}
+
+/// What is done in each step, and what is read off the paper.
+fn sentences(candidate: &Candidate, board: &Board, Set { style, lang, .. }: Set) -> Vec<Label> {
+    let mut lines: Vec<Label> = Vec::new();
+    let mut add = |sentence: &str| lines.extend(wrapped(&Phrase::new(sentence), TEXT_MM, style.small_mm, &style.fonts));
+    for (k, step) in board.steps.iter().enumerate() {
+        add(&symbols(&format!("({}) {}", k + 1, lang.of(&step.text))));
+    }
+    let (open, close) = (tr(lang, " (", "（"), tr(lang, ")", "）"));
+    let readings = board.readings.iter().filter_map(|r| {
+        let formula = candidate.number(&r.name)?.abs();
+        let name = format!("${}$", symbol(&r.name));
+        Some(match r.angle {
+            true => {
+                format!("{} = {}°{open}{}°{close}", name, significant(board.value(r).to_degrees(), 5), significant(formula.to_degrees(), 5))
+            }
+            false => format!(
+                "{} = {} mm × $\\mu_l$ = {} mm{open}{} mm{close}",
+                name,
+                significant(r.measured, 4),
+                significant(board.value(r) * 1e3, 5),
+                significant(formula * 1e3, 5)
+            ),
+        })
+    });
+    let read = tr(lang, "Measured, in brackets the closed formula: ", "图上量得（括号内为公式值）：");
+    add(&format!("{read}{}", readings.collect::<Vec<_>>().join(tr(lang, "; ", "；"))));
+    lines
+}
+
+/// A figure with title, drawing, caption and text.
+fn page(task: &Task, part: &str, items: Vec<Item>, room: Rect, text: (Option<Label>, Vec<Label>), set: Set) -> Figure {
+    laid_out(task, part, items, room, text, set).0
+}
+
+/// The same, and how far everything was moved.
+fn laid_out(
+    task: &Task,
+    part: &str,
+    mut items: Vec<Item>,
+    room: Rect,
+    (caption, lines): (Option<Label>, Vec<Label>),
+    Set { style, lang, whole }: Set,
+) -> (Figure, Vec2) {
+    let title = match lang {
+        Lang::En => format!("{}: {part}", lang.of(&task.heading.title)),
+        Lang::Zh => format!("{}：{part}", lang.of(&task.heading.title)),
+    };
+    let (small, large) = (style.small_mm, style.caption_mm * 1.15);
+    let heading = Label::text(title.as_str()).in_fonts(&style.fonts);
+    let wide = if whole { text::set(&heading).width_em * large } else { 0.0 };
+    let text_mm = if lines.is_empty() { 0.0 } else { TEXT_MM };
+    // Inside a document the margins are the document's.
+    let (margin, head) = if whole { (MARGIN_MM, 14.0) } else { (1.0, 1.0) };
+    let width_mm = room.width_mm().max(wide).max(text_mm) + 2.0 * margin;
+    let line = small * 1.5;
+    let below = lines.len() as f64 * line + if caption.is_some() { 9.0 } else { 0.0 } + if whole { 4.0 } else { 0.0 };
+    let height_mm = margin + below + room.height_mm() + head;
+    let centre = room.centre();
+    let shift = Vec2::new(width_mm / 2.0 - centre.x, margin + below - room.min.y);
+    translate(&mut items, shift);
+    let words_at = |class: &str, at: Point, label: Label, size_mm: f64, anchor: Anchor| {
+        let label = label.in_fonts(&style.fonts);
+        Item::new(class, Shape::Label { at, label, size_mm, anchor, colour: Colour::BLACK })
+    };
+    if whole {
+        items.push(words_at("title", Point::new(width_mm / 2.0, height_mm - 10.0), heading, large, Anchor::Middle));
+    }
+    let mut y = margin + below - 4.0;
+    if let Some(caption) = caption {
+        items.push(words_at("mu_l", Point::new(width_mm / 2.0, y), caption, small, Anchor::Middle));
+        y -= 9.0;
+    }
+    let left = (width_mm - text_mm) / 2.0;
+    for l in lines {
+        items.push(words_at("step", Point::new(left, y), l, small, Anchor::Start));
+        y -= line;
+    }
+    for (k, item) in items.iter_mut().enumerate() {
+        item.id = format!("synthesis-{k}");
+    }
+    let mut figure = Figure { width_mm, height_mm, desc: title.clone(), title, lang: words(lang).tag.into(), paper: Colour::WHITE, items };
+    style.palette.paint(&mut figure);
+    (figure, shift)
+}

@@ -1,0 +1,306 @@
+//! The equations of a level as they are written beside the polygon: tables for equations with two chains, one line for
+//! everything else.
+
+use hodograph_worked::certified::Steps;
+use std::ops::Range;
+
+use hodograph_base::digits::inked;
+use hodograph_board::construct::{Action, Construction, Polygon};
+use hodograph_board::plan::text::{Column, Writer, vertex_name};
+use hodograph_board::plan::{Chain, Special, SpecialLine, Step, VertexId};
+use hodograph_mechanism::mechanism::{ConstraintLine, Level};
+use hodograph_paper::paper::phrase::{Phrase, fill};
+use hodograph_scene::{PointId, Scene};
+
+use super::results::DIGITS;
+use hodograph_paper::paper::drawing::{Part, id};
+use hodograph_paper::paper::grid::{self, Cell, Row};
+use hodograph_paper::paper::item::{Anchor, Item};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::lines::wrapped;
+use hodograph_paper::paper::style::Style;
+use hodograph_paper::paper::words::{Words, words};
+use hodograph_report::amount::number;
+
+/// From a symbol's baseline to the row below it, and between rows.
+const ROW_MM: f64 = 7.2;
+/// From the top of a table to its symbols' baseline: superscripts go this high.
+const TOP_MM: f64 = 5.6;
+/// Below the last baseline: subscripts go this low.
+const BOTTOM_MM: f64 = 1.8;
+/// Between the columns of a table: a binary operator's space.
+const GAP_MM: f64 = 2.6;
+/// A statement in one line.
+const LINE_MM: f64 = 6.6;
+
+/// What the tables are made from.
+#[derive(Clone, Copy)]
+pub struct Tables<'a> {
+    /// Sizes.
+    pub style: &'a Style,
+    /// Names and symbols.
+    pub writer: &'a Writer<'a>,
+    /// The alternatives that were drawn.
+    pub construction: &'a Construction,
+    /// The certified numbers of its steps.
+    pub steps: &'a Steps,
+    /// A column's width: longer equations go on in a further table, longer statements in a further line.
+    pub width_mm: Option<f64>,
+}
+
+impl Tables<'_> {
+    /// One part for each step of a level, in the order of solving.
+    pub fn parts(&self, level: Level) -> Vec<Part> {
+        self.parts_of(level, |_| true)
+    }
+
+    /// The same of some groups only, by their places in the mechanism's list.
+    pub fn parts_of(&self, level: Level, wanted: impl Fn(usize) -> bool) -> Vec<Part> {
+        let Some(polygon) = self.construction.polygon(level) else { return Vec::new() };
+        let mut parts = Vec::new();
+        for group in self.writer.plan.steps(level).iter().filter(|g| wanted(g.group)) {
+            let chosen = group.drawn(self.construction.chosen[group.group]);
+            for step in group.steps(chosen) {
+                let step_class = step_class(polygon, target(step));
+                match step {
+                    Step::Equation { target, chains, .. } => {
+                        if let Some(special) = self.writer.plan.special(*target) {
+                            parts.push(self.special(level, *target, special, &step_class));
+                        }
+                        parts.extend(self.equation(level, *target, chains, &step_class));
+                    }
+                    Step::Image { target, from, .. } => parts.push(self.image(level, *target, *from, &step_class)),
+                    Step::Same { target, from, link } => {
+                        let w = self.writer;
+                        let formula = format!("{} = {}", w.summand(level, *target), w.summand(level, *from));
+                        let why = self.words().no_turning.replace("{}", w.scene.link_name(*link));
+                        parts.push(self.line(level, *target, &formula, Some(Label::text(why)), &step_class));
+                    }
+                }
+            }
+        }
+        parts
+    }
+
+    fn vertex(&self, v: VertexId) -> String {
+        vertex_name(self.writer.scene, self.writer.plan, v)
+    }
+
+    fn words(&self) -> &'static Words {
+        words(self.writer.lang)
+    }
+
+    fn cell(&self, label: Label, size_mm: f64, anchor: Anchor, id: String, class: &str) -> Cell {
+        Cell { label: label.in_fonts(&self.style.fonts), size_mm, anchor, class: class.into(), id }
+    }
+
+    fn equation(&self, level: Level, target: VertexId, chains: &[Chain], step: &str) -> Vec<Part> {
+        let (w, book) = (self.writer, &self.writer.scene.book);
+        if let [chain] = chains {
+            let [term] = chain.known[..] else {
+                // Nothing is added: the point moves as one known before.
+                if chain.known.is_empty() {
+                    let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.summand(level, chain.start) };
+                    let formula = format!("{} = {start}", w.summand(level, target));
+                    return (chain.start != target).then(|| self.line(level, target, &formula, None, step)).into_iter().collect();
+                }
+                return self.table(level, target, chains, step);
+            };
+            if w.plan.vertex(chain.start).fixed {
+                let (whole, part) = (w.vector(level, target), w.symbol(level, &term));
+                // On the drawing it is the whole vector that is named.
+                let head = if whole == part { whole } else { format!("{whole} = {part}") };
+                // What a driver gives is a number, not a formula.
+                let magnitude = match (w.magnitude(level, &term), self.construction.vector(level, target)) {
+                    (known, Some(v)) if known == w.notation.known => {
+                        let certain = self.steps.vector(level, target).and_then(|n| n.text(DIGITS)).map(|(text, _)| inked(&text));
+                        let rough = || format!("\\approx {}", number(book.value(level.kind(), v.norm()), 1));
+                        book.label(level.kind(), &certain.unwrap_or_else(rough))
+                    }
+                    (formula, _) => formula,
+                };
+                let formula = format!("{head} = {magnitude}");
+                return vec![self.line(level, target, &formula, Some(Label::math(w.direction(&term))), step)];
+            }
+        }
+        self.table(level, target, chains, step)
+    }
+
+    /// The table of an equation; in a column, as many as it takes, each going on before a sign.
+    fn table(&self, level: Level, target: VertexId, chains: &[Chain], step: &str) -> Vec<Part> {
+        let columns = self.writer.columns(level, target, chains);
+        let set = |ends: Range<usize>| self.part_of_table(level, target, &columns, ends, step);
+        let Some(width_mm) = self.width_mm else { return vec![set(0..columns.len())] };
+        let (mut parts, mut start) = (Vec::new(), 0);
+        while start < columns.len() {
+            let fits = |end: &usize| set(start..*end).bounds.width_mm() <= width_mm;
+            let most = (start + 1..=columns.len()).rev().find(fits).unwrap_or(start + 1);
+            // A sum of several terms is not parted from itself: it ends at the sign of equality, if what follows fits.
+            let at_equality = |k: &usize| columns[*k].joint == "=" && set(*k..columns.len()).bounds.width_mm() <= width_mm;
+            let end = if most < columns.len() { (start + 2..=most).rev().find(at_equality).unwrap_or(most) } else { most };
+            parts.push(set(start..end));
+            start = end;
+        }
+        parts
+    }
+
+    fn part_of_table(&self, level: Level, target: VertexId, columns: &[Column], ends: Range<usize>, step: &str) -> Part {
+        let (w, style, words) = (self.writer, self.style, self.words());
+        let name = id(kind(level), &format!("equation-{}", self.vertex(target)));
+        let class = |what: &str| format!("{} table {what} {step}", kind(level));
+        let head = |word: &str, what: &str| {
+            let id = if ends.start == 0 { format!("{name}-{what}") } else { format!("{name}-{what}-from-{}", ends.start) };
+            Some(self.cell(heading(word), style.caption_mm, Anchor::End, id, &class("heading")))
+        };
+        let mut symbols = vec![None];
+        let mut magnitudes = vec![head(words.magnitude, "magnitude")];
+        let mut directions = vec![head(words.direction, "direction")];
+        for (k, c) in columns.iter().enumerate().take(ends.end).skip(ends.start) {
+            let cell = |text: &str, size: f64, what: &str| {
+                Some(self.cell(Label::math(text), size, Anchor::Middle, format!("{name}-{what}-{k}"), &class(what)))
+            };
+            symbols.push(if c.joint.is_empty() { None } else { cell(c.joint, style.label_mm, "joint") });
+            symbols.push(cell(&c.symbol, style.label_mm, "symbol"));
+            magnitudes.extend([None, cell(&c.magnitude, style.caption_mm, "magnitude")]);
+            directions.extend([None, cell(&c.direction, style.caption_mm, "direction")]);
+        }
+        let [top, row, bottom] = [TOP_MM, ROW_MM, BOTTOM_MM].map(|mm| style.leading(mm));
+        let mut rows = vec![Row { cells: symbols, height_mm: top }];
+        let both = if w.notation.first_row == "direction" { [directions, magnitudes] } else { [magnitudes, directions] };
+        rows.extend(both.map(|cells| Row { cells, height_mm: row }));
+        self.boxed(grid::set(&rows, style.leading(GAP_MM)), top + 2.0 * row + bottom)
+    }
+
+    /// A part whose box is as high as its rows, whatever stands in them, so that stacked tables keep their rhythm.
+    fn boxed(&self, items: Vec<Item>, height_mm: f64) -> Part {
+        let mut part = Part::of(items);
+        part.bounds.max.y = part.bounds.max.y.max(0.0);
+        part.bounds.min.y = part.bounds.min.y.min(-height_mm);
+        part
+    }
+
+    fn line(&self, level: Level, target: VertexId, formula: &str, why: Option<Label>, step: &str) -> Part {
+        let name = id(kind(level), &format!("statement-{}", self.vertex(target)));
+        let class = format!("{} statement {step}", kind(level));
+        let mut cells = vec![Some(self.cell(Label::math(formula), self.style.label_mm, Anchor::Start, name.clone(), &class))];
+        if let Some(why) = why {
+            // A quad keeps formula and reason apart.
+            cells.push(Some(self.cell(why, self.style.caption_mm, Anchor::Start, format!("{name}-why"), &class)));
+        }
+        self.statement(vec![cells], self.style.label_mm)
+    }
+
+    /// Statements below each other, their cells a gap apart.
+    fn statement(&self, rows: Vec<Vec<Option<Cell>>>, gap_mm: f64) -> Part {
+        let [top, line] = [TOP_MM, LINE_MM].map(|mm| self.style.leading(mm));
+        let height = line * rows.len() as f64;
+        let heights = std::iter::once(top).chain(std::iter::repeat(line));
+        let rows: Vec<Row> = rows.into_iter().zip(heights).map(|(cells, height_mm)| Row { cells, height_mm }).collect();
+        self.boxed(grid::set(&rows, gap_mm), height)
+    }
+
+    fn image(&self, level: Level, target: VertexId, from: (VertexId, VertexId), step: &str) -> Part {
+        let w = self.writer;
+        let images = format!("{}{}{}", w.image(level, from.0), w.image(level, from.1), w.image(level, target));
+        let points = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(target));
+        // Three points in line make no triangle: their image is a ratio.
+        let in_line = self.construction.diagram.in_line([from.0, from.1, target]);
+        let head = Label::math(format!("{}: \\quad", w.vector(level, target)));
+        let similar = if in_line {
+            let ratio = |[a, b, x]: [String; 3]| format!("{a}{b}/{a}{x}");
+            let images = ratio([from.0, from.1, target].map(|v| w.image(level, v)));
+            head.then(Label::math(format!("{images} = {}", ratio([from.0, from.1, target].map(|v| w.spot(v))))))
+        } else {
+            // No embedded font has the sign △; a capital delta has its shape.
+            let similar = Label::math(w.notation.similar.as_str());
+            let sides = [Label::text("Δ"), Label::math(images), Label::text(" "), similar, Label::text(" Δ"), Label::math(points)];
+            sides.into_iter().fold(head, Label::then)
+        };
+        let name = id(kind(level), &format!("statement-{}", self.vertex(target)));
+        let class = format!("{} statement image {step}", kind(level));
+        let mut cells = vec![Some(self.cell(similar, self.style.label_mm, Anchor::Start, name.clone(), &class))];
+        if !in_line {
+            let why = Label::text(self.words().image);
+            cells.push(Some(self.cell(why, self.style.caption_mm, Anchor::Start, format!("{name}-why"), &class)));
+        }
+        self.statement(vec![cells], self.style.label_mm)
+    }
+
+    /// What a special point is.
+    fn special(&self, level: Level, target: VertexId, special: &Special, step: &str) -> Part {
+        let [a, b] = special.lines.each_ref().map(|line| special_line(self.writer, self.words(), line));
+        let (letter, link) = (self.writer.spot(target), self.writer.scene.link_name(special.link));
+        let text = fill(self.words().special_point, &[("S", &letter), ("1", &a), ("2", &b), ("", link)]);
+        let class = format!("{} statement special {step}", kind(level));
+        let id = match special.legs {
+            Some(_) => id(kind(level), &format!("special-{}", special.group)),
+            None => id(kind(level), &format!("special-{}-{link}", special.group)),
+        };
+        let size_mm = self.style.caption_mm;
+        let told = Phrase::new(&text);
+        let lines = match self.width_mm {
+            Some(width_mm) => wrapped(&told, width_mm, size_mm, &self.style.fonts),
+            None => vec![told.label()],
+        };
+        let row = |(k, line): (usize, Label)| {
+            let id = if k == 0 { id.clone() } else { format!("{id}-line-{}", k + 1) };
+            vec![Some(self.cell(line, size_mm, Anchor::Start, id, &class))]
+        };
+        self.statement(lines.into_iter().enumerate().map(row).collect(), 0.0)
+    }
+}
+
+/// A line along which a link is held, in words.
+pub fn special_line(w: &Writer, words: &Words, line: &SpecialLine) -> String {
+    match *line {
+        SpecialLine::Leg(line) => constraint_line(w.scene, words, line),
+        SpecialLine::Through { pin, special } => {
+            format!("${}{}$", w.spot(special), hodograph_board::plan::text::point_label(w.scene.point_name(pin)))
+        }
+    }
+}
+
+/// The line on which a leg gives a locus for every point of its link, in words.
+pub(crate) fn constraint_line(scene: &Scene, words: &Words, line: ConstraintLine) -> String {
+    let name = |p: PointId| hodograph_board::plan::text::point_label(scene.point_name(p));
+    match line {
+        ConstraintLine::Along { near, far } => format!("${}{}$", name(far), name(near)),
+        ConstraintLine::Normal { pin, .. } => fill(words.square_to_guide, &[("", &name(pin))]),
+        ConstraintLine::Tangent { at, .. } => fill(words.tangent_at, &[("", &name(at))]),
+    }
+}
+
+/// A row's heading, with the air that parts it from the first column.
+fn heading(word: &str) -> Label {
+    Label::text(word).then(Label::math("\\quad"))
+}
+
+fn kind(level: Level) -> &'static str {
+    match level {
+        Level::Acceleration => "acceleration",
+        Level::Position | Level::Velocity => "velocity",
+    }
+}
+
+/// The vertex that a step finds.
+pub fn target(step: &Step) -> VertexId {
+    match step {
+        Step::Equation { target, .. } | Step::Image { target, .. } | Step::Same { target, .. } => *target,
+    }
+}
+
+/// The class word of the action that finds a vertex.
+fn step_class(p: &Polygon, v: VertexId) -> String {
+    found_by(p, v).map(|n| format!("step-{n}")).unwrap_or_default()
+}
+
+/// The action of a polygon that finds a vertex.
+pub fn found_by(p: &Polygon, v: VertexId) -> Option<usize> {
+    let finds = |a: &Action| match a {
+        Action::Cross { target, .. } | Action::Copy { target, .. } | Action::Same { target, .. } | Action::Reach(target) => *target == v,
+        Action::LayOff(e) => p.edges[*e].to.0 == hodograph_board::construct::Mark::Image(v),
+        Action::Nothing { target, .. } => *target == Some(v),
+        Action::Line { .. } | Action::Join(_) | Action::Perpendicular { .. } | Action::Rate(_) => false,
+    };
+    p.actions.iter().position(finds)
+}

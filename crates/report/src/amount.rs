@@ -1,0 +1,139 @@
+//! Answers, their symbols and scales in the label language: `v_{C} = 0.8556 m/s`, `∠ 30°`, `μ_v = 0.01 (m/s)/mm`.
+
+use hodograph_base::digits::{direction_degrees, inked, shortest, significant};
+use hodograph_board::plan::names::{name_label, point_label};
+use hodograph_board::plan::notation::Notation;
+use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::words::Words;
+use hodograph_scene::quantity::combined::halves_of;
+use hodograph_scene::quantity::{Asked, Of, Over};
+use hodograph_scene::{Book, Find, Kind};
+use hodograph_worked::certified::ladder::{Certified, Part};
+
+/// A question's symbol: `vr_B2B3` → `v^{r}_{B2B3}`.
+pub fn symbol(find: &Find, notation: &Notation) -> String {
+    if let Asked::Combined(c) = find.what
+        && let Some(halves) = halves_of(&c, &find.text)
+    {
+        let [a, b] = [0, 1].map(|k| {
+            let half = Find { what: c.operands[k].asked(), text: halves[k].to_owned(), span: find.span };
+            symbol(&half, notation)
+        });
+        return format!("{a}{}{b}", c.operation.sign());
+    }
+    // Names may be parted by a comma or a hyphen; a hyphen would be read as a minus. `P13D` has no underscore.
+    let sub = find.text.split_once('_').map_or_else(|| find.text.strip_prefix('P').unwrap_or_default(), |(_, s)| s).replace('-', ",");
+    let entry = find.what.entry();
+    // Of a tangential part the notation has its mark.
+    let part = |sign: &str| match sign.strip_suffix('t') {
+        Some(before) => format!("{before}{}", notation.tangential),
+        None => sign.to_owned(),
+    };
+    let sup = match entry.over {
+        Over::Nothing => String::new(),
+        // The roller of a follower as a link of its own: `omega_5` as of any link.
+        Over::Sign(_) if !find.text.starts_with(entry.symbol) => String::new(),
+        Over::Sign(sign) => part(sign),
+        Over::Sliding => notation.sliding.clone(),
+        Over::SlidingPart(sign) => format!("{}\\,{}", notation.sliding, part(sign)),
+        Over::Coriolis => notation.coriolis.clone(),
+    };
+    // A coordinate is of the point itself, and so is written below as it stands on the diagram.
+    let place = matches!((find.what.of(), entry.kind), (Of::Point(_), Kind::Length));
+    let sub = if place { point_label(sub.trim()) } else { name_label(&sub) };
+    let letter = entry.letter;
+    if sup.is_empty() { format!("{letter}_{{{sub}}}") } else { format!("{letter}^{{{sup}}}_{{{sub}}}") }
+}
+
+/// A certified number, `shift` powers of ten up; where not a digit is certain, about what the `f64` solution says.
+fn certain(c: &Certified, part: Part, digits: usize, shift: i32, rough: f64) -> String {
+    match c.part(part).and_then(|n| n.text_scaled(digits, shift)) {
+        Some((text, _)) => inked(&text),
+        None => match c.rough_digits(digits) {
+            (known, true) => number(rough, known),
+            (known, false) => format!("\\approx {}", number(rough, known)),
+        },
+    }
+}
+
+/// An answer's number with its unit, in the label language.
+pub fn amount(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize) -> String {
+    let kind = find.what.kind();
+    let chosen = book.chosen(kind).is_some();
+    let number = match value {
+        // Small lengths are told in millimetres.
+        Value::Scalar(s) if kind == Kind::Length && !chosen && s.abs() < 10.0 => {
+            return format!("{} mm", certain(c, Part::Scalar, digits, 3, s * 1e3));
+        }
+        Value::Scalar(s) => {
+            let part = match (chosen, kind == Kind::Angle) {
+                (true, _) => Part::Printed,
+                (false, true) => Part::Degrees,
+                (false, false) => Part::Scalar,
+            };
+            certain(c, part, digits, 0, book.value(kind, s))
+        }
+        Value::Point(p) if !chosen && p.x.abs().max(p.y.abs()) < 10.0 => {
+            let coordinate = |part, si: f64| certain(c, part, digits, 3, si * 1e3);
+            // A unit is upright behind a number; behind a parenthesis it has to be said.
+            return format!("({}, {})\\,\\text{{mm}}", coordinate(Part::X, p.x), coordinate(Part::Y, p.y));
+        }
+        Value::Point(p) => {
+            let [x, y] = if chosen { [Part::PrintedX, Part::PrintedY] } else { [Part::X, Part::Y] };
+            let coordinate = |part, si: f64| certain(c, part, digits, 0, book.value(kind, si));
+            return format!("({}, {})\\,{}", coordinate(x, p.x), coordinate(y, p.y), book.upright(kind));
+        }
+        Value::Vector(v) => certain(c, if chosen { Part::Printed } else { Part::Magnitude }, digits, 0, book.value(kind, v.norm())),
+    };
+    // The sense is told in words.
+    book.label(kind, if kind.turns() { number.trim_start_matches('−') } else { &number })
+}
+
+/// An answer's direction or sense of turning, in words.
+pub fn sense(find: &Find, value: Value, c: &Certified, words: &Words, digits: usize) -> Label {
+    match value {
+        Value::Vector(v) if c.part(Part::Direction).is_some() || (c.rough_digits(digits).1 && v.norm() > 0.0) => {
+            let degrees = certain(c, Part::Direction, digits, 0, direction_degrees(v.angle()));
+            // A number alone is upright in the label language; only one with a power of ten needs it.
+            let number = if degrees.contains('\\') { Label::math(degrees) } else { Label::text(degrees) };
+            Label::text("∠ ").then(number).then(Label::text("°"))
+        }
+        Value::Scalar(s) if find.what.kind().turns() => Label::text(words.sense(c.part(Part::Scalar).map_or(s, |n| n.sign()))),
+        Value::Vector(_) | Value::Scalar(_) | Value::Point(_) => Label::text(""),
+    }
+}
+
+/// A number in the label language: `12.35`, `1.5 \times 10^{9}`.
+pub fn number(value: f64, digits: usize) -> String {
+    inked(&significant(value, digits))
+}
+
+/// The scale of a level: `\mu_v = 0.01 (m/s)/mm`.
+pub fn of_level(book: &Book, level: Level, mu: f64) -> String {
+    let kind = level.kind();
+    let letter = match level {
+        Level::Position => 'l',
+        Level::Velocity => 'v',
+        Level::Acceleration => 'a',
+    };
+    format!("\\mu_{letter} = {} {}", scale(book.value(kind, mu)), book.scale_label(kind))
+}
+
+/// A scale as the label language wants it: `0.002`, `2 \times 10^{-6}`.
+pub fn scale(mu: f64) -> String {
+    inked(&shortest(mu))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_for_people() {
+        assert_eq!(number(3.0e-15, 1), "3 \\times 10^{−15}");
+        assert_eq!(number(-12.3456, 4), "−12.35");
+        assert_eq!(Label::math(number(-1.5e9, 4)).faults(), []);
+    }
+}

@@ -1,0 +1,425 @@
+//! The answers: as text for people, as JSON for programs.
+
+use super::construction;
+use super::drafting;
+use hodograph_analytic::{Decided, SingularKind, Singularity, Why as Refusal};
+use hodograph_base::diag::Diagnostic;
+use hodograph_base::digits::{direction_degrees, shortest, significant};
+use hodograph_board::construct::Measured;
+use hodograph_board::plan::notation::Notation;
+use hodograph_board::plan::text::Writer;
+use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_paper::paper::phrase::{fill, formula, sense, tr};
+use hodograph_scene::{Book, Find, Kind, Lang, Scene};
+use hodograph_worked::certified::ladder::{Certified, Number, Part, READING_DIGITS, Why};
+use hodograph_worked::worked::{Far, NoAnswer, Outcome, Unanswered, Worked};
+use serde_json::{Value as Json, json};
+use unicode_width::UnicodeWidthStr;
+
+mod elsewhere;
+mod none;
+
+pub use none::{reason, verdict};
+
+/// Digits of the direction of a point at infinity.
+const DIRECTION_DIGITS: usize = 5;
+/// The version of the document that [`json()`] makes; `hodograph schema --solved` describes it.
+pub const SCHEMA: &str = "hodograph/solved/1";
+/// Digits that text answers show unless more or fewer are asked for.
+pub const DIGITS: usize = 6;
+
+/// Everything `solve` prints: one line a question, each number to `digits` significant digits as far as they are certain.
+pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, lang: Lang) -> String {
+    let notation = Notation::of_language(lang);
+    let w = Writer { scene, plan: &worked.plan, notation: &notation, lang };
+    let mut rows: Vec<[String; 5]> = Vec::new();
+    for line in lines(worked, certified) {
+        let (r, c) = match line {
+            Line::Answer(r, c) => (r, c),
+            Line::Far(far) => {
+                rows.push([scene.find[far.find].text.clone(), at_infinity(far, lang), String::new(), String::new(), String::new()]);
+                continue;
+            }
+            Line::None(u) => {
+                let value = format!("{} ({})", verdict(u, lang), reason(scene, u, lang));
+                rows.push([scene.find[u.find].text.clone(), value, String::new(), String::new(), String::new()]);
+                continue;
+            }
+        };
+        let find = &scene.find[r.find];
+        let tolerance = drafting::words(&scene.book, find, worked.drafting.as_ref().and_then(|d| d.tolerances[r.find].as_ref()));
+        let value = value_words(&scene.book, find, r.value(), c, digits, lang);
+        let remarks = [certainty_words(c, digits, lang), agreement_words(r, lang)];
+        let remarks: Vec<String> = remarks.into_iter().filter(|w| !w.is_empty()).collect();
+        rows.push([find.text.clone(), value, tolerance, measured_words(&w, worked, find, r, c, digits), remarks.join("  ")]);
+    }
+    // A line without an answer is as long as it is.
+    let width = |i: usize| rows.iter().filter(|r| i == 0 || !r[3..].iter().all(String::is_empty)).map(|r| r[i].width()).max().unwrap_or(0);
+    let widths = [width(0), width(1), width(2), width(3)];
+    let mut out = String::new();
+    let title = scene.title.get(lang);
+    if !title.is_empty() {
+        out.push_str(title);
+        out.push('\n');
+    }
+    for r in &rows {
+        let pad = |i: usize| format!("{}{}", r[i], " ".repeat(widths[i].saturating_sub(r[i].width())));
+        let tolerance = if widths[2] > 0 { format!("  {}", pad(2)) } else { String::new() };
+        out.push_str(format!("  {} = {}{tolerance}  {}  {}", pad(0), pad(1), pad(3), r[4]).trim_end());
+        out.push('\n');
+    }
+    if let Some(worst) = worst(worked) {
+        out.push_str(&format!(
+            "{}\n",
+            fill(
+                tr(lang, "greatest relative difference between drawing and analysis: {}", "图解法与解析法结果的最大相对差：{}"),
+                &[("", &significant(worst, 1))],
+            )
+        ));
+    }
+    out
+}
+
+/// One question: answered, or not.
+pub enum Line<'a> {
+    /// With its certificate.
+    Answer(&'a Outcome, &'a Certified),
+    /// Without an answer in the pose.
+    None(&'a Unanswered),
+    /// An instantaneous centre at infinity.
+    Far(&'a Far),
+}
+
+/// All questions in their order.
+pub fn lines<'a>(worked: &'a Worked, certified: &'a [Certified]) -> Vec<Line<'a>> {
+    let answered = worked.results.iter().zip(certified).map(|(r, c)| (r.find, Line::Answer(r, c)));
+    let none = worked.unanswered.iter().map(|u| (u.find, Line::None(u)));
+    let mut all: Vec<_> = answered.chain(none).chain(worked.at_infinity.iter().map(|f| (f.find, Line::Far(f)))).collect();
+    all.sort_by_key(|(find, _)| *find);
+    all.into_iter().map(|(_, line)| line).collect()
+}
+
+/// Where a centre lies that is nowhere in the plane: `at infinity, ∠ 35.00°`.
+pub fn at_infinity(far: &Far, lang: Lang) -> String {
+    match far.direction_deg {
+        Some(degrees) => fill(tr(lang, "at infinity, ∠ {}°", "无穷远处，∠ {}°"), &[("", &significant(degrees, DIRECTION_DIGITS))]),
+        None => tr(lang, "everywhere: no relative motion", "任意点：无相对运动").to_owned(),
+    }
+}
+
+/// The largest relative difference between drawing and analysis; `None` where nothing was compared.
+pub fn worst(worked: &Worked) -> Option<f64> {
+    worked.results.iter().filter_map(|r| r.agreement).map(|a| a.difference).reduce(f64::max)
+}
+
+/// A value with its unit, and with its sense or direction: the certified digits; where none are certain, about those of the `f64` solution.
+pub fn value_words(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize, lang: Lang) -> String {
+    let kind = find.what.kind();
+    let number = |part: Part, digits: usize, rough: f64| match c.part(part).and_then(|n| n.text(digits)) {
+        Some((text, _)) => text,
+        None => match c.rough_digits(digits) {
+            (known, true) => significant(rough, known),
+            (known, false) => format!("≈ {}", significant(rough, known)),
+        },
+    };
+    // The certified number that is printed, in its unit.
+    let printed = match book.chosen(kind) {
+        Some(_) => Part::Printed,
+        None if kind == Kind::Angle => Part::Degrees,
+        None if matches!(value, Value::Vector(_)) => Part::Magnitude,
+        None => Part::Scalar,
+    };
+    let amount = |si: f64, sign: &str| book.text(kind, number(printed, digits, book.value(kind, si)).trim_start_matches(sign));
+    match value {
+        Value::Vector(v) => {
+            let direction = match c.part(Part::Direction) {
+                None if v.norm() > 0.0 && matches!(c.why, Some(Why::NextOrder(_))) => {
+                    format!(" ∠ {}°", number(Part::Direction, digits.saturating_sub(1).max(1), direction_degrees(v.angle())))
+                }
+                Some(_) => format!(" ∠ {}°", number(Part::Direction, digits.saturating_sub(1).max(1), direction_degrees(v.angle()))),
+                None => String::new(),
+            };
+            format!("{}{direction}", amount(v.norm(), ""))
+        }
+        Value::Scalar(s) if kind.turns() => {
+            let sign = c.part(Part::Scalar).map_or(s, |n| n.sign());
+            let sense = if sign == 0.0 { String::new() } else { format!(" {}", sense(lang, sign)) };
+            format!("{}{sense}", amount(s, "-"))
+        }
+        Value::Scalar(s) => amount(s, ""),
+        Value::Point(p) => {
+            let [x, y] = if book.chosen(kind).is_some() { [Part::PrintedX, Part::PrintedY] } else { [Part::X, Part::Y] };
+            let coordinate = |part: Part, si: f64| number(part, digits, book.value(kind, si));
+            book.text(kind, &format!("({}, {})", coordinate(x, p.x), coordinate(y, p.y)))
+        }
+    }
+}
+
+/// Why fewer digits than asked for are printed; nothing where all are certain.
+fn certainty_words(c: &Certified, digits: usize, lang: Lang) -> String {
+    let Some(why) = &c.why else { return String::new() };
+    if let Why::NextOrder(known) = why {
+        // Said once for all by the note on the pose; here only where digits are missing.
+        return match lang {
+            _ if *known >= digits => String::new(),
+            Lang::En => format!("[{known} digits are true: {}]", why.words(lang)),
+            Lang::Zh => format!("[仅 {known} 位数字可靠：{}]", why.words(lang)),
+        };
+    }
+    let certain = c
+        .parts
+        .iter()
+        .filter(|(p, _)| !matches!(p, Part::X | Part::Y) || c.prints(*p))
+        .map(|(_, n)| n.text(digits).map_or(0, |t| t.1))
+        .min();
+    let why = why.words(lang);
+    match (certain, lang) {
+        (Some(k @ 1..), Lang::En) => format!("[{k} digits are certain: {why}]"),
+        (Some(k @ 1..), Lang::Zh) => format!("[仅 {k} 位数字可靠：{why}]"),
+        (_, Lang::En) => format!("[not certified: {why}]"),
+        (_, Lang::Zh) => format!("[未经验证：{why}]"),
+    }
+}
+
+fn measured_words(w: &Writer, worked: &Worked, find: &Find, r: &Outcome, c: &Certified, digits: usize) -> String {
+    let lang = w.lang;
+    let others: Vec<String> = r.others.iter().map(|v| value_words(&w.scene.book, find, *v, c, digits, lang)).collect();
+    match &r.drawn {
+        None if !others.is_empty() => match lang {
+            Lang::En => format!("(loop equations; on the other motion {})", others.join(", ")),
+            Lang::Zh => format!("（解析；另一运动：{}）", others.join("，")),
+        },
+        None if r.longer.is_some() => tr(lang, "(longer numbers)", "（高精度数）").into(),
+        None => tr(lang, "(loop equations)", "（解析）").into(),
+        Some(a) => match &a.measured {
+            // Where nothing moves there is no polygon and no scale.
+            Some(_) if worked.construction.is_empty(find.what.level()) => String::new(),
+            Some(m) => {
+                let certain = |n: Option<&Number>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| t.0);
+                let book = &w.scene.book;
+                let arm = certain(c.reading.as_ref().and_then(|r| r.arm.as_ref()));
+                let rough = |l: f64| significant(book.value(Kind::Length, l), READING_DIGITS);
+                let arm = m.arm_m.map(|l| format!(" / {}", book.text(Kind::Length, &arm.unwrap_or_else(|| rough(l))))).unwrap_or_default();
+                let length = if r.value().magnitude() == 0.0 { 0.0 } else { m.length_mm };
+                let length = certain(c.reading.as_ref().map(|r| &r.length_mm)).unwrap_or_else(|| significant(length, READING_DIGITS));
+                let level = find.what.level();
+                format!("({} {length} mm · μ {}{arm})", between(w, level, m), scale_words(book, level, m))
+            }
+            None => String::new(),
+        },
+    }
+}
+
+/// A scale as a factor, with its unit: the product is right as it stands.
+fn scale_words(book: &Book, level: Level, m: &Measured) -> String {
+    format!("{} {}", shortest(book.value(level.kind(), m.mu)), book.scale_name(level.kind()))
+}
+
+/// The letters of the two marks between which a length lies: `bc`, `n′_c–c′`.
+fn between(w: &Writer, level: Level, m: &Measured) -> String {
+    let [from, to] = m.marks.map(|(mark, _)| formula(&construction::mark(w, level, &mark)));
+    // After a subscript the next letter would read as a part of it.
+    let apart = if from.contains('_') { "–" } else { "" };
+    format!("{from}{apart}{to}")
+}
+
+fn agreement_words(r: &Outcome, lang: Lang) -> String {
+    match r.agreement {
+        Some(a) if !a.holds() => {
+            format!("{} {}", tr(lang, "DRAWING AND ANALYSIS DISAGREE:", "图解与解析不一致："), significant(a.difference, 2))
+        }
+        _ => String::new(),
+    }
+}
+
+/// The answers for programs: SI values, components, the measured length, both ways and their difference.
+pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, notes: &[Diagnostic]) -> Json {
+    let notation = Notation::of_language(Lang::En);
+    let w = Writer { scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
+    let elsewhere = elsewhere::drawn(scene, worked);
+    let answers: Vec<Json> = lines(worked, certified)
+        .into_iter()
+        .map(|line| {
+            let (r, c) = match line {
+                Line::Answer(r, c) => (r, c),
+                Line::None(u) => return unanswered(scene, worked, u),
+                Line::Far(far) => return far_json(scene, far),
+            };
+            let find = &scene.find[r.find];
+            let mut answer = json!({
+                "find": find.text,
+                "unit": find.what.kind().si(),
+                "unbounded": false,
+                "certified": certificate(c, digits),
+                "value": value(r.value()),
+                "in_unit": in_unit(&scene.book, find, r.value(), c, digits),
+                "drawing": r.drawn.as_ref().map(|a| a.value).or(elsewhere[r.find]).map(value),
+                "analysis": r.longer.is_none().then(|| value(r.computed)),
+                "longer_numbers": r.longer.map(|rung| rung.name()),
+                "measured_mm": r.drawn.as_ref().and_then(|a| a.measured.as_ref()).map(|m| m.length_mm),
+                "measured_between": r.drawn.as_ref().and_then(|a| a.measured.as_ref()).map(|m| m.marks.map(|(mark, _)| formula(&construction::mark(&w, find.what.level(), &mark)))),
+                "scale": r.drawn.as_ref().and_then(|a| a.measured.as_ref()).map(|m| m.mu),
+                "difference": r.agreement.map(|a| a.difference),
+                "agrees": r.agreement.map(|a| a.holds()),
+                "others": r.others.iter().map(|v| value(*v)).collect::<Vec<_>>(),
+                "why": null,
+            });
+            if let (Some(d), Json::Object(fields)) = (&worked.drafting, &mut answer) {
+                let of = drafting::answer_fields(d.tolerances[r.find].as_ref());
+                fields.extend(of.map(|(key, value)| (key.to_string(), value)));
+            }
+            answer
+        })
+        .collect();
+    let mut all = json!({
+        "schema": SCHEMA,
+        "title": {"en": scene.title.en, "zh": scene.title.zh},
+        "answers": answers,
+        // Infinite where singular, which JSON writes as null.
+        "condition": worked.solution.condition,
+        "singular": worked.solution.singular.iter().map(|s| singularity(scene, s)).collect::<Vec<_>>(),
+        "scales": Level::ALL.into_iter().filter_map(|level| Some((level.kind().scale_key()?.to_owned(), json!(worked.construction.scale(level))))).collect::<serde_json::Map<_, _>>(),
+        "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
+    });
+    if let Some(d) = &worked.drafting {
+        all["drafting"] = drafting::json(scene, worked, d);
+    }
+    all
+}
+
+/// The SI numbers of a value.
+fn value(v: Value) -> Json {
+    match v {
+        Value::Vector(v) => json!({"x": v.x, "y": v.y, "magnitude": v.norm(), "angle_deg": v.angle().to_degrees()}),
+        Value::Scalar(s) => json!({"value": s}),
+        Value::Point(p) => json!({"x": p.x, "y": p.y}),
+    }
+}
+
+/// The value in the unit that the scene asks for, with its name; null where it asks for none.
+fn in_unit(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize) -> Json {
+    let kind = find.what.kind();
+    let Some(unit) = book.chosen(kind) else { return Json::Null };
+    let text = |part: Part| c.part(part).and_then(|n| n.text(digits)).map(|t| t.0);
+    let one = |si: f64| json!({"unit": unit.name(), "value": unit.of(si), "text": text(Part::Printed)});
+    match value {
+        Value::Vector(v) => one(v.norm()),
+        Value::Scalar(s) => one(s),
+        Value::Point(p) => {
+            let text = text(Part::PrintedX).zip(text(Part::PrintedY)).map(|(x, y)| format!("({x}, {y})"));
+            json!({"unit": unit.name(), "x": unit.of(p.x), "y": unit.of(p.y), "text": text})
+        }
+    }
+}
+
+/// A centre at infinity for programs: no value, and the direction in which it lies. It has the keys of an answer.
+fn far_json(scene: &Scene, far: &Far) -> Json {
+    let find = &scene.find[far.find];
+    let mut answer = json!({"find": find.text, "unit": find.what.kind().si(), "unbounded": false, "at_infinity": true, "direction_deg": far.direction_deg});
+    for key in NO_ANSWER {
+        answer[*key] = Json::Null;
+    }
+    answer
+}
+
+/// The keys of an answer that are null where there is none.
+const NO_ANSWER: &[&str] = &[
+    "certified",
+    "value",
+    "in_unit",
+    "drawing",
+    "analysis",
+    "longer_numbers",
+    "measured_between",
+    "measured_mm",
+    "scale",
+    "difference",
+    "agrees",
+    "others",
+    "why",
+];
+
+/// A question without an answer for programs: no value, whether because it grows beyond bounds, and the links that lie in line.
+///
+/// It has the keys of an answer, so that programs need not ask which there are.
+fn unanswered(scene: &Scene, worked: &Worked, u: &Unanswered) -> Json {
+    let (unbounded, code, links) = match &u.why {
+        NoAnswer::NoMotion(r) => (r.why == Refusal::DeadPoint, r.diagnostic.code, r.named.as_slice()),
+        NoAnswer::NoValue(_) => (false, "not-defined", [].as_slice()),
+        NoAnswer::Infinite(_) => (true, "infinite", [].as_slice()),
+    };
+    let mut answer = json!({
+        "find": scene.find[u.find].text,
+        "unit": scene.find[u.find].what.kind().si(),
+        "unbounded": unbounded,
+        "certified": null,
+        "value": null,
+        "in_unit": null,
+        "drawing": null,
+        "analysis": null,
+        "longer_numbers": null,
+        "measured_between": null,
+        "measured_mm": null,
+        "scale": null,
+        "difference": null,
+        "agrees": null,
+        "others": null,
+        "why": {
+            "code": code,
+            "words": reason(scene, u, Lang::En),
+            "links": links.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>(),
+        },
+    });
+    if let (Some(_), Json::Object(fields)) = (&worked.drafting, &mut answer) {
+        fields.extend(drafting::answer_fields(None).map(|(key, value)| (key.to_string(), value)));
+    }
+    answer
+}
+
+/// What is certain of an answer: for each of its numbers the middle and radius of an interval that surely contains it, and
+/// the digits on which both ends agree.
+fn certificate(c: &Certified, digits: usize) -> Json {
+    let numbers: serde_json::Map<String, Json> = c
+        .parts
+        .iter()
+        .map(|(part, n)| {
+            let (text, certain) = n.text(digits).map_or((None, 0), |(t, k)| (Some(t), k));
+            let e = n.enclosure();
+            (part.key().into(), json!({"value": e.approx, "radius": e.radius, "text": text, "digits": certain}))
+        })
+        .collect();
+    json!({"rung": c.rung.name(), "complete": c.why.is_none(), "why": c.why.as_ref().map(|w| w.words(Lang::En)), "numbers": numbers})
+}
+
+fn singularity(scene: &Scene, s: &Singularity) -> Json {
+    json!({
+        "kind": match s.kind {
+            SingularKind::ChangePoint => "change-point",
+            SingularKind::Limit => "driver-at-limit",
+            SingularKind::Rest => "at-rest",
+        },
+        "links": s.named.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>(),
+        "words": s.words.en,
+        "decided": s.decided.map(|d| match d {
+            Decided::Side => "side",
+            Decided::Sketch => "sketch",
+            Decided::Kind => "kind",
+            Decided::Sense => "sense",
+        }),
+    })
+}
+
+/// A diagnostic for programs.
+pub fn diagnostic(d: &Diagnostic) -> Json {
+    json!({
+        "severity": d.severity.word(),
+        "code": d.code,
+        "message": d.message.en,
+        "help": d.help.as_ref().map(|h| &h.en),
+        "span": d.span.map(|s| [s.start, s.end]),
+    })
+}
+
+#[cfg(test)]
+mod tests;

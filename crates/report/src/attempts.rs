@@ -1,0 +1,370 @@
+//! Wrong solutions in words and as JSON: what was printed, what its equation gives, what is true, and why it is wrong.
+//!
+//! True values are certified, as `solve` prints them. Those of wrong equations are read off their drawing; a number without a meaning needs no
+//! certificate.
+
+use crate::amount::{amount, number, sense as certified_sense, symbol};
+use hodograph_base::digits::{direction_degrees, inked, significant};
+use hodograph_board::plan::Step;
+use hodograph_board::plan::names::name_label;
+use hodograph_board::plan::notation::Notation;
+use hodograph_board::plan::text::{Column, Writer};
+use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_methods::attempts::{Attempt, Row, Shown, Side, Site};
+use hodograph_paper::paper::phrase::{Phrase, sense, tr};
+use hodograph_paper::paper::words::words;
+use hodograph_scene::{Book, Find, Given, Lang, Scene};
+use hodograph_worked::certified::Certified;
+use hodograph_worked::worked::{Worked, contact};
+use serde_json::{Value as Json, json};
+
+/// Digits of numbers that are not certified.
+const DIGITS: usize = 4;
+/// Digits of printed numbers at most.
+const PRINTED_DIGITS: usize = 8;
+/// A printed number further from that of its equation than this does not come from it.
+const REPRODUCED: f64 = 0.02;
+
+/// What the words are told from.
+pub struct Words<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// The right solution.
+    pub worked: &'a Worked,
+    /// Its certified answers.
+    pub certified: &'a [Certified],
+    /// Marks.
+    pub notation: &'a Notation,
+    /// Language.
+    pub lang: Lang,
+    /// Digits of true values.
+    pub digits: usize,
+}
+
+/// A column of the equation, and whether it is framed.
+pub struct Framed {
+    /// The column.
+    pub column: Column,
+    /// Whether the vector is missing or wrong.
+    pub framed: bool,
+}
+
+impl Words<'_> {
+    fn tr(&self, en: &'static str, zh: &'static str) -> &'static str {
+        tr(self.lang, en, zh)
+    }
+
+    /// The mistake and its place.
+    pub fn heading(&self, a: &Attempt) -> String {
+        let title = a.site.mistake().title(self.lang);
+        let place = a.site.place(self.scene);
+        match self.lang {
+            Lang::En => format!("{title}, {}", place.en),
+            Lang::Zh => format!("{title}（{}）", place.zh),
+        }
+    }
+
+    /// The same with its points set as points.
+    pub fn heading_set(&self, a: &Attempt) -> Phrase {
+        let (title, place) = (a.site.mistake().title(self.lang), a.site.place(self.scene));
+        let contact = if let Site::ContactPoint(c, _) = a.site { Some(contact::name(self.scene, c)) } else { None };
+        let place = self.points_set(self.lang.of(&place), contact.as_deref());
+        Phrase::new(&match self.lang {
+            Lang::En => format!("{title}, {place}"),
+            Lang::Zh => format!("{title}（{place}）"),
+        })
+    }
+
+    /// Words in which every name of a point, that of a contact included, and ω, is a formula.
+    fn points_set(&self, words: &str, contact: Option<&str>) -> String {
+        let mut out = String::new();
+        let mut name = String::new();
+        let set = |name: &mut String, out: &mut String| {
+            let point = contact == Some(name.as_str()) || self.scene.points.iter().any(|p| p.name == *name);
+            if point {
+                out.push_str(&format!("${}$", name_label(name)));
+            } else {
+                out.push_str(if name == "ω" { "$\\omega$" } else { name });
+            }
+            name.clear();
+        };
+        for c in words.chars() {
+            // Chinese words stand at a letter without a space.
+            if c.is_alphanumeric() && !('\u{2e80}'..).contains(&c) || c == '\'' || c == '_' {
+                name.push(c);
+            } else {
+                set(&mut name, &mut out);
+                out.push(c);
+            }
+        }
+        set(&mut name, &mut out);
+        out
+    }
+
+    /// Writers for the right and the wrong equations.
+    pub fn writers<'b>(&'b self, a: &'b Attempt) -> [Writer<'b>; 2] {
+        [&a.right, &a.wrong].map(|s| Writer { scene: &s.scene, plan: &s.worked.plan, notation: self.notation, lang: self.lang })
+    }
+
+    /// The equation in which the mistake is seen; none where it is a statement.
+    pub fn equation(&self, a: &Attempt) -> Option<Vec<Framed>> {
+        let [right, wrong] = self.writers(a);
+        let w = match a.shown.side {
+            Side::Right => right,
+            Side::Wrong => wrong,
+        };
+        let Shown { level, step, framed, missing, .. } = &a.shown;
+        let Step::Equation { target, chains, .. } = step else { return None };
+        let columns = w.columns(*level, *target, chains);
+        let is_framed = |c: &Column| c.term.is_some_and(|t| framed.contains(&t));
+        let mut all: Vec<Framed> = columns.into_iter().map(|column| Framed { framed: is_framed(&column), column }).collect();
+        if let Some(m) = missing {
+            let (symbol, direction, magnitude) = (m.symbol.clone(), m.direction.clone(), m.magnitude.clone());
+            all.push(Framed { column: Column { joint: "+", symbol, direction, magnitude, term: None }, framed: true });
+        }
+        Some(all)
+    }
+
+    /// The wrong statement where no equation shows it.
+    pub fn statement(&self, a: &Attempt) -> Option<Phrase> {
+        let [_, w] = self.writers(a);
+        let Step::Image { target, from, .. } = &a.shown.step else { return None };
+        let level = a.shown.level;
+        let images = format!("{}{}{}", w.image(level, from.0), w.image(level, from.1), w.image(level, *target));
+        let spots = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(*target));
+        let (vector, similar) = (w.vector(level, *target), &w.notation.similar);
+        let image = match self.lang {
+            Lang::En => format!("${vector}$ by the image: Δ${images}$ ${similar}$ Δ${spots}$"),
+            Lang::Zh => format!("由影像求 ${vector}$：Δ${images}$ ${similar}$ Δ${spots}$"),
+        };
+        Some(Phrase::new(&image))
+    }
+
+    /// What the frame means.
+    pub fn frame(&self, a: &Attempt) -> &'static str {
+        let missing = matches!((&a.shown.missing, a.shown.side), (Some(_), _) | (None, Side::Right));
+        match (missing, printed(a)) {
+            (true, true) => self.tr("framed: left out in print", "框内：原解漏掉的项"),
+            (false, true) => self.tr("framed: wrong in print", "框内：原解中错误的部分"),
+            (true, false) => self.tr("framed: often left out", "框内：常被漏掉的项"),
+            (false, false) => self.tr("framed: often taken wrongly", "框内：常被取错的部分"),
+        }
+    }
+
+    /// What the drawing shows.
+    pub fn frame_of_drawing(&self, a: &Attempt) -> &'static str {
+        if printed(a) {
+            self.tr("Right (black) and as printed (red, *), from one pole", "正确解（黑）与原解（红，加 *），同一极点")
+        } else {
+            self.tr("Right (black) and as it is often done (red, *), from one pole", "正确解（黑）与常见错解（红，加 *），同一极点")
+        }
+    }
+
+    /// A value that is not certified.
+    fn plain(&self, find: &Find, value: Value) -> String {
+        let (kind, book): (_, &Book) = (find.what.kind(), &self.scene.book);
+        match value {
+            Value::Scalar(s) if kind.turns() => {
+                let words = if s == 0.0 { "" } else { sense(self.lang, s) };
+                format!("${}$ {words}", book.label(kind, &number(book.value(kind, s.abs()), DIGITS))).trim_end().to_owned()
+            }
+            Value::Scalar(s) => format!("${}$", book.label(kind, &number(book.value(kind, s), DIGITS))),
+            Value::Vector(v) => {
+                let size = book.label(kind, &number(book.value(kind, v.norm()), DIGITS));
+                if v.norm() == 0.0 {
+                    format!("${size}$")
+                } else {
+                    format!("${size}$ ∠ {}°", number(direction_degrees(v.angle()), DIGITS))
+                }
+            }
+            Value::Point(p) => format!("({}, {})", number(p.x, DIGITS), number(p.y, DIGITS)),
+        }
+    }
+
+    fn printed(&self, find: &Find, given: &Given) -> String {
+        let (kind, book) = (find.what.kind(), &self.scene.book);
+        let told = |v: f64| book.label(kind, &inked(&significant_at_most(book.value(kind, v))));
+        if kind.turns() && given.value != 0.0 {
+            return format!("${}$ {}", told(given.value.abs()), sense(self.lang, given.value));
+        }
+        format!("${}$", told(given.value))
+    }
+
+    fn truth(&self, row: &Row) -> String {
+        let (r, c) = (&self.worked.results[row.result], &self.certified[row.result]);
+        let find = &self.scene.find[r.find];
+        let words = words(self.lang);
+        let told = certified_sense(find, r.value(), c, words, self.digits).plain();
+        let told = if zero(r.value()) { String::new() } else { told };
+        format!("${}$ {told}", amount(&self.scene.book, find, r.value(), c, self.digits)).trim_end().to_owned()
+    }
+
+    /// A question: printed, by that equation, true.
+    pub fn row(&self, row: &Row) -> Phrase {
+        let symbol = symbol(self.asked(row), self.notation);
+        Phrase::new(&format!("${symbol}${}{}", self.tr(": ", "："), self.told(row)))
+    }
+
+    /// The same where there are no formulas: the quantity as it is asked for in `find`.
+    fn plain_row(&self, row: &Row) -> String {
+        format!("{}{}{}", self.asked(row).text, self.tr(": ", "："), Phrase::new(&self.told(row)).plain())
+    }
+
+    fn asked(&self, row: &Row) -> &Find {
+        &self.scene.find[self.worked.results[row.result].find]
+    }
+
+    fn told(&self, row: &Row) -> String {
+        let find = self.asked(row);
+        let mut parts = Vec::new();
+        parts.extend(row.printed.as_ref().map(|p| format!("{} {}", self.tr("printed", "原书"), self.printed(find, p))));
+        match row.wrong {
+            Some(v) => parts.push(format!("{} {}", self.tr("by that equation", "按该方程"), self.plain(find, v))),
+            None => parts.push(self.tr("not answered by that equation", "该方程不能求").to_owned()),
+        }
+        parts.push(format!("{} {}", self.tr("true", "正确值"), self.truth(row)));
+        if !reproduced(row) {
+            parts.push(self.tr("the printed number does not come from this mistake", "原书数值并非由此错误得出").to_owned());
+        }
+        parts.join(" · ")
+    }
+
+    /// What the wrong solution claims: what was printed, else what its equation gives.
+    pub fn claimed(&self, row: &Row) -> Option<Phrase> {
+        let find = self.asked(row);
+        let value = match (&row.printed, row.wrong) {
+            (Some(p), _) => self.printed(find, p),
+            (None, Some(v)) => self.plain(find, v),
+            (None, None) => return None,
+        };
+        Some(Phrase::new(&format!("${}$ = {value}", symbol(find, self.notation))))
+    }
+
+    /// The gap between the tips.
+    pub fn gap(&self, a: &Attempt) -> Phrase {
+        let [_, wrong] = self.writers(a);
+        let kind = a.gap.level.kind();
+        let size = self.scene.book.label(kind, &number(self.scene.book.value(kind, a.gap.vector.norm()), DIGITS));
+        let name = gap_symbol(&wrong, a);
+        match self.lang {
+            Lang::En => Phrase::new(&format!("gap between the tips: $|{name}| = {size}$")),
+            Lang::Zh => Phrase::new(&format!("矢端偏差：$|{name}| = {size}$")),
+        }
+    }
+
+    /// Why it is wrong: in the author's words if there are any.
+    pub fn why(&self, a: &Attempt) -> Phrase {
+        let said = a.said.as_ref().and_then(|s| s.why.as_ref()).map(|w| w.get(self.lang).to_owned());
+        let why = a.site.why(self.scene);
+        match (said, self.lang) {
+            (Some(said), _) => Phrase::of_words(&said),
+            (None, Lang::En) => Phrase::new(&why.en),
+            (None, Lang::Zh) => Phrase::new(&why.zh),
+        }
+    }
+
+    /// All that is said below the drawing.
+    pub fn lines(&self, a: &Attempt) -> Vec<Phrase> {
+        let mut lines: Vec<Phrase> = a.rows.iter().map(|r| self.row(r)).collect();
+        lines.push(self.gap(a));
+        lines.push(self.why(a));
+        lines
+    }
+}
+
+fn zero(v: Value) -> bool {
+    matches!(v, Value::Scalar(0.0))
+}
+
+/// A number that was printed, as short as it was.
+fn significant_at_most(value: f64) -> String {
+    let long = significant(value, PRINTED_DIGITS);
+    if long.contains('.') && !long.contains('e') { long.trim_end_matches('0').trim_end_matches('.').to_owned() } else { long }
+}
+
+/// The symbol of the gap: `\Delta a_{E3}`.
+pub fn gap_symbol(w: &Writer, a: &Attempt) -> String {
+    format!("\\Delta {}", w.vector(a.gap.level, a.gap.wrong))
+}
+
+/// Whether the wrong solution stands in print; else it is one of those that are often made.
+pub fn printed(a: &Attempt) -> bool {
+    a.rows.iter().any(|r| r.printed.is_some())
+}
+
+/// Whether what was printed comes from the equation.
+fn reproduced(row: &Row) -> bool {
+    let (Some(printed), Some(wrong)) = (&row.printed, row.wrong) else { return true };
+    let (a, b) = match wrong {
+        Value::Scalar(s) => (printed.value, s),
+        Value::Vector(v) => (printed.value.abs(), v.norm()),
+        Value::Point(_) => return true,
+    };
+    (a - b).abs() <= REPRODUCED * a.abs().max(b.abs())
+}
+
+/// The report as text.
+pub fn text(words: &Words, all: &[Attempt]) -> String {
+    let mut lines = Vec::new();
+    let title = words.scene.title.get(words.lang);
+    if !title.is_empty() {
+        lines.push(title.to_owned());
+    }
+    if all.is_empty() {
+        lines.push(words.tr("no known mistake changes an answer of this scene", "本题中没有会改变结果的典型错误").to_owned());
+    }
+    for (k, a) in all.iter().enumerate() {
+        lines.push(String::new());
+        lines.push(format!("({}) {}  [{}]", k + 1, words.heading(a), a.site.mistake().name()));
+        if let Some(columns) = words.equation(a) {
+            let part = |f: &Framed| {
+                let symbol = hodograph_paper::paper::phrase::formula(&f.column.symbol);
+                let symbol = if f.framed { format!("[{symbol}]") } else { symbol };
+                if f.column.joint.is_empty() { symbol } else { format!("{} {symbol}", f.column.joint) }
+            };
+            let formula = columns.iter().map(part).collect::<Vec<_>>().join(" ");
+            let frame = words.frame(a);
+            lines.push(format!("    {formula}    {}", if words.lang == Lang::Zh { format!("（{frame}）") } else { format!("({frame})") }));
+        }
+        lines.extend(words.statement(a).map(|p| format!("    {}", p.plain())));
+        lines.extend(a.rows.iter().map(|r| format!("    {}", words.plain_row(r))));
+        lines.extend([words.gap(a), words.why(a)].iter().map(|p| format!("    {}", p.plain())));
+    }
+    lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
+}
+
+/// The report for programs, in SI.
+pub fn json(words: &Words, all: &[Attempt]) -> Json {
+    let value = |v: Value| match v {
+        Value::Scalar(s) => json!(s),
+        Value::Vector(v) => json!([v.x, v.y]),
+        Value::Point(p) => json!([p.x, p.y]),
+    };
+    let one = |a: &Attempt| {
+        let row = |r: &Row| {
+            let result = &words.worked.results[r.result];
+            json!({
+                "find": words.scene.find[result.find].text,
+                "printed": r.printed.as_ref().map(|p| p.value),
+                "wrong": r.wrong.map(value),
+                "true": value(result.value()),
+                "reproduced": r.printed.as_ref().map(|_| reproduced(r)),
+            })
+        };
+        let framed = words.equation(a).map(|all| {
+            all.iter().filter(|f| f.framed).map(|f| hodograph_paper::paper::phrase::formula(&f.column.symbol)).collect::<Vec<_>>()
+        });
+        json!({
+            "mistake": a.site.mistake().name(),
+            "pair": a.site.point(words.scene),
+            "link": a.site.link(words.scene).map(|l| words.scene.link_name(l)),
+            "level": if a.gap.level == Level::Acceleration { "acceleration" } else { "velocity" },
+            "framed": framed.unwrap_or_default(),
+            "gap": [a.gap.vector.x, a.gap.vector.y],
+            "answers": a.rows.iter().map(row).collect::<Vec<_>>(),
+            "why": Phrase::new(&a.site.why(words.scene).en).plain(),
+        })
+    };
+    json!({"schema": "hodograph/attempts/1", "attempts": all.iter().map(one).collect::<Vec<_>>()})
+}

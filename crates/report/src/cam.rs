@@ -1,0 +1,446 @@
+//! A cam over a whole turn, for people and programs: stages, strokes, extremes, shocks, pressure angle, curvature, and what does not work.
+
+mod told;
+
+pub use told::{Now, Unit, Which};
+
+use hodograph_base::cam::{Disc, Fault, Follower, Jump, Law, Mark, Motion, Shock, Side, Survey, Touch, Way, in_turn, round};
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::digits::significant;
+use hodograph_paper::paper::phrase::tr;
+use hodograph_scene::{Cam, Follows, Kind, Lang, Scene, Turning};
+use serde_json::{Value as Json, json};
+use std::f64::consts::TAU;
+
+/// Digits of what is computed from given lengths.
+const DIGITS: usize = 6;
+
+/// A cam with its survey, told in the units of a scene.
+pub struct Report<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// The cam.
+    pub cam: &'a Cam,
+    /// Its geometry.
+    pub turning: &'a Turning,
+    /// What a turn shows.
+    pub survey: &'a Survey,
+}
+
+impl Report<'_> {
+    fn disc(&self) -> &Disc {
+        &self.turning.disc
+    }
+
+    /// Whether the follower's coordinate is an angle.
+    fn swings(&self) -> bool {
+        matches!(self.disc().follower, Follower::Oscillating { .. })
+    }
+
+    /// How fast the cam turns, without sense (rad/s).
+    pub fn omega(&self) -> f64 {
+        self.turning.rates(self.scene)[0].abs()
+    }
+
+    /// The kind of the follower's coordinate (0), its rate (1) or the rate of that (2).
+    fn kind_of(&self, order: usize) -> Kind {
+        match (self.swings(), order) {
+            (true, 0) => Kind::Angle,
+            (true, 1) => Kind::Omega,
+            (true, _) => Kind::Alpha,
+            (false, 0) => Kind::Length,
+            (false, 1) => Kind::Velocity,
+            (false, _) => Kind::Acceleration,
+        }
+    }
+
+    /// A number with its unit, to as many digits as are certain; `rough` is about what it is (SI).
+    fn say(&self, which: Which, unit: Unit, rough: f64) -> String {
+        if !rough.is_finite() {
+            return "∞".into();
+        }
+        let text = self.digits(which, unit, rough);
+        match unit {
+            Unit::Si => text,
+            Unit::Degrees => in_degrees(&text),
+            Unit::Lift(0) if self.swings() => in_degrees(&text),
+            Unit::Length | Unit::Lift(0) => match self.scene.book.chosen(Kind::Length) {
+                Some(chosen) => chosen.text(&text),
+                None => format!("{text} {}", self.scene.length_unit.name),
+            },
+            Unit::Lift(order) => self.scene.book.text(self.kind_of(order), &text),
+        }
+    }
+
+    /// The letter of the lift (0), its rate (1) and the rate of that (2); all count outward.
+    fn symbol(&self, order: usize) -> &'static str {
+        if self.swings() { ["ψ", "ω", "α"][order] } else { ["s", "v", "a"][order] }
+    }
+
+    /// Readings at the instant in double precision: s, v, a, pressure angle, radii of profile and pitch curve.
+    fn now(&self) -> Option<[f64; 6]> {
+        let (phi, side) = (self.turning.phi, self.turning.side);
+        let station = self.disc().station(phi, side)?;
+        let [w, a] = self.turning.rates(self.scene);
+        let [s, v, acceleration, _] = self.survey.lift(self.disc(), phi, side)?;
+        Some([s, v * w, acceleration * w * w + v * a, station.pressure, station.rho, station.rho_pitch])
+    }
+
+    /// The report as text.
+    pub fn text(&self, lang: Lang) -> String {
+        let mut out = String::new();
+        let comma = tr(lang, ", ", "，");
+        let mut line = |text: String| {
+            out.push_str(&text);
+            out.push('\n');
+        };
+        let scene = self.scene;
+        let (cam, follower) = (scene.link_name(self.cam.cam), scene.link_name(self.cam.follower));
+        let kind = kind(self.cam, self.disc(), lang);
+        line(match lang {
+            Lang::En => format!("cam {cam}, follower {follower}: {kind}"),
+            Lang::Zh => format!("凸轮 {cam}，从动件 {follower}：{kind}"),
+        });
+        line(format!("  {} r₀ = {}", tr(lang, "base circle", "基圆半径"), self.say(Which::Base, Unit::Length, self.disc().base())));
+        if let Touch::Point { radius } = self.disc().touch
+            && radius > 0.0
+        {
+            line(format!(
+                "  {} r_r = {}",
+                tr(lang, "radius of the follower's end", "滚子（圆端）半径"),
+                self.say(Which::End, Unit::Length, radius)
+            ));
+        }
+        match self.disc().follower {
+            Follower::Translating { offset, .. } => {
+                // Plus toward the centre of cam and follower as it goes out.
+                line(format!("  {} e = {}", tr(lang, "offset", "偏距"), self.say(Which::Offset, Unit::Length, offset * self.disc().sense)));
+            }
+            Follower::Oscillating { pivot, arm, .. } => {
+                line(format!(
+                    "  {} d = {}",
+                    tr(lang, "distance of the pivots", "中心距"),
+                    self.say(Which::Distance, Unit::Length, pivot.norm())
+                ));
+                if arm > 0.0 {
+                    line(format!("  {} l = {}", tr(lang, "arm", "摆杆长"), self.say(Which::Arm, Unit::Length, arm)));
+                }
+            }
+        }
+        line(format!("  {} h = {}", tr(lang, "stroke", "行程"), self.say(Which::Stroke, Unit::Lift(0), self.survey.stroke)));
+        let s = self.survey;
+        line(format!(
+            "  {}",
+            [("Φ", 1, false), ("Φs", 0, true), ("Φ′", -1, false), ("Φs′", 0, false)]
+                .map(|(name, way, out)| format!("{name} = {}", self.say(Which::Phase(way, out), Unit::Degrees, s.angle(way, out))))
+                .join("  ")
+        ));
+        if let Motion::Law { program, .. } = &self.disc().motion {
+            let (joints, outer) = (program.joints(), program.outer());
+            for (k, stage) in program.stages.iter().enumerate() {
+                let [from, to] = [k, k + 1].map(|k| self.say(Which::Start(k), Unit::Degrees, joints[k]));
+                line(format!("  {from:>8} – {to:<8} {}", self.stage(k, stage.way, outer[k], lang)));
+            }
+        }
+        let w = self.omega();
+        let marks = [(1, [0, 1].map(Mark::Rate), s.velocity), (2, [0, 1].map(Mark::Bend), s.acceleration)];
+        for (order, mark, list) in marks {
+            let factor = if order == 1 { w } else { w * w };
+            let told = |k: usize| {
+                let at = self.say(Which::At(mark[k]), Unit::Degrees, list[k].0);
+                (at, self.say(Which::Most(mark[k]), Unit::Lift(order), list[k].1 * factor))
+            };
+            let [low, high] = [told(0), told(1)];
+            let symbol = self.symbol(order);
+            line(match lang {
+                Lang::En => format!("  {symbol}: {} at φ = {}, {} at φ = {}", high.1, high.0, low.1, low.0),
+                Lang::Zh => format!("  φ = {} 时 {symbol} = {}，φ = {} 时 {symbol} = {}", high.0, high.1, low.0, low.1),
+            });
+        }
+        for (k, j) in s.jumps.iter().enumerate() {
+            line(format!("  {}", self.jump(k, j, lang)));
+        }
+        let names =
+            [tr(lang, "greatest pressure angle, out", "推程最大压力角"), tr(lang, "greatest pressure angle, back", "回程最大压力角")];
+        for (k, name) in names.into_iter().enumerate() {
+            if s.pressure[k].is_some() {
+                line(format!("  {name}{}", self.valued(Mark::Pressure(k), s.pressure[k], lang)));
+            }
+        }
+        if s.least_rho.is_some() {
+            let name = match self.disc().touch {
+                Touch::Point { .. } => tr(lang, "least convex radius of the pitch curve", "理论廓线外凸部分的最小曲率半径"),
+                Touch::Flat { .. } => tr(lang, "least radius of the profile", "廓线的最小曲率半径"),
+            };
+            line(format!("  {name}{}", self.valued(Mark::Radius, s.least_rho, lang)));
+        }
+        if let Some([lift, v, a, pressure, rho, rho_pitch]) = self.now() {
+            let lifts = [lift, v, a].into_iter().enumerate();
+            let lifts = lifts.map(|(k, x)| format!("{} = {}", self.symbol(k), self.say(Which::Now(Now::Lift(k)), Unit::Lift(k), x)));
+            line(format!(
+                "  {} φ = {}{}{}",
+                tr(lang, "at the instant", "图示位置"),
+                self.say(Which::Now(Now::Phi), Unit::Degrees, in_turn(self.turning.phi)),
+                tr(lang, ": ", "："),
+                lifts.collect::<Vec<_>>().join(comma)
+            ));
+            let alpha = match self.disc().touch {
+                Touch::Point { .. } => {
+                    let pressure = self.say(Which::Now(Now::Pressure), Unit::Degrees, pressure);
+                    format!("{} {pressure}{comma}", tr(lang, "pressure angle", "压力角"))
+                }
+                Touch::Flat { .. } => String::new(),
+            };
+            let pitch = if rho_pitch == rho {
+                String::new()
+            } else {
+                let told = self.say(Which::Now(Now::Pitch), Unit::Length, rho_pitch);
+                format!("{comma}{} {told}", tr(lang, "of the pitch curve", "理论廓线"))
+            };
+            line(format!("    {alpha}ρ = {}{pitch}", self.say(Which::Now(Now::Rho), Unit::Length, rho)));
+        }
+        out
+    }
+
+    fn stage(&self, k: usize, way: Way, out: bool, lang: Lang) -> String {
+        let gain = |h: f64| self.say(Which::Gain(k), Unit::Lift(0), h);
+        let comma = tr(lang, ", ", "，");
+        let law = |l: Law| match lang {
+            Lang::En => format!("{} motion", l.name()),
+            Lang::Zh => l.name_zh().to_owned(),
+        };
+        match way {
+            Way::Rise(h, l) => format!("{} {}{comma}{}", tr(lang, "rise", "推程"), gain(h), law(l)),
+            Way::Dwell => dwell(out, lang).to_owned(),
+            Way::Return(h, l) => format!("{} {}{comma}{}", tr(lang, "return", "回程"), gain(h), law(l)),
+        }
+    }
+
+    /// An extreme with the angle of the cam at which it is reached, behind its name: `: 30° at φ = 60°`, `：30°（φ = 60° 时）`.
+    fn valued(&self, mark: Mark, found: Option<(f64, f64)>, lang: Lang) -> String {
+        let (phi, value) = found.unwrap_or_default();
+        let unit = if mark == Mark::Radius { Unit::Length } else { Unit::Degrees };
+        let at = self.say(Which::At(mark), Unit::Degrees, phi);
+        let value = self.say(Which::Most(mark), unit, if mark == Mark::Radius { value } else { value.abs() });
+        match lang {
+            Lang::En => format!(": {value} at φ = {at}"),
+            Lang::Zh => format!("：{value}（φ = {at} 时）"),
+        }
+    }
+
+    /// A shock in words.
+    fn jump(&self, k: usize, j: &Jump, lang: Lang) -> String {
+        let name = match j.shock {
+            Shock::Rigid => tr(lang, "rigid shock", "刚性冲击"),
+            Shock::Soft => tr(lang, "soft shock", "柔性冲击"),
+        };
+        let order = j.shock.order();
+        let (symbol, factor) = (self.symbol(order), libm::pow(self.omega(), order as f64));
+        let [b, a] = [0, 1].map(|side| self.say(Which::Jump(k, side), Unit::Lift(order), j.sides[side] * factor));
+        let at = self.say(Which::JumpAt(k), Unit::Degrees, in_turn(j.phi));
+        match lang {
+            Lang::En => format!("{name} at φ = {at}: {symbol} from {b} to {a}"),
+            Lang::Zh => format!("φ = {at} 处有{name}：{symbol} 由 {b} 变为 {a}"),
+        }
+    }
+
+    /// The report as JSON: SI, angles in radians.
+    pub fn json(&self) -> Json {
+        let s = self.survey;
+        let near = |which: Which, rough: f64| self.nearest(which, rough);
+        let place = |mark: Mark, e: (f64, f64)| json!({"phi": near(Which::At(mark), e.0), "value": near(Which::ByPhi(mark), e.1)});
+        let now = self.now().map(|[lift, v, a, pressure, rho, pitch]| {
+            let of = |now: Now, rough: f64| near(Which::Now(now), rough);
+            json!({"phi": of(Now::Phi, in_turn(self.turning.phi)), "s": of(Now::Lift(0), lift), "v": of(Now::Lift(1), v), "a": of(Now::Lift(2), a),
+                "pressure_angle": of(Now::Pressure, pressure), "rho": of(Now::Rho, rho), "rho_pitch": of(Now::Pitch, pitch)})
+        });
+        let jumps: Vec<Json> = s
+            .jumps
+            .iter()
+            .enumerate()
+            .map(|(k, j)| {
+                let kind = match j.shock {
+                    Shock::Rigid => "rigid",
+                    Shock::Soft => "soft",
+                };
+                let sides = [0, 1].map(|side| near(Which::JumpByPhi(k, side), j.sides[side]));
+                json!({"phi": near(Which::JumpAt(k), in_turn(j.phi)), "kind": kind, "before": sides[0], "after": sides[1]})
+            })
+            .collect();
+        let angle = |way: i8, out: bool| near(Which::Phase(way, out), s.angle(way, out));
+        let both = |mark: fn(usize) -> Mark, list: [(f64, f64); 2]| [0, 1].map(|k| place(mark(k), list[k]));
+        let pressure = |k: usize| s.pressure[k].map(|e| place(Mark::Pressure(k), e));
+        json!({
+            "cam": self.scene.link_name(self.cam.cam),
+            "follower": self.scene.link_name(self.cam.follower),
+            "oscillating": self.swings(),
+            "base": near(Which::Base, self.disc().base()),
+            "stroke": near(Which::Stroke, s.stroke),
+            "angles": {"rise": angle(1, false), "outer_dwell": angle(0, true), "return": angle(-1, false), "inner_dwell": angle(0, false)},
+            "ds": both(Mark::Rate, s.velocity),
+            "dds": both(Mark::Bend, s.acceleration),
+            "shocks": jumps,
+            "pressure_angle": {"rise": pressure(0), "return": pressure(1)},
+            "least_rho": s.least_rho.map(|e| place(Mark::Radius, e)),
+            "now": now,
+            "faults": self.faults().iter().map(|d| json!({"code": d.code, "message": d.message.en})).collect::<Vec<_>>(),
+        })
+    }
+
+    /// What does not work, as diagnostics with the place of the cam.
+    pub fn faults(&self) -> Vec<Diagnostic> {
+        let rigid = self.survey.jumps.iter().enumerate().filter(|(_, j)| j.shock == Shock::Rigid);
+        let mut out: Vec<Diagnostic> = rigid
+            .map(|(k, j)| {
+                let message = both!("{}", "{}", Both { en: self.jump(k, j, Lang::En), zh: self.jump(k, j, Lang::Zh) });
+                Diagnostic::warning("impulse", message).help(both!(
+                    "the acceleration is infinite there: choose a law whose velocity begins at zero",
+                    "该处加速度为无穷大：请选用起始速度为零的运动规律"
+                ))
+            })
+            .collect();
+        out.extend(self.survey.faults.iter().map(|f| self.fault(f)));
+        out.into_iter().map(|d| d.at(self.cam.span)).collect()
+    }
+
+    fn fault(&self, fault: &Fault) -> Diagnostic {
+        match *fault {
+            Fault::Undercut { phi, rho, least_base } => {
+                let at = self.say(Which::At(Mark::Radius), Unit::Degrees, in_turn(phi));
+                let rho = self.say(Which::Most(Mark::Radius), Unit::Length, rho);
+                let message = match self.disc().touch {
+                    Touch::Point { radius } => both!(
+                        "the profile is undercut: at φ = {at} the pitch curve has the radius {rho}, the roller {}",
+                        "运动失真：φ = {at} 处理论廓线的曲率半径为 {rho}，滚子半径为 {}",
+                        self.say(Which::End, Unit::Length, radius)
+                    ),
+                    Touch::Flat { .. } => both!(
+                        "the profile is undercut: at φ = {at} a flat face would need the radius {rho}",
+                        "运动失真：φ = {at} 处平底从动件要求的曲率半径为 {rho}"
+                    ),
+                };
+                let d = Diagnostic::warning("undercut", message);
+                match least_base {
+                    Some(base) => d.help(both!(
+                        "the least base circle that avoids it is {}; or take a smaller roller, a longer angle, a gentler law",
+                        "避免失真的最小基圆半径为 {}；或减小滚子、加大运动角、改用较平缓的规律",
+                        self.say(Which::LeastBase, Unit::Length, base)
+                    )),
+                    None => d.help(both!(
+                        "no base circle avoids it: take a smaller roller or a longer angle",
+                        "加大基圆也不能避免：请减小滚子或加大运动角"
+                    )),
+                }
+            }
+            Fault::RollerTooLarge { phi, rho } => Diagnostic::warning(
+                "roller-too-large",
+                both!(
+                    "the roller does not go into the hollow of radius {} (φ = {})",
+                    "滚子放不进半径为 {} 的内凹廓线（φ = {}）",
+                    self.say(Which::Hollow, Unit::Length, -rho),
+                    self.say(Which::HollowAt, Unit::Degrees, in_turn(phi))
+                ),
+            )
+            .help(both!("take a smaller roller", "请减小滚子")),
+            Fault::Pressure { phi, angle, usual, rising } => Diagnostic::warning(
+                "pressure-angle",
+                both!(
+                    "the pressure angle reaches {} at φ = {} {}; usual is at most {}",
+                    "压力角在 φ = {1} {2}达到 {0}；许用值为 {3}",
+                    self.say(Which::Most(Mark::Pressure(usize::from(!rising))), Unit::Degrees, angle.abs()),
+                    self.say(Which::At(Mark::Pressure(usize::from(!rising))), Unit::Degrees, in_turn(phi)),
+                    if rising { both!("as the follower goes out", "（推程）") } else { both!("as it comes back", "（回程）") },
+                    degrees(usual)
+                ),
+            )
+            .help(both!(
+                "take a larger base circle, a longer angle, or an offset toward the side of the rise",
+                "请加大基圆、加大运动角，或采用合适的偏置"
+            )),
+            Fault::NoContact { phi } => Diagnostic::warning(
+                "no-contact",
+                both!("at φ = {} the follower touches nothing", "φ = {} 处从动件接触不到廓线", degrees(in_turn(phi))),
+            )
+            .help(both!("the follower cannot go round: check radii, offset and arm", "凸轮不能转过一周：请检查各半径、偏距和摆杆长")),
+        }
+    }
+
+    /// The profile as a table: names, units, columns; lengths in millimetres, angles in degrees.
+    pub fn table(&self, steps: usize) -> (Vec<(String, &'static str)>, Vec<Vec<f64>>) {
+        let unit = if self.swings() { "deg" } else { "mm" };
+        let rates = if self.swings() { ["deg/rad", "deg/rad^2"] } else { ["mm/rad", "mm/rad^2"] };
+        let names = [
+            ("phi", "deg"),
+            ("s", unit),
+            ("ds", rates[0]),
+            ("dds", rates[1]),
+            ("pitch.x", "mm"),
+            ("pitch.y", "mm"),
+            ("profile.x", "mm"),
+            ("profile.y", "mm"),
+            ("normal", "deg"),
+            ("rho", "mm"),
+            ("pressure_angle", "deg"),
+        ];
+        let mut columns: Vec<Vec<f64>> = vec![Vec::new(); names.len()];
+        let factor = if self.swings() { 180.0 / std::f64::consts::PI } else { 1e3 };
+        for (phi, side) in round(self.disc(), steps) {
+            let Some(s) = self.disc().station(phi, side) else { continue };
+            // One row for each angle: at a joint what follows.
+            if side == Side::Before && phi < TAU - 1e-9 {
+                continue;
+            }
+            let Some([lift, dq, ddq, _]) = self.survey.lift(self.disc(), phi, side) else { continue };
+            let row = [
+                phi.to_degrees(),
+                lift * factor,
+                dq * factor,
+                ddq * factor,
+                s.pitch.x * 1e3,
+                s.pitch.y * 1e3,
+                s.contact.x * 1e3,
+                s.contact.y * 1e3,
+                in_turn(s.normal.angle()).to_degrees(),
+                s.rho * 1e3,
+                s.pressure.to_degrees(),
+            ];
+            columns.iter_mut().zip(row).for_each(|(c, v)| c.push(v));
+        }
+        (names.map(|(n, u)| (n.to_owned(), u)).to_vec(), columns)
+    }
+}
+
+/// A dwell by its place: `outer` where the follower is farthest out.
+pub fn dwell(outer: bool, lang: Lang) -> &'static str {
+    if outer { tr(lang, "outer dwell", "远休止") } else { tr(lang, "inner dwell", "近休止") }
+}
+
+/// Degrees without the zeros at the end of their decimals.
+fn in_degrees(text: &str) -> String {
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text };
+    format!("{text}°")
+}
+
+/// An angle in degrees of double precision, where nothing says more.
+fn degrees(radians: f64) -> String {
+    // What is written in degrees is met to rounding.
+    in_degrees(&significant((radians.to_degrees() * 1e8).round() / 1e8 + 0.0, DIGITS))
+}
+
+/// What kind of cam it is.
+pub fn kind(cam: &Cam, disc: &Disc, lang: Lang) -> String {
+    let moves = match disc.follower {
+        Follower::Translating { .. } => tr(lang, "translating", "直动"),
+        Follower::Oscillating { .. } => tr(lang, "oscillating", "摆动"),
+    };
+    let end = match cam.follows {
+        Follows::Edge(_) => tr(lang, "knife-edge follower", "尖顶从动件"),
+        Follows::Roller(..) => tr(lang, "roller follower", "滚子从动件"),
+        Follows::Arc(..) => tr(lang, "mushroom follower", "曲面从动件"),
+        Follows::Face(_) => tr(lang, "flat-faced follower", "平底从动件"),
+    };
+    match lang {
+        Lang::En => format!("{moves} {end}"),
+        Lang::Zh => format!("{moves}{end}"),
+    }
+}

@@ -1,0 +1,235 @@
+//! The numbers of a cam as they are printed: enclosed, and told to as many digits as are certain.
+
+use super::{DIGITS, Report};
+use hodograph_base::cam::{Exact, Follower, Mark, Motion, Touch, Way, whole_turns};
+use hodograph_base::digits::significant;
+use hodograph_base::number::Real;
+use hodograph_base::number::decimal::{Certain, Enclosure};
+use hodograph_scene::{Kind, Scene, Turning};
+use hodograph_worked::accuracy::{Climb, Rung};
+use serde_json::{Value as Json, json};
+
+/// Which number of a cam is told.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Which {
+    /// The base circle.
+    Base,
+    /// The radius of a round end.
+    End,
+    /// The offset of a guide.
+    Offset,
+    /// The distance of the pivots.
+    Distance,
+    /// The arm of a swinging follower.
+    Arm,
+    /// The greatest lift.
+    Stroke,
+    /// The angles of all phases of a kind: the sense in which the follower moves, whether it rests outside.
+    Phase(i8, bool),
+    /// The angle at which a stage of the law begins.
+    Start(usize),
+    /// The rise or return of a stage of the law.
+    Gain(usize),
+    /// The angle of an extreme.
+    At(Mark),
+    /// The value of an extreme, rates by the time; a pressure angle without its sign.
+    Most(Mark),
+    /// The value of an extreme, rates by the angle of the cam.
+    ByPhi(Mark),
+    /// The angle of a shock.
+    JumpAt(usize),
+    /// The rate before (0) or after (1) a shock, by the time.
+    Jump(usize, usize),
+    /// [`Which::Jump`] by the angle of the cam.
+    JumpByPhi(usize, usize),
+    /// The radius of the sharpest hollow, without its sign.
+    Hollow,
+    /// The angle at which the hollow is touched first.
+    HollowAt,
+    /// The least base circle without an undercut.
+    LeastBase,
+    /// At the instant.
+    Now(Now),
+}
+
+/// A number at the instant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Now {
+    /// The angle of the cam.
+    Phi,
+    /// The lift, or its first or second derivative by the time.
+    Lift(usize),
+    /// The pressure angle.
+    Pressure,
+    /// The radius of curvature of the profile.
+    Rho,
+    /// The radius of curvature of the pitch curve.
+    Pitch,
+}
+
+/// In which unit a number is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// SI.
+    Si,
+    /// A length.
+    Length,
+    /// Degrees.
+    Degrees,
+    /// The follower's coordinate (0), its rate (1) or the rate of that (2).
+    Lift(usize),
+}
+
+/// An angle in the turn from 0 on.
+fn in_turn<N: Real>(angle: N) -> N {
+    angle - whole_turns(libm::floor(angle.approx() / std::f64::consts::TAU + 1e-13))
+}
+
+impl Which {
+    /// The number in SI; angles of the cam in its turn.
+    pub fn of<N: Real>(self, scene: &Scene, turning: &Turning) -> Option<N> {
+        let (cam, phi) = turning.exact::<N>(scene)?;
+        let [w, a] = turning.rates_in::<N>(scene);
+        let speed = |order: usize| (0..order).fold(N::from_f64(1.0), |s, _| s * w.magnitude());
+        let disc = cam.disc();
+        let program = || match &disc.motion {
+            Motion::Law { program, .. } => Some(program),
+            Motion::Profile(_) => None,
+        };
+        match self {
+            Which::Base => cam.base(),
+            Which::End => match disc.touch {
+                Touch::Point { radius } => Some(radius),
+                Touch::Flat { .. } => None,
+            },
+            Which::Offset => match disc.follower {
+                Follower::Translating { offset, .. } => Some(if disc.sense < 0.0 { -offset } else { offset }),
+                Follower::Oscillating { .. } => None,
+            },
+            Which::Distance | Which::Arm => match disc.follower {
+                Follower::Oscillating { pivot, .. } if self == Which::Distance => Some(pivot.norm()),
+                Follower::Oscillating { arm, .. } => Some(arm),
+                Follower::Translating { .. } => None,
+            },
+            Which::Stroke => cam.stroke(),
+            Which::Phase(way, out) => cam.angle(way, out),
+            Which::Start(k) => program()?.joints().get(k).copied(),
+            Which::Gain(k) => match program()?.stages.get(k)?.way {
+                Way::Rise(h, _) | Way::Return(h, _) => Some(h),
+                Way::Dwell => None,
+            },
+            Which::At(mark) => cam.mark(mark).map(|[place, _]| in_turn(place)),
+            Which::Most(mark) => {
+                let [_, value] = cam.mark(mark)?;
+                Some(match mark {
+                    Mark::Rate(_) => value * speed(1),
+                    Mark::Bend(_) => value * speed(2),
+                    Mark::Pressure(_) => value.magnitude(),
+                    Mark::Radius => value,
+                })
+            }
+            Which::ByPhi(mark) => cam.mark(mark).map(|[_, value]| value),
+            Which::JumpByPhi(k, side) => Some(cam.jump(k)?[1 + side]),
+            Which::Hollow => cam.hollow().map(|[_, rho]| -rho),
+            Which::HollowAt => cam.hollow().map(|[place, _]| in_turn(place)),
+            Which::JumpAt(k) => cam.jump(k).map(|j| in_turn(j[0])),
+            Which::Jump(k, side) => {
+                let (jump, order) = (cam.jump(k)?, turning.survey.of(&turning.disc).jumps[k].shock.order());
+                Some(jump[1 + side] * speed(order))
+            }
+            Which::LeastBase => cam.least_base(),
+            Which::Now(now) => at_the_instant(now, &cam, (turning, phi), [w, a]),
+        }
+    }
+}
+
+fn at_the_instant<N: Real>(now: Now, cam: &Exact<N>, (turning, phi): (&Turning, N), [w, a]: [N; 2]) -> Option<N> {
+    let here = (turning.phi, turning.side);
+    let station = || cam.station(here, phi);
+    Some(match now {
+        Now::Phi => in_turn(phi),
+        Now::Lift(0) => cam.lift(here, phi)?,
+        Now::Lift(1) => station()?.q.0[1] * w,
+        Now::Lift(_) => {
+            let [_, dq, ddq, _] = station()?.q.0;
+            ddq * w * w + dq * a
+        }
+        Now::Pressure => station()?.pressure,
+        Now::Rho => station()?.rho,
+        Now::Pitch => station()?.rho_pitch,
+    })
+}
+
+/// One number in numbers of any kind, in its unit.
+struct Look<'a, 'b> {
+    report: &'b Report<'a>,
+    which: Which,
+    unit: Unit,
+}
+
+impl Climb for Look<'_, '_> {
+    type Found = Option<Enclosure>;
+
+    fn with<N: Certain + hodograph_mechanism::motion::Moved>(&self) -> Self::Found {
+        let si: N = self.which.of(self.report.scene, self.report.turning)?;
+        self.report.in_unit(self.unit, si).enclosure()
+    }
+}
+
+/// Beside the size of a cam nothing is less than this and not zero.
+const NOTHING: f64 = 1e-25;
+
+/// The longest numbers that are taken: six digits of an extreme need no more.
+const RUNGS: [Rung; 3] = [Rung::Double, Rung::DoubleDouble, Rung::Long(384)];
+
+impl Report<'_> {
+    /// A number in the unit in which it is printed.
+    fn in_unit<N: Real>(&self, unit: Unit, si: N) -> N {
+        let book = &self.scene.book;
+        match unit {
+            Unit::Si => si,
+            Unit::Degrees => si * N::from_f64(180.0) / N::pi(),
+            Unit::Lift(0) if self.swings() => self.in_unit(Unit::Degrees, si),
+            Unit::Length | Unit::Lift(0) => match book.chosen(Kind::Length) {
+                Some(chosen) => chosen.of(si),
+                None => si * N::from_f64(self.scene.length_unit.denominator) / N::from_f64(self.scene.length_unit.numerator),
+            },
+            Unit::Lift(order) => book.in_chosen(self.kind_of(order), si),
+        }
+    }
+
+    /// An interval around a number that is as narrow as `digits` digits need; `None` where it has none.
+    pub fn enclosed(&self, which: Which, unit: Unit, digits: usize) -> Option<Enclosure> {
+        let mut last = None;
+        for rung in RUNGS {
+            last = rung.climb(&Look { report: self, which, unit }).or(last);
+            if last.as_ref().is_some_and(|e| e.holds(digits)) {
+                break;
+            }
+        }
+        last
+    }
+
+    /// A number to at most `digits` digits, all of them true; `None` where not one is certain.
+    pub fn told(&self, which: Which, unit: Unit, digits: usize) -> Option<String> {
+        let e = self.enclosed(which, unit, digits)?;
+        if e.contains_zero() {
+            return (e.largest() <= NOTHING).then(|| "0".to_owned());
+        }
+        // An exact tie is none with a digit more.
+        let all = [digits, digits + 1, digits + 2].into_iter().chain((1..digits).rev());
+        all.into_iter().find_map(|k| e.rounded(k)).map(|text| hodograph_base::digits::plain(&text))
+    }
+
+    /// [`Report::told`] to the digits of the report; about the number of double precision where nothing is certain.
+    pub(super) fn digits(&self, which: Which, unit: Unit, rough_si: f64) -> String {
+        self.told(which, unit, DIGITS).unwrap_or_else(|| format!("≈ {}", significant(self.in_unit(unit, rough_si), 2)))
+    }
+
+    /// The nearest double of a number in SI, for programs; that of double precision where nothing encloses it.
+    pub(super) fn nearest(&self, which: Which, rough: f64) -> Json {
+        let told = self.enclosed(which, Unit::Si, 17).filter(|e| e.radius <= 1e-15 * e.approx.abs().max(NOTHING));
+        let value = told.map_or(rough, |e| if e.contains_zero() { 0.0 } else { e.approx });
+        if value.is_finite() { json!(value) } else { Json::Null }
+    }
+}

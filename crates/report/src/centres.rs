@@ -1,0 +1,361 @@
+//! Instantaneous centres as a table: how each is found, where it lies, and what they tell.
+
+use super::columns::columns;
+use super::writing::Writing;
+use hodograph_base::digits::{direction_degrees, line_degrees, significant};
+use hodograph_mechanism::answer::Value;
+use hodograph_methods::centres::{By, Centre, Centres, How, Motion, Pair, Place, Speed, Turning, omega, velocity};
+use hodograph_paper::paper::phrase::tr;
+use hodograph_scene::{Kind, Lang, LinkId, Scene};
+
+/// Significant digits of the table.
+const DIGITS: usize = 6;
+
+/// Differences below this are those of double precision.
+const ROUNDING: f64 = 1e-12;
+
+/// A writer for one result and language.
+pub struct Words<'a> {
+    pub(super) found: &'a Centres,
+    pub(super) scene: &'a Scene,
+    pub(super) lang: Lang,
+    /// How names stand in a sentence.
+    pub(super) writing: Writing,
+}
+
+/// The report as text.
+pub fn text(found: &Centres, lang: Lang) -> String {
+    let w = Words::new(found, lang);
+    let mut lines = Vec::new();
+    let title = w.scene.title.get(lang);
+    if !title.is_empty() {
+        lines.push(title.to_owned());
+    }
+    lines.push(w.counts());
+    lines.push(String::new());
+    lines.extend(columns(&w.table(), 3));
+    lines.push(String::new());
+    lines.push(w.proof());
+    lines.push(String::new());
+    lines.push(tr(lang, "velocities by centres:", "用瞬心求速度：").into());
+    lines.extend(w.steps().into_iter().map(|s| format!("  {s}")));
+    lines.push(String::new());
+    lines.extend(columns(&w.ways(), 1));
+    lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
+}
+
+impl<'a> Words<'a> {
+    /// A writer.
+    pub fn new(found: &'a Centres, lang: Lang) -> Words<'a> {
+        Words { found, scene: &found.scene, lang, writing: Writing::Plain }
+    }
+
+    /// A writer whose sentences have their names between dollar signs ([`hodograph_paper::paper::phrase::Phrase::new`]).
+    pub fn marked(found: &'a Centres, lang: Lang) -> Words<'a> {
+        Words { writing: Writing::Marked, ..Words::new(found, lang) }
+    }
+
+    pub(super) fn pair(&self, a: LinkId, b: LinkId) -> Pair {
+        self.found.closure.pair(a, b)
+    }
+
+    fn name(&self, a: LinkId, b: LinkId) -> String {
+        self.writing.letter("P", &self.pair(a, b).indices(self.scene))
+    }
+
+    /// How many centres there are, and how they are found.
+    pub fn counts(&self) -> String {
+        let c = &self.found.closure;
+        let taken = c.steps.iter().filter(|s| s.how == How::Velocities).count();
+        let (n, all, primary) = (c.links.len(), c.steps.len(), c.primary);
+        let more = all - primary - taken;
+        match (self.lang, taken) {
+            (Lang::En, 0) => format!("{n} links, {all} centres: {primary} at the pairs, {more} by the theorem of three centres"),
+            (Lang::En, _) => {
+                format!("{n} links, {all} centres: {primary} at the pairs, {taken} from velocities, {more} by the theorem of three centres")
+            }
+            (Lang::Zh, 0) => format!("{n} 个构件，{all} 个瞬心：{primary} 个由运动副直接得到，{more} 个由三心定理求得"),
+            (Lang::Zh, _) => {
+                format!("{n} 个构件，{all} 个瞬心：{primary} 个由运动副直接得到，{taken} 个由速度求得，{more} 个由三心定理求得")
+            }
+        }
+    }
+
+    /// A length unit of the table: the book's, else the scene's; its name, and how many of it a metre has.
+    fn unit(&self) -> (String, f64) {
+        match self.scene.book.chosen(Kind::Length) {
+            Some(unit) => (unit.name().to_owned(), unit.of(1.0)),
+            None => {
+                let unit = self.scene.length_unit;
+                (unit.name.to_owned(), unit.denominator / unit.numerator)
+            }
+        }
+    }
+
+    /// A length in that unit.
+    pub fn length(&self, m: f64) -> String {
+        let (name, per_metre) = self.unit();
+        let m = if m.abs() <= ROUNDING * self.found.worked.configuration.extent() { 0.0 } else { m };
+        format!("{} {name}", significant(m * per_metre, DIGITS))
+    }
+
+    fn table(&self) -> Vec<Vec<String>> {
+        let lang = self.lang;
+        let (unit, per_metre) = self.unit();
+        let size = self.found.worked.configuration.extent();
+        let far = |c: &Centre| c.place.and_then(|p| p.point()).map_or(0.0, |p| p.to_vec2().norm());
+        let number = |x: f64, c: &Centre| {
+            // A zero that was found to rounding is zero.
+            let zero = x.abs() <= 1e-12 * size.max(far(c));
+            significant(if zero { 0.0 } else { x * per_metre }, DIGITS)
+        };
+        let mut rows = vec![vec![
+            tr(lang, "centre", "瞬心").to_owned(),
+            tr(lang, "round", "轮次").to_owned(),
+            tr(lang, "how", "求法").to_owned(),
+            format!("x / {unit}"),
+            format!("y / {unit}"),
+        ]];
+        for c in &self.found.list {
+            let mut row = vec![c.step.pair.name(self.scene), c.round.to_string(), self.how(c)];
+            match c.place {
+                Some(Place::At(p)) => row.extend([number(p.x, c), number(p.y, c)]),
+                Some(Place::Infinity(u)) => row
+                    .extend([tr(lang, "at infinity", "无穷远").to_owned(), format!("∠ {}°", significant(line_degrees(u.angle()), DIGITS))]),
+                None => row.extend([tr(lang, "not determined", "不定").to_owned(), String::new()]),
+            }
+            rows.push(row);
+        }
+        rows
+    }
+
+    fn proof(&self) -> String {
+        let found = self.found;
+        let to = |off: f64| match off {
+            off if off < ROUNDING => tr(self.lang, "to rounding", "只差舍入误差").to_owned(),
+            off => format!("{} {}", tr(self.lang, "to", "相对差"), significant(off, 2)),
+        };
+        let (residual, triple) = (to(found.worst_residual()), to(found.worst_triple));
+        let none = found.list.iter().all(|c| c.residual.is_none());
+        match self.lang {
+            _ if none => tr(
+                self.lang,
+                "the loop equations have no motion in this pose to check them by",
+                "该位置封闭矢量方程（解析法）无解，不能校核",
+            )
+            .to_owned(),
+            Lang::En => format!(
+                "checked by the loop equations: each centre has the same velocity on both links ({residual}); the three centres of any three links are collinear ({triple})"
+            ),
+            Lang::Zh => {
+                format!("用封闭矢量方程（解析法）校核：各瞬心在两构件上的速度相同（{residual}），任意三个构件的三个瞬心共线（{triple}）")
+            }
+        }
+    }
+
+    fn omega(&self, value: f64) -> String {
+        let book = &self.scene.book;
+        book.text(Kind::Omega, &significant(book.value(Kind::Omega, value), DIGITS))
+    }
+
+    fn velocity(&self, value: f64) -> String {
+        let book = &self.scene.book;
+        book.text(Kind::Velocity, &significant(book.value(Kind::Velocity, value), DIGITS))
+    }
+
+    /// The symbol of a link's ω against the frame.
+    fn symbol(&self, l: LinkId) -> String {
+        let (name, frame) = (self.scene.link_name(l), self.found.uses.frame);
+        let of = if frame == self.scene.ground { name.to_owned() } else { format!("{name}/{}", self.scene.link_name(frame)) };
+        self.writing.indexed("ω", &of)
+    }
+
+    /// The symbol of the velocity of a link or a point.
+    fn v(&self, of: &str) -> String {
+        self.writing.indexed("v", of)
+    }
+
+    /// The steps in words, one line each.
+    pub fn steps(&self) -> Vec<String> {
+        let uses = &self.found.uses;
+        let mut steps = Vec::new();
+        if self.found.at_rest {
+            steps.push(tr(self.lang, "the drivers are at rest: a unit of their rate is taken", "原动件静止：取单位速度").to_owned());
+        }
+        steps.extend(uses.links.iter().map(|t| self.turning(t)));
+        steps.extend(uses.points.iter().map(|s| self.speed(s)));
+        match self.writing {
+            Writing::Plain => steps,
+            // Names beside one another are one formula; columns are those of a terminal.
+            Writing::Marked => steps.iter().map(|s| s.replace("$$", "").replace("  ", " ")).collect(),
+        }
+    }
+
+    fn sense(&self, omega: f64) -> &'static str {
+        match omega {
+            o if o > 0.0 => tr(self.lang, ", counter-clockwise", "，逆时针"),
+            o if o < 0.0 => tr(self.lang, ", clockwise", "，顺时针"),
+            _ => "",
+        }
+    }
+
+    fn of(&self, l: LinkId) -> Option<&Turning> {
+        self.found.uses.links.iter().find(|t| t.link == l)
+    }
+
+    /// ω of a link against the frame; zero where it is no more than rounding.
+    fn rate_of(&self, l: LinkId) -> f64 {
+        let rate = |t: &Turning| if let Motion::Turn(omega) = t.motion { omega } else { 0.0 };
+        let most = self.found.uses.links.iter().map(|t| rate(t).abs()).fold(0.0, f64::max);
+        self.of(l).map(rate).filter(|omega| omega.abs() > ROUNDING * most).unwrap_or(0.0)
+    }
+
+    /// A speed in words; zero where it is no more than rounding.
+    fn speed_words(&self, value: f64) -> String {
+        self.velocity(if value <= ROUNDING * self.fastest() { 0.0 } else { value })
+    }
+
+    /// The largest speed of a point, or of a link's turning over the mechanism: beside it speeds are more than rounding.
+    fn fastest(&self) -> f64 {
+        let size = self.found.worked.configuration.extent();
+        let of_links = self.found.uses.links.iter().map(|t| match t.motion {
+            Motion::Turn(omega) => omega.abs() * size,
+            Motion::Slide(v) => v.norm(),
+        });
+        self.found.uses.points.iter().map(|s| s.velocity.norm()).chain(of_links).fold(0.0, f64::max)
+    }
+
+    fn turning(&self, t: &Turning) -> String {
+        let (lang, frame) = (self.lang, self.found.uses.frame);
+        let v_k = self.v(self.scene.link_name(t.link));
+        let (rate, slide) = match t.motion {
+            Motion::Turn(_) => (self.rate_of(t.link), None),
+            Motion::Slide(v) => (0.0, Some(v)),
+        };
+        let rate_words = format!("{}{}", self.omega(rate.abs()), self.sense(rate));
+        let slides = |v: hodograph_base::geom::Vec2| {
+            let along = significant(direction_degrees(v.angle()), DIGITS);
+            format!("{} ∠ {along}°", self.velocity(v.norm()))
+        };
+        let own = self.symbol(t.link);
+        match t.by {
+            By::Driver | By::Analysis => {
+                let why = if t.by == By::Driver {
+                    tr(lang, if self.scene.drivers.len() > 1 { "  (a driver)" } else { "  (the driver)" }, "（原动件）")
+                } else {
+                    tr(lang, "  (by the analysis)", "（由解析法）")
+                };
+                match slide {
+                    Some(v) => format!("{v_k} = {}{why}", slides(v)),
+                    None => format!("{own} = {rate_words}{why}"),
+                }
+            }
+            By::Ratio { link, of_other, own: arm } => {
+                let (x, m) = (self.name(t.link, link), self.symbol(link));
+                let (o, c) = (self.name(frame, t.link), self.name(frame, link));
+                let sense = match (lang, rate * self.rate_of(link)) {
+                    (_, 0.0) => String::new(),
+                    (Lang::En, p) if p > 0.0 => format!("; {x} lies outside {c}{o}: the same sense"),
+                    (Lang::En, _) => format!("; {x} lies between {c} and {o}: opposite senses"),
+                    (Lang::Zh, p) if p > 0.0 => format!("；{x} 在 {c}{o} 之外：转向相同"),
+                    (Lang::Zh, _) => format!("；{x} 在 {c}{o} 之间：转向相反"),
+                };
+                let ratio = significant(if rate == 0.0 { 0.0 } else { of_other / arm }, DIGITS);
+                let (over, then) = if frame == self.scene.ground { ("/", tr(lang, "; ", "；")) } else { (" : ", tr(lang, "; ", "；")) };
+                let (near, far) = (self.length(of_other), self.length(arm));
+                format!("{own}{over}{m} = {c}{x}/{o}{x} = {near} / {far} = {ratio}{sense}{then}{own} = {rate_words}")
+            }
+            By::Together(m) => match lang {
+                Lang::En => format!("{} lies at infinity: {own} = {} = {rate_words}", self.name(t.link, m), self.symbol(m)),
+                Lang::Zh => format!("{} 在无穷远处：{own} = {} = {rate_words}", self.name(t.link, m), self.symbol(m)),
+            },
+            By::Wedge(m) => {
+                let (x, v_m) = (self.name(t.link, m), self.v(self.scene.link_name(m)));
+                let v = slide.map_or(String::new(), slides);
+                match lang {
+                    Lang::En => format!("{x} lies at infinity: {v_k} and {v_m} have one component along its direction; {v_k} = {v}"),
+                    Lang::Zh => format!("{x} 在无穷远处：{v_k} 与 {v_m} 沿其方向的分量相等；{v_k} = {v}"),
+                }
+            }
+            By::Slides { link, arm } => {
+                let (x, c, m) = (self.name(t.link, link), self.name(frame, link), self.symbol(link));
+                let turns = self.omega(self.rate_of(link).abs());
+                format!("{v_k} = {m} · {c}{x} = {turns} · {} = {}", self.length(arm), slide.map_or(String::new(), slides))
+            }
+            By::FromSlide { link, arm } => {
+                let (x, o) = (self.name(t.link, link), self.name(frame, t.link));
+                let speed = self.of(link).map_or(0.0, |m| if let Motion::Slide(v) = m.motion { v.norm() } else { 0.0 });
+                let (v_m, speed, arm) = (self.v(self.scene.link_name(link)), self.velocity(speed), self.length(arm));
+                format!("{own} = {v_m} / {o}{x} = {speed} / {arm} = {rate_words}")
+            }
+        }
+    }
+
+    fn speed(&self, s: &Speed) -> String {
+        let link = self.scene.link_name(s.link);
+        let (v_point, point) = (self.v(self.scene.point_name(s.point)), self.writing.point(self.scene.point_name(s.point)));
+        let size = self.speed_words(s.velocity.norm());
+        match s.arm {
+            Some(arm) => {
+                let o = self.name(self.scene.ground, s.link);
+                let turns = self.omega(self.of(s.link).map_or(0.0, |t| t.omega.abs()));
+                let omega = self.writing.indexed("ω", link);
+                format!("{v_point} = {omega} · {o}{point} = {turns} · {} = {size}", self.length(arm))
+            }
+            None => format!("{v_point} = {} = {size}", self.v(link)),
+        }
+    }
+
+    /// The values by centres beside those of drawing and analysis.
+    fn ways(&self) -> Vec<Vec<String>> {
+        let lang = self.lang;
+        let mut rows = vec![vec![
+            tr(lang, "magnitude", "量").to_owned(),
+            tr(lang, "by centres", "瞬心法").to_owned(),
+            tr(lang, "drawn", "图解").to_owned(),
+            tr(lang, "loop equations", "解析").to_owned(),
+        ]];
+        let most = self.found.uses.links.iter().map(|t| t.omega.abs()).fold(0.0, f64::max);
+        let fastest = self.fastest();
+        for (symbol, kind, value, others) in self.values() {
+            let zero = 1e-12 * if kind == Kind::Omega { most } else { fastest };
+            let write = |v: f64| match (kind, if v.abs() <= zero { 0.0 } else { v }) {
+                (Kind::Omega, v) => self.omega(v),
+                (_, v) => self.velocity(v),
+            };
+            let mut row = vec![symbol, write(value)];
+            row.extend(others.map(|v| v.map_or_else(|| "–".to_owned(), write)));
+            rows.push(row);
+        }
+        rows
+    }
+
+    /// Symbol, kind, value by centres, and by drawing and analysis; of a vector the length.
+    pub fn values(&self) -> Vec<(String, Kind, f64, [Option<f64>; 2])> {
+        let number = |v: Value| match v {
+            Value::Scalar(s) => s,
+            Value::Vector(v) => v.norm(),
+            Value::Point(p) => p.to_vec2().norm(),
+        };
+        let links = self.found.uses.links.iter().filter(|t| t.link != self.scene.ground).map(|t| {
+            let others = self.found.other_ways(&omega(t.link, None)).map(|v| v.map(number));
+            (format!("ω_{}", self.scene.link_name(t.link)), Kind::Omega, t.omega, others)
+        });
+        let points = self.found.uses.points.iter().map(|s| {
+            let others = self.found.other_ways(&velocity(s.point)).map(|v| v.map(number));
+            (format!("v_{}", self.scene.point_name(s.point)), Kind::Velocity, s.velocity.norm(), others)
+        });
+        links.chain(points).collect()
+    }
+}
+
+/// Where all centres lie, in one line for readers who do not see the figure.
+pub fn places(found: &Centres, lang: Lang) -> String {
+    let w = Words::new(found, lang);
+    let place = |c: &Centre| match c.place {
+        Some(Place::At(p)) => format!("({}, {})", w.length(p.x), w.length(p.y)),
+        Some(Place::Infinity(_)) => tr(lang, "at infinity", "无穷远").to_owned(),
+        None => tr(lang, "not determined", "不定").to_owned(),
+    };
+    found.list.iter().map(|c| format!("{} {}", c.step.pair.name(w.scene), place(c))).collect::<Vec<_>>().join("; ")
+}

@@ -1,0 +1,136 @@
+//! How each instantaneous centre is found, in words: by its pair, or as the crossing of two lines.
+
+use super::centres::Words;
+use super::writing::Writing;
+use hodograph_board::plan::names::name_label;
+use hodograph_methods::centres::{Centre, How, Line, Origin, Pair, Place, Primary};
+use hodograph_paper::paper::phrase::{Phrase, fill, tr};
+use hodograph_scene::{GuidePath, Lang, PointId};
+
+impl Words<'_> {
+    /// How a centre is found, in plain characters: `pin B`, `23·34 × 12·14`.
+    pub fn how(&self, c: &Centre) -> String {
+        let given = if c.step.given_drivers { tr(self.lang, " (for the given drivers)", "（对给定的原动件运动）") } else { "" };
+        let how = match (&c.step.how, c.origin) {
+            (How::Primary(primary), _) => self.primary(*primary, Writing::Plain),
+            (_, Some(Origin::Crossing(lines))) => self.crossing(c, lines, Writing::Plain),
+            (How::Lines(_), Some(Origin::Velocities)) => {
+                tr(self.lang, "velocities, as its lines coincide", "速度（所作的线重合）").to_owned()
+            }
+            (How::Velocities, Some(Origin::Velocities)) => {
+                let how = tr(self.lang, "velocities of the analysis", "解析法的速度");
+                self.normals(c).map_or_else(
+                    || how.to_owned(),
+                    |normals| format!("{how}{}{}", tr(self.lang, ", ", "，"), Phrase::new(&normals).plain()),
+                )
+            }
+            (_, Some(Origin::Pair) | None) => "–".to_owned(),
+        };
+        format!("{how}{given}")
+    }
+
+    /// How a centre is found, in a few words for a figure: `pin B`, `23·34 × 12·14`.
+    pub fn found_by(&self, c: &Centre) -> Phrase {
+        Phrase::new(&match (&c.step.how, c.origin) {
+            (How::Primary(primary), _) => self.primary(*primary, Writing::Marked),
+            (_, Some(Origin::Crossing(lines))) => self.crossing(c, lines, Writing::Marked),
+            (_, Some(Origin::Velocities)) => self.normals(c).unwrap_or_else(|| tr(self.lang, "from velocities", "由速度求得").to_owned()),
+            (_, Some(Origin::Pair) | None) => "–".to_owned(),
+        })
+    }
+
+    /// How a centre is found, as a sentence of a construction.
+    pub fn sentence(&self, c: &Centre) -> Phrase {
+        let (i, j) = (c.step.pair.i, c.step.pair.j);
+        let name = |a, b| format!("P_{{{}}}", name_label(&self.pair(a, b).indices(self.scene)));
+        let far = matches!(c.place, Some(Place::Infinity(_)));
+        let at_infinity = if far { tr(self.lang, ", at infinity", "，在无穷远处") } else { "" };
+        let own = name(i, j);
+        let line = |line: Line| match line {
+            Line::Through(k) => format!("${}{}$", name(i, k), name(k, j)),
+            Line::Normal(_) | Line::Infinity => self.line(c.step.pair, line, Writing::Marked),
+        };
+        Phrase::new(&match (c.origin, self.lang) {
+            (Some(Origin::Crossing([a, b])), Lang::En) => {
+                format!("${own}$ is the intersection of {} and {}{at_infinity}.", line(a), line(b))
+            }
+            (Some(Origin::Crossing([a, b])), Lang::Zh) => format!("${own}$ 为 {} 与 {} 的交点{at_infinity}。", line(a), line(b)),
+            (_, Lang::En) => format!("${own}$: {}{at_infinity}.", self.found_by(c).source()),
+            (_, Lang::Zh) => format!("${own}$：{}{at_infinity}。", self.found_by(c).source()),
+        })
+    }
+
+    /// The two velocities whose normals give a centre that the theorem does not find.
+    fn normals(&self, c: &Centre) -> Option<String> {
+        let [a, b] = self.found.normals(c)?.map(|n| name_label(self.scene.point_name(n.point)));
+        Some(match self.lang {
+            Lang::En => format!("normals to $v_{{{a}}}$, $v_{{{b}}}$"),
+            Lang::Zh => format!("$v_{{{a}}}$、$v_{{{b}}}$ 的垂线"),
+        })
+    }
+
+    /// Two lines that cross in a centre.
+    fn crossing(&self, c: &Centre, lines: [Line; 2], writing: Writing) -> String {
+        lines.map(|line| self.line(c.step.pair, line, writing)).join(" × ")
+    }
+
+    fn primary(&self, primary: Primary, writing: Writing) -> String {
+        let point = |p: PointId| writing.point(self.scene.point_name(p));
+        match primary {
+            Primary::Pin(p) => format!("{} {}", tr(self.lang, "pin", "转动副"), point(p)),
+            Primary::Slide(g) => {
+                let guide = &self.scene.guides[g.0];
+                let at = guide.pin.map_or(String::new(), |p| format!(" {}", point(p)));
+                format!("{}{at}", tr(self.lang, "perpendicular to the guide", "垂直于导路"))
+            }
+            Primary::Contact(r) => {
+                let rolling = &self.scene.rolling[r.0];
+                let words = if rolling.kind.meshes() {
+                    tr(self.lang, "pitch point", "节点")
+                } else if rolling.kind.is_flexible() {
+                    tr(self.lang, "rope leaves at", "绳的切点")
+                } else {
+                    tr(self.lang, "rolling contact", "滚动接触点")
+                };
+                format!("{words} {}", point(rolling.at[0]))
+            }
+            Primary::Strand(r) => {
+                let [a, b] = self.scene.rolling[r.0].centres().map(|p| p.map_or(String::new(), point));
+                let inner = self.scene.rolling[r.0].is_crossed();
+                let words = match (self.lang, inner) {
+                    (Lang::En, true) => "inner tangent × line of centres",
+                    (Lang::En, false) => "outer tangent × line of centres",
+                    (Lang::Zh, true) => "内公切线 × 连心线",
+                    (Lang::Zh, false) => "外公切线 × 连心线",
+                };
+                format!("{words} {a}{b}")
+            }
+            Primary::Cylinder(_) => tr(self.lang, "perpendicular to the cylinder", "垂直于液压缸").to_owned(),
+        }
+    }
+
+    /// A line on which a centre lies: `23·34`.
+    pub(super) fn line(&self, pair: Pair, line: Line, writing: Writing) -> String {
+        match line {
+            Line::Through(k) => {
+                format!("{}·{}", self.pair(pair.i, k).indices(self.scene), self.pair(k, pair.j).indices(self.scene))
+            }
+            Line::Normal(g) => {
+                let guide = &self.scene.guides[g.0];
+                let pin = guide.pin.map_or(String::new(), |p| writing.point(self.scene.point_name(p)));
+                // Along a circle of a cam the normal of the contact and the radius through it are one line.
+                if let Some(cam) = self.scene.cams.iter().find(|c| c.contact == Some(g)) {
+                    let at = cam.at.as_deref().map(|at| format!(" {}", writing.point(at))).unwrap_or_default();
+                    return fill(tr(self.lang, "common normal at the contact{}", "接触点{} 处的公法线"), &[("", &at)]);
+                }
+                match (&guide.path, self.lang) {
+                    (GuidePath::Line { .. }, Lang::En) => format!("normal of the slot at {pin}"),
+                    (GuidePath::Arc { .. }, Lang::En) => format!("radius of the slot at {pin}"),
+                    (GuidePath::Line { .. }, Lang::Zh) => format!("{pin} 处槽的法线"),
+                    (GuidePath::Arc { .. }, Lang::Zh) => format!("{pin} 处槽的半径"),
+                }
+            }
+            Line::Infinity => tr(self.lang, "the line at infinity", "无穷远直线").to_owned(),
+        }
+    }
+}

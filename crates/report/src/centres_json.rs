@@ -1,0 +1,70 @@
+//! Instantaneous centres for programs.
+
+use super::answers::diagnostic;
+use super::centres::Words;
+use super::writing::Writing;
+use hodograph_base::diag::Diagnostic;
+use hodograph_base::digits::line_degrees;
+use hodograph_methods::centres::{Centres, How, Origin, Pair, Place};
+use hodograph_scene::Lang;
+use serde_json::{Value as Json, json};
+
+/// The centres for programs, in SI.
+pub fn json(found: &Centres, notes: &[Diagnostic]) -> Json {
+    let w = Words::new(found, Lang::En);
+    let scene = &found.scene;
+    let names = |p: Pair| [scene.link_name(p.i).to_owned(), scene.link_name(p.j).to_owned()];
+    let centres: Vec<Json> = found
+        .list
+        .iter()
+        .map(|c| {
+            let (at, direction) = match c.place {
+                Some(Place::At(p)) => (Some([p.x, p.y]), None),
+                Some(Place::Infinity(u)) => (None, Some(line_degrees(u.angle()))),
+                None => (None, None),
+            };
+            let lines: Vec<String> = match c.origin {
+                Some(Origin::Crossing(lines)) => lines.iter().map(|l| w.line(c.step.pair, *l, Writing::Plain)).collect(),
+                Some(Origin::Pair | Origin::Velocities) | None => Vec::new(),
+            };
+            json!({
+                "name": c.step.pair.name(scene),
+                "links": names(c.step.pair),
+                "round": c.round,
+                "by": match (&c.step.how, c.origin) {
+                    (_, None) => "none",
+                    (How::Primary(_), _) => "pair",
+                    (_, Some(Origin::Velocities)) => "velocities",
+                    (_, Some(Origin::Crossing(_) | Origin::Pair)) => "lines",
+                },
+                "how": w.how(c),
+                "lines": lines,
+                "at": at,
+                "infinity_deg": direction,
+                "given_drivers": c.step.given_drivers,
+                "residual": c.residual,
+            })
+        })
+        .collect();
+    let values: Vec<Json> = w
+        .values()
+        .into_iter()
+        .map(|(symbol, kind, value, [drawing, analysis])| {
+            json!({"symbol": symbol, "unit": kind.si(), "centres": value, "drawing": drawing, "analysis": analysis})
+        })
+        .collect();
+    json!({
+        "title": {"en": scene.title.en, "zh": scene.title.zh},
+        "links": found.closure.links.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>(),
+        "count": found.closure.steps.len(),
+        "primary": found.closure.primary,
+        "by_theorem": found.closure.by_theorem,
+        "stalled": found.closure.stalled(),
+        "centres": centres,
+        "steps": {"en": w.steps(), "zh": Words::new(found, Lang::Zh).steps()},
+        "values": values,
+        "worst_residual": found.worst_residual(),
+        "worst_triple": found.worst_triple,
+        "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
+    })
+}

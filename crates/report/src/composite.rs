@@ -1,0 +1,436 @@
+//! Composite motion of a point as a table for people and as JSON for programs: which moving points and frames serve and why not, the parts
+//! of the motion, and the projection that leaves out the unwanted unknown. In the words of theoretical mechanics.
+
+mod motions;
+
+use super::answers::diagnostic;
+use super::columns::columns;
+use super::writing::Writing;
+use hodograph_base::diag::Diagnostic;
+use hodograph_base::digits::{direction_degrees, inked, significant};
+use hodograph_base::geom::Vec2;
+use hodograph_board::plan::names::name_label;
+use hodograph_board::plan::notation::Notation;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_methods::composite::contact::Slip;
+use hodograph_methods::composite::{Choice, Known, On, Place, Projection, Solved, Staged, Term, Turned, Verdict, name_of, projections};
+use hodograph_paper::paper::phrase::{Phrase, capital, sense, tr};
+use hodograph_scene::quantity::composite::Part;
+use hodograph_scene::quantity::{Frame, RelativePath};
+use hodograph_scene::{GuidePath, Kind, Lang, Scene};
+use serde_json::{Value as Json, json};
+
+/// Significant digits of the table; the certified ones are told by `solve`.
+const DIGITS: usize = 5;
+/// Values to a line.
+const PER_LINE: usize = 3;
+
+/// The report as text.
+pub fn text(scene: &Scene, all: &[Choice], solved: &[Solved], lang: Lang, notation: &Notation) -> String {
+    let w = Words { scene, lang, notation };
+    let mut lines = Vec::new();
+    let title = scene.title.get(lang);
+    if !title.is_empty() {
+        lines.push(title.to_owned());
+    }
+    if all.is_empty() {
+        lines.push(tr(lang, "no pair of moving bodies offers a moving point and a frame", "没有可作动点和动系的运动物体").to_owned());
+    } else {
+        lines.extend(columns(&w.table(all), usize::MAX));
+    }
+    for s in solved {
+        lines.push(String::new());
+        lines.extend(w.lines(s).iter().map(|p| p.plain()));
+    }
+    lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
+}
+
+/// The word for a verdict in JSON.
+pub fn code(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Serves => "serves",
+        Verdict::PathUnknown => "path-unknown",
+        Verdict::PointChanges => "momentary-point",
+        Verdict::SameBody => "same-body",
+        Verdict::FrameFixed => "frame-unusable",
+    }
+}
+
+/// A writer for one scene and language.
+pub struct Words<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// The language.
+    pub lang: Lang,
+    /// The marks of normal, tangential and Coriolis parts, and how vectors are written.
+    pub notation: &'a Notation,
+}
+
+impl Words<'_> {
+    fn table(&self, all: &[Choice]) -> Vec<Vec<String>> {
+        let lang = self.lang;
+        let head = [tr(lang, "moving point", "动点"), tr(lang, "frame", "动系"), tr(lang, "at", "位置"), tr(lang, "verdict", "结论"), ""];
+        let row = |c: &Choice| {
+            let point = name_of(self.scene, &c.of);
+            vec![point, self.frame(c.frame, Writing::Plain), self.place(c), self.verdict(c.verdict).to_owned(), self.reason(c)]
+        };
+        std::iter::once(head.map(str::to_owned).to_vec()).chain(all.iter().map(row)).collect()
+    }
+
+    /// A frame: `link 2`, `translating with C`.
+    fn frame(&self, frame: Frame, writing: Writing) -> String {
+        match (frame, self.lang) {
+            (Frame::Link(l), Lang::En) => format!("link {}", self.scene.link_name(l)),
+            (Frame::Link(l), Lang::Zh) => format!("构件 {}", self.scene.link_name(l)),
+            (Frame::Point(p), Lang::En) => format!("translating with {}", writing.point(&name_of(self.scene, &p))),
+            (Frame::Point(p), Lang::Zh) => format!("随 {} 平移", writing.point(&name_of(self.scene, &p))),
+        }
+    }
+
+    fn place(&self, c: &Choice) -> String {
+        let lang = self.lang;
+        match c.place {
+            Place::Named => tr(lang, "as asked", "按题意").to_owned(),
+            Place::Pin(p) => format!("{} {}", tr(lang, "pin", "转动副"), self.scene.point_name(p)),
+            Place::Guide(g) => {
+                let guide = &self.scene.guides[g.0];
+                let name = guide.pin.map_or("", |p| self.scene.point_name(p));
+                format!("{} {name}", tr(lang, "guide at", "移动副"))
+            }
+            Place::Cam(_) => format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(c.of.point)),
+            Place::Contact(r) => format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(self.scene.rolling[r.0].at[0])),
+        }
+    }
+
+    /// The verdict in a word or two.
+    pub fn verdict(&self, verdict: Verdict) -> &'static str {
+        match verdict {
+            Verdict::Serves => tr(self.lang, "serves", "可用"),
+            Verdict::PathUnknown => tr(self.lang, "path not known", "轨迹未知"),
+            Verdict::PointChanges => tr(self.lang, "point changes", "不是固定点"),
+            Verdict::SameBody => tr(self.lang, "same body", "同一物体"),
+            Verdict::FrameFixed => tr(self.lang, "frame stands still", "动系不动"),
+        }
+    }
+
+    /// Why.
+    fn reason(&self, c: &Choice) -> String {
+        let (scene, lang) = (self.scene, self.lang);
+        match c.verdict {
+            Verdict::Serves if c.path == RelativePath::Unknown => tr(
+                lang,
+                "momentary contact: v_r along the tangent, a_r^n known from the velocities",
+                "瞬时接触点：v_r 沿公切线，a_r^n 由速度求得",
+            )
+            .to_owned(),
+            Verdict::Serves => self.path(c, Writing::Plain),
+            Verdict::PathUnknown => tr(
+                lang,
+                "its path in the frame is not known: neither the direction of v_r nor a_r^n",
+                "相对轨迹未知：v_r 的方向和 a_r^n 均未知",
+            )
+            .to_owned(),
+            Verdict::PointChanges => tr(
+                lang,
+                "another point of the body lies at the contact at every instant; its relative path is not the guide or profile",
+                "接触处每瞬时是该物体上不同的点，其相对轨迹不是导路或廓线",
+            )
+            .to_owned(),
+            Verdict::SameBody => {
+                let point = scene.point_name(c.of.point);
+                match lang {
+                    Lang::En => format!("{point} belongs to the frame: no relative motion"),
+                    Lang::Zh => format!("{point} 在动系上，没有相对运动"),
+                }
+            }
+            Verdict::FrameFixed => tr(lang, "nothing is carried", "没有牵连运动").to_owned(),
+        }
+    }
+
+    /// The path of the point in the frame.
+    fn path(&self, c: &Choice, writing: Writing) -> String {
+        let (scene, lang) = (self.scene, self.lang);
+        match c.path {
+            RelativePath::Guide(g) => match scene.guides[g.0].path {
+                GuidePath::Line { .. } => tr(lang, "relative path: a straight line, the guide", "相对轨迹：沿导路的直线").to_owned(),
+                GuidePath::Arc { centre, .. } => self.circle(&writing.point(scene.point_name(centre))),
+            },
+            RelativePath::Circle(k) => self.circle(&writing.point(scene.point_name(k))),
+            RelativePath::Unknown => String::new(),
+        }
+    }
+
+    fn circle(&self, centre: &str) -> String {
+        match self.lang {
+            Lang::En => format!("relative path: a circle about {centre}"),
+            Lang::Zh => format!("相对轨迹：以 {centre} 为圆心的圆"),
+        }
+    }
+
+    /// The heading of a choice: `moving point A, frame fixed to link 2`.
+    pub fn heading(&self, c: &Choice) -> Phrase {
+        let (point, frame) = (Writing::Marked.point(&name_of(self.scene, &c.of)), self.frame(c.frame, Writing::Marked));
+        Phrase::new(&match (c.frame, self.lang) {
+            (Frame::Link(_), Lang::En) => format!("Moving point {point}, frame fixed to {frame}"),
+            (Frame::Point(_), Lang::En) => format!("Moving point {point}, frame {frame}"),
+            (Frame::Link(_), Lang::Zh) => format!("动点 {point}，动系固连于{frame}"),
+            (Frame::Point(_), Lang::Zh) => format!("动点 {point}，动系{frame}"),
+        })
+    }
+
+    /// A projection in a line.
+    fn projected(&self, words: &str, equation: &str) -> String {
+        format!("{words}{}${equation}$", tr(self.lang, " ", ""))
+    }
+
+    /// All that is told of a choice: heading, path, equations with values, projections.
+    pub fn lines(&self, s: &Solved) -> Vec<Phrase> {
+        let mut out = vec![self.heading(&s.choice), self.three_motions(&s.choice)];
+        out.extend(self.body(s, PER_LINE));
+        out
+    }
+
+    /// The same below its heading, so many values to a line; in narrow columns of fewer than three a projection has two lines.
+    pub fn body(&self, s: &Solved, per_line: usize) -> Vec<Phrase> {
+        let mut out = match s.slip {
+            Some(slip) if !s.acceleration.is_empty() => self.contact(&slip, per_line),
+            Some(_) | None => vec![self.first(s)],
+        };
+        let [whole, carried, relative] = ["v_{a}", "v_{e}", "v_{r}"].map(|symbol| self.notation.vectors.write(symbol.to_owned()));
+        out.push(Phrase::new(&format!("${whole} = {carried} + {relative}$")));
+        let [a, e, r] = s.velocity;
+        out.extend(self.values(&[("v_{a}".into(), a), ("v_{e}".into(), e), ("v_{r}".into(), r)], Kind::Velocity, per_line));
+        let projections = projections(s);
+        let projected = |level| -> Vec<Phrase> {
+            let lines = projections.iter().filter(|p| p.level == level).flat_map(|p| {
+                let (words, equation) = self.projection(p, s.known);
+                if per_line < PER_LINE { vec![words, format!("${equation}$")] } else { vec![self.projected(&words, &equation)] }
+            });
+            lines.map(|l| Phrase::new(&l)).collect()
+        };
+        out.extend(projected(Level::Velocity));
+        if !s.acceleration.is_empty() {
+            let written = |p| self.notation.vectors.write(symbol(p, Level::Acceleration, self.notation));
+            let symbols: Vec<String> = s.acceleration.iter().skip(1).map(|(p, _)| written(*p)).collect();
+            out.push(Phrase::new(&format!("${} = {}$", self.notation.vectors.write("a_{a}".to_owned()), symbols.join(" + "))));
+            let each: Vec<(String, Vec2)> =
+                s.acceleration.iter().map(|(p, v)| (symbol(*p, Level::Acceleration, self.notation), *v)).collect();
+            out.extend(self.values(&each, Kind::Acceleration, per_line));
+            out.extend(projected(Level::Acceleration));
+        }
+        out.extend(s.turning.as_ref().map(|t| self.turning(s, t)));
+        out
+    }
+
+    /// Angular velocity and acceleration of the link that turns about a fixed axis with the wanted motion: `ω_3 = v_e/l_{CB} = ...`.
+    fn turning(&self, s: &Solved, t: &Turned) -> Phrase {
+        let (scene, lang) = (self.scene, self.lang);
+        let [axis, point] = [t.axis, s.choice.of.point].map(|p| name_label(scene.point_name(p)));
+        let whose = if t.of_frame { "e" } else { "a" };
+        let arm = format!("l_{{{axis}{point}}}");
+        let link = name_label(scene.link_name(t.link));
+        let value = |kind: Kind, si: f64| {
+            let number = inked(&significant(scene.book.value(kind, si.abs()), DIGITS));
+            let words = if si == 0.0 { "" } else { sense(lang, si) };
+            format!("{}$ {words}", scene.book.label(kind, &number)).trim_end().to_owned()
+        };
+        let mut out = format!("$\\omega_{{{link}}} = v_{{{whose}}}/{arm} = {}", value(Kind::Omega, t.omega));
+        if let Some(alpha) = t.alpha {
+            let part = format!("a^{{{}}}_{{{whose}}}", self.notation.tangential);
+            out += &format!("{}$\\alpha_{{{link}}} = {part}/{arm} = {}", self.comma(), value(Kind::Alpha, alpha));
+        }
+        Phrase::new(&out)
+    }
+
+    /// What is known of the relative path before anything is drawn.
+    fn first(&self, s: &Solved) -> Phrase {
+        let lang = self.lang;
+        Phrase::new(&match s.choice.verdict {
+            Verdict::Serves if s.slip.is_some() => {
+                tr(lang, "Momentary contact: $v_{r}$ along the common tangent", "瞬时接触点：$v_{r}$ 沿公切线").to_owned()
+            }
+            Verdict::Serves => capital(&self.path(&s.choice, Writing::Marked)),
+            Verdict::PathUnknown if !s.acceleration.is_empty() => {
+                let words = tr(lang, "Relative path not known: $a_{r}$ is the closing side", "相对轨迹未知：$a_{r}$ 由封闭边得出");
+                words.to_owned()
+            }
+            Verdict::PathUnknown | Verdict::PointChanges | Verdict::SameBody | Verdict::FrameFixed => self.verdict(s.choice.verdict).into(),
+        })
+    }
+
+    /// The normal part of a_r at a momentary contact: its formula and its numbers.
+    fn contact(&self, slip: &Slip, per_line: usize) -> Vec<Phrase> {
+        let (lang, book) = (self.lang, &self.scene.book);
+        let told = |kind: Kind, value: f64| {
+            let number = inked(&significant(book.value(kind, value) + 0.0, DIGITS));
+            book.label(kind, &number)
+        };
+        let formula = match slip.radii {
+            [Some(_), None] => "\\Omega^2\\rho + 2\\Omega v_{s}",
+            [None, Some(_)] => "\\Omega^2\\rho",
+            [Some(_), Some(_)] | [None, None] => "\\Omega^2\\rho_2 − (v_{s} − \\Omega\\rho_2)^2/(\\rho_1 + \\rho_2)",
+        };
+        let first = tr(lang, "Momentary contact: $v_{r}$ along the common tangent", "瞬时接触点：$v_{r}$ 沿公切线");
+        let normal = tr(lang, "along the outward normal of the frame's contour:", "沿动系轮廓外法线：");
+        let equation = format!("$a^{{n}}_{{r}} = {formula} = {}$", told(Kind::Acceleration, slip.acceleration()));
+        let numbers =
+            format!("$\\Omega = {}${} $v_{{s}} = {}$", told(Kind::Omega, slip.omega), self.comma(), told(Kind::Velocity, slip.sliding));
+        let lines = if per_line < PER_LINE {
+            vec![first.to_owned(), normal.to_owned(), equation, numbers]
+        } else {
+            vec![first.to_owned(), format!("{normal} {equation}{}{numbers}", self.comma())]
+        };
+        lines.iter().map(|l| Phrase::new(l)).collect()
+    }
+
+    fn values(&self, vectors: &[(String, Vec2)], kind: Kind, per_line: usize) -> Vec<Phrase> {
+        let largest = vectors.iter().map(|v| v.1.norm()).fold(0.0, f64::max);
+        let told = |(symbol, v): &(String, Vec2)| {
+            // What is left of rounding has no direction.
+            if v.norm() <= 1e-12 * largest {
+                return format!("${symbol} = 0$");
+            }
+            let number = inked(&significant(self.scene.book.value(kind, v.norm()), DIGITS));
+            let degrees = inked(&significant(direction_degrees(v.angle()), DIGITS));
+            format!("${symbol} = {}$ ∠ ${degrees}$°", self.scene.book.label(kind, &number))
+        };
+        vectors.chunks(per_line.max(1)).map(|row| Phrase::new(&row.iter().map(told).collect::<Vec<_>>().join(self.comma()))).collect()
+    }
+
+    fn comma(&self) -> &'static str {
+        tr(self.lang, ", ", "，")
+    }
+
+    /// An equation on a line: `projected square to v_r (on 120°):` and `v_a cos 30° = v_e cos 60°`.
+    fn projection(&self, p: &Projection, known: Known) -> (String, String) {
+        let symbol_of = |term: Term| {
+            let letter = if p.level == Level::Acceleration { "a" } else { "v" };
+            match term {
+                Term::Absolute => symbol(None, p.level, self.notation),
+                Term::AbsoluteNormal => format!("{letter}^{{n}}_{{a}}"),
+                Term::AbsoluteTangential => format!("{letter}^{{{}}}_{{a}}", self.notation.tangential),
+                Term::Component => format!("{letter}_{{a{}}}", if p.on == On::Y { "y" } else { "x" }),
+                Term::Part(part) => symbol(Some(part), p.level, self.notation),
+            }
+        };
+        let term = |(term, angle): &(Term, f64)| {
+            let symbol = symbol_of(*term);
+            let degrees = significant(angle.to_degrees(), 4);
+            match degrees.parse::<f64>() {
+                Ok(d) if d.abs() < 0.01 => symbol,
+                Ok(d) if (d - 180.0).abs() < 0.01 => format!("−{symbol}"),
+                _ => format!("{symbol}\\,\\cos {}°", inked(&degrees)),
+            }
+        };
+        let (left, right): (Vec<_>, Vec<_>) = p.terms.iter().partition(|(term, _)| !matches!(term, Term::Part(_)));
+        let side = |terms: &[&(Term, f64)]| match terms {
+            [] => "0".to_owned(),
+            all => all.iter().map(|t| term(t)).collect::<Vec<_>>().join(" + ").replace("+ −", "− "),
+        };
+        (self.on_line(p, known), format!("{} = {}", side(&left), side(&right)))
+    }
+
+    /// On which line an equation is projected, and for what.
+    fn on_line(&self, p: &Projection, known: Known) -> String {
+        let lang = self.lang;
+        let degrees = inked(&significant(direction_degrees(p.line.angle()), 4));
+        let relative = match p.level {
+            Level::Acceleration => symbol(Some(Part::RelativeTangential), p.level, self.notation),
+            Level::Position | Level::Velocity => symbol(Some(Part::RelativeVelocity), p.level, self.notation),
+        };
+        let wanted = match (known, p.level) {
+            (Known::Transport, Level::Acceleration) => tr(lang, " for $a_{a}$", "，求 $a_{a}$"),
+            (Known::Transport, _) => tr(lang, " for $v_{a}$", "，求 $v_{a}$"),
+            (Known::Absolute, Level::Acceleration) => tr(lang, " for the transport part", "，求牵连加速度"),
+            (Known::Absolute, _) => tr(lang, " for $v_{e}$", "，求 $v_{e}$"),
+            (Known::Both, _) => "",
+        };
+        // A point at rest in its frame has no v_r to be square to.
+        let rests = p.level == Level::Velocity && p.rests;
+        match (p.on, lang) {
+            (On::X, Lang::En) => format!("Projected on the x axis{wanted}:"),
+            (On::X, Lang::Zh) => format!("向 x 轴投影{wanted}："),
+            (On::Y, Lang::En) => "Projected on the y axis:".to_owned(),
+            (On::Y, Lang::Zh) => "向 y 轴投影：".to_owned(),
+            (On::Along, Lang::En) => format!("Projected on the relative path (${degrees}$°) for ${relative}$:"),
+            (On::Along, Lang::Zh) => format!("向相对轨迹的切线方向（${degrees}$°）投影，求 ${relative}$："),
+            (On::Across, Lang::En) if rests => format!("Projected on the perpendicular to the relative path (${degrees}$°){wanted}:"),
+            (On::Across, Lang::Zh) if rests => format!("向垂直于相对轨迹的方向（${degrees}$°）投影{wanted}："),
+            (On::Across, Lang::En) => format!("Projected on the perpendicular to ${relative}$ (${degrees}$°){wanted}:"),
+            (On::Across, Lang::Zh) => format!("向垂直于 ${relative}$ 的方向（${degrees}$°）投影{wanted}："),
+        }
+    }
+}
+
+/// The symbol of a part in the letters of theoretical mechanics with the marks of a notation; `None`: the absolute.
+pub fn symbol(part: Option<Part>, level: Level, notation: &Notation) -> String {
+    let letter = if level == Level::Acceleration { "a" } else { "v" };
+    let (below, above) = match part {
+        None => ("a", ""),
+        Some(Part::TransportVelocity | Part::Transport) => ("e", ""),
+        Some(Part::TransportNormal) => ("e", "n"),
+        Some(Part::TransportTangential) => ("e", notation.tangential.as_str()),
+        Some(Part::RelativeVelocity | Part::Relative | Part::Path) => ("r", ""),
+        Some(Part::RelativeNormal) => ("r", "n"),
+        Some(Part::RelativeTangential) => ("r", notation.tangential.as_str()),
+        Some(Part::Coriolis) => (notation.coriolis.as_str(), ""),
+    };
+    if above.is_empty() { format!("{letter}_{{{below}}}") } else { format!("{letter}^{{{above}}}_{{{below}}}") }
+}
+
+/// The choices for programs, in SI.
+pub fn json(staged: &Staged, all: &[Choice], solved: &[Solved], notes: &[Diagnostic]) -> Json {
+    let scene = &staged.scene;
+    let [english, keys] = [Lang::En, Lang::Zh].map(Notation::of_language);
+    let w = Words { scene, lang: Lang::En, notation: &english };
+    let frame = |f: Frame| match f {
+        Frame::Link(l) => json!({"link": scene.link_name(l)}),
+        Frame::Point(p) => json!({"point": name_of(scene, &p)}),
+    };
+    let path = |c: &Choice| match c.path {
+        RelativePath::Guide(g) => json!({"guide": g.0}),
+        RelativePath::Circle(k) => json!({"circle_about": scene.point_name(k)}),
+        RelativePath::Unknown if c.verdict == Verdict::Serves => json!({"contact_at": scene.point_name(c.of.point)}),
+        RelativePath::Unknown => Json::Null,
+    };
+    let vector = |v: Vec2| json!([v.x, v.y]);
+    let parts = |s: &Solved| {
+        let [a, e, r] = s.velocity;
+        let mut out = json!({"v_a": vector(a), "v_e": vector(e), "v_r": vector(r)});
+        for (part, v) in &s.acceleration {
+            let key = symbol(*part, Level::Acceleration, &keys).replace(['{', '}'], "");
+            let key = match key.split_once("^") {
+                Some((letter, rest)) => rest.split_once('_').map_or(key.clone(), |(above, below)| format!("{letter}_{below}{above}")),
+                None => key,
+            };
+            out[key] = vector(*v);
+        }
+        if let Some(t) = &s.turning {
+            out["turning"] = json!({"link": scene.link_name(t.link), "omega": t.omega, "alpha": t.alpha});
+        }
+        out["projections"] = projections(s)
+            .iter()
+            .map(|p| {
+                let (words, equation) = w.projection(p, s.known);
+                json!(Phrase::new(&w.projected(&words, &equation)).plain())
+            })
+            .collect();
+        out
+    };
+    let choices: Vec<Json> = all
+        .iter()
+        .map(|c| {
+            let found = solved.iter().find(|s| s.choice.of == c.of && s.choice.frame == c.frame);
+            json!({
+                "point": name_of(scene, &c.of),
+                "frame": frame(c.frame),
+                "named": c.place == Place::Named,
+                "verdict": code(c.verdict),
+                "reason": w.reason(c),
+                "path": path(c),
+                "parts": found.map(parts),
+            })
+        })
+        .collect();
+    json!({"choices": choices, "notes": notes.iter().map(diagnostic).collect::<Vec<_>>()})
+}

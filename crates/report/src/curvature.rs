@@ -1,0 +1,354 @@
+//! Curvature in words: the steps of the construction, the values by drawing beside those by analysis, and what is to be said of poses in
+//! which something lies at infinity.
+
+use super::columns::columns;
+use hodograph_base::digits::{direction_degrees, significant};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::plan::names::{name_label, point_label};
+use hodograph_methods::curvature::drawing::Drawing;
+use hodograph_methods::curvature::motion::{Bend, State};
+use hodograph_methods::curvature::plane::End;
+use hodograph_methods::curvature::{Curvature, OfLink, OfPoint};
+use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_scene::{Kind, Lang, LinkId, PointId, Scene};
+
+/// Significant digits of the table.
+const DIGITS: usize = 6;
+/// Lengths below this part of the mechanism's size are rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// A writer for one result and language.
+pub struct Words<'a> {
+    /// What is told.
+    pub found: &'a Curvature,
+    /// The language.
+    pub lang: Lang,
+}
+
+/// The report as text; with `steps` the construction too.
+pub fn text(found: &Curvature, steps: bool, lang: Lang) -> String {
+    let w = Words { found, lang };
+    let mut lines = Vec::new();
+    let title = found.scene.title.get(lang);
+    if !title.is_empty() {
+        lines.push(title.to_owned());
+    }
+    for of in &found.list {
+        lines.push(String::new());
+        lines.push(w.heading(of));
+        lines.extend(w.remarks(of).iter().map(|r| format!("  {}", r.plain())));
+        lines.extend(columns(&w.values(of), usize::MAX).into_iter().map(|r| format!("  {r}")));
+        lines.extend(columns(&w.points(of), usize::MAX).into_iter().map(|r| format!("  {r}")));
+        if let Some(apart) = of.apart() {
+            let told = tr(lang, "drawing and analysis are apart by", "作图与解析相差");
+            lines.push(format!("  {told} {apart:.1e}"));
+        }
+        if steps {
+            let steps = w.steps(of);
+            lines.extend(steps.iter().enumerate().map(|(k, s)| format!("  {}. {}", k + 1, s.plain())));
+        }
+    }
+    lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
+}
+
+impl Words<'_> {
+    pub(super) fn scene(&self) -> &Scene {
+        &self.found.scene
+    }
+
+    /// The link with its points: `2 (BCE)`.
+    fn link(&self, link: LinkId) -> String {
+        let scene = self.scene();
+        let points: String = hodograph_methods::curvature::points(scene, link).iter().map(|p| scene.point_name(*p)).collect();
+        if points.is_empty() { scene.link_name(link).to_owned() } else { format!("{} ({points})", scene.link_name(link)) }
+    }
+
+    /// The heading with the link's points set as points.
+    pub fn heading_set(&self, of: &OfLink) -> Phrase {
+        Phrase::new(&match self.heading(of).split_once('(').map(|(before, rest)| (before, rest.split_once(')'))) {
+            Some((before, Some((points, after)))) => {
+                let [open, close] = match self.lang {
+                    Lang::En => ["(", ")"],
+                    Lang::Zh => ["（", "）"],
+                };
+                format!("{}{open}${points}${close}{after}", if self.lang == Lang::Zh { before.trim_end() } else { before })
+            }
+            Some((_, None)) | None => self.heading(of),
+        })
+    }
+
+    /// `link 2 (BCE), seen from link 3`.
+    pub fn heading(&self, of: &OfLink) -> String {
+        let against = self.scene().link_name(self.found.against);
+        let seen = self.found.against != self.scene().ground;
+        match (self.lang, seen) {
+            (Lang::En, false) => format!("link {}", self.link(of.link)),
+            (Lang::En, true) => format!("link {}, seen from link {against}", self.link(of.link)),
+            (Lang::Zh, false) => format!("构件 {}", self.link(of.link)),
+            (Lang::Zh, true) => format!("构件 {} 相对构件 {against}", self.link(of.link)),
+        }
+    }
+
+    /// A letter with the link below it: `J_{2}`, `J_{2/3}`.
+    pub fn letter(&self, letter: &str, of: &OfLink) -> String {
+        let scene = self.scene();
+        let (link, against) = (scene.link_name(of.link), scene.link_name(self.found.against));
+        if self.found.against == scene.ground {
+            format!("{letter}_{{{}}}", name_label(link))
+        } else {
+            format!("{letter}_{{{}}}", name_label(&format!("{link}/{against}")))
+        }
+    }
+
+    /// The pole: `P_{24}`.
+    pub fn pole(&self, of: &OfLink) -> String {
+        let scene = self.scene();
+        let (a, b) = (of.link.min(self.found.against), of.link.max(self.found.against));
+        let names = [a, b].map(|l| scene.link_name(l));
+        let comma = if names.iter().all(|n| n.chars().count() == 1) { "" } else { "," };
+        format!("P_{{{}}}", name_label(&names.join(comma)))
+    }
+
+    /// The helping point of Euler and Savary's construction: H, unless a joint has that letter.
+    pub fn helper(&self) -> &'static str {
+        self.free_letter(["H", "S", "V", "X", "Y"])
+    }
+
+    /// The place on the collineation axis: Q, with Q₁ and Q₂, unless a joint has that letter.
+    pub fn on_axis(&self) -> &'static str {
+        self.free_letter(["Q", "R", "W", "Z", "L"])
+    }
+
+    /// The corners of the rectangles that find Ball's point: G, unless a joint has that letter.
+    pub fn corner(&self) -> &'static str {
+        self.free_letter(["G", "M", "N", "F", "A"])
+    }
+
+    /// The foot on the pole tangent in that construction: T, unless a joint has that letter.
+    pub fn foot(&self) -> &'static str {
+        self.free_letter(["T", "E", "I", "O", "C"])
+    }
+
+    /// The first of some letters that no point has, with a number or without; the first one where all are taken.
+    fn free_letter(&self, letters: [&'static str; 5]) -> &'static str {
+        let begins = |letter: &str| self.scene().points.iter().any(|p| p.name.trim_end_matches(|c: char| c.is_ascii_digit()) == letter);
+        letters.into_iter().find(|l| !begins(l)).unwrap_or(letters[0])
+    }
+
+    /// A point alone: `B`, `O_{2}`.
+    pub fn point(&self, p: PointId) -> String {
+        point_label(self.scene().point_name(p))
+    }
+
+    /// A point below another letter: `J_{B}`, the point of a ray whose path is straight.
+    pub fn below(&self, letter: &str, p: PointId) -> String {
+        format!("{letter}_{{{}}}", name_label(self.scene().point_name(p)))
+    }
+
+    /// The centre of curvature of a point's path: `E_{0}`, `B_{2,0}`.
+    pub fn centre(&self, p: PointId) -> String {
+        let name = self.scene().point_name(p);
+        let digits = name.trim_start_matches(|c: char| !c.is_ascii_digit());
+        if digits.is_empty() || digits.len() == name.len() {
+            return format!("{}_{{0}}", name_label(name));
+        }
+        format!("{}_{{{digits},0}}", name_label(&name[..name.len() - digits.len()]))
+    }
+
+    fn length(&self, m: f64) -> String {
+        let scene = self.scene();
+        let (name, per_metre) = match scene.book.chosen(Kind::Length) {
+            Some(unit) => (unit.name().to_owned(), unit.of(1.0)),
+            None => (scene.length_unit.name.to_owned(), scene.length_unit.denominator / scene.length_unit.numerator),
+        };
+        let m = if m.abs() <= ROUNDING * self.found.worked.configuration.extent() { 0.0 } else { m };
+        format!("{} {name}", significant(m * per_metre, DIGITS))
+    }
+
+    fn place(&self, p: Point) -> String {
+        format!("({}, {})", self.length(p.x), self.length(p.y))
+    }
+
+    fn velocity(&self, v: Vec2) -> String {
+        let book = &self.scene().book;
+        let size = book.text(Kind::Velocity, &significant(book.value(Kind::Velocity, v.norm()), DIGITS));
+        if v == Vec2::ZERO { size } else { format!("{size} ∠ {}°", significant(direction_degrees(v.angle()), 5)) }
+    }
+
+    /// What is to be known of the pose before the values.
+    pub fn remarks(&self, of: &OfLink) -> Vec<Phrase> {
+        let lang = self.lang;
+        let pole = self.pole(of);
+        let mut out = Vec::new();
+        match of.state {
+            State::Rest => out.push(tr(lang, "the link is at rest in this pose: it has no pole", "该位置构件静止，没有瞬心").to_owned()),
+            State::Translation(v) => {
+                let direction = significant(direction_degrees(v.perp().angle()), 5);
+                out.push(match lang {
+                    Lang::En => format!("the link translates at this instant: ${pole}$ lies at infinity, toward {direction}°; points whose path is straight lie on a line, not on a circle"),
+                    Lang::Zh => format!("该瞬时构件作平动：${pole}$ 在 {direction}° 方向的无穷远处；轨迹为直的点在一条直线上，不构成圆"),
+                });
+            }
+            State::Turning(p) if p.stands() => out.push(match lang {
+                Lang::En => {
+                    format!("${pole}$ stands still at this instant: the inflection circle has shrunk to it, all paths bend about it")
+                }
+                Lang::Zh => format!("该瞬时 ${pole}$ 不动：拐点圆缩为一点，各点轨迹的曲率中心都是它"),
+            }),
+            State::Turning(_) => {}
+        }
+        out.extend(self.not_drawn(of));
+        if self.found.at_rest {
+            out.push(
+                tr(
+                    lang,
+                    "all drivers rest: values that depend on the rate are for one unit of it",
+                    "原动件均静止：与速度有关的值按单位速度给出",
+                )
+                .to_owned(),
+            );
+        }
+        out.iter().map(|s| Phrase::new(s)).collect()
+    }
+
+    /// What a figure says of the places that it takes from the analysis.
+    pub fn calculated(&self) -> Phrase {
+        Phrase::new(tr(
+            self.lang,
+            "pole, inflection circle and centres of curvature are shown where they are calculated",
+            "图中速度瞬心、拐点圆和曲率中心的位置由计算得到",
+        ))
+    }
+
+    /// Why there is no drawing.
+    fn not_drawn(&self, of: &OfLink) -> Option<String> {
+        let (lang, pole) = (self.lang, self.pole(of));
+        match &of.drawing {
+            Drawing::Rays(_) | Drawing::Rolling(_) => None,
+            Drawing::Hinge(p) => Some(match lang {
+                Lang::En => format!("both links carry ${}$: it is the pole for good", self.point(*p)),
+                Lang::Zh => format!("两构件在 ${}$ 铰接：它始终是瞬心", self.point(*p)),
+            }),
+            Drawing::Parallel(_) => Some(match lang {
+                Lang::En => format!("the two rays are parallel: they cross in no ${pole}$ on paper"),
+                Lang::Zh => format!("两条极射线平行：纸上没有交点 ${pole}$"),
+            }),
+            Drawing::OneLine(_) => Some(
+                tr(
+                    lang,
+                    "both rays lie on one line, a dead point: they do not tell the pole; the values are those of the analysis",
+                    "两条极射线重合（死点）：不能定出瞬心；所给为解析值",
+                )
+                .to_owned(),
+            ),
+            Drawing::NoRays => Some(
+                tr(
+                    lang,
+                    "fewer than two points have paths with a known centre: it is not drawn; the values are those of the analysis",
+                    "已知轨迹曲率中心的点少于两个：不作图；所给为解析值",
+                )
+                .to_owned(),
+            ),
+        }
+    }
+
+    /// What belongs to the pole: symbol, name, by drawing, by analysis.
+    pub fn values(&self, of: &OfLink) -> Vec<Vec<String>> {
+        let lang = self.lang;
+        let Some(pole) = of.pole() else { return Vec::new() };
+        let drawn = of.drawn();
+        let none = || "–".to_owned();
+        let place = |p: Option<Point>| p.map_or_else(none, |p| self.place(p));
+        let mut rows = vec![vec![String::new(), String::new(), tr(lang, "drawing", "作图").into(), tr(lang, "analysis", "解析").into()]];
+        let mut row = |symbol: String, name: [&'static str; 2], by_drawing: String, by_analysis: String| {
+            rows.push(vec![Phrase::new(&format!("${symbol}$")).plain(), tr(lang, name[0], name[1]).to_owned(), by_drawing, by_analysis]);
+        };
+        row(self.pole(of), ["pole", "速度瞬心"], place(drawn.map(|d| d.pole)), self.place(pole.pole));
+        if pole.stands() {
+            return rows;
+        }
+        let letter = |l: &str| self.letter(l, of);
+        row(letter("J"), ["inflection pole", "拐点极"], place(drawn.map(|d| d.pole + d.normal)), self.place(pole.inflection_pole()));
+        row(
+            letter("d"),
+            ["inflection circle", "拐点圆直径"],
+            drawn.map_or_else(none, |d| self.length(d.normal.norm())),
+            self.length(pole.diameter()),
+        );
+        let tangent = |u: Vec2| format!("{}°", significant(direction_degrees(u.angle()).rem_euclid(180.0), DIGITS));
+        row("t".into(), ["pole tangent", "瞬心切线"], drawn.map_or_else(none, |d| tangent(d.normal.perp())), tangent(pole.normal.perp()));
+        row(letter("U"), ["Ball's point", "鲍尔点"], place(drawn.and_then(|d| d.ball)), place(pole.ball));
+        row(
+            letter("u"),
+            ["pole velocity", "瞬心移动速度"],
+            drawn.and_then(|d| d.pole_velocity).map_or_else(none, |u| self.velocity(u)),
+            self.velocity(pole.pole_velocity),
+        );
+        row(
+            letter("K"),
+            ["acceleration pole", "加速度瞬心"],
+            place(drawn.and_then(|d| d.acceleration_pole)),
+            self.place(pole.acceleration_pole),
+        );
+        let bresse = pole.bresse.map_or_else(|| tr(lang, "the line PJ (α = 0)", "直线 PJ（α = 0）").to_owned(), |d| self.length(d.norm()));
+        row(letter("b"), ["Bresse's circle", "布雷斯圆直径"], none(), bresse);
+        rows
+    }
+
+    /// The points: symbol, radius and centre by drawing and by analysis.
+    fn points(&self, of: &OfLink) -> Vec<Vec<String>> {
+        of.points
+            .iter()
+            .map(|p| {
+                let (name, drawn) = (self.scene().point_name(p.point).to_owned(), p.drawn.map(|d| d.centre));
+                let (radius, centre) = self.bend(p);
+                let drawn = match drawn {
+                    Some(End::At(c)) => format!("{}  {}", self.length(c.distance(p.at)), self.place(c)),
+                    Some(End::Infinity(_)) => tr(self.lang, "∞", "∞").to_owned(),
+                    None => "–".to_owned(),
+                };
+                vec![
+                    format!("ρ_{name}"),
+                    tr(self.lang, "radius, centre", "曲率半径、中心").to_owned(),
+                    drawn,
+                    format!("{radius}  {centre}"),
+                ]
+            })
+            .collect()
+    }
+
+    /// The results below a figure: `d_2 = 2523 mm`, radii of the asked points.
+    pub fn told(&self, of: &OfLink) -> Vec<Phrase> {
+        let (scene, lang) = (self.scene(), self.lang);
+        let words = |m: f64| scene.length_words(m);
+        let mut parts = Vec::new();
+        if let Some(pole) = of.pole().filter(|p| !p.stands()) {
+            parts.push(format!("${}$ = {}", self.letter("d", of), words(pole.diameter())));
+            let book = &scene.book;
+            let u = book.text(Kind::Velocity, &significant(book.value(Kind::Velocity, pole.pole_velocity.norm()), 4));
+            parts.push(format!("${}$ = {u}", self.letter("u", of)));
+        }
+        for p in &of.points {
+            let rho = self.below("\\rho", p.point);
+            parts.push(match p.bend {
+                Bend::About(_, radius) => format!("${rho}$ = {}", words(radius)),
+                Bend::Straight => format!("${rho} = \\infty$"),
+                Bend::AtPole => format!("${rho} = 0$"),
+                Bend::Rest => continue,
+            });
+        }
+        let comma = tr(lang, ", ", "，");
+        if parts.is_empty() { Vec::new() } else { vec![Phrase::new(&parts.join(comma))] }
+    }
+
+    /// Radius and centre by analysis, in words where they are nowhere.
+    pub fn bend(&self, p: &OfPoint) -> (String, String) {
+        let lang = self.lang;
+        match p.bend {
+            Bend::About(centre, radius) => (self.length(radius), self.place(centre)),
+            Bend::Straight => ("∞".into(), tr(lang, "on the inflection circle: its path is straight", "在拐点圆上，轨迹为直").into()),
+            Bend::AtPole => ("0".into(), tr(lang, "it is the pole: its path has a cusp or stops", "即瞬心：轨迹有尖点或停止").into()),
+            Bend::Rest => ("–".into(), tr(lang, "at rest", "静止").into()),
+        }
+    }
+}

@@ -1,0 +1,225 @@
+//! The construction of pole, inflection circle and centres of curvature as sentences, one a step.
+
+use super::curvature::Words;
+use hodograph_base::geom::Vec2;
+use hodograph_methods::curvature::drawing::{Drawing, How, Rays, Rolled};
+use hodograph_methods::curvature::known::{Known, Why};
+use hodograph_methods::curvature::plane::End;
+use hodograph_methods::curvature::{OfLink, OfPoint};
+use hodograph_paper::paper::phrase::{Phrase, capital, tr};
+use hodograph_scene::{Lang, PointId};
+
+/// With a capital and a stop.
+fn sentence(text: String, lang: Lang) -> String {
+    capital(&text) + tr(lang, ".", "。")
+}
+
+impl Words<'_> {
+    /// The construction, step by step.
+    pub fn steps(&self, of: &OfLink) -> Vec<Phrase> {
+        let mut out = match &of.drawing {
+            Drawing::Rays(rays) => self.of_rays(of, rays),
+            Drawing::Rolling(rolled) => self.of_rolling(of, rolled),
+            Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => return Vec::new(),
+        };
+        let (pole, j, lang) = (self.pole(of), self.letter("J", of), self.lang);
+        if of.drawn().is_some_and(|d| d.normal == Vec2::ZERO) {
+            return out.into_iter().map(|s| Phrase::new(&sentence(s, lang))).collect();
+        }
+        out.push(match lang {
+            Lang::En => {
+                format!("draw the circle on the diameter ${pole}{j}$, the inflection circle; the pole tangent $t$ is perpendicular to it at ${pole}$")
+            }
+            Lang::Zh => format!("以 ${pole}{j}$ 为直径作圆，即拐点圆；过 ${pole}$ 作其垂线，即瞬心切线 $t$"),
+        });
+        out.extend(of.points.iter().filter_map(|p| self.of_point(of, p)));
+        if of.read.is_some() {
+            let k = self.letter("K", of);
+            out.push(match lang {
+                Lang::En => format!("turn ${pole}{j}$ about ${pole}$ by the angle whose tangent is $\\alpha/\\omega^{{2}}$; the foot of the perpendicular from ${j}$ to it is the acceleration pole ${k}$"),
+                Lang::Zh => format!("将 ${pole}{j}$ 绕 ${pole}$ 转过正切为 $\\alpha/\\omega^{{2}}$ 的角，由 ${j}$ 向其作垂线，垂足即加速度瞬心 ${k}$"),
+            });
+        }
+        if let Drawing::Rays(rays) = &of.drawing
+            && rays.ball().is_some()
+        {
+            out.extend(self.of_ball(of, rays));
+        }
+        out.into_iter().map(|s| Phrase::new(&sentence(s, lang))).collect()
+    }
+
+    /// The steps to Ball's point.
+    fn of_ball(&self, of: &OfLink, rays: &Rays) -> [String; 2] {
+        let (pole, j, u) = (self.pole(of), self.letter("J", of), self.letter("U", of));
+        let (corner, foot) = (self.corner(), self.foot());
+        let [b, c] = rays.known.each_ref().map(|k| self.moving(k));
+        let [g, h] = rays.known.each_ref().map(|k| self.below(corner, k.why.moving().unwrap_or(PointId(0))));
+        match self.lang {
+            Lang::En => [
+                format!(
+                    "the perpendiculars to the rays at ${b}$ and ${c}$ cut $t$ and the line ${pole}{j}$; the corners ${g}$ and ${h}$ complete the rectangles with the corner ${pole}$"
+                ),
+                format!(
+                    "${g}{h}$ meets the parallel to $t$ through ${j}$ at ${corner}$; ${foot}$ is its foot on $t$; the foot of the perpendicular from ${pole}$ to ${foot}{j}$ is Ball's point ${u}$"
+                ),
+            ],
+            Lang::Zh => [
+                format!(
+                    "过 ${b}$、${c}$ 分别作射线的垂线，与 $t$ 和直线 ${pole}{j}$ 相交；以交点和 ${pole}$ 为顶点作矩形，得 ${pole}$ 的对角顶点 ${g}$、${h}$"
+                ),
+                format!(
+                    "${g}{h}$ 与过 ${j}$ 且平行于 $t$ 的直线交于 ${corner}$；由 ${corner}$ 向 $t$ 作垂线得垂足 ${foot}$；由 ${pole}$ 向 ${foot}{j}$ 作垂线，垂足即鲍尔点 ${u}$"
+                ),
+            ],
+        }
+    }
+
+    fn moving(&self, k: &Known) -> String {
+        k.why.moving().map_or_else(|| format!("{}^{{\\infty}}", self.below("N", k.why.fixed().unwrap_or(PointId(0)))), |p| self.point(p))
+    }
+
+    fn fixed(&self, k: &Known) -> String {
+        match (k.why.fixed(), k.why.moving()) {
+            (Some(p), _) => self.point(p),
+            (None, Some(p)) if matches!(k.fixed, End::Infinity(_)) => format!("{}^{{\\infty}}", self.centre(p)),
+            (None, Some(p)) => self.centre(p),
+            (None, None) => String::new(),
+        }
+    }
+
+    fn ray(&self, k: &Known) -> String {
+        let (moving, fixed, lang) = (self.moving(k), self.fixed(k), self.lang);
+        match (k.why, lang) {
+            (Why::Crank(_, _, by), Lang::En) => {
+                format!(
+                    "${moving}$ moves on a circle about ${fixed}$ (link {}): draw the ray ${fixed}{moving}$",
+                    self.scene().link_name(by)
+                )
+            }
+            (Why::Crank(_, _, by), Lang::Zh) => {
+                format!("${moving}$ 绕 ${fixed}$ 作圆周运动（构件 {}）：作射线 ${fixed}{moving}$", self.scene().link_name(by))
+            }
+            (Why::Straight(..), Lang::En) => {
+                format!("${moving}$ moves on a straight line: the ray is perpendicular to its guide, the centre lies at infinity")
+            }
+            (Why::Straight(..), Lang::Zh) => format!("${moving}$ 沿直线运动：射线垂直于导路，曲率中心在无穷远处"),
+            (Why::Arc(..), Lang::En) => format!("${moving}$ moves on an arc about ${fixed}$: draw the ray ${fixed}{moving}$"),
+            (Why::Arc(..), Lang::Zh) => format!("${moving}$ 沿以 ${fixed}$ 为中心的圆弧运动：作射线 ${fixed}{moving}$"),
+            (Why::Through(..), Lang::En) => format!(
+                "a line of the link along its guide always leads through ${fixed}$: draw the ray perpendicular to it through ${fixed}$; the moving point lies at infinity"
+            ),
+            (Why::Through(..), Lang::Zh) => format!("构件上沿导路的直线始终通过 ${fixed}$：过 ${fixed}$ 作其垂线为射线，动点在无穷远处"),
+            (Why::Borrowed(_, of), Lang::En) => format!(
+                "${moving}$ belongs to link {} too, whose drawing gives the centre ${fixed}$ of its path: draw the ray ${fixed}{moving}$",
+                self.scene().link_name(of)
+            ),
+            (Why::Borrowed(_, of), Lang::Zh) => format!(
+                "${moving}$ 又在构件 {} 上，由该构件的作图得其轨迹的曲率中心 ${fixed}$：作射线 ${fixed}{moving}$",
+                self.scene().link_name(of)
+            ),
+        }
+    }
+
+    /// The point of a ray whose path is straight, by its name.
+    pub fn straight(&self, k: &Known) -> String {
+        self.below("J", k.why.moving().or(k.why.fixed()).unwrap_or(PointId(0)))
+    }
+
+    fn of_rays(&self, of: &OfLink, rays: &Rays) -> Vec<String> {
+        let (lang, pole) = (self.lang, self.pole(of));
+        let mut out: Vec<String> = rays.known.iter().map(|k| self.ray(k)).collect();
+        out.push(match lang {
+            Lang::En => format!("the rays intersect at the pole ${pole}$"),
+            Lang::Zh => format!("两射线交于瞬心 ${pole}$"),
+        });
+        let [b, c] = &rays.known;
+        if let Some(q) = rays.collineation {
+            let (moving, fixed) = ((self.moving(b), self.moving(c)), (self.fixed(b), self.fixed(c)));
+            let at = if q.at().is_none() {
+                tr(lang, " (at infinity: the axis is parallel to both)", "（在无穷远处：轴与两线平行）")
+            } else {
+                ""
+            };
+            let q = self.on_axis();
+            out.push(match lang {
+                Lang::En => format!(
+                    "${}{}$ and ${}{}$ intersect at ${q}${at}; ${pole}{q}$ is the collineation axis (Bobillier)",
+                    moving.0, moving.1, fixed.0, fixed.1
+                ),
+                Lang::Zh => {
+                    format!("${}{}$ 与 ${}{}$ 交于 ${q}${at}；${pole}{q}$ 为共线轴（博比利尔）", moving.0, moving.1, fixed.0, fixed.1)
+                }
+            });
+        }
+        for k in [1, 0] {
+            let (own, other) = (&rays.known[k], &rays.known[1 - k]);
+            let (j, m, o) = (self.straight(own), self.moving(own), self.moving(other));
+            out.push(match (rays.how[k], lang) {
+                (How::Given, Lang::En) => format!("the path of ${m}$ is straight: ${j} = {m}$"),
+                (How::Given, Lang::Zh) => format!("${m}$ 的轨迹为直线：${j} = {m}$"),
+                (How::Collineation(End::Infinity(_)), Lang::En) => {
+                    format!("the parallel to the axis through ${o}$ meets the ray of ${m}$ at ${j}$")
+                }
+                (How::Collineation(End::Infinity(_)), Lang::Zh) => format!("过 ${o}$ 作共线轴的平行线，交 ${m}$ 的射线于 ${j}$"),
+                (How::Collineation(End::At(_)), _) => {
+                    let (q, a) = (format!("{}_{{{}}}", self.on_axis(), 2 - k), self.fixed(other));
+                    match lang {
+                        Lang::En => format!(
+                            "the parallel to the ray of ${m}$ through ${a}$ meets the axis at ${q}$; ${q}{o}$ meets the ray at ${j}$"
+                        ),
+                        Lang::Zh => format!("过 ${a}$ 作 ${m}$ 的射线的平行线，交共线轴于 ${q}$；${q}{o}$ 交该射线于 ${j}$"),
+                    }
+                }
+                (How::Proportion, Lang::En) => {
+                    format!("on the ray of ${m}$: $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ gives ${j}$ (Euler–Savary)", self.fixed(own))
+                }
+                (How::Proportion, Lang::Zh) => {
+                    format!("在 ${m}$ 的射线上由 $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ 得 ${j}$（欧拉–萨瓦里）", self.fixed(own))
+                }
+            });
+        }
+        let (jb, jc, j) = (self.straight(b), self.straight(c), self.letter("J", of));
+        let stands = rays.normal() == Vec2::ZERO;
+        out.push(match (lang, stands) {
+            (Lang::En, false) => format!("the perpendiculars to the rays at ${jb}$ and ${jc}$ intersect at the inflection pole ${j}$"),
+            (Lang::Zh, false) => format!("过 ${jb}$、${jc}$ 分别作射线的垂线，交于拐点极 ${j}$"),
+            (Lang::En, true) => format!("both fall on ${pole}$: it stands still, there is no inflection circle"),
+            (Lang::Zh, true) => format!("两点都落在 ${pole}$ 上：瞬心不动，没有拐点圆"),
+        });
+        out
+    }
+
+    fn of_rolling(&self, of: &OfLink, _: &Rolled) -> Vec<String> {
+        let (pole, j) = (self.pole(of), self.letter("J", of));
+        vec![match self.lang {
+            Lang::En => format!(
+                "the link rolls on the other: the contact is the pole ${pole}$, the centres of both contours lie on the pole normal; $1/{pole}{j}$ = 1/(moving radius) − 1/(fixed radius), both counted from ${pole}$ along it"
+            ),
+            Lang::Zh => format!(
+                "构件沿另一构件纯滚动：接触点即瞬心 ${pole}$，两廓线的中心在瞬心法线上；自 ${pole}$ 沿法线计，$1/{pole}{j}$ = 1/(动圆半径) − 1/(定圆半径)"
+            ),
+        }]
+    }
+
+    fn of_point(&self, of: &OfLink, p: &OfPoint) -> Option<String> {
+        let (drawn, h) = (p.drawn?, self.helper());
+        let (pole, j, e, centre, lang) = (self.pole(of), self.letter("J", of), self.point(p.point), self.centre(p.point), self.lang);
+        let given = match &of.drawing {
+            Drawing::Rays(r) => r.known.iter().any(|k| k.why.moving() == Some(p.point)),
+            Drawing::Rolling(_) | Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => false,
+        };
+        if given {
+            return None;
+        }
+        Some(match (drawn.centre, lang) {
+            (End::Infinity(_), Lang::En) => format!("${e}$ lies on the inflection circle: its path is straight"),
+            (End::Infinity(_), Lang::Zh) => format!("${e}$ 在拐点圆上：其轨迹为直"),
+            (End::At(_), Lang::En) => format!(
+                "draw the perpendicular to ${pole}{e}$ at ${pole}$: it meets ${e}{j}$ at ${h}$; the parallel to ${pole}{j}$ through ${h}$ meets ${pole}{e}$ at ${centre}$, the centre of the path of ${e}$"
+            ),
+            (End::At(_), Lang::Zh) => format!(
+                "过 ${pole}$ 作 ${pole}{e}$ 的垂线，交 ${e}{j}$ 于 ${h}$；过 ${h}$ 作 ${pole}{j}$ 的平行线，交 ${pole}{e}$ 于 ${centre}$，即 ${e}$ 轨迹的曲率中心"
+            ),
+        })
+    }
+}

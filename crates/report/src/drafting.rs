@@ -1,0 +1,146 @@
+//! Tolerances of drawing by hand: as words beside an answer, as a table, as JSON.
+
+use hodograph_base::digits::{shortest, significant};
+use hodograph_board::plan::text::{Writer, vertex_name};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_paper::paper::phrase::{formula, tr};
+use hodograph_scene::{Book, Find, Kind, Scene};
+use hodograph_worked::accuracy::{CrossingTolerance, Drafting, Tolerance};
+use hodograph_worked::certified::Steps;
+use hodograph_worked::certified::steps::What;
+use hodograph_worked::worked::Worked;
+use serde_json::{Value as Json, json};
+use unicode_width::UnicodeWidthStr;
+
+/// Digits of a tolerance: it is an estimate.
+pub const DIGITS: usize = 2;
+
+/// A tolerance beside its answer: in % of it, or in its unit where a part of the answer says nothing (an answer of zero or smaller than its
+/// tolerance, a coordinate, an angle). `None` for what is given, not read.
+pub fn amount(book: &Book, find: &Find, t: &Tolerance) -> Option<Amount> {
+    if t.absolute == 0.0 {
+        return None;
+    }
+    let kind = find.what.kind();
+    Some(match t.relative {
+        Some(r) if r < 1.0 => Amount::Percent(r * 100.0),
+        _ => Amount::Of(kind, book.value(kind, t.absolute)),
+    })
+}
+
+/// How a tolerance is told.
+pub enum Amount {
+    /// In % of the answer.
+    Percent(f64),
+    /// In the unit of its kind.
+    Of(Kind, f64),
+}
+
+/// The words of [`amount`] for a terminal.
+pub fn words(book: &Book, find: &Find, t: Option<&Tolerance>) -> String {
+    match t.and_then(|t| amount(book, find, t)) {
+        Some(Amount::Percent(value)) => format!("± {} %", significant(value, DIGITS)),
+        Some(Amount::Of(kind, value)) => format!("± {}", book.text(kind, &significant(value, DIGITS))),
+        None => String::new(),
+    }
+}
+
+/// The crossings and the scales for 1 %, as tables; nothing where no tolerances were asked for. `steps` are the certified
+/// numbers of the construction for the same pencil.
+pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
+    let Some(d) = &worked.drafting else { return String::new() };
+    let (lang, book) = (w.lang, &w.scene.book);
+    let pencil = shortest(d.pencil_mm);
+    let mut out = match lang {
+        hodograph_scene::Lang::En => format!("drawn by hand, 95 % of the marks within {pencil} mm\n"),
+        hodograph_scene::Lang::Zh => format!("手工作图，95% 的点误差不超过 {pencil} mm\n"),
+    };
+    if !d.crossings.is_empty() {
+        let head = ["crossing", "angle", "moves by", ""];
+        let zh = ["交点", "交角", "偏移", ""];
+        let mut rows = vec![[0, 1, 2, 3].map(|i| tr(lang, head[i], zh[i]).to_string())];
+        let certain = Level::ALL.into_iter().flat_map(|level| steps.crossings(&worked.construction, level));
+        rows.extend(d.crossings.iter().zip(certain).map(|(c, certain)| {
+            let told = |what, rough: f64| certain(what).unwrap_or_else(|| format!("≈ {}", significant(rough, 1)));
+            let [moves, si] = match c.moves_on_paper_mm() {
+                Some(mm) => [
+                    format!("{} mm", told(What::Moved, mm)),
+                    book.text(c.level.kind(), &told(What::Off, book.value(c.level.kind(), c.moves))),
+                ],
+                None => [tr(lang, "off the paper", "移出图纸").to_string(), String::new()],
+            };
+            [crossing_name(w, c), format!("{}°", told(What::Angle, c.angle_deg())), moves, si]
+        }));
+        out.push_str(&table(&rows));
+    }
+    let mut rows = vec![
+        [tr(lang, "for 1 %", "误差 1% 时"), tr(lang, "larger by", "放大"), "μ_l", "μ_v", "μ_a", tr(lang, "paper", "图纸")]
+            .map(str::to_string),
+    ];
+    for (find, t) in w.scene.find.iter().zip(&d.tolerances) {
+        let Some(l) = t.as_ref().filter(|t| t.absolute > 0.0).and_then(|t| t.larger.as_ref()) else { continue };
+        let [width, height] = l.size_mm;
+        let by = if l.factor > 1.0 { format!("× {}", shortest(l.rounded())) } else { tr(lang, "as it is", "不必").to_string() };
+        let mu = Level::ALL.map(|level| {
+            let kind = level.kind();
+            l.scales.get(kind).map_or(String::new(), |mu| format!("{} {}", shortest(book.value(kind, mu)), book.scale_name(kind)))
+        });
+        let sheet = l.sheet().unwrap_or(tr(lang, "larger than A0", "大于 A0"));
+        let [l_, v, a] = mu;
+        rows.push([find.text.clone(), by, l_, v, a, format!("{width:.0} × {height:.0} mm, {sheet}")]);
+    }
+    if rows.len() > 1 {
+        out.push_str(&table(&rows));
+    }
+    out
+}
+
+fn crossing_name(w: &Writer, c: &CrossingTolerance) -> String {
+    match c.level {
+        Level::Position => vertex_name(w.scene, w.plan, c.target),
+        level @ (Level::Velocity | Level::Acceleration) => formula(&w.image(level, c.target)),
+    }
+}
+
+fn table<const N: usize>(rows: &[[String; N]]) -> String {
+    let wide: Vec<usize> = (0..N).map(|i| rows.iter().map(|r| r[i].width()).max().unwrap_or(0)).collect();
+    let mut out = String::new();
+    for row in rows {
+        let cells = row.iter().zip(&wide).filter(|(_, w)| **w > 0).map(|(c, w)| format!("{c}{}", " ".repeat(w - c.width())));
+        out.push_str(format!("  {}", cells.collect::<Vec<_>>().join("  ")).trim_end());
+        out.push('\n');
+    }
+    out
+}
+
+/// The drawings' names for programs, in the order of [`Level`].
+const DRAWINGS: [&str; 3] = ["diagram", "velocity polygon", "acceleration polygon"];
+
+/// The pencil and the crossings, for programs.
+pub fn json(scene: &Scene, worked: &Worked, d: &Drafting) -> Json {
+    let crossing = |c: &CrossingTolerance| {
+        json!({
+            "point": vertex_name(scene, &worked.plan, c.target),
+            "drawing": DRAWINGS[c.level as usize],
+            "sine": c.sine,
+            "angle_deg": c.angle_deg(),
+            "tolerance_mm": c.moves_mm,
+            "tolerance": c.moves,
+            "unit": c.level.kind().si(),
+        })
+    };
+    json!({"pencil_mm": d.pencil_mm, "part_within": hodograph_board::construct::pencil::WITHIN, "crossings": d.crossings.iter().map(crossing).collect::<Vec<_>>()})
+}
+
+/// The fields of one answer, for programs.
+pub fn answer_fields(t: Option<&Tolerance>) -> [(&'static str, Json); 3] {
+    let larger = t.and_then(|t| t.larger.as_ref()).map(|l| {
+        let mut all = json!({"factor": l.factor});
+        for (kind, key) in Kind::DRAWN.into_iter().filter_map(|kind| Some((kind, kind.scale_key()?))) {
+            all[key] = l.scales.get(kind).into();
+        }
+        (all["largest_drawing_mm"], all["paper"]) = (json!(l.size_mm), json!(l.sheet()));
+        all
+    });
+    [("tolerance", t.map(|t| t.absolute).into()), ("relative", t.and_then(|t| t.relative).into()), ("scale_for_1_percent", larger.into())]
+}

@@ -1,0 +1,255 @@
+//! What is given, as a list: lengths, fixed points, guides ([`guide`]), gears and wheels ([`rolling`]), belts and chains ([`belts`]), cams ([`cams`]), drivers, laws of time ([`law`]). Numbers as the scene writes them.
+
+mod belts;
+mod cams;
+mod guide;
+pub mod law;
+mod rolling;
+
+use super::amount::{number, scale};
+use hodograph_base::digits::{self, shortest};
+use hodograph_board::plan::names::name_label;
+use hodograph_board::plan::text::point_label;
+use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::words::{Words, words};
+use hodograph_scene::{Angle, Book, DriverKind, Given, Kind, Lang, LinkId, Place, PointId, Scene, Told};
+
+/// Digits of a given number that is not written as such but computed by the scene, as in `2*r`.
+const DIGITS: usize = 6;
+
+/// What a scene gives, in words.
+#[derive(Clone, Copy)]
+pub struct Givens<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// In which language.
+    pub lang: Lang,
+}
+
+impl Givens<'_> {
+    fn lang(&self) -> Lang {
+        self.lang
+    }
+
+    fn tr(&self, en: &'static str, zh: &'static str) -> &'static str {
+        tr(self.lang, en, zh)
+    }
+
+    fn words(&self) -> &'static Words {
+        words(self.lang)
+    }
+
+    /// The list of given things.
+    pub fn list(&self) -> Vec<Phrase> {
+        let mut all = self.lengths(|_, _| true);
+        all.extend(self.others());
+        all.iter().map(|s| Phrase::new(s)).collect()
+    }
+
+    /// All that is given besides the lengths that a figure shows.
+    pub fn beside(&self, shown: impl Fn(PointId, PointId) -> bool) -> Vec<Phrase> {
+        let mut all = self.lengths(|a, b| !shown(a, b));
+        all.extend(self.others());
+        all.iter().map(|s| Phrase::new(s)).collect()
+    }
+
+    fn lengths(&self, wanted: impl Fn(PointId, PointId) -> bool) -> Vec<String> {
+        let mut all = Vec::new();
+        // The ends in the order of the scene, as the equations name them.
+        let ends = |a: PointId, b: PointId| name_label(&format!("{}{}", self.name(a.min(b)), self.name(a.max(b))));
+        let written = self.scene.lengths.iter().filter(|l| ![l.a, l.b].iter().any(|p| self.is_of_cam(*p)));
+        let lengths: Vec<String> =
+            written.filter(|l| wanted(l.a, l.b)).map(|l| format!("$l_{{{}}} = {}$", ends(l.a, l.b), self.length(&l.value))).collect();
+        if !lengths.is_empty() {
+            all.push(format!("{}{}", self.tr("lengths: ", "长度："), lengths.join(self.words().comma)));
+        }
+        all
+    }
+
+    fn others(&self) -> Vec<String> {
+        let mut all = Vec::new();
+        let places: Vec<String> = (0..self.scene.points.len()).filter_map(|p| self.place(PointId(p))).collect();
+        if !places.is_empty() {
+            all.push(format!("{}{}", self.tr("points: ", "点："), places.join(self.tr("; ", "；"))));
+        }
+        // The guides that rolling pairs and cams bring with them are not in the file.
+        let guides = self.scene.guides.iter().enumerate().filter(|(g, guide)| guide.rolling.is_none() && !self.is_contact(*g));
+        all.extend(guides.map(|(_, g)| self.guide(g)));
+        all.extend(self.scene.rolling.iter().map(|pair| self.rolling(pair)));
+        all.extend(self.scene.cams.iter().map(|c| self.cam(c)));
+        all.extend((0..self.scene.drivers.len()).filter(|d| !self.scene.is_led(*d)).map(|d| self.driver(d)));
+        all.push(match self.lang() {
+            Lang::En => format!("link {} is fixed", self.link(self.scene.ground)),
+            Lang::Zh => format!("构件 {} 为机架", self.link(self.scene.ground)),
+        });
+        all
+    }
+
+    fn name(&self, p: PointId) -> &str {
+        self.scene.point_name(p)
+    }
+
+    /// A point as a formula.
+    pub fn point(&self, p: PointId) -> String {
+        format!("${}$", point_label(self.name(p)))
+    }
+
+    fn link(&self, l: LinkId) -> &str {
+        self.scene.link_name(l)
+    }
+
+    fn place(&self, p: PointId) -> Option<String> {
+        let symbol = point_label(self.name(p));
+        Some(match &self.scene.points[p.0].place {
+            Place::Unknown => return None,
+            Place::At([x, y]) => format!("${symbol} = ({}, {})$", self.length(x), self.length(y)),
+            Place::InLink { base: (a, b), xy: [x, y] } => {
+                let line = format!("${}{}$", point_label(self.name(*a)), point_label(self.name(*b)));
+                let (a, b) = (self.point(*a), self.point(*b));
+                let back = x.value < 0.0;
+                let along = match self.lang() {
+                    Lang::En => format!("${symbol}$ is ${}$ from {a} {} {b}", self.unsigned(x), if back { "away from" } else { "toward" }),
+                    Lang::Zh => format!("${symbol}$ 自 {a} 沿 {line} {} ${}$", if back { "的反方向" } else { "方向" }, self.unsigned(x)),
+                };
+                let left = y.value > 0.0;
+                match self.lang() {
+                    _ if y.value == 0.0 => along,
+                    Lang::En => format!("{along} and ${}$ to the {}", self.unsigned(y), if left { "left" } else { "right" }),
+                    Lang::Zh => format!("{along}、向{} ${}$", if left { "左" } else { "右" }, self.unsigned(y)),
+                }
+            }
+            Place::Polar { base: (a, b), length: l, angle: turn } => {
+                let (from, to) = (point_label(self.name(*a)), point_label(self.name(*b)));
+                let known = format!("${from}{symbol} = {}$", self.length(l));
+                match self.lang() {
+                    Lang::En => format!("{known}, turned by ${}$ from ${from}{to}$ (counter-clockwise plus)", self.angle(turn)),
+                    Lang::Zh => format!("{known}，由 ${from}{to}$ 转过 ${}$（逆时针为正）", self.angle(turn)),
+                }
+            }
+        })
+    }
+
+    fn driver(&self, d: usize) -> String {
+        let driver = &self.scene.drivers[d];
+        let comma = self.tr(", ", "，");
+        let mut out = match &driver.kind {
+            DriverKind::Turn { link, against, angle: given, .. } => {
+                let name = self.link(*link);
+                let mut out = match self.lang() {
+                    Lang::En => format!("driver: link {name}"),
+                    Lang::Zh => format!("原动件：构件 {name}"),
+                };
+                let number = if *against == self.scene.ground {
+                    name.to_owned()
+                } else {
+                    out += &match self.lang() {
+                        Lang::En => format!(", turning relative to link {}", self.link(*against)),
+                        Lang::Zh => format!("，相对构件 {} 转动", self.link(*against)),
+                    };
+                    format!("{name}/{}", self.link(*against))
+                };
+                let number = name_label(&number);
+                if let Some(law) = &driver.law {
+                    return out + &self.by_law(d, law);
+                }
+                if let Some(a) = given {
+                    out += &format!("{comma}$\\varphi_{{{number}}} = {}$", self.angle(a));
+                }
+                let (symbol, second) = (format!("\\omega_{{{number}}}"), format!("\\alpha_{{{number}}}"));
+                return self.driven(out, d, [&symbol, &second], [Kind::Omega, Kind::Alpha], true);
+            }
+            DriverKind::Slide { guide, position } => {
+                let g = &self.scene.guides[guide.0];
+                let what = g.pin.map(|p| self.point(p)).or(g.slider.map(|s| self.link(s).to_owned())).unwrap_or_default();
+                let mut out = match self.lang() {
+                    Lang::En => format!("driver: {what} along its guide"),
+                    Lang::Zh => format!("原动件：{what} 沿导路移动"),
+                };
+                if let Some(law) = &driver.law {
+                    return out + &self.by_law(d, law);
+                }
+                if let Some(s) = position {
+                    out += &format!("{comma}$s = {}$", self.length(s));
+                }
+                out
+            }
+            DriverKind::Cylinder { a, b, length: given, .. } => {
+                let ends = name_label(&format!("{}{}", self.name(*a), self.name(*b)));
+                let mut out = match self.lang() {
+                    Lang::En => format!("driver: cylinder ${ends}$"),
+                    Lang::Zh => format!("原动件：液压缸 ${ends}$"),
+                };
+                if let Some(law) = &driver.law {
+                    return out + &self.by_law(d, law);
+                }
+                if let Some(l) = given {
+                    out += &format!("{comma}$l_{{{ends}}} = {}$", self.length(l));
+                }
+                out
+            }
+        };
+        out = self.driven(out, d, ["v", "a"], [Kind::Velocity, Kind::Acceleration], false);
+        out
+    }
+
+    /// Adds the rate of a driver and its acceleration.
+    fn driven(&self, mut out: String, d: usize, symbols: [&str; 2], kinds: [Kind; 2], turns: bool) -> String {
+        let driver = &self.scene.drivers[d];
+        if !driver.rate_told {
+            return out;
+        }
+        let comma = self.tr(", ", "，");
+        let told = |symbol: &str, given: &Given, kind: Kind| {
+            // The sense of a turning is told in words.
+            let shown = |number: String| if turns { number.trim_start_matches('−').to_owned() } else { number };
+            let amount = match self.scene.told(kind, &given.text, given.value) {
+                Told::AsWritten(number, unit) => unit.label(&shown(as_written(&number))),
+                Told::Computed(value, unit) => unit.label(&shown(inked(value))),
+                Told::Usual => Book::default().label(kind, &shown(inked(given.value))),
+            };
+            let sense = if turns { self.words().sense(given.value) } else { "" };
+            format!("{comma}$ {symbol} = {amount}$ {sense}").trim_end().to_owned()
+        };
+        out += &told(symbols[0], &driver.rate, kinds[0]);
+        match &driver.acceleration {
+            Some(a) if a.value != 0.0 => out += &told(symbols[1], a, kinds[1]),
+            _ => out += self.tr(" (constant)", "（匀速）"),
+        }
+        out
+    }
+
+    /// A length as it is given.
+    pub fn length(&self, given: &Given) -> String {
+        match (self.scene.told(Kind::Length, &given.text, given.value), given.value) {
+            (Told::AsWritten(number, unit), _) => unit.label(&as_written(&number)),
+            (Told::Computed(value, unit), _) => unit.label(&inked(value)),
+            (Told::Usual, 0.0) => "0".into(),
+            (Told::Usual, metres) if metres.abs() >= 10.0 => format!("{} m", inked(metres)),
+            (Told::Usual, metres) => format!("{} mm", inked(metres * 1e3)),
+        }
+    }
+
+    /// A length without its sign, which is told in words.
+    fn unsigned(&self, given: &Given) -> String {
+        self.length(given).trim_start_matches('−').to_owned()
+    }
+
+    /// An angle as it is given; what is written in degrees is told less whole turns.
+    pub fn angle(&self, given: &Given<Angle>) -> String {
+        match self.scene.told(Kind::Angle, &given.text, given.value.radians()) {
+            Told::AsWritten(number, unit) if !unit.is_degree() => unit.label(&as_written(&number)),
+            Told::Computed(value, unit) if !unit.is_degree() => unit.label(&inked(value)),
+            Told::AsWritten(..) | Told::Computed(..) | Told::Usual => format!("{}\\degree", inked(given.value.degrees())),
+        }
+    }
+}
+
+/// A number in the label language, as short as it is, but not as long as a computed one.
+fn inked(value: f64) -> String {
+    if shortest(value).len() > DIGITS + 2 { number(value, DIGITS) } else { scale(value).replace('-', "−") }
+}
+
+/// A number in the label language with the digits with which it is written.
+fn as_written(number: &str) -> String {
+    digits::inked(&number.replace('E', "e"))
+}

@@ -1,0 +1,121 @@
+//! Guides in words, as books give them: what slides on which link, and how the line lies ("in a horizontal guide", 水平导路).
+
+use super::Givens;
+use hodograph_board::plan::text::point_label;
+use hodograph_scene::{Angle, Direction, Guide, GuidePath, Lang, Through};
+
+/// A direction counts as level or upright within this many degrees: it may have been computed.
+const NEAR_DEG: f64 = 1e-9;
+
+/// How a guide or a track lies, as parts of a sentence.
+#[derive(Default)]
+pub(super) struct Lay {
+    /// Before the noun: "horizontal ", 水平.
+    pub attribute: &'static str,
+    /// English: after the noun, with a blank before it. Chinese: before the noun, with 的 at its end.
+    pub course: String,
+    /// Chinese: the line's name after the noun.
+    pub name: String,
+    /// How far a guide stands off what it would go through, at the end of the sentence.
+    pub offset: String,
+}
+
+/// A level or an upright direction.
+fn attribute(angle: Angle, lang: Lang) -> Option<&'static str> {
+    let quarters = angle.degrees() / 90.0;
+    let nearest = quarters.round();
+    let near = (quarters - nearest).abs() * 90.0 <= NEAR_DEG;
+    let level = nearest.rem_euclid(2.0) == 0.0;
+    near.then_some(match (level, lang) {
+        (true, Lang::En) => "horizontal ",
+        (true, Lang::Zh) => "水平",
+        (false, Lang::En) => "vertical ",
+        (false, Lang::Zh) => "铅直",
+    })
+}
+
+impl Givens<'_> {
+    /// What runs in the guide, and where the guide lies.
+    pub(super) fn guide(&self, g: &Guide) -> String {
+        let on = self.link(g.on);
+        let runner = match (g.pin, g.slider, self.lang()) {
+            (Some(p), Some(s), Lang::En) => format!("slider {} (pin {}) ", self.link(s), self.point(p)),
+            (Some(p), Some(s), Lang::Zh) => format!("滑块 {}（销 {}）", self.link(s), self.point(p)),
+            (Some(p), None, Lang::En) => format!("pin {} ", self.point(p)),
+            (Some(p), None, Lang::Zh) => format!("销 {} ", self.point(p)),
+            (None, Some(s), Lang::En) => format!("link {} ", self.link(s)),
+            (None, Some(s), Lang::Zh) => format!("构件 {} ", self.link(s)),
+            (None, None, _) => String::new(),
+        };
+        if let GuidePath::Arc { centre, radius } = &g.path {
+            let centre = self.point(*centre);
+            let radius = radius.as_ref().map(|r| format!("$\\rho = {}$", self.length(r)));
+            return match self.lang() {
+                Lang::En => {
+                    let radius = radius.map(|r| format!(", {r}")).unwrap_or_default();
+                    format!("{runner}slides in a slot of link {on}, an arc about {centre}{radius}")
+                }
+                Lang::Zh => {
+                    let radius = radius.map(|r| format!("、{r} 为半径")).unwrap_or_default();
+                    format!("{runner}在构件 {on} 上以 {centre} 为圆心{radius}的圆弧槽内滑动")
+                }
+            };
+        }
+        let Lay { attribute, course, name, offset } = self.lay(&g.path);
+        match self.lang() {
+            Lang::En => format!("{runner}slides in a {attribute}guide of link {on}{course}{offset}"),
+            Lang::Zh => format!("{runner}沿构件 {on} 上{course}{attribute}导路{name}滑动{offset}"),
+        }
+    }
+
+    /// How the line of a guide lies; nothing of an arc.
+    pub(super) fn lay(&self, path: &GuidePath) -> Lay {
+        let GuidePath::Line { through, direction, offset } = path else { return Lay::default() };
+        let mut lay = Lay::default();
+        let en = self.lang() == Lang::En;
+        let mut told = Vec::new();
+        match direction {
+            Direction::Along(a, b, turn) => {
+                let line = format!("${}{}$", point_label(self.name(*a)), point_label(self.name(*b)));
+                match (turn.as_ref().map(|t| self.angle(t)), en) {
+                    (Some(t), true) => told.push(format!(" in the direction of {line} turned by ${t}$")),
+                    (Some(t), false) => told.push(format!("由 {line} 方向转过 ${t}$")),
+                    (None, true) if *through == Through::Pin => told.push(format!(" parallel to {line}")),
+                    (None, false) if *through == Through::Pin => told.push(format!("平行于 {line}")),
+                    (None, true) => told.push(format!(" along {line}")),
+                    (None, false) => lay.name = format!(" {line} "),
+                }
+            }
+            Direction::Instant(a) => match attribute(a.value, self.lang()) {
+                Some(word) => lay.attribute = word,
+                None if en => told.push(format!(" at ${}$ to the horizontal", self.angle(a))),
+                None => told.push(format!("与水平线成 ${}$", self.angle(a))),
+            },
+            Direction::Own | Direction::Slid(_) => {}
+        }
+        let place = match through {
+            Through::Pin => None,
+            Through::Point(p) if matches!(direction, Direction::Along(a, b, None) if a == p || b == p) => None,
+            Through::Point(p) => Some((self.point(*p), "过 ")),
+            Through::At([x, y]) => Some((format!("$({}, {})$", self.length(x), self.length(y)), "过点 ")),
+        };
+        if let Some((place, zh)) = place {
+            told.push(if en { format!(" through {place}") } else { format!("{zh}{place}") });
+        }
+        lay.course = match (en, told.is_empty()) {
+            (true, _) => told.concat(),
+            (false, true) => "的".to_owned(),
+            (false, false) => format!("{} 的", told.join("、")),
+        };
+        if let Some(o) = offset {
+            let (by, left) = (self.unsigned(o), o.value >= 0.0);
+            lay.offset = match (en, left) {
+                (true, true) => format!(", offset ${by}$ to the left"),
+                (true, false) => format!(", offset ${by}$ to the right"),
+                (false, true) => format!("，向左偏距 ${by}$"),
+                (false, false) => format!("，向右偏距 ${by}$"),
+            };
+        }
+        lay
+    }
+}

@@ -1,0 +1,155 @@
+//! Gears, racks and wheels among what is given.
+
+use super::Givens;
+use super::guide::Lay;
+use hodograph_scene::{Contours, Direction, Flanks, GuidePath, Lang, Rolling, RollingKind, Sizes};
+
+impl Givens<'_> {
+    /// A rolling pair in one sentence: `gears 2 and 4: $z_{2} = 20$, $z_{4} = 40$, pitch point $K$`.
+    pub(super) fn rolling(&self, pair: &Rolling) -> String {
+        let mut parts: Vec<String> = self.sizes(pair).into_iter().collect();
+        parts.extend(self.crossing(pair));
+        if let Some(phase) = &pair.phase {
+            let angle = self.angle(phase);
+            parts.push(match self.lang() {
+                Lang::En => format!("its line ${angle}$ from the line of centres when that of the other lies on it"),
+                Lang::Zh => format!("另一轮的直线与连心线重合时，其直线与连心线成 ${angle}$"),
+            });
+        }
+        let [at, end] = pair.at.map(|p| self.point(p));
+        parts.push(match (pair.kind, self.lang()) {
+            (RollingKind::Gears, Lang::En) => format!("pitch point {at}"),
+            (RollingKind::Gears, Lang::Zh) => format!("节点 {at}"),
+            (RollingKind::Wheel, Lang::En) => format!("touching in {at}, without slip"),
+            (RollingKind::Wheel, Lang::Zh) => format!("接触点 {at}，纯滚动"),
+            (RollingKind::Rope, Lang::En) => format!("running off the drum at {at}"),
+            (RollingKind::Rope, Lang::Zh) => format!("绳在 {at} 处离开卷筒"),
+            (RollingKind::Belt, Lang::En) => format!("a strand from {at} to {end}, without slip"),
+            (RollingKind::Belt, Lang::Zh) => format!("带段自 {at} 至 {end}，不打滑"),
+            (RollingKind::Chain, Lang::En) => format!("a strand from {at} to {end}"),
+            (RollingKind::Chain, Lang::Zh) => format!("链段自 {at} 至 {end}"),
+        });
+        format!("{}{}", self.pair(pair), parts.join(self.words().comma))
+    }
+
+    /// Which two links, and how they lie to one another.
+    fn pair(&self, pair: &Rolling) -> String {
+        let [a, b] = pair.links.map(|l| self.link(l));
+        let (en, fixed) = (self.lang() == Lang::En, pair.links[0] == self.scene.ground);
+        let on = match (fixed, en) {
+            (true, true) => "the ground".to_owned(),
+            (true, false) => "机架".to_owned(),
+            (false, true) => format!("link {a}"),
+            (false, false) => format!("构件 {a} "),
+        };
+        match (&pair.contours, pair.kind == RollingKind::Gears) {
+            (Contours::Belt { .. }, _) => self.belt(pair),
+            (Contours::Track { .. }, _) if pair.kind == RollingKind::Rope => {
+                let Lay { course, .. } = self.track(pair);
+                if en {
+                    format!("a rope wound on drum {b} draws {on}{course}: ")
+                } else {
+                    format!("绕在卷筒 {b} 上的绳{course}牵引{on}：")
+                }
+            }
+            (Contours::Circles { hollow: None, .. }, true) if en => format!("gears {a} and {b}: "),
+            (Contours::Circles { hollow: None, .. }, true) => format!("齿轮 {a} 与 {b}："),
+            (Contours::Circles { hollow: Some(i), .. }, true) => {
+                let (ring, inner) = if *i == 0 { (a, b) } else { (b, a) };
+                if en { format!("gear {inner} in the ring gear {ring}: ") } else { format!("齿轮 {inner} 与内齿轮 {ring}：") }
+            }
+            (Contours::Track { .. }, toothed) => {
+                // The guide of the wheel's centre stands off the track by its radius, which is told as such.
+                let Lay { attribute, course, name, .. } = self.track(pair);
+                match (toothed, en) {
+                    (true, true) => format!("gear {b} on the {attribute}rack of {on}{course}: "),
+                    (true, false) => format!("齿轮 {b} 与{on}上{course}{attribute}齿条{name}啮合："),
+                    (false, true) => format!("wheel {b} rolls on a {attribute}straight track of {on}{course}: "),
+                    (false, false) => format!("轮 {b} 沿{on}上{course}{attribute}直线轨道{name}滚动："),
+                }
+            }
+            (Contours::Circles { centres, hollow, .. }, false) => {
+                let centre = self.point(centres[0]);
+                match (hollow.is_some(), en) {
+                    (true, true) => format!("wheel {b} rolls inside a circle of {on} about {centre}: "),
+                    (false, true) => format!("wheel {b} rolls on a circle of {on} about {centre}: "),
+                    (true, false) => format!("轮 {b} 沿{on}上以 {centre} 为圆心的圆内侧滚动："),
+                    (false, false) => format!("轮 {b} 沿{on}上以 {centre} 为圆心的圆外侧滚动："),
+                }
+            }
+        }
+    }
+
+    /// How a straight track lies.
+    fn track(&self, pair: &Rolling) -> Lay {
+        let path = pair.guide().map(|g| &self.scene.guides[g.0].path);
+        match path {
+            Some(path @ GuidePath::Line { direction: Direction::Along(..) | Direction::Instant(_), .. }) => self.lay(path),
+            Some(GuidePath::Line { direction: Direction::Own | Direction::Slid(_), .. } | GuidePath::Arc { .. }) | None => {
+                Lay { course: self.tr("", "的").to_owned(), ..Lay::default() }
+            }
+        }
+    }
+
+    /// Numbers of teeth, module, radii.
+    fn sizes(&self, pair: &Rolling) -> Vec<String> {
+        let [a, b] = pair.links.map(|l| hodograph_board::plan::names::name_label(self.link(l)));
+        let radius = |of: &str, r| format!("$r_{{{of}}} = {}$", self.length(r));
+        match (&pair.flanks, &pair.contours) {
+            (Some(Flanks { teeth, module, .. }), _) => {
+                let number = |(of, z): (&String, &Option<u32>)| z.map(|z| format!("$z_{{{of}}} = {z}$"));
+                let mut parts: Vec<String> = [a, b].iter().zip(teeth).filter_map(number).collect();
+                parts.extend(module.map(|m| format!("$m = {} mm$", super::inked(m * 1e3))));
+                parts
+            }
+            (None, Contours::Circles { sizes: Sizes::Radii([p, q]), .. }) => vec![radius(&a, p), radius(&b, q)],
+            (None, Contours::Circles { sizes: Sizes::Teeth([y, z]), .. }) => {
+                vec![format!("$z_{{{a}}} = {y}$"), format!("$z_{{{b}}} = {z}$")]
+            }
+            (None, Contours::Track { radius: r, .. }) => vec![radius(&b, r)],
+            (None, Contours::Belt { radii: [p, q], teeth, .. }) => {
+                let number = |(of, z)| format!("$z_{{{of}}} = {z}$");
+                let teeth = teeth.iter().flat_map(|[y, z]| [number((&a, y)), number((&b, z))]);
+                teeth.chain([radius(&a, p), radius(&b, q)]).collect()
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::given::Givens;
+    use hodograph_scene::{Lang, read};
+
+    const GEARS: &str = r#"{"units": {"length": "mm", "angle": "deg"}, "links": {"1": ["A"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C"], "5": ["P"], "6": ["A"]},
+        "ground": "1", "points": {"A": [0, 0], "B": [60, 80], "C": [210, 0], "P": [260, 40]},
+        "guides": [{"slider": "5", "pin": "P", "on": "1", "angle": "0 deg"}],
+        "rolling": [{"wheel": "4", "centre": "C", "radius": 40, "on": "1", "angle": "0 deg", "at": "N"}],
+        "gears": [{"links": ["4", "5"], "centres": ["C"], "radii": [40], "rack": "5", "angle": "180 deg", "at": "Q"}],
+        "driver": {"link": "2", "omega": "10 rad/s"}, "find": ["v_C", "v_P"]}"#;
+
+    #[test]
+    fn pairs_are_givens_and_their_guides_are_not() {
+        let text = GEARS.replace(r#", "6": ["A"]"#, "");
+        let scene = read(text).unwrap().value;
+        for (lang, wanted) in [
+            (
+                Lang::En,
+                [
+                    "wheel 4 rolls on a horizontal straight track of the ground",
+                    "gear 4 on the horizontal rack of link 5",
+                    "pitch point",
+                    "without slip",
+                ],
+            ),
+            (Lang::Zh, ["轮 4 沿机架上的水平直线轨道滚动", "齿轮 4 与构件 5 上的水平齿条啮合", "节点", "纯滚动"]),
+        ] {
+            let all: String = Givens { scene: &scene, lang }.list().iter().map(|p| p.plain() + "\n").collect();
+            for part in wanted {
+                assert!(all.contains(part), "{part} is not in\n{all}");
+            }
+            let slides = if lang == Lang::En { "slides in a horizontal guide" } else { "的水平导路滑动" };
+            assert_eq!(all.matches(slides).count(), 1, "{all}");
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Inversions in words: for each ground its type, what turns fully and what swings, and how far; Willis' table of its gear trains.
+
+use super::answers::diagnostic;
+use super::{limits, trains};
+use hodograph_base::diag::Diagnostic;
+use hodograph_methods::inversions::{Inversion, Part};
+use hodograph_paper::paper::phrase::tr;
+use hodograph_scene::{Lang, Scene};
+use hodograph_sweep::extreme::Output;
+use serde_json::{Value as Json, json};
+
+/// The report as text: a line for each ground, then the motion of each as a whole.
+pub fn text(scene: &Scene, all: &[Inversion], lang: Lang) -> String {
+    let mut out = String::new();
+    let title = scene.title.get(lang);
+    if !title.is_empty() {
+        out.push_str(&format!("{title}\n"));
+    }
+    for i in all {
+        out.push_str(&format!("{}\n", line(i, lang)));
+    }
+    for i in all {
+        out.push('\n');
+        out.push_str(&limits::text(&i.scene, 0, &i.limits, lang));
+        out.push_str(&trains::text(&i.scene, &i.worked, lang));
+    }
+    out
+}
+
+/// `link 4 fixed (as in the scene): crank-rocker; link 1 turns fully`.
+pub fn line(i: &Inversion, lang: Lang) -> String {
+    let original = if i.original { tr(lang, " (as in the scene)", "（原机构）") } else { "" };
+    format!("{}{original}{}{}", heading(i, lang), tr(lang, ": ", "："), words(i, lang))
+}
+
+/// `link 4 fixed`.
+pub fn heading(i: &Inversion, lang: Lang) -> String {
+    let ground = i.scene.link_name(i.scene.ground);
+    match lang {
+        Lang::En => format!("link {ground} fixed"),
+        Lang::Zh => format!("构件 {ground} 为机架"),
+    }
+}
+
+/// Type and turning links.
+pub fn words(i: &Inversion, lang: Lang) -> String {
+    let mut parts: Vec<String> = i.limits.grashof.iter().map(|(kind, _)| limits::grashof_words(*kind, lang).to_owned()).collect();
+    parts.extend(slider_crank(i, lang).map(str::to_owned));
+    let turning = turning(i);
+    parts.push(match (lang, turning.len()) {
+        (Lang::En, 0) => "no link on the ground turns fully".to_owned(),
+        (Lang::En, 1) => format!("link {} turns fully", turning[0]),
+        (Lang::En, _) => format!("links {} turn fully", turning.join(", ")),
+        (Lang::Zh, 0) => "没有连架杆整周转动".to_owned(),
+        (Lang::Zh, _) => format!("构件 {} 整周转动", turning.join("、")),
+    });
+    parts.join(tr(lang, "; ", "；"))
+}
+
+/// The name of an inversion of the slider-crank chain; `None` of other chains.
+fn slider_crank(i: &Inversion, lang: Lang) -> Option<&'static str> {
+    // With the crank as ground the link with the guide turns about its pin.
+    let full = || i.limits.range.full() && i.limits.swings.iter().all(|s| s.stroke.is_none());
+    Some(match i.part? {
+        Part::Guide => tr(lang, "crank-slider", "曲柄滑块机构"),
+        Part::Slider => tr(lang, "fixed slider", "定块机构"),
+        Part::Coupler => tr(lang, "swinging block", "曲柄摇块机构"),
+        Part::Crank if full() => tr(lang, "turning guide", "转动导杆机构"),
+        Part::Crank => tr(lang, "oscillating guide", "摆动导杆机构"),
+    })
+}
+
+/// The links of the ground that turn fully.
+fn turning(i: &Inversion) -> Vec<String> {
+    let scene = &i.scene;
+    let driver = scene.drivers[0].kind.turned().filter(|_| i.limits.range.full()).map(|(link, _)| link);
+    // An output that turns with a driver that turns fully, and has no extremes, turns fully too.
+    let outputs = i.limits.swings.iter().filter(|s| driver.is_some() && s.extremes.is_empty()).filter_map(|s| match s.output {
+        Output::Turning(l) => Some(l),
+        Output::Sliding(_) => None,
+    });
+    let on_ground = |l: &hodograph_scene::LinkId| {
+        let own = &scene.links[scene.ground.0].points;
+        scene.links[l.0].points.iter().any(|p| own.contains(p))
+    };
+    driver.into_iter().chain(outputs.filter(on_ground)).map(|l| scene.link_name(l).to_owned()).collect()
+}
+
+/// The inversions for programs, in SI, each with its scene.
+pub fn json(scene: &Scene, all: &[Inversion], notes: &[Diagnostic]) -> Json {
+    let one = |i: &Inversion| {
+        json!({
+            "ground": i.scene.link_name(i.scene.ground),
+            "original": i.original,
+            "driver": i.driver,
+            "turning": turning(i),
+            "willis": trains::formulas(&i.scene, &i.worked),
+            "limits": limits::json(&i.scene, 0, &i.limits),
+            "scene": serde_json::from_str::<Json>(&i.text).unwrap_or(Json::Null),
+        })
+    };
+    json!({
+        "title": {"en": scene.title.en, "zh": scene.title.zh},
+        "inversions": all.iter().map(one).collect::<Vec<_>>(),
+        "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
+    })
+}

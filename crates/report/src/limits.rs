@@ -1,0 +1,267 @@
+//! The motion as a whole for people and programs: range of the driver, extremes of the outputs, transmission angles, Grashof.
+
+pub mod ranges;
+
+use hodograph_base::diag::{Both, both};
+use hodograph_base::digits::significant;
+use hodograph_paper::paper::phrase::tr;
+use hodograph_scene::{Book, Kind, Lang, LinkId, PointId, Scene};
+use hodograph_sweep::extreme::{Extreme, Grashof, Limits, Output, Swing};
+use hodograph_sweep::limit::{Event, Kind as EventKind};
+use serde_json::{Value as Json, json};
+use std::f64::consts::TAU;
+
+/// A writer for one scene, driver and language.
+struct Words<'a> {
+    scene: &'a Scene,
+    limits: &'a Limits,
+    lang: Lang,
+    name: String,
+    angular: bool,
+}
+
+/// The report as text.
+pub fn text(scene: &Scene, driver: usize, limits: &Limits, lang: Lang) -> String {
+    let w = Words::new(scene, driver, limits, lang);
+    let mut out = String::new();
+    let mut line = |text: String| {
+        out.push_str(&text);
+        out.push('\n');
+    };
+    let title = scene.title.get(lang);
+    if !title.is_empty() {
+        line(title.to_owned());
+    }
+    line(w.range());
+    if let Some(turns) = w.turns() {
+        line(format!("  {turns}"));
+    }
+    for e in limits.events() {
+        line(format!("  {}", w.event(e)));
+    }
+    if let Some((kind, [a, b, c, d])) = limits.grashof {
+        let sums = format!("{} {} {} {}", scene.length_words(a), scene.length_words(b), scene.length_words(c), scene.length_words(d));
+        let of = tr(lang, "driver, coupler, output, frame", "原动件、连杆、从动件、机架");
+        let kind = grashof_words(kind, lang);
+        line(match lang {
+            Lang::En => format!("Grashof: {kind} ({of}: {sums})"),
+            Lang::Zh => format!("杆长条件：{kind}（{of}：{sums}）"),
+        });
+    }
+    for s in &limits.swings {
+        line(w.swing(s));
+        for e in &s.extremes {
+            line(format!("  {}", w.extreme(s, e)));
+        }
+    }
+    if let Some(worst) = limits.transmission.iter().min_by(|a, b| a.angle.total_cmp(&b.angle)) {
+        line(tr(lang, "smallest transmission angles γ:", "最小传动角 γ：").to_owned());
+        for t in &limits.transmission {
+            let mark = if std::ptr::eq(t, worst) && limits.transmission.len() > 1 { tr(lang, "  (the worst)", "（最小）") } else { "" };
+            line(format!("  {} γ = {}{}{mark}", w.joint(&t.links, t.pin), angle(&scene.book, t.angle), w.at(t.driver)));
+        }
+    }
+    out
+}
+
+/// The report as JSON, in SI.
+pub fn json(scene: &Scene, driver: usize, limits: &Limits) -> Json {
+    let w = Words::new(scene, driver, limits, Lang::En);
+    let links = |l: &[LinkId]| l.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>();
+    let event = |e: &Event| {
+        json!({
+            "kind": if e.kind == EventKind::Limit { "limit" } else { "change-point" },
+            "driver": e.value,
+            "links": links(&e.links),
+            "pin": e.pin.map(|p| scene.point_name(p)),
+            "why": e.toggle.as_ref().map(|t| t.words(scene, Lang::En)),
+        })
+    };
+    let swings: Vec<Json> = limits
+        .swings
+        .iter()
+        .map(|s| {
+            let extremes: Vec<Json> = s.extremes.iter().map(|e| w.extreme_json(e)).collect();
+            json!({"output": w.output(s.output), "extremes": extremes, "stroke": s.stroke, "time_ratio": s.time_ratio})
+        })
+        .collect();
+    let transmission: Vec<Json> = limits
+        .transmission
+        .iter()
+        .map(|t| json!({"links": links(&t.links), "pin": t.pin.map(|p| scene.point_name(p)), "angle": t.angle, "driver": w.wrapped(t.driver)}))
+        .collect();
+    json!({
+        "driver": w.name,
+        "now": limits.range.now,
+        "full_turn": w.angular && limits.range.full(),
+        "turns": limits.turns,
+        "range": limits.range.ends.iter().map(|e| e.as_ref().map(event)).collect::<Vec<_>>(),
+        "change_points": limits.range.changes.iter().map(event).collect::<Vec<_>>(),
+        "outputs": swings,
+        "transmission": transmission,
+        "grashof": limits.grashof.map(|(kind, lengths)| json!({"type": grashof_words(kind, Lang::En), "lengths": lengths})),
+    })
+}
+
+impl<'a> Words<'a> {
+    fn new(scene: &'a Scene, driver: usize, limits: &'a Limits, lang: Lang) -> Self {
+        let (name, kind) = scene.driver_name(driver);
+        Words { scene, limits, lang, name, angular: kind == Kind::Angle }
+    }
+
+    /// A crank's position in [0, 2π) where it turns fully; in as many turns as are looked at.
+    fn wrapped(&self, value: f64) -> f64 {
+        if !(self.angular && self.limits.range.full()) {
+            return value;
+        }
+        let all = TAU * self.limits.seen as f64;
+        let turned = value.rem_euclid(all);
+        // A hair below a full turn is the start.
+        if all - turned < 1e-12 { 0.0 } else { turned }
+    }
+
+    /// A coordinate as it is told: Chinese sentences have Greek letters.
+    fn told(&self, name: &str) -> String {
+        if self.lang == Lang::Zh { name.replacen("phi", "φ", 1) } else { name.to_owned() }
+    }
+
+    fn value(&self, value: f64) -> String {
+        let book = &self.scene.book;
+        if self.angular { angle(book, self.wrapped(value)) } else { length(book, value) }
+    }
+
+    fn at(&self, value: f64) -> String {
+        match self.lang {
+            Lang::En => format!(" at {} = {}", self.name, self.value(value)),
+            Lang::Zh => format!("（{} = {} 时）", self.told(&self.name), self.value(value)),
+        }
+    }
+
+    fn range(&self) -> String {
+        let r = &self.limits.range;
+        match &r.ends {
+            [None, None] if self.angular => format!("{} {}", self.told(&self.name), tr(self.lang, "turns fully", "可整周转动")),
+            [low, high] => {
+                let end = |e: &Option<Event>| {
+                    e.as_ref().map_or_else(|| tr(self.lang, "no limit found", "未见极限").to_owned(), |e| self.value(e.value))
+                };
+                format!("{} {} {} … {}", self.told(&self.name), tr(self.lang, "goes", "的范围："), end(low), end(high))
+            }
+        }
+    }
+
+    /// After how many turns everything stands as it did, where it takes more than one.
+    fn turns(&self) -> Option<String> {
+        let Limits { turns, seen, .. } = self.limits;
+        let both = match (*turns, *seen) {
+            (1, _) => return None,
+            (0, _) => {
+                both!("the wheels never stand as before; extreme positions are those of one turn", "各轮不再回到原位；极限位置取自一转")
+            }
+            (n, 1) => both!(
+                "the wheels stand as before after {n} turns; extreme positions are those of one",
+                "{n} 转后各轮回到原位；极限位置取自一转"
+            ),
+            (n, _) => both!("the wheels stand as before after {n} turns", "{n} 转后各轮回到原位"),
+        };
+        let Both { en, zh } = both;
+        Some(if self.lang == Lang::Zh { zh } else { en })
+    }
+
+    fn joint(&self, links: &[LinkId], pin: Option<PointId>) -> String {
+        let names: Vec<_> = links.iter().map(|l| self.scene.link_name(*l)).collect();
+        let word = if names.len() == 1 { tr(self.lang, "link", "构件") } else { tr(self.lang, "links", "构件") };
+        let names = names.join(tr(self.lang, ", ", "、"));
+        match (pin.map(|p| self.scene.point_name(p)), names.is_empty()) {
+            (Some(p), true) => p.to_owned(),
+            (Some(p), false) => format!("{word} {names} {} {p}", tr(self.lang, "at", "在")),
+            (None, _) => format!("{word} {names}"),
+        }
+    }
+
+    fn event(&self, e: &Event) -> String {
+        let what = match e.kind {
+            EventKind::Limit => tr(self.lang, "limit", "极限位置"),
+            EventKind::ChangePoint => tr(self.lang, "change point", "变点"),
+        };
+        let line = || format!("{} {}", self.joint(&e.links, e.pin), tr(self.lang, "in line", "共线"));
+        let why = e.toggle.as_ref().map_or_else(line, |t| t.words(self.scene, self.lang));
+        format!("{what}{}{}{why}", self.at(e.value), tr(self.lang, ": ", "："))
+    }
+
+    fn output(&self, output: Output) -> String {
+        match output {
+            Output::Turning(l) => format!("phi_{}", self.scene.link_name(l)),
+            Output::Sliding(g) => {
+                let guide = &self.scene.guides[g.0];
+                let point = guide.pin.map(|p| self.scene.point_name(p));
+                format!("s_{}", point.or(guide.slider.map(|l| self.scene.link_name(l))).unwrap_or_default())
+            }
+        }
+    }
+
+    fn size(&self, output: Output, value: f64) -> String {
+        match output {
+            Output::Turning(_) => angle(&self.scene.book, value),
+            Output::Sliding(_) => length(&self.scene.book, value),
+        }
+    }
+
+    fn swing(&self, s: &Swing) -> String {
+        let (lang, name) = (self.lang, self.told(&self.output(s.output)));
+        let Some(stroke) = s.stroke else {
+            return match s.extremes.is_empty() {
+                true => format!("{name} {}", tr(lang, "has no extreme position", "无极限位置")),
+                false => format!("{name} {}", tr(lang, "has no stroke, as no limit of the driver was found", "无行程（未见原动件的极限）")),
+            };
+        };
+        let word = match s.output {
+            Output::Turning(_) => tr(lang, "swings", "摆角"),
+            Output::Sliding(_) => tr(lang, "has a stroke of", "行程"),
+        };
+        let ratio = s.time_ratio.map_or(String::new(), |k| {
+            let theta = std::f64::consts::PI * (k - 1.0) / (k + 1.0);
+            format!("{} K = {} (θ = {})", tr(lang, ", time ratio", "，行程速度变化系数"), significant(k, 6), angle(&self.scene.book, theta))
+        });
+        format!("{name} {word} {}{ratio}", self.size(s.output, stroke))
+    }
+
+    fn extreme(&self, s: &Swing, e: &Extreme) -> String {
+        let remark = match e.until {
+            _ if e.at_limit => tr(self.lang, "  (the driver goes no farther)", "（原动件到达极限）").to_owned(),
+            Some(until) => tr(self.lang, " to {}  (a dwell)", "，至 {}（停歇）").replace("{}", &self.value(until)),
+            None if s.extremes.iter().any(|e| e.at_limit) => String::new(),
+            None => tr(self.lang, "  (a dead centre if it is driven from there)", "（若以该构件为原动件，此处为死点）").to_owned(),
+        };
+        format!("{} = {}{}{remark}", self.told(&self.output(s.output)), self.size(s.output, e.output), self.at(e.driver))
+    }
+
+    fn extreme_json(&self, e: &Extreme) -> Json {
+        json!({"driver": self.wrapped(e.driver), "until": e.until.map(|x| self.wrapped(x)), "output": e.output, "at_limit": e.at_limit})
+    }
+}
+
+/// Grashof's type in words.
+pub fn grashof_words(kind: Grashof, lang: Lang) -> &'static str {
+    match kind {
+        Grashof::CrankRocker => tr(lang, "crank-rocker", "曲柄摇杆机构"),
+        Grashof::RockerCrank => tr(lang, "rocker-crank (the rocker drives)", "摇杆曲柄机构（摇杆主动）"),
+        Grashof::DoubleCrank => tr(lang, "double crank (drag link)", "双曲柄机构"),
+        Grashof::DoubleRocker => tr(lang, "double rocker, the coupler turns fully", "双摇杆机构（连杆可整周转动）"),
+        Grashof::TripleRocker => tr(lang, "double rocker, no link turns fully", "双摇杆机构（不满足杆长条件）"),
+        Grashof::ChangePoint => tr(lang, "change-point mechanism", "变点机构"),
+    }
+}
+
+fn angle(book: &Book, rad: f64) -> String {
+    // A zero that was found to rounding is zero; a crossing angle is the root of what was found.
+    let rad = if rad.abs() < 1e-7 { 0.0 } else { rad };
+    book.text(Kind::Angle, &significant(book.value(Kind::Angle, rad), 6))
+}
+
+fn length(book: &Book, m: f64) -> String {
+    match book.chosen(Kind::Length) {
+        Some(unit) => book.text(Kind::Length, &significant(unit.of(m), 6)),
+        None => format!("{} mm", significant(m * 1e3, 6)),
+    }
+}

@@ -1,0 +1,63 @@
+//! The ranges of a four-bar's lengths for each of Grashof's types, for people and programs.
+
+use super::{grashof_words, tr};
+use hodograph_base::diag::{Diagnostic, both};
+use hodograph_scene::{Lang, Scene};
+use hodograph_sweep::extreme::Limits;
+use hodograph_synthesis::grashof::{Length, Range, ranges};
+use serde_json::{Value as Json, json};
+
+/// A length, its value (m), and its ranges.
+pub type OfLength = (Length, f64, Vec<Range>);
+
+/// The ranges of all four lengths.
+///
+/// # Errors
+/// The mechanism is no four-bar of four pins that a crank drives.
+pub fn of(limits: &Limits) -> Result<Vec<OfLength>, Diagnostic> {
+    let Some((_, lengths)) = limits.grashof else {
+        let d = Diagnostic::error(
+            "not-a-four-bar",
+            both!(
+                "Grashof's types are of a four-bar of four pins with a crank as driver",
+                "类型划分只用于由曲柄驱动的、四个转动副的四杆机构"
+            ),
+        );
+        return Err(d.help(both!("leave --ranges out", "请去掉 --ranges")));
+    };
+    Length::ALL.into_iter().map(|which| Ok((which, lengths[which as usize], ranges(lengths, which)?))).collect()
+}
+
+fn named(which: Length, lang: Lang) -> &'static str {
+    match which {
+        Length::Driver => tr(lang, "driver", "原动件"),
+        Length::Coupler => tr(lang, "coupler", "连杆"),
+        Length::Output => tr(lang, "output", "从动连架杆"),
+        Length::Frame => tr(lang, "frame", "机架"),
+    }
+}
+
+/// A table for each length.
+pub fn text(scene: &Scene, all: &[OfLength], lang: Lang) -> String {
+    let mut out = String::new();
+    let words = |m: f64| scene.length_words(m);
+    for (which, now, ranges) in all {
+        out += &match lang {
+            Lang::En => format!("{} (now {}), the others held:\n", named(*which, lang), words(*now)),
+            Lang::Zh => format!("{}（现为 {}），其余杆长不变：\n", named(*which, lang), words(*now)),
+        };
+        for r in ranges {
+            let end = if r.change_point { tr(lang, "; change point at the end", "；末端为变点机构") } else { "" };
+            out += &format!("  {} .. {}  {}{end}\n", words(r.from), words(r.to), grashof_words(r.kind, lang));
+        }
+    }
+    out
+}
+
+/// In SI.
+pub fn json(all: &[OfLength]) -> Json {
+    let range =
+        |r: &Range| json!({"type": grashof_words(r.kind, Lang::En), "from": r.from, "to": r.to, "change_point_at_the_end": r.change_point});
+    let one = |(which, now, ranges): &OfLength| json!({"length": named(*which, Lang::En), "now": now, "ranges": ranges.iter().map(range).collect::<Vec<_>>()});
+    Json::Array(all.iter().map(one).collect())
+}

@@ -1,0 +1,442 @@
+//! Formulas of the label language as MathML, TeX and Typst.
+//!
+//! One walk over a parsed [`Label`]; each language says how it writes letters, numbers, signs and scripts. Decided here:
+//! that what looks alike on the figures is written alike (letters of quantities italic, units and words upright).
+
+use hodograph_paper::paper::font::Slant;
+use hodograph_paper::paper::label::{Label, Node, Role};
+use hodograph_paper::render::escaped;
+
+/// A part of a formula that stands on a line of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Math {
+    /// A row of signs.
+    Row(Label),
+    /// One row over another.
+    Fraction(Label, Label),
+    /// The square root of a row.
+    Root(Label),
+}
+
+impl Math {
+    /// In one line of characters: `(a)/(b)`, `√(a)`.
+    pub fn plain(&self) -> String {
+        match self {
+            Math::Row(row) => row.plain(),
+            Math::Fraction(over, under) => format!("({})/({})", over.plain(), under.plain()),
+            Math::Root(row) => format!("√({})", row.plain()),
+        }
+    }
+}
+
+/// From this on a space is one between words, in em.
+const WORD_EM: f64 = 0.2;
+
+/// A language of formulas.
+trait Tongue {
+    /// Letters of quantities: `AB`, `ω`.
+    fn letters(&self, text: &str) -> String;
+    /// Letters of vectors, bold.
+    fn bold(&self, text: &str) -> String;
+    /// A number.
+    fn number(&self, text: &str) -> String;
+    /// Upright words and units.
+    fn words(&self, text: &str) -> String;
+    /// A sign, such as `=`, `⊥`, `(`.
+    fn sign(&self, c: char, role: Role) -> String;
+    /// A function's name.
+    fn function(&self, name: &str) -> String;
+    /// Space, in em.
+    fn space(&self, em: f64) -> String;
+    /// A base with its primes, subscript and superscript (each may be empty).
+    fn scripts(&self, base: String, primes: usize, sub: String, sup: String) -> String;
+    /// One over another.
+    fn fraction(&self, over: String, under: String) -> String;
+    /// A square root.
+    fn root(&self, row: String) -> String;
+    /// Pieces one after another.
+    fn join(&self, pieces: Vec<String>) -> String;
+
+    fn row(&self, row: &[Node]) -> String {
+        self.join(row.iter().flat_map(|n| self.node(n)).collect())
+    }
+
+    fn node(&self, n: &Node) -> Vec<String> {
+        let mut out = Vec::new();
+        if !n.text.is_empty() || n.primes > 0 || !n.sub.is_empty() || !n.sup.is_empty() {
+            let base = self.base(n);
+            let (sub, sup) = (self.row(&n.sub), self.row(&n.sup));
+            out.push(if n.primes == 0 && sub.is_empty() && sup.is_empty() { base } else { self.scripts(base, n.primes, sub, sup) });
+        }
+        if n.space_em > 0.0 {
+            out.push(self.space(n.space_em));
+        }
+        out
+    }
+
+    fn base(&self, n: &Node) -> String {
+        let mut chars = n.text.chars();
+        match (n.slant, chars.next(), chars.next()) {
+            (_, None, _) => String::new(),
+            _ if n.role == Role::Function => self.function(&n.text),
+            (Slant::Italic, ..) => self.letters(&n.text),
+            (Slant::Bold, ..) => self.bold(&n.text),
+            _ if n.text.chars().all(|c| c.is_ascii_digit() || c == '.') => self.number(&n.text),
+            (_, Some(c), None) if !c.is_alphanumeric() || n.slant == Slant::Symbol => self.sign(c, n.role),
+            _ => self.words(&n.text),
+        }
+    }
+
+    fn formula(&self, parts: &[Math]) -> String {
+        let part = |m: &Math| match m {
+            Math::Row(l) => self.row(l.row()),
+            Math::Fraction(over, under) => self.fraction(self.row(over.row()), self.row(under.row())),
+            Math::Root(l) => self.root(self.row(l.row())),
+        };
+        self.join(parts.iter().map(part).collect())
+    }
+}
+
+/// A formula in the line as MathML.
+pub fn mathml(label: &Label) -> String {
+    format!("<math><mrow>{}</mrow></math>", Mathml.row(label.row()))
+}
+
+/// A formula on its own line as MathML.
+pub fn mathml_display(parts: &[Math]) -> String {
+    format!("<math display=\"block\"><mrow>{}</mrow></math>", Mathml.formula(parts))
+}
+
+/// A formula in TeX, without dollar signs.
+pub fn tex(label: &Label) -> String {
+    Tex.row(label.row())
+}
+
+/// A formula of several parts in TeX.
+pub fn tex_display(parts: &[Math]) -> String {
+    Tex.formula(parts)
+}
+
+/// A formula in Typst, without dollar signs.
+pub fn typst(label: &Label) -> String {
+    Typst.row(label.row())
+}
+
+/// A formula of several parts in Typst.
+pub fn typst_display(parts: &[Math]) -> String {
+    Typst.formula(parts)
+}
+
+struct Mathml;
+
+impl Tongue for Mathml {
+    fn letters(&self, text: &str) -> String {
+        let each: String = text.chars().map(|c| format!("<mi>{c}</mi>")).collect();
+        if text.chars().count() > 1 { format!("<mrow>{each}</mrow>") } else { each }
+    }
+    fn bold(&self, text: &str) -> String {
+        // Browsers know of all variants of letters the upright one only.
+        self.letters(text).replace("<mi>", "<mi style=\"font-weight:bold\">")
+    }
+    fn number(&self, text: &str) -> String {
+        format!("<mn>{text}</mn>")
+    }
+    fn words(&self, text: &str) -> String {
+        format!("<mtext>{}</mtext>", escaped(text))
+    }
+    fn sign(&self, c: char, role: Role) -> String {
+        let c = escaped(&c.to_string());
+        match role {
+            Role::Ordinary if matches!(c.as_str(), "(" | ")" | "[" | "]" | "|") => format!("<mo stretchy=\"false\">{c}</mo>"),
+            // A sign that stands for a thing, as `?` or `⊥` before a line, keeps no space around it.
+            Role::Ordinary => format!("<mo lspace=\"0\" rspace=\"0\">{c}</mo>"),
+            Role::Binary | Role::Relation | Role::Punctuation | Role::Function => format!("<mo>{c}</mo>"),
+        }
+    }
+    fn function(&self, name: &str) -> String {
+        format!("<mi mathvariant=\"normal\">{name}</mi><mo>&#x2061;</mo>")
+    }
+    fn space(&self, em: f64) -> String {
+        format!("<mspace width=\"{em}em\"/>")
+    }
+    fn scripts(&self, base: String, primes: usize, sub: String, sup: String) -> String {
+        let (above, below) = (format!("<mrow>{sup}</mrow>"), format!("<mrow>{sub}</mrow>"));
+        // The prime is a raised sign already: as a superscript Chromium raises it once more. A subscript stands below it.
+        let marks = format!("<mi mathvariant=\"normal\">{}</mi>", "′".repeat(primes));
+        let base = match (primes, sub.is_empty()) {
+            (0, _) => base,
+            (_, true) => format!("<mrow>{base}{marks}</mrow>"),
+            (_, false) => format!("<mrow>{base}<mpadded width=\"0\">{marks}</mpadded></mrow>"),
+        };
+        // Under the descender of φ or μ a subscript would hang lower than under ω: the base is said to have no depth.
+        let base = match (base.is_empty(), sub.is_empty()) {
+            (true, _) => "<mrow></mrow>".to_owned(),
+            (false, true) => base,
+            (false, false) => format!("<mpadded depth=\"0\">{base}</mpadded>"),
+        };
+        match (sub.is_empty(), sup.is_empty()) {
+            (true, true) => base,
+            (true, false) => format!("<msup>{base}{above}</msup>"),
+            (false, true) => format!("<msub>{base}{below}</msub>"),
+            (false, false) => format!("<msubsup>{base}{below}{above}</msubsup>"),
+        }
+    }
+    fn fraction(&self, over: String, under: String) -> String {
+        format!("<mfrac><mrow>{over}</mrow><mrow>{under}</mrow></mfrac>")
+    }
+    fn root(&self, row: String) -> String {
+        format!("<msqrt>{row}</msqrt>")
+    }
+    fn join(&self, pieces: Vec<String>) -> String {
+        pieces.concat()
+    }
+}
+
+struct Tex;
+
+/// The command of a sign or a Greek letter in TeX, and its name in Typst.
+fn named(c: char) -> Option<(&'static str, &'static str)> {
+    Some(match c {
+        'α' => ("\\alpha", "alpha"),
+        'β' => ("\\beta", "beta"),
+        'γ' => ("\\gamma", "gamma"),
+        'δ' => ("\\delta", "delta"),
+        'ε' => ("\\varepsilon", "epsilon"),
+        'ζ' => ("\\zeta", "zeta"),
+        'η' => ("\\eta", "eta"),
+        'θ' => ("\\theta", "theta"),
+        'ι' => ("\\iota", "iota"),
+        'κ' => ("\\kappa", "kappa"),
+        'λ' => ("\\lambda", "lambda"),
+        'μ' | 'µ' => ("\\mu", "mu"),
+        'ν' => ("\\nu", "nu"),
+        'ξ' => ("\\xi", "xi"),
+        'π' => ("\\pi", "pi"),
+        'ρ' => ("\\rho", "rho"),
+        'σ' => ("\\sigma", "sigma"),
+        'τ' => ("\\tau", "tau"),
+        'υ' => ("\\upsilon", "upsilon"),
+        'φ' => ("\\varphi", "phi"),
+        'χ' => ("\\chi", "chi"),
+        'ψ' => ("\\psi", "psi"),
+        'ω' => ("\\omega", "omega"),
+        'Γ' => ("\\Gamma", "Gamma"),
+        'Δ' => ("\\Delta", "Delta"),
+        'Θ' => ("\\Theta", "Theta"),
+        'Λ' => ("\\Lambda", "Lambda"),
+        'Π' => ("\\Pi", "Pi"),
+        'Σ' => ("\\Sigma", "Sigma"),
+        'Φ' => ("\\Phi", "Phi"),
+        'Ψ' => ("\\Psi", "Psi"),
+        'Ω' => ("\\Omega", "Omega"),
+        '−' => ("-", "-"),
+        '×' => ("\\times", "times"),
+        '·' | '⋅' => ("\\cdot", "dot.op"),
+        '±' => ("\\pm", "plus.minus"),
+        '→' => ("\\to", "arrow.r"),
+        '←' => ("\\leftarrow", "arrow.l"),
+        '≈' => ("\\approx", "approx"),
+        '≠' => ("\\neq", "eq.not"),
+        '≤' => ("\\leq", "lt.eq"),
+        '≥' => ("\\geq", "gt.eq"),
+        '⊥' => ("\\perp", "perp"),
+        '∥' => ("\\parallel", "parallel"),
+        '∠' => ("\\angle", "angle"),
+        '√' => ("\\surd", "\"√\""),
+        '✓' => ("\\checkmark", "\"✓\""),
+        '∞' => ("\\infty", "infinity"),
+        '∼' => ("\\sim", "tilde.op"),
+        '∽' => ("\\backsim", "tilde.rev"),
+        '°' => ("{}^\\circ", "degree"),
+        _ => return None,
+    })
+}
+
+impl Tongue for Tex {
+    fn letters(&self, text: &str) -> String {
+        let each: Vec<String> = text.chars().map(|c| named(c).map_or_else(|| c.to_string(), |(tex, _)| tex.to_owned())).collect();
+        self.join(each)
+    }
+    fn bold(&self, text: &str) -> String {
+        format!("\\boldsymbol{{{}}}", self.letters(text))
+    }
+    fn number(&self, text: &str) -> String {
+        text.to_owned()
+    }
+    fn words(&self, text: &str) -> String {
+        // A bracket that closes what the words stand in is none of theirs.
+        match text.strip_suffix(')').filter(|inner| !inner.contains('(')) {
+            Some(inner) => format!("\\text{{{}}})", tex_escaped(inner)),
+            None => format!("\\text{{{}}}", tex_escaped(text)),
+        }
+    }
+    fn sign(&self, c: char, _: Role) -> String {
+        named(c).map_or_else(|| tex_escaped(&c.to_string()), |(tex, _)| tex.to_owned())
+    }
+    fn function(&self, name: &str) -> String {
+        format!("\\{name}")
+    }
+    fn space(&self, em: f64) -> String {
+        let command = match em {
+            1.0.. => r"\quad",
+            WORD_EM.. => r"\ ",
+            _ => r"\,",
+        };
+        command.to_owned()
+    }
+    fn scripts(&self, base: String, primes: usize, sub: String, sup: String) -> String {
+        let mut out = if base.is_empty() { "{}".to_owned() } else { base };
+        out += &"'".repeat(primes);
+        for (mark, script) in [('_', sub), ('^', sup)] {
+            if !script.is_empty() {
+                out += &format!("{mark}{{{script}}}");
+            }
+        }
+        out
+    }
+    fn fraction(&self, over: String, under: String) -> String {
+        format!("\\frac{{{over}}}{{{under}}}")
+    }
+    fn root(&self, row: String) -> String {
+        format!("\\sqrt{{{row}}}")
+    }
+    fn join(&self, pieces: Vec<String>) -> String {
+        let mut out = String::new();
+        for p in pieces {
+            // A command ends where no letter follows.
+            let open = out.rfind('\\').is_some_and(|i| out.len() > i + 1 && out[i + 1..].chars().all(|c| c.is_ascii_alphabetic()));
+            if open && p.starts_with(|c: char| c.is_ascii_alphabetic()) {
+                out.push(' ');
+            }
+            out += &p;
+        }
+        out
+    }
+}
+
+fn tex_escaped(text: &str) -> String {
+    let mut out = String::new();
+    for c in text.chars() {
+        match c {
+            '\\' => out += "\\backslash ",
+            '{' | '}' | '_' | '$' | '%' | '#' | '&' => {
+                out.push('\\');
+                out.push(c);
+            }
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+struct Typst;
+
+impl Tongue for Typst {
+    fn letters(&self, text: &str) -> String {
+        let each: Vec<String> = text.chars().map(|c| named(c).map_or_else(|| c.to_string(), |(_, typst)| typst.to_owned())).collect();
+        each.join(" ")
+    }
+    fn bold(&self, text: &str) -> String {
+        format!("bold({})", self.letters(text))
+    }
+    fn number(&self, text: &str) -> String {
+        text.to_owned()
+    }
+    fn words(&self, text: &str) -> String {
+        quoted(text)
+    }
+    fn sign(&self, c: char, _: Role) -> String {
+        match (named(c), c) {
+            (Some((_, typst)), _) => typst.to_owned(),
+            // What means something in Typst's formulas stands as text.
+            (None, '+' | '=' | '<' | '>' | '?' | '!' | ':' | '|') => c.to_string(),
+            (None, _) => quoted(&c.to_string()),
+        }
+    }
+    fn function(&self, name: &str) -> String {
+        name.to_owned()
+    }
+    fn space(&self, em: f64) -> String {
+        let name = match em {
+            1.0.. => "quad",
+            WORD_EM.. => "\" \"",
+            _ => "thin",
+        };
+        name.to_owned()
+    }
+    fn scripts(&self, base: String, primes: usize, sub: String, sup: String) -> String {
+        // Scripts stand on one thing.
+        let mut out = if base.is_empty() { "\"\"".to_owned() } else { base };
+        out += &"'".repeat(primes);
+        for (mark, script) in [('_', sub), ('^', sup)] {
+            if !script.is_empty() {
+                out += &format!("{mark}({script})");
+            }
+        }
+        out
+    }
+    fn fraction(&self, over: String, under: String) -> String {
+        format!("frac({over}, {under})")
+    }
+    fn root(&self, row: String) -> String {
+        format!("sqrt({row})")
+    }
+    fn join(&self, pieces: Vec<String>) -> String {
+        let mut out = String::new();
+        for p in pieces {
+            // A space beside quoted text is printed; everywhere else it parts names.
+            if !out.is_empty() && !out.ends_with('"') && !p.starts_with('"') {
+                out.push(' ');
+            }
+            out += &p;
+        }
+        out
+    }
+}
+
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_same_formula_in_three_languages() {
+        let l = Label::math(r"a^n_{CB} = \omega_2^2 l_{BC}");
+        assert_eq!(tex(&l), r"a_{CB}^{n}=\omega_{2}^{2}l_{BC}");
+        assert_eq!(typst(&l), "a_(C B)^(n) = omega_(2)^(2) l_(B C)");
+        assert_eq!(
+            mathml(&l),
+            "<math><mrow><msubsup><mpadded depth=\"0\"><mi>a</mi></mpadded><mrow><mrow><mi>C</mi><mi>B</mi></mrow></mrow><mrow><mi>n</mi></mrow></msubsup><mo>=</mo>\
+             <msubsup><mpadded depth=\"0\"><mi>ω</mi></mpadded><mrow><mn>2</mn></mrow><mrow><mn>2</mn></mrow></msubsup>\
+             <msub><mpadded depth=\"0\"><mi>l</mi></mpadded><mrow><mrow><mi>B</mi><mi>C</mi></mrow></mrow></msub></mrow></math>"
+        );
+    }
+
+    #[test]
+    fn units_primes_signs_and_words() {
+        let l = Label::math(r"\mu_v = 0.01 (m/s)/mm");
+        assert_eq!(tex(&l), r"\mu_{v}=0.01\ \text{(m/s)/mm}");
+        assert_eq!(typst(&l), r#"mu_(v) = 0.01" ""(m/s)/mm""#);
+        assert_eq!(tex(&Label::math(r"b'_2")), "b'_{2}");
+        let bold = Label::math(r"\bm{v}_{B}");
+        assert_eq!((tex(&bold).as_str(), typst(&bold).as_str()), (r"\boldsymbol{v}_{B}", "bold(v)_(B)"));
+        assert!(mathml(&bold).contains("<mi style=\"font-weight:bold\">v</mi>"));
+        assert_eq!(typst(&Label::math(r"\perp AB")), "perp A B");
+        assert_eq!(tex(&Label::math(r"\perp AB")), r"\perp AB");
+        assert_eq!(typst(&Label::math("B \\to A")), "B arrow.r A");
+        assert_eq!(tex(&Label::math("大小 v")), r"\text{大小}\ v");
+        assert_eq!(typst(&Label::math("(v_B)^2/\\rho")), r#""("v_(B)")"^(2)"/"rho"#);
+    }
+
+    #[test]
+    fn fractions_and_roots() {
+        let f = [Math::Row(Label::math("\\omega_3 =")), Math::Fraction(Label::math("v_C"), Label::math("l_{CD}"))];
+        assert_eq!(tex_display(&f), r"\omega_{3}=\frac{v_{C}}{l_{CD}}");
+        assert_eq!(typst_display(&f), "omega_(3) = frac(v_(C), l_(C D))");
+        assert!(mathml_display(&f).contains("<mfrac><mrow><msub><mpadded depth=\"0\"><mi>v</mi>"));
+        assert_eq!(tex_display(&[Math::Root(Label::math("3^2 + 4^2"))]), r"\sqrt{3^{2}+4^{2}}");
+    }
+}

@@ -1,0 +1,360 @@
+//! Freedoms for people and programs: what is counted and why, what repeats others, groups from the far end.
+
+use super::plan::{dyad, grade, group_words};
+use hodograph_base::diag::{Both, both};
+use hodograph_board::plan::names::name_label;
+use hodograph_mechanism::mechanism::{Assur, Counts, ForDrivers, Item, Local, Opened, Survey};
+use hodograph_mechanism::position::redundant::{Checked, Reason, Verdict, by_topology, look, opened_words};
+use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_scene::{GuideId, Lang, PointId, Rolling, Scene};
+use serde_json::{Value as Json, json};
+
+/// Whether a pair repeats others, as far as it is known.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Known {
+    Repeats,
+    Locks,
+    Open,
+}
+
+fn known(checked: Option<&Checked>) -> Known {
+    match checked.map(|c| c.verdict) {
+        Some(Verdict::Virtual | Verdict::Almost) => Known::Repeats,
+        Some(Verdict::Shaky | Verdict::Locked) => Known::Locks,
+        None => Known::Open,
+    }
+}
+
+/// More drivers than these are not tried where the file has none and the count asks for fewer.
+const MOST_DRIVERS: usize = 4;
+
+/// How many equations repeat others for sure, and how many may.
+fn repeated(survey: &Survey, checked: &[Option<Checked>]) -> (usize, usize) {
+    let of = |wanted: Known| {
+        let all = survey.redundant().iter().zip(checked).filter(|(_, c)| known(c.as_ref()) == wanted);
+        all.map(|(r, _)| r.equations).sum()
+    };
+    (of(Known::Repeats), of(Known::Open))
+}
+
+/// What is counted, and what lengths say of it. Where pairs repeat others the count does not tell how many drivers there may be: as long as
+/// one more moves what repeats along, it is one of the freedoms.
+pub fn surveyed(scene: &Scene) -> (Survey, Vec<Option<Checked>>) {
+    let mut survey = Survey::of(scene);
+    let mut found = checked(&survey);
+    if scene.drivers.is_empty() && survey.choices.is_empty() {
+        // By count alone it has fewer freedoms than it has: what repeats others is found only where all drivers are there.
+        let more = (2..=MOST_DRIVERS).map(|drivers| (drivers, Survey::driven_by(scene, drivers)));
+        let mut sure = more.filter(|(_, s)| !s.choices.is_empty()).map(|(drivers, s)| (drivers, checked(&s), s));
+        let moves = |verdicts: &[Option<Checked>]| verdicts.iter().all(|c| known(c.as_ref()) == Known::Repeats);
+        if let Some((_, verdicts, s)) = sure.find(|(drivers, verdicts, s)| moves(verdicts) && freedom(s, verdicts) == *drivers as i64) {
+            (survey, found) = (s, verdicts);
+        }
+    }
+    while scene.drivers.is_empty() && !found.is_empty() {
+        let drivers = survey.choices.first().map_or(0, |c| c.scene.drivers.len());
+        let more = Survey::driven_by(scene, drivers + 1);
+        let verdicts = checked(&more);
+        if more.choices.is_empty() || freedom(&more, &verdicts) != drivers as i64 + 1 {
+            break;
+        }
+        (survey, found) = (more, verdicts);
+    }
+    let apart = not_kept_apart(&survey);
+    if apart > 0 {
+        survey.counts.higher += apart;
+        (survey.choices, found) = (Vec::new(), Vec::new());
+    }
+    (survey, found)
+}
+
+/// Number of pairs of gears whose distance other pairs change.
+fn not_kept_apart(survey: &Survey) -> usize {
+    let Some(first) = survey.choices.first() else { return 0 };
+    let looked = |opened: &Opened| survey.choices.iter().find_map(|c| look(&c.scene, &c.mechanism, opened).ok());
+    first.mechanism.kept_apart(&first.scene).filter(|g| known(looked(&Opened::Guide(*g)).as_ref()) == Known::Locks).count()
+}
+
+/// What lengths say of each pair that only repeats others as far as topology can tell; `None` where they are missing.
+fn checked(survey: &Survey) -> Vec<Option<Checked>> {
+    let Some(first) = survey.choices.first() else { return Vec::new() };
+    let (scene, m) = (&first.scene, &first.mechanism);
+    // Whatever drives it: where one choice of drivers does not tell the pose, another may.
+    let looked = |opened: &Opened| {
+        survey.choices.iter().find_map(|c| c.mechanism.is_opened(opened).then(|| look(&c.scene, &c.mechanism, opened).ok())?)
+    };
+    survey.redundant().iter().map(|r| looked(&r.opened).or_else(|| by_topology(scene, m, &r.opened))).collect()
+}
+
+/// F, as far as it is known.
+fn freedom(survey: &Survey, checked: &[Option<Checked>]) -> i64 {
+    survey.counts.freedom(repeated(survey, checked).0, survey.local.len())
+}
+
+/// Why a pair repeats others, or what is known of it.
+fn repeats_words(survey: &Survey, i: usize, checked: Option<&Checked>) -> Both {
+    let Some(first) = survey.choices.first() else { return Both::default() };
+    let (scene, m) = (&first.scene, &first.mechanism);
+    let (what, _) = opened_words(scene, &m.redundant[i].opened);
+    match checked {
+        Some(c) if known(checked) == Known::Repeats => both!("{}: {}", "{}：{}", what, c.reason.words(scene, c.positions)),
+        Some(Checked { reason: reason @ Reason::Triangle(_), positions, .. }) => {
+            both!("{} is none: {}", "{} 不是虚约束：{}", what, reason.words(scene, *positions))
+        }
+        Some(Checked { verdict: Verdict::Shaky, off_m, .. }) => {
+            let off = scene.length_words(*off_m);
+            both!(
+                "{} is none: shaky, mobile to first order, it locks at a finite turn, off by {off}",
+                "{} 不是虚约束：仅瞬时可动（一阶），有限转角时卡死，偏差 {off}",
+                what
+            )
+        }
+        Some(c) => {
+            let off = scene.length_words(c.off_m);
+            both!("{} is none: it locks the mechanism, off by {off}", "{} 不是虚约束：机构被卡死，偏差 {off}", what)
+        }
+        None => both!("{} may be one: lengths decide", "{} 可能是虚约束：由尺寸决定", what),
+    }
+}
+
+fn local_words(l: &Local) -> Both {
+    if l.bare {
+        return both!("pin {} turns in its slots without moving anything", "销 {} 在槽中的自转不影响其他构件", l.pin);
+    }
+    both!("link {} turns about {} alone and moves nothing else", "构件 {} 绕 {} 的自转不影响其他构件", l.link, l.pin)
+}
+
+/// F = 3n − (2 p_l + p_h − p′) − F′ with its numbers.
+fn formula(c: &Counts, repeated: usize, local: usize) -> String {
+    let Counts { moving, lower, higher } = *c;
+    let f = c.freedom(repeated, local).to_string().replace('-', "−");
+    format!("F = 3n − (2p_l + p_h − p′) − F′ = 3·{moving} − (2·{lower} + {higher} − {repeated}) − {local} = {f}")
+}
+
+fn class_of(class: &'static str, lang: Lang) -> &'static str {
+    if lang == Lang::Zh { grade(class) } else { class }
+}
+
+/// The class of a mechanism for a choice of drivers: `II`, `Ⅱ级`.
+pub fn class(choice: &ForDrivers, lang: Lang) -> &'static str {
+    class_of(choice.class(), lang)
+}
+
+/// The groups of a choice of drivers from the far end, each by class and kind: `II RRR, III`.
+pub fn kinds(choice: &ForDrivers, lang: Lang) -> String {
+    let kind = |g: &Assur| {
+        let class = class_of(g.class().unwrap_or_default(), lang);
+        dyad(g).map_or(class.to_owned(), |kind| format!("{class} {kind}"))
+    };
+    choice.from_the_far_end().iter().map(kind).collect::<Vec<_>>().join(tr(lang, ", ", "、"))
+}
+
+/// What is counted of a scene, with all reasons.
+pub struct Counted {
+    /// The counts and the groups.
+    pub survey: Survey,
+    checked: Vec<Option<Checked>>,
+    /// Virtual constraints that lengths have proved.
+    pub sure: usize,
+}
+
+impl Counted {
+    /// Counts a scene; what its lengths tell is checked where it has them.
+    pub fn of(scene: &Scene) -> Counted {
+        let (survey, checked) = surveyed(scene);
+        let (sure, _) = repeated(&survey, &checked);
+        Counted { survey, checked, sure }
+    }
+
+    /// What is told of the count of lower pairs, points set as points.
+    pub fn lower(&self, scene: &Scene, lang: Lang) -> Vec<Phrase> {
+        lower_set(scene, &self.survey.compound, lang)
+    }
+
+    /// Local freedoms.
+    pub fn local(&self) -> Vec<Both> {
+        self.survey.local.iter().map(local_words).collect()
+    }
+
+    /// What repeats others, and why.
+    pub fn repeats(&self) -> Vec<Both> {
+        self.checked.iter().enumerate().map(|(i, c)| repeats_words(&self.survey, i, c.as_ref())).collect()
+    }
+
+    /// The counts without local freedoms and virtual constraints, higher pairs replaced.
+    pub fn substituted(&self) -> Counts {
+        self.survey.substituted(|i| self.checked.get(i).is_some_and(|c| known(c.as_ref()) != Known::Locks))
+    }
+}
+
+fn compound_words(name: &str, links: usize) -> Both {
+    both!("{name} joins {links} links: compound hinge, {} pairs", "{name} 处 {links} 个构件组成复合铰链，计 {} 个转动副", links - 1)
+}
+
+/// Why lower pairs count as they do: pins of more than two links, and what rolls without slipping.
+fn lower_words(scene: &Scene, compound: &[(PointId, usize)], point: impl Fn(&str) -> String) -> Vec<Both> {
+    let hinges = compound.iter().map(|(p, links)| compound_words(&point(scene.point_name(*p)), *links));
+    let rolls = scene.rolling.iter().filter(|r| r.kind.is_lower()).map(|r| {
+        let contact = point(scene.point_name(r.at[0]));
+        both!(
+            "{contact}: rolling without slipping takes two freedoms and counts as a lower pair",
+            "{contact} 处为纯滚动，约束数为 2，按低副计"
+        )
+    });
+    hinges.chain(rolls).collect()
+}
+
+/// Why a toothed pair counts two: nothing else keeps its links at their distance.
+fn doubled(scene: &Scene, survey: &Survey) -> Vec<Both> {
+    let holds = |g: GuideId| survey.choices.first().is_none_or(|c| c.mechanism.constraints.iter().any(|c| c.item() == Item::Guide(g)));
+    let (higher, slots) =
+        (|r: &&Rolling| !r.kind.is_lower(), scene.guides.iter().filter(|g| g.rolling.is_none() && g.slider.is_none()).count());
+    let twice: Vec<&Rolling> = scene.rolling.iter().filter(higher).filter(|r| r.guide().is_some_and(holds)).collect();
+    // Without drivers that move it nothing tells which of them hold, but that all do.
+    let all = scene.rolling.iter().filter(higher).count() + slots + twice.len();
+    if survey.choices.is_empty() && (survey.counts.higher != all || !scene.cams.is_empty()) {
+        return Vec::new();
+    }
+    twice
+        .into_iter()
+        .map(|r| {
+            let [a, b] = r.links.map(|l| scene.link_name(l));
+            both!(
+                "links {a} and {b}: no other pair keeps their distance, the teeth touch on both flanks and count two",
+                "构件 {a} 与 {b}：没有其他运动副保持其距离，轮齿两侧接触，计 2 个高副"
+            )
+        })
+        .collect()
+}
+
+/// The same with points set as points.
+pub fn lower_set(scene: &Scene, compound: &[(PointId, usize)], lang: Lang) -> Vec<Phrase> {
+    let told = lower_words(scene, compound, |name| format!("${}$", name_label(name)));
+    told.iter().map(|b| Phrase::new(lang.of(b))).collect()
+}
+
+/// The report as text.
+pub fn text(scene: &Scene, survey: &Survey, checked: &[Option<Checked>], lang: Lang) -> String {
+    let mut out = String::new();
+    let mut line = |text: String| {
+        out.push_str(&text);
+        out.push('\n');
+    };
+    let say = |b: Both| if lang == Lang::Zh { b.zh } else { b.en };
+    let title = scene.title.get(lang);
+    if !title.is_empty() {
+        line(title.to_owned());
+    }
+    let Counts { moving, lower, higher } = survey.counts;
+    line(say(both!("moving links n = {moving}", "活动构件数 n = {moving}")));
+    line(say(both!("lower pairs p_l = {lower}", "低副数 p_l = {lower}")));
+    lower_words(scene, &survey.compound, str::to_owned).into_iter().for_each(|why| line(format!("  {}", say(why))));
+    line(say(both!("higher pairs p_h = {higher}", "高副数 p_h = {higher}")));
+    doubled(scene, survey).into_iter().for_each(|why| line(format!("  {}", say(why))));
+    line(say(both!("local freedoms F′ = {}", "局部自由度 F′ = {}", survey.local.len())));
+    survey.local.iter().for_each(|l| line(format!("  {}", say(local_words(l)))));
+    let (sure, open) = repeated(survey, checked);
+    line(say(both!("virtual constraints p′ = {sure}", "虚约束 p′ = {sure}")));
+    for (i, c) in checked.iter().enumerate() {
+        line(format!("  {}", say(repeats_words(survey, i, c.as_ref()))));
+    }
+    line(formula(&survey.counts, sure, survey.local.len()));
+    if open > 0 {
+        let f = survey.counts.freedom(sure + open, survey.local.len());
+        line(say(both!("F = {f} if what may repeat others does", "若可能的虚约束成立，则 F = {f}")));
+    }
+    let s = survey.substituted(|i| checked.get(i).is_some_and(|c| known(c.as_ref()) != Known::Locks));
+    if s != survey.counts {
+        let f = s.freedom(0, 0);
+        let (n, p) = (s.moving, s.lower);
+        line(say(both!(
+            "without these, higher pairs replaced by lower ones: n = {n}, p_l = {p}, F = 3·{n} − 2·{p} = {f}",
+            "去掉局部自由度和虚约束并高副低代后：n = {n}，p_l = {p}，F = 3·{n} − 2·{p} = {f}"
+        )));
+    }
+    let locked = checked.iter().any(|c| known(c.as_ref()) == Known::Locks);
+    if locked || survey.choices.is_empty() {
+        line(tr(lang, "no choice of drivers on ground moves it as they say", "机架上没有能使其具有确定运动的原动件").into());
+    }
+    for choice in survey.choices.iter().filter(|_| !locked) {
+        line(String::new());
+        line(choice_words(choice, lang));
+        for (i, g) in choice.from_the_far_end().iter().enumerate() {
+            line(format!("  {}. {}", i + 1, group_words(&choice.scene, &choice.mechanism, g, lang)));
+        }
+    }
+    out
+}
+
+fn choice_words(choice: &ForDrivers, lang: Lang) -> String {
+    let names = choice.names().join(tr(lang, ", ", "、"));
+    let class = class(choice, lang);
+    let given = if choice.given { tr(lang, " (given)", "（给定）") } else { "" };
+    match lang {
+        Lang::En => format!("driven by {names}{given}: mechanism of class {class}; groups from the far end"),
+        Lang::Zh => format!("原动件 {names}{given}：{class}机构；由远离原动件处拆杆组"),
+    }
+}
+
+/// The report as JSON.
+pub fn json(scene: &Scene, survey: &Survey, checked: &[Option<Checked>]) -> Json {
+    let (sure, open) = repeated(survey, checked);
+    let counts = |c: &Counts| json!({"n": c.moving, "p_l": c.lower, "p_h": c.higher});
+    let words = |b: Both| json!({"en": b.en, "zh": b.zh});
+    let local = survey.local.len();
+    let compound: Vec<Json> =
+        survey.compound.iter().map(|(p, k)| json!({"point": scene.point_name(*p), "links": k, "pairs": k - 1})).collect();
+    let idle: Vec<Json> = survey.local.iter().map(|l| json!({"link": l.link, "pin": l.pin, "why": words(local_words(l))})).collect();
+    let repeats: Vec<Json> = survey
+        .redundant()
+        .iter()
+        .zip(checked)
+        .enumerate()
+        .map(|(i, (r, c))| {
+            json!({
+                "equations": r.equations,
+                "verdict": c.as_ref().map(|c| verdict(c.verdict)),
+                "off_m": c.as_ref().map(|c| c.off_m),
+                "positions": c.as_ref().map(|c| c.positions),
+                "why": words(repeats_words(survey, i, c.as_ref())),
+            })
+        })
+        .collect();
+    let group = |choice: &ForDrivers, g: &Assur| {
+        let links: Vec<&str> = g.links.iter().map(|l| choice.scene.link_name(*l)).collect();
+        let pins: Vec<&str> = g.pins().into_iter().map(|p| choice.scene.point_name(p)).collect();
+        json!({"class": g.class(), "kind": g.kind(), "links": links, "pins": pins})
+    };
+    let locked = checked.iter().any(|c| known(c.as_ref()) == Known::Locks);
+    let choices: Vec<Json> = survey
+        .choices
+        .iter()
+        .filter(|_| !locked)
+        .map(|c| {
+            let groups: Vec<Json> = c.from_the_far_end().iter().map(|g| group(c, g)).collect();
+            json!({"drivers": c.names(), "given": c.given, "class": c.class(), "groups": groups})
+        })
+        .collect();
+    json!({
+        "counts": counts(&survey.counts),
+        "F_counted": survey.counts.freedom(0, 0),
+        "F_local": local,
+        "p_virtual": sure,
+        "F": survey.counts.freedom(sure, local),
+        "F_if_virtual": (open > 0).then(|| survey.counts.freedom(sure + open, local)),
+        "compound": compound,
+        "local": idle,
+        "virtual": repeats,
+        "substituted": counts(&survey.substituted(|i| checked.get(i).is_some_and(|c| known(c.as_ref()) != Known::Locks))),
+        "choices": choices,
+    })
+}
+
+fn verdict(v: Verdict) -> &'static str {
+    match v {
+        Verdict::Virtual => "virtual",
+        Verdict::Almost => "almost-virtual",
+        Verdict::Shaky => "shaky",
+        Verdict::Locked => "locked",
+    }
+}

@@ -1,0 +1,287 @@
+//! Motions without a mechanism for people and programs: answers with their certain digits, the drawing beside them, and that a pursuit is integrated.
+
+use super::answers::diagnostic;
+use crate::amount::of_level;
+use hodograph_base::diag::{Both, Diagnostic};
+use hodograph_base::digits::{plain, significant};
+use hodograph_base::number::Ball;
+use hodograph_base::number::decimal::{Certain, Enclosure};
+use hodograph_board::plan::notation::Notation;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_methods::particle::board::Drawn;
+use hodograph_methods::particle::plate::Part;
+use hodograph_methods::particle::pursuit::End;
+use hodograph_methods::particle::{Asked, Kind, Mutual, Problem, Solved, Value};
+use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_scene::{Book, Kind as Quantity, Lang};
+use serde_json::{Value as Json, json};
+
+/// The kind of an answer; a time has none.
+pub fn kind(what: Asked) -> Option<Quantity> {
+    match what {
+        Asked::MeetingTime(_) => None,
+        Asked::MeetingPlace(_) | Asked::Distance(_) | Asked::Place(_) | Asked::Curvature(_) | Asked::Between(_, Mutual::Distance) => {
+            Some(Quantity::Length)
+        }
+        Asked::LineOmega(_) | Asked::Between(_, Mutual::Turning) => Some(Quantity::Omega),
+        Asked::Velocity(_) | Asked::Between(_, Mutual::Velocity) => Some(Quantity::Velocity),
+        Asked::Acceleration(_) | Asked::Between(_, Mutual::Acceleration) => Some(Quantity::Acceleration),
+        Asked::Part(_, part) if part.is_velocity() => Some(Quantity::Velocity),
+        Asked::Part(..) => Some(Quantity::Acceleration),
+    }
+}
+
+/// The unit of an answer: that of the file's `answers`, else SI.
+pub fn unit(book: &Book, what: Asked) -> &str {
+    kind(what).map_or("s", |k| book.name(k))
+}
+
+/// An SI value in that unit.
+pub fn in_unit(book: &Book, what: Asked, si: f64) -> f64 {
+    kind(what).map_or(si, |k| book.value(k, si))
+}
+
+/// An enclosure in that unit.
+fn enclosed(book: &Book, what: Asked, e: &Enclosure) -> Enclosure {
+    let chosen = kind(what).filter(|k| book.chosen(*k).is_some());
+    chosen.and_then(|k| book.in_chosen(k, Ball::new(e.approx, e.radius)).enclosure()).unwrap_or_else(|| e.clone())
+}
+
+/// A number to at most so many digits, all of them certain; zero where it is nothing beside `size`.
+pub fn number(e: &Enclosure, size: f64, digits: usize) -> String {
+    if e.contains_zero() && e.largest() <= 1e-10 * size || e.approx == 0.0 && e.radius == 0.0 {
+        return "0".to_owned();
+    }
+    let told = (1..=digits).rev().find_map(|d| e.rounded(d));
+    told.map_or_else(|| "?".to_owned(), |text| plain(&text))
+}
+
+/// The names of the components.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// The largest answer of the same kind: what is nothing beside it is printed as zero.
+pub fn largest(problem: &Problem, solved: &Solved, what: Asked) -> f64 {
+    let of = |a: &hodograph_methods::particle::Answer| match &a.value {
+        Value::Vector(_, size) if kind(problem.find[a.find].what) == kind(what) => size.approx,
+        Value::Vector(..) | Value::Scalar(_) | Value::None(_) => 0.0,
+    };
+    solved.answers.iter().map(of).fold(0.0, f64::max)
+}
+
+/// The value of an answer: components, and the magnitude; `size` is that of the largest of its kind (SI).
+pub fn value(book: &Book, what: Asked, value: &Value, size: f64, digits: usize, lang: Lang) -> String {
+    let unit = unit(book, what);
+    let told = |e: &Enclosure, size: f64| number(&enclosed(book, what, e), in_unit(book, what, size), digits);
+    match value {
+        Value::None(d) => format!("{} ({})", tr(lang, "none", "无"), lang.of(&d.message)),
+        Value::Scalar(e) => format!("{} {unit}", told(e, e.approx.abs().max(size))),
+        Value::Vector(parts, whole) => {
+            let size = whole.approx.max(size);
+            let each: Vec<String> = parts.iter().zip(AXES).map(|(e, axis)| format!("{axis} {}", told(e, size))).collect();
+            if what.is_place() {
+                format!("({}) {unit}", each.join(", "))
+            } else {
+                format!("{} {unit} ({})", told(whole, size), each.join(", "))
+            }
+        }
+    }
+}
+
+/// What is said of a pursuit.
+pub fn integrated(lang: Lang) -> &'static str {
+    tr(
+        lang,
+        "The pursuit is integrated (Gragg, Bulirsch, Stoer; the errors of the steps are added up and bound all digits told); what follows at the instant is exact.",
+        "追踪运动由数值积分求得（Gragg–Bulirsch–Stoer 法，所给位数由各步误差之和确定）；该瞬时的其余量由此精确导出。",
+    )
+}
+
+/// How far the drawing is from an answer, as a part of it.
+pub fn apart(answer: &Value, drawn: &[f64], largest: f64) -> Option<f64> {
+    let all = answer.vector().or_else(|| answer.scalar().map(|s| vec![s.abs()]))?;
+    let norm = |v: &mut dyn Iterator<Item = f64>| v.fold(0.0, |s, x| s + x * x).sqrt();
+    let drawn: Vec<f64> = if all.len() == 1 { vec![drawn[0].abs()] } else { drawn.to_vec() };
+    // What is small beside the others of its kind is compared with a thousandth of them.
+    let size = norm(&mut all.iter().copied()).max(1e-3 * largest);
+    let off = norm(&mut all.iter().zip(&drawn).map(|(a, b)| a - b));
+    Some(if size > 0.0 { off / size } else { off })
+}
+
+/// The drawn value of an answer: what is calculated is not drawn.
+pub fn drawn(all: &[Drawn], what: Asked) -> Option<&[f64]> {
+    all.iter().filter(|d| !d.calculated).flat_map(|d| &d.readings).find(|r| r.0 == what).map(|r| r.1.as_slice())
+}
+
+/// The report.
+pub fn text(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, steps: Option<&Notation>, lang: Lang) -> String {
+    let mut out = format!("{}\n", lang.of(&problem.title));
+    out += &format!("t = {} s\n\n", significant(problem.instant(), 6));
+    let wide = problem.find.iter().map(|f| f.text.chars().count()).max().unwrap_or(0);
+    for answer in &solved.answers {
+        let find = &problem.find[answer.find];
+        let size = largest(problem, solved, find.what);
+        let told = value(&problem.book, find.what, &answer.value, size, digits, lang);
+        let beside = drawn(board, find.what).and_then(|d| apart(&answer.value, d, size)).map_or(String::new(), |off| {
+            let off = if off < 1e-14 { "0".to_owned() } else { format!("{off:.0e}") };
+            format!("   {} {off}", tr(lang, "drawing differs by", "作图相差"))
+        });
+        out += &format!("{:wide$} = {told}{beside}\n", find.text);
+    }
+    if problem.motions.iter().any(|m| matches!(m.kind, Kind::Toward { .. })) {
+        out += &format!("\n{}\n", integrated(lang));
+    }
+    if let Some(notation) = steps {
+        for d in board {
+            out += &format!("\n{}{}\n", head(d, lang), Phrase::new(&scales(&problem.book, d.mu)).plain());
+            for (k, s) in d.steps.iter().enumerate() {
+                out += &format!("{}. {}\n", k + 1, sentence(s, lang, notation).plain());
+            }
+        }
+    }
+    out
+}
+
+/// The words over the steps of a drawing.
+fn head(drawn: &Drawn, lang: Lang) -> &'static str {
+    match drawn.calculated {
+        true => tr(lang, "Calculated, shown to scale: ", "计算所得，按比例示出："),
+        false => tr(lang, "Drawing: ", "作图："),
+    }
+}
+
+/// The scales of a drawing in the label language.
+pub fn scales(book: &Book, [l, v, a]: [f64; 3]) -> String {
+    let all = [(Level::Position, l), (Level::Velocity, v), (Level::Acceleration, a)];
+    all.map(|(level, mu)| format!("${}$", of_level(book, level, mu))).join(", ")
+}
+
+/// The version of the document that [`json()`] makes; `hodograph schema --solved` describes it.
+pub const SCHEMA: &str = "hodograph/solved-motion/1";
+
+/// The same for programs, in SI.
+pub fn json(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, notes: &[Diagnostic]) -> Json {
+    let told = |e: &Enclosure, size: f64| json!({"value": e.approx, "radius": e.radius, "text": number(e, size, digits)});
+    let answers: Vec<Json> = solved
+        .answers
+        .iter()
+        .map(|a| {
+            let find = &problem.find[a.find];
+            let size = largest(problem, solved, find.what);
+            let mut out = match &a.value {
+                Value::Scalar(e) => told(e, e.approx.abs()),
+                Value::Vector(parts, whole) => {
+                    let each: Vec<Json> = parts.iter().map(|e| told(e, whole.approx.max(size))).collect();
+                    json!({"value": parts.iter().map(|e| e.approx).collect::<Vec<_>>(), "components": each, "magnitude": told(whole, whole.approx.max(size))})
+                }
+                Value::None(d) => json!({"value": null, "why": diagnostic(d)}),
+            };
+            if let Some(object) = out.as_object_mut() {
+                object.insert("find".into(), json!(find.text));
+                object.insert("unit".into(), json!(unit(&Book::default(), find.what)));
+                object.insert("drawn".into(), json!(drawn(board, find.what)));
+            }
+            out
+        })
+        .collect();
+    let ends: Vec<Json> = solved
+        .ends
+        .iter()
+        .map(|(k, end)| {
+            let point = &problem.motions[*k].point;
+            match end {
+                End::Meet { time, .. } => {
+                    json!({"pursuer": point, "integrated": true, "meets": true, "time": hodograph_base::number::Real::approx(*time)})
+                }
+                End::Apart { until, distance } => {
+                    json!({"pursuer": point, "integrated": true, "meets": false, "until": until, "distance": distance})
+                }
+            }
+        })
+        .collect();
+    json!({
+        "schema": SCHEMA,
+        "title": {"en": problem.title.en, "zh": problem.title.zh},
+        "time": problem.instant(),
+        "answers": answers,
+        "pursuits": ends,
+        "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
+    })
+}
+
+/// A sentence of a construction with the marks of a notation.
+pub fn sentence(of: &Both, lang: Lang, notation: &Notation) -> Phrase {
+    Phrase::new(&marked(&lang.of(of).replace("a_c", "a_k"), notation))
+}
+
+/// Symbols of a board with the marks of a notation for its tangential and Coriolis parts.
+pub fn marked(symbols: &str, notation: &Notation) -> String {
+    symbols.replace("^t", &format!("^{{{}}}", notation.tangential)).replace("a_k", &format!("a_{{{}}}", notation.coriolis))
+}
+
+/// The symbol of a question in the label language.
+pub fn symbol(problem: &Problem, what: Asked, notation: &Notation) -> String {
+    let name = |k: usize| problem.motions[k].point.as_str();
+    let pair = |k: usize| {
+        let m = &problem.motions[k];
+        format!("{}{}", m.point, problem.chase(m).map_or("", |c| c.1))
+    };
+    match what {
+        Asked::MeetingTime(k) => format!("T_{{{}}}", pair(k)),
+        Asked::MeetingPlace(k) => format!("P_{{{}}}", pair(k)),
+        Asked::Distance(k) => format!("l_{{{}}}", pair(k)),
+        Asked::LineOmega(k) => format!("\\omega_{{{}}}", pair(k)),
+        Asked::Place(k) => name(k).to_owned(),
+        Asked::Velocity(k) => format!("v_{{{}}}", name(k)),
+        Asked::Acceleration(k) => format!("a_{{{}}}", name(k)),
+        Asked::Curvature(k) => format!("\\rho_{{{}}}", name(k)),
+        Asked::Part(_, part) => marked(part_symbol(part), notation),
+        Asked::Between([a, b], m) => {
+            let letter = match m {
+                Mutual::Distance => "l",
+                Mutual::Turning => "\\omega",
+                Mutual::Velocity => "v",
+                Mutual::Acceleration => "a",
+            };
+            format!("{letter}_{{{}{}}}", name(a), name(b))
+        }
+    }
+}
+
+fn part_symbol(part: Part) -> &'static str {
+    match part {
+        Part::TransportVelocity => "v_e",
+        Part::RelativeVelocity => "v_r",
+        Part::Transport => "a_e",
+        Part::TransportNormal => "a^n_e",
+        Part::TransportTangential => "a^t_e",
+        Part::Relative => "a_r",
+        Part::RelativeNormal => "a^n_r",
+        Part::RelativeTangential => "a^t_r",
+        Part::Coriolis => "a_k",
+    }
+}
+
+/// The answers as sentences with formulas, a line each.
+pub fn lines(problem: &Problem, solved: &Solved, digits: usize, lang: Lang, notation: &Notation) -> Vec<Phrase> {
+    let mut out: Vec<Phrase> = solved
+        .answers
+        .iter()
+        .map(|a| {
+            let what = problem.find[a.find].what;
+            Phrase::new(&format!(
+                "${}$ = {}",
+                symbol(problem, what, notation),
+                inked_words(&value(&problem.book, what, &a.value, largest(problem, solved, what), digits, lang))
+            ))
+        })
+        .collect();
+    if problem.motions.iter().any(|m| matches!(m.kind, Kind::Toward { .. })) {
+        out.push(Phrase::of_words(integrated(lang)));
+    }
+    out
+}
+
+/// Numbers as they are printed: a minus as long as a plus.
+fn inked_words(text: &str) -> String {
+    text.replace('-', "−")
+}

@@ -1,0 +1,111 @@
+//! The price of accuracy as a table for people and as JSON for programs.
+
+use super::columns::columns;
+use hodograph_base::digits::significant;
+use hodograph_paper::paper::phrase::tr;
+use hodograph_scene::{Lang, Scene};
+use hodograph_worked::accuracy::Rung;
+use hodograph_worked::effort::ways::{Measured, Near, Way};
+use serde_json::{Value as Json, json};
+
+/// A way's name.
+pub fn name(way: Way, lang: Lang) -> String {
+    let power = |x: f64| format!("{x:e}");
+    match way {
+        Way::Paper(mm) => format!("{} {mm} mm", tr(lang, "paper, pencil", "图纸，铅笔误差")),
+        Way::DrawingSingle => tr(lang, "drawing, f32", "图解 f32").into(),
+        Way::Drawing => tr(lang, "drawing, f64", "图解 f64").into(),
+        Way::ClosedSingle => tr(lang, "closed form, f32", "杆组法 f32").into(),
+        Way::Closed => tr(lang, "closed form, f64", "杆组法 f64").into(),
+        Way::ClosedDouble => tr(lang, "closed form, double-double", "杆组法 双双精度").into(),
+        Way::ClosedLong(bits) => format!("{} {bits} bit", tr(lang, "closed form,", "杆组法")),
+        Way::Loops(t) => format!("{} {}", tr(lang, "loop equations, Newton to", "解析法，牛顿迭代至"), power(t)),
+        Way::Differences(h) => format!("{} {}", tr(lang, "finite differences, step", "有限差分，步长"), power(h)),
+        Way::Certified(Rung::Double) => tr(lang, "certified, f64", "可靠界 f64").into(),
+        Way::Certified(Rung::DoubleDouble) => tr(lang, "certified, double-double", "可靠界 双双精度").into(),
+        Way::Certified(Rung::Long(bits)) => format!("{} {bits} bit", tr(lang, "certified,", "可靠界")),
+    }
+}
+
+/// An error as a power of ten with one digit; `fails` where there is none.
+fn error(e: Option<f64>, lang: Lang) -> String {
+    match e {
+        None => "–".into(),
+        Some(0.0) => "0".into(),
+        Some(e) if e.is_finite() => format!("{e:.1e}"),
+        Some(_) => tr(lang, "fails", "失效").into(),
+    }
+}
+
+fn time(seconds: Option<f64>) -> String {
+    match seconds {
+        None => "–".into(),
+        Some(s) if s < 1e-3 => format!("{} µs", significant(s * 1e6, 2)),
+        Some(s) => format!("{} ms", significant(s * 1e3, 2)),
+    }
+}
+
+/// The first column set to the left, numbers to the right.
+fn table(rows: &[Vec<String>]) -> String {
+    columns(rows, 1).iter().map(|line| format!("  {}\n", line.trim_end())).collect()
+}
+
+/// The table of all ways.
+pub fn text(scene: &Scene, ways: &[Measured], lang: Lang) -> String {
+    let heading = [("way", "方法"), ("velocity", "速度误差"), ("acceleration", "加速度误差"), ("time", "用时")];
+    let mut rows = vec![heading.map(|(en, zh)| tr(lang, en, zh).to_string()).to_vec()];
+    for m in ways {
+        let both = |k: usize| match (m.errors[k], m.within_95[k]) {
+            (Some(_), Some(_)) => format!("{} ({})", error(m.errors[k], lang), error(m.within_95[k], lang)),
+            _ => error(m.errors[k], lang),
+        };
+        rows.push(vec![name(m.way, lang), both(0), both(1), time(m.seconds)]);
+    }
+    let title = scene.title.get(lang);
+    let note = tr(
+        lang,
+        "worst relative error of the answers against 512-bit arithmetic; on paper the median of 400 drawings (95 %); certified: the bound; time: median of a whole solution from positions to answers",
+        "误差为各结果相对 512 位运算的最大相对误差；图纸为 400 次作图的中位数（95%）；可靠界为所保证的误差上限；用时为由位置到结果的中位数",
+    );
+    format!("{}{}\n{note}\n", if title.is_empty() { String::new() } else { format!("{title}\n") }, table(&rows).trim_end())
+}
+
+/// The table of a series of poses: errors of the accelerations (of the velocities where no acceleration is asked).
+pub fn series_text(series: &[Near], lang: Lang) -> String {
+    let Some(first) = series.iter().find(|n| !n.ways.is_empty()) else { return String::new() };
+    let mut rows = vec![
+        std::iter::once(tr(lang, "before the toggle", "距极限位置").to_string())
+            .chain(first.ways.iter().map(|m| name(m.way, lang)))
+            .collect::<Vec<_>>(),
+    ];
+    for near in series {
+        let mut row = vec![format!("{:.0e}", near.distance)];
+        match near.ways.len() {
+            0 => row.extend(first.ways.iter().map(|_| tr(lang, "fails", "失效").to_string())),
+            _ => row.extend(near.ways.iter().map(|m| error(m.errors[1].or(m.errors[0]), lang))),
+        }
+        rows.push(row);
+    }
+    table(&rows)
+}
+
+/// Both tables for programs.
+pub fn json(ways: &[Measured], series: &[Near]) -> Json {
+    let finite = |e: Option<f64>| e.filter(|e| e.is_finite());
+    let one = |m: &Measured| {
+        json!({
+            "way": name(m.way, Lang::En),
+            "velocity": finite(m.errors[0]),
+            "acceleration": finite(m.errors[1]),
+            "velocity_95": finite(m.within_95[0]),
+            "acceleration_95": finite(m.within_95[1]),
+            "fails": m.errors.iter().flatten().any(|e| !e.is_finite()),
+            "seconds": m.seconds,
+        })
+    };
+    let poses: Vec<Json> = series
+        .iter()
+        .map(|n| json!({"distance": n.distance, "position": n.position, "ways": n.ways.iter().map(one).collect::<Vec<_>>()}))
+        .collect();
+    json!({"ways": ways.iter().map(one).collect::<Vec<_>>(), "toward_toggle": poses})
+}

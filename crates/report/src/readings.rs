@@ -1,0 +1,130 @@
+//! The table of readings: for each the answers, right and by the wrong equations that the scene names, against what was printed.
+
+use hodograph_base::digits::{direction_degrees, significant};
+use hodograph_mechanism::answer::Value;
+use hodograph_methods::attempts::Attempt;
+use hodograph_paper::paper::phrase::tr;
+use hodograph_scene::{Find, Lang, Scene};
+use hodograph_worked::worked::Worked;
+use serde_json::{Value as Json, json};
+use unicode_width::UnicodeWidthStr;
+
+/// Digits of the table.
+const DIGITS: usize = 5;
+/// Printed numbers are rounded to two or three digits: nearer than this share one comes from a reading.
+const GIVES: f64 = 0.006;
+
+/// One reading, worked through.
+pub struct Read {
+    /// Its name; empty for the file as it stands.
+    pub name: String,
+    /// Its scene.
+    pub scene: Scene,
+    /// The same worked through.
+    pub worked: Worked,
+    /// The wrong solutions that it names.
+    pub attempts: Vec<Attempt>,
+}
+
+/// One line: a question, how it is answered, the answer, and whether that is what was printed.
+struct Line {
+    find: Find,
+    by: Option<&'static str>,
+    value: Value,
+    gives: Option<bool>,
+}
+
+fn lines(r: &Read) -> Vec<Line> {
+    let printed = |text: &str| r.scene.attempts.iter().flat_map(|a| &a.printed).find(|(f, _)| f.text == text).map(|(_, v)| v.value);
+    let line = |find: &Find, by, value: Value| Line { find: find.clone(), by, value, gives: printed(&find.text).map(|p| gives(p, value)) };
+    let right = r.worked.results.iter().map(|o| line(&r.scene.find[o.find], None, o.value()));
+    let wrong = r.attempts.iter().flat_map(|a| {
+        let row = |row: &hodograph_methods::attempts::Row| {
+            Some(line(&r.scene.find[r.worked.results[row.result].find], Some(a.site.mistake().name()), row.wrong?))
+        };
+        a.rows.iter().filter_map(row).collect::<Vec<_>>()
+    });
+    right.chain(wrong).collect()
+}
+
+fn gives(printed: f64, value: Value) -> bool {
+    let value = match value {
+        Value::Scalar(s) => s,
+        Value::Vector(v) => v.norm(),
+        Value::Point(_) => return false,
+    };
+    (printed - value).abs() <= GIVES * printed.abs()
+}
+
+fn value_words(scene: &Scene, find: &Find, value: Value) -> String {
+    let (kind, book) = (find.what.kind(), &scene.book);
+    match value {
+        Value::Scalar(s) => book.text(kind, &significant(book.value(kind, s), DIGITS)),
+        Value::Vector(v) => {
+            let size = book.text(kind, &significant(book.value(kind, v.norm()), DIGITS));
+            if v.norm() == 0.0 { size } else { format!("{size} ∠ {}°", significant(direction_degrees(v.angle()), DIGITS)) }
+        }
+        Value::Point(p) => {
+            let number = |c: f64| significant(book.value(kind, c), DIGITS);
+            book.text(kind, &format!("({}, {})", number(p.x), number(p.y)))
+        }
+    }
+}
+
+/// The table as text: a column for each reading; a star marks what was printed.
+pub fn text(all: &[Read], lang: Lang) -> String {
+    let name = |r: &Read| match (r.name.as_str(), lang) {
+        ("", Lang::En) => "as given".to_owned(),
+        ("", Lang::Zh) => "原题读法".to_owned(),
+        (name, Lang::En) => format!("reading {name}"),
+        (name, Lang::Zh) => format!("读法 {name}"),
+    };
+    let mut rows: Vec<Vec<String>> = vec![std::iter::once(String::new()).chain(all.iter().map(name)).collect()];
+    let each: Vec<Vec<Line>> = all.iter().map(lines).collect();
+    let mut keys: Vec<(String, Option<&'static str>)> = Vec::new();
+    for line in each.iter().flatten() {
+        let key = (line.find.text.clone(), line.by);
+        if !keys.contains(&key) {
+            keys.push(key);
+        }
+    }
+    let mut starred = false;
+    for (find, by) in keys {
+        let head = by.map_or(find.clone(), |by| format!("{find} ({by})"));
+        let mut row = vec![head];
+        for (r, lines) in all.iter().zip(&each) {
+            let found = lines.iter().find(|l| l.find.text == find && l.by == by);
+            let star = found.is_some_and(|l| l.gives == Some(true));
+            starred |= star;
+            row.push(
+                found.map_or("–".to_owned(), |l| format!("{}{}", value_words(&r.scene, &l.find, l.value), if star { " *" } else { "" })),
+            );
+        }
+        rows.push(row);
+    }
+    let many = rows[0].len();
+    let widths: Vec<usize> = (0..many).map(|k| rows.iter().map(|r| r[k].width()).max().unwrap_or(0)).collect();
+    let cell = |(k, text): (usize, &String)| format!("{text}{}", " ".repeat(widths[k].saturating_sub(text.width())));
+    let line = |row: &Vec<String>| format!("{}\n", row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ").trim_end());
+    let title = all.first().map_or("", |r| r.scene.title.get(lang));
+    let mut out = if title.is_empty() { String::new() } else { format!("{title}\n") };
+    out.extend(rows.iter().map(line));
+    out += match (starred, all.iter().any(|r| r.scene.attempts.iter().any(|a| !a.printed.is_empty()))) {
+        (true, _) => tr(lang, "* what was printed\n", "* 即原书所印数值\n"),
+        (false, true) => tr(lang, "no reading gives what was printed\n", "各种读法都得不到原书所印数值\n"),
+        (false, false) => "",
+    };
+    out
+}
+
+/// The same for programs, in SI.
+pub fn json(all: &[Read]) -> Json {
+    let value = |v: Value| match v {
+        Value::Scalar(s) => json!(s),
+        Value::Vector(v) => json!([v.x, v.y]),
+        Value::Point(p) => json!([p.x, p.y]),
+    };
+    let line = |l: &Line| json!({"find": l.find.text, "by": l.by, "value": value(l.value), "gives_printed": l.gives});
+    let one = |r: &Read| json!({"reading": r.name, "answers": lines(r).iter().map(line).collect::<Vec<_>>()});
+    json!({"schema": "hodograph/readings/1", "readings": all.iter().map(one).collect::<Vec<_>>()})
+}

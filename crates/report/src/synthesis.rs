@@ -1,0 +1,333 @@
+//! The candidates of a synthesis for people and programs: lengths, errors, defects, transmission, and which is taken and why.
+
+use super::limits::grashof_words;
+use hodograph_base::diag::{Both, Diagnostic};
+use hodograph_base::digits::{metres, shortest, significant};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_mechanism::mechanism::{Demand, Mechanism};
+use hodograph_mechanism::position::{self, Configuration, Path};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::phrase::tr;
+use hodograph_scene::{self as scene, Book, Guide, Kind, Lang, PointId, Scene};
+use hodograph_sweep::station::position_now;
+use hodograph_sweep::{self as sweep, Placed, Stations, Width};
+use hodograph_synthesis::candidate::{Number, scene_text};
+use hodograph_synthesis::{Board, Candidate, Design, Task, Wanted, judge};
+use serde_json::{Value as Json, json};
+use std::f64::consts::TAU;
+
+/// The table of candidates.
+pub fn text(task: &Task, design: &Design, lang: Lang) -> String {
+    let mut out = format!("{}\n", lang.of(&task.heading.title));
+    for line in design.numbers.iter().map(|n| format!("{} = {}", printed(&n.name), value(&task.book, n))).collect::<Vec<_>>().chunks(4) {
+        out += &format!("{}\n", line.join("   "));
+    }
+    for (k, c) in design.candidates.iter().enumerate() {
+        out += &format!("\n{}. {}\n", k + 1, lang.of(&c.draft.which));
+        let numbers: Vec<String> = c.draft.numbers.iter().map(|n| format!("{} = {}", printed(&n.name), value(&task.book, n))).collect();
+        for line in numbers.chunks(6) {
+            out += &format!("   {}\n", line.join("   "));
+        }
+        out += &format!("   {}\n", motion(c, lang));
+        for d in c.notes() {
+            out += &match lang {
+                Lang::En => format!("   {}: {}\n", d.code, d.message.en),
+                Lang::Zh => format!("   {}（{}）\n", d.message.zh, d.code),
+            };
+        }
+    }
+    out + &format!("\n{}\n", taken(design, lang))
+}
+
+/// A number's name in a text: Greek letters and signs for what programs write in words.
+fn printed(name: &str) -> String {
+    const NAMES: [(&str, &str); 15] = [
+        ("alpha", "α"),
+        ("beta", "β"),
+        ("gamma", "γ"),
+        ("theta", "θ"),
+        ("psi", "ψ"),
+        ("phi", "φ"),
+        ("max_error", "Δψ_max"),
+        ("x_max", "x(Δψ_max)"),
+        ("error", "Δψ"),
+        ("deviation", "Δ"),
+        ("delta", "δ"),
+        ("at_least", "φ(y_min)"),
+        ("at_greatest", "φ(y_max)"),
+        ("least", "y_min"),
+        ("greatest", "y_max"),
+    ];
+    let (letters, index) = match name.find(|c: char| c.is_ascii_digit()) {
+        Some(at) if at > 0 => name.split_at(at),
+        Some(_) | None => (name, ""),
+    };
+    let said = |word: &str| NAMES.iter().find(|n| n.0 == word).map(|n| n.1);
+    let (stem, joint) = letters.strip_suffix('_').map_or((letters, ""), |stem| (stem, "_"));
+    if let Some(sign) = said(name) {
+        return sign.to_owned();
+    }
+    // A word before an underscore: alpha_max.
+    let first = stem.split_once('_').map(|(word, rest)| said(word).map(|sign| format!("{sign}_{rest}")));
+    let stem = said(stem).map(str::to_owned).or(first.flatten()).unwrap_or_else(|| stem.to_owned());
+    format!("{stem}{joint}{index}")
+}
+
+/// What the finished scene does, in a line.
+pub fn motion(c: &Candidate, lang: Lang) -> String {
+    let j = &c.judged;
+    let mut parts = Vec::new();
+    parts.extend(j.grashof.map(|g| grashof_words(g, lang).to_owned()));
+    parts.push(
+        tr(
+            lang,
+            if j.rotates { "the driver turns fully" } else { "the driver swings" },
+            if j.rotates { "原动件整周转动" } else { "原动件摆动" },
+        )
+        .to_owned(),
+    );
+    if let Some((angle, at)) = j.transmission {
+        let (angle, at) = (significant(angle.to_degrees(), 5), significant(turn(at.to_degrees()), 5));
+        parts.push(match lang {
+            Lang::En => format!("least γ = {angle}° at {at}°"),
+            Lang::Zh => format!("原动件转至 {at}° 时传动角最小，γ = {angle}°"),
+        });
+    }
+    if let Some(k) = j.time_ratio {
+        parts.push(format!("K = {}", significant(k, 6)));
+    }
+    if !c.draft.wanted.is_empty() {
+        parts.push(lang.of(&judge::accuracy(c)).to_owned());
+    }
+    parts.join(" · ")
+}
+
+/// A direction as people count it, from 0 to 360°.
+fn turn(degrees: f64) -> f64 {
+    let turned = degrees.rem_euclid(360.0);
+    if turned < 5e-4 || 360.0 - turned < 5e-4 { 0.0 } else { turned }
+}
+
+/// A number of a design with its unit.
+pub fn value(book: &Book, n: &Number) -> String {
+    match n.kind {
+        // What the file asks for in a unit of its own.
+        Some(kind @ (Kind::Length | Kind::Angle)) if book.chosen(kind).is_some() => {
+            book.text(kind, &significant(book.value(kind, if n.value.abs() < 1e-12 { 0.0 } else { n.value }), 6))
+        }
+        Some(Kind::Length) => metres_fine(n.value),
+        Some(Kind::Angle) => format!("{}°", significant(if n.value.abs() < 1e-12 { 0.0 } else { n.value.to_degrees() }, 6)),
+        // How many there are of something has no decimals.
+        None if n.value.fract() == 0.0 && n.value.abs() < 1e15 => format!("{}", n.value),
+        Some(Kind::Velocity | Kind::Acceleration | Kind::Omega | Kind::Alpha | Kind::Time | Kind::Number) | None => significant(n.value, 6),
+    }
+}
+
+fn metres_fine(value_m: f64) -> String {
+    if value_m.abs() >= 10.0 { metres(value_m) } else { format!("{} mm", significant(value_m * 1e3, 6)) }
+}
+
+/// Which candidate is taken, and why.
+pub fn taken(design: &Design, lang: Lang) -> String {
+    let Some(first) = design.candidates.first() else { return String::new() };
+    let j = &first.judged;
+    let why = match (j.defects.is_empty(), j.rotates, design.candidates.len()) {
+        (_, _, 1) => tr(lang, "it is the only one", "只有这一个方案"),
+        (false, ..) => tr(lang, "it has the fewest defects, but has some", "缺陷最少，但仍有缺陷"),
+        (true, true, _) => tr(
+            lang,
+            "no defect, a crank that turns fully, the best transmission angle among those",
+            "无运动缺陷，原动件整周转动，且其中传动角最好",
+        ),
+        (true, false, _) => tr(lang, "no defect, the best transmission angle among those", "无运动缺陷，且其中传动角最好"),
+    };
+    match lang {
+        Lang::En => format!("Taken: 1 ({why})."),
+        Lang::Zh => format!("取方案 1（{why}）。"),
+    }
+}
+
+/// The construction as JSON: steps, the marks that each brings (m), what is read (mm of paper, rad).
+pub fn construction(board: &Board) -> Json {
+    let marks = |marks: &[(String, Point)]| -> Vec<Json> {
+        let told =
+            |(name, p): &(String, Point)| json!({"name": Label::math(name.as_str()).plain(), "x": p.x * board.mu_l, "y": p.y * board.mu_l});
+        marks.iter().map(told).collect()
+    };
+    let steps = board.steps.iter().map(|s| json!({"text": s.text.json(), "marks": marks(&s.marks)}));
+    let readings =
+        board.readings.iter().map(|r| json!({"name": r.name, "measured": r.measured, "angle": r.angle, "value": board.value(r)}));
+    json!({"mu_l": board.mu_l, "steps": steps.collect::<Vec<_>>(), "readings": readings.collect::<Vec<_>>()})
+}
+
+/// The candidates as JSON, in SI.
+pub fn json(task: &Task, design: &Design) -> Json {
+    json!({
+        "synthesis": task.kind,
+        "title": {"en": task.heading.title.en, "zh": task.heading.title.zh},
+        "numbers": named(&design.numbers),
+        "candidates": design.candidates.iter().map(candidate).collect::<Vec<_>>(),
+        "notes": design.notes.iter().map(note).collect::<Vec<_>>(),
+    })
+}
+
+fn named(numbers: &[Number]) -> Json {
+    Json::Object(numbers.iter().map(|n| (n.name.clone(), json!(n.value))).collect())
+}
+
+fn candidate(c: &Candidate) -> Json {
+    let j = &c.judged;
+    let positions: Vec<Json> = c
+        .draft
+        .wanted
+        .iter()
+        .map(|w| json!({"driver": w.driver, "points": w.places.iter().map(|(n, p)| (n.clone(), json!([p.x, p.y]))).collect::<serde_json::Map<_, _>>()}))
+        .collect();
+    json!({
+        "which": c.draft.which.json(),
+        "numbers": named(&c.draft.numbers),
+        "wanted": positions,
+        "deviation": c.draft.course.iter().map(|c| [c.x, c.deviation()]).collect::<Vec<_>>(),
+        "course": c.draft.course.iter().map(|c| json!({"x": c.x, "input": c.input, "wanted": c.wanted, "output": c.real})).collect::<Vec<_>>(),
+        "off": j.off_m,
+        "size": j.size_m,
+        "full_turn": j.rotates,
+        "grashof": j.grashof.map(|g| grashof_words(g, Lang::En)),
+        "transmission": j.transmission.map(|(angle, driver)| json!({"angle": angle, "driver": driver})),
+        "time_ratio": j.time_ratio,
+        "stroke": j.stroke,
+        "defects": j.defects.iter().map(note).collect::<Vec<_>>(),
+        "remarks": c.draft.remarks.iter().chain(&j.remarks).map(note).collect::<Vec<_>>(),
+        "scene": c.draft.scene,
+    })
+}
+
+fn note(d: &Diagnostic) -> Json {
+    json!({"code": d.code, "severity": d.severity.word(), "message": d.message.json(), "help": d.help.as_ref().map(Both::json)})
+}
+
+/// A position of a linkage: each moving link with its points (m), and the fixed pivots.
+pub struct Posed {
+    /// Links by their place in the scene.
+    pub links: Vec<(usize, Vec<(String, Point)>)>,
+    /// Pivots on the ground.
+    pub fixed: Vec<(String, Point)>,
+    /// Blocks of sliders, in the order of the scene's guides.
+    pub sliders: Vec<Block>,
+}
+
+/// A slider's block.
+#[derive(Clone, Copy, Debug)]
+pub struct Block {
+    /// Its pin (m).
+    pub at: Point,
+    /// The direction of its guide, a unit vector.
+    pub direction: Vec2,
+    /// Whether the guide is on the ground.
+    pub fixed: bool,
+}
+
+/// The linkage in all its wanted positions, as the general position solver closes its scene there.
+pub fn positions(candidate: &Candidate) -> Vec<Posed> {
+    candidate.draft.wanted.iter().filter_map(|w| posed(&candidate.draft.scene, w)).collect()
+}
+
+fn posed(scene: &Json, wanted: &Wanted) -> Option<Posed> {
+    let mut scene = scene.clone();
+    let object = scene.as_object_mut()?;
+    object.shift_remove("side");
+    let rough: serde_json::Map<String, Json> =
+        wanted.places.iter().map(|(n, p)| (n.clone(), json!([format!("{} m", p.x), format!("{} m", p.y)]))).collect();
+    object.insert("sketch".into(), Json::Object(rough));
+    object.get_mut("driver")?["angle"] = json!(format!("{} rad", wanted.driver));
+    let scene = scene::read(scene_text(&scene)).ok()?.value;
+    let mechanism = Mechanism::new(&scene).ok()?.value;
+    let demand = Demand::of(&scene, &mechanism).with_all_positions();
+    let at = position::configure(&scene, &mechanism, &demand).ok()?.value;
+    Some(pose_of(&scene, &at))
+}
+
+/// Where everything of a scene is, for drawing. A lever that is known by its slot goes on to the block on it.
+pub fn pose_of(scene: &Scene, at: &Configuration) -> Posed {
+    let named = |p: &PointId| Some((scene.points[p.0].name.clone(), at.points[p.0]?));
+    let of = |l: usize| (l, scene.links[l].points.iter().filter_map(named).collect::<Vec<_>>());
+    let on = |l: usize| scene.guides.iter().filter(move |g| g.on.0 == l).filter_map(|g| named(&g.pin?));
+    let links = (0..scene.links.len()).filter(|l| *l != scene.ground.0).map(|l| {
+        let (l, mut points) = of(l);
+        if points.len() < 2 {
+            points.extend(on(l));
+        }
+        (l, points)
+    });
+    let block = |(g, path): (&Guide, &Option<Path>)| match path {
+        Some(Path::Line { direction, .. }) => Some(Block { at: at.points[g.pin?.0]?, direction: *direction, fixed: g.on == scene.ground }),
+        Some(Path::Arc { .. }) | None => None,
+    };
+    let sliders = scene.guides.iter().zip(&at.guides).filter_map(block).collect();
+    Posed { links: links.filter(|l| l.1.len() > 1).collect(), fixed: of(scene.ground.0).1, sliders }
+}
+
+/// The path of a point while the driver turns, in pieces where it does not go all round; empty where the linkage has no such point.
+pub fn traced(candidate: &Candidate, point: &str) -> Vec<Vec<Point>> {
+    const STEPS: usize = 360;
+    let path = || {
+        let scene = scene::read_asking(candidate.scene_text(), &format!("x_{point}, y_{point}")).ok()?.value;
+        let mechanism = Mechanism::new(&scene).ok()?.value;
+        let placed = Placed::new(&scene, &mechanism).ok()?;
+        let now = position_now(&scene, &placed.at, 0);
+        let all = (0..=STEPS).map(|k| now + TAU * (k as f64 / STEPS as f64 - 0.5)).collect();
+        let table = sweep::run(&placed, 0, &Stations::of_values(all, 1.0), Width::One).ok()?;
+        let of = |axis: char| table.column(&format!("{axis}_{point}")).map(|c| c.values.clone());
+        let places: Vec<Point> = of('x')?.into_iter().zip(of('y')?).map(|(x, y)| Point::new(x, y)).collect();
+        // Positions that cannot be assembled part the path.
+        let mut pieces: Vec<Vec<Point>> = Vec::new();
+        let mut last = f64::NEG_INFINITY;
+        for (driver, at) in table.columns[0].values.iter().zip(places) {
+            if driver - last > 1.5 * TAU / STEPS as f64 {
+                pieces.push(Vec::new());
+            }
+            last = *driver;
+            pieces.last_mut()?.push(at);
+        }
+        Some(pieces)
+    };
+    path().unwrap_or_default()
+}
+
+/// The construction step by step, with what is read off.
+pub fn steps(candidate: &Candidate, board: &Board, lang: Lang) -> String {
+    let mut out = match lang {
+        Lang::En => format!("\nConstruction (μ_l = {} m/mm)\n", shortest(board.mu_l)),
+        Lang::Zh => format!("\n作图（μ_l = {} m/mm）\n", shortest(board.mu_l)),
+    };
+    for (k, step) in board.steps.iter().enumerate() {
+        let at = |p: Point| {
+            [p.x, p.y].map(|x| significant(if (x * board.mu_l).abs() < 1e-12 { 0.0 } else { x * board.mu_l * 1e3 }, 6)).join(", ")
+        };
+        let marks = step.marks.iter().map(|(name, p)| format!("{} ({})", Label::math(name.as_str()).plain(), at(*p)));
+        let marks = marks.collect::<Vec<_>>().join(tr(lang, ", ", "，"));
+        let marks = match (marks.is_empty(), lang) {
+            (true, _) => String::new(),
+            (false, Lang::En) => format!(" [{marks} mm]"),
+            (false, Lang::Zh) => format!("［{marks} mm］"),
+        };
+        out += &format!("({}) {}{marks}\n", k + 1, lang.of(&step.text));
+    }
+    for r in &board.readings {
+        let Some(formula) = candidate.number(&r.name) else { continue };
+        // What is nothing has no share of itself: it is off by a share of the linkage.
+        let scale = if formula != 0.0 { formula.abs() } else { candidate.judged.size_m };
+        let off = significant((board.value(r) - formula.abs()).abs() / scale, 2);
+        let formula = if r.angle { format!("{}°", significant(formula.abs().to_degrees(), 6)) } else { metres_fine(formula) };
+        let drawn = match r.angle {
+            true => format!("{}°", significant(board.value(r).to_degrees(), 6)),
+            false => format!("{} mm · μ_l = {}", significant(r.measured, 4), metres_fine(board.value(r))),
+        };
+        let name = printed(&r.name);
+        out += &match lang {
+            Lang::En => format!("{name} = {drawn}; formula {formula}, off by {off}\n"),
+            Lang::Zh => format!("{name} = {drawn}；公式 {formula}，相对差 {off}\n"),
+        };
+    }
+    out
+}

@@ -1,0 +1,87 @@
+//! NumPy's `.npy`: one structured array, a field for each column, named by its label; `numpy.load(f)["v_C.x [m/s]"]` is a column and
+//! `pandas.DataFrame(numpy.load(f))` the table. The format has no place for a title or for notes.
+//!
+//! # Source
+//! NumPy Enhancement Proposal 1 and `numpy.lib.format`: magic, version, length of the header, a Python literal padded with spaces to
+//! a multiple of 64 bytes, then the records without gaps.
+
+use super::{Format, Head, Piece, Standing};
+use hodograph_base::diag::Diagnostic;
+use rayon::prelude::*;
+use std::io;
+
+/// `.npy` with a head.
+pub struct Npy {
+    head: Head,
+}
+
+/// The beginning of the file is a multiple of this, so that the records are aligned when the file is mapped into memory.
+const ALIGN: usize = 64;
+
+/// Magic bytes, version and, in version 2, the length of the header.
+const BEFORE_HEADER: usize = 12;
+
+/// Records that one thread writes at a time.
+const ROWS: usize = 4096;
+
+impl Npy {
+    /// A table with this head.
+    pub fn new(head: Head) -> Npy {
+        Npy { head }
+    }
+}
+
+/// A string as a Python literal of plain ASCII.
+fn literal(text: &str) -> String {
+    let mut out = String::from("'");
+    for c in text.chars() {
+        match c {
+            '\'' | '\\' => out.extend(['\\', c]),
+            ' '..='~' => out.push(c),
+            c if (c as u32) < 0x10000 => out.push_str(&format!("\\u{:04x}", c as u32)),
+            c => out.push_str(&format!("\\U{:08x}", c as u32)),
+        }
+    }
+    out.push('\'');
+    out
+}
+
+impl Format for Npy {
+    fn begin(&self, rows: u64, _notes: &[Diagnostic]) -> Vec<u8> {
+        let field = |h: &super::Heading| format!("({}, '{}'), ", literal(&h.label()), if h.whole { "<i8" } else { "<f8" });
+        let fields: String = self.head.columns.iter().map(field).collect();
+        // Twenty places hold every number of rows: the header is as long for all of them.
+        let count = rows.to_string();
+        let header = format!("{{'descr': [{fields}], 'fortran_order': False, 'shape': ({count},), }}{:w$}", "", w = 20 - count.len());
+        let whole = (BEFORE_HEADER + header.len() + 1).next_multiple_of(ALIGN);
+        let mut out = b"\x93NUMPY\x02\x00".to_vec();
+        out.extend_from_slice(&((whole - BEFORE_HEADER) as u32).to_le_bytes());
+        out.extend_from_slice(header.as_bytes());
+        out.resize(whole - 1, b' ');
+        out.push(b'\n');
+        out
+    }
+
+    fn piece_in(&self, columns: &[&[f64]], used: Piece) -> io::Result<Piece> {
+        let rows = columns.first().map_or(0, |c| c.len());
+        // With its old bytes: all are written over.
+        let mut parts = used.parts;
+        parts.resize_with(1, Vec::new);
+        let bytes = &mut parts[0];
+        bytes.resize(rows * columns.len() * 8, 0);
+        bytes.par_chunks_mut(ROWS * columns.len().max(1) * 8).enumerate().for_each(|(k, part)| {
+            for (i, record) in part.chunks_exact_mut(columns.len() * 8).enumerate() {
+                for ((column, heading), place) in columns.iter().zip(&self.head.columns).zip(record.chunks_exact_mut(8)) {
+                    let number = column[k * ROWS + i];
+                    let number = if heading.whole { (number as i64).to_le_bytes() } else { number.to_le_bytes() };
+                    place.copy_from_slice(&number);
+                }
+            }
+        });
+        Ok(Piece { parts, rows: rows as u64, index: Vec::new() })
+    }
+
+    fn end(&self, _pieces: &[Standing], _notes: &[Diagnostic]) -> io::Result<Vec<u8>> {
+        Ok(Vec::new())
+    }
+}

@@ -1,0 +1,202 @@
+//! Gear trains in words: Willis' table, the ratio as a formula, and how far it agrees with drawing and analysis.
+
+use hodograph_base::digits::{inked, significant};
+use hodograph_board::plan::Body;
+use hodograph_board::plan::names::name_label;
+use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::mechanism::Level;
+use hodograph_methods::trains::{Train, Turns, given, trains};
+use hodograph_paper::paper::phrase::{Phrase, formula, tr};
+use hodograph_scene::{Kind, Lang, LinkId, Scene};
+use hodograph_worked::worked::Worked;
+use unicode_width::UnicodeWidthStr;
+
+/// Significant digits of rates and ratios.
+const DIGITS: usize = 6;
+
+/// A table of labels: a row for each turn, first its words and then the arm and all gears.
+pub struct Table {
+    /// Above the columns: symbols of the rates.
+    pub head: Vec<String>,
+    /// Words (not in the label language) and cells (in it).
+    pub rows: Vec<(String, Vec<String>)>,
+    /// What follows from it, as formulas.
+    pub results: Vec<String>,
+}
+
+/// The turns of a train: from what the scene gives, else from the analysis.
+pub fn turns(scene: &Scene, worked: &Worked, train: &Train) -> Option<Turns> {
+    let solved = |l: LinkId| worked.solution.turning(Level::Velocity, l);
+    train.turns(|l| given(scene, l)).or_else(|| train.turns(solved))
+}
+
+/// The symbol of a rate: `\omega_{3}`.
+pub fn omega(scene: &Scene, link: LinkId) -> String {
+    format!("\\omega_{{{}}}", name_label(scene.link_name(link)))
+}
+
+/// A rate in the unit of the answers, with it; in the label language.
+pub fn amount(scene: &Scene, rate: f64, digits: usize) -> String {
+    scene.book.label(Kind::Omega, &number(scene.book.value(Kind::Omega, rate), digits))
+}
+
+/// A number in the label language; what is left of a difference by rounding is zero.
+pub fn number(x: f64, digits: usize) -> String {
+    inked(&significant(x, digits))
+}
+
+/// Willis' table of a train: arm held and the first gear turned by one, the same by x, all of it by y, and the sum.
+pub fn table(scene: &Scene, train: &Train, t: Turns, lang: Lang, digits: usize) -> Table {
+    let (arm, first) = (scene.link_name(train.arm), scene.link_name(train.gears[0].link));
+    let rates: Vec<f64> = (0..train.gears.len()).map(|g| train.rate(g, t)).collect();
+    let largest = rates.iter().fold(t.arm.abs().max(t.first.abs()), |m, r| m.max(r.abs()));
+    // A rate that is only rounding is zero.
+    let shown = |w: f64| number(scene.book.value(Kind::Omega, if w.abs() < 1e-12 * largest { 0.0 } else { w }), digits);
+    let head = std::iter::once(train.arm).chain(train.gears.iter().map(|g| g.link)).map(|l| omega(scene, l)).collect();
+    let row = |of_arm: String, of_gear: &dyn Fn(usize) -> String| -> Vec<String> {
+        std::iter::once(of_arm).chain((0..train.gears.len()).map(of_gear)).collect()
+    };
+    let ratio = |g: usize| train.gears[g].ratio.clone();
+    let mut rows = vec![(
+        match lang {
+            Lang::En => format!("{arm} held, {first} turns once"),
+            Lang::Zh => format!("{arm} 固定，{first} 转 1 周"),
+        },
+        row("0".into(), &|g| ratio(g).formula()),
+    )];
+    if train.gears.iter().any(|g| g.ratio.formula().contains('/')) {
+        rows.push((String::new(), row("0".into(), &|g| number(ratio(g).value, digits))));
+    }
+    rows.push((tr(lang, "the same times $x$", "乘以 $x$").into(), row("0".into(), &|g| shown(ratio(g).value * t.first))));
+    let unit = scene.book.name(Kind::Omega);
+    let with_unit = |words: &str| format!("{words} / ({unit})");
+    if train.arm == scene.ground {
+        // Nothing is added: the axes are held by the ground.
+        if let Some((words, _)) = rows.last_mut() {
+            *words = with_unit(words);
+        }
+        return Table { head, rows, results: results(scene, train, t, digits) };
+    }
+    rows.push((tr(lang, "all turn by $y$ with the arm", "整体附加 $y$").into(), row(shown(t.arm), &|_| shown(t.arm))));
+    rows.push((with_unit(tr(lang, "sum", "合成")), row(shown(t.arm), &|g| shown(rates[g]))));
+    Table { head, rows, results: results(scene, train, t, digits) }
+}
+
+/// The equation of Willis between the first gear and the last about its axis, and the ratio that it gives where one member is held.
+fn results(scene: &Scene, train: &Train, t: Turns, digits: usize) -> Vec<String> {
+    let w = |l: LinkId| omega(scene, l);
+    let (arm, first) = (train.arm, &train.gears[0]);
+    let fixed = arm == scene.ground;
+    let seen = |l: LinkId| if fixed { w(l) } else { format!("({} − {})", w(l), w(arm)) };
+    let others = || train.gears.iter().skip(1);
+    let Some(last) = others().rev().find(|g| g.centre == train.axis).or_else(|| others().last()) else { return Vec::new() };
+    let mut out =
+        vec![format!("{}/{} = {} = {}", seen(last.link), seen(first.link), last.ratio.formula(), number(last.ratio.value, digits))];
+    let held = train.gears.iter().find(|g| g.link == scene.ground && g.link != first.link);
+    if let (Some(held), true) = (held, t.arm != 0.0) {
+        // 0 = y + e x: ω₁/ω_h = 1 + x/y = 1 − 1/e.
+        let back = held.ratio.inverse();
+        let sign = if back.value < 0.0 { '+' } else { '−' };
+        out.push(format!("{}/{} = 1 {sign} {} = {}", w(first.link), w(arm), back.magnitude(), number(1.0 - back.value, digits)));
+    }
+    out
+}
+
+/// Willis' equation of each train and the ratio that it gives, for programs.
+pub fn formulas(scene: &Scene, worked: &Worked) -> Vec<String> {
+    let of = |train: &Train| turns(scene, worked, train).map(|t| results(scene, train, t, DIGITS));
+    trains(scene).iter().filter_map(of).flatten().map(|r| formula(&r)).collect()
+}
+
+/// The section of the report on trains; nothing for a scene without any that has rates.
+pub fn text(scene: &Scene, worked: &Worked, lang: Lang) -> String {
+    let mut out = String::new();
+    for train in trains(scene) {
+        let Some(t) = turns(scene, worked, &train) else { continue };
+        out.push_str(&of_train(scene, worked, &train, t, lang));
+    }
+    out
+}
+
+fn of_train(scene: &Scene, worked: &Worked, train: &Train, t: Turns, lang: Lang) -> String {
+    let arm = scene.link_name(train.arm);
+    let strands = train.meshes.iter().all(|m| scene.rolling[m.0].contact().is_none());
+    let en = if strands { "belt or chain drive" } else { "gear train" };
+    let zh = if strands { "带（链）传动，" } else { "" };
+    let mut lines = vec![match (lang, train.arm == scene.ground) {
+        (Lang::En, true) => format!("{en} with fixed axes, by Willis' table:"),
+        (Lang::En, false) => format!("{en} with arm {arm}, by Willis' table:"),
+        (Lang::Zh, true) => format!("{zh}定轴轮系（列表法）："),
+        (Lang::Zh, false) => format!("{zh}周转轮系，系杆 {arm}（列表法）："),
+    }];
+    let table = table(scene, train, t, lang, DIGITS);
+    let cells =
+        |words: &str, cells: &[String]| std::iter::once(Phrase::new(words).plain()).chain(cells.iter().map(|c| formula(c))).collect();
+    let mut rows: Vec<Vec<String>> = vec![cells("", &table.head)];
+    rows.extend(table.rows.iter().map(|(words, row)| cells(words, row)));
+    let width = |k: usize| rows.iter().map(|r| r[k].width()).max().unwrap_or(0);
+    for row in &rows {
+        let pad = |(k, c): (usize, &String)| {
+            let air = " ".repeat(width(k) - c.width());
+            if k == 0 { format!("{c}{air}") } else { format!("{air}{c}") }
+        };
+        lines.push(format!("  {}", row.iter().enumerate().map(pad).collect::<Vec<_>>().join("  ")));
+    }
+    lines.extend(table.results.iter().map(|r| format!("  {}", formula(r))));
+    if let Some([drawn, solved]) = apart(worked, train, t) {
+        lines.push(format!(
+            "  {}",
+            match lang {
+                Lang::En if drawn == "0" && solved == "0" => "polygon and analysis give the same angular velocities".to_owned(),
+                Lang::Zh if drawn == "0" && solved == "0" => "与速度多边形及解析结果一致".to_owned(),
+                Lang::En =>
+                    format!("greatest relative difference of the angular velocities: {drawn} in the polygon, {solved} in the analysis"),
+                Lang::Zh => format!("角速度的最大相对差：速度多边形 {drawn}，解析法 {solved}"),
+            }
+        ));
+    }
+    lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
+}
+
+/// By how much the rates of drawing and analysis differ from those of the table at most, in parts of the largest; `None` where none is drawn.
+fn apart(worked: &Worked, train: &Train, t: Turns) -> Option<[String; 2]> {
+    let members: Vec<(LinkId, f64)> =
+        std::iter::once((train.arm, t.arm)).chain(train.gears.iter().enumerate().map(|(k, g)| (g.link, train.rate(k, t)))).collect();
+    let largest = members.iter().map(|m| m.1.abs()).fold(0.0, f64::max);
+    let worst = |of: &dyn Fn(LinkId) -> Option<f64>| members.iter().filter_map(|(l, w)| Some((of(*l)? - w).abs())).reduce(f64::max);
+    let drawn = worst(&|l| worked.construction.rate(Level::Velocity, Body::Link(l)))?;
+    let solved = worst(&|l| worked.solution.turning(Level::Velocity, l))?;
+    (largest > 0.0).then(|| [drawn, solved].map(|d| significant(d / largest, 1)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hodograph_scene::read;
+    use hodograph_worked::worked::{Scope, work};
+
+    const PLANETARY: &str = r#"{"units": {"length": "mm", "angle": "deg"}, "answers": {"omega": "rpm"}, "ground": "1",
+        "links": {"1": ["O"], "2": ["O", "Q"], "3": ["Q"], "4": ["O"]}, "points": {"O": [0, 0], "Q": [36, 48]},
+        "gears": [{"links": ["4", "3"], "centres": ["O", "Q"], "teeth": [20, 30]},
+                  {"links": ["3", "1"], "centres": ["Q", "O"], "teeth": [30, 80], "ring": "1"}],
+        "driver": {"link": "4", "omega": "-100 rpm"}, "find": ["omega_2", "omega_3"]}"#;
+
+    #[test]
+    fn the_section_shows_table_ratio_and_agreement_in_both_languages() {
+        let scene = read(PLANETARY).unwrap().value;
+        let worked = work(&scene, Scope::Questions).unwrap().value;
+        let en = text(&scene, &worked, Lang::En);
+        for part in ["arm 2", "−z_4/z_3", "ω_4/ω_2 = 1 + z_1/z_4 = 5.00000", "−20.0000", "33.3333", "polygon"] {
+            assert!(en.contains(part), "{part} is not in\n{en}");
+        }
+        let zh = text(&scene, &worked, Lang::Zh);
+        assert!(zh.contains("系杆 2") && zh.contains("ω_4/ω_2 = 1 + z_1/z_4 = 5.00000"), "{zh}");
+    }
+
+    #[test]
+    fn a_scene_without_gears_has_no_section() {
+        let scene = read(hodograph_scene::templates::get("crank-rocker").unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Questions).unwrap().value;
+        assert_eq!(text(&scene, &worked, Lang::En), "");
+    }
+}

@@ -1,0 +1,112 @@
+//! A scene with cams read once more, standing elsewhere: each contact is then replaced by the pairs that are right there.
+//!
+//! One linkage stands for a cam at one instant. What no driver of a whole motion answers is answered by the scene as it is read for each position.
+
+use super::json::Word;
+use super::raw::{RawDriverKind, RawPlace, RawQuantity, RawScene};
+use super::resolve;
+use super::{Driver, Position, Scene};
+use hodograph_base::diag::{Diagnostic, Faults, Span, both};
+use std::fmt;
+use std::sync::Arc;
+
+/// What a scene with cams was read from.
+#[derive(Clone)]
+pub struct Source(Arc<(RawScene, String)>);
+
+impl Source {
+    pub(super) fn of(raw: &RawScene, text: &str) -> Source {
+        Source(Arc::new((raw.clone(), text.to_owned())))
+    }
+}
+
+impl fmt::Debug for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Source")
+    }
+}
+
+/// Scenes are compared by what they say.
+impl PartialEq for Source {
+    fn eq(&self, _: &Source) -> bool {
+        true
+    }
+}
+
+fn quantity(value: f64, unit: &str, span: Span) -> RawQuantity {
+    RawQuantity { text: format!("({value:?}) {unit}"), span, bare: false }
+}
+
+impl Scene {
+    /// The scene as it is read where its drivers stand now, at their rates. `place` tells where points are (m): those that coordinates give, and
+    /// roughly those whose assembly is to be the same.
+    ///
+    /// # Errors
+    /// Those of reading; `no-source` for a scene without cams, one that was not read, or one whose file tells how a cam behind wheels stands.
+    pub fn read_again(&self, place: &dyn Fn(&str) -> Option<[f64; 2]>) -> Result<Scene, Faults> {
+        let by_wheels = |(raw, _): &(RawScene, String)| raw.cams.iter().any(|c| c.angle.is_some());
+        if self.source.as_ref().is_some_and(|Source(source)| by_wheels(source)) {
+            let message = both!("how a cam behind wheels stands is told for one pose", "轮系带动的凸轮，其位置只对一个位置给定");
+            return Err(Diagnostic::error("no-source", message).into());
+        }
+        let fixed = |name: &str| self.links[self.ground.0].points.iter().any(|p| self.point_name(*p) == name);
+        self.reread(|raw| {
+            for (own, driver) in raw.drivers.iter_mut().zip(&self.drivers) {
+                let [rate, acceleration] = if driver.kind.turns() { ["rad/s", "rad/s^2"] } else { ["m/s", "m/s^2"] };
+                own.rate = Some(quantity(driver.rate.value, rate, driver.span));
+                own.acceleration = driver.acceleration.as_ref().map(|a| quantity(a.value, acceleration, driver.span));
+                stand(&mut own.kind, driver);
+            }
+            let at = |name: &str, span: Span| place(name).map(|at| at.map(|x| quantity(x, "m", span)));
+            for (name, own) in raw.points.iter_mut().filter(|(name, _)| !fixed(&name.text)) {
+                if let (RawPlace::At(_), Some(xy)) = (&*own, at(&name.text, name.span)) {
+                    *own = RawPlace::At(xy);
+                }
+            }
+            for (name, own) in &mut raw.sketch {
+                if let Some(xy) = at(&name.text, name.span) {
+                    *own = xy;
+                }
+            }
+        })
+    }
+
+    /// The scene as it is read with other values of some parameters, each an expression.
+    ///
+    /// # Errors
+    /// As [`Scene::read_again`].
+    pub fn read_with(&self, values: &[(&str, String)]) -> Result<Scene, Faults> {
+        self.reread(|raw| {
+            for (name, own) in &mut raw.parameters {
+                if let Some((_, text)) = values.iter().find(|(of, _)| *of == name.text) {
+                    *own = RawQuantity { text: text.clone(), span: own.span, bare: false };
+                }
+            }
+        })
+    }
+
+    fn reread(&self, change: impl FnOnce(&mut RawScene)) -> Result<Scene, Faults> {
+        let none = || Diagnostic::error("no-source", both!("the scene was not read from a file", "机构不是从文件读入的"));
+        let Source(source) = self.source.as_ref().ok_or_else(none)?;
+        let (raw, text) = source.as_ref();
+        let mut raw = raw.clone();
+        raw.find = Some(self.find.iter().map(|f| Word { text: f.text.clone(), span: f.span }).collect());
+        change(&mut raw);
+        let mut faults = Faults::default();
+        let scene = resolve::resolve(&raw, text, &mut faults);
+        faults.list.retain(|d| d.severity == hodograph_base::diag::Severity::Error);
+        scene.filter(|_| !faults.has_errors()).ok_or(faults)
+    }
+}
+
+/// Puts a driver that is told where it stands to where it stands now.
+fn stand(own: &mut RawDriverKind, driver: &Driver) {
+    let Some(position) = driver.kind.position() else { return };
+    let (RawDriverKind::Turn { angle: slot, .. }
+    | RawDriverKind::Slide { position: slot, .. }
+    | RawDriverKind::Cylinder { length: slot, .. }) = own;
+    if slot.is_some() {
+        let unit = if matches!(position, Position::Angle(_)) { "rad" } else { "m" };
+        *slot = Some(quantity(position.value(), unit, driver.span));
+    }
+}

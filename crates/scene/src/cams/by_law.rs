@@ -1,0 +1,240 @@
+//! A profile by a law: the stages read, and written what stands for the contact.
+
+use super::super::model::*;
+use super::super::raw::{RawQuantity, RawScene};
+use super::super::units::Wanted;
+use super::Turning;
+use super::carrier::Lacking;
+use super::expand::{One, Pending};
+use super::law::{self, LawText, StageText, Stands};
+use super::pairs::Contact;
+use super::place::{self, Carried, OnPivot, Told};
+use super::raw::*;
+use super::texts::MotionTexts;
+use hodograph_base::cam::{Disc, Law, Motion, Program, Side, Stage, Surveyed, Touch, Way};
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_base::digits::significant;
+use hodograph_base::json::Word;
+
+impl One<'_> {
+    /// The law as numbers and texts.
+    pub(super) fn law(
+        &self,
+        base: &RawQuantity,
+        start: &Option<RawQuantity>,
+        clockwise: bool,
+        stages: &[RawStage],
+        turning: bool,
+        faults: &mut Faults,
+    ) -> Option<(f64, f64, LawText, Program)> {
+        let before = faults.list.len();
+        let base = self.positive(base, faults);
+        let start = match start {
+            Some(q) => self.told(q, Wanted::Angle, faults),
+            None => Some(Told { value: 0.0, text: "0 deg".into() }),
+        };
+        let (mut texts, mut program) = (Vec::new(), Program::default());
+        let mut lift = 0.0f64;
+        for stage in stages {
+            let over = self.told(&stage.over, Wanted::Angle, faults);
+            if let Some(over) = over.as_ref().filter(|o| o.value.is_nan() || o.value <= 0.0) {
+                let message = both!("a stage goes over {}; it must be greater than zero", "该段转角为 {}，应大于零", over.text);
+                faults.push(Diagnostic::error("not-positive", message).at(stage.over.span));
+            }
+            let mut gain = |q: &RawQuantity| {
+                if turning {
+                    let g = self.values.angle(q, faults)?;
+                    Some(Given { value: g.value.radians(), radius: g.radius, text: g.text, span: g.span })
+                } else {
+                    self.values.si(q, Wanted::Length, faults)
+                }
+            };
+            let kind = |w: &Word| Law::named(&w.text);
+            let (way, text) = match &stage.way {
+                RawWay::Dwell => (Some(Way::Dwell), None),
+                RawWay::Rise(q, law) => {
+                    let g = gain(q);
+                    (g.as_ref().zip(kind(law)).map(|(g, law)| Way::Rise(g.value, law)), g)
+                }
+                RawWay::Return(q, law) => {
+                    let g = gain(q);
+                    (g.as_ref().zip(kind(law)).map(|(g, law)| Way::Return(g.value, law)), g)
+                }
+            };
+            let (Some(way), Some(over)) = (way, over) else { continue };
+            let stage = Stage { way, over: over.value };
+            lift += stage.gain();
+            program.stages.push(stage);
+            texts.push(StageText { gain: text, over: over.text });
+        }
+        if faults.list.len() > before {
+            return None;
+        }
+        let sum: f64 = program.stages.iter().map(|s| s.over).sum();
+        let open = |message: Both, help: Both, faults: &mut Faults| {
+            faults.push(Diagnostic::error("law-open", message).at(self.raw.span).help(help));
+        };
+        // A law is written in degrees; nine digits tell a slip of the pen from rounding.
+        if (sum - std::f64::consts::TAU).abs() > 1e-9 {
+            let degrees = significant(sum.to_degrees(), 6);
+            open(
+                both!("the stages of the law go over {degrees}°, not 360°", "运动规律各段共转 {degrees}°，不是 360°"),
+                both!("make up the rest with {{\"dwell\": ...}}", "其余可用 {{\"dwell\": ...}} 补足"),
+                faults,
+            );
+        }
+        if lift.abs() > 1e-9 * program.stroke().abs() {
+            open(
+                both!(
+                    "what the law rises it does not return: the follower ends elsewhere than it began",
+                    "升程与回程不等：从动件转完一周没有回到起点"
+                ),
+                both!("make the returns as large as the rises", "请使各回程之和等于各升程之和"),
+                faults,
+            );
+        }
+        let (base, start) = (base?, start?);
+        let text = LawText { base: base.text, start: start.text, clockwise, stages: texts };
+        (faults.list.len() == before).then_some((base.value, start.value, text, program))
+    }
+
+    pub(super) fn by_law(
+        &self,
+        raw: &mut RawScene,
+        (base, start, text, program): (f64, f64, LawText, Program),
+        point: PointId,
+        (end, placed): (Option<Told>, Result<(OnPivot, Carried), Lacking>),
+        pending: &mut Pending,
+        faults: &mut Faults,
+    ) -> Option<()> {
+        let (face, offset, sense) = match &self.raw.follows {
+            RawFollows::Face(face) => {
+                let (face, offset, sense) = self.face(placed.as_ref().ok().map(|p| &p.1), face, faults)?;
+                pending.left = face.left.unwrap_or(true);
+                (Some(face), offset, sense)
+            }
+            RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. } => (None, None, 1.0),
+        };
+        let placed = placed.map_err(|lacking| self.no_law(lacking, faults)).ok()?;
+        let Some((follower, touch, arm)) = self.follower(&placed, point, offset.as_ref(), sense) else {
+            self.no_law(self.not_through(), faults);
+            return None;
+        };
+        let (on, carried) = placed;
+        let touch = match touch {
+            Touch::Point { .. } => Touch::Point { radius: end.as_ref().map_or(0.0, |r| r.value) },
+            Touch::Flat { lever } => Touch::Flat { lever },
+        };
+        let turn = if text.clockwise { -1.0 } else { 1.0 };
+        let disc = Disc { follower, touch, motion: Motion::Law { base, program: program.clone() }, sense: turn };
+        if !disc.rest(base).is_finite() {
+            return self.no_contact(faults);
+        }
+        let phi = turn * (on.angle.value - start);
+        let disc = self.on_its_side(disc, phi, (on.frame, on.spot.at()), point);
+        let along = if on.rate * turn < 0.0 { Side::Before } else { Side::After };
+        let end_point = point;
+        // The mark that tells the direction of a lever with a face is the last point of its link.
+        let point = match (&carried, &face) {
+            (Carried::Pivot { .. }, Some(_)) => {
+                let id = self.names.link(&self.raw.follower).ok()?;
+                *self.bare.links[id.0].points.iter().find(|p| **p != point)?
+            }
+            _ => point,
+        };
+        let radius = match touch {
+            Touch::Point { .. } => Some(end.map_or_else(|| "0 mm".to_owned(), |r| r.text)),
+            Touch::Flat { .. } => None,
+        };
+        let far_out = offset.clone();
+        let lever = offset.map(|o| if sense < 0.0 { format!("-({})", o.text) } else { o.text });
+        let touching = lever.clone().or_else(|| radius.clone());
+        let texts = self.texts((&on, &carried), (end_point, touching), (phi, &text.start), Some(MotionTexts::of_law(&text)));
+        let at = law::At {
+            scene: self.bare,
+            of: self.names.link(&self.raw.cam).ok()?,
+            cam: &on,
+            carried: &carried,
+            point,
+            radius,
+            arm: arm.map(|a| a.text),
+            lever,
+            follower: &self.raw.follower.text,
+            span: self.raw.span,
+        };
+        let written = law::written(&at, &disc, &program, &text, (phi, along), &self.name)?;
+        self.joint(&disc, phi, &on, faults);
+        let quantity = |text: String| RawQuantity { text, span: self.raw.span, bare: false };
+        for (name, text) in written.parameters {
+            raw.parameters.push((Word { text: name, span: self.raw.span }, quantity(text)));
+        }
+        let by_law = match written.stands {
+            Stands::Driver(driver) => {
+                raw.drivers.push(driver);
+                Some(raw.drivers.len() - 1)
+            }
+            Stands::Arc { place, radius } => {
+                let station = disc.station(phi, along)?;
+                let (follows, value) = match &face {
+                    Some(face) => (RawFollows::Face(face.clone()), station.rho),
+                    None => (self.raw.follows.clone(), station.rho_pitch.abs()),
+                };
+                pending.rough = self.sketch(raw, &disc, phi, (&on, &follows));
+                let contact = Contact {
+                    cam: &self.raw.cam.text,
+                    follower: &self.raw.follower.text,
+                    follows: &follows,
+                    end: None,
+                    offset: far_out,
+                    span: self.raw.span,
+                };
+                pending.contact = Some(raw.guides.len());
+                contact.about(raw, place, self.bare.point_name(on.pivot), &Told { value, text: radius })?;
+                None
+            }
+        };
+        let (origin, outward) = place::origin(&carried, on.spot.at(), &disc.follower);
+        let turning = Turning {
+            frame: on.frame,
+            pivot: PointId(0),
+            disc,
+            survey: Surveyed::default(),
+            phi,
+            driver: on.driver,
+            way: on.way,
+            from: on.from,
+            by_law,
+            start,
+            origin,
+            outward,
+            touched: None,
+            rough: None,
+            side: along,
+            texts,
+        };
+        pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
+        Some(())
+    }
+
+    /// Why a law has no meaning here, or what it lacks.
+    fn no_law(&self, lacking: Lacking, faults: &mut Faults) {
+        let (cam, follower) = (&self.raw.cam.text, &self.raw.follower.text);
+        let message = both!(
+            "the law of cam `{cam}` cannot move `{follower}`: {}",
+            "凸轮 `{cam}` 的运动规律无法带动从动件 `{follower}`：{}",
+            lacking.what
+        );
+        faults.push(Diagnostic::error("cam-pose", message).at(self.raw.span).help(lacking.help));
+    }
+
+    /// The follower's guide is not that of the point (or the face) that touches.
+    fn not_through(&self) -> Lacking {
+        Lacking {
+            what: both!("the end that touches has no fixed place in its guide or on its arm", "接触端在导路或摆杆上没有确定的位置"),
+            help: both!(
+                "let the guide pass through the point that touches, or give its distance from the pivot; a face stands square to its guide, or passes through its pivot or lies at an `offset` from it",
+                "请使导路通过接触点，或给出接触点到转轴的距离；平底应垂直于导路，或通过转轴、与转轴相距 `offset`"
+            ),
+        }
+    }
+}

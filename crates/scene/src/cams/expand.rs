@@ -1,0 +1,411 @@
+//! Every cam of the raw scene into the pairs, points and drivers that stand for it.
+
+use std::collections::HashSet;
+
+use super::super::model::*;
+use super::super::names::Names;
+use super::super::raw::{RawQuantity, RawScene};
+use super::super::units::Wanted;
+use super::super::values::Values;
+use super::by_pose::Posed;
+use super::carrier::Lacking;
+use super::place::{self, Carried, OnPivot, Told};
+use super::raw::*;
+use super::{Cam, Follows, Pieces, Turning};
+use hodograph_base::cam::{Disc, Follower, Motion, Side, Touch};
+use hodograph_base::diag::{Both, Diagnostic, Faults, Span, both};
+use hodograph_base::digits::significant;
+use hodograph_base::geom::Vec2;
+use hodograph_base::json::Word;
+
+/// A scene whose cams are written as other pairs, and the cams themselves by the names of their points.
+pub(crate) struct Expanded {
+    pub raw: RawScene,
+    cams: Vec<Pending>,
+    /// Parameters that only a piece uses which is not touched.
+    pub used: HashSet<String>,
+}
+
+pub(super) struct Pending {
+    cam: String,
+    follower: String,
+    point: String,
+    follows: fn(PointId, f64) -> Follows,
+    radius: f64,
+    at: Option<String>,
+    roller: Option<String>,
+    /// Of a face: whether the cam lies left of it.
+    pub left: bool,
+    end: Option<String>,
+    /// The texts of the radii of the pieces.
+    pub radii: Vec<Option<String>>,
+    pub circle: Option<(String, f64)>,
+    pub disc: Option<(String, Turning)>,
+    pub contact: Option<usize>,
+    pub posed: Option<Posed>,
+    /// The place of a point of the follower in the axes of a moving carrier.
+    pub rough: Option<(String, Vec2)>,
+    span: Span,
+}
+
+/// Whether a fault says that the pose does not tell the contact.
+fn of_the_pose(code: &str) -> bool {
+    matches!(code, "cam-pose" | "no-contact" | "cam-centres" | "joint")
+}
+
+/// Writes the pairs of all cams. `bare` is the scene without them; `on` puts the contact of a cam on a piece of its profile, whichever the pose
+/// tells.
+pub(crate) fn expand(raw: RawScene, source: &str, bare: &Scene, on: Option<(usize, usize)>, faults: &mut Faults) -> Expanded {
+    let parameters = raw.parameters.clone();
+    let (values, _) = Values::new(source, &raw.units, &parameters, &mut Faults::default());
+    let mut out = Expanded { raw: raw.clone(), cams: Vec::new(), used: HashSet::new() };
+    for (i, cam) in raw.cams.iter().enumerate() {
+        let on = on.filter(|(k, _)| *k == i).map(|(_, piece)| piece);
+        let one = One { bare, values: &values, names: Names::new(&bare.points, &bare.links), raw: cam, name: format!("cam{}", i + 1), on };
+        out.cams.extend(one.write(&mut out.raw, faults));
+    }
+    out.used = values.used_names();
+    out
+}
+
+/// One cam at work.
+pub(super) struct One<'a> {
+    pub bare: &'a Scene,
+    pub values: &'a Values<'a>,
+    pub names: Names<'a>,
+    pub raw: &'a RawCam,
+    pub name: String,
+    /// The piece of its profile that is to be touched, whichever the pose tells.
+    pub on: Option<usize>,
+}
+
+pub(super) fn note<T>(result: Result<T, Diagnostic>, faults: &mut Faults) -> Option<T> {
+    result.map_err(|d| faults.push(d)).ok()
+}
+
+impl One<'_> {
+    pub(super) fn told(&self, q: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Told> {
+        if wanted == Wanted::Angle {
+            let given = self.values.angle(q, faults)?;
+            return Some(Told { value: given.value.radians(), text: given.text });
+        }
+        let given = self.values.si(q, wanted, faults)?;
+        Some(Told { value: given.value, text: if given.value == 0.0 { "0 mm".into() } else { given.text } })
+    }
+
+    pub(super) fn positive(&self, q: &RawQuantity, faults: &mut Faults) -> Option<Told> {
+        let given = self.values.positive_length(q, both!("the radius", "半径"), faults)?;
+        Some(Told { value: given.value, text: given.text })
+    }
+
+    fn write(&self, raw: &mut RawScene, faults: &mut Faults) -> Option<Pending> {
+        let cam = note(self.names.link(&self.raw.cam), faults);
+        let follower = note(self.names.link(&self.raw.follower), faults);
+        let point = match self.raw.follows.pin() {
+            Some(word) => note(self.names.point(word), faults),
+            None => None,
+        };
+        let end = match self.raw.follows.radius() {
+            Some(q) => Some(self.positive(q, faults)?),
+            None => None,
+        };
+        let (cam, follower) = (cam?, follower?);
+        let untold = raw.extent.is_of_pairs();
+        let point = point.or_else(|| self.any_point(follower).filter(|_| untold));
+        let Some(point) = point else {
+            if let RawFollows::Face(face) = &self.raw.follows
+                && self.raw.follows.pin().is_none()
+            {
+                let d = match face.through {
+                    Some(_) => Diagnostic::error(
+                        "cam-follower",
+                        both!("a face passes through a point of the follower, not through coordinates", "平底应通过从动件上的点，而非坐标"),
+                    ),
+                    None => Diagnostic::error("missing-key", both!("\"face\" has no `through`", "\"face\" 没有 `through`")),
+                };
+                faults.push(d.at(self.raw.span).help(both!(
+                    "add \"through\": \"C\", a point of the follower; a follower that slides in one guide needs none",
+                    "请加上 \"through\": \"C\"，即从动件上的一点；只在一条导路中滑动的从动件可以不写"
+                )));
+            }
+            return None;
+        };
+        if cam == follower {
+            let message = both!("link `{}` cannot be cam and follower at once", "构件 `{}` 不能既是凸轮又是从动件", self.raw.cam.text);
+            faults.push(Diagnostic::error("cam-follower", message).at(self.raw.follower.span));
+            return None;
+        }
+        if !self.bare.links[follower.0].points.contains(&point) {
+            let message = both!(
+                "`{}` is not a point of the follower `{}`",
+                "`{}` 不是从动件 `{}` 上的点",
+                self.bare.point_name(point),
+                self.raw.follower.text
+            );
+            faults.push(Diagnostic::error("not-on-link", message).at(self.raw.follows.pin()?.span));
+            return None;
+        }
+        let mut pending = Pending {
+            cam: self.raw.cam.text.clone(),
+            follower: self.raw.follower.text.clone(),
+            point: self.bare.point_name(point).to_owned(),
+            follows: match self.raw.follows {
+                RawFollows::Edge(_) => |p, _| Follows::Edge(p),
+                RawFollows::Roller { .. } => Follows::Roller,
+                RawFollows::Arc { .. } => Follows::Arc,
+                RawFollows::Face(_) => |p, _| Follows::Face(p),
+            },
+            radius: end.as_ref().map_or(0.0, |r| r.value),
+            at: self.raw.at.as_ref().map(|w| w.text.clone()),
+            roller: match &self.raw.follows {
+                RawFollows::Roller { link, .. } => link.as_ref().map(|w| w.text.clone()),
+                RawFollows::Edge(_) | RawFollows::Arc { .. } | RawFollows::Face(_) => None,
+            },
+            left: true,
+            end: end.as_ref().map(|r| r.text.clone()),
+            radii: Vec::new(),
+            circle: None,
+            disc: None,
+            contact: None,
+            posed: None,
+            rough: None,
+            span: self.raw.span,
+        };
+        let (before, known) = (untold.then(|| raw.clone()), faults.list.len());
+        let placed = self.carried(cam, follower);
+        self.behind_wheels(raw, cam, placed.as_ref().ok().map(|p| &p.0), faults)?;
+        let told = match &self.raw.profile {
+            _ if self.raw.follows.lacks_radius() || self.no_point_of_face() => None,
+            RawProfile::Untold => None,
+            RawProfile::Parts(parts) => self.by_parts(raw, parts, (cam, follower, point), (end, placed), &mut pending, faults),
+            RawProfile::Law { base, start, clockwise, stages } => {
+                let slides = self.bare.guides.iter().any(|g| g.slider == Some(follower));
+                let law = self.law(base, start, *clockwise, stages, !slides, faults);
+                law.and_then(|law| self.by_law(raw, law, point, (end, placed), &mut pending, faults))
+            }
+        };
+        match (told, before) {
+            (Some(()), _) => {}
+            // Where the pose does not tell the contact, that there is one is enough for counting.
+            (None, Some(before)) if faults.list[known..].iter().all(|d| of_the_pose(d.code)) => {
+                faults.list.truncate(known);
+                *raw = before;
+                self.untold(raw, &mut pending);
+            }
+            (None, _) => return None,
+        }
+        Some(pending)
+    }
+
+    /// A face of which no point is named.
+    fn no_point_of_face(&self) -> bool {
+        matches!(self.raw.follows, RawFollows::Face(_)) && self.raw.follows.pin().is_none()
+    }
+
+    /// A point of a link, whichever.
+    fn any_point(&self, link: LinkId) -> Option<PointId> {
+        self.bare.links[link.0].points.first().copied()
+    }
+
+    /// The face of the follower: as it is written with what the cam's place adds, how far out it lies, and in which sense it goes out.
+    pub(super) fn face(&self, carried: Option<&Carried>, face: &RawFace, faults: &mut Faults) -> Option<(RawFace, Option<Told>, f64)> {
+        let offset = match &face.offset {
+            Some(q) => Some(self.told(q, Wanted::Length, faults)?),
+            None => None,
+        };
+        let mut face = face.clone();
+        let mut offset = offset;
+        if let (Some(Carried::Pivot { pivot, .. }), Some(line), None) = (carried, &face.line, &face.angle)
+            && let Ok((from, to)) = self.names.pair(line)
+            && to == *pivot
+            && from != *pivot
+        {
+            // Seen from the pivot the same line runs the other way, and what was left of it is right.
+            let text = format!("{},{}", self.bare.point_name(to), self.bare.point_name(from));
+            face.line = Some(Word { text, span: line.span });
+            face.left = Some(!face.left.unwrap_or(true));
+            offset = offset.map(|o| Told { value: -o.value, text: format!("-({})", o.text) });
+        }
+        if let Some(Carried::Guide { angle: guide, .. }) = carried {
+            match &face.angle {
+                None if face.line.is_none() && !face.square => {
+                    face.angle = Some(RawQuantity { text: format!("({})+90 deg", guide.text), span: self.raw.span, bare: false });
+                    face.left = Some(face.left.unwrap_or(true));
+                }
+                // The positive sense of the guide is the rise, unless the scene says on which side the cam lies.
+                Some(q) if face.left.is_none() => {
+                    let u = Vec2::from_angle(self.told(q, Wanted::Angle, faults)?.value);
+                    face.left = Some(u.perp().dot(Vec2::from_angle(guide.value)) < 0.0);
+                }
+                _ => {}
+            }
+        }
+        let sense = if face.left.unwrap_or(true) { -1.0 } else { 1.0 };
+        Some((face, offset, sense))
+    }
+
+    /// Whether the follower has no face, or one that stands square to its guide and passes through its pin.
+    fn stands_squarely(&self, guide: f64) -> bool {
+        let RawFollows::Face(face) = &self.raw.follows else { return true };
+        let angle = face.angle.as_ref().and_then(|q| self.told(q, Wanted::Angle, &mut Faults::default()));
+        // Nine digits of an angle are what a person types.
+        face.line.is_none() && face.offset.is_none() && angle.is_none_or(|a| libm::cos(a.value - guide).abs() < 1e-9)
+    }
+
+    /// −1 where a face runs along its guide turned by +90°, +1 where it runs the other way.
+    fn turned_from_guide(&self, guide: f64) -> f64 {
+        let RawFollows::Face(face) = &self.raw.follows else { return -1.0 };
+        let angle = face.angle.as_ref().and_then(|q| self.told(q, Wanted::Angle, &mut Faults::default()));
+        angle.map_or(-1.0, |a| if libm::sin(a.value - guide) < 0.0 { 1.0 } else { -1.0 })
+    }
+
+    /// The cam with its follower on the side on which the scene puts the point that touches: where a round end can lie on both sides of the cam in its
+    /// guide, on that which is nearer to the coordinates or the sketch of its centre.
+    pub(super) fn on_its_side(&self, disc: Disc, phi: f64, (frame, centre): (LinkId, Vec2), point: PointId) -> Disc {
+        let (Touch::Point { .. }, Follower::Translating { direction, offset }) = (disc.touch, disc.follower) else { return disc };
+        let told = place::spot(self.bare, point).map(|s| s.at()).or(self.bare.points[point.0].sketch.map(|[x, y]| Vec2::new(x, y)));
+        let Some(told) = told.filter(|_| frame == self.bare.ground) else { return disc };
+        let other = Disc { follower: Follower::Translating { direction: -direction, offset: -offset }, ..disc.clone() };
+        let off = |d: &Disc| {
+            let at = d.follower.point(d.coordinate(phi, Side::After)?).order(0);
+            Some((centre + at - told).norm())
+        };
+        match (off(&disc), off(&other)) {
+            (Some(a), Some(b)) if b < a => other,
+            (None, Some(_)) => other,
+            (Some(_) | None, _) => disc,
+        }
+    }
+
+    /// Whether a face is known by its pivot alone, or by a line that begins there.
+    fn goes_out_from(&self, pivot: PointId) -> bool {
+        let RawFollows::Face(face) = &self.raw.follows else { return true };
+        let begins = |w: &Word| self.names.pair(w).is_ok_and(|(a, _)| a == pivot);
+        face.angle.is_none() && face.line.as_ref().is_none_or(begins)
+    }
+
+    /// The geometry of the follower; `None` where it is not that of a cam on the ground.
+    pub(super) fn follower(
+        &self,
+        placed: &(OnPivot, Carried),
+        point: PointId,
+        offset: Option<&Told>,
+        sense: f64,
+    ) -> Option<(Follower, Touch, Option<Told>)> {
+        let (cam, carried) = placed;
+        let face = matches!(self.raw.follows, RawFollows::Face(_));
+        let (arm, sense) = match carried {
+            Carried::Guide { pin, angle, .. } if *pin == point && self.stands_squarely(angle.value) => {
+                (None, if face { sense * self.turned_from_guide(angle.value) } else { 1.0 })
+            }
+            Carried::Guide { .. } => return None,
+            Carried::Pivot { pivot, .. } if face => {
+                return (*pivot == point && self.goes_out_from(*pivot)).then(|| {
+                    let lever = offset.map_or(0.0, |o| o.value) * sense;
+                    (place::geometry(carried, cam.spot.at(), 0.0, sense), Touch::Flat { lever }, None)
+                });
+            }
+            Carried::Pivot { pivot, spot } => {
+                let arm = place::apart(self.bare, *pivot, point)?;
+                (Some(arm), place::sense(self.bare, *pivot, cam.pivot, point, [spot.at(), cam.spot.at()]))
+            }
+        };
+        let geometry = place::geometry(carried, cam.spot.at(), arm.as_ref().map_or(0.0, |a| a.value), sense);
+        let touch = if face { Touch::Flat { lever: 0.0 } } else { Touch::Point { radius: 0.0 } };
+        Some((geometry, touch, arm))
+    }
+
+    /// Nothing tells the piece: `why` the carrying link does not, if that is known.
+    pub(super) fn no_pose<T>(&self, why: Option<&Lacking>, faults: &mut Faults) -> Option<T> {
+        let why = why.map_or(Both::default(), |l| both!(": {}", "：{}", l.what));
+        let d = Diagnostic::error(
+            "cam-pose",
+            both!(
+                "nothing tells which part of the profile of cam `{}` is touched{}",
+                "无法判断凸轮 `{}` 的哪一段廓线接触{}",
+                self.raw.cam.text,
+                why
+            ),
+        );
+        faults.push(d.at(self.raw.span).help(both!(
+            "let one link, the ground or another, carry the pivot of the cam and the guide (through the point that touches) or pivot of the follower, and give the cam a driver against it with \"angle\"; where different links carry them, give the angles of their drivers, or coordinates of the cam's first two points and of the point that touches (of a face its \"angle\")",
+            "请使同一构件（机架或其他构件）支承凸轮轴心和从动件（通过接触点）的导路或转轴，并给出凸轮相对于它的带 \"angle\" 的原动件；二者由不同构件支承时，请给出各原动件的角度，或凸轮前两点和接触点的坐标（平底则给出 \"angle\"）"
+        )));
+        None
+    }
+
+    pub(super) fn no_contact<T>(&self, faults: &mut Faults) -> Option<T> {
+        let d = Diagnostic::error(
+            "no-contact",
+            both!(
+                "the follower `{}` does not reach the profile of cam `{}` in this pose",
+                "在此位置从动件 `{}` 够不到凸轮 `{}` 的廓线",
+                self.raw.follower.text,
+                self.raw.cam.text
+            ),
+        );
+        faults.push(
+            d.at(self.raw.span)
+                .help(both!("check the radii, the offset of the guide and the length of the arm", "请检查各半径、导路的偏距和摆杆长度")),
+        );
+        None
+    }
+
+    /// At a joint of two pieces the acceleration jumps: both are told.
+    pub(super) fn joint(&self, disc: &Disc, phi: f64, on: &OnPivot, faults: &mut Faults) {
+        let sides = [Side::Before, Side::After].map(|side| disc.coordinate(phi, side));
+        let [Some(before), Some(after)] = sides else { return };
+        if disc.touched(phi, Side::Before) == disc.touched(phi, Side::After) && matches!(disc.motion, Motion::Profile(_)) {
+            return;
+        }
+        let a = [before, after].map(|q| q.0[2] * on.rate * on.rate + q.0[1] * on.acceleration * disc.sense);
+        if (a[0] - a[1]).abs() <= 1e-9 * a[0].abs().max(a[1].abs()) {
+            return;
+        }
+        let unit = match disc.follower {
+            Follower::Translating { .. } => "m/s²",
+            Follower::Oscillating { .. } => "rad/s²",
+        };
+        let [b, a] = a.map(|a| significant(a, 4));
+        let message = both!(
+            "two pieces of the profile meet here: the acceleration of `{}` jumps from {b} to {a} {unit}; drawn is what follows",
+            "此处为廓线两段的接点：`{}` 的加速度由 {b} 跃变为 {a} {unit}；图中取其后一段",
+            self.raw.follower.text
+        );
+        faults.push(Diagnostic::note("joint", message).at(self.raw.span));
+    }
+}
+
+impl Expanded {
+    /// The cams of the scene that has been made of it.
+    pub fn cams(self, scene: &Scene) -> Vec<Cam> {
+        let point = |name: &str| scene.points.iter().position(|p| p.name == name).map(PointId);
+        let link = |name: &str| scene.links.iter().position(|l| l.name == name).map(LinkId);
+        let one = |p: Pending| {
+            let disc = p.disc.and_then(|(pivot, turning)| {
+                Some(Turning { pivot: point(&pivot)?, rough: p.rough.and_then(|(name, at)| Some((point(&name)?, at))), ..turning })
+            });
+            Some(Cam {
+                cam: link(&p.cam)?,
+                follower: link(&p.follower)?,
+                follows: (p.follows)(point(&p.point)?, p.radius),
+                touch: p.at.as_deref().and_then(point).filter(|p| scene.carriers(*p).next().is_none()),
+                left: p.left,
+                roller: p.roller,
+                at: p.at,
+                end: p.end,
+                radii: p.radii,
+                circle: p.circle.and_then(|(c, r)| Some((point(&c)?, r))),
+                disc,
+                contact: p.contact.map(GuideId),
+                posed: p.posed.and_then(|posed| {
+                    let [from, to] = posed.frame.map(|name| point(&name));
+                    let (segments, texts, touched) = (posed.segments, posed.texts, posed.touched);
+                    Some(Pieces { frame: [from?, to?], segments, texts, touched, others: Vec::new(), led: None })
+                }),
+                span: p.span,
+            })
+        };
+        self.cams.into_iter().filter_map(one).collect()
+    }
+}

@@ -1,0 +1,276 @@
+//! What turns a cam in the link that carries it, and how it stands there: a driver of its own, or gears, belts and chains from one.
+//!
+//! All wheels between the two have their axes on the carrying link, so that the cam turns by the ratio of the train. How it stands follows from
+//! the train as the position of wheels does ([`Rolling::phase`]): ρ₁(φ₁ − β) + ρ₂(φ₂ − β) = ρ₂·phase, β the direction of the line of centres; or the cam
+//! says its `angle`, from which the phase follows.
+
+use super::super::model::*;
+use super::super::raw::{RawDriverKind, RawQuantity, RawScene};
+use super::super::rolling::{Contours, Rolling, Sizes};
+use super::super::units::Wanted;
+use super::carrier::Lacking;
+use super::expand::One;
+use super::place::{OnPivot, Told, direction, spot};
+use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_base::trig::turns_of;
+use std::f64::consts::TAU;
+
+/// The driver that turns a link in the carrying one.
+#[derive(Clone, Debug)]
+pub(super) struct Turned {
+    /// Index into the scene's list.
+    pub driver: usize,
+    /// By how much the link turns as the driver turns by one.
+    pub ratio: f64,
+    /// The ratio in words, where wheels stand between the two; they, from the link to the driver: indices into the scene's list.
+    train: Option<(String, Vec<usize>)>,
+}
+
+impl Turned {
+    /// Whether no wheels stand between the two.
+    pub fn direct(&self) -> bool {
+        self.train.is_none()
+    }
+
+    /// The text of the ratio times a number.
+    pub fn text(&self, number: &str) -> String {
+        match &self.train {
+            Some((ratio, _)) => format!("({ratio})*({number})"),
+            None if self.ratio < 0.0 => format!("-({number})"),
+            None => number.to_owned(),
+        }
+    }
+}
+
+/// One wheel seen from the one on which it rolls, the axes of both on one link.
+struct Mesh {
+    /// The wheel on which it rolls.
+    other: LinkId,
+    /// By how much it turns as that one turns by one, and the text of it.
+    ratio: Told,
+    /// The direction of the line of centres, from the pair's first to its second.
+    line: Told,
+    /// Whether it is the pair's second.
+    second: bool,
+}
+
+impl One<'_> {
+    /// The driver that turns a link in the carrying one, by itself or through a train of wheels, the shortest that there is.
+    pub(super) fn turns(&self, link: LinkId, frame: LinkId) -> Option<Turned> {
+        let direct = |l: LinkId| self.turned_by(l, frame);
+        if let Some((driver, ratio)) = direct(link) {
+            return Some(Turned { driver, ratio, train: None });
+        }
+        let mut reached: Vec<(LinkId, Told, Vec<usize>)> = vec![(link, Told { value: 1.0, text: "1".into() }, Vec::new())];
+        let mut next = 0;
+        while next < reached.len() {
+            let (wheel, so_far, path) = reached[next].clone();
+            next += 1;
+            for i in 0..self.bare.rolling.len() {
+                let Some(mesh) = self.mesh(i, wheel, frame).filter(|m| reached.iter().all(|(l, ..)| *l != m.other)) else { continue };
+                let ratio = Told {
+                    value: so_far.value * mesh.ratio.value,
+                    text: if path.is_empty() { mesh.ratio.text } else { format!("{}*({})", so_far.text, mesh.ratio.text) },
+                };
+                let path: Vec<usize> = path.iter().copied().chain([i]).collect();
+                if let Some((driver, way)) = direct(mesh.other) {
+                    let text = if way < 0.0 { format!("-({})", ratio.text) } else { ratio.text };
+                    return Some(Turned { driver, ratio: way * ratio.value, train: Some((text, path)) });
+                }
+                reached.push((mesh.other, ratio, path));
+            }
+        }
+        None
+    }
+
+    /// The driver that turns a link in another by itself, and whether it turns the other one instead (−1).
+    fn turned_by(&self, link: LinkId, frame: LinkId) -> Option<(usize, f64)> {
+        let scene = self.bare;
+        let plain = |link: LinkId, line: &Option<(PointId, PointId)>| match (line, scene.links[link.0].points.as_slice()) {
+            (None, _) => true,
+            (Some(line), [first, second, ..]) => link != scene.ground && *line == (*first, *second),
+            (Some(_), _) => false,
+        };
+        scene.drivers.iter().enumerate().find_map(|(i, d)| match &d.kind {
+            DriverKind::Turn { link: of, against, line, against_line, .. } if plain(*of, line) && plain(*against, against_line) => {
+                match (*of, *against) {
+                    (l, a) if (l, a) == (link, frame) => Some((i, 1.0)),
+                    (l, a) if (l, a) == (frame, link) => Some((i, -1.0)),
+                    _ => None,
+                }
+            }
+            DriverKind::Turn { .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
+        })
+    }
+
+    /// A rolling pair seen from one of its wheels, if the other has its axis on the same link.
+    fn mesh(&self, pair: usize, wheel: LinkId, frame: LinkId) -> Option<Mesh> {
+        let r = &self.bare.rolling[pair];
+        let (second, other) = (r.links[1] == wheel, r.other(wheel)?);
+        let centres = r.round().filter(|c| c.iter().all(|p| self.bare.links[frame.0].points.contains(p)))?;
+        let [from, to] = centres.map(|p| self.spot_in(frame, p));
+        let (from, to) = (from?, to?);
+        let line = Told { value: (to.at() - from.at()).angle(), text: direction(&from, &to) };
+        Some(Mesh { other, ratio: ratio(r, second)?, line, second })
+    }
+
+    /// The angle of a link's first two points in the carrying link, as far as a driver, coordinates or phases tell it.
+    pub(super) fn stands(&self, link: LinkId, frame: LinkId, turned: &Turned, beyond: &mut Vec<LinkId>) -> Option<Told> {
+        let own = self.turned_by(link, frame);
+        let by_places = || {
+            let (of, from) = (self.line_of(link)?, self.line_of(frame)?);
+            let text = if frame == self.bare.ground { of.text } else { format!("({})-({})", of.text, from.text) };
+            Some(Told { value: of.value - from.value, text })
+        };
+        let by_driver = own.and_then(|(driver, way)| {
+            let t = self.stated(driver)?;
+            Some(if way < 0.0 { Told { value: -t.value, text: negative(&t) } } else { t })
+        });
+        if let Some(told) = by_driver.or_else(by_places) {
+            return Some(told);
+        }
+        beyond.push(link);
+        let path = turned.train.as_ref().map_or(&[][..], |(_, path)| path);
+        let by_phase = path.iter().find_map(|i| {
+            let mesh = self.mesh(*i, link, frame).filter(|m| !beyond.contains(&m.other))?;
+            let phase = Told::angle(self.bare.rolling[*i].phase.as_ref()?);
+            let others = self.against_line(&mesh, frame, turned, beyond)?;
+            let (line, ratio) = (&mesh.line, &mesh.ratio);
+            Some(if mesh.second {
+                let value = line.value + phase.value + others.value * ratio.value;
+                Told { value, text: format!("({})+({})+({})*({})", line.text, phase.text, others.text, ratio.text) }
+            } else {
+                let value = line.value + (others.value - phase.value) * ratio.value;
+                Told { value, text: format!("({})+(({})-({}))*({})", line.text, others.text, phase.text, ratio.text) }
+            })
+        });
+        // A wheel that is only its centre has no line: its axes lie as those of the carrying link.
+        let centre = || self.bare.links[link.0].points.len() == 1;
+        by_phase.or_else(|| centre().then(|| Told { value: 0.0, text: "0 deg".into() }))
+    }
+
+    /// The angle of the wheel on which one rolls, from the line of centres, as the position of wheels counts it: with its whole turns where
+    /// a driver of its own writes it, within half a turn otherwise.
+    fn against_line(&self, mesh: &Mesh, frame: LinkId, turned: &Turned, beyond: &mut Vec<LinkId>) -> Option<Told> {
+        let stands = self.stands(mesh.other, frame, turned, beyond)?;
+        // The driver of the train begins at 0 where it says nothing.
+        let is_written = |d: usize| d == turned.driver || self.stated(d).is_some();
+        let written = frame == self.bare.ground && self.turned_by(mesh.other, frame).is_some_and(|(d, _)| is_written(d));
+        let value = stands.value - mesh.line.value;
+        let text = format!("({})-({})", stands.text, mesh.line.text);
+        let turns = if written { 0.0 } else { turns_of(value) };
+        Some(if turns == 0.0 {
+            Told { value, text }
+        } else {
+            Told { value: value - turns * TAU, text: format!("{text}-({turns}*360 deg)") }
+        })
+    }
+
+    /// What a cam behind wheels adds to the scene: the angle that it says itself becomes the phase of the pair next to it. Nothing where that has
+    /// been said to be wrong.
+    pub(super) fn behind_wheels(&self, raw: &mut RawScene, cam: LinkId, on: Option<&OnPivot>, faults: &mut Faults) -> Option<()> {
+        let frame = on.map_or(self.bare.ground, |on| on.frame);
+        if let Some(on) = on.filter(|_| self.turned_by(cam, frame).is_none()) {
+            self.begun(raw, on.driver);
+        }
+        let Some(q) = &self.raw.angle else { return Some(()) };
+        let help = both!(
+            "`angle` says how a cam stands that gears, a belt or a chain turn; leave it away",
+            "`angle` 用于说明由齿轮、带或链带动的凸轮的位置；请去掉"
+        );
+        let mut wrong = |message| faults.push(Diagnostic::error("cam-angle", message).at(q.span).help(help.clone()));
+        let name = &self.raw.cam.text;
+        let turned = self.turns(cam, frame).filter(|t| !t.direct());
+        let Some((turned, pair)) = turned.and_then(|t| t.train.as_ref().and_then(|(_, path)| path.first().copied()).map(|i| (t, i))) else {
+            wrong(both!("no wheels turn cam `{name}`: its driver says how it stands", "凸轮 `{name}` 不是由轮系带动：其位置由原动件给出"));
+            return None;
+        };
+        if self.bare.rolling[pair].phase.is_some() || self.line_of(cam).is_some() {
+            wrong(both!(
+                "the phase of its wheel, or coordinates, say already how cam `{name}` stands",
+                "凸轮 `{name}` 的位置已由 `phase` 或坐标给出"
+            ));
+            return None;
+        }
+        let angle = self.told(q, Wanted::Angle, faults)?;
+        let mesh = self.mesh(pair, cam, frame)?;
+        let others = self.against_line(&mesh, frame, &turned, &mut vec![cam])?.text;
+        let (line, ratio) = (&mesh.line.text, &mesh.ratio.text);
+        let text = if mesh.second {
+            format!("({})-({line})-({others})*({ratio})", angle.text)
+        } else {
+            format!("({others})-(({})-({line}))/({ratio})", angle.text)
+        };
+        raw.rolling[pair].phase = Some(RawQuantity { text, span: q.span, bare: false });
+        Some(())
+    }
+
+    /// A driver whose wheel is only its centre begins at 0, so that the cam behind it can be told at other instants.
+    fn begun(&self, raw: &mut RawScene, driver: usize) {
+        if let Some(RawDriverKind::Turn { angle: angle @ None, .. }) = raw.drivers.get_mut(driver).map(|d| &mut d.kind) {
+            *angle = Some(RawQuantity { text: "0 deg".into(), span: self.raw.span, bare: false });
+        }
+    }
+
+    /// The angle at which a driver stands, as it is written.
+    pub(super) fn stated(&self, driver: usize) -> Option<Told> {
+        match &self.bare.drivers[driver].kind {
+            DriverKind::Turn { angle, .. } => angle.as_ref().map(|a| Told::angle(&Given { text: self.values.text_of(a), ..a.clone() })),
+            DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
+        }
+    }
+
+    /// The direction of a link's first two points in the plane; the ground's is the x axis.
+    pub(super) fn line_of(&self, link: LinkId) -> Option<Told> {
+        if link == self.bare.ground {
+            return Some(Told { value: 0.0, text: "0 deg".into() });
+        }
+        let [a, b, ..] = self.bare.links[link.0].points.as_slice() else { return None };
+        let (a, b) = (spot(self.bare, *a)?, spot(self.bare, *b)?);
+        Some(Told { value: (b.at() - a.at()).angle(), text: direction(&a, &b) })
+    }
+
+    /// Nothing says how the cam stands.
+    pub(super) fn no_angle(&self, cam: LinkId, turned: &Turned) -> Lacking {
+        let name = self.bare.link_name(cam);
+        if turned.direct() {
+            return Lacking {
+                what: both!("the driver of cam `{name}` has no angle", "凸轮 `{name}` 的原动件没有给出角度"),
+                help: both!("add \"angle\" to it", "请给原动件加上 \"angle\""),
+            };
+        }
+        Lacking {
+            what: both!(
+                "wheels turn cam `{name}`, and nothing says at which angle it stands",
+                "凸轮 `{name}` 由轮系带动，没有说明它所在的角度"
+            ),
+            help: both!(
+                "add \"angle\": \"30 deg\" to the cam, the angle of its first two points (of a cam with one point the one from which its law counts), or \"phase\" to the pair",
+                "请给凸轮加上 \"angle\": \"30 deg\"（其前两点连线的角度；只有一点的凸轮即运动规律所计的转角），或在该轮副中给出 \"phase\""
+            ),
+        }
+    }
+}
+
+/// By how much one wheel of a pair turns as the other turns by one.
+fn ratio(r: &Rolling, second: bool) -> Option<Told> {
+    let (sizes, same): ([Told; 2], bool) = match &r.contours {
+        Contours::Circles { sizes: Sizes::Teeth(teeth), hollow, .. } => (teeth.map(whole), hollow.is_some()),
+        Contours::Circles { sizes: Sizes::Radii(radii), hollow, .. } => (radii.each_ref().map(Told::length), hollow.is_some()),
+        Contours::Belt { teeth: Some(teeth), crossed, .. } => (teeth.map(whole), !crossed),
+        Contours::Belt { radii, crossed, .. } => (radii.each_ref().map(Told::length), !crossed),
+        Contours::Track { .. } => return None,
+    };
+    let [mine, its] = if second { [&sizes[1], &sizes[0]] } else { [&sizes[0], &sizes[1]] };
+    let (value, text) = (its.value / mine.value, format!("({})/({})", its.text, mine.text));
+    Some(if same { Told { value, text } } else { Told { value: -value, text: format!("-({text})") } })
+}
+
+fn whole(teeth: u32) -> Told {
+    Told { value: f64::from(teeth), text: teeth.to_string() }
+}
+
+/// The text of the opposite of a number; a written zero stays.
+fn negative(told: &Told) -> String {
+    if told.value == 0.0 { told.text.clone() } else { format!("-({})", told.text) }
+}

@@ -1,0 +1,240 @@
+//! Where a cam and its follower are, as numbers and as the texts of the same numbers.
+//!
+//! This file serves cams whose follower is carried by the same link ([`super::carrier`]): the cam on a pivot of the ground or of a moving link, the
+//! follower on a guide or pivot of that link; all places count in its axes. Where different links carry the two, the coordinates of the pose place
+//! them ([`super::by_pose`]), or the position solver does, for which one circle needs no choice of a piece.
+
+use super::super::model::*;
+use hodograph_base::cam::Follower;
+use hodograph_base::geom::Vec2;
+
+/// A number and the text of it, with a unit.
+#[derive(Clone, Debug)]
+pub(super) struct Told {
+    pub value: f64,
+    pub text: String,
+}
+
+impl Told {
+    pub fn length(given: &Given) -> Told {
+        // A bare zero has no unit in a sum.
+        Told { value: given.value, text: if given.value == 0.0 { "0 mm".into() } else { given.text.clone() } }
+    }
+
+    pub fn angle(given: &Given<Angle>) -> Told {
+        let value = given.value.radians();
+        Told { value, text: if value == 0.0 { "0 deg".into() } else { given.text.clone() } }
+    }
+}
+
+/// A point with coordinates.
+#[derive(Clone, Debug)]
+pub(super) struct Spot {
+    pub x: Told,
+    pub y: Told,
+}
+
+impl Spot {
+    pub fn of(xy: &[Given; 2]) -> Spot {
+        Spot { x: Told::length(&xy[0]), y: Told::length(&xy[1]) }
+    }
+
+    pub fn at(&self) -> Vec2 {
+        Vec2::new(self.x.value, self.y.value)
+    }
+
+    /// The texts of the way to another point; nothing beyond a zero that is written so is left out.
+    pub fn way_to(&self, other: &Spot) -> [String; 2] {
+        let part = |a: &Told, b: &Told| match (a.value == 0.0, b.value == 0.0) {
+            (true, true) => "(0 mm)".to_owned(),
+            (true, false) => format!("({})", b.text),
+            (false, true) => format!("(-({}))", a.text),
+            (false, false) => format!("(({})-({}))", b.text, a.text),
+        };
+        [part(&self.x, &other.x), part(&self.y, &other.y)]
+    }
+}
+
+/// A cam on a pivot of the link that carries it and its follower.
+#[derive(Clone, Debug)]
+pub(super) struct OnPivot {
+    /// The carrying link.
+    pub frame: LinkId,
+    pub pivot: PointId,
+    pub spot: Spot,
+    pub driver: usize,
+    /// By how much the cam turns in the carrying link as the driver turns by one.
+    pub way: f64,
+    /// The angle of the cam as the driver stands at 0 (rad).
+    pub from: f64,
+    /// The angle of the cam's first two points.
+    pub angle: Told,
+    pub rate: f64,
+    pub rate_text: String,
+    pub acceleration: f64,
+    pub acceleration_text: String,
+    /// Its points in the frame of the cam: origin in the pivot, x along its first two points.
+    pub local: Vec<(PointId, Vec2)>,
+}
+
+/// A follower on the link that carries the cam.
+#[derive(Clone, Debug)]
+pub(super) enum Carried {
+    /// On a straight guide at this angle through this point; its point on the guide.
+    Guide { through: Spot, angle: Told, pin: PointId },
+    /// On a pivot.
+    Pivot { pivot: PointId, spot: Spot },
+}
+
+/// The coordinates of a point that has some.
+pub(super) fn spot(scene: &Scene, p: PointId) -> Option<Spot> {
+    match &scene.points[p.0].place {
+        Place::At(xy) => Some(Spot::of(xy)),
+        Place::Unknown | Place::InLink { .. } | Place::Polar { .. } => None,
+    }
+}
+
+/// The text of the direction from one point to another.
+pub(super) fn direction(from: &Spot, to: &Spot) -> String {
+    let (way, [x, y]) = (to.at() - from.at(), from.way_to(to));
+    if way.x == 0.0 {
+        return if way.y < 0.0 { "-90 deg" } else { "90 deg" }.to_owned();
+    }
+    if way.y == 0.0 {
+        return if way.x < 0.0 { "180 deg" } else { "0 deg" }.to_owned();
+    }
+    // The same turn as the number that is computed from it.
+    let turned = match (way.x < 0.0, way.y < 0.0) {
+        (true, true) => "-180 deg",
+        (true, false) => "+180 deg",
+        (false, _) => "",
+    };
+    format!("atan({y}/{x}){turned}")
+}
+
+/// The text of the distance of two points that have coordinates.
+pub(super) fn distance(from: &Spot, to: &Spot) -> String {
+    let (way, [x, y]) = (to.at() - from.at(), from.way_to(to));
+    match (way.x == 0.0, way.y == 0.0) {
+        (_, true) => format!("abs({x})"),
+        (true, false) => format!("abs({y})"),
+        (false, false) => format!("sqrt({x}^2+{y}^2)"),
+    }
+}
+
+/// The distance of two points of a link, with its text: a given length, or by coordinates in the plane or in the link.
+pub(super) fn apart(scene: &Scene, a: PointId, b: PointId) -> Option<Told> {
+    let given = scene.lengths.iter().find(|l| (l.a, l.b) == (a, b) || (l.a, l.b) == (b, a));
+    if let Some(l) = given {
+        return Some(Told::length(&l.value));
+    }
+    if let (Some(p), Some(q)) = (spot(scene, a), spot(scene, b)) {
+        return Some(Told { value: (q.at() - p.at()).norm(), text: distance(&p, &q) });
+    }
+    [(a, b), (b, a)].into_iter().find_map(|(p, origin)| match &scene.points[p.0].place {
+        Place::InLink { base, xy } if base.0 == origin => {
+            let [x, y] = [0, 1].map(|i| Told::length(&xy[i]));
+            Some(Told { value: libm::hypot(x.value, y.value), text: format!("sqrt(({})^2+({})^2)", x.text, y.text) })
+        }
+        Place::Polar { base, length, .. } if base.0 == origin => Some(Told::length(length)),
+        Place::Unknown | Place::At(_) | Place::InLink { .. } | Place::Polar { .. } => None,
+    })
+}
+
+/// The points of a link in its own frame, its origin moved to the pivot; those that cannot be placed are left out.
+pub(super) fn locals(scene: &Scene, link: LinkId, pivot: PointId, angle: f64) -> Option<Vec<(PointId, Vec2)>> {
+    let points = &scene.links[link.0].points;
+    let mut known: Vec<(PointId, Vec2)> = Vec::new();
+    if link == scene.ground {
+        known.extend(points.iter().filter_map(|p| Some((*p, spot(scene, *p)?.at()))));
+    } else if let Some(spots) = points.iter().map(|p| spot(scene, *p)).collect::<Option<Vec<_>>>() {
+        let back = Vec2::from_angle(-angle);
+        known.extend(points.iter().zip(spots).map(|(p, s)| (*p, s.at().rotate_by(back))));
+    } else {
+        let [first, second, ..] = points.as_slice() else { return None };
+        known.push((*first, Vec2::ZERO));
+        known.push((*second, Vec2::new(apart(scene, *first, *second)?.value, 0.0)));
+        // As many rounds as there are points: each places one at least.
+        for _ in 2..points.len() {
+            for p in points {
+                let at = |q: PointId, known: &[(PointId, Vec2)]| known.iter().find(|(k, _)| *k == q).map(|(_, at)| *at);
+                if at(*p, &known).is_none()
+                    && let Some(found) = local(scene, *p, &|q| at(q, &known), points)
+                {
+                    known.push((*p, found));
+                }
+            }
+        }
+    }
+    let origin = known.iter().find(|(p, _)| *p == pivot)?.1;
+    Some(known.into_iter().map(|(p, at)| (p, at - origin)).collect())
+}
+
+/// A point of a link by those that are known.
+fn local(scene: &Scene, p: PointId, at: &dyn Fn(PointId) -> Option<Vec2>, points: &[PointId]) -> Option<Vec2> {
+    let base = |(a, b): (PointId, PointId)| {
+        let (a, b) = (at(a)?, at(b)?);
+        Some((a, (b - a).unit()?))
+    };
+    match &scene.points[p.0].place {
+        Place::InLink { base: ab, xy } => base(*ab).map(|(a, u)| a + u * xy[0].value + u.perp() * xy[1].value),
+        Place::Polar { base: ab, length, angle } => {
+            base(*ab).map(|(a, u)| a + u.rotate_by(Vec2::from_angle(angle.value.radians())) * length.value)
+        }
+        Place::Unknown | Place::At(_) => {
+            let mut reach = points.iter().filter(|q| **q != p).filter_map(|q| Some((*q, at(*q)?, apart(scene, p, *q)?.value)));
+            let ((i, a, ra), (j, b, rb)) = (reach.next()?, reach.next()?);
+            let way = b - a;
+            let d = way.norm();
+            let foot = (d * d + ra * ra - rb * rb) / (2.0 * d);
+            let height = (ra * ra - foot * foot).max(0.0).sqrt();
+            let said = scene.sides.iter().find(|s| s.point == p && [(i, j), (j, i)].contains(&(s.from, s.to)));
+            let left = said.is_none_or(|s| s.left == (s.from == i));
+            let u = way * (1.0 / d);
+            Some(a + u * foot + u.perp() * if left { height } else { -height })
+        }
+    }
+}
+
+/// The sense in which an arm goes out: what the scene says of the side, its sketch, its coordinates; counter-clockwise where it says nothing.
+pub(super) fn sense(scene: &Scene, pivot: PointId, centre: PointId, point: PointId, spots: [Vec2; 2]) -> f64 {
+    let said = scene.sides.iter().find(|s| s.point == point && [(pivot, centre), (centre, pivot)].contains(&(s.from, s.to)));
+    if let Some(s) = said {
+        return if s.left == (s.from == pivot) { 1.0 } else { -1.0 };
+    }
+    let place = spot(scene, point).map(|s| s.at()).or(scene.points[point.0].sketch.map(|[x, y]| Vec2::new(x, y)));
+    let [p, o] = spots;
+    match place.map(|b| (o - p).cross(b - p)) {
+        Some(turn) if turn < 0.0 => -1.0,
+        Some(_) | None => 1.0,
+    }
+}
+
+/// The follower for the geometry of a cam whose pivot is at `centre`: `sense` is +1 where it goes out along its guide, or counter-clockwise.
+pub(super) fn geometry(carried: &Carried, centre: Vec2, arm: f64, sense: f64) -> Follower {
+    match carried {
+        Carried::Guide { through, angle, .. } => {
+            let direction = Vec2::from_angle(angle.value) * sense;
+            Follower::Translating { direction, offset: -(through.at() - centre).dot(direction.perp()) }
+        }
+        Carried::Pivot { spot, .. } => Follower::Oscillating { pivot: spot.at() - centre, arm, sense },
+    }
+}
+
+/// Where the follower's own coordinate stands as that of the cam's geometry is zero, and +1 where the two grow together, else −1.
+pub(super) fn origin(carried: &Carried, centre: Vec2, follower: &Follower) -> (f64, f64) {
+    let start = match carried {
+        Carried::Guide { through, angle, .. } => (centre - through.at()).dot(Vec2::from_angle(angle.value)),
+        Carried::Pivot { spot, .. } => (centre - spot.at()).angle(),
+    };
+    (start, outward(carried, follower))
+}
+
+/// The sense in which the follower goes out: +1 along the direction of its guide, or counter-clockwise about its pivot, else −1.
+pub(super) fn outward(carried: &Carried, follower: &Follower) -> f64 {
+    match (carried, follower) {
+        (Carried::Guide { angle, .. }, Follower::Translating { direction, .. }) => direction.dot(Vec2::from_angle(angle.value)).signum(),
+        (_, Follower::Oscillating { sense, .. }) => *sense,
+        (Carried::Pivot { .. }, Follower::Translating { .. }) => 1.0,
+    }
+}

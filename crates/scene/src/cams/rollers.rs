@@ -1,0 +1,65 @@
+//! Rollers that are links of the file.
+//!
+//! A book numbers the roller, counts it with its local freedom 局部自由度, and then solves the mechanism as if it were one with the follower. So here: where
+//! pairs are counted the roller is a link; else it is none, and its angular velocity is that of rolling on the cam.
+
+use super::super::raw::{Extent, RawDriverKind, RawLink, RawScene};
+use super::marked::named;
+use super::raw::RawFollows;
+use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_base::json::Word;
+
+/// The roller that is named as a link of its own: by the pair, or as a link that has the roller's pin and nothing else.
+fn link_of(raw: &RawScene, follows: &RawFollows) -> Option<Word> {
+    let RawFollows::Roller { pin, link, .. } = follows else { return None };
+    let alone = |l: &&RawLink| matches!(&l.points[..], [p] if p.text == pin.text) && !is_used(raw, &l.name.text);
+    link.clone().or_else(|| raw.links.iter().find(alone).map(|l| l.name.clone()))
+}
+
+/// Whether something besides its points is said of a link.
+fn is_used(raw: &RawScene, link: &str) -> bool {
+    let of = |w: &Option<Word>| named(w, link);
+    of(&raw.ground)
+        || raw.cams.iter().any(|c| c.cam.text == link || c.follower.text == link)
+        || raw.guides.iter().any(|g| of(&g.slider) || of(&g.on))
+        || raw.rolling.iter().any(|r| r.sides.iter().any(|s| of(&s.link)))
+        || raw.drivers.iter().any(|d| match &d.kind {
+            RawDriverKind::Turn { link: turned, against, .. } => turned.text == link || of(against),
+            RawDriverKind::Slide { slide, .. } => slide.text == link,
+            RawDriverKind::Cylinder { links, .. } => links.iter().any(|l| l.text == link),
+        })
+}
+
+/// The scene with the rollers as links where pairs are counted; else without them, each named by its cam, and questions for their angular velocities
+/// read as those for rollers.
+pub(crate) fn settled(raw: &RawScene, faults: &mut Faults) -> RawScene {
+    let mut out = raw.clone();
+    for (i, cam) in raw.cams.iter().enumerate() {
+        let (Some(name), Some(pin)) = (link_of(raw, &cam.follows), cam.follows.pin()) else { continue };
+        let declared = raw.links.iter().find(|l| l.name.text == name.text);
+        if declared.is_some_and(|l| l.points.len() != 1 || l.points[0].text != pin.text) || is_used(raw, &name.text) {
+            let d = Diagnostic::error("roller-link", both!("link `{}` is no roller", "构件 `{}` 不是滚子", name.text)).at(name.span);
+            faults.push(d.help(both!(
+                "the link of a roller has its centre `{}` and no other point, and nothing else is said of it",
+                "滚子构件只有中心 `{}` 一个点，且不在别处使用",
+                pin.text
+            )));
+            continue;
+        }
+        if raw.extent == Extent::Pairs {
+            if declared.is_none() {
+                out.links.push(RawLink { name, points: vec![pin.clone()] });
+            }
+            continue;
+        }
+        out.links.retain(|l| l.name.text != name.text);
+        if let RawFollows::Roller { link, .. } = &mut out.cams[i].follows {
+            *link = Some(name.clone());
+        }
+        let asked = format!("omega_{}", name.text);
+        for word in out.find.iter_mut().flatten().filter(|w| w.text == asked) {
+            word.text = format!("spin_{}", cam.follower.text);
+        }
+    }
+    out
+}

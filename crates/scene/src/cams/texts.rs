@@ -1,0 +1,265 @@
+//! The numbers of a cam and its follower as they are written, so that longer numbers read the same texts.
+//!
+//! Double precision has chosen: the piece that is touched, the side on which a follower goes out, the stage of a law. These are taken over.
+
+use super::super::exact::Inputs;
+use super::super::model::*;
+use super::expand::One;
+use super::law::LawText;
+use super::pairs::Worded;
+use super::place::{Carried, OnPivot, Told, apart};
+use super::{Cam, Pieces, Turning};
+use hodograph_base::cam::outline::{Part, segments};
+use hodograph_base::cam::{Disc, Exact, Follower, Motion, Program, Segment, Stage, Touch, Way};
+use hodograph_base::geom::Vec2;
+use hodograph_base::json::Word;
+use hodograph_base::number::Real;
+
+/// The texts of everything that [`Turning`] knows as numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Texts {
+    /// φ of the texts (rad): a scene that stands elsewhere was put there by a number.
+    phi: f64,
+    /// The angle of the cam, and that at which φ is zero.
+    angle: [String; 2],
+    /// The cam's pivot on the link that carries it.
+    centre: [String; 2],
+    /// A point of the guide and its angle, or the pivot and the arm.
+    follower: ([String; 2], String),
+    /// Radius of a round end; how far out a face lies.
+    touch: String,
+    motion: MotionTexts,
+}
+
+/// The texts of what moves the follower.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MotionTexts {
+    /// Base circle; gain and angle of each stage.
+    Law(String, Vec<(Option<String>, String)>),
+    /// Of each part its centre in the frame of the cam and its radius.
+    Profile(Vec<PartTexts>),
+}
+
+/// Centre and radius of a part, as far as it has them.
+pub type PartTexts = (Option<[String; 2]>, Option<String>);
+
+impl MotionTexts {
+    /// The texts of a law.
+    pub(super) fn of_law(law: &LawText) -> MotionTexts {
+        let stage = |s: &super::law::StageText| (s.gain.as_ref().map(|g| g.text.clone()), s.over.clone());
+        MotionTexts::Law(law.base.clone(), law.stages.iter().map(stage).collect())
+    }
+}
+
+impl MotionTexts {
+    /// The pieces of a profile in numbers of a kind; nothing of a law.
+    fn segments<N: Real>(&self, inputs: &Inputs<N>) -> Option<Vec<Segment<N>>> {
+        let MotionTexts::Profile(parts) = self else { return None };
+        let part = |(centre, radius): &PartTexts| -> Option<Part<N>> {
+            let radius = radius.as_ref().map(|r| inputs.text(r));
+            Some(match (centre, radius) {
+                (Some([x, y]), Some(radius)) => Part::Circle(Vec2::new(inputs.text(x)?, inputs.text(y)?), radius?),
+                (None, Some(radius)) => Part::Flank(radius?),
+                (_, None) => Part::Tangent,
+            })
+        };
+        segments(&parts.iter().map(part).collect::<Option<Vec<_>>>()?).ok()
+    }
+}
+
+impl Pieces {
+    /// The pieces in numbers of a kind; `None` where the scene has no text for one of their numbers.
+    pub(super) fn in_numbers<N: Real>(&self, scene: &Scene) -> Option<Vec<Segment<N>>> {
+        self.texts.as_ref()?.segments(&inputs(scene))
+    }
+}
+
+/// How far a text may be from the number that stands for it, as a part of the size of the cam: what differs more says something else.
+const SAME: f64 = 1e-9;
+
+impl One<'_> {
+    /// The texts of a profile in axes of the cam that begin in a point of it, in which its points are `local`; `None` where the place of a centre has none.
+    pub(super) fn profile_texts(&self, cam: LinkId, begin: PointId, local: &[(PointId, Vec2)], worded: &[Worded]) -> Option<MotionTexts> {
+        let centre = |name: &str| -> Option<[String; 2]> {
+            let p = self.names.point(&Word { text: name.to_owned(), span: self.raw.span }).ok()?;
+            let known = local.iter().find(|(q, _)| *q == p)?.1;
+            if p == begin {
+                return Some(["0 mm", "0 mm"].map(str::to_owned));
+            }
+            let [from, to] = [begin, p].map(|q| self.spot_in(cam, q));
+            let (from, to) = (from?, to?);
+            let same = (to.at() - from.at() - known).norm() <= SAME * known.norm();
+            same.then(|| from.way_to(&to))
+        };
+        let part = |w: &Worded| -> Option<PartTexts> {
+            Some(match w {
+                Worded::Circle { centre: name, radius } => (Some(centre(name)?), Some(radius.text.clone())),
+                Worded::Tangent { .. } => (None, None),
+                Worded::Flank { radius } => (None, Some(radius.text.clone())),
+            })
+        };
+        worded.iter().map(part).collect::<Option<Vec<_>>>().map(MotionTexts::Profile)
+    }
+
+    /// The texts of a cam on a pivot and its follower; `None` where one is missing.
+    pub(super) fn texts(
+        &self,
+        (on, carried): (&OnPivot, &Carried),
+        (point, touch): (PointId, Option<String>),
+        (phi, start): (f64, &str),
+        motion: Option<MotionTexts>,
+    ) -> Option<Texts> {
+        let of = |x: &Told, y: &Told| [x.text.clone(), y.text.clone()];
+        let follower = match carried {
+            Carried::Guide { through, angle, .. } => (of(&through.x, &through.y), angle.text.clone()),
+            // A face has no arm.
+            Carried::Pivot { pivot, spot } => {
+                (of(&spot.x, &spot.y), apart(self.bare, *pivot, point).map_or_else(|| "0 mm".to_owned(), |arm| arm.text))
+            }
+        };
+        Some(Texts {
+            phi,
+            angle: [on.angle.text.clone(), start.to_owned()],
+            centre: of(&on.spot.x, &on.spot.y),
+            follower,
+            touch: touch.unwrap_or_else(|| "0 mm".to_owned()),
+            motion: motion?,
+        })
+    }
+}
+
+/// The parameters of a scene in numbers of a kind.
+fn inputs<N: Real>(scene: &Scene) -> Inputs<'_, N> {
+    let texts: Vec<(&str, &str)> = scene.parameters.iter().map(|(name, given)| (name.as_str(), given.text.as_str())).collect();
+    Inputs::of_texts(&texts)
+}
+
+impl Turning {
+    /// The text of the angle at which its driver stands.
+    fn driver_angle<'s>(&self, scene: &'s Scene) -> Option<&'s str> {
+        match &scene.drivers.get(self.driver)?.kind {
+            DriverKind::Turn { angle, .. } => angle.as_ref().map(|a| a.text.as_str()),
+            DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
+        }
+    }
+
+    /// The cam in numbers of a kind, and φ; `None` where the scene has no text for one of its numbers.
+    pub fn exact<N: Real>(&self, scene: &Scene) -> Option<(Exact<'_, N>, N)> {
+        let texts = self.texts.as_ref()?;
+        let inputs = inputs::<N>(scene);
+        let place = |xy: &[String; 2]| Some(Vec2::new(inputs.text(&xy[0])?, inputs.text(&xy[1])?));
+        let centre = place(&texts.centre)?;
+        let at = place(&texts.follower.0)? - centre;
+        let last = inputs.text(&texts.follower.1)?;
+        let follower = match self.disc.follower {
+            Follower::Translating { direction: out, .. } => {
+                let along = Vec2::from_angle(last);
+                // The follower goes out along its guide, or against it.
+                let direction = if along.approx().dot(out) < 0.0 { -along } else { along };
+                Follower::Translating { direction, offset: -at.dot(direction.perp()) }
+            }
+            Follower::Oscillating { sense, .. } => Follower::Oscillating { pivot: at, arm: last, sense },
+        };
+        let touch = inputs.text(&texts.touch)?;
+        let touch = match self.disc.touch {
+            Touch::Point { .. } => Touch::Point { radius: touch },
+            Touch::Flat { .. } => Touch::Flat { lever: touch },
+        };
+        let motion = match (&self.disc.motion, &texts.motion) {
+            (Motion::Law { program, .. }, MotionTexts::Law(base, stages)) => {
+                let stage = |(s, (gain, over)): (&Stage, &(Option<String>, String))| -> Option<Stage<N>> {
+                    let gain = || inputs.text(gain.as_ref()?);
+                    let way = match s.way {
+                        Way::Rise(_, law) => Way::Rise(gain()?, law),
+                        Way::Dwell => Way::Dwell,
+                        Way::Return(_, law) => Way::Return(gain()?, law),
+                    };
+                    Some(Stage { way, over: inputs.text(over)? })
+                };
+                let stages = program.stages.iter().zip(stages).map(stage).collect::<Option<Vec<_>>>()?;
+                Motion::Law { base: inputs.text(base)?, program: Program { stages } }
+            }
+            (Motion::Profile(_), texts) => Motion::Profile(texts.segments(&inputs)?),
+            (Motion::Law { .. }, MotionTexts::Profile(_)) => return None,
+        };
+        let disc = Disc { follower, touch, motion, sense: self.disc.sense };
+        let start = inputs.text(&texts.angle[1])?;
+        let turned = |angle: N| if self.disc.sense < 0.0 { start - angle } else { angle - start };
+        // Where the scene stands at its own instant the texts tell the angle; put elsewhere, its driver does, and behind wheels double precision.
+        let phi = if (self.phi - texts.phi).abs() <= 4.0 * f64::EPSILON * texts.phi.abs() {
+            turned(inputs.text(&texts.angle[0])?)
+        } else {
+            let told = self.driver_angle(scene).filter(|_| self.is_drivers_own()).and_then(|text| inputs.text(text));
+            let told = told.map(|angle| turned(if self.way < 0.0 { -angle } else { angle }));
+            let rounding = 8.0 * f64::EPSILON * (self.phi.abs() + self.start.abs() + self.from.abs());
+            told.filter(|phi| (phi.approx() - self.phi).abs() <= rounding).unwrap_or_else(|| N::from_f64(self.phi).widened(rounding))
+        };
+        Some((Exact::new(&self.disc, &self.survey, disc), phi))
+    }
+}
+
+impl Turning {
+    /// [`Turning::rates`] in numbers of a kind.
+    pub fn rates_in<N: Real>(&self, scene: &Scene) -> [N; 2] {
+        let (driver, inputs) = (&scene.drivers[self.driver], inputs::<N>(scene));
+        let way = N::from_f64(self.way * self.disc.sense);
+        // A ratio of wheels is a quotient in double precision.
+        let way = if self.is_drivers_own() { way } else { way.widened(4.0 * f64::EPSILON * self.way.abs()) };
+        [Some(&driver.rate), driver.acceleration.as_ref()].map(|rate| rate.map_or(N::from_f64(0.0), |r| way * inputs.number(r)))
+    }
+
+    /// Place, rate and acceleration of a driver that stands for the contact, in numbers of a kind: see [`Scene::set_followers`].
+    pub(super) fn led_in<N: Real>(&self, scene: &Scene) -> Option<[N; 3]> {
+        let (cam, phi) = self.exact::<N>(scene)?;
+        let [q, dq, ddq, _] = cam.station((self.phi, self.side), phi)?.q.0;
+        let (texts, inputs) = (self.texts.as_ref()?, inputs::<N>(scene));
+        let origin = match cam.disc().follower {
+            Follower::Translating { .. } => {
+                let [from, centre] = [&texts.follower.0, &texts.centre].map(|[x, y]| Some(Vec2::new(inputs.text(x)?, inputs.text(y)?)));
+                (centre? - from?).dot(Vec2::from_angle(inputs.text(&texts.follower.1)?))
+            }
+            Follower::Oscillating { pivot, .. } => (-pivot).angle(),
+        };
+        let ([w, a], out) = (self.rates_in::<N>(scene), N::from_f64(self.outward));
+        Some([origin + out * q, out * dq * w, out * (ddq * w * w + dq * a)])
+    }
+
+    /// The way from the cam's pivot to the contact in the pose and the unit normal out of the cam, in the axes of the carrying link, in numbers of a kind.
+    pub fn contact_in<N: Real>(&self, scene: &Scene) -> Option<[Vec2<N>; 2]> {
+        let here = (self.phi, self.side);
+        let (of_cam, phi) = if N::refines() {
+            let (cam, phi) = self.exact::<N>(scene)?;
+            let station = cam.station(here, phi)?;
+            ([station.contact, station.normal], phi)
+        } else {
+            let station = self.disc.station(self.phi, self.side)?;
+            ([station.contact.lift(), station.normal.lift()], N::from_f64(self.phi))
+        };
+        let turned = Vec2::from_angle(if self.disc.sense < 0.0 { -phi } else { phi });
+        Some(of_cam.map(|v| v.rotate_by(turned)))
+    }
+}
+
+impl Cam {
+    /// The radius of its round end in numbers of a kind (m); nothing of a face.
+    pub fn end_in<N: Real>(&self, scene: &Scene) -> Option<N> {
+        let value = self.follows.radius()?;
+        if !N::refines() {
+            return Some(N::from_f64(value));
+        }
+        self.end.as_ref().map_or_else(|| (value == 0.0).then(|| N::from_f64(0.0)), |text| inputs(scene).text(text))
+    }
+
+    /// The radius of the arc that is touched in numbers of a kind: see [`Cam::touched_radius`].
+    pub fn touched_radius_in<N: Real>(&self, scene: &Scene) -> Option<N> {
+        let value = self.touched_radius()?;
+        if !N::refines() {
+            return Some(N::from_f64(value));
+        }
+        if let Some(t) = self.disc.as_ref().filter(|t| matches!(t.disc.motion, Motion::Law { .. })) {
+            let (cam, phi) = t.exact(scene)?;
+            return Some(cam.station((t.phi, t.side), phi)?.rho);
+        }
+        inputs(scene).text(self.radii.get(self.touched()?)?.as_ref()?)
+    }
+}

@@ -1,0 +1,34 @@
+//! A contact of which only cam and follower are known: enough for counting freedoms.
+//!
+//! Whatever the profile is, a round end runs in a slot of the cam, and a point of the cam (the centre of the arc that is touched) in a guide of a follower
+//! with a face: each takes one freedom. Where slot and guide lie does not matter.
+
+use super::super::raw::{RawGuide, RawLink, RawScene};
+use super::expand::{One, Pending};
+use super::pairs::fresh;
+use super::raw::RawFollows;
+use hodograph_base::json::Word;
+
+impl One<'_> {
+    /// Writes the pair that stands for the contact.
+    pub(super) fn untold(&self, raw: &mut RawScene, pending: &mut Pending) {
+        let word = |text: &str| Word { text: text.to_owned(), span: self.raw.span };
+        let (cam, follower) = (word(&self.raw.cam.text), word(&self.raw.follower.text));
+        let (pin, on) = match &self.raw.follows {
+            RawFollows::Face(_) => {
+                let centre = word(&fresh(raw, &["K", "F", "G", "H"]));
+                match raw.links.iter_mut().find(|l| l.name.text == cam.text) {
+                    Some(link) => link.points.push(centre.clone()),
+                    None => raw.links.push(RawLink { name: cam, points: vec![centre.clone()] }),
+                }
+                (centre, follower)
+            }
+            RawFollows::Edge(pin) | RawFollows::Roller { pin, .. } | RawFollows::Arc { pin, .. } => (pin.clone(), cam),
+        };
+        pending.circle = None;
+        pending.disc = None;
+        pending.posed = None;
+        pending.contact = Some(raw.guides.len());
+        raw.guides.push(RawGuide { contact: true, ..RawGuide::of_pin(pin, on, self.raw.span) });
+    }
+}

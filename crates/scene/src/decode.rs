@@ -1,0 +1,390 @@
+//! JSON tree to [`RawScene`]: shapes and keys are checked here, the meaning of the words is not.
+
+mod attempts;
+mod belts;
+mod composite;
+mod driver;
+mod law;
+mod motion;
+mod rolling;
+mod ropes;
+
+use super::front::TIME;
+use super::model::Lang;
+use super::raw::*;
+use super::{cams, expr, keys};
+use hodograph_base::diag::{Diagnostic, Faults, Span, both};
+use hodograph_base::json::fields::{Fields, What, list, object, word, wrong};
+use hodograph_base::json::{Kind, Node, Word};
+
+/// More entries of one kind are refused. A textbook mechanism has a dozen links; the solvers' matrices grow with the square
+/// and their time with the cube of the number of links, so these bounds keep a run under a few seconds.
+pub(super) const MAX_LINKS: usize = 500;
+/// The same for points.
+pub(super) const MAX_POINTS: usize = 2000;
+/// The same for every other list of the file.
+const MAX_ENTRIES: usize = 5000;
+/// Longest title, in characters: it is one line of a figure, and of half a thousand letters already one of two metres.
+const MAX_TITLE: usize = 500;
+/// Longest statement: some pages, broken into lines word by word.
+pub(super) const MAX_STATEMENT: usize = 10_000;
+
+/// Decodes a whole file, which has to tell as much as `extent` says. Faults are collected; what could be read is returned, so that later stages
+/// find theirs too.
+pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<RawScene> {
+    let f = Fields::open(root, both!("a scene", "机构文件"), keys::SCENE, faults)?;
+    let mut raw = RawScene { extent, ..RawScene::default() };
+    if let Some(node) = f.get("title") {
+        raw.title = localized(node, "\"title\"", MAX_TITLE, faults);
+    }
+    if let Some(node) = f.get("statement") {
+        raw.statement = localized(node, "\"statement\"", MAX_STATEMENT, faults);
+    }
+    for (key, node) in entries(f.get("parameters"), "\"parameters\"", faults) {
+        raw.parameters.extend(quantity(node, both!("parameter `{}`", "参数 `{}`", key.text), faults).map(|q| (key.clone(), q)));
+    }
+    if let Some(node) = f.get("time") {
+        raw.is_timed = true;
+        if let Some((name, _)) = raw.parameters.iter().find(|(name, _)| name.text == TIME) {
+            let d = Diagnostic::error(
+                "given-twice",
+                both!("\"time\" and the parameter `t` both give the instant", "\"time\" 与参数 `t` 都给出时刻"),
+            );
+            faults
+                .push(d.at(name.span).help(both!("leave one of them out, or give the parameter another name", "请去掉其一，或将参数改名")));
+        }
+        raw.parameters.extend(motion::time(node, faults));
+    }
+    for (key, node) in entries(f.get("units"), "\"units\"", faults) {
+        raw.units.extend(word(node, both!("unit of `{}`", "`{}` 的单位", key.text), faults).map(|w| (key.clone(), w)));
+    }
+    for (key, node) in entries(f.get("answers"), "\"answers\"", faults) {
+        raw.answers.extend(word(node, &format!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)));
+    }
+    let before = faults.list.len();
+    let links = f.need("links", "{\"1\": [\"A\", \"B\"], ...}", faults);
+    for (key, node) in entries(links, "\"links\"", faults) {
+        let points = words(Some(node), both!("link `{}`", "构件 `{}`", key.text), faults);
+        raw.links.push(RawLink { name: key.clone(), points });
+    }
+    raw.links_sound = faults.list.len() == before;
+    raw.ground = f
+        .need("ground", both!("\"4\", the name of the fixed link", "\"4\"（机架的名称）"), faults)
+        .and_then(|n| word(n, "\"ground\"", faults));
+    for (key, node) in entries(f.get("points"), "\"points\"", faults) {
+        raw.points.extend(place(node, faults).map(|p| (key.clone(), p)));
+    }
+    for (key, node) in entries(f.get("lengths"), "\"lengths\"", faults) {
+        raw.lengths.extend(quantity(node, both!("length `{}`", "长度 `{}`", key.text), faults).map(|q| (key.clone(), q)));
+    }
+    for node in items(f.get("guides"), "\"guides\"", faults) {
+        raw.guides.extend(guide(node, faults));
+    }
+    for node in items(f.get("cams"), "\"cams\"", faults) {
+        raw.cams.extend(cams::decode::cam(node, extent, faults));
+    }
+    for node in items(f.get("gears"), "\"gears\"", faults) {
+        raw.rolling.extend(rolling::gear(node, extent, faults));
+    }
+    for node in items(f.get("rolling"), "\"rolling\"", faults) {
+        raw.rolling.extend(rolling::wheel(node, extent, faults));
+    }
+    belts::belts(&f, &mut raw, faults);
+    for node in items(f.get("ropes"), "\"ropes\"", faults) {
+        raw.rolling.extend(ropes::rope(node, faults));
+    }
+    // Points that move by laws of time drive what there is.
+    let drivers = match extent.is_at_rest() || f.get("motions").is_some() {
+        true => f.get("driver"),
+        false => f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults),
+    };
+    match drivers {
+        Some(Node { kind: Kind::Array(list), span }) if list.is_empty() && !extent.is_at_rest() => {
+            faults.push(
+                Diagnostic::error("empty", both!("\"driver\" is empty: nothing drives the mechanism", "\"driver\" 为空：没有原动件"))
+                    .at(*span),
+            );
+        }
+        Some(Node { kind: Kind::Array(_), .. }) => {
+            for node in items(drivers, "\"driver\"", faults) {
+                raw.drivers.extend(driver::driver(node, &raw, faults));
+            }
+        }
+        Some(node) => raw.drivers.extend(driver::driver(node, &raw, faults)),
+        None if extent.is_driven() => raw.drivers.extend(driver::added(&raw)),
+        None => {}
+    }
+    for node in items(f.get("motions"), "\"motions\"", faults) {
+        motion::motion(node, &mut raw, faults);
+    }
+    for (key, node) in entries(f.get("sketch"), "\"sketch\"", faults) {
+        raw.sketch.extend(two_quantities(node, both!("sketch of `{}`", "`{}` 的草图位置", key.text), faults).map(|q| (key.clone(), q)));
+    }
+    for (key, node) in entries(f.get("side"), "\"side\"", faults) {
+        raw.sides.extend(word(node, both!("side of `{}`", "`{}` 的 side", key.text), faults).map(|w| (key.clone(), w)));
+    }
+    raw.find = f.get("find").map(|n| words(Some(n), "\"find\"", faults));
+    for node in items(f.get("composite"), "\"composite\"", faults) {
+        raw.composite.extend(composite::composite(node, faults));
+    }
+    for node in items(f.get("attempts"), "\"attempts\"", faults) {
+        raw.attempts.extend(attempts::attempt(node, faults));
+    }
+    for (key, node) in entries(f.get("readings"), "\"readings\"", faults) {
+        if object(node, both!("reading `{}`", "读法 `{}`", key.text), faults).is_some() {
+            raw.readings.push(key.clone());
+        }
+    }
+    if let Some(node) = f.get("paper") {
+        raw.paper = paper(node, faults);
+    }
+    raw.language = f.get("language").and_then(|n| word(n, "\"language\"", faults));
+    raw.notation = f.get("notation").and_then(|n| word(n, "\"notation\"", faults));
+    Some(raw)
+}
+
+/// The keys that a scene shares with other files; all others are left to who reads those.
+pub(super) fn front(root: &Node, faults: &mut Faults) -> RawScene {
+    let mut raw = RawScene::default();
+    let get = |key: &str| match &root.kind {
+        Kind::Object(members) => members.iter().find(|(k, _)| k.text == key).map(|(_, node)| node),
+        Kind::Text(_) | Kind::Number(_) | Kind::Bool(_) | Kind::Null | Kind::Array(_) => None,
+    };
+    raw.title = get("title").and_then(|node| localized(node, "\"title\"", MAX_TITLE, faults));
+    for (key, node) in entries(get("parameters"), "\"parameters\"", faults) {
+        raw.parameters.extend(quantity(node, both!("parameter `{}`", "参数 `{}`", key.text), faults).map(|q| (key.clone(), q)));
+    }
+    for (key, node) in entries(get("units"), "\"units\"", faults) {
+        raw.units.extend(word(node, both!("unit of `{}`", "`{}` 的单位", key.text), faults).map(|w| (key.clone(), w)));
+    }
+    for (key, node) in entries(get("answers"), "\"answers\"", faults) {
+        raw.answers.extend(word(node, &format!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)));
+    }
+    if let Some(node) = get("paper") {
+        raw.paper = paper(node, faults);
+    }
+    raw.language = get("language").and_then(|n| word(n, "\"language\"", faults));
+    raw.notation = get("notation").and_then(|n| word(n, "\"notation\"", faults));
+    raw
+}
+
+/// The members of an optional object, within the limit.
+fn entries<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Faults) -> &'a [(Word, Node)] {
+    let what = what.into();
+    let limit = if what.is("\"links\"") { MAX_LINKS } else { MAX_ENTRIES };
+    let members = node.and_then(|n| object(n, &what, faults)).unwrap_or_default();
+    within(members, limit, &what, faults, |(key, _)| key.span)
+}
+
+/// The items of an optional list, within the limit.
+pub(super) fn items<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Faults) -> &'a [Node] {
+    let what = what.into();
+    let items = node.and_then(|n| list(n, &what, faults)).unwrap_or_default();
+    within(items, MAX_ENTRIES, &what, faults, |n| n.span)
+}
+
+fn within<'a, T>(all: &'a [T], limit: usize, what: &What, faults: &mut Faults, span: impl Fn(&T) -> hodograph_base::diag::Span) -> &'a [T] {
+    match all.get(limit) {
+        None => all,
+        Some(first) => {
+            let message = both!("{} has {} entries; at most {limit} are allowed", "{}有 {} 项，最多允许 {limit} 项", *what, all.len());
+            faults.push(Diagnostic::error("too-many", message).at(span(first)));
+            &all[..limit]
+        }
+    }
+}
+
+/// True or false.
+fn flag(node: &Node, key: &str, faults: &mut Faults) -> Option<bool> {
+    match node.kind {
+        Kind::Bool(value) => Some(value),
+        Kind::Text(_) | Kind::Number(_) | Kind::Null | Kind::Array(_) | Kind::Object(_) => {
+            let message = both!("\"{key}\" is {}, not true or false", "\"{key}\" 是{}，应为 true 或 false", node.what());
+            faults.push(Diagnostic::error("wrong-type", message).at(node.span));
+            None
+        }
+    }
+}
+
+fn words(node: Option<&Node>, what: impl Into<What>, faults: &mut Faults) -> Vec<Word> {
+    let what = what.into();
+    items(node, &what, faults).iter().filter_map(|n| word(n, both!("an entry of {}", "{}的一项", what), faults)).collect()
+}
+
+pub(super) fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) -> Option<RawLocalized> {
+    if let Kind::Object(_) = node.kind {
+        let f = Fields::open(node, what, keys::TEXT, faults)?;
+        let mut text = |key: &str| {
+            f.get(key)
+                .and_then(|n| word(n, both!("`{key}` of {what}", "{what} 的 `{key}`"), faults))
+                .and_then(|w| no_longer(w, what, most, faults))
+        };
+        let both = RawLocalized { en: text("en"), zh: text("zh") };
+        if f.get("en").is_none() && f.get("zh").is_none() {
+            faults.push(
+                Diagnostic::error("empty", both!("{what} says nothing", "{what} 没有内容"))
+                    .at(node.span)
+                    .help(both!("give \"en\", \"zh\" or both", "请给出 \"en\" 或 \"zh\"，或两者都给出")),
+            );
+        }
+        return Some(both);
+    }
+    let text = word(node, what, faults).and_then(|w| no_longer(w, what, most, faults));
+    text.map(|text| RawLocalized { en: Some(text.clone()), zh: Some(text) })
+}
+
+/// A text of no more than so many characters.
+fn no_longer(word: Word, what: &str, most: usize, faults: &mut Faults) -> Option<Word> {
+    let count = word.text.chars().count();
+    if count > most {
+        faults.push(
+            Diagnostic::error(
+                "too-long",
+                both!("{what} has {count} characters; at most {most} are allowed", "{what} 有 {count} 个字符，最多允许 {most} 个"),
+            )
+            .at(word.span),
+        );
+        return None;
+    }
+    Some(word)
+}
+
+fn place(node: &Node, faults: &mut Faults) -> Option<RawPlace> {
+    if let Kind::Array(_) = node.kind {
+        return two_quantities(node, both!("a place", "位置"), faults).map(RawPlace::At);
+    }
+    let has = |key: &str| matches!(&node.kind, Kind::Object(m) if m.iter().any(|(k, _)| k.text == key));
+    let (xy, polar) = (has("x") || has("y"), has("length") || has("angle"));
+    if xy && polar {
+        let d = Diagnostic::error(
+            "two-places",
+            both!("the place is given in two ways, by x and y and by length and angle", "位置给了两次：既有 x、y，又有 length、angle"),
+        );
+        faults.push(
+            d.at(node.span)
+                .help(both!("keep \"x\" and \"y\", or \"length\" and \"angle\"", "请只保留 \"x\"、\"y\"，或只保留 \"length\"、\"angle\"")),
+        );
+        return None;
+    }
+    let example = "\"100 mm\"";
+    if polar {
+        let f = Fields::open(node, both!("a place", "位置"), keys::PLACE_POLAR, faults)?;
+        let base = f
+            .need("base", both!("\"BC\", two points of the link", "\"BC\"（该构件上的两点）"), faults)
+            .and_then(|n| word(n, "\"base\"", faults));
+        let length = f.need("length", example, faults).and_then(|n| quantity(n, "\"length\"", faults));
+        let angle = f.need("angle", "\"30 deg\"", faults).and_then(|n| quantity(n, "\"angle\"", faults));
+        return Some(RawPlace::Polar { base: base?, length: length?, angle: angle? });
+    }
+    let f = Fields::open(node, both!("a place", "位置"), keys::PLACE_XY, faults)?;
+    let base = f
+        .need("base", both!("\"BC\", two points of the link", "\"BC\"（该构件上的两点）"), faults)
+        .and_then(|n| word(n, "\"base\"", faults));
+    let x = f.need("x", example, faults).and_then(|n| quantity(n, "\"x\"", faults));
+    let y = f.need("y", example, faults).and_then(|n| quantity(n, "\"y\"", faults));
+    Some(RawPlace::InLink { base: base?, xy: [x?, y?] })
+}
+
+fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
+    let f = Fields::open(node, both!("a guide", "导路"), keys::GUIDE, faults)?;
+    let before = faults.list.len();
+    let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
+    let (pin, slider, on, line, centre) = (name("pin"), name("slider"), name("on"), name("line"), name("centre"));
+    let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
+    let (angle, offset, radius) = (value("angle"), value("offset"), value("radius"));
+    let through = through(&f, faults);
+    // A guide with a member that could not be read must not be judged by what is left of it.
+    (faults.list.len() == before).then_some(RawGuide {
+        pin,
+        slider,
+        on,
+        line,
+        through,
+        angle,
+        slid: false,
+        offset,
+        centre,
+        radius,
+        contact: false,
+        span: node.span,
+    })
+}
+
+/// A point by its name or by coordinates.
+fn through(f: &Fields, faults: &mut Faults) -> Option<RawThrough> {
+    f.get("through").and_then(|n| match &n.kind {
+        Kind::Array(_) => two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span)),
+        Kind::Text(_) | Kind::Number(_) | Kind::Bool(_) | Kind::Null | Kind::Object(_) => {
+            word(n, "\"through\"", faults).map(RawThrough::Point)
+        }
+    })
+}
+
+fn paper(node: &Node, faults: &mut Faults) -> RawPaper {
+    let Some(f) = Fields::open(node, "\"paper\"", keys::PAPER, faults) else {
+        return RawPaper::default();
+    };
+    let size = f.get("size").and_then(|n| match &n.kind {
+        Kind::Array(_) => two_quantities(n, "\"size\"", faults).map(RawSize::Sides),
+        _ => word(n, "\"size\"", faults).map(RawSize::Named),
+    });
+    let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
+    RawPaper { size, mu_l: value("mu_l"), mu_v: value("mu_v"), mu_a: value("mu_a"), pencil: value("pencil") }
+}
+
+/// The members of one section, as they stand; none where there is no such object.
+pub(super) fn members_of<'a>(root: &'a Node, section: &str) -> &'a [(Word, Node)] {
+    let Kind::Object(members) = &root.kind else { return &[] };
+    match members.iter().find(|(key, _)| key.text == section) {
+        Some((_, Node { kind: Kind::Object(inner), .. })) => inner,
+        _ => &[],
+    }
+}
+
+/// The language that the scene names, if it is one.
+pub(super) fn language_of(root: &Node) -> Option<Lang> {
+    let Kind::Object(members) = &root.kind else { return None };
+    match &members.iter().find(|(key, _)| key.text == "language")?.1.kind {
+        Kind::Text(name) => Lang::named(name),
+        Kind::Number(_) | Kind::Bool(_) | Kind::Null | Kind::Array(_) | Kind::Object(_) => None,
+    }
+}
+
+/// A number or an expression in quotation marks.
+pub(super) fn quantity(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<RawQuantity> {
+    let (text, bare) = match &node.kind {
+        Kind::Number(text) => (text.clone(), true),
+        Kind::Text(_) => (written(node, what, faults)?, false),
+        _ => return wrong(node, what, both!("a quantity such as \"100 mm\"", "量，如 \"100 mm\""), faults),
+    };
+    Some(RawQuantity { text, span: node.span, bare })
+}
+
+/// The text of an expression that is no longer than a person writes.
+fn written(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<String> {
+    let text = word(node, what, faults)?.text;
+    let Err(d) = expr::bounded(&text) else { return Some(text) };
+    let Span { start, end } = node.span;
+    // Behind the quotation mark; with escapes in the string the two texts do not run in step.
+    let inner = d.span.filter(|_| end - start == text.len() + 2).map(|s| Span::new(start + 1 + s.start, start + 1 + s.end));
+    faults.push(d.at(inner.unwrap_or(node.span)));
+    None
+}
+
+/// Two quantities, such as coordinates.
+pub(super) fn two_quantities(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<[RawQuantity; 2]> {
+    let what = what.into();
+    match list(node, &what, faults)? {
+        [a, b] => {
+            let (a, b) = (quantity(a, &what, faults), quantity(b, &what, faults));
+            Some([a?, b?])
+        }
+        items => {
+            let d =
+                Diagnostic::error("wrong-count", both!("{} has two values, this has {}", "{}应有两个值，此处有 {} 个", what, items.len()))
+                    .at(node.span);
+            faults.push(d.help(both!("write [x, y]", "请写作 [x, y]")));
+            None
+        }
+    }
+}

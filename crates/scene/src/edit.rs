@@ -1,0 +1,166 @@
+//! Small changes to a scene from outside its file: other questions, and quantities that a command line gives.
+
+use super::eval::{NoValue, Value, evaluate};
+use super::json::{self, Kind};
+use super::model::Angle;
+use super::units::{Dim, Wanted};
+use super::{exact, expr};
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_base::number::Ball;
+
+/// The text of a scene with other questions; everything else stays byte for byte.
+///
+/// # Errors
+/// A text that is no JSON object. Whether the questions can be asked is seen when the text is read.
+///
+/// ```
+/// let text = r#"{"links": {}, "find": ["v_B"]}"#;
+/// assert_eq!(hodograph::scene::edit::with_find(text, &["a_B", "x_B"]).unwrap(), r#"{"links": {}, "find": ["a_B","x_B"]}"#);
+/// ```
+pub fn with_find(text: &str, find: &[&str]) -> Result<String, Faults> {
+    let mut faults = Faults::default();
+    let (source, root) = json::parse(text.as_bytes(), &mut faults)?;
+    let Kind::Object(members) = &root.kind else {
+        return Err(Diagnostic::error("not-a-scene", both!("a scene is a JSON object", "机构文件是一个 JSON 对象")).at(root.span).into());
+    };
+    let list = serde_json::json!(find).to_string();
+    let mut out = source.to_owned();
+    match members.iter().find(|(key, _)| key.text == "find") {
+        Some((_, node)) => out.replace_range(node.span.start..node.span.end, &list),
+        None => out.insert_str(root.span.start + 1, &format!("\"find\": {list}{}", if members.is_empty() { "" } else { ", " })),
+    }
+    Ok(out)
+}
+
+/// The text of a scene with other values for some of its parameters; everything else stays byte for byte. A value is an expression
+/// as in the file; a bare number takes the unit of the value that it replaces.
+///
+/// # Errors
+/// Unknown parameters, values that are no expressions: all of them in one list.
+///
+/// ```
+/// let text = r#"{"parameters": {"r": "100 mm", "s": "2*r"}}"#;
+/// let new = hodograph::scene::edit::with_parameters(text, &[("r", "120")]).unwrap();
+/// assert_eq!(new, r#"{"parameters": {"r": "120 mm", "s": "2*r"}}"#);
+/// ```
+pub fn with_parameters(text: &str, values: &[(&str, &str)]) -> Result<String, Faults> {
+    super::templates::with_parameters(text, values, both!("the scene", "机构文件"))
+}
+
+/// An angle as the scene would write it, such as `30 deg` or `pi/6`; a bare number counts degrees. Of more turns than an `f64`
+/// can count, the whole ones are taken off what is written.
+///
+/// # Errors
+/// What is no angle; places count in `text`.
+///
+/// ```
+/// use hodograph::scene::{Angle, edit::angle};
+/// assert_eq!(angle("90").unwrap(), Angle::Deg(90.0));
+/// assert_eq!(angle("1 rad").unwrap(), Angle::Rad(1.0));
+/// assert_eq!(angle("108000000000002550").unwrap(), Angle::Deg(30.0));
+/// ```
+pub fn angle(text: &str) -> Result<Angle, Faults> {
+    Ok(angle_read(text)?.less_turns().angle())
+}
+
+/// Two angles, between which a driver turns: whole turns are taken off both alike, where an `f64` cannot count them.
+///
+/// # Errors
+/// As [`angle`].
+///
+/// ```
+/// use hodograph::scene::{Angle, edit::angles};
+/// let [from, to] = angles("108000000000002550", "108000000000002910").unwrap();
+/// assert_eq!([from, to], [Angle::Deg(30.0), Angle::Deg(390.0)]);
+/// ```
+pub fn angles(from: &str, to: &str) -> Result<[Angle; 2], Faults> {
+    let [first, last] = [angle_read(from)?, angle_read(to)?];
+    if first.told() && last.told() {
+        return Ok([first.value.angle(), last.value.angle()]);
+    }
+    let start = first.less_turns();
+    let way = angle_read(&format!("({}) - ({})", last.text, first.text))?.value;
+    // Counted as the start is.
+    let way = if start.degrees { way.angle().degrees() } else { way.si() };
+    Ok([start.angle(), Value { number: start.number + way, ..start }.angle()])
+}
+
+/// A quantity that was read, with its text in full.
+struct Read {
+    text: String,
+    value: Value,
+    /// How far the value may be from what is written.
+    off: f64,
+}
+
+impl Read {
+    /// Whether `f64` tells the angle, also within its turn.
+    fn told(&self) -> bool {
+        exact::tells(self.value.angle(), self.off)
+    }
+
+    /// The angle, less whole turns where there are too many.
+    fn less_turns(&self) -> Value {
+        let rest = if self.told() { None } else { exact::less_turns(&[], &self.text, self.value.degrees) };
+        rest.map_or(self.value, |(number, _)| Value { number, ..self.value })
+    }
+}
+
+fn angle_read(text: &str) -> Result<Read, Faults> {
+    let read = quantity(text, "deg")?;
+    if read.value.dim != Dim::ANGLE {
+        return Err(wrong(text, both!("an angle", "角度"), read.value));
+    }
+    Ok(read)
+}
+
+/// A length in metres; a bare number counts millimetres.
+///
+/// # Errors
+/// What is no length.
+pub fn length(text: &str) -> Result<f64, Faults> {
+    let value = quantity(text, "mm")?.value;
+    if (value.dim.length, value.dim.time) != (1, 0) {
+        return Err(wrong(text, both!("a length", "长度"), value));
+    }
+    Ok(value.si())
+}
+
+/// A time in seconds; a bare number counts seconds.
+///
+/// # Errors
+/// What is no time.
+///
+/// ```
+/// use hodograph::scene::edit::time;
+/// assert_eq!(time("1.5").unwrap(), 1.5);
+/// assert_eq!(time("2 min").unwrap(), 120.0);
+/// assert!(time("3 m").is_err());
+/// ```
+pub fn time(text: &str) -> Result<f64, Faults> {
+    let value = quantity(text, "s")?.value;
+    if value.dim != Wanted::Time.dim() {
+        return Err(wrong(text, both!("a time", "时间"), value));
+    }
+    Ok(value.si())
+}
+
+fn wrong(text: &str, wanted: Both, value: Value) -> Faults {
+    Diagnostic::error("dimension", both!("`{text}` is {}; {} is wanted", "`{text}` 是{}；此处需要{}", value.dim.describe(), wanted)).into()
+}
+
+/// A quantity without parameters; a bare number gets the unit.
+fn quantity(text: &str, unit: &str) -> Result<Read, Faults> {
+    let parsed = expr::parse(text, &[])?;
+    let bare = expr::is_bare(&parsed);
+    let text = if bare { format!("({text}) {unit}") } else { text.to_owned() };
+    let parsed = if bare { expr::parse(&text, &[])? } else { parsed };
+    let value = evaluate(&parsed, &|_| None).map_err(|e| match e {
+        NoValue::Fault(d) => d.into(),
+        NoValue::Reported => Faults::default(),
+    })?;
+    let unknown = Value { number: Ball::new(value.number, f64::INFINITY), dim: value.dim, degrees: value.degrees };
+    let (value, ball) = exact::settled(&[], &text, value, evaluate(&parsed, &|_| None).unwrap_or(unknown));
+    let off = exact::distance(&value, ball);
+    Ok(Read { text, value, off })
+}

@@ -1,0 +1,288 @@
+//! The given numbers of a scene as they are written, in numbers of any kind.
+//!
+//! `39.3 mm` is no `f64`. A number that knows its error takes the `f64` with the bound that the reader found; a longer
+//! one reads the text again, the parameters first, in the order of the scene.
+
+use super::eval::{Value, evaluate};
+use super::expr;
+use super::model::{Angle, Driver, Given, Scene};
+use hodograph_base::number::{Ball, Big, Real, within};
+
+/// Bits of the numbers in which a quantity is read again: numbers of a scene lie between 1e-90 and 1e90, so that of sums and
+/// differences of them 768 bits lose no digit.
+const BITS: [usize; 3] = [192, 384, 768];
+
+/// A value may be off by so much of itself: some hundred roundings. More is digits lost by the way in which it is written.
+const LOST: f64 = 1e-13;
+
+/// What is written as a difference of numbers and is no more than this in the longest ones is zero: a value that is not is larger.
+const NOTHING: f64 = 1e-100;
+
+/// The value of a text and the same with a bound of its error; found in longer numbers, and rounded once, where the
+/// difference of large numbers, or the sine of a large angle, costs `f64` its digits. `texts` are the parameters before it.
+pub(super) fn settled(texts: &[(&str, &str)], text: &str, value: Value, ball: Value<Ball<f64>>) -> (Value, Value<Ball<f64>>) {
+    let off = distance(&value, ball);
+    if off <= LOST * value.number.abs() {
+        return (value, ball);
+    }
+    let longer = BITS.into_iter().find_map(|bits| {
+        within(bits, || {
+            let read = Inputs::<Ball<Big>>::of_texts(texts).read(text).filter(|v| v.dim == value.dim)?;
+            rounded(in_unit_of(read, value.degrees))
+        })
+    });
+    let Some((number, radius)) = longer else { return (value, ball) };
+    (Value { number, ..value }, Value { number: Ball::new(number, radius), dim: value.dim, degrees: value.degrees })
+}
+
+/// How far a value may be from the true number in a ball.
+pub(super) fn distance(value: &Value, ball: Value<Ball<f64>>) -> f64 {
+    let number = in_unit_of(ball, value.degrees);
+    (number.approx() - value.number).abs() + number.radius()
+}
+
+/// Whether an angle that may be off by so much (in its own unit) is told as well as one within a turn: a unit in the last place
+/// of a turn is 6e-14 degrees, and a mechanism magnifies that no more than the rounding of its lengths.
+pub(super) fn tells(angle: Angle, off: f64) -> bool {
+    match angle {
+        Angle::Deg(number) => number.abs() <= 360.0 || off <= 1e-12,
+        Angle::Rad(number) => number.abs() <= std::f64::consts::TAU || off <= 2e-14,
+    }
+}
+
+/// The angle of a text less whole turns, and a bound of its error; in degrees, or radians.
+pub(super) fn less_turns(texts: &[(&str, &str)], text: &str, degrees: bool) -> Option<(f64, f64)> {
+    BITS.into_iter().find_map(|bits| {
+        within(bits, || {
+            let mut rest = in_unit_of(Inputs::<Ball<Big>>::of_texts(texts).read(text)?, degrees);
+            let turn: Ball<Big> = if degrees { Ball::from_f64(360.0) } else { Ball::pi() + Ball::pi() };
+            // Each round takes off what an `f64` tells of the turns that are left.
+            for _ in 0..8 {
+                let turns = libm::trunc(rest.approx() / turn.approx());
+                if turns == 0.0 || !turns.is_finite() {
+                    break;
+                }
+                rest = rest - turn * Ball::from_f64(turns);
+            }
+            rounded(rest)
+        })
+    })
+}
+
+/// The whole turns by which a text is more than a value that was made of it (degrees): in parts, each a number of `f64`.
+pub(super) fn turns_taken(texts: &[(&str, &str)], text: &str, degrees: f64) -> Vec<f64> {
+    let longest = BITS.into_iter().fold(0, usize::max);
+    within(longest, || {
+        let mut taken = Vec::new();
+        let Some(read) = Inputs::<Ball<Big>>::of_texts(texts).read(text) else { return taken };
+        let mut rest = in_unit_of(read, true) - Ball::from_f64(degrees);
+        for _ in 0..8 {
+            let turns = libm::rint(rest.approx() / 360.0);
+            if turns == 0.0 || !turns.is_finite() {
+                break;
+            }
+            rest = rest - Ball::from_f64(360.0) * Ball::from_f64(turns);
+            taken.push(turns);
+        }
+        taken
+    })
+}
+
+fn in_unit_of<N: Real>(v: Value<N>, degrees: bool) -> N {
+    match (v.degrees, degrees) {
+        (true, true) => v.number,
+        (false, true) => v.number * N::from_f64(180.0) / N::pi(),
+        (_, false) => v.si(),
+    }
+}
+
+/// The nearest `f64` and a bound of its distance, where the number is known that well.
+fn rounded(x: Ball<Big>) -> Option<(f64, f64)> {
+    let (m, r) = (x.approx(), x.radius());
+    if x.contains_zero() && r < NOTHING {
+        return Some((0.0, m.abs() + r));
+    }
+    // Half a unit in the last place for the rounding of the middle.
+    (r <= 0.25 * f64::EPSILON * m.abs()).then_some((m, r + 0.5 * f64::EPSILON * m.abs()))
+}
+
+/// A scene's quantities in numbers of one kind.
+#[derive(Clone, Debug)]
+pub struct Inputs<'a, N> {
+    /// Names and values of the parameters; empty where the `f64` of the reader is good enough.
+    parameters: Vec<(&'a str, Option<Value<N>>)>,
+    /// Time since the scene's instant (s): drivers have gone on for so long.
+    time: Option<N>,
+}
+
+impl<'a, N: Real> Inputs<'a, N> {
+    /// The quantities of a scene.
+    pub fn of(scene: &'a Scene) -> Self {
+        let mut inputs = Inputs { parameters: Vec::new(), time: None };
+        if N::from_bounded(0.0, 0.0).is_none() {
+            for (name, given) in &scene.parameters {
+                let value = inputs.read(&given.text);
+                inputs.parameters.push((name, value));
+            }
+        }
+        inputs
+    }
+
+    /// The same of parameters by name and text, each after those that it uses.
+    pub(super) fn of_texts(texts: &[(&'a str, &str)]) -> Self {
+        let mut inputs = Inputs { parameters: Vec::new(), time: None };
+        for (name, text) in texts {
+            let value = inputs.read(text);
+            inputs.parameters.push((name, value));
+        }
+        inputs
+    }
+
+    /// A quantity in SI units, of one without a text what double precision and its bound tell; undecided where its text has no value in these numbers.
+    pub fn number(&self, given: &Given) -> N {
+        let untold = || given.text.is_empty().then(|| N::from_f64(given.value).widened(given.radius));
+        N::from_bounded(given.value, given.radius)
+            .or_else(untold)
+            .or_else(|| self.read(&given.text).map(Value::si))
+            .unwrap_or(N::from_f64(f64::NAN))
+    }
+
+    /// (sin, cos) of an angle, reduced in degrees where it is written in degrees.
+    pub fn sin_cos(&self, given: &Given<Angle>) -> (N, N) {
+        let nothing = N::from_f64(f64::NAN);
+        let untold = |x: f64| given.text.is_empty().then(|| N::from_f64(x).widened(given.radius));
+        match given.value {
+            Angle::Deg(d) => N::from_bounded(d, given.radius).or_else(|| untold(d)).map(Real::sin_cos_degrees),
+            Angle::Rad(r) => N::from_bounded(r, given.radius).or_else(|| untold(r)).map(Real::sin_cos),
+        }
+        .or_else(|| self.read(&given.text).map(Value::sin_cos))
+        .unwrap_or((nothing, nothing))
+    }
+
+    /// The same quantities a time `t` (s) after the scene's instant.
+    pub fn later(self, t: N) -> Self {
+        Inputs { time: Some(t), ..self }
+    }
+
+    /// By how much a driver has gone on: rate · t + acceleration · t²/2.
+    fn gone_on(&self, driver: &Driver) -> Option<N> {
+        let t = self.time?;
+        let way = self.number(&driver.rate) * t;
+        Some(match &driver.acceleration {
+            Some(a) => way + self.number(a) * t * t * N::from_f64(0.5),
+            None => way,
+        })
+    }
+
+    /// The position of a sliding driver or the length of a cylinder (m).
+    pub fn driven(&self, driver: &Driver, given: &Given) -> N {
+        let start = self.number(given);
+        self.gone_on(driver).map_or(start, |way| start + way)
+    }
+
+    /// (sin, cos) of the angle of a turning driver.
+    pub fn driven_sin_cos(&self, driver: &Driver, given: &Given<Angle>) -> (N, N) {
+        let (s, c) = self.sin_cos(given);
+        match self.gone_on(driver).map(Real::sin_cos) {
+            None => (s, c),
+            Some((ds, dc)) => (s * dc + c * ds, c * dc - s * ds),
+        }
+    }
+
+    /// The value of a text in SI units.
+    pub(super) fn text(&self, text: &str) -> Option<N> {
+        self.read(text).map(Value::si).filter(|x| x.is_decided())
+    }
+
+    fn read(&self, text: &str) -> Option<Value<N>> {
+        let names: Vec<&str> = self.parameters.iter().map(|p| p.0).collect();
+        let expr = expr::parse(text, &names).ok()?;
+        // A name may be declared twice; the last one counts, as in the reader.
+        let lookup = |name: &str| self.parameters.iter().rev().find(|p| p.0 == name).and_then(|p| p.1);
+        evaluate(&expr, &lookup).ok()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Place, read, templates};
+    use hodograph_base::number::decimal::Certain;
+    use hodograph_base::number::{Ball, Big, Dd, within};
+
+    /// Every given number of every template: the value that the reader found is as near to the written one as it says.
+    #[test]
+    fn values_are_within_their_radius_of_what_is_written() {
+        let mut checked = 0;
+        for template in templates::list() {
+            let name = template.name;
+            let text = templates::get(name).unwrap();
+            let scene = read(text).unwrap_or_else(|f| panic!("{name}: {f}")).value;
+            within(300, || {
+                let (exact, double) = (Inputs::<Ball<Big>>::of(&scene), Inputs::<Ball<Dd>>::of(&scene));
+                let mut check = |given: &Given| {
+                    let (x, d) = (exact.number(given), double.number(given));
+                    let off = (x - Real::from_f64(given.value)).approx().abs();
+                    // The centre of curvature of a law takes some fifty operations, a few of which take like numbers from one another.
+                    let [plain, exact] = if given.text.contains("cam1_k") { [1e-12, 1e-25] } else { [1e-14, 0.0] };
+                    assert!(off <= given.radius && given.radius <= plain * given.value.abs(), "{name}: {given:?} is off by {off:e}");
+                    assert!(d.enclosure().unwrap().meets(&x.enclosure().unwrap()), "{name}: {given:?}");
+                    // The law of a cam takes a dozen operations, a cosine as many; what a person writes else, two or three.
+                    let kept = if given.text.contains("cam1_") || given.text.contains("cos(") || given.text.contains("sin(") {
+                        2e-28
+                    } else {
+                        1e-29
+                    };
+                    let kept = exact.max(kept);
+                    assert!(d.radius() <= kept * given.value.abs(), "{name}: {given:?} has a radius of {:e}", d.radius());
+                    checked += 1;
+                };
+                scene.lengths.iter().for_each(|l| check(&l.value));
+                scene.drivers.iter().for_each(|d| check(&d.rate));
+                for p in &scene.points {
+                    if let Place::At(xy) | Place::InLink { xy, .. } = &p.place {
+                        xy.iter().for_each(&mut check);
+                    }
+                }
+            });
+        }
+        assert!(checked > 200, "{checked}");
+    }
+
+    /// Expressions of absurd numbers: what is read is within its bound of the true value, and rounded from it, on every rung.
+    #[test]
+    fn absurd_expressions_are_read_as_they_are_written() {
+        let lost = ["1e20 mm + 5 mm - 1e20 mm", "(1e60 - 1e60 + 3)/7*1 m", "sin(1e22 deg + 30 deg)*1 m", "cos(1e25 rad)*1 m"];
+        let plain = ["(1.0000000001^1e10)*1 m", "2^0.5*1e-60 km", "sqrt(2)^60.5*1 mm", "atan(1e-40)*1 m", "(9.99^-60)*1 in", "x*1e-70*1 m"];
+        let more = [
+            "(1 + 1e-70 - 1)*1e70*1 m",
+            "0.1 m*3 - 0.3 m + 1e-30 m",
+            "acos(1 - 1e-40)*1 m",
+            "x - x + 7 mm*x/x",
+            "tan(90 deg - 1e-20 deg)*1 m",
+        ];
+        for text in lost.into_iter().chain(plain).chain(more) {
+            let scene = format!(
+                r#"{{"parameters": {{"x": "1e80/3", "l": "{text}"}}, "units": {{"length": "m"}}, "links": {{"1": ["A", "B"], "2": ["A"]}}, "ground": "2",
+                "points": {{"A": [0, 0]}}, "lengths": {{"AB": "abs(l) + 1 m"}}, "driver": {{"link": "1", "angle": "0 deg", "omega": "1 rad/s"}}, "find": ["v_B"]}}"#
+            );
+            // `x*…` is a pure number times a length only where x is one; what is refused is no wrong number.
+            let Ok(scene) = read(&scene) else { continue };
+            let (_, given) = &scene.value.parameters[1];
+            let truth = within(3000, || Inputs::<Ball<Big>>::of(&scene.value).number(given).enclosure());
+            let Some(truth) = truth else { panic!("{text} has no value in 3000 bits") };
+            let off = (truth.approx - given.value).abs();
+            assert!(off <= given.radius + truth.radius, "{text}: {given:?}, it is {truth:?}");
+            assert!(given.radius <= 1e-12 * given.value.abs(), "{text}: {given:?}");
+            let seen = [
+                Inputs::<Ball<f64>>::of(&scene.value).number(given).enclosure(),
+                Inputs::<Ball<Dd>>::of(&scene.value).number(given).enclosure(),
+                within(192, || Inputs::<Ball<Big>>::of(&scene.value).number(given).enclosure()),
+                within(768, || Inputs::<Ball<Big>>::of(&scene.value).number(given).enclosure()),
+            ];
+            for (rung, seen) in seen.into_iter().enumerate() {
+                assert!(seen.as_ref().is_none_or(|s| s.meets(&truth)), "{text}, rung {rung}: {seen:?}, it is {truth:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! The languages that the program speaks.
+
+use hodograph_base::diag::Both;
+
+/// A language of the figures and texts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Lang {
+    /// English.
+    #[default]
+    En,
+    /// Chinese.
+    Zh,
+}
+
+impl Lang {
+    /// The language of a name of the format: `en`, `zh`.
+    pub fn named(name: &str) -> Option<Lang> {
+        match name {
+            "en" => Some(Lang::En),
+            "zh" => Some(Lang::Zh),
+            _ => None,
+        }
+    }
+
+    /// A text in this language.
+    pub fn of(self, text: &Both) -> &str {
+        match self {
+            Lang::En => &text.en,
+            Lang::Zh => &text.zh,
+        }
+    }
+}

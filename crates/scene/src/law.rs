@@ -1,0 +1,124 @@
+//! Laws of time: an expression in `t` differentiated exactly, as the text of another expression.
+//!
+//! Sum, product, quotient and chain rule on the tree of [`super::expr`]. A derivative that vanishes for every t is `None`, so that no
+//! term of it is written. An angle inside sin, cos, tan counts in radians: its derivative is divided by one.
+
+use super::expr::{Expr, ExprKind, Function, Op};
+use super::front::TIME;
+
+/// Why a law has no derivative.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum NoDerivative {
+    /// |u| has a corner.
+    Corner,
+    /// The exponent depends on time.
+    Exponent,
+}
+
+/// The derivative of a law by time, in the words of an expression; `None`: it vanishes for every t.
+///
+/// # Errors
+/// A corner, an exponent that depends on time.
+pub(super) fn derivative(e: &Expr) -> Result<Option<String>, NoDerivative> {
+    Ok(match &e.kind {
+        ExprKind::Number(_) | ExprKind::Pi | ExprKind::Unit(_) => None,
+        ExprKind::Parameter(name) => (name == TIME).then(|| "1".to_owned()),
+        ExprKind::Neg(u) => derivative(u)?.map(|d| format!("(-{d})")),
+        ExprKind::Binary(op, a, b) => {
+            let (da, db) = (derivative(a)?, derivative(b)?);
+            let (a, b) = (text(a), text(b));
+            match op {
+                Op::Add => joined(da, "+", db),
+                Op::Sub => joined(da, "-", db),
+                Op::Mul => joined(da.map(|d| times(&d, &b)), "+", db.map(|d| times(&d, &a))),
+                Op::Div => joined(da.map(|d| format!("{d}/{b}")), "-", db.map(|d| format!("{a}*{d}/({b}*{b})"))),
+                Op::Pow => match (da, db) {
+                    (_, Some(_)) => return Err(NoDerivative::Exponent),
+                    (Some(d), None) if b == "2" => Some(times(&d, &format!("(2*{a})"))),
+                    (Some(d), None) => Some(times(&d, &format!("({b}*{a}^({b}-1))"))),
+                    (None, None) => None,
+                },
+            }
+        }
+        ExprKind::Call(function, u) => {
+            let Some(d) = derivative(u)? else { return Ok(None) };
+            let u = text(u);
+            Some(match function {
+                Function::Sqrt => format!("({d}/(2*sqrt({u})))"),
+                Function::Sin => format!("(cos({u})*{d}/(1 rad))"),
+                Function::Cos => format!("(-sin({u})*{d}/(1 rad))"),
+                Function::Tan => format!("({d}/(1 rad)/cos({u})^2)"),
+                Function::Asin => format!("((1 rad)*{d}/sqrt(1-{u}^2))"),
+                Function::Acos => format!("(-(1 rad)*{d}/sqrt(1-{u}^2))"),
+                Function::Atan => format!("((1 rad)*{d}/(1+{u}^2))"),
+                Function::Ln => format!("({d}/{u})"),
+                Function::Log10 => format!("({d}/({u}*ln(10)))"),
+                Function::Exp => format!("(exp({u})*{d})"),
+                Function::Abs => return Err(NoDerivative::Corner),
+            })
+        }
+    })
+}
+
+/// A product; a factor 1 is not written.
+fn times(d: &str, other: &str) -> String {
+    if d == "1" { other.to_owned() } else { format!("({other}*{d})") }
+}
+
+fn joined(a: Option<String>, sign: &str, b: Option<String>) -> Option<String> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(format!("({a}{sign}{b})")),
+        (Some(a), None) => Some(a),
+        (None, Some(b)) if sign == "-" => Some(format!("(-{b})")),
+        (None, Some(b)) => Some(b),
+        (None, None) => None,
+    }
+}
+
+/// A tree as text, each operation in parentheses.
+fn text(e: &Expr) -> String {
+    match &e.kind {
+        ExprKind::Number(n) => n.clone(),
+        ExprKind::Pi => "pi".to_owned(),
+        ExprKind::Unit(u) => format!("(1 {})", u.name),
+        ExprKind::Parameter(name) => name.clone(),
+        ExprKind::Neg(u) => format!("(-{})", text(u)),
+        ExprKind::Binary(op, a, b) => {
+            if let (Op::Mul, ExprKind::Number(n), ExprKind::Unit(u)) = (op, &a.kind, &b.kind) {
+                return format!("({n} {})", u.name);
+            }
+            let sign = match op {
+                Op::Add => "+",
+                Op::Sub => "-",
+                Op::Mul => "*",
+                Op::Div => "/",
+                Op::Pow => "^",
+            };
+            format!("({}{sign}{})", text(a), text(b))
+        }
+        ExprKind::Call(function, u) => format!("{}({})", function.name(), text(u)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::parse;
+
+    fn of(law: &str) -> Option<String> {
+        derivative(&parse(law, &["t", "b"]).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn rules() {
+        assert_eq!(of("b + 3 m"), None);
+        assert_eq!(of("t").as_deref(), Some("1"));
+        assert_eq!(of("b - t").as_deref(), Some("(-1)"));
+        assert_eq!(of("t*t").as_deref(), Some("(t+t)"));
+        assert_eq!(of("sqrt(t)").as_deref(), Some("(1/(2*sqrt(t)))"));
+        let corner = parse("abs(t)", &["t"]).unwrap();
+        assert_eq!(derivative(&corner), Err(NoDerivative::Corner));
+        let exponent = parse("2^t", &["t"]).unwrap();
+        assert_eq!(derivative(&exponent), Err(NoDerivative::Exponent));
+    }
+}

@@ -1,0 +1,34 @@
+//! The direction in the plane of a straight guide, from the places of a pose.
+
+use super::Known;
+use crate::Angle;
+use crate::model::{Direction, Given, Guide, GuidePath};
+use hodograph_base::geom::Vec2;
+use hodograph_base::number::Real;
+
+/// The direction of a guide; `None` of an arc, and where its link's pose alone tells it.
+pub(super) fn along<N: Real, K: Known<N>>(known: &K, guide: &Guide) -> Option<Vec2<N>> {
+    let GuidePath::Line { direction, .. } = &guide.path else { return None };
+    match direction {
+        Direction::Instant(angle) if guide.on == known.scene().ground => turned(angle),
+        Direction::Along(a, b, turn) => {
+            let way = (known.point(*b)? - known.point(*a)?).unit()?;
+            match turn {
+                Some(turn) => Some(way.rotate_by(turned(turn)?)),
+                None => Some(way),
+            }
+        }
+        Direction::Instant(_) | Direction::Own | Direction::Slid(_) => known.direction(guide.slider?)?.unit(),
+    }
+}
+
+/// The unit vector at an angle.
+fn turned<N: Real>(angle: &Given<Angle>) -> Option<Vec2<N>> {
+    let number =
+        |x: f64| if angle.radius == 0.0 { Some(N::from_f64(x)) } else { N::from_bounded(x, angle.radius + x.abs() * f64::EPSILON) };
+    let (s, c) = match angle.value {
+        Angle::Deg(d) => N::sin_cos_degrees(number(d)?),
+        Angle::Rad(r) => N::sin_cos(number(r)?),
+    };
+    Some(Vec2 { x: c, y: s })
+}

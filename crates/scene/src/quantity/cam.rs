@@ -1,0 +1,390 @@
+//! `s_3`, `psi_3`, `h_3`, `Psi_3`, `Phi_3`, `pressure_3`, `rho_2/3`, `rho_min_2`: of a disc cam and its follower; over its whole turn also `Phi_far_3`,
+//! `Phi_back_3`, `Phi_near_3`, `pressure_start_3`, `pressure_out_3`, `pressure_back_3`, `rb_min_2`, `face_half_3`.
+//!
+//! They follow from the geometry of the cam alone ([`hodograph_base::cam`]), in the number at hand by the texts of the scene. Where no one link
+//! carries cam and follower, the pressure angle and the radius of curvature are those of the pose: of a round end's way against the normal at the contact,
+//! and of the arc that is touched.
+
+use super::along::along;
+use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
+use crate::cams::{Cam, Turning};
+use crate::kind::Kind;
+use crate::model::{Find, GuideId, GuidePath, LinkId, PointId, Scene};
+use crate::resolve::Question;
+use hodograph_base::cam::{Fault, Follower, Mark, Motion, Side, Touch, in_turn, least_base};
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::digits::significant;
+use hodograph_base::geom::Vec2;
+use hodograph_base::number::Real;
+
+/// Of a cam and its follower.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CamQuantity {
+    what: What,
+    /// The follower; of ρ the cam.
+    link: LinkId,
+    /// The follower of ρ.
+    follower: Option<LinkId>,
+    /// The point of a round end.
+    end: Option<PointId>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum What {
+    Lift,
+    Swing,
+    Stroke,
+    Angle,
+    Pressure,
+    Rho,
+    Turn(OfTurn),
+}
+
+/// Quantities of the whole turn of a cam, whatever its follower does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum OfTurn {
+    Rise,
+    Far,
+    Back,
+    Near,
+    RhoMin,
+    PressureStart,
+    PressureOut,
+    PressureBack,
+    BaseMin,
+    FaceHalf,
+}
+
+/// Rows of the table.
+const ROWS: [What; 9] = [
+    What::Lift,
+    What::Swing,
+    What::Stroke,
+    What::Angle,
+    What::Turn(OfTurn::Rise),
+    What::Pressure,
+    What::Rho,
+    What::Turn(OfTurn::BaseMin),
+    What::Turn(OfTurn::FaceHalf),
+];
+
+/// Quantities that a word behind the symbol of another tells: `Phi_far_3`.
+const WORDS: [(What, &str, What); 9] = [
+    (What::Rho, "min_", What::Turn(OfTurn::RhoMin)),
+    (What::Turn(OfTurn::Rise), "far_", What::Turn(OfTurn::Far)),
+    (What::Turn(OfTurn::Rise), "back_", What::Turn(OfTurn::Back)),
+    (What::Turn(OfTurn::Rise), "near_", What::Turn(OfTurn::Near)),
+    (What::Pressure, "start_", What::Turn(OfTurn::PressureStart)),
+    (What::Pressure, "out_", What::Turn(OfTurn::PressureOut)),
+    (What::Pressure, "back_", What::Turn(OfTurn::PressureBack)),
+    (What::Turn(OfTurn::BaseMin), "min_", What::Turn(OfTurn::BaseMin)),
+    (What::Turn(OfTurn::FaceHalf), "half_", What::Turn(OfTurn::FaceHalf)),
+];
+
+impl Quantity for CamQuantity {
+    const WRITTEN: &'static [Entry] = &[
+        Entry::new("s", "s_3", Kind::Length, Form::Scalar, ["lift of the follower", "从动件位移"]),
+        Entry::new("psi", "psi_3", Kind::Angle, Form::Scalar, ["lift of the swinging follower", "摆动从动件角位移"])
+            .printed("\\psi", Over::Nothing),
+        Entry::new("h", "h_3", Kind::Length, Form::Scalar, ["stroke of the follower", "行程"]),
+        Entry::new("Psi", "Psi_3", Kind::Angle, Form::Scalar, ["swing of the follower", "最大摆角"]).printed("\\Psi", Over::Nothing),
+        Entry::new("Phi", "Phi_3", Kind::Angle, Form::Scalar, ["angle of the rise", "推程运动角"]).printed("\\Phi", Over::Nothing),
+        Entry::new("pressure", "pressure_3", Kind::Angle, Form::Scalar, ["pressure angle", "压力角"]).printed("\\alpha", Over::Sign("p")),
+        Entry::new("rho", "rho_2/3", Kind::Length, Form::Scalar, ["radius of curvature of the profile", "廓线曲率半径"])
+            .printed("\\rho", Over::Nothing),
+        Entry::new("rb", "rb_min_2", Kind::Length, Form::Scalar, ["least base radius without undercut", "不失真的最小基圆半径"])
+            .printed("r", Over::Nothing),
+        Entry::new("face", "face_half_3", Kind::Length, Form::Scalar, ["half length of the face", "平底的最小半长"])
+            .printed("l", Over::Nothing),
+    ];
+
+    fn read(question: &Question<'_>) -> Result<Option<CamQuantity>, Diagnostic> {
+        let what = ROWS[question.row(Self::WRITTEN)];
+        let names = question.names();
+        let worded = WORDS
+            .iter()
+            .find_map(|(of, word, what)| Some((*what, names.strip_prefix(word)?)).filter(|_| *of == ROWS[question.row(Self::WRITTEN)]));
+        if let Some((what, name)) = worded {
+            return Ok(Some(CamQuantity { what, link: question.link(name.trim())?, follower: None, end: None }));
+        }
+        if matches!(what, What::Turn(OfTurn::BaseMin | OfTurn::FaceHalf)) {
+            let message = both!("`{}` is not a quantity that can be asked", "`{}` 不是可求的量", question.text());
+            let example = Self::WRITTEN[question.row(Self::WRITTEN)].example;
+            return Err(question.fault(message).help(both!("write {example}", "请写 {example}")));
+        }
+        if what == What::Rho {
+            let Some((cam, follower)) = names.split_once('/') else {
+                let d = question.fault(both!(
+                    "`{}` does not say of which cam and follower",
+                    "`{}` 没有说明是哪个凸轮和从动件",
+                    question.text()
+                ));
+                return Err(d.help(both!(
+                    "write rho_2/3: of cam 2 at follower 3; or rho_min_2",
+                    "请写 rho_2/3（凸轮 2 与从动件 3 接触处），或 rho_min_2"
+                )));
+            };
+            let (link, follower) = (question.link(cam.trim())?, question.link(follower.trim())?);
+            return Ok(Some(CamQuantity { what, link, follower: Some(follower), end: None }));
+        }
+        let link = question.link(names)?;
+        let end = (what == What::Pressure).then(|| question.end_of(link)).flatten();
+        Ok(Some(CamQuantity { what, link, follower: None, end }))
+    }
+
+    fn entry(&self) -> &'static Entry {
+        let what = WORDS.iter().find(|w| w.2 == self.what).map_or(self.what, |w| w.0);
+        &Self::WRITTEN[ROWS.iter().position(|w| *w == what).unwrap_or(0)]
+    }
+
+    fn of(&self) -> Of {
+        self.follower.map_or(Of::Link(self.link), |f| Of::Links(self.link, f))
+    }
+
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
+        None
+    }
+
+    fn no_value(&self, scene: &Scene) -> Both {
+        let link = scene.link_name(self.link);
+        match self.what {
+            What::Turn(OfTurn::RhoMin) => both!("the profile of cam {link} is nowhere convex", "凸轮 {link} 的廓线没有外凸部分"),
+            What::Rho => {
+                both!("the profile of cam {link} is straight there, or touches nothing", "凸轮 {link} 的廓线在该处为直线，或没有接触")
+            }
+            What::Turn(OfTurn::BaseMin) => both!("no base circle of cam {link} avoids an undercut", "加大凸轮 {link} 的基圆也不能避免失真"),
+            What::Turn(OfTurn::PressureStart | OfTurn::PressureOut | OfTurn::PressureBack) => {
+                both!("follower {link} does not move so", "从动件 {link} 没有该运动")
+            }
+            What::Lift | What::Swing | What::Stroke | What::Angle | What::Pressure | What::Turn(_) => {
+                both!("the follower {link} touches nothing in this pose", "从动件 {link} 在该位置没有接触")
+            }
+        }
+    }
+
+    fn needs(&self) -> Vec<(Need, Level)> {
+        // Where the geometry of the cam does not tell it, the places of what touches do.
+        self.end.map(|p| (Need::Point(p, None), Level::Position)).into_iter().collect()
+    }
+
+    fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
+        let Some((cam, t)) = self.cam(scene) else {
+            if self.pair(scene).is_some_and(|c| self.of_the_pose(scene, c)) {
+                return None;
+            }
+            let d = Diagnostic::error(
+                "no-cam",
+                both!(
+                    "`{}` needs a cam that turns about a pin of the link in which its follower slides or turns",
+                    "`{}` 需要绕从动件导路（或转轴）所在构件上一点转动的凸轮",
+                    find.text
+                ),
+            );
+            let d = d.at(find.span);
+            return Some(match self.pair(scene) {
+                None => d,
+                Some(pair) => {
+                    let [cam, follower] = [pair.cam, pair.follower].map(|l| scene.link_name(l));
+                    d.help(both!(
+                        "no link carries both the pivot of cam `{cam}` and the guide or pivot of `{follower}`: list the pivot in \"links\" among the points of the ground, or of the link that carries the follower",
+                        "没有构件同时支承凸轮 `{cam}` 的轴心和 `{follower}` 的导路或转轴：请在 \"links\" 中把轴心写入机架（或支承从动件的构件）的点"
+                    ))
+                }
+            });
+        };
+        let swings = matches!(t.disc.follower, Follower::Oscillating { .. });
+        if let Some(needed) = self.lacking(t) {
+            return Some(Diagnostic::error("find", both!("`{}` is of {}", "`{}` 属于{}", find.text, needed)).at(find.span));
+        }
+        let wrong = match self.what {
+            What::Lift | What::Stroke => swings,
+            What::Swing | What::Angle => !swings,
+            What::Pressure | What::Rho | What::Turn(_) => false,
+        };
+        wrong.then(|| {
+            let name = scene.link_name(cam.follower);
+            let (kind, help) = if swings {
+                (both!("swings", "摆动"), both!("ask for psi_{name} and Psi_{name}", "请求 psi_{name} 和 Psi_{name}"))
+            } else {
+                (both!("slides", "移动"), both!("ask for s_{name} and h_{name}", "请求 s_{name} 和 h_{name}"))
+            };
+            Diagnostic::error("cam-follower", both!("follower `{name}` {}", "从动件 `{name}` 作{}", kind)).at(find.span).help(help)
+        })
+    }
+
+    fn infinite(&self, scene: &Scene) -> Option<Both> {
+        let cam = self.pair(scene).filter(|c| self.what == What::Rho && c.is_touched_straight())?;
+        let name = scene.link_name(cam.cam);
+        Some(both!("the profile of cam {name} is straight there", "凸轮 {name} 的廓线在该处为直线"))
+    }
+
+    fn note(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
+        let (_, t) = self.cam(scene).filter(|_| self.what == What::Turn(OfTurn::RhoMin))?;
+        let survey = t.survey.of(&t.disc);
+        let undercut = survey.faults.iter().find_map(|f| match f {
+            Fault::Undercut { phi, .. } => Some(*phi),
+            Fault::RollerTooLarge { .. } | Fault::Pressure { .. } | Fault::NoContact { .. } => None,
+        })?;
+        let (cam, phi) = (scene.link_name(self.link), significant(in_turn(undercut).to_degrees(), 6));
+        let message = both!(
+            "the profile of cam `{cam}` is undercut: its radius of curvature changes sign, and is least at φ = {phi}°",
+            "凸轮 `{cam}` 的廓线运动失真：曲率半径变号，在 φ = {phi}° 处最小"
+        );
+        Some(Diagnostic::warning("undercut", message).at(find.span).help(both!(
+            "take a larger base circle, a smaller roller, a longer angle or a gentler law; `hodograph cam` tells the least base circle",
+            "请加大基圆或运动角，减小滚子，或改用较平缓的规律；`hodograph cam` 给出最小基圆"
+        )))
+    }
+
+    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+        let scene = known.scene();
+        let Some((_, t)) = self.cam(scene) else { return self.posed(known) };
+        let value = if N::refines() { self.exactly(scene, t)? } else { N::from_f64(self.doubly(t)?) };
+        value.is_decided().then_some(Value::Scalar(value))
+    }
+}
+
+/// The least radius of the profile.
+fn least_radius(t: &Turning) -> Option<f64> {
+    let (_, rho) = t.survey.of(&t.disc).least_rho?;
+    let end = match t.disc.touch {
+        Touch::Point { radius } => radius,
+        Touch::Flat { .. } => 0.0,
+    };
+    Some(rho - end)
+}
+
+/// How far a flat face must reach to both sides of its point: the greatest distance of the contact over a turn, where s′ is greatest or least.
+fn face_half(t: &Turning) -> Option<f64> {
+    let reach = |phi: f64| {
+        let sides = [Side::Before, Side::After].map(|side| t.disc.station(phi, side).map(|s| (s.contact - s.pitch).norm()));
+        sides.into_iter().flatten().reduce(f64::max)
+    };
+    t.survey.of(&t.disc).velocity.iter().filter_map(|(phi, _)| reach(*phi)).reduce(f64::max)
+}
+
+impl CamQuantity {
+    /// Its value in double precision.
+    fn doubly(&self, t: &Turning) -> Option<f64> {
+        let survey = || t.survey.of(&t.disc);
+        match self.what {
+            What::Lift | What::Swing => match &t.disc.motion {
+                Motion::Law { program, .. } => Some(program.lift(t.phi, t.side).value()),
+                Motion::Profile(_) => Some(t.disc.coordinate(t.phi, t.side)?.value() - survey().rest),
+            },
+            What::Stroke | What::Angle => Some(survey().stroke),
+            What::Turn(OfTurn::Rise) => Some(survey().angle(1, false)),
+            What::Pressure => Some(t.disc.station(t.phi, t.side)?.pressure),
+            What::Rho => Some(t.disc.station(t.phi, t.side)?.rho),
+            What::Turn(OfTurn::RhoMin) => least_radius(t),
+            What::Turn(OfTurn::Far) => Some(survey().angle(0, true)),
+            What::Turn(OfTurn::Back) => Some(survey().angle(-1, false)),
+            What::Turn(OfTurn::Near) => Some(survey().angle(0, false)),
+            What::Turn(OfTurn::PressureStart) => {
+                let start = survey().phases.iter().find(|p| p.way == 1)?.from;
+                Some(t.disc.station(start, Side::After)?.pressure)
+            }
+            What::Turn(OfTurn::PressureOut) => Some(survey().pressure[0]?.1.abs()),
+            What::Turn(OfTurn::PressureBack) => Some(survey().pressure[1]?.1.abs()),
+            What::Turn(OfTurn::BaseMin) => least_base(&t.disc),
+            What::Turn(OfTurn::FaceHalf) => face_half(t),
+        }
+    }
+
+    /// Its value in numbers that know their error, or have more digits.
+    fn exactly<N: Real>(&self, scene: &Scene, t: &Turning) -> Option<N> {
+        let (cam, phi) = t.exact::<N>(scene)?;
+        let here = (t.phi, t.side);
+        match self.what {
+            What::Lift | What::Swing => cam.lift(here, phi),
+            What::Stroke | What::Angle => cam.stroke(),
+            What::Turn(OfTurn::Rise) => cam.angle(1, false),
+            What::Pressure => Some(cam.station(here, phi)?.pressure),
+            What::Rho => Some(cam.station(here, phi)?.rho),
+            What::Turn(OfTurn::RhoMin) => cam.least_rho(),
+            What::Turn(OfTurn::Far) => cam.angle(0, true),
+            What::Turn(OfTurn::Back) => cam.angle(-1, false),
+            What::Turn(OfTurn::Near) => cam.angle(0, false),
+            What::Turn(OfTurn::PressureStart) => cam.pressure_at_start(),
+            What::Turn(OfTurn::PressureOut) => Some(cam.mark(Mark::Pressure(0))?[1].magnitude()),
+            What::Turn(OfTurn::PressureBack) => Some(cam.mark(Mark::Pressure(1))?[1].magnitude()),
+            What::Turn(OfTurn::BaseMin) => cam.least_base(),
+            What::Turn(OfTurn::FaceHalf) => cam.face_half(),
+        }
+    }
+
+    /// Of which kind of cam it is, where this one is another.
+    fn lacking(&self, t: &Turning) -> Option<Both> {
+        let flat = matches!((t.disc.touch, t.disc.follower), (Touch::Flat { .. }, Follower::Translating { .. }));
+        match self.what {
+            What::Turn(OfTurn::FaceHalf) if !flat => Some(both!("a sliding flat-faced follower", "直动平底从动件")),
+            What::Turn(OfTurn::BaseMin) if !matches!(t.disc.motion, Motion::Law { .. }) => {
+                Some(both!("a cam by a law", "按运动规律给定的凸轮"))
+            }
+            What::Lift | What::Swing | What::Stroke | What::Angle | What::Pressure | What::Rho | What::Turn(_) => None,
+        }
+    }
+
+    /// The cam that is meant.
+    fn cam<'s>(&self, scene: &'s Scene) -> Option<(&'s Cam, &'s Turning)> {
+        let cam = self.pair(scene)?;
+        Some((cam, cam.disc.as_ref()?))
+    }
+
+    /// Whether it is of the pose, whatever carries the cam.
+    fn of_the_pose(&self, scene: &Scene, cam: &Cam) -> bool {
+        match self.what {
+            What::Rho => cam.touched_radius().is_some() || cam.is_touched_straight(),
+            What::Pressure => {
+                cam.follows.radius().is_some() && (cam.contact.is_some() || cam.is_on_course()) && way_of(scene, cam).is_some()
+            }
+            What::Lift | What::Swing | What::Stroke | What::Angle | What::Turn(_) => false,
+        }
+    }
+
+    /// Its value in the pose.
+    fn posed<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+        let scene = known.scene();
+        let cam = self.pair(scene)?;
+        if self.what == What::Rho {
+            return cam.touched_radius_in(scene).map(Value::Scalar);
+        }
+        let end = known.point(cam.follows.point())?;
+        let normal = match cam.contact.map(|g| &scene.guides[g.0]) {
+            Some(guide) => match guide.path {
+                GuidePath::Arc { centre, .. } => end - known.point(centre)?,
+                GuidePath::Line { .. } => along(known, guide)?.perp(),
+            },
+            None => cam.touched_on_course(scene, &|p| known.point(p))?.1,
+        };
+        let way = match way_of(scene, cam)? {
+            Way::Guide(g) => along(known, &scene.guides[g.0])?,
+            Way::Pivot(p) => (end - known.point(p)?).perp(),
+        };
+        let (n, w) = (normal.unit()?, way.unit()?);
+        Some(Value::Scalar(Vec2 { x: n.dot(w).magnitude(), y: n.cross(w).magnitude() }.angle()))
+    }
+
+    /// The pair that is meant, wherever its cam turns.
+    fn pair<'s>(&self, scene: &'s Scene) -> Option<&'s Cam> {
+        let meant = |c: &&Cam| match (self.what, self.follower) {
+            (What::Rho, follower) => c.cam == self.link && follower == Some(c.follower),
+            (What::Turn(OfTurn::RhoMin | OfTurn::BaseMin), _) => c.cam == self.link,
+            (What::Lift | What::Swing | What::Stroke | What::Angle | What::Pressure | What::Turn(_), _) => c.follower == self.link,
+        };
+        scene.cams.iter().find(meant)
+    }
+}
+
+/// On what a follower moves.
+enum Way {
+    Guide(GuideId),
+    Pivot(PointId),
+}
+
+/// The guide in which a follower slides, or the pivot about which it turns.
+fn way_of(scene: &Scene, cam: &Cam) -> Option<Way> {
+    let slides = scene.guides.iter().position(|g| g.slider == Some(cam.follower)).map(|g| Way::Guide(GuideId(g)));
+    let joint = |p: &PointId| *p != cam.follows.point() && scene.carriers(*p).any(|l| l != cam.follower);
+    slides.or_else(|| scene.links[cam.follower.0].points.iter().copied().find(joint).map(Way::Pivot))
+}

@@ -1,0 +1,212 @@
+//! `omega_2 + omega_4`, `v_B - v_C`, `P13D/P13A`: the sum, the difference or the ratio of two quantities. Of vectors a ratio is that of their
+//! magnitudes.
+
+use super::*;
+
+/// How two quantities are combined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operation {
+    /// The sum.
+    Sum,
+    /// The difference.
+    Difference,
+    /// The ratio.
+    Ratio,
+}
+
+impl Operation {
+    /// Its sign in the label language.
+    pub fn sign(self) -> &'static str {
+        match self {
+            Operation::Sum => " + ",
+            Operation::Difference => " − ",
+            Operation::Ratio => "/",
+        }
+    }
+}
+
+/// The sum, the difference or the ratio of two quantities.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Combined {
+    /// How.
+    pub operation: Operation,
+    /// Of what.
+    pub operands: [Operand; 2],
+    entry: &'static Entry,
+}
+
+/// Writes the closed type of what can be combined.
+macro_rules! operands {
+    ($($Family:ident),+ $(,)?) => {
+        /// A quantity that is combined with another: any but a combination.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub enum Operand {
+            $(
+                /// A quantity of this family.
+                $Family($Family)
+            ),+
+        }
+
+        impl Operand {
+            /// It as a question.
+            pub fn asked(self) -> Asked {
+                match self { $(Operand::$Family(q) => q.into()),+ }
+            }
+
+            fn of(asked: Asked) -> Option<Operand> {
+                match asked {
+                    $(Asked::$Family(q) => Some(Operand::$Family(q)),)+
+                    Asked::Combined(_) => None,
+                }
+            }
+        }
+    };
+}
+
+operands!(
+    PointMotion,
+    Relative,
+    Sliding,
+    Composite,
+    Turning,
+    Place,
+    Curvature,
+    CamQuantity,
+    FromCentre,
+    InstantCentre,
+    Ratio,
+    RollerSpin,
+    Transmission,
+);
+
+const KINDS: [Kind; 8] =
+    [Kind::Length, Kind::Angle, Kind::Velocity, Kind::Acceleration, Kind::Omega, Kind::Alpha, Kind::Time, Kind::Number];
+const FORMS: [Form; 2] = [Form::Scalar, Form::Vector];
+const LEVELS: [Level; 3] = [Level::Position, Level::Velocity, Level::Acceleration];
+
+/// A line for each kind, form and level that a combination can have.
+static ENTRIES: [Entry; KINDS.len() * FORMS.len() * LEVELS.len()] = {
+    let first = Entry::new("", "omega_2 + omega_4", Kind::Number, Form::Scalar, ["quantity", "量"]);
+    let mut all = [first; KINDS.len() * FORMS.len() * LEVELS.len()];
+    let mut k = 0;
+    while k < all.len() {
+        all[k].kind = KINDS[k / (FORMS.len() * LEVELS.len())];
+        all[k].form = FORMS[k / LEVELS.len() % FORMS.len()];
+        all[k].level = LEVELS[k % LEVELS.len()];
+        k += 1;
+    }
+    all
+};
+
+/// The two halves of a text that may be a combination, and how they are combined: at each sign once.
+pub fn halves(text: &str) -> impl Iterator<Item = (Operation, [&str; 2])> {
+    text.char_indices().filter_map(move |(at, c)| {
+        let operation = match c {
+            '+' => Operation::Sum,
+            '-' | '−' => Operation::Difference,
+            '/' => Operation::Ratio,
+            _ => return None,
+        };
+        Some((operation, [text[..at].trim(), text[at + c.len_utf8()..].trim()])).filter(|(_, halves)| halves.iter().all(|h| !h.is_empty()))
+    })
+}
+
+/// The halves of the text of a combination as it is asked, of which both are questions by themselves.
+pub fn halves_of<'t>(combined: &Combined, text: &'t str) -> Option<[&'t str; 2]> {
+    let is = |half: &str, operand: Operand| half.starts_with(operand.asked().entry().symbol) || !half.is_ascii();
+    let fits = |(operation, [a, b]): &(Operation, [&str; 2])| {
+        let [p, q] = combined.operands;
+        *operation == combined.operation && is(a, p) && is(b, q)
+    };
+    halves(text).find(fits).map(|(_, halves)| halves)
+}
+
+impl Combined {
+    /// The combination of two quantities; `None` where their kinds or forms do not go together.
+    pub(crate) fn new(operation: Operation, [a, b]: [Asked; 2]) -> Option<Combined> {
+        let (x, y) = (a.entry(), b.entry());
+        let (kind, form) = match operation {
+            Operation::Sum | Operation::Difference if x.kind == y.kind && x.form == y.form && x.form != Form::Point => (x.kind, x.form),
+            Operation::Sum | Operation::Difference => return None,
+            Operation::Ratio if x.form == Form::Point || y.form == Form::Point => return None,
+            Operation::Ratio => (quotient(x.kind, y.kind)?, Form::Scalar),
+        };
+        let level = x.level.max(y.level);
+        let entry = ENTRIES.iter().find(|e| e.kind == kind && e.form == form && e.level == level)?;
+        Some(Combined { operation, operands: [Operand::of(a)?, Operand::of(b)?], entry })
+    }
+}
+
+/// The kind of a quotient; `None` of what has no unit of its own here.
+fn quotient(a: Kind, b: Kind) -> Option<Kind> {
+    Some(match (a, b) {
+        (a, b) if a == b => Kind::Number,
+        (a, Kind::Number) => a,
+        (Kind::Velocity, Kind::Omega) | (Kind::Acceleration, Kind::Alpha) => Kind::Length,
+        (Kind::Velocity, Kind::Length) => Kind::Omega,
+        (Kind::Acceleration, Kind::Length) => Kind::Alpha,
+        (Kind::Length, Kind::Velocity) => Kind::Time,
+        _ => return None,
+    })
+}
+
+impl Quantity for Combined {
+    /// It is read from the texts of its operands.
+    const WRITTEN: &'static [Entry] = &[];
+
+    fn read(_question: &Question<'_>) -> Result<Option<Combined>, Diagnostic> {
+        Ok(None)
+    }
+
+    fn entry(&self) -> &'static Entry {
+        self.entry
+    }
+
+    fn of(&self) -> Of {
+        self.operands[0].asked().of()
+    }
+
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
+        None
+    }
+
+    fn needs(&self) -> Vec<(Need, Level)> {
+        self.operands.iter().flat_map(|q| q.asked().needs()).collect()
+    }
+
+    fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
+        self.operands.iter().find_map(|q| q.asked().fault(scene, find))
+    }
+
+    fn no_value(&self, scene: &Scene) -> Both {
+        match self.operation {
+            Operation::Ratio => both!("one of the two has no value, or the divisor is zero", "其中一个量无定义，或分母为零"),
+            Operation::Sum | Operation::Difference => self.operands[0].asked().no_value(scene),
+        }
+    }
+
+    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+        let [a, b] = self.operands.map(|q| q.asked().value(known));
+        combine(self.operation, a?, b?)
+    }
+}
+
+/// Two values combined; `None` where the divisor is not known from zero, or the forms differ.
+pub fn combine<N: Real>(operation: Operation, a: Value<N>, b: Value<N>) -> Option<Value<N>> {
+    let size = |v: Value<N>| match v {
+        Value::Scalar(s) => Some(s),
+        Value::Vector(v) => Some(v.norm()),
+        Value::Point(_) => None,
+    };
+    Some(match (operation, a, b) {
+        (Operation::Sum, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(a + b),
+        (Operation::Sum, Value::Vector(a), Value::Vector(b)) => Value::Vector(a + b),
+        (Operation::Difference, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(a - b),
+        (Operation::Difference, Value::Vector(a), Value::Vector(b)) => Value::Vector(a - b),
+        (Operation::Ratio, a, b) => {
+            let ratio = size(a)? / size(b)?;
+            return ratio.is_decided().then_some(ratio).filter(|r| r.approx().is_finite()).map(Value::Scalar);
+        }
+        (Operation::Sum | Operation::Difference, ..) => return None,
+    })
+}

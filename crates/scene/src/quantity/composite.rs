@@ -1,0 +1,234 @@
+//! `ve_A/2`, `vr_A/2`, `ak_A/2`: composite motion of a point. Moving point A is seen from frame 2 (a link, or a point with which the
+//! frame translates): v_a = v_e + v_r, a_a = a_eⁿ + a_eᵗ + a_rⁿ + a_rᵗ + a_k. `path_A/2` is the place of A in the axes of the frame.
+
+use super::joined::name;
+use super::{Entry, Form, Frame, Known, Level, Meaning, Need, Of, Over, Quantity, RelativePath, Seen, Split, Value, owns, relative_path};
+use crate::kind::Kind;
+use crate::model::{Find, OnLink, Scene};
+use crate::resolve::Question;
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::geom::Point;
+use hodograph_base::number::Real;
+
+/// A part of the motion of a point that is seen from a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Composite {
+    /// What of it.
+    pub part: Part,
+    /// The moving point.
+    pub of: OnLink,
+    /// The frame.
+    pub frame: Frame,
+}
+
+/// What of a composite motion, in the order of the table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// v_e.
+    TransportVelocity,
+    /// v_r.
+    RelativeVelocity,
+    /// a_e.
+    Transport,
+    /// a_eⁿ.
+    TransportNormal,
+    /// a_eᵗ.
+    TransportTangential,
+    /// a_r.
+    Relative,
+    /// a_rⁿ.
+    RelativeNormal,
+    /// a_rᵗ.
+    RelativeTangential,
+    /// a_k.
+    Coriolis,
+    /// The place in the axes of the frame.
+    Path,
+}
+
+impl Part {
+    /// All of them.
+    pub const ALL: [Part; 10] = [
+        Part::TransportVelocity,
+        Part::RelativeVelocity,
+        Part::Transport,
+        Part::TransportNormal,
+        Part::TransportTangential,
+        Part::Relative,
+        Part::RelativeNormal,
+        Part::RelativeTangential,
+        Part::Coriolis,
+        Part::Path,
+    ];
+}
+
+impl Quantity for Composite {
+    const WRITTEN: &'static [Entry] = &[
+        Entry::new("ve", "ve_E/1", Kind::Velocity, Form::Vector, ["transport velocity", "牵连速度"]).printed("v", Over::Sign("e")),
+        Entry::new("vr", "vr_E/1", Kind::Velocity, Form::Vector, ["relative velocity", "相对速度"]).printed("v", Over::Sliding),
+        Entry::new("ae", "ae_E/1", Kind::Acceleration, Form::Vector, ["transport acceleration", "牵连加速度"])
+            .printed("a", Over::Sign("e")),
+        Entry::new("aen", "aen_E/1", Kind::Acceleration, Form::Vector, ["normal transport acceleration", "牵连法向加速度"])
+            .printed("a", Over::Sign("e\\,n")),
+        Entry::new("aet", "aet_E/1", Kind::Acceleration, Form::Vector, ["tangential transport acceleration", "牵连切向加速度"])
+            .printed("a", Over::Sign("e\\,t")),
+        Entry::new("ar", "ar_E/1", Kind::Acceleration, Form::Vector, ["relative acceleration", "相对加速度"]).printed("a", Over::Sliding),
+        Entry::new("arn", "arn_E/1", Kind::Acceleration, Form::Vector, ["normal relative acceleration", "相对法向加速度"])
+            .printed("a", Over::SlidingPart("n")),
+        Entry::new("art", "art_E/1", Kind::Acceleration, Form::Vector, ["tangential relative acceleration", "相对切向加速度"])
+            .printed("a", Over::SlidingPart("t")),
+        Entry::new("ak", "ak_E/1", Kind::Acceleration, Form::Vector, ["Coriolis acceleration", "科氏加速度"]).printed("a", Over::Coriolis),
+        Entry::new("path", "path_E/1", Kind::Length, Form::Point, ["place on the relative path", "相对轨迹上的位置"])
+            .printed("r", Over::Sliding),
+    ];
+
+    fn read(question: &Question<'_>) -> Result<Option<Composite>, Diagnostic> {
+        let Some((of, frame)) = question.point_and_frame()? else { return Ok(None) };
+        Ok(Some(Composite { part: Part::ALL[question.row(Self::WRITTEN)], of, frame }))
+    }
+
+    fn entry(&self) -> &'static Entry {
+        &Self::WRITTEN[self.part as usize]
+    }
+
+    fn of(&self) -> Of {
+        Of::Seen(self.of, self.frame)
+    }
+
+    fn meaning(&self, scene: &Scene) -> Option<Meaning> {
+        let Composite { part, of, frame } = *self;
+        let seat = frame.transport_point(of);
+        let path = relative_path(scene, of, frame);
+        let about = if let RelativePath::Circle(k) = path { Some(k) } else { None };
+        let slides = matches!(path, RelativePath::Guide(_));
+        let seen = |seen| Meaning::Seen(seen, of, frame, about);
+        let relative = |split| Meaning::Relative(split, of, seat);
+        Some(match (part, frame) {
+            (Part::TransportVelocity | Part::Transport, _) => Meaning::Vector(seat),
+            (Part::RelativeVelocity, _) | (Part::Relative, Frame::Point(_)) => relative(Split::Whole),
+            (Part::Relative, Frame::Link(_)) if slides => relative(Split::Sliding),
+            (Part::Relative, Frame::Link(_)) => seen(Seen::Relative),
+            (Part::RelativeNormal, _) if slides => relative(Split::SlidingNormal),
+            (Part::RelativeTangential, _) if slides => relative(Split::SlidingTangential),
+            (Part::RelativeNormal, Frame::Point(c)) if on_one_link(scene, &of, &c) => relative(Split::Along),
+            (Part::RelativeTangential, Frame::Point(c)) if on_one_link(scene, &of, &c) => relative(Split::Across),
+            (Part::RelativeNormal, _) => seen(Seen::RelativeNormal),
+            (Part::RelativeTangential, _) => seen(Seen::RelativeTangential),
+            (Part::Coriolis, Frame::Link(_)) if slides => relative(Split::Coriolis),
+            (Part::Coriolis, _) => seen(Seen::Coriolis),
+            (Part::TransportNormal | Part::TransportTangential, _) => {
+                let normal = part == Part::TransportNormal;
+                match frame.axis(scene, of) {
+                    Some(o) => {
+                        let split = if normal { Split::Along } else { Split::Across };
+                        Meaning::Relative(split, seat, OnLink { point: o, link: None })
+                    }
+                    None => seen(if normal { Seen::TransportNormal } else { Seen::TransportTangential }),
+                }
+            }
+            (Part::Path, _) => return None,
+        })
+    }
+
+    fn no_value(&self, scene: &Scene) -> Both {
+        let point = name(scene, &self.of);
+        match self.part {
+            Part::TransportNormal | Part::TransportTangential => both!(
+                "the point of the frame at {point} stands still, so that nothing says what is along its path and what is square to it",
+                "动系上与 {point} 重合的点不动，无从区分沿其轨迹和垂直于轨迹的分量"
+            ),
+            Part::RelativeNormal | Part::RelativeTangential => both!(
+                "{point} does not move in its frame, so that nothing says what is along its path and what is square to it",
+                "{point} 相对动系不动，无从区分沿相对轨迹和垂直于轨迹的分量"
+            ),
+            Part::TransportVelocity | Part::RelativeVelocity | Part::Transport | Part::Relative | Part::Coriolis | Part::Path => {
+                both!("nothing defines it in this pose", "该位置此量无定义")
+            }
+        }
+    }
+
+    fn needs(&self) -> Vec<(Need, Level)> {
+        use Level::{Acceleration, Position, Velocity};
+        let seat = self.frame.transport_point(self.of);
+        let at = |p: OnLink, level| (Need::Point(p.point, p.link), level);
+        let turning = match self.frame {
+            Frame::Link(l) => Some((Need::Turning(l), Velocity)),
+            Frame::Point(_) => None,
+        };
+        let both = |level| [at(self.of, level), at(seat, level)];
+        match self.part {
+            Part::TransportVelocity => vec![at(seat, Velocity)],
+            Part::RelativeVelocity => both(Velocity).to_vec(),
+            Part::Transport => vec![at(seat, Acceleration)],
+            Part::TransportNormal | Part::TransportTangential => {
+                [at(seat, Velocity), at(seat, Acceleration)].into_iter().chain(turning).collect()
+            }
+            Part::Relative | Part::RelativeNormal | Part::RelativeTangential | Part::Coriolis => {
+                both(Velocity).into_iter().chain(both(Acceleration)).chain(turning).collect()
+            }
+            Part::Path => match self.frame {
+                Frame::Link(l) => vec![(Need::Point(self.of.point, None), Position), (Need::Turning(l), Position)],
+                Frame::Point(_) => vec![(Need::Point(self.of.point, None), Position), (Need::Point(seat.point, None), Position)],
+            },
+        }
+    }
+
+    fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
+        unusable(scene, &self.of, self.frame, &find.text).map(|d| d.at(find.span))
+    }
+
+    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+        let scene = known.scene();
+        if let Some(meaning) = self.meaning(scene) {
+            return meaning.value(self.entry().level, known);
+        }
+        let at = known.point(self.of.point)?;
+        Some(Value::Point(match self.frame {
+            Frame::Point(c) => (at - known.point(c.point)?).to_point(),
+            Frame::Link(l) => {
+                let (origin, x) = (known.point(*scene.links[l.0].points.first()?)?, known.direction(l)?.unit()?);
+                Point { x: x.dot(at - origin), y: x.cross(at - origin) }
+            }
+        }))
+    }
+}
+
+fn on_one_link(scene: &Scene, a: &OnLink, b: &OnLink) -> bool {
+    scene.links.iter().enumerate().any(|(l, _)| {
+        let l = crate::LinkId(l);
+        owns(scene, l, a) && owns(scene, l, b)
+    })
+}
+
+/// Why a frame is none for a moving point.
+pub(crate) fn unusable(scene: &Scene, of: &OnLink, frame: Frame, text: &str) -> Option<Diagnostic> {
+    let point = name(scene, of);
+    let own = match frame {
+        Frame::Link(l) => scene.link_name(l).to_owned(),
+        Frame::Point(c) => name(scene, &c),
+    };
+    let bare = |l: crate::LinkId| scene.links[l.0].points.is_empty();
+    let message = match frame {
+        _ if frame.is_fixed(scene) => both!(
+            "`{text}`: {own} stands still; a frame that carries nothing parts no motion",
+            "`{text}`：{own} 固定不动；静止的参考系不能分解运动"
+        ),
+        _ if frame.carries(scene, of) => both!(
+            "`{text}`: {point} belongs to {own} for good, so it does not move in that frame",
+            "`{text}`：{point} 就是 {own} 上的点，相对该动系不动"
+        ),
+        Frame::Link(l) if text.starts_with("path") && bare(l) => {
+            both!("`{text}`: link {own} has no point from which a place is counted", "`{text}`：构件 {own} 上没有可作原点的点")
+        }
+        Frame::Link(_) | Frame::Point(_) => return None,
+    };
+    let help = if !scene.guides.is_empty() {
+        both!(
+            "the moving point and the frame are on different moving bodies, such as a pin and the link in which it slides; `hodograph composite` lists those that serve",
+            "动点和动系应在不同的运动物体上，例如销钉与其滑动所在的构件；`hodograph composite` 列出可用的选择"
+        )
+    } else {
+        both!("`hodograph composite` lists the frames that serve", "`hodograph composite` 列出可用的动系")
+    };
+    Some(Diagnostic::error("frame-unusable", message).help(help))
+}

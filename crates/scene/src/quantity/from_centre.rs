@@ -1,0 +1,66 @@
+//! `P_13D`, also written `P13D`: the distance of a point from the instantaneous centre of two links, by which speeds divide: v_D = ω₃ · P13D.
+
+use super::{Entry, Form, InstantCentre, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
+use crate::kind::Kind;
+use crate::model::{OnLink, PointId, Scene};
+use crate::resolve::Question;
+use hodograph_base::diag::{Both, Diagnostic};
+use hodograph_base::number::Real;
+
+/// The distance of a point from an instantaneous centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FromCentre {
+    /// The centre.
+    pub centre: InstantCentre,
+    /// The point.
+    pub point: PointId,
+}
+
+impl Quantity for FromCentre {
+    const WRITTEN: &'static [Entry] =
+        &[Entry::new("P", "P_13D", Kind::Length, Form::Scalar, ["distance from the instantaneous centre", "点到速度瞬心的距离"])
+            .printed("P", Over::Nothing)
+            .at_level(Level::Velocity)];
+
+    fn read(question: &Question<'_>) -> Result<Option<FromCentre>, Diagnostic> {
+        let names = question.names();
+        if question.two_links().is_ok() {
+            return Ok(None);
+        }
+        // The last name is the point's.
+        let found = names.char_indices().skip(1).find_map(|(cut, _)| {
+            let (links, point) = names.split_at(cut);
+            let point = question.point(point.trim_start_matches([',', '/', ' ']))?;
+            Some((InstantCentre::of_links(question, question.two_links_of(links.trim_end()).ok()?).ok()?, point))
+        });
+        Ok(found.map(|(centre, point)| FromCentre { centre, point }))
+    }
+
+    fn entry(&self) -> &'static Entry {
+        &Self::WRITTEN[0]
+    }
+
+    fn of(&self) -> Of {
+        Of::Point(OnLink { point: self.point, link: None })
+    }
+
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
+        None
+    }
+
+    fn no_value(&self, scene: &Scene) -> Both {
+        self.centre.no_value(scene)
+    }
+
+    fn needs(&self) -> Vec<(Need, Level)> {
+        let place = (Need::Point(self.point, None), Level::Position);
+        self.centre.needs().into_iter().chain([place]).collect()
+    }
+
+    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+        match self.centre.value(known)? {
+            Value::Point(centre) => Some(Value::Scalar(known.point(self.point)?.distance(centre))),
+            Value::Vector(_) | Value::Scalar(_) => None,
+        }
+    }
+}

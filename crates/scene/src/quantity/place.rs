@@ -1,0 +1,180 @@
+//! `x_E`, `y_E`, `phi_3`, `l_AB`, `s_F`: where a point is, the angle of a link from the x axis, the distance of two points, how far a pin or slider is
+//! along its straight guide, at the instant.
+
+use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
+use crate::kind::Kind;
+use crate::model::{Find, GuideId, GuidePath, LinkId, OnLink, PointId, Scene, Through};
+use crate::resolve::Question;
+use hodograph_base::diag::{Diagnostic, both};
+use hodograph_base::number::Real;
+
+/// Where something is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Place {
+    /// A coordinate of a point (m).
+    Coordinate(PointId, Axis),
+    /// Angle of the link's first two points from the x axis (rad).
+    LinkAngle(LinkId),
+    /// Distance of two points (m).
+    Distance(PointId, PointId),
+    /// How far a point is along a straight guide, from where the guide's coordinate is zero (m).
+    Along(GuideId, PointId, Of),
+}
+
+/// An axis of the plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Axis {
+    /// To the right.
+    X,
+    /// Up.
+    Y,
+}
+
+impl Axis {
+    /// Both, in the order of the table.
+    pub const ALL: [Axis; 2] = [Axis::X, Axis::Y];
+}
+
+/// Lines of the table behind those of the two coordinates.
+const ANGLE: usize = 2;
+const DISTANCE: usize = 3;
+const ALONG: usize = 4;
+
+impl Quantity for Place {
+    const WRITTEN: &'static [Entry] = &[
+        Entry::new("x", "x_E", Kind::Length, Form::Scalar, ["coordinate $x$", "坐标 $x$"]).counted_from_origin(),
+        Entry::new("y", "y_E", Kind::Length, Form::Scalar, ["coordinate $y$", "坐标 $y$"]).counted_from_origin(),
+        Entry::new("phi", "phi_3", Kind::Angle, Form::Scalar, ["angle", "位置角"]).printed("\\varphi", Over::Nothing).counted_from_origin(),
+        Entry::new("l", "l_AB", Kind::Length, Form::Scalar, ["distance", "距离"]),
+        Entry::new("s", "s_F", Kind::Length, Form::Scalar, ["coordinate along the guide", "沿导路的位移"]).counted_from_origin(),
+    ];
+
+    fn read(question: &Question<'_>) -> Result<Option<Place>, Diagnostic> {
+        Ok(Some(match question.row(Self::WRITTEN) {
+            ANGLE => {
+                let link = question.link(question.names())?;
+                if !question.has_angle(link) {
+                    return Err(question.fault(both!(
+                        "link `{0}` has no two points, so it has no angle",
+                        "构件 `{0}` 没有两个点，因而没有角度",
+                        question.names()
+                    )));
+                }
+                Place::LinkAngle(link)
+            }
+            DISTANCE => {
+                let (a, b) = question.pair()?;
+                Place::Distance(a, b)
+            }
+            ALONG => {
+                let names = question.names();
+                // The lift of a cam's follower, and what asks for one of another link, is a quantity of cams.
+                if question.is_follower(names) || question.guides_of(names).is_empty() && question.link(names).is_ok() {
+                    return Ok(None);
+                }
+                let (guide, pin) = match question.guides_of(names)[..] {
+                    [one] => one,
+                    [] => {
+                        let d = question.fault(both!(
+                            "`{}`: `{names}` runs in no guide, and is no follower of a cam",
+                            "`{}`：`{names}` 不在导路中移动，也不是凸轮从动件",
+                            question.text()
+                        ));
+                        return Err(d.help(both!("name a pin or slider that runs in a straight guide", "请写在直导路中移动的销或滑块")));
+                    }
+                    [..] => {
+                        return Err(question.fault(both!(
+                            "`{}`: `{names}` runs in several guides",
+                            "`{}`：`{names}` 在几条导路中移动",
+                            question.text()
+                        )));
+                    }
+                };
+                if let Some(point) = pin {
+                    return Ok(Some(Place::Along(guide, point, Of::Point(OnLink { point, link: None }))));
+                }
+                let link = question.link(names)?;
+                let Some(point) = question.first_point(link) else {
+                    return Err(question.fault(both!("`{}`: link `{names}` has no point", "`{}`：构件 `{names}` 没有点", question.text())));
+                };
+                Place::Along(guide, point, Of::Link(link))
+            }
+            axis => match question.points()? {
+                (OnLink { point, .. }, None) => Place::Coordinate(point, Axis::ALL[axis]),
+                (_, Some(_)) => {
+                    return Err(question.fault(both!(
+                        "`{}` names two points; a coordinate has one",
+                        "`{}` 写了两个点；坐标只属于一个点",
+                        question.text()
+                    )));
+                }
+            },
+        }))
+    }
+
+    fn entry(&self) -> &'static Entry {
+        &Self::WRITTEN[match self {
+            Place::Coordinate(_, axis) => *axis as usize,
+            Place::LinkAngle(_) => ANGLE,
+            Place::Distance(..) => DISTANCE,
+            Place::Along(..) => ALONG,
+        }]
+    }
+
+    fn of(&self) -> Of {
+        match *self {
+            Place::Coordinate(point, _) => Of::Point(OnLink { point, link: None }),
+            Place::LinkAngle(l) => Of::Link(l),
+            Place::Distance(a, b) => Of::Line(a, b),
+            Place::Along(_, _, of) => of,
+        }
+    }
+
+    fn needs(&self) -> Vec<(Need, Level)> {
+        match *self {
+            Place::Along(_, point, _) => vec![(Need::Point(point, None), Level::Position)],
+            Place::Coordinate(..) | Place::LinkAngle(_) | Place::Distance(..) => self.of().needs(Level::Position),
+        }
+    }
+
+    fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
+        let Place::Along(guide, ..) = *self else { return None };
+        let d = match &scene.guides[guide.0].path {
+            GuidePath::Arc { .. } => Diagnostic::error(
+                "find",
+                both!("`{}` runs along an arc: its coordinate is an angle", "`{}` 沿圆弧移动，没有沿导路的直线位移", find.text),
+            ),
+            GuidePath::Line { through: Through::Pin, .. } => Diagnostic::error(
+                "find",
+                both!(
+                    "`{}` counts from the `through` of its guide, which has none",
+                    "`{}` 自导路的 `through` 起算，而该导路没有给出",
+                    find.text
+                ),
+            )
+            .help(both!("add \"through\", a point or a place that the guide passes", "请给出导路通过的点或位置 \"through\"")),
+            GuidePath::Line { through: Through::Point(_) | Through::At(_), .. } => return None,
+        };
+        Some(d.at(find.span))
+    }
+
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
+        Some(Meaning::Place(*self))
+    }
+}
+
+impl Place {
+    /// Its value where places are known.
+    pub(super) fn value<N: Real, K: Known<N>>(self, known: &K) -> Option<Value<N>> {
+        Some(Value::Scalar(match self {
+            Place::Coordinate(p, Axis::X) => known.point(p)?.x,
+            Place::Coordinate(p, Axis::Y) => known.point(p)?.y,
+            Place::LinkAngle(l) => known.direction(l)?.angle(),
+            Place::Distance(a, b) => known.point(a)?.distance(known.point(b)?),
+            Place::Along(guide, point, _) => {
+                let (through, direction) = known.guide(guide)?;
+                direction.dot(known.point(point)? - through)
+            }
+        }))
+    }
+}

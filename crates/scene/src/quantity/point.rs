@@ -1,0 +1,47 @@
+//! `v_E`, `a_E`: velocity and acceleration of a point; `v_B3`: of the point of link 3 that lies at B.
+
+use super::{Entry, Form, Meaning, Of, Quantity, Rate};
+use crate::kind::Kind;
+use crate::model::{OnLink, Scene};
+use crate::resolve::Question;
+use hodograph_base::diag::Diagnostic;
+
+/// How a point moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointMotion {
+    /// Its velocity or its acceleration.
+    pub rate: Rate,
+    /// The point.
+    pub of: OnLink,
+}
+
+impl PointMotion {
+    /// Whether a question has the symbol of one of these.
+    pub(crate) fn takes(question: &Question<'_>) -> bool {
+        question.is_among(Self::WRITTEN)
+    }
+}
+
+impl Quantity for PointMotion {
+    const WRITTEN: &'static [Entry] = &[
+        Entry::new("v", "v_E", Kind::Velocity, Form::Vector, ["velocity", "速度"]).several_are(["velocities", "各点的速度"]),
+        Entry::new("a", "a_E", Kind::Acceleration, Form::Vector, ["acceleration", "加速度"]).several_are(["accelerations", "各点的加速度"]),
+    ];
+
+    fn read(question: &Question<'_>) -> Result<Option<PointMotion>, Diagnostic> {
+        let (of, to) = question.points()?;
+        Ok(to.is_none().then(|| PointMotion { rate: Rate::ALL[question.row(Self::WRITTEN)], of }))
+    }
+
+    fn entry(&self) -> &'static Entry {
+        &Self::WRITTEN[self.rate as usize]
+    }
+
+    fn of(&self) -> Of {
+        Of::Point(self.of)
+    }
+
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
+        Some(Meaning::Vector(self.of))
+    }
+}

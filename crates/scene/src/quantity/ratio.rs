@@ -1,0 +1,81 @@
+//! `i_24`: the transmission ratio of two links, i = ω₂/ω₄, minus where they turn in opposite senses; `i_24/3` in the frame of the arm 3,
+//! (ω₂ − ω₃)/(ω₄ − ω₃), which of a gear train depends on its numbers of teeth alone (Willis).
+
+use super::{Entry, Form, Level, Meaning, Need, Of, Over, Quantity};
+use crate::kind::Kind;
+use crate::model::{LinkId, Scene};
+use crate::resolve::Question;
+use hodograph_base::diag::{Both, Diagnostic, both};
+
+/// A transmission ratio.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ratio {
+    /// The link whose angular velocity is divided, and by whose.
+    pub links: [LinkId; 2],
+    /// The arm from which both are seen; `None`: the ground.
+    pub arm: Option<LinkId>,
+}
+
+impl Quantity for Ratio {
+    const WRITTEN: &'static [Entry] = &[Entry::new("i", "i_23", Kind::Number, Form::Scalar, ["transmission ratio", "传动比"])
+        .printed("i", Over::Nothing)
+        .at_level(Level::Velocity)];
+
+    fn read(question: &Question<'_>) -> Result<Option<Ratio>, Diagnostic> {
+        let (links, arm) = match question.names().split_once('/') {
+            // `2/4` are two links, as elsewhere; `24/3` and `2,4/3` have an arm.
+            Some((names, arm)) if question.link(names.trim()).is_err() => (question.two_links_of(names)?, Some(question.link(arm.trim())?)),
+            Some(_) | None => (question.two_links()?, None),
+        };
+        let arm = arm.filter(|l| !question.is_ground(*l));
+        if arm.is_none() && links.iter().any(|l| question.is_ground(*l)) {
+            let d = question.fault(both!(
+                "`{}` is a ratio with the ground, which does not turn",
+                "`{}` 是与机架之间的传动比，而机架不转动",
+                question.text()
+            ));
+            return Err(d.help(both!(
+                "name two moving links, or an arm behind /, such as i_24/3: then all are seen from it",
+                "请写两个活动构件，或在 / 后写系杆，如 i_24/3（相对系杆的传动比）"
+            )));
+        }
+        if arm.is_some_and(|a| links.contains(&a)) {
+            let d = question.fault(both!("`{}`: the arm does not turn against itself", "`{}`：系杆相对自身不转动", question.text()));
+            return Err(d.help(both!("name two links other than the arm", "请写系杆以外的两个构件")));
+        }
+        Ok(Some(Ratio { links, arm }))
+    }
+
+    fn entry(&self) -> &'static Entry {
+        &Self::WRITTEN[0]
+    }
+
+    fn of(&self) -> Of {
+        Of::Links(self.links[0], self.links[1])
+    }
+
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
+        Some(Meaning::Ratio(self.links, self.arm))
+    }
+
+    fn no_value(&self, scene: &Scene) -> Both {
+        let of = scene.link_name(self.links[1]);
+        match self.arm {
+            None => both!(
+                "link {of} does not turn, and a ratio over its angular velocity is none",
+                "构件 {of} 不转动，以其角速度为分母的传动比不存在"
+            ),
+            Some(arm) => {
+                let arm = scene.link_name(arm);
+                both!(
+                    "link {of} does not turn against the arm {arm}, and a ratio over that angular velocity is none",
+                    "构件 {of} 相对系杆 {arm} 不转动，以该角速度为分母的传动比不存在"
+                )
+            }
+        }
+    }
+
+    fn needs(&self) -> Vec<(Need, Level)> {
+        self.links.into_iter().chain(self.arm).map(|l| (Need::Turning(l), Level::Velocity)).collect()
+    }
+}

@@ -1,0 +1,101 @@
+//! `v_CB`, `a_CB`: motion of one point against another; `an_CB`, `at_CB`: its parts along and square to their line, where a link or a
+//! cylinder turns with that line.
+
+use super::joined::name;
+use super::{Entry, Form, Joined, Meaning, Of, Over, Quantity, Split, joined};
+use crate::kind::Kind;
+use crate::model::{Find, OnLink, Scene};
+use crate::resolve::Question;
+use hodograph_base::diag::{Both, Diagnostic, both};
+
+/// How a point moves against another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Relative {
+    /// What of it.
+    pub part: Part,
+    /// The point.
+    pub of: OnLink,
+    /// From which it is seen.
+    pub to: OnLink,
+}
+
+/// What of a relative motion, in the order of the table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// The difference of the two velocities.
+    Velocity,
+    /// The difference of the two accelerations.
+    Acceleration,
+    /// aⁿ: along the line of the two points.
+    Normal,
+    /// aᵗ: square to it.
+    Tangential,
+}
+
+impl Part {
+    /// All of them.
+    pub const ALL: [Part; 4] = [Part::Velocity, Part::Acceleration, Part::Normal, Part::Tangential];
+}
+
+impl Quantity for Relative {
+    fn no_value(&self, scene: &Scene) -> Both {
+        let [a, b] = [self.of, self.to].map(|p| scene.point_name(p.point));
+        both!("{a} and {b} lie at one place and have no line between them", "{a} 与 {b} 重合，没有连线")
+    }
+
+    const WRITTEN: &'static [Entry] = &[
+        Entry::new("v", "v_CB", Kind::Velocity, Form::Vector, ["velocity", "速度"]),
+        Entry::new("a", "a_CB", Kind::Acceleration, Form::Vector, ["acceleration", "加速度"]),
+        Entry::new("an", "an_CB", Kind::Acceleration, Form::Vector, ["normal acceleration", "法向加速度"]).printed("a", Over::Sign("n")),
+        Entry::new("at", "at_CB", Kind::Acceleration, Form::Vector, ["tangential acceleration", "切向加速度"])
+            .printed("a", Over::Sign("t")),
+    ];
+
+    fn read(question: &Question<'_>) -> Result<Option<Relative>, Diagnostic> {
+        let (of, to) = question.two_points()?;
+        let part = Part::ALL[question.row(Self::WRITTEN)];
+        if matches!(part, Part::Normal | Part::Tangential) && of.point == to.point {
+            let d = question.fault(both!(
+                "`{}`: two links at one place have no line between them",
+                "`{}`：重合点之间没有连线",
+                question.text()
+            ));
+            return Err(d.help(both!("ask for ar_ or ak_ with {}", "请用 {} 求 ar_ 或 ak_", question.names())));
+        }
+        Ok(Some(Relative { part, of, to }))
+    }
+
+    fn entry(&self) -> &'static Entry {
+        &Self::WRITTEN[self.part as usize]
+    }
+
+    fn of(&self) -> Of {
+        Of::Points(self.of, self.to)
+    }
+
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
+        let split = match self.part {
+            Part::Velocity | Part::Acceleration => Split::Whole,
+            Part::Normal => Split::Along,
+            Part::Tangential => Split::Across,
+        };
+        Some(Meaning::Relative(split, self.of, self.to))
+    }
+
+    fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
+        match (self.part, joined(scene, &self.of, &self.to)) {
+            (Part::Velocity | Part::Acceleration, _) | (_, Some(Joined::Link(_) | Joined::Cylinder(_))) => return None,
+            (Part::Normal | Part::Tangential, Some(Joined::Guide(_)) | None) => {}
+        }
+        let (a, b) = (name(scene, &self.of), name(scene, &self.to));
+        let message = both!(
+            "`{}`: {a} and {b} are on no common link, so their relative acceleration has no normal and tangential part",
+            "`{}`：{a} 与 {b} 不在同一构件上，其相对加速度没有法向和切向分量",
+            find.text
+        );
+        Some(Diagnostic::error("find", message).at(find.span).help(both!(
+            "ask a_{a}{b} for the whole, or name two points of one link or the ends of a cylinder",
+            "请求总的 a_{a}{b}，或写同一构件上的两点或液压缸的两端"
+        )))
+    }
+}

@@ -1,0 +1,66 @@
+//! Motion seen from a frame where no guide gives its parts: a_r = a − a_e − 2 ω_e × v_r, along and square to the relative path.
+
+use super::{Frame, Known, Level, Value};
+use crate::model::{OnLink, PointId};
+use hodograph_base::geom::Vec2;
+use hodograph_base::number::Real;
+
+/// A part of the motion of a point seen from a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// a_r.
+    Relative,
+    /// a_rⁿ: square to the relative path.
+    RelativeNormal,
+    /// a_rᵗ: along it.
+    RelativeTangential,
+    /// a_k = 2 ω_e × v_r.
+    Coriolis,
+    /// a_eⁿ: square to the path of the transport point.
+    TransportNormal,
+    /// a_eᵗ: along it.
+    TransportTangential,
+}
+
+impl Seen {
+    /// The value by the formulas; `about`: the centre of the relative path, where it is a circle.
+    pub(super) fn value<N: Real, K: Known<N>>(self, known: &K, of: &OnLink, frame: Frame, about: Option<PointId>) -> Option<Value<N>> {
+        use Level::{Acceleration, Velocity};
+        let seat = frame.transport_point(*of);
+        let relative = |level| Some(known.vector(level, of)? - known.vector(level, &seat)?);
+        let coriolis = || {
+            Some(match frame {
+                Frame::Link(l) => relative(Velocity)?.perp() * (N::from_f64(2.0) * known.turning(Velocity, l)?),
+                Frame::Point(_) => Vec2 { x: N::from_f64(0.0), y: N::from_f64(0.0) },
+            })
+        };
+        // Unit vector along the relative path.
+        let along = || {
+            Some(match about {
+                Some(k) => (known.point(k)? - known.point(of.point)?).perp().unit(),
+                None => relative(Velocity)?.unit(),
+            })
+        };
+        let seen = || Some(relative(Acceleration)? - coriolis()?);
+        let transport = || Some((known.vector(Velocity, &seat)?.unit(), known.vector(Acceleration, &seat)?));
+        let [tangential, normal] = match self {
+            Seen::Relative => return seen().map(Value::Vector),
+            Seen::Coriolis => return coriolis().map(Value::Vector),
+            Seen::RelativeNormal | Seen::RelativeTangential => split(along()?, seen()?),
+            Seen::TransportNormal | Seen::TransportTangential => {
+                let (along, whole) = transport()?;
+                split(along, whole)
+            }
+        };
+        Some(Value::Vector(match self {
+            Seen::RelativeTangential | Seen::TransportTangential => tangential,
+            Seen::RelativeNormal | Seen::TransportNormal | Seen::Relative | Seen::Coriolis => normal,
+        }))
+    }
+}
+
+/// The parts of an acceleration along a unit vector and square to it. A point momentarily at rest has no normal part: v²/ρ = 0.
+pub fn split<N: Real>(along: Option<Vec2<N>>, whole: Vec2<N>) -> [Vec2<N>; 2] {
+    let tangential = along.map_or(whole, |u| u * u.dot(whole));
+    [tangential, whole - tangential]
+}

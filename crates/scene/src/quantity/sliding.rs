@@ -1,0 +1,138 @@
+//! `vr_B3B2`, `ar_B3B2`, `ak_B3B2`: sliding velocity, sliding and Coriolis acceleration of a point against the link on which it slides,
+//! or of the ends of a cylinder.
+
+use super::joined::name;
+use super::{Entry, Form, Joined, Level, Meaning, Need, Of, Over, Quantity, Split, joined};
+use crate::cams::Cam;
+use crate::kind::Kind;
+use crate::model::{Find, Guide, OnLink, Scene};
+use crate::resolve::Question;
+use hodograph_base::diag::{Both, Diagnostic, both};
+
+/// How a point slides on another link. Both are at one point, or the ends of a cylinder; one may be the pin itself (`vr_BB3`).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sliding {
+    /// What of it.
+    pub part: Part,
+    /// What slides.
+    pub of: OnLink,
+    /// On what it slides.
+    pub to: OnLink,
+}
+
+/// What of a sliding, in the order of the table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// v_r.
+    Velocity,
+    /// aʳ.
+    Acceleration,
+    /// aᵏ = 2 ω × v_r.
+    Coriolis,
+}
+
+impl Part {
+    /// All of them.
+    pub const ALL: [Part; 3] = [Part::Velocity, Part::Acceleration, Part::Coriolis];
+}
+
+impl Quantity for Sliding {
+    const WRITTEN: &'static [Entry] = &[
+        Entry::new("vr", "vr_B3B2", Kind::Velocity, Form::Vector, ["sliding velocity", "相对滑动速度"]).printed("v", Over::Sliding),
+        Entry::new("ar", "ar_B3B2", Kind::Acceleration, Form::Vector, ["sliding acceleration", "相对滑动加速度"])
+            .printed("a", Over::Sliding),
+        Entry::new("ak", "ak_B3B2", Kind::Acceleration, Form::Vector, ["Coriolis acceleration", "科氏加速度"]).printed("a", Over::Coriolis),
+    ];
+
+    fn read(question: &Question<'_>) -> Result<Option<Sliding>, Diagnostic> {
+        // Behind a stroke stands a frame.
+        if question.names().contains('/') {
+            return Ok(None);
+        }
+        let (of, to) = question.two_points()?;
+        // The ends of a cylinder slide along their line; elsewhere sliding is at one place. There one of the two may be the pin itself:
+        // vr_BB3 is the sliding of pin B on link 3.
+        if of.point != to.point && !question.are_ends_of_a_cylinder(of.point, to.point) {
+            let d = question.fault(both!(
+                "`{}`: sliding is between two links at one place",
+                "`{}`：相对滑动是同一位置上两构件之间的",
+                question.text()
+            ));
+            return Err(d.help(both!(
+                "name the place twice, each time with its link: {1}_{0}3{0}2",
+                "请两次写同一位置，各加构件名：{1}_{0}3{0}2",
+                question.point_name(of.point),
+                question.symbol()
+            )));
+        }
+        Ok(Some(Sliding { part: Part::ALL[question.row(Self::WRITTEN)], of, to }))
+    }
+
+    fn entry(&self) -> &'static Entry {
+        &Self::WRITTEN[self.part as usize]
+    }
+
+    fn of(&self) -> Of {
+        Of::Points(self.of, self.to)
+    }
+
+    fn meaning(&self, scene: &Scene) -> Option<Meaning> {
+        let split = match self.part {
+            // At the contact of a cam all of the relative velocity is sliding.
+            Part::Velocity if self.at_a_cam(scene) => Split::Whole,
+            Part::Velocity | Part::Acceleration => Split::Sliding,
+            Part::Coriolis => Split::Coriolis,
+        };
+        Some(Meaning::Relative(split, self.of, self.to))
+    }
+
+    fn needs(&self) -> Vec<(Need, Level)> {
+        let of = self.of();
+        match self.part {
+            Part::Velocity => of.needs(Level::Velocity),
+            // 2 ω × v_r is made of velocities.
+            Part::Acceleration | Part::Coriolis => [of.needs(Level::Velocity), of.needs(Level::Acceleration)].concat(),
+        }
+    }
+
+    fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
+        if self.part == Part::Velocity && self.at_a_cam(scene) {
+            return None;
+        }
+        match joined(scene, &self.of, &self.to) {
+            Some(Joined::Guide(_) | Joined::Cylinder(_)) => return None,
+            Some(Joined::Link(_)) | None => {}
+        }
+        let (a, b) = (name(scene, &self.of), name(scene, &self.to));
+        let message = both!(
+            "`{}`: no guide joins {a} and {b}, so neither slides along the other",
+            "`{}`：{a} 与 {b} 之间没有导路，不存在相对滑动",
+            find.text
+        );
+        Some(Diagnostic::error("find", message).at(find.span).help(both!(
+            "ask v_{a}{b} or a_{a}{b}, or name the coincident points of a slider and the link that carries its guide{}",
+            "请求 v_{a}{b} 或 a_{a}{b}，或写滑块与导路所在构件的重合点{}",
+            example(scene)
+        )))
+    }
+}
+
+impl Sliding {
+    /// Whether it is of a follower and its cam where they touch.
+    fn at_a_cam(&self, scene: &Scene) -> bool {
+        let of = [self.of.link, self.to.link];
+        let touch =
+            |c: &Cam| c.touch == Some(self.of.point) && [[c.cam, c.follower], [c.follower, c.cam]].iter().any(|l| l.map(Some) == of);
+        self.of.point == self.to.point && scene.cams.iter().any(touch)
+    }
+}
+
+/// A pair that slides in this scene, as a question names it: `, such as B3B2`.
+fn example(scene: &Scene) -> Both {
+    let pair = |g: &Guide| {
+        let p = scene.point_name(g.pin?);
+        let runner = g.slider.map_or("", |s| scene.link_name(s));
+        Some(both!(", such as {p}{runner}{p}{}", "，如 {p}{runner}{p}{}", scene.link_name(g.on)))
+    };
+    scene.guides.iter().find_map(pair).unwrap_or_default()
+}

@@ -1,0 +1,112 @@
+//! `gamma_C`: the transmission angle at a pin that joins a rod and the link that it moves: the acute angle of the two, of a slider that of the rod
+//! against the normal of its guide.
+
+use super::along::along;
+use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
+use crate::kind::Kind;
+use crate::model::{Find, Guide, GuideId, GuidePath, LinkId, OnLink, PointId, Scene};
+use crate::resolve::Question;
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::geom::Vec2;
+use hodograph_base::number::Real;
+
+/// A transmission angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transmission {
+    /// The pin.
+    pub at: PointId,
+}
+
+/// What one of the two links does at the pin.
+#[derive(Clone, Copy)]
+enum Side {
+    /// It is a bar to another joint.
+    Bar(PointId),
+    /// It slides in a straight guide.
+    Slider(GuideId),
+}
+
+impl Quantity for Transmission {
+    const WRITTEN: &'static [Entry] = &[Entry::new("gamma", "gamma_C", Kind::Angle, Form::Scalar, ["transmission angle", "传动角"])
+        .printed("\\gamma", Over::Nothing)
+        .at_level(Level::Position)];
+
+    fn read(question: &Question<'_>) -> Result<Option<Transmission>, Diagnostic> {
+        match question.points()? {
+            (OnLink { point, link: None }, None) => Ok(Some(Transmission { at: point })),
+            _ => {
+                let message = both!("`{}`: a transmission angle is at one pin", "`{}`：传动角属于一个铰链", question.text());
+                Err(question.fault(message).help(both!("write for example gamma_C", "例如写 gamma_C")))
+            }
+        }
+    }
+
+    fn entry(&self) -> &'static Entry {
+        &Self::WRITTEN[0]
+    }
+
+    fn of(&self) -> Of {
+        Of::Point(OnLink { point: self.at, link: None })
+    }
+
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
+        None
+    }
+
+    fn needs(&self) -> Vec<(Need, Level)> {
+        vec![(Need::Point(self.at, None), Level::Position)]
+    }
+
+    fn no_value(&self, scene: &Scene) -> Both {
+        both!("a link at {} has no length", "{} 处的构件长度为零", scene.point_name(self.at))
+    }
+
+    fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
+        if self.sides(scene).is_some() {
+            return None;
+        }
+        let message = both!(
+            "`{}`: at {} no rod meets the one link that it moves",
+            "`{}`：{} 处不是连杆与一个从动构件的铰接点",
+            find.text,
+            scene.point_name(self.at)
+        );
+        Some(Diagnostic::error("find", message).at(find.span).help(both!(
+            "name the pin at which the coupler drives the rocker, the slider or the next rod",
+            "请写连杆与摇杆（滑块或下一连杆）相连的铰链"
+        )))
+    }
+
+    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+        let [a, b] = self.sides(known.scene())?;
+        let direction = |side: Side| -> Option<Vec2<N>> {
+            match side {
+                Side::Bar(end) => (known.point(end)? - known.point(self.at)?).unit(),
+                Side::Slider(guide) => along(known, &known.scene().guides[guide.0]).map(Vec2::perp),
+            }
+        };
+        let (a, b) = (direction(a)?, direction(b)?);
+        // Of the angle and its supplement the acute one.
+        Some(Value::Scalar(Vec2 { x: a.dot(b).magnitude(), y: a.cross(b).magnitude() }.angle()))
+    }
+}
+
+impl Transmission {
+    /// The two moving links at the pin; `None` where there are not two, or one of them is held nowhere else.
+    fn sides(&self, scene: &Scene) -> Option<[Side; 2]> {
+        let joint = |p: PointId| scene.carriers(p).count() > 1 || scene.guides.iter().any(|g| g.pin == Some(p));
+        let straight = |l: LinkId| {
+            let runs = |g: &Guide| g.slider == Some(l) && g.pin == Some(self.at) && matches!(g.path, GuidePath::Line { .. });
+            scene.guides.iter().position(runs).map(GuideId)
+        };
+        let side = |l: LinkId| {
+            let end = || scene.links[l.0].points.iter().copied().find(|p| *p != self.at && joint(*p));
+            straight(l).map(Side::Slider).or_else(|| end().map(Side::Bar))
+        };
+        let links: Vec<LinkId> = scene.carriers(self.at).collect();
+        match links[..] {
+            [a, b] if a != scene.ground && b != scene.ground => Some([side(a)?, side(b)?]),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,272 @@
+//! The scene file as written: the same words, each with its place, nothing interpreted yet.
+
+use super::cams::raw::RawCam;
+use super::model::TimeLaw;
+use super::rolling::RollingKind;
+use hodograph_base::diag::Span;
+use hodograph_base::json::Word;
+
+/// A number or expression as written.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct RawQuantity {
+    /// `100`, `100 mm`, `2*r`.
+    pub text: String,
+    /// Its place, with quotation marks.
+    pub span: Span,
+    /// Whether it was a JSON number, without quotation marks.
+    pub bare: bool,
+}
+
+/// A text in one language (`other` absent) or in both.
+#[derive(Clone, Debug, Default)]
+pub(super) struct RawLocalized {
+    pub en: Option<Word>,
+    pub zh: Option<Word>,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct RawLink {
+    pub name: Word,
+    pub points: Vec<Word>,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum RawPlace {
+    At([RawQuantity; 2]),
+    InLink { base: Word, xy: [RawQuantity; 2] },
+    Polar { base: Word, length: RawQuantity, angle: RawQuantity },
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum RawThrough {
+    Point(Word),
+    At([RawQuantity; 2], Span),
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct RawGuide {
+    pub pin: Option<Word>,
+    pub slider: Option<Word>,
+    pub on: Option<Word>,
+    pub line: Option<Word>,
+    pub through: Option<RawThrough>,
+    pub angle: Option<RawQuantity>,
+    /// Whether the angle counts from the guide in which the carrying link slides.
+    pub slid: bool,
+    pub offset: Option<RawQuantity>,
+    pub centre: Option<Word>,
+    pub radius: Option<RawQuantity>,
+    /// Whether it stands for a contact of a cam: no guide that the author has written.
+    pub contact: bool,
+    pub span: Span,
+}
+
+impl RawGuide {
+    /// A slot on a link in which a pin runs, wherever it lies.
+    pub fn of_pin(pin: Word, on: Word, span: Span) -> RawGuide {
+        RawGuide {
+            pin: Some(pin),
+            slider: None,
+            on: Some(on),
+            line: None,
+            through: None,
+            angle: None,
+            slid: false,
+            offset: None,
+            centre: None,
+            radius: None,
+            contact: false,
+            span,
+        }
+    }
+}
+
+/// A gear pair or a wheel on its track.
+#[derive(Clone, Debug)]
+pub(super) struct RawRolling {
+    /// The two links, each with the centre of its circle; a straight track or rack comes first and has none.
+    pub sides: [RawRollingSide; 2],
+    pub sizes: RawSizes,
+    pub kind: RollingKind,
+    /// The strand of a belt or chain that they are joined by.
+    pub strand: Option<RawStrand>,
+    /// Direction of a straight track, and a point of it.
+    pub line: Option<Word>,
+    pub through: Option<RawThrough>,
+    pub angle: Option<RawQuantity>,
+    pub at: Option<Word>,
+    pub phase: Option<RawQuantity>,
+    pub flanks: RawFlanks,
+    pub span: Span,
+}
+
+/// A strand of a belt or chain: it begins in the pair's `at`.
+#[derive(Clone, Debug)]
+pub(super) struct RawStrand {
+    /// Which of the file's.
+    pub belt: usize,
+    pub crossed: bool,
+    /// Whether it lies right of the line of centres.
+    pub right: bool,
+    /// The name of its end.
+    pub end: Option<Word>,
+}
+
+/// What the file says of a gear pair's flanks.
+#[derive(Clone, Debug, Default)]
+pub(super) struct RawFlanks {
+    pub pressure_angle: Option<RawQuantity>,
+    pub shift: Option<Vec<RawQuantity>>,
+    pub addendum: Option<RawQuantity>,
+    pub clearance: Option<RawQuantity>,
+}
+
+/// One link of a rolling pair.
+#[derive(Clone, Debug)]
+pub(super) struct RawRollingSide {
+    /// The link; without one the ground.
+    pub link: Option<Word>,
+    /// Centre of its circle; without one it is straight.
+    pub centre: Option<Word>,
+    /// Whether the other one rolls inside it.
+    pub hollow: bool,
+}
+
+/// Sizes of the circles of a rolling pair.
+#[derive(Clone, Debug)]
+pub(super) enum RawSizes {
+    /// Radii, of a straight track the wheel's alone.
+    Radii(Vec<RawQuantity>),
+    /// Numbers of teeth, of a rack the wheel's alone, and the module if it is given.
+    Teeth(Vec<RawQuantity>, Option<RawQuantity>),
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct RawDriver {
+    pub kind: RawDriverKind,
+    /// Missing where that has been reported.
+    pub rate: Option<RawQuantity>,
+    pub acceleration: Option<RawQuantity>,
+    /// The law of time that gave rate and acceleration.
+    pub law: Option<TimeLaw>,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum RawDriverKind {
+    Turn { link: Word, against: Option<Word>, line: Option<Word>, against_line: Option<Word>, angle: Option<RawQuantity> },
+    Slide { slide: Word, position: Option<RawQuantity> },
+    Cylinder { ends: Word, length: Option<RawQuantity>, links: Vec<Word> },
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum RawSize {
+    Named(Word),
+    Sides([RawQuantity; 2]),
+}
+
+#[derive(Clone, Debug, Default)]
+pub(super) struct RawPaper {
+    pub size: Option<RawSize>,
+    pub mu_l: Option<RawQuantity>,
+    pub mu_v: Option<RawQuantity>,
+    pub mu_a: Option<RawQuantity>,
+    pub pencil: Option<RawQuantity>,
+}
+
+/// A moving point and a frame.
+#[derive(Clone, Debug)]
+pub(super) struct RawComposite {
+    pub point: Word,
+    pub on: Option<Word>,
+    pub frame: Word,
+    pub span: Span,
+}
+
+/// A wrong solution.
+#[derive(Clone, Debug)]
+pub(super) struct RawAttempt {
+    pub mistake: Word,
+    pub pair: Option<Word>,
+    pub link: Option<Word>,
+    /// Questions with what was printed.
+    pub printed: Vec<(Word, RawQuantity)>,
+    pub why: Option<RawLocalized>,
+    pub span: Span,
+}
+
+/// How much of a mechanism a file has to tell.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Extent {
+    /// Links and pairs: neither a driver, nor the direction of a guide, nor the profile of a cam is missed.
+    Pairs,
+    /// Its pose besides: only drivers and their rates may be missing.
+    Pose,
+    /// The same for what does not depend on rates: a driver that is missing is added, rates that are not told are zero.
+    Rest,
+    /// The same with rates of one unit.
+    AnyRate,
+    /// Its motion.
+    #[default]
+    Motion,
+}
+
+impl Extent {
+    /// Whether links and pairs are enough.
+    pub fn is_of_pairs(self) -> bool {
+        self == Extent::Pairs
+    }
+
+    /// Whether drivers and their rates may be missing.
+    pub fn is_at_rest(self) -> bool {
+        self != Extent::Motion
+    }
+
+    /// Whether a driver is added where there is none.
+    pub fn is_driven(self) -> bool {
+        matches!(self, Extent::Rest | Extent::AnyRate)
+    }
+
+    /// The rate of a driver that tells none, in its unit. One where it shows, so that figures say which way is plus.
+    pub fn rate(self) -> f64 {
+        match self {
+            Extent::Rest => 0.0,
+            Extent::Pairs | Extent::Pose | Extent::AnyRate | Extent::Motion => 1.0,
+        }
+    }
+}
+
+/// A scene file, decoded.
+#[derive(Clone, Debug, Default)]
+pub(super) struct RawScene {
+    /// How much it has to tell.
+    pub extent: Extent,
+    pub title: Option<RawLocalized>,
+    pub statement: Option<RawLocalized>,
+    pub parameters: Vec<(Word, RawQuantity)>,
+    /// Whether the last of them is the instant.
+    pub is_timed: bool,
+    pub units: Vec<(Word, Word)>,
+    pub answers: Vec<(Word, Word)>,
+    pub links: Vec<RawLink>,
+    /// Whether `links` could be read in full. If not, a name that is missing may stand in the part that could not be read.
+    pub links_sound: bool,
+    pub ground: Option<Word>,
+    pub points: Vec<(Word, RawPlace)>,
+    pub lengths: Vec<(Word, RawQuantity)>,
+    pub guides: Vec<RawGuide>,
+    pub cams: Vec<RawCam>,
+    pub rolling: Vec<RawRolling>,
+    pub drivers: Vec<RawDriver>,
+    pub sketch: Vec<(Word, [RawQuantity; 2])>,
+    pub sides: Vec<(Word, Word)>,
+    /// `None` where the file has no such key: everything is asked.
+    pub find: Option<Vec<Word>>,
+    pub composite: Vec<RawComposite>,
+    pub attempts: Vec<RawAttempt>,
+    /// Names of other readings of the figure; what they change is read by [`super::readings`].
+    pub readings: Vec<Word>,
+    pub paper: RawPaper,
+    pub language: Option<Word>,
+    pub notation: Option<Word>,
+}

@@ -1,0 +1,34 @@
+//! The section `answers`: the units in which is printed.
+
+use super::*;
+use crate::book::{Book, BookUnit};
+use crate::kind::Kind;
+
+pub(super) fn book(raw: &RawScene, faults: &mut Faults) -> Book {
+    let mut book = Book::default();
+    for (key, unit) in &raw.answers {
+        let kind = Kind::ALL.into_iter().find(|k| k.wanted().key() == Some(key.text.as_str()));
+        let Some(kind) = kind else {
+            let d =
+                Diagnostic::error("unknown-key", both!("`{}` is not a quantity of \"answers\"", "`{}` 不是 \"answers\" 中的量", key.text))
+                    .at(key.span);
+            faults.push(d.help(suggest(&key.text, Wanted::TABLE.iter().map(|(k, _)| *k), both!("the quantities are", "可用的量有"))));
+            continue;
+        };
+        match BookUnit::read(&unit.text, kind) {
+            Ok(unit) => book.set(kind, unit),
+            Err(fitting) => {
+                let d =
+                    Diagnostic::error("unit", both!("`{}` is not a unit of {}", "`{}` 不是{}的单位", unit.text, kind.wanted().describe()))
+                        .at(unit.span);
+                let min = if kind.wanted().dim().time == 0 {
+                    Both::default()
+                } else {
+                    both!("; min and h may stand for s", "；s 可换为 min 或 h")
+                };
+                faults.push(d.help(both!("units that fit are {}{}", "可用的单位有 {}{}", Both::names(&fitting), min)));
+            }
+        }
+    }
+    book
+}

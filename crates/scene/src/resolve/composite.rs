@@ -1,0 +1,87 @@
+//! The section `composite`: moving points and frames by their names.
+
+use super::*;
+use crate::cams::raw::RawCam;
+use crate::quantity::Frame;
+use crate::quantity::composite::unusable;
+
+/// The moving points and frames. Whether they serve is not decided here.
+pub(super) fn composite(c: &Context, faults: &mut Faults) -> Vec<Seen> {
+    let mut out: Vec<Seen> = Vec::new();
+    for raw in &c.raw.composite {
+        if let Some(cam) = contact(c, &raw.point.text) {
+            out.extend(at_contact(c, raw, cam, faults));
+            continue;
+        }
+        let Some((of, frame)) = note(c.names.seen_from(&raw.point.text, &raw.frame.text, &raw.point), faults) else { continue };
+        let link = raw.on.as_ref().map(|on| c.names.link(on));
+        let link = match link {
+            Some(link) => match note(link, faults) {
+                Some(link) => Some(link),
+                None => continue,
+            },
+            None => of.link,
+        };
+        // A point of a link that carries it is the pin itself.
+        let of = OnLink { point: of.point, link: link.filter(|l| !c.carries(*l, of.point)) };
+        let of = Moving::Point(of);
+        if out.iter().any(|s| s.of == of && s.frame == frame) {
+            let text = format!("{}/{}", raw.point.text, raw.frame.text);
+            faults.push(Diagnostic::warning("given-twice", both!("`{text}` is given twice", "`{text}` 写了两次")).at(raw.span));
+            continue;
+        }
+        out.push(Seen { of, frame, span: raw.span });
+    }
+    out
+}
+
+/// The cam whose contact has this name, which is no point of the scene.
+fn contact(c: &Context, name: &str) -> Option<usize> {
+    let named = |cam: &RawCam| cam.at.as_ref().is_some_and(|w| w.text == name);
+    c.raw.cams.iter().position(named).filter(|_| !c.names.points.iter().any(|p| p.name == name))
+}
+
+/// The point of cam or follower at their contact: that of the follower, where nothing else is said.
+fn at_contact(c: &Context, raw: &RawComposite, cam: usize, faults: &mut Faults) -> Option<Seen> {
+    let pair = &c.raw.cams[cam];
+    let (own, follower) = (note(c.names.link(&pair.cam), faults)?, note(c.names.link(&pair.follower), faults)?);
+    let frame = note(c.names.frame(&raw.frame.text, &raw.frame), faults)?;
+    let on = match &raw.on {
+        Some(word) => note(c.names.link(word), faults)?,
+        None => follower,
+    };
+    if on != own && on != follower {
+        let (e, a, b) = (&raw.point.text, &pair.cam.text, &pair.follower.text);
+        let message =
+            both!("links {a} and {b} touch at {e}; link {} does not", "{e} 是构件 {a} 与 {b} 的接触点，不在构件 {} 上", c.link_name(on));
+        faults.push(Diagnostic::error("not-on-link", message).at(raw.span).help(both!("write \"on\": \"{b}\"", "请写 \"on\": \"{b}\"")));
+        return None;
+    }
+    Some(Seen { of: Moving::Contact { cam, on }, frame, span: raw.span })
+}
+
+/// The frames that are none for their moving points.
+pub(super) fn judged(scene: &Scene, faults: &mut Faults) {
+    for s in &scene.composite {
+        match s.of {
+            Moving::Point(of) => {
+                let text = scene.point_name(of.point).to_owned();
+                unusable(scene, &of, s.frame, &text).into_iter().for_each(|d| faults.push(d.at(s.span)));
+            }
+            // Whatever point of the link it is: a fixed frame carries nothing, and its own link is none.
+            Moving::Contact { on, .. } if s.frame.is_fixed(scene) || s.frame == Frame::Link(on) => {
+                let (text, link) = (
+                    scene.link_name(on),
+                    both!(
+                        "link {0} itself, or a body at rest, parts no motion of link {0}",
+                        "构件 {0} 自身或静止的物体不能作为其上点的动系",
+                        scene.link_name(on)
+                    ),
+                );
+                let help = both!("name the other link, or the centre of the profile", "请写另一构件，或廓线的圆心");
+                faults.push(Diagnostic::error("frame-unusable", both!("`{text}`: {}", "`{text}`：{}", link)).at(s.span).help(help));
+            }
+            Moving::Contact { .. } => {}
+        }
+    }
+}

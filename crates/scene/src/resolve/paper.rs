@@ -1,0 +1,143 @@
+//! The sections `paper`, `language` and `notation`.
+
+use super::*;
+use crate::book::Book;
+use crate::kind::Kind;
+
+/// ISO 216 sheets, upright, in mm.
+const SHEETS: [(&str, [f64; 2]); 5] =
+    [("A4", [210.0, 297.0]), ("A3", [297.0, 420.0]), ("A2", [420.0, 594.0]), ("A1", [594.0, 841.0]), ("A5", [148.0, 210.0])];
+
+/// Sides of a sheet in mm. On less than 20 mm no figure has room, and more than 5 m no printer takes; a picture of either size
+/// would only be an accident of units.
+const SIDES_MM: [f64; 2] = [20.0, 5000.0];
+
+/// No pencil is blunter than this (mm): a finger is.
+const BLUNTEST_MM: f64 = 5.0;
+
+pub(super) fn paper(raw: &RawScene, values: &Values, book: &Book, faults: &mut Faults) -> Paper {
+    let size_mm = match &raw.paper.size {
+        Some(RawSize::Named(word)) => named(word, faults),
+        Some(RawSize::Sides(sides)) => sides_mm(sides, values, faults),
+        None => None,
+    };
+    let mut scale = |kind: Kind, q: &Option<RawQuantity>, wanted: Wanted| {
+        let (q, key) = (q.as_ref()?, kind.scale_key()?);
+        let given = values.si(q, wanted, faults)?;
+        if given.value <= 0.0 {
+            faults.push(Diagnostic::error("not-positive", both!("`{key}` must be greater than zero", "`{key}` 应大于零")).at(q.span));
+            return None;
+        }
+        // The value counts per metre of paper.
+        Some((kind, given.value / 1000.0))
+    };
+    let scales = [
+        scale(Kind::Length, &raw.paper.mu_l, Wanted::ScaleOfLengths),
+        scale(Kind::Velocity, &raw.paper.mu_v, Wanted::ScaleOfVelocities),
+        scale(Kind::Acceleration, &raw.paper.mu_a, Wanted::ScaleOfAccelerations),
+    ];
+    Paper {
+        size_mm,
+        scales: scales.into_iter().flatten().collect(),
+        round_in: Kind::DRAWN.into_iter().map(|kind| (kind, book.size(kind))).filter(|(_, unit)| *unit != 1.0).collect(),
+        pencil_mm: raw.paper.pencil.as_ref().and_then(|q| pencil_mm(q, values, faults)),
+    }
+}
+
+/// The error of a pencil, in mm.
+pub(crate) fn pencil_mm(q: &RawQuantity, values: &Values, faults: &mut Faults) -> Option<f64> {
+    let given = values.positive_length(q, both!("the pencil error", "作图误差"), faults)?;
+    let mm = given.value * 1000.0;
+    if mm > BLUNTEST_MM {
+        let message = both!(
+            "a pencil error of {}; no pencil is blunter than {BLUNTEST_MM} mm",
+            "作图误差为 {}；铅笔再钝也不超过 {BLUNTEST_MM} mm",
+            given.text
+        );
+        faults.push(Diagnostic::error("pencil", message).at(q.span).help(both!(
+            "a careful hand draws within \"0.1 mm\", a hasty one within \"0.5 mm\"",
+            "仔细作图的误差约为 \"0.1 mm\"，草草作图约为 \"0.5 mm\""
+        )));
+        return None;
+    }
+    Some(mm)
+}
+
+fn named(word: &Word, faults: &mut Faults) -> Option<[f64; 2]> {
+    let mut parts = word.text.split_whitespace();
+    let sheet = parts.next().and_then(|name| SHEETS.iter().find(|(s, _)| *s == name));
+    let landscape = match (parts.next(), parts.next()) {
+        (None, _) => Some(false),
+        (Some("landscape"), None) => Some(true),
+        _ => None,
+    };
+    let (Some((_, [w, h])), Some(landscape)) = (sheet, landscape) else {
+        let d = Diagnostic::error("paper", both!("there is no paper size `{}`", "没有图纸幅面 `{}`", word.text)).at(word.span);
+        let known: Vec<_> = SHEETS.iter().map(|(s, _)| *s).collect();
+        faults.push(d.help(both!(
+            "write one of {}, with \" landscape\" where it lies, or [\"200 mm\", \"150 mm\"]",
+            "请写 {} 之一，横放时加 \" landscape\"，或写 [\"200 mm\", \"150 mm\"]",
+            Both::names(&known)
+        )));
+        return None;
+    };
+    Some(if landscape { [*h, *w] } else { [*w, *h] })
+}
+
+fn sides_mm(sides: &[RawQuantity; 2], values: &Values, faults: &mut Faults) -> Option<[f64; 2]> {
+    let [w, h] = values.two_lengths(sides, faults)?;
+    let mm = [w.value * 1000.0, h.value * 1000.0];
+    for (given, mm) in [&w, &h].into_iter().zip(mm) {
+        if !(SIDES_MM[0]..=SIDES_MM[1]).contains(&mm) {
+            let message = both!(
+                "a side of {mm} mm; paper has sides from {} mm to {} mm",
+                "边长为 {mm} mm；图纸的边长应在 {} mm 到 {} mm 之间",
+                SIDES_MM[0],
+                SIDES_MM[1]
+            );
+            faults.push(Diagnostic::error("paper", message).at(given.span));
+            return None;
+        }
+    }
+    Some(mm)
+}
+
+/// The width of a page, in mm.
+pub(super) fn width_mm(q: &RawQuantity, values: &Values, faults: &mut Faults) -> Option<f64> {
+    let given = values.positive_length(q, both!("the width", "宽度"), faults)?;
+    let mm = given.value * 1000.0;
+    if !(SIDES_MM[0]..=SIDES_MM[1]).contains(&mm) {
+        let message = both!("a width of {}", "宽度为 {}", given.text);
+        faults.push(Diagnostic::error("paper", message).at(q.span).help(both!(
+            "give {} mm to {} mm, such as \"80 mm\" for a column of a book",
+            "请取 {} mm 到 {} mm，如书的一栏 \"80 mm\"",
+            SIDES_MM[0],
+            SIDES_MM[1]
+        )));
+        return None;
+    }
+    Some(mm)
+}
+
+pub(super) fn language(raw: &RawScene, faults: &mut Faults) -> Option<Lang> {
+    let word = raw.language.as_ref()?;
+    match Lang::named(&word.text) {
+        Some(lang) => Some(lang),
+        None => {
+            let other = &word.text;
+            let d = Diagnostic::error("language", both!("there is no language `{other}`", "没有语言 `{other}`")).at(word.span);
+            faults.push(d.help(both!("write \"en\" or \"zh\"", "请写 \"en\" 或 \"zh\"")));
+            None
+        }
+    }
+}
+
+pub(super) fn notation(raw: &RawScene, faults: &mut Faults) -> Option<String> {
+    let word = raw.notation.as_ref()?;
+    if ["en", "cn"].contains(&word.text.as_str()) {
+        return Some(word.text.clone());
+    }
+    let d = Diagnostic::error("notation", both!("there is no notation `{}`", "没有记号体系 `{}`", word.text)).at(word.span);
+    faults.push(d.help(both!("write \"en\" or \"cn\"", "请写 \"en\" 或 \"cn\"")));
+    None
+}

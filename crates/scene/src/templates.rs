@@ -1,0 +1,311 @@
+//! Templates: complete scenes that come with the program, whose parameters can be set.
+
+use super::front::TIME;
+use super::model::Localized;
+use super::{decode, expr};
+use hodograph_base::diag::{Both, Diagnostic, Faults, Span, both};
+use hodograph_base::json::fields::suggest;
+use hodograph_base::json::{self, Kind, Node, Word};
+
+/// Every template: one line for each file of `templates/`, in the order in which they are listed to the reader.
+const FILES: &[(&str, &str)] = &[
+    // name, text
+    ("crank-rocker", include_str!("../../../templates/crank-rocker.json")),
+    ("pump-jack", include_str!("../../../templates/pump-jack.json")),
+    ("drag-link", include_str!("../../../templates/drag-link.json")),
+    ("crossed-four-bar", include_str!("../../../templates/crossed-four-bar.json")),
+    ("parallelogram", include_str!("../../../templates/parallelogram.json")),
+    ("third-crank", include_str!("../../../templates/third-crank.json")),
+    ("slider-crank", include_str!("../../../templates/slider-crank.json")),
+    ("offset-slider-crank", include_str!("../../../templates/offset-slider-crank.json")),
+    ("oblique-guide", include_str!("../../../templates/oblique-guide.json")),
+    ("slotted-lever", include_str!("../../../templates/slotted-lever.json")),
+    ("whitworth", include_str!("../../../templates/whitworth.json")),
+    ("oscillating-cylinder", include_str!("../../../templates/oscillating-cylinder.json")),
+    ("scotch-yoke", include_str!("../../../templates/scotch-yoke.json")),
+    ("elliptic-trammel", include_str!("../../../templates/elliptic-trammel.json")),
+    ("oldham-coupling", include_str!("../../../templates/oldham-coupling.json")),
+    ("curved-slot", include_str!("../../../templates/curved-slot.json")),
+    ("two-slots", include_str!("../../../templates/two-slots.json")),
+    ("shaper", include_str!("../../../templates/shaper.json")),
+    ("shaper-centres", include_str!("../../../templates/shaper-centres.json")),
+    ("toggle-press", include_str!("../../../templates/toggle-press.json")),
+    ("watt-six-bar", include_str!("../../../templates/watt-six-bar.json")),
+    ("stephenson-six-bar", include_str!("../../../templates/stephenson-six-bar.json")),
+    ("class-iii-six-bar", include_str!("../../../templates/class-iii-six-bar.json")),
+    ("double-butterfly", include_str!("../../../templates/double-butterfly.json")),
+    ("five-bar", include_str!("../../../templates/five-bar.json")),
+    ("robot-arm", include_str!("../../../templates/robot-arm.json")),
+    ("excavator", include_str!("../../../templates/excavator.json")),
+    ("pantograph", include_str!("../../../templates/pantograph.json")),
+    ("atkinson", include_str!("../../../templates/atkinson.json")),
+    ("radial-engine", include_str!("../../../templates/radial-engine.json")),
+    ("jansen-leg", include_str!("../../../templates/jansen-leg.json")),
+    ("planetary-gear", include_str!("../../../templates/planetary-gear.json")),
+    ("three-planets", include_str!("../../../templates/three-planets.json")),
+    ("hypocycloid", include_str!("../../../templates/hypocycloid.json")),
+    ("sun-and-planet", include_str!("../../../templates/sun-and-planet.json")),
+    ("geared-five-bar", include_str!("../../../templates/geared-five-bar.json")),
+    ("five-bar-centres", include_str!("../../../templates/five-bar-centres.json")),
+    ("gear-linkage", include_str!("../../../templates/gear-linkage.json")),
+    ("belt-crank-rocker", include_str!("../../../templates/belt-crank-rocker.json")),
+    ("hoist", include_str!("../../../templates/hoist.json")),
+    ("rack-stroke-doubler", include_str!("../../../templates/rack-stroke-doubler.json")),
+    ("wheel-in-groove", include_str!("../../../templates/wheel-in-groove.json")),
+    ("cam-eccentric", include_str!("../../../templates/cam-eccentric.json")),
+    ("cam-centres", include_str!("../../../templates/cam-centres.json")),
+    ("cam-valve-train", include_str!("../../../templates/cam-valve-train.json")),
+    ("cam-offset-roller", include_str!("../../../templates/cam-offset-roller.json")),
+    ("cam-on-arm", include_str!("../../../templates/cam-on-arm.json")),
+    ("eccentric-three-ways", include_str!("../../../templates/eccentric-three-ways.json")),
+    ("turning-plate", include_str!("../../../templates/turning-plate.json")),
+    ("plate-by-law", include_str!("../../../templates/plate-by-law.json")),
+    ("cart-by-law", include_str!("../../../templates/cart-by-law.json")),
+    ("disc-on-rod", include_str!("../../../templates/disc-on-rod.json")),
+    ("lathe", include_str!("../../../templates/lathe.json")),
+    ("ships", include_str!("../../../templates/ships.json")),
+    ("flat-face-mistake", include_str!("../../../templates/flat-face-mistake.json")),
+    ("flat-face-mistake-2", include_str!("../../../templates/flat-face-mistake-2.json")),
+];
+
+/// What a template is, for lists.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Template {
+    /// The name by which it is called for, such as `crank-rocker`.
+    pub name: &'static str,
+    /// Its title.
+    pub title: Localized,
+    /// Its parameters with their values as written, in the order of the file.
+    pub parameters: Vec<(String, String)>,
+}
+
+/// All templates, in order. A template's file is checked by a test, so what cannot be read here is left empty.
+pub fn list() -> Vec<Template> {
+    FILES
+        .iter()
+        .map(|(name, text)| {
+            let mut faults = Faults::default();
+            let title = match super::read(text) {
+                Ok(scene) => scene.value.title,
+                Err(_) => Localized::default(),
+            };
+            let parameters = parameters(text, &mut faults).into_iter().filter(|p| p.unit.is_none()).map(|p| (p.name, p.old.text)).collect();
+            Template { name, title, parameters }
+        })
+        .collect()
+}
+
+/// The text of a template.
+///
+/// # Errors
+/// An unknown name; the diagnostic proposes the nearest one.
+pub fn get(name: &str) -> Result<&'static str, Diagnostic> {
+    FILES.iter().find(|(n, _)| *n == name).map(|(_, text)| *text).ok_or_else(|| {
+        let d = Diagnostic::error("unknown-template", both!("there is no template `{name}`", "没有模板 `{name}`"));
+        d.help(suggest(name, FILES.iter().map(|(n, _)| *n), both!("the templates are", "模板有")))
+    })
+}
+
+/// The text of a template with other values for some of its parameters; everything else stays byte for byte.
+///
+/// A value is an expression as in the file (`120 mm`, `2*l_AB`); a bare number takes the unit of the value that it replaces.
+///
+/// # Errors
+/// Unknown template, unknown parameter, a value that is no expression: all of them in one list. Whether the values
+/// make a mechanism is seen when the text is read.
+///
+/// ```
+/// use hodograph::scene::templates::instantiate;
+/// let text = instantiate("crank-rocker", &[("l_AB", "80"), ("omega_1", "-2 rad/s")]).unwrap();
+/// assert!(text.contains(r#""l_AB": "80 mm""#) && text.contains(r#""omega_1": "-2 rad/s""#));
+/// ```
+pub fn instantiate(name: &str, values: &[(&str, &str)]) -> Result<String, Faults> {
+    with_parameters(get(name)?, values, both!("template `{name}`", "模板 `{name}` "))
+}
+
+/// The text of a scene with other values for some of its parameters; `whose` begins a sentence about it.
+pub(super) fn with_parameters(text: &str, values: &[(&str, &str)], whose: Both) -> Result<String, Faults> {
+    let mut faults = Faults::default();
+    let known = parameters(text, &mut faults);
+    let names: Vec<&str> = known.iter().map(|p| p.name.as_str()).collect();
+    let mut edits: Vec<(Span, String)> = Vec::new();
+    for (parameter, value) in values {
+        let Some(i) = names.iter().position(|n| n == parameter) else {
+            let d = Diagnostic::error("unknown-parameter", both!("{} has no parameter `{parameter}`", "{}没有参数 `{parameter}`", whose));
+            faults.push(if names.is_empty() {
+                d.help(both!(
+                    "name values that are to be set: \"parameters\": {{\"{parameter}\": ...}}",
+                    "要改的数值须先命名：\"parameters\": {{\"{parameter}\": ...}}"
+                ))
+            } else {
+                d.help(suggest(parameter, names.iter().copied(), both!("the parameters are", "参数有")))
+            });
+            continue;
+        };
+        let Parameter { old, unit, .. } = &known[i];
+        match replacement_in(parameter, &old.text, value, &names[..i], *unit) {
+            Ok(new) if edits.iter().any(|(span, _)| *span == old.span) => {
+                faults.push(Diagnostic::error(
+                    "given-twice",
+                    both!(
+                        "parameter `{parameter}` is set twice, the second time to `{new}`",
+                        "参数 `{parameter}` 设了两次，第二次为 `{new}`"
+                    ),
+                ));
+            }
+            Ok(new) => edits.push((old.span, quoted(&new))),
+            // The place would count in the value, which stands in no file.
+            Err(d) => faults.push(Diagnostic {
+                span: None,
+                message: both!("parameter `{parameter}`: {}", "参数 `{parameter}`：{}", d.message),
+                ..d
+            }),
+        }
+    }
+    if faults.has_errors() {
+        return Err(faults);
+    }
+    // From the end, so that the earlier places stay true.
+    edits.sort_by_key(|(span, _)| std::cmp::Reverse(span.start));
+    let mut out = text.to_owned();
+    for (span, new) in edits {
+        out.replace_range(span.start..span.end, &new);
+    }
+    Ok(out)
+}
+
+/// The new value; a bare number gets the unit of the old one.
+pub fn replacement(parameter: &str, old: &str, new: &str, earlier: &[&str]) -> Result<String, Diagnostic> {
+    replacement_in(parameter, old, new, earlier, (parameter == TIME).then_some("s"))
+}
+
+/// The same; `usual` is the unit of a bare number where the old value does not tell one.
+fn replacement_in(parameter: &str, old: &str, new: &str, earlier: &[&str], usual: Option<&str>) -> Result<String, Diagnostic> {
+    let new = new.trim();
+    let is_number = |t: &str| expr::parse(t, &[]).is_ok_and(|e| expr::is_bare(&e));
+    expr::parse(new, earlier)?;
+    if !is_number(new) || is_number(old) {
+        return Ok(new.to_owned());
+    }
+    let unit_at = old.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+'))).unwrap_or(old.len());
+    let (number, unit) = (&old[..unit_at], old[unit_at..].trim());
+    let candidate = format!("{new} {unit}");
+    if is_number(number) && expr::parse(&candidate, earlier).is_ok() && new.bytes().all(|b| b.is_ascii_digit() || b".-+eE".contains(&b)) {
+        return Ok(candidate);
+    }
+    if let Some(unit) = usual {
+        return Ok(format!("{new} {unit}"));
+    }
+    let d = Diagnostic::error(
+        "no-unit",
+        both!("`{new}` has no unit, and `{old}` does not tell which one is meant", "`{new}` 没有单位，从 `{old}` 也看不出单位"),
+    );
+    Err(d.help(both!("write {parameter}=\"{new} mm\", or whichever unit it has", "请写 {parameter}=\"{new} mm\"，或所需的单位")))
+}
+
+/// What can be given another value.
+struct Parameter {
+    name: String,
+    /// The value as written, and its place.
+    old: Word,
+    /// The unit of a bare number where the value as written does not tell one.
+    unit: Option<&'static str>,
+}
+
+/// The parameters of a scene, and `t`, the instant that it names, which may stand in terms of them.
+fn parameters(text: &str, faults: &mut Faults) -> Vec<Parameter> {
+    let Ok((_, root)) = json::parse(text.as_bytes(), faults) else {
+        return Vec::new();
+    };
+    let spanned = |node: &Node| match &node.kind {
+        Kind::Text(text) | Kind::Number(text) => Some(Word { text: text.clone(), span: node.span }),
+        _ => None,
+    };
+    let of = |(key, node): &(Word, Node)| Some(Parameter { name: key.text.clone(), old: spanned(node)?, unit: None });
+    let mut all: Vec<Parameter> = decode::members_of(&root, "parameters").iter().filter_map(of).collect();
+    if let Kind::Object(members) = &root.kind
+        && let Some(old) = members.iter().find(|(key, _)| key.text == "time").and_then(|(_, node)| spanned(node))
+        && all.iter().all(|p| p.name != TIME)
+    {
+        all.push(Parameter { name: TIME.into(), old, unit: Some("s") });
+    }
+    all
+}
+
+fn quoted(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        if matches!(c, '"' | '\\') {
+            out.push('\\');
+        }
+        out.push(c);
+    }
+    out.push('"');
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_template_reads_without_a_remark() {
+        for (name, text) in FILES {
+            match super::super::read(text) {
+                Ok(scene) => assert_eq!(scene.notes, [], "{name}"),
+                Err(faults) => panic!("templates/{name}.json: {faults}"),
+            }
+        }
+    }
+
+    #[test]
+    fn the_instant_of_laws_is_set_like_a_parameter() {
+        let text = get("plate-by-law").unwrap();
+        let with = |value| super::super::edit::with_parameters(text, &[(TIME, value)]);
+        assert!(with("0.5").unwrap().contains(r#""time": "0.5 s""#));
+        assert!(with("2*t1").unwrap().contains(r#""time": "2*t1""#));
+        assert!(with("1 min").unwrap().contains(r#""time": "1 min""#));
+        // Without laws there is no instant.
+        let faults = super::super::edit::with_parameters(get("crank-rocker").unwrap(), &[(TIME, "1 s")]).unwrap_err();
+        assert_eq!(faults.list[0].code, "unknown-parameter");
+    }
+
+    #[test]
+    fn every_file_is_in_the_list() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../templates");
+        let mut files: Vec<String> = std::fs::read_dir(folder).unwrap().map(|f| f.unwrap().file_name().into_string().unwrap()).collect();
+        files.retain(|f| f.ends_with(".json"));
+        for file in files {
+            assert!(FILES.iter().any(|(n, _)| format!("{n}.json") == file), "add templates/{file} to FILES");
+        }
+    }
+
+    #[test]
+    fn values_are_replaced_in_place() {
+        let text = get("crank-rocker").unwrap();
+        assert_eq!(instantiate("crank-rocker", &[]).unwrap(), text);
+        let new = instantiate("crank-rocker", &[("l_BC", "2.5*l_AB"), ("phi_1", "-30"), ("l_AB", "0.08 m")]).unwrap();
+        let expected = text
+            .replace("\"l_BC\": \"250 mm\"", "\"l_BC\": \"2.5*l_AB\"")
+            .replace("\"phi_1\": \"60 deg\"", "\"phi_1\": \"-30 deg\"")
+            .replace("\"l_AB\": \"100 mm\"", "\"l_AB\": \"0.08 m\"");
+        assert_eq!(new, expected);
+        let scene = super::super::read(&new).unwrap().value;
+        assert_eq!(scene.parameters[1].1.value, 0.2);
+    }
+
+    #[test]
+    fn faults_of_values_come_together() {
+        let faults =
+            instantiate("crank-rocker", &[("l_ab", "80"), ("phi_1", "30 degs"), ("l_AB", "l_BC"), ("omega_1", "1"), ("omega_1", "2")])
+                .unwrap_err();
+        assert_eq!(
+            faults.to_string(),
+            "template `crank-rocker` has no parameter `l_ab` (did you mean `l_AB`?)\n\
+             parameter `phi_1`: `degs` is not a unit (did you mean `deg`?)\n\
+             parameter `l_AB`: `l_BC` is neither a parameter nor a unit (the units are m, cm, mm, km, in, ft, deg, °, rad, rev, s, min, h, rpm, r/min (\"parameters\" of the scene name values))\n\
+             parameter `omega_1` is set twice, the second time to `2 rad/s`"
+        );
+        assert_eq!(get("crank-rokcer").unwrap_err().to_string(), "there is no template `crank-rokcer` (did you mean `crank-rocker`?)");
+    }
+}

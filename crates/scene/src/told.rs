@@ -1,0 +1,59 @@
+//! How drivers and lengths of a scene are called when a person is told of them.
+
+use super::model::GuideId;
+use super::{DriverKind, Kind, PointId, Scene};
+use hodograph_base::diag::{Both, both};
+
+impl Scene {
+    /// The contact for which a guide stands, in the words of the file; `None` of the file's own guides.
+    pub fn contact_words(&self, g: GuideId) -> Option<Both> {
+        if let Some(cam) = self.cams.iter().find(|c| c.contact == Some(g)) {
+            let [cam, follower] = [cam.cam, cam.follower].map(|l| self.link_name(l));
+            return Some(both!("the contact of cam {cam} and follower {follower}", "凸轮 {cam} 与从动件 {follower} 的接触"));
+        }
+        let rolling = &self.rolling[self.guides[g.0].rolling?.0];
+        let [a, b] = rolling.links.map(|l| self.link_name(l));
+        Some(both!("the contact of links {a} and {b}", "构件 {a} 与构件 {b} 的接触"))
+    }
+
+    /// A guide, or the contact for which it stands: `the guide on link 3`.
+    pub fn guide_words(&self, g: GuideId) -> Both {
+        let on = self.link_name(self.guides[g.0].on);
+        self.contact_words(g).unwrap_or_else(|| both!("the guide on link {on}", "构件 {on} 上的导路"))
+    }
+
+    /// Name of a driver's position, and what it is: an angle or a length.
+    pub fn driver_name(&self, driver: usize) -> (String, Kind) {
+        let point = |p: PointId| self.point_name(p);
+        match &self.drivers[driver].kind {
+            DriverKind::Turn { link, against, .. } if *against == self.ground => (format!("phi_{}", self.link_name(*link)), Kind::Angle),
+            DriverKind::Turn { link, against, .. } => (format!("phi_{}/{}", self.link_name(*link), self.link_name(*against)), Kind::Angle),
+            DriverKind::Slide { guide, .. } => {
+                let g = &self.guides[guide.0];
+                (format!("s_{}", g.pin.map_or_else(|| g.slider.map_or("", |s| self.link_name(s)), point)), Kind::Length)
+            }
+            DriverKind::Cylinder { a, b, .. } => (format!("l_{}{}", point(*a), point(*b)), Kind::Length),
+        }
+    }
+
+    /// Name and SI unit of a driver's column.
+    pub fn driver_column(&self, driver: usize) -> (String, &'static str) {
+        let (name, kind) = self.driver_name(driver);
+        (name, kind.si())
+    }
+
+    /// A length for people, in the unit of the book, else in the scene's own, with four significant digits; what is written in
+    /// millimetres, in metres from 10 m on.
+    pub fn length_words(&self, value_m: f64) -> String {
+        if let Some(unit) = self.book.chosen(Kind::Length) {
+            return unit.text(&hodograph_base::digits::significant(unit.of(value_m), 4));
+        }
+        match self.length_unit.name {
+            "mm" => hodograph_base::digits::metres(value_m),
+            name => {
+                let value = value_m * self.length_unit.denominator / self.length_unit.numerator;
+                format!("{} {name}", hodograph_base::digits::significant(value, 4))
+            }
+        }
+    }
+}

@@ -1,0 +1,247 @@
+//! Units and dimensions: which units there are, what they are worth, and what each quantity of a scene must be made of.
+
+use super::expr::Expr;
+use super::front::{self, mentions};
+use hodograph_base::diag::{Both, both};
+
+/// Exponents of length, time and plane angle. The angle counts as a dimension of its own, so that `60 deg` is not
+/// taken for a length or a pure number by mistake.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Dim {
+    /// Exponent of the metre.
+    pub length: i32,
+    /// Exponent of the second.
+    pub time: i32,
+    /// Exponent of the radian.
+    pub angle: i32,
+}
+
+impl Dim {
+    /// A pure number.
+    pub const NUMBER: Dim = Dim::new(0, 0, 0);
+    /// An angle.
+    pub const ANGLE: Dim = Dim::new(0, 0, 1);
+
+    /// A time.
+    pub const TIME: Dim = Dim::new(0, 1, 0);
+
+    const fn new(length: i32, time: i32, angle: i32) -> Dim {
+        Dim { length, time, angle }
+    }
+
+    /// The dimension of a product with the `k`-th power of another: `self · other^k`.
+    pub const fn times(self, other: Dim, k: i32) -> Dim {
+        Dim::new(self.length + k * other.length, self.time + k * other.time, self.angle + k * other.angle)
+    }
+
+    /// Whether a quantity of this dimension may stand where `wanted` is asked. An arc is a length, `ω·r` a velocity and `v/r` an
+    /// angular velocity: beside a length or a time, radians are pure numbers.
+    pub const fn serves(self, wanted: Dim) -> bool {
+        // (m/s)/m, 1/s and rad/s are one rate of turning; a scale in 1/s is none.
+        let turning = wanted.angle != 0 && wanted.time != 0;
+        self.length == wanted.length && self.time == wanted.time && (self.angle == wanted.angle || self.length != 0 || turning)
+    }
+
+    /// In words: `a length`, `an angle`, `a quantity in m^2/s`.
+    pub fn describe(self) -> Both {
+        match (self.length, self.time, self.angle) {
+            (0, 0, 0) => both!("a pure number", "纯数"),
+            (1, 0, 0) => both!("a length", "长度"),
+            (2, 0, 0) => both!("an area", "面积"),
+            (0, 1, 0) => both!("a time", "时间"),
+            (0, 0, 1) => both!("an angle", "角度"),
+            (0, -1, 1) => both!("an angular velocity", "角速度"),
+            (0, -2, 1) => both!("an angular acceleration", "角加速度"),
+            (1, -1, 0) => both!("a velocity", "速度"),
+            (1, -2, 0) => both!("an acceleration", "加速度"),
+            _ => both!("a quantity in {}", "以 {} 为单位的量", self.units()),
+        }
+    }
+
+    fn units(self) -> String {
+        let part = |sign: i32| {
+            let mut out = Vec::new();
+            for (name, k) in [("m", self.length), ("rad", self.angle), ("s", self.time)] {
+                match k * sign {
+                    1 => out.push(name.to_owned()),
+                    k if k > 1 => out.push(format!("{name}^{k}")),
+                    _ => {}
+                }
+            }
+            out
+        };
+        let (above, below) = (part(1), part(-1));
+        let above = if above.is_empty() { "1".to_owned() } else { above.join(" ") };
+        match below.as_slice() {
+            [] => above,
+            [one] => format!("{above}/{one}"),
+            many => format!("{above}/({})", many.join(" ")),
+        }
+    }
+}
+
+/// A unit: its value is `numerator / denominator` SI units, or that many degrees.
+#[derive(Debug, PartialEq)]
+pub struct Unit {
+    /// As written.
+    pub name: &'static str,
+    /// Its dimension.
+    pub dim: Dim,
+    /// Over `denominator`. Two whole numbers, because 250 / 1000 is rounded once and 250 × 0.001 twice.
+    pub numerator: f64,
+    /// Under `numerator`.
+    pub denominator: f64,
+    /// Whether the ratio counts degrees instead of radians: 1 rev = 360 of them, 1 rpm = 6 of them per second.
+    pub degrees: bool,
+}
+
+const fn unit(name: &'static str, dim: Dim, numerator: f64, denominator: f64) -> Unit {
+    Unit { name, dim, numerator, denominator, degrees: false }
+}
+
+const fn degrees(name: &'static str, dim: Dim, numerator: f64) -> Unit {
+    Unit { name, dim, numerator, denominator: 1.0, degrees: true }
+}
+
+/// A minute and a second of arc, which stand only behind degrees: `20°30′15″`.
+pub static OF_ARC: [Unit; 2] = [
+    Unit { name: "′", dim: Dim::ANGLE, numerator: 1.0, denominator: 60.0, degrees: true },
+    Unit { name: "″", dim: Dim::ANGLE, numerator: 1.0, denominator: 3600.0, degrees: true },
+];
+
+const LENGTH: Dim = Dim::new(1, 0, 0);
+const TIME: Dim = Dim::new(0, 1, 0);
+const RATE: Dim = Dim::new(0, -1, 1);
+
+/// All units. The inch and the foot are the international ones (25.4 mm, 304.8 mm).
+pub static UNITS: &[Unit] = &[
+    unit("m", LENGTH, 1.0, 1.0),
+    unit("cm", LENGTH, 1.0, 100.0),
+    unit("mm", LENGTH, 1.0, 1000.0),
+    unit("km", LENGTH, 1000.0, 1.0),
+    unit("in", LENGTH, 254.0, 10000.0),
+    unit("ft", LENGTH, 3048.0, 10000.0),
+    degrees("deg", Dim::ANGLE, 1.0),
+    degrees("°", Dim::ANGLE, 1.0),
+    unit("rad", Dim::ANGLE, 1.0, 1.0),
+    degrees("rev", Dim::ANGLE, 360.0),
+    unit("s", TIME, 1.0, 1.0),
+    unit("min", TIME, 60.0, 1.0),
+    unit("h", TIME, 3600.0, 1.0),
+    degrees("rpm", RATE, 6.0),
+    // Revolutions per minute as Chinese books write them; only directly behind a number, for `r` may be a parameter.
+    degrees("r/min", RATE, 6.0),
+];
+
+/// The unit of a name.
+pub fn unit_named(name: &str) -> Option<&'static Unit> {
+    UNITS.iter().find(|u| u.name == name)
+}
+
+/// What a place in the scene asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wanted {
+    /// m.
+    Length,
+    /// rad or degrees.
+    Angle,
+    /// rad/s.
+    Omega,
+    /// rad/s².
+    Alpha,
+    /// m/s.
+    Velocity,
+    /// m/s².
+    Acceleration,
+    /// s.
+    Time,
+    /// A number without a unit.
+    Number,
+    /// m per mm of paper.
+    ScaleOfLengths,
+    /// (m/s) per mm of paper.
+    ScaleOfVelocities,
+    /// (m/s²) per mm of paper.
+    ScaleOfAccelerations,
+}
+
+impl Wanted {
+    /// The quantities that the `units` table of a scene knows, with their keys.
+    pub const TABLE: [(&'static str, Wanted); 6] = [
+        ("length", Wanted::Length),
+        ("angle", Wanted::Angle),
+        ("omega", Wanted::Omega),
+        ("alpha", Wanted::Alpha),
+        ("velocity", Wanted::Velocity),
+        ("acceleration", Wanted::Acceleration),
+    ];
+
+    /// Its dimension.
+    pub const fn dim(self) -> Dim {
+        match self {
+            Wanted::Length => LENGTH,
+            Wanted::Angle => Dim::ANGLE,
+            Wanted::Omega => RATE,
+            Wanted::Alpha => Dim::new(0, -2, 1),
+            Wanted::Velocity => Dim::new(1, -1, 0),
+            Wanted::Acceleration => Dim::new(1, -2, 0),
+            Wanted::Time => TIME,
+            Wanted::Number | Wanted::ScaleOfLengths => Dim::NUMBER,
+            Wanted::ScaleOfVelocities => Dim::new(0, -1, 0),
+            Wanted::ScaleOfAccelerations => Dim::new(0, -2, 0),
+        }
+    }
+
+    /// In words, as a message begins: `a length`.
+    pub fn describe(self) -> Both {
+        match self {
+            Wanted::Length => both!("a length", "长度"),
+            Wanted::Angle => both!("an angle", "角度"),
+            Wanted::Omega => both!("an angular velocity", "角速度"),
+            Wanted::Alpha => both!("an angular acceleration", "角加速度"),
+            Wanted::Velocity => both!("a velocity", "速度"),
+            Wanted::Acceleration => both!("an acceleration", "加速度"),
+            Wanted::Time => both!("a time", "时间"),
+            Wanted::Number => both!("a number", "数"),
+            Wanted::ScaleOfLengths => both!("a scale of lengths", "长度比例尺"),
+            Wanted::ScaleOfVelocities => both!("a scale of velocities", "速度比例尺"),
+            Wanted::ScaleOfAccelerations => both!("a scale of accelerations", "加速度比例尺"),
+        }
+    }
+
+    /// What is to be done with an expression of another dimension: a law of time in which the seconds of t stand alone lacks a factor.
+    pub fn missing(self, dim: Dim, expr: &Expr) -> Both {
+        let wanted = self.dim();
+        let lacking = [("m", wanted.length - dim.length), ("rad", wanted.angle - dim.angle)];
+        let seconds = dim.time - wanted.time;
+        if seconds < 1 || !mentions(expr, front::TIME) || lacking.iter().any(|(_, n)| !(0..=1).contains(n)) {
+            return both!("write it in {}", "请以 {} 为单位", self.usual_unit());
+        }
+        let below = if seconds == 1 { "s".to_owned() } else { format!("s^{seconds}") };
+        let above = lacking.iter().find(|(_, n)| *n == 1);
+        let factor = above.map_or(format!("1/(1 {below})"), |(unit, _)| format!("1 {unit}/{below}"));
+        both!("t counts in seconds: multiply by {factor}", "t 以秒计：请乘以 {factor}")
+    }
+
+    /// A unit to propose for a bare number.
+    pub const fn usual_unit(self) -> &'static str {
+        match self {
+            Wanted::Length => "mm",
+            Wanted::Angle => "deg",
+            Wanted::Omega => "rad/s",
+            Wanted::Alpha => "rad/s^2",
+            Wanted::Velocity => "m/s",
+            Wanted::Acceleration => "m/s^2",
+            Wanted::Time => "s",
+            Wanted::Number => "",
+            Wanted::ScaleOfLengths => "m/mm",
+            Wanted::ScaleOfVelocities => "(m/s)/mm",
+            Wanted::ScaleOfAccelerations => "(m/s^2)/mm",
+        }
+    }
+
+    /// The key of the `units` table that gives bare numbers of this kind their unit; scales have none.
+    pub fn key(self) -> Option<&'static str> {
+        Wanted::TABLE.iter().find(|(_, w)| *w == self).map(|(k, _)| *k)
+    }
+}

@@ -1,0 +1,415 @@
+//! Quantities of the scene: parameters in order, the `units` table, and every number to SI with its dimension checked.
+
+use std::cell::RefCell;
+use std::collections::{HashMap, HashSet};
+
+use super::eval::{NoValue, Value, evaluate};
+use super::exact;
+use super::expr::{self, Expr};
+use super::front::{self, Law};
+use super::model::{Angle, Given};
+use super::parameters;
+use super::raw::RawQuantity;
+use super::units::{Dim, Wanted};
+use hodograph_base::diag::{Both, Diagnostic, Faults, Span, both};
+use hodograph_base::json::Word;
+use hodograph_base::json::fields::suggest;
+use hodograph_base::number::{Ball, Real};
+
+/// An expression, its value, and the value with a bound of its error.
+type Evaluated = (Expr, Value, Value<Ball<f64>>);
+
+/// A parameter's value, and the same with a bound of its error.
+#[derive(Clone, Copy)]
+struct Known {
+    value: Value,
+    ball: Value<Ball<f64>>,
+}
+
+/// The full text of a quantity, its value, and the same with a bound of its error.
+type Read = (String, Value, Value<Ball<f64>>);
+
+/// How far a value may be from the true number in a ball.
+fn distance(value: f64, ball: Ball<f64>) -> f64 {
+    (ball.approx() - value).abs() + ball.radius()
+}
+
+/// Parameters and units of a scene, ready to read its quantities.
+pub(super) struct Values<'a> {
+    source: &'a str,
+    /// Names in the order of the file; a value is missing where the parameter had a fault.
+    names: Vec<&'a str>,
+    known: HashMap<&'a str, Option<Known>>,
+    /// Names and texts of the parameters that have a value, in the order of the file.
+    texts: Vec<(&'a str, &'a str)>,
+    units: HashMap<&'static str, String>,
+    used: RefCell<HashSet<String>>,
+}
+
+impl<'a> Values<'a> {
+    /// Reads the `units` table and the parameters, each after those that it names; the parameters in this order.
+    pub fn new(
+        source: &'a str,
+        units: &[(Word, Word)],
+        parameters: &'a [(Word, RawQuantity)],
+        faults: &mut Faults,
+    ) -> (Self, Vec<(String, Given)>) {
+        let mut values = Values {
+            source,
+            names: Vec::new(),
+            known: HashMap::new(),
+            texts: Vec::new(),
+            units: HashMap::new(),
+            used: RefCell::new(HashSet::new()),
+        };
+        for (key, unit) in units {
+            values.unit(key, unit, faults);
+        }
+        let mut list = Vec::new();
+        let (order, circular) = parameters::by_dependence(parameters);
+        faults.list.extend(circular);
+        for (name, quantity) in order.into_iter().map(|i| &parameters[i]) {
+            let value = match values.evaluate(quantity) {
+                Ok((_, value, ball)) => Some(Known { value, ball }),
+                Err(fault) => {
+                    faults.list.extend(fault);
+                    None
+                }
+            };
+            if !expr::is_name(&name.text) {
+                let d = Diagnostic::error("name", both!("`{}` cannot name a parameter", "`{}` 不能作参数名", name.text)).at(name.span);
+                faults.push(d.help(both!("a name is a letter followed by letters, digits or _", "名称以字母开头，后接字母、数字或 _")));
+            } else if expr::is_reserved(&name.text) {
+                let d = Diagnostic::error(
+                    "name",
+                    both!("`{}` is a unit or a function and cannot name a parameter", "`{}` 是单位或函数，不能作参数名", name.text),
+                )
+                .at(name.span);
+                faults.push(d.help(both!("call it `{}0`", "可改称 `{}0`", name.text)));
+                // Where it is used, it is meant: that is the same fault.
+                values.names.push(&name.text);
+                values.known.insert(&name.text, None);
+            } else {
+                values.names.push(&name.text);
+                values.known.insert(&name.text, value);
+            }
+            if let Some(Known { value, ball }) = value {
+                let given =
+                    Given { value: value.si(), radius: distance(value.si(), ball.si()), text: quantity.text.clone(), span: quantity.span };
+                list.push((name.text.clone(), given));
+                values.texts.push((&name.text, &quantity.text));
+            }
+        }
+        (values, list)
+    }
+
+    fn unit(&mut self, key: &Word, unit: &Word, faults: &mut Faults) {
+        let Some((name, wanted)) = Wanted::TABLE.iter().find(|(k, _)| *k == key.text) else {
+            let d = Diagnostic::error("unknown-key", both!("`{}` is not a quantity of \"units\"", "`{}` 不是 \"units\" 中的量", key.text))
+                .at(key.span);
+            faults.push(d.help(suggest(&key.text, Wanted::TABLE.iter().map(|(k, _)| *k), both!("the quantities are", "量有"))));
+            return;
+        };
+        let quantity = RawQuantity { text: unit.text.clone(), span: unit.span, bare: false };
+        match self.evaluate(&quantity) {
+            Ok((_, value, _)) if value.dim == wanted.dim() => {
+                self.units.insert(name, unit.text.clone());
+            }
+            Ok(_) => {
+                let d = Diagnostic::error("unit", both!("`{}` is not a unit of {}", "`{}` 不是{}的单位", unit.text, wanted.describe()))
+                    .at(unit.span);
+                faults.push(d.help(both!("write \"{}\"", "请写 \"{}\"", wanted.usual_unit())));
+            }
+            Err(fault) => faults.list.extend(fault),
+        }
+    }
+
+    /// Warnings about parameters that nothing uses; to be asked when everything has been read.
+    pub fn unused(&self, parameters: &[(Word, RawQuantity)]) -> Vec<Diagnostic> {
+        let used = self.used.borrow();
+        parameters
+            .iter()
+            .filter(|(name, _)| !used.contains(&name.text))
+            .map(|(name, _)| {
+                Diagnostic::warning("unused-parameter", both!("parameter `{}` is not used", "参数 `{}` 没有用到", name.text)).at(name.span)
+            })
+            .collect()
+    }
+
+    /// The parameters that something uses.
+    pub fn used_names(&self) -> HashSet<String> {
+        self.used.borrow().clone()
+    }
+
+    /// The dimension of a parameter's value, which counts as used; `None` where there is none or it has a fault.
+    pub fn dim(&self, name: &str) -> Option<Dim> {
+        self.used.borrow_mut().insert(name.to_owned());
+        self.known.get(name).copied().flatten().map(|k| k.value.dim)
+    }
+
+    /// A function of one variable, over the parameters: the text is read now, its values later.
+    pub fn curve(&self, quantity: &RawQuantity, variable: &str) -> Result<super::front::Curve, Diagnostic> {
+        let mut names = self.names.clone();
+        names.push(variable);
+        let expr = expr::parse(&quantity.text, &names).map_err(|d| self.locate(quantity, d))?;
+        let known = |name: &&str| Some(((*name).to_owned(), self.known.get(*name).copied().flatten()?.value));
+        let used = |name: &&str| quantity.text.contains(*name);
+        self.used.borrow_mut().extend(self.names.iter().filter(|n| used(n)).map(|n| (*n).to_owned()));
+        let parameters = self.names.iter().filter(|n| **n != variable).filter_map(known).collect();
+        Ok(super::front::Curve { expr, variable: variable.to_owned(), angle: None, parameters })
+    }
+
+    /// A law of time: its dimension is looked at where it is wanted. Without the time in it a bare number takes the unit of the table.
+    pub fn law(&self, quantity: &RawQuantity, wanted: Wanted, t: f64) -> Result<Law, Vec<Diagnostic>> {
+        let located = |d: Diagnostic| vec![self.locate(quantity, d)];
+        let law = self.unchecked_law(&quantity.text, quantity).map_err(located)?;
+        if !law.depends_on_time() {
+            let mut faults = Faults::default();
+            let Some((text, ..)) = self.value(quantity, wanted, &mut faults) else { return Err(faults.list) };
+            return self.unchecked_law(&text, quantity).map_err(located);
+        }
+        let value = law.at(t).map_err(located)?;
+        if value.dim.serves(wanted.dim()) {
+            return Ok(law);
+        }
+        let text = &quantity.text;
+        let message = both!("{} is wanted here, `{text}` is {}", "此处需要{}，`{text}` 是{}", wanted.describe(), value.dim.describe());
+        let d = Diagnostic::error("dimension", message).help(wanted.missing(value.dim, &law.expr));
+        Err(vec![d.at(quantity.span)])
+    }
+
+    /// A time of the file, kept as written.
+    pub fn time(&self, quantity: &RawQuantity) -> Result<Law, Vec<Diagnostic>> {
+        let located = |d: Diagnostic| vec![self.locate(quantity, d)];
+        let law = self.unchecked_law(&quantity.text, quantity).map_err(located)?;
+        let value = law.at(0.0).map_err(located)?;
+        let zero = value.dim == Dim::NUMBER && value.number.0[0] == 0.0;
+        if value.dim == Dim::TIME && !law.depends_on_time() || zero {
+            return Ok(law);
+        }
+        let message = both!("a time is wanted here, `{}` is {}", "此处需要时间，`{}` 是{}", quantity.text, value.dim.describe());
+        let d = Diagnostic::error("dimension", message).help(both!("write it in s", "请以 s 为单位"));
+        Err(vec![d.at(quantity.span)])
+    }
+
+    fn unchecked_law(&self, text: &str, quantity: &RawQuantity) -> Result<Law, Diagnostic> {
+        let mut names = self.names.clone();
+        if !names.contains(&front::TIME) {
+            names.push(front::TIME);
+        }
+        let expr = expr::parse(text, &names)?;
+        let used = |name: &&str| quantity.text.contains(*name);
+        self.used.borrow_mut().extend(self.names.iter().filter(|n| used(n)).map(|n| (*n).to_owned()));
+        let known = |(k, (name, text)): (usize, &(&str, &str))| {
+            let earlier: Vec<&str> = self.texts[..k].iter().map(|(n, _)| *n).collect();
+            Some(((*name).to_owned(), expr::parse(text, &earlier).ok()?))
+        };
+        let parameters = self.texts.iter().enumerate().filter(|(_, (n, _))| *n != front::TIME).filter_map(known).collect();
+        Ok(Law::new(text.to_owned(), expr, parameters))
+    }
+
+    /// Whether a parameter is called so.
+    pub fn has_name(&self, name: &str) -> bool {
+        self.names.contains(&name)
+    }
+
+    /// Whether the `units` table says what bare numbers of a kind are.
+    pub fn has_unit(&self, wanted: Wanted) -> bool {
+        wanted.key().is_some_and(|k| self.units.contains_key(k))
+    }
+
+    /// The unit that the `units` table gives to bare numbers of a kind, as written.
+    pub fn unit_of(&self, wanted: Wanted) -> Option<&str> {
+        self.units.get(wanted.key()?).map(String::as_str)
+    }
+
+    /// A quantity in SI units.
+    pub fn si(&self, quantity: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Given> {
+        let (text, value, ball) = self.value(quantity, wanted, faults)?;
+        Some(Given { value: value.si(), radius: distance(value.si(), ball.si()), text, span: quantity.span })
+    }
+
+    /// A length that must be greater than zero.
+    pub fn positive_length(&self, quantity: &RawQuantity, what: Both, faults: &mut Faults) -> Option<Given> {
+        let given = self.si(quantity, Wanted::Length, faults)?;
+        if given.value > 0.0 {
+            return Some(given);
+        }
+        let d = Diagnostic::error("not-positive", both!("{} is {}; it must be greater than zero", "{}为 {}，应大于零", what, given.text));
+        faults.push(d.at(quantity.span));
+        None
+    }
+
+    /// A number without a dimension.
+    pub fn pure_number(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<f64> {
+        let fault = match self.evaluate(quantity) {
+            Ok((_, value, _)) if value.dim == Dim::NUMBER => return Some(value.number),
+            Ok((_, value, _)) => {
+                let text = &quantity.text;
+                let message = both!("a number is wanted here, `{text}` is {}", "此处需要数值，`{text}` 是{}", value.dim.describe());
+                Some(Diagnostic::error("dimension", message).at(quantity.span).help(both!("write it without a unit", "请不带单位")))
+            }
+            Err(fault) => fault,
+        };
+        faults.list.extend(fault);
+        None
+    }
+
+    /// A number without a dimension, or an angle: its number as written, and for an angle whether it counts degrees.
+    pub fn number_or_angle(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<(f64, Option<bool>)> {
+        match self.evaluate(quantity) {
+            Ok((_, value, _)) if value.dim == Dim::ANGLE => Some((value.number, Some(value.degrees))),
+            Ok(_) | Err(_) => Some((self.pure_number(quantity, faults)?, None)),
+        }
+    }
+
+    /// An angle, in degrees where it is written in degrees.
+    pub fn angle(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<Given<Angle>> {
+        let mut angle = self.angle_in_full(quantity, faults)?;
+        let degrees = matches!(angle.value, Angle::Deg(_));
+        // Of so many turns `f64` no longer tells where in its turn the angle lies: whole turns are taken off what is written.
+        if !exact::tells(angle.value, angle.radius)
+            && let Some((number, radius)) = exact::less_turns(&self.texts, &angle.text, degrees)
+        {
+            (angle.value, angle.radius) = (if degrees { Angle::Deg(number) } else { Angle::Rad(number) }, radius);
+        }
+        Some(angle)
+    }
+
+    /// An angle with all its turns.
+    pub fn angle_in_full(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<Given<Angle>> {
+        let (text, value, ball) = self.value(quantity, Wanted::Angle, faults)?;
+        // In the unit of the value: an angle that is only known to be near a whole number of degrees is in radians.
+        let degrees = if ball.degrees { ball.number } else { ball.number * Ball::from_f64(180.0) / Ball::pi() };
+        let number = if value.degrees { degrees } else { ball.si() };
+        let radius = distance(value.number, number);
+        Some(Given { value: value.angle(), radius, text, span: quantity.span })
+    }
+
+    /// The text of an angle, less the whole turns that were taken off its value: what is written with the one then is what is computed
+    /// from the other.
+    pub fn text_of(&self, angle: &Given<Angle>) -> String {
+        let turns = exact::turns_taken(&self.texts, &angle.text, angle.value.degrees());
+        // With a precision all digits of a large number are printed, and not the shortest that find it again.
+        turns.into_iter().fold(angle.text.clone(), |text, n| format!("({text})-({n:.0}*360 deg)"))
+    }
+
+    /// Two coordinates in metres.
+    pub fn two_lengths(&self, xy: &[RawQuantity; 2], faults: &mut Faults) -> Option<[Given; 2]> {
+        let x = self.si(&xy[0], Wanted::Length, faults);
+        let y = self.si(&xy[1], Wanted::Length, faults);
+        Some([x?, y?])
+    }
+
+    /// The value, its dimension checked, and the text that says it in full (a bare number gets the unit of the table).
+    fn value(&self, quantity: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Read> {
+        let result = self.evaluate(quantity).and_then(|(expr, value, ball)| self.fit(quantity, &expr, (value, ball), wanted).map_err(Some));
+        match result {
+            Ok(found) => Some(found),
+            Err(fault) => {
+                faults.list.extend(fault);
+                None
+            }
+        }
+    }
+
+    fn fit(
+        &self,
+        quantity: &RawQuantity,
+        expr: &Expr,
+        (value, ball): (Value, Value<Ball<f64>>),
+        wanted: Wanted,
+    ) -> Result<Read, Diagnostic> {
+        let text = &quantity.text;
+        // A scale such as m/mm has no dimension, yet a bare number in its place would leave open what it counts.
+        let is_number = if wanted.key().is_none() { expr::is_bare(expr) } else { value.dim == Dim::NUMBER };
+        if !is_number {
+            if value.dim.serves(wanted.dim()) {
+                return Ok((text.clone(), value, ball));
+            }
+            let message = both!("{} is wanted here, `{text}` is {}", "此处需要{}，`{text}` 是{}", wanted.describe(), value.dim.describe());
+            let d = Diagnostic::error("dimension", message).at(quantity.span);
+            return Err(match expr::unit_in_divisor(text, expr) {
+                Some(meant) => d.help(both!(
+                    "a unit binds to the number before it and not to the quotient: write \"{meant}\"",
+                    "单位只属于它前面的数，不属于整个商：请写 \"{meant}\""
+                )),
+                None => d.help(wanted.missing(value.dim, expr)),
+            });
+        }
+        if value.number == 0.0 {
+            let zero = Value { number: 0.0, dim: wanted.dim(), degrees: wanted == Wanted::Angle };
+            // An expression may be zero by rounding only.
+            return Ok((text.clone(), zero, Value { degrees: zero.degrees, ..ball }));
+        }
+        let simple = text.strip_prefix('-').unwrap_or(text).bytes().all(|b| b.is_ascii_digit() || b == b'.');
+        let with_unit = |unit: &str| match (simple, unit.bytes().all(|b| b.is_ascii_alphabetic())) {
+            (true, true) => format!("{text} {unit}"),
+            (true, false) => format!("{text} ({unit})"),
+            (false, _) => format!("({text}) ({unit})"),
+        };
+        let Some(unit) = wanted.key().and_then(|k| self.units.get(k)) else {
+            let d = Diagnostic::error(
+                "no-unit",
+                both!("{} is wanted here, `{text}` has no unit", "此处需要{}，`{text}` 没有单位", wanted.describe()),
+            )
+            .at(quantity.span);
+            let usual = wanted.usual_unit();
+            let proposal = if simple { format!("{text} {usual}") } else { format!("({text}) * 1 {usual}") };
+            return Err(match wanted.key() {
+                Some(key) => d.help(both!(
+                    "write \"{proposal}\", or give \"units\": {{\"{key}\": \"{usual}\"}} for all bare numbers",
+                    "请写 \"{proposal}\"，或用 \"units\": {{\"{key}\": \"{usual}\"}} 给所有不带单位的数规定单位"
+                )),
+                None => d.help(both!("write \"{proposal}\"", "请写 \"{proposal}\"")),
+            });
+        };
+        let text = with_unit(unit);
+        let full = RawQuantity { text: text.clone(), span: quantity.span, bare: true };
+        match self.evaluate(&full) {
+            Ok((_, value, ball)) => Ok((text, value, ball)),
+            // The number and the unit have been read one by one; together they can only be too large.
+            Err(fault) => {
+                Err(fault
+                    .unwrap_or_else(|| Diagnostic::error("expression", both!("`{text}` has no value", "`{text}` 无值")).at(quantity.span)))
+            }
+        }
+    }
+
+    /// Parses and evaluates, with a bound of the error; in longer numbers where `f64` loses the digits of what is written. The
+    /// fault is `None` where it is that of a parameter and has been reported there.
+    fn evaluate(&self, quantity: &RawQuantity) -> Result<Evaluated, Option<Diagnostic>> {
+        let expr = expr::parse(&quantity.text, &self.names).map_err(|d| Some(self.locate(quantity, d)))?;
+        let lookup = |name: &str| {
+            self.used.borrow_mut().insert(name.to_owned());
+            self.known.get(name).copied().flatten().map(|k| k.value)
+        };
+        match evaluate(&expr, &lookup) {
+            Ok(value) => {
+                let ball = self.ball(&expr, value);
+                let (value, ball) = exact::settled(&self.texts, &quantity.text, value, ball);
+                Ok((expr, value, ball))
+            }
+            Err(NoValue::Reported) => Err(None),
+            Err(NoValue::Fault(d)) => Err(Some(self.locate(quantity, d))),
+        }
+    }
+
+    /// The same value with a bound of its error; without a bound where an operation may leave its domain by rounding.
+    fn ball(&self, expr: &Expr, value: Value) -> Value<Ball<f64>> {
+        let lookup = |name: &str| self.known.get(name).copied().flatten().map(|k| k.ball);
+        let unknown = Value { number: Ball::new(value.number, f64::INFINITY), dim: value.dim, degrees: value.degrees };
+        evaluate(expr, &lookup).unwrap_or(unknown)
+    }
+
+    /// Turns a place in the expression into a place in the file.
+    fn locate(&self, quantity: &RawQuantity, d: Diagnostic) -> Diagnostic {
+        let Span { start, end } = quantity.span;
+        // With escapes in the string the two texts do not run in step; then the whole value is the place.
+        let in_step = !quantity.bare && self.source.get(start + 1..end.saturating_sub(1)) == Some(quantity.text.as_str());
+        match d.span {
+            Some(inner) if in_step => d.at(Span::new(start + 1 + inner.start, start + 1 + inner.end)),
+            _ => d.at(quantity.span),
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! Given quantities as a reader is told them: in the units of the book, else as the scene writes them.
+
+use super::book::BookUnit;
+use super::expr::{self, Expr, ExprKind};
+use super::kind::Kind;
+use super::model::{Given, Scene};
+
+/// A given quantity for a reader.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Told {
+    /// A number and a unit, as they are written.
+    AsWritten(String, BookUnit),
+    /// What is computed (`2*r`) or written in another unit: its value in the unit.
+    Computed(f64, BookUnit),
+    /// Nothing says a unit: zero, or a product of other quantities.
+    Usual,
+}
+
+impl Scene {
+    /// How a quantity is told that the scene writes as `text`; `si` is its value in SI units.
+    ///
+    /// The unit is that of the book; without one that of the text, or of the first parameter in it that has one of the kind.
+    pub fn told(&self, kind: Kind, text: &str, si: f64) -> Told {
+        let written = as_written(&self.parameters, kind, text, si);
+        match (self.book.chosen(kind), written) {
+            (Some(chosen), Told::AsWritten(number, unit)) if unit == *chosen => Told::AsWritten(number, unit),
+            (Some(_), Told::Usual) if si == 0.0 => Told::Usual,
+            (Some(chosen), _) => Told::Computed(chosen.of(si), chosen.clone()),
+            (None, written) => written,
+        }
+    }
+}
+
+/// How a quantity of a scene with these parameters is told, whatever unit the answers have.
+pub(super) fn as_written(parameters: &[(String, Given)], kind: Kind, text: &str, si: f64) -> Told {
+    if let Some((number, unit)) = literal(text, kind) {
+        return Told::AsWritten(number, unit);
+    }
+    unit_in(parameters, text, kind).map_or(Told::Usual, |unit| Told::Computed(unit.of(si), unit))
+}
+
+/// The unit of a text that may use these parameters.
+fn unit_in(parameters: &[(String, Given)], text: &str, kind: Kind) -> Option<BookUnit> {
+    if let Some((_, unit)) = literal(text, kind) {
+        return Some(unit);
+    }
+    let names: Vec<&str> = parameters.iter().map(|p| p.0.as_str()).collect();
+    unit_of(parameters, &expr::parse(text, &names).ok()?, kind)
+}
+
+fn unit_of(parameters: &[(String, Given)], expr: &Expr, kind: Kind) -> Option<BookUnit> {
+    match &expr.kind {
+        ExprKind::Number(_) | ExprKind::Pi => None,
+        ExprKind::Unit(unit) => BookUnit::read(unit.name, kind).ok(),
+        ExprKind::Parameter(name) => {
+            // A parameter uses those before it.
+            let at = parameters.iter().rposition(|p| p.0 == *name)?;
+            unit_in(&parameters[..at], &parameters[at].1.text, kind)
+        }
+        ExprKind::Neg(a) | ExprKind::Call(_, a) => unit_of(parameters, a, kind),
+        ExprKind::Binary(_, a, b) => unit_of(parameters, a, kind).or_else(|| unit_of(parameters, b, kind)),
+    }
+}
+
+/// A text that is a number and a unit of the kind.
+fn literal(text: &str, kind: Kind) -> Option<(String, BookUnit)> {
+    let text = text.trim();
+    let numeral = |(i, c): &(usize, char)| match c {
+        '0'..='9' | '.' => true,
+        // A sign stands first or in an exponent, and an e between digits.
+        '-' => *i == 0 || text[..*i].ends_with(['e', 'E']),
+        'e' | 'E' => text[i + 1..].starts_with(|c: char| c.is_ascii_digit() || c == '-'),
+        _ => false,
+    };
+    let end = text.char_indices().find(|at| !numeral(at)).map_or(text.len(), |(i, _)| i);
+    let (number, unit) = text.split_at(end);
+    number.parse::<f64>().ok()?;
+    Some((number.to_owned(), BookUnit::read(unit, kind).ok()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::read;
+
+    #[test]
+    fn a_given_quantity_keeps_the_unit_in_which_it_is_written() {
+        let scene = |answers: &str| {
+            let text = format!(
+                r#"{{"parameters": {{"r": "4.50 in", "n": "300 rpm", "b": "2*r", "phi": "0.5 rad"}}, {answers} "links": {{"1": ["A", "B"], "2": ["A"]}},
+                "ground": "2", "lengths": {{"AB": "b"}}, "driver": {{"link": "1", "angle": "phi", "omega": "n"}}, "find": ["v_B"]}}"#
+            );
+            read(text).unwrap_or_else(|f| panic!("{f}")).value
+        };
+        let (plain, book) = (scene(""), scene(r#""answers": {"length": "cm", "omega": "rad/s"},"#));
+        let unit = |text: &str, kind| BookUnit::read(text, kind).unwrap();
+        let (inch, rpm) = (unit("in", Kind::Length), unit("rpm", Kind::Omega));
+        for (kind, text, si, told) in [
+            (Kind::Length, "4.50 in", 0.1143, Told::AsWritten("4.50".into(), inch.clone())),
+            (Kind::Length, "b + 1 mm", 0.254, Told::Computed(10.0, inch.clone())),
+            (Kind::Length, "1e-2 in", 0.000254, Told::AsWritten("1e-2".into(), inch)),
+            (Kind::Length, "0", 0.0, Told::Usual),
+            (Kind::Omega, "-300 rpm", -31.4, Told::AsWritten("-300".into(), rpm.clone())),
+            (Kind::Omega, "n", rpm.size() * 300.0, Told::Computed(300.0, rpm)),
+            (Kind::Velocity, "n*r", 3.6, Told::Usual),
+            (Kind::Angle, "phi", 0.5, Told::Computed(0.5, unit("rad", Kind::Angle))),
+        ] {
+            match (plain.told(kind, text, si), told) {
+                (Told::Computed(a, u), Told::Computed(b, w)) => assert!((a - b).abs() < 1e-12 && u == w, "{text}: {a} {b}"),
+                (told, expected) => assert_eq!(told, expected, "{text}"),
+            }
+        }
+        let cm = unit("cm", Kind::Length);
+        assert_eq!(book.told(Kind::Length, "4.50 in", 0.25), Told::Computed(25.0, cm.clone()));
+        assert_eq!(book.told(Kind::Length, "30 cm", 0.3), Told::AsWritten("30".into(), cm));
+        assert_eq!(book.told(Kind::Omega, "300 rpm", 2.0), Told::Computed(2.0, unit("rad/s", Kind::Omega)));
+        assert_eq!(book.told(Kind::Length, "0", 0.0), Told::Usual);
+    }
+}

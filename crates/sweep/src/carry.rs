@@ -1,0 +1,217 @@
+//! What a link carries: images of its points, its arms and their rates, its turning.
+//!
+//! A link is known by a point of it and an arm d between two of its places; any other of its points is the image of
+//! the arm, P = O + k d with a complex constant k, and so are the velocities and accelerations of the three (影像).
+
+use super::kernel::{Kernel, Pair, Reg};
+use super::lane::Lane;
+use hodograph_base::geom::Vec2;
+
+/// O + k d.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Image {
+    /// The link's own point, or its velocity, or its acceleration.
+    pub o: Pair,
+    /// The arm, or its rates.
+    pub d: Pair,
+    /// Real and imaginary part of k.
+    pub k: [f64; 2],
+}
+
+impl Kernel<4, 2> for Image {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 4] {
+        [self.o.x, self.o.y, self.d.x, self.d.y]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [ox, oy, dx, dy]: [N; 4]) -> [N; 2] {
+        let [p, q] = self.k;
+        [ox + (dx * p + dy * -q), oy + (dx * q + dy * p)]
+    }
+}
+
+/// B − A.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arm {
+    /// Start.
+    pub from: Pair,
+    /// End.
+    pub to: Pair,
+}
+
+impl Kernel<4, 2> for Arm {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 4] {
+        [self.from.x, self.from.y, self.to.x, self.to.y]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [ax, ay, bx, by]: [N; 4]) -> [N; 2] {
+        [bx - ax, by - ay]
+    }
+}
+
+/// k d: an arm turned and stretched by a complex constant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Twist {
+    /// The arm.
+    pub d: Pair,
+    /// Real and imaginary part of k.
+    pub k: [f64; 2],
+}
+
+impl Kernel<2, 2> for Twist {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 2] {
+        [self.d.x, self.d.y]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [dx, dy]: [N; 2]) -> [N; 2] {
+        let [p, q] = self.k;
+        [dx * p + dy * -q, dx * q + dy * p]
+    }
+}
+
+/// The complex product of two vectors: `a` turned by the angle of `b` and stretched by its length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Product {
+    /// First factor.
+    pub a: Pair,
+    /// Second factor.
+    pub b: Pair,
+}
+
+impl Kernel<4, 2> for Product {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 4] {
+        [self.a.x, self.a.y, self.b.x, self.b.y]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [ax, ay, bx, by]: [N; 4]) -> [N; 2] {
+        let v = Vec2::new(ax, ay).rotate_by(Vec2::new(bx, by));
+        [v.x, v.y]
+    }
+}
+
+/// Q + s t.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Along {
+    /// Start.
+    pub q: Pair,
+    /// Direction.
+    pub t: Pair,
+    /// How far.
+    pub s: Reg,
+}
+
+impl Kernel<5, 2> for Along {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 5] {
+        [self.q.x, self.q.y, self.t.x, self.t.y, self.s]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [qx, qy, tx, ty, s]: [N; 5]) -> [N; 2] {
+        [qx + tx * s, qy + ty * s]
+    }
+}
+
+/// v_P = v_O + ω × r, with the arm r from O to P.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Swing {
+    /// v_O.
+    pub v: Pair,
+    /// r.
+    pub r: Pair,
+    /// ω.
+    pub omega: Reg,
+}
+
+impl Kernel<5, 2> for Swing {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 5] {
+        [self.v.x, self.v.y, self.r.x, self.r.y, self.omega]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [vx, vy, rx, ry, w]: [N; 5]) -> [N; 2] {
+        [vx - w * ry, vy + w * rx]
+    }
+}
+
+/// a_P = a_O + α × r − ω² r.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SwingRate {
+    /// a_O.
+    pub a: Pair,
+    /// r.
+    pub r: Pair,
+    /// ω.
+    pub omega: Reg,
+    /// α.
+    pub alpha: Reg,
+}
+
+impl Kernel<6, 2> for SwingRate {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 6] {
+        [self.a.x, self.a.y, self.r.x, self.r.y, self.omega, self.alpha]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [ax, ay, rx, ry, w, e]: [N; 6]) -> [N; 2] {
+        let w2 = w * w;
+        [ax - e * ry - w2 * rx, ay + e * rx - w2 * ry]
+    }
+}
+
+/// ω of an arm d whose end moves by v against its start: d × v / d².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turning {
+    /// The arm.
+    pub d: Pair,
+    /// Its rate.
+    pub v: Pair,
+}
+
+impl Kernel<4, 1> for Turning {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 4] {
+        [self.d.x, self.d.y, self.v.x, self.v.y]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [dx, dy, vx, vy]: [N; 4]) -> [N; 1] {
+        let d = Vec2::new(dx, dy);
+        [d.cross(Vec2::new(vx, vy)) / d.norm2()]
+    }
+}
+
+/// α of the same arm: (d × a − 2 ω d·v)/d².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TurningRate {
+    /// The arm.
+    pub d: Pair,
+    /// Its rate.
+    pub v: Pair,
+    /// The rate of that.
+    pub a: Pair,
+    /// ω.
+    pub omega: Reg,
+}
+
+impl Kernel<7, 1> for TurningRate {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 7] {
+        [self.d.x, self.d.y, self.v.x, self.v.y, self.a.x, self.a.y, self.omega]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [dx, dy, vx, vy, ax, ay, w]: [N; 7]) -> [N; 1] {
+        let d = Vec2::new(dx, dy);
+        [(d.cross(Vec2::new(ax, ay)) - w * d.dot(Vec2::new(vx, vy)) * 2.0) / d.norm2()]
+    }
+}

@@ -1,0 +1,217 @@
+//! The questions as columns: which registers answer them. The definitions are those of [`hodograph_mechanism::answer::evaluate`];
+//! what has no [`Meaning`] has no kernel, and the loop equations answer it.
+
+use super::{Compiler, NoKernel, Spot};
+use crate::carry::{Arm, Twist};
+use crate::extreme::Output;
+use crate::kernel::{Pair, Reg};
+use crate::reading::{Coriolis, Direction, Dot, Length, Part, Quotient, Sum};
+use hodograph_base::diag::{Diagnostic, both};
+use hodograph_mechanism::mechanism::{Joined, Level, joined};
+use hodograph_scene::quantity::{Meaning, Place, Split};
+use hodograph_scene::{Axis, Find, GuideId, LinkId, OnLink, PointId};
+
+const P: Level = Level::Position;
+const V: Level = Level::Velocity;
+const A: Level = Level::Acceleration;
+
+impl Compiler<'_> {
+    /// The columns of a question: a number one, a vector its two components and its length.
+    pub(super) fn answer(&mut self, find: &Find) -> Result<(), NoKernel> {
+        let one = |c: &mut Self, reg: Reg| c.columns.push(reg);
+        let vector = |c: &mut Self, level: Level, v: Pair| {
+            let length = c.emit(level, Length { v }, 1);
+            c.columns.extend([v.x, v.y, length]);
+        };
+        let level = find.what.level();
+        match find.what.meaning(self.scene).ok_or_else(|| no_kernel(find))? {
+            Meaning::Place(Place::Coordinate(p, axis)) => {
+                let at = self.point(p, P)?;
+                one(self, if axis == Axis::X { at.x } else { at.y })
+            }
+            Meaning::Place(Place::LinkAngle(l)) => {
+                let v = self.line_of(l)?;
+                let angle = self.emit(P, Direction { v }, 1);
+                one(self, angle)
+            }
+            Meaning::Place(Place::Distance(a, b)) => {
+                let v = self.line(a, b)?;
+                let length = self.emit(P, Length { v }, 1);
+                one(self, length)
+            }
+            Meaning::Place(Place::Along(guide, ..)) => {
+                let (way, ..) = self.along(guide)?;
+                one(self, way)
+            }
+            Meaning::Vector(p) => {
+                let v = self.vector(&p, level)?;
+                vector(self, level, v)
+            }
+            Meaning::Relative(Split::Whole, a, b) => {
+                let v = self.relative(&a, &b, level)?;
+                vector(self, level, v)
+            }
+            Meaning::Relative(Split::Sliding, a, b) if level == V => {
+                self.no_cylinder(&a, &b, find)?;
+                let v = self.relative(&a, &b, V)?;
+                vector(self, V, v)
+            }
+            Meaning::Relative(Split::Sliding, a, b) => {
+                let (from, to) = (self.coriolis(&a, &b, find)?, self.relative(&a, &b, A)?);
+                let v = self.emit_pair(A, Arm { from, to });
+                vector(self, A, v)
+            }
+            Meaning::Relative(Split::Along, a, b) => {
+                self.no_cylinder(&a, &b, find)?;
+                let (u, v) = (self.line(b.point, a.point)?, self.relative(&a, &b, A)?);
+                let part = self.emit_pair(A, Part { u, v });
+                vector(self, A, part)
+            }
+            Meaning::Relative(Split::Across, a, b) => {
+                self.no_cylinder(&a, &b, find)?;
+                let (d, v) = (self.line(b.point, a.point)?, self.relative(&a, &b, A)?);
+                let u = self.emit_pair(P, Twist { d, k: [0.0, 1.0] });
+                let part = self.emit_pair(A, Part { u, v });
+                vector(self, A, part)
+            }
+            Meaning::Relative(Split::Coriolis, a, b) => {
+                let v = self.coriolis(&a, &b, find)?;
+                vector(self, V, v)
+            }
+            // No kernel is of these: the loop equations answer them.
+            Meaning::Relative(Split::SlidingNormal | Split::SlidingTangential, ..) | Meaning::Seen(..) => {
+                return Err(no_kernel(find));
+            }
+            Meaning::Ratio(links, arm) => {
+                let [a, b] = match arm {
+                    None => [self.turning(links[0], V)?, self.turning(links[1], V)?],
+                    Some(arm) => [self.relative_turning(links[0], arm, V)?, self.relative_turning(links[1], arm, V)?],
+                };
+                // Of two vectors along one line the quotient is that of their lengths, with its sign.
+                let ratio = self.emit_pair(V, Quotient { a: Pair { x: a, y: a }, b: Pair { x: b, y: b } });
+                one(self, ratio.x)
+            }
+            Meaning::Turning(l, None) => {
+                let reg = self.turning(l, level)?;
+                one(self, reg)
+            }
+            Meaning::Turning(l, Some(against)) => {
+                let reg = self.relative_turning(l, against, level)?;
+                one(self, reg)
+            }
+        }
+        Ok(())
+    }
+
+    /// Position, rate and acceleration of an output.
+    pub(super) fn output(&mut self, output: Output) -> Result<(), NoKernel> {
+        let regs = match output {
+            Output::Turning(l) => {
+                let v = self.line_of(l)?;
+                [self.emit(P, Direction { v }, 1), self.turning(l, V)?, self.turning(l, A)?]
+            }
+            Output::Sliding(g) => {
+                let (way, u, runner) = self.along(g)?;
+                let (v, a) = (self.spot(runner, V)?, self.spot(runner, A)?);
+                [way, self.emit(V, Dot { u, v }, 1), self.emit(A, Dot { u, v: a }, 1)]
+            }
+        };
+        self.columns.extend(regs);
+        Ok(())
+    }
+
+    /// How far the runner of a straight guide is along it, the guide's direction, and the runner.
+    fn along(&mut self, g: GuideId) -> Result<(Reg, Pair, Spot), NoKernel> {
+        let guide = &self.scene.guides[g.0];
+        let (slot, runner) = match (self.slot(g)?, guide.pin, guide.slider) {
+            (Some(slot), Some(p), _) => (slot, Spot::Pin(p)),
+            (Some(slot), None, Some(l)) => (slot, Spot::Own(l)),
+            _ => return Err(self.lost(guide.on)),
+        };
+        let (from, to, u) = (slot.through, self.spot(runner, P)?, slot.direction);
+        let way = self.emit_pair(P, Arm { from, to });
+        Ok((self.emit(P, Dot { u, v: way }, 1), u, runner))
+    }
+
+    fn vector(&mut self, p: &OnLink, level: Level) -> Result<Pair, NoKernel> {
+        match p.link {
+            None => self.point(p.point, level),
+            Some(l) => self.carried(p.point, l, level),
+        }
+    }
+
+    fn relative(&mut self, a: &OnLink, b: &OnLink, level: Level) -> Result<Pair, NoKernel> {
+        let (to, from) = (self.vector(a, level)?, self.vector(b, level)?);
+        Ok(self.emit_pair(level, Arm { from, to }))
+    }
+
+    fn relative_turning(&mut self, a: LinkId, b: LinkId, level: Level) -> Result<Reg, NoKernel> {
+        let (a, b) = (self.turning(a, level)?, self.turning(b, level)?);
+        Ok(self.emit(level, Sum { a, b, k: -1.0 }, 1))
+    }
+
+    fn line(&mut self, from: PointId, to: PointId) -> Result<Pair, NoKernel> {
+        let (from, to) = (self.point(from, P)?, self.point(to, P)?);
+        Ok(self.emit_pair(P, Arm { from, to }))
+    }
+
+    /// The line whose angle a link's is: from its first point to its second, else that of its guide, else its frame's axis.
+    fn line_of(&mut self, l: LinkId) -> Result<Pair, NoKernel> {
+        if let [a, b, ..] = self.scene.links[l.0].points[..] {
+            return self.line(a, b);
+        }
+        if let Some(hodograph_mechanism::mechanism::Passive::Block(g)) = self.m.passive[l.0] {
+            let guide = &self.scene.guides[g.0];
+            return match (self.at.shapes.guides[g.0], guide.pin) {
+                (Some(hodograph_mechanism::position::Path::Arc { centre, .. }), Some(pin)) => {
+                    let (from, to) = (self.spot(Spot::Fixed(guide.on, centre), P)?, self.point(pin, P)?);
+                    let d = self.emit_pair(P, Arm { from, to });
+                    Ok(self.emit_pair(P, Twist { d, k: [0.0, 1.0] }))
+                }
+                (Some(hodograph_mechanism::position::Path::Line { direction, .. }), _) => self.direction_on(guide.on, direction),
+                _ => Err(self.lost(l)),
+            };
+        }
+        if let Some(hodograph_mechanism::mechanism::Passive::Cylinder(d)) = self.m.passive[l.0]
+            && let Some([a, b]) = self.scene.drivers[d].kind.ends()
+        {
+            return self.line(a, b);
+        }
+        if let Some(g) = hodograph_mechanism::position::guide_of(self.scene, l)
+            && let Some(hodograph_mechanism::position::Path::Line { direction, .. }) = self.at.shapes.guides[g.0]
+        {
+            return self.direction_on(self.scene.guides[g.0].on, direction);
+        }
+        self.direction_on(l, hodograph_base::geom::Vec2::new(1.0, 0.0))
+    }
+
+    /// 2 ω × v_r, ω that of the link that carries the guide between the two points.
+    fn coriolis(&mut self, a: &OnLink, b: &OnLink, find: &Find) -> Result<Pair, NoKernel> {
+        let v = self.relative(a, b, V)?;
+        let Some(Joined::Guide(g)) = joined(self.scene, a, b) else { return Err(no_kernel(find)) };
+        let omega = self.turning(self.scene.guides[g.0].on, V)?;
+        Ok(self.emit_pair(V, Coriolis { v, omega }))
+    }
+
+    /// Parts of the motion of a cylinder's ends have no kernel: the loop equations answer them.
+    fn no_cylinder(&self, a: &OnLink, b: &OnLink, find: &Find) -> Result<(), NoKernel> {
+        match joined(self.scene, a, b) {
+            Some(Joined::Cylinder(_)) => Err(no_kernel(find)),
+            Some(Joined::Link(_) | Joined::Guide(_)) | None => Ok(()),
+        }
+    }
+}
+
+fn no_kernel(find: &Find) -> NoKernel {
+    Diagnostic::note(
+        "no-kernel",
+        both!("{} has no compiled form: each position is solved by itself", "{} 不能预编译，逐位置求解（较慢）", find.text),
+    )
+    .at(find.span)
+}
+
+/// The columns of a question: name and unit of each.
+pub(crate) fn names(find: &Find) -> Vec<(String, &'static str)> {
+    let entry = find.what.entry();
+    entry.form.columns().iter().map(|c| (format!("{}{c}", find.text), entry.kind.si())).collect()
+}

@@ -1,0 +1,397 @@
+//! From a scene that is placed at its instant to a program for all positions of one swept driver.
+//!
+//! Compiled on demand: what is asked for calls for points and turnings at a level, those call for groups at that level,
+//! those for what lies upstream. Lengths, guides and the branch of each closure are those of the instant's configuration: the
+//! branch of a dyad is the sign of its area (or the side of the foot of a guide), a class III group keeps its assembly.
+//! Decided here: what a link is known by, and who asks whom. [`place`] and [`rate`] know the groups ([`triad`] those that are followed, [`rolling`] the trains), [`driver`] the drivers, [`ask`] the questions.
+//!
+//! A group that has no kernel is named ([`Compiler::without_kernel`]); the caller then follows the whole mechanism by
+//! Newton's method, position by position.
+
+pub(super) mod ask;
+mod belt;
+mod driver;
+mod place;
+mod rate;
+mod rolling;
+mod triad;
+mod turn;
+
+use super::carry::{Image, Twist};
+use super::extreme::Output;
+use super::follow::triad::Track;
+use super::kernel::{Pair, Reg};
+use super::program::{Joint, Op, Program, SIN, Step};
+use super::station::driver_positions;
+use super::train::Train;
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_mechanism::mechanism::{Level, Mechanism};
+use hodograph_mechanism::position::kernel::power_of_two_scale;
+use hodograph_mechanism::position::{Configuration, Path};
+use hodograph_scene::{Find, GuideId, LinkId, PointId, RollingId, Scene};
+use rate::Row;
+use rolling::Trains;
+
+/// Why a scene is not compiled: the group that has no kernel.
+pub type NoKernel = Diagnostic;
+
+/// Compiles the answers to `find` for a driver that is swept (`None`: all drivers stand; the program then has one position).
+///
+/// # Errors
+/// The group that has no kernel.
+pub fn compile(scene: &Scene, m: &Mechanism, at: &Configuration, driver: Option<usize>, find: &[Find]) -> Result<Program, NoKernel> {
+    let mut c = Compiler::new(scene, m, at, driver);
+    find.iter().try_for_each(|f| c.answer(f))?;
+    Ok(c.finish())
+}
+
+/// Compiles position, rate and acceleration of outputs, three columns each; and the positions of all groups, so that every joint
+/// is among the program's.
+///
+/// # Errors
+/// The group that has no kernel.
+pub fn outputs(scene: &Scene, m: &Mechanism, at: &Configuration, driver: usize, outputs: &[Output]) -> Result<Program, NoKernel> {
+    let mut c = Compiler::new(scene, m, at, Some(driver));
+    for g in 0..m.groups.len() {
+        c.group(g, Level::Position)?;
+    }
+    for output in outputs {
+        c.output(*output)?;
+    }
+    Ok(c.finish())
+}
+
+/// Compiles the places of points, and origin and x axis of the frames of links: two columns each.
+///
+/// # Errors
+/// The group that has no kernel.
+pub fn places(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    driver: usize,
+    points: &[PointId],
+    links: &[LinkId],
+) -> Result<Program, NoKernel> {
+    let mut c = Compiler::new(scene, m, at, Some(driver));
+    let mut pairs = Vec::new();
+    for p in points {
+        pairs.push(c.point(*p, Level::Position)?);
+    }
+    for l in links {
+        pairs.push(c.spot(Spot::Fixed(*l, Point::ORIGIN), Level::Position)?);
+        pairs.push(c.direction_on(*l, Vec2::new(1.0, 0.0))?);
+    }
+    c.columns.extend(pairs.into_iter().flat_map(|v| [v.x, v.y]));
+    Ok(c.finish())
+}
+
+/// A place that moves: a pin, a link's own point, or another point fixed in a link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Spot {
+    /// A pin.
+    Pin(PointId),
+    /// The point by which a link is known.
+    Own(LinkId),
+    /// A place in a link's frame.
+    Fixed(LinkId, Point),
+}
+
+/// By what a link is known.
+#[derive(Clone, Debug)]
+struct Body {
+    /// The point by whose motion it is described.
+    origin: Spot,
+    /// That point in the link's frame.
+    at: Point,
+    /// The arm in the link's frame.
+    d: Vec2,
+    /// The two pins between which the arm lies; `None` where the turning is known instead.
+    between: Option<(PointId, PointId)>,
+    /// Own point, its velocity and acceleration, where it is no pin.
+    own: [Option<Pair>; 3],
+    /// The arm and its rates.
+    arm: [Option<Pair>; 3],
+    /// ω and α (0 and 1 here are velocity and acceleration).
+    turning: [Option<Reg>; 2],
+}
+
+/// A guide in the plane.
+#[derive(Clone, Copy)]
+struct Slot {
+    through: Pair,
+    direction: Pair,
+    normal: Pair,
+}
+
+pub(super) struct Compiler<'a> {
+    scene: &'a Scene,
+    m: &'a Mechanism,
+    at: &'a Configuration,
+    driver: Option<usize>,
+    /// Value of each driver at the instant: radians between the lines that its angle counts from and to, metres.
+    values: Vec<f64>,
+    /// A power of two near the size of the mechanism: arms that have no length of their own get this one.
+    unit: f64,
+    steps: [Vec<Step>; 3],
+    constants: Vec<(Reg, f64)>,
+    registers: u32,
+    columns: Vec<Reg>,
+    joints: Vec<Joint>,
+    tracks: Vec<Track>,
+    points: Vec<[Option<Pair>; 3]>,
+    bodies: Vec<Option<Body>>,
+    slots: Vec<Option<Slot>>,
+    /// For each group, up to which level it is done.
+    done: Vec<Option<Level>>,
+    rows: Vec<Vec<Row>>,
+    trains: Trains,
+    /// Followers that cams lead.
+    leds: Vec<(usize, driver::Led)>,
+}
+
+impl<'a> Compiler<'a> {
+    fn new(scene: &'a Scene, m: &'a Mechanism, at: &'a Configuration, driver: Option<usize>) -> Self {
+        let mut c = Compiler {
+            scene,
+            m,
+            at,
+            driver,
+            values: driver_positions(scene, at),
+            unit: 1.0 / power_of_two_scale(at.extent()),
+            // About as many operations has a dyad for each effect.
+            steps: std::array::from_fn(|_| Vec::with_capacity(6 * (1 + m.groups.len()))),
+            constants: Vec::with_capacity(8 * (1 + m.groups.len())),
+            registers: SIN.0 + 1,
+            columns: Vec::with_capacity(3 * scene.find.len()),
+            joints: Vec::new(),
+            tracks: Vec::new(),
+            points: vec![[None; 3]; scene.points.len()],
+            bodies: vec![None; scene.links.len()],
+            slots: vec![None; scene.guides.len()],
+            done: vec![None; m.groups.len()],
+            rows: vec![Vec::new(); m.groups.len()],
+            trains: Trains::new(Train::of(scene, m, at)),
+            leds: Vec::new(),
+        };
+        let zero = c.zero();
+        let still = Pair { x: zero, y: zero };
+        let x = Pair { x: c.constant(1.0), y: zero };
+        c.bodies[scene.ground.0] = Some(Body {
+            origin: Spot::Own(scene.ground),
+            at: Point::ORIGIN,
+            d: Vec2::new(1.0, 0.0),
+            between: None,
+            own: [Some(still); 3],
+            arm: [Some(x), Some(still), Some(still)],
+            turning: [Some(zero); 2],
+        });
+        for (p, local) in &at.shapes.points[scene.ground.0] {
+            c.points[p.0] = [Some(c.fixed(local.to_vec2())), Some(still), Some(still)];
+        }
+        c
+    }
+
+    fn finish(self) -> Program {
+        let own = self.bodies.iter().flatten().map(|b| b.own);
+        let motions = self.points.iter().copied().chain(own).filter(|m| m[0].is_some()).collect();
+        Program {
+            motions,
+            runs: Default::default(),
+            steps: self.steps,
+            constants: self.constants,
+            registers: self.registers as usize,
+            columns: self.columns,
+            joints: self.joints,
+            tracks: self.tracks,
+            turns: self.trains.turns,
+            fastest: self.trains.fastest,
+            angular: self.driver.is_some_and(|d| self.scene.drivers[d].kind.turns()),
+        }
+    }
+
+    /// A group for which there is no kernel.
+    fn without_kernel(&self, group: usize) -> NoKernel {
+        let g = &self.m.groups[group];
+        let names: Vec<_> = g.links.iter().map(|l| self.scene.link_name(*l)).collect();
+        let pins: Vec<_> = g.pins.iter().map(|p| self.scene.point_name(*p)).collect();
+        let (links, pins, kind) = (Both::names(&names), Both::names(&pins), g.kind());
+        let message = both!(
+            "links {} with joints {} ({kind}) have no compiled form: the mechanism is followed by Newton's method from position to position",
+            "构件 {} 与铰链 {} 不能预编译，用牛顿法逐位置求解（较慢）",
+            links,
+            pins
+        );
+        let d = Diagnostic::note("no-kernel", message);
+        match g.links.first() {
+            Some(l) => d.at(self.scene.links[l.0].span),
+            None => d,
+        }
+    }
+
+    fn take(&mut self, n: u32) -> Reg {
+        let first = Reg(self.registers);
+        self.registers += n;
+        first
+    }
+
+    fn constant(&mut self, value: f64) -> Reg {
+        if let Some((reg, _)) = self.constants.iter().find(|(_, v)| v.to_bits() == value.to_bits()) {
+            return *reg;
+        }
+        let reg = self.take(1);
+        self.constants.push((reg, value));
+        reg
+    }
+
+    fn zero(&mut self) -> Reg {
+        self.constant(0.0)
+    }
+
+    fn fixed(&mut self, v: Vec2) -> Pair {
+        Pair { x: self.constant(v.x), y: self.constant(v.y) }
+    }
+
+    /// Adds an operation that fills `n` registers.
+    fn emit(&mut self, level: Level, op: impl Into<Op>, n: u32) -> Reg {
+        let out = self.take(n);
+        self.steps[level as usize].push(Step { op: op.into(), out });
+        out
+    }
+
+    fn emit_pair(&mut self, level: Level, op: impl Into<Op>) -> Pair {
+        let out = self.emit(level, op, 2);
+        Pair { x: out, y: Reg(out.0 + 1) }
+    }
+
+    fn body(&mut self, l: LinkId) -> Result<&Body, NoKernel> {
+        if self.bodies[l.0].is_none()
+            && let Some(g) = self.m.group_of_link[l.0]
+        {
+            self.group(g, Level::Position)?;
+        }
+        let missing = self.bodies[l.0].is_none();
+        if missing {
+            return Err(self.lost(l));
+        }
+        Ok(self.bodies[l.0].as_ref().expect("just made sure of"))
+    }
+
+    /// A link that nothing places.
+    fn lost(&self, l: LinkId) -> NoKernel {
+        Diagnostic::note(
+            "no-kernel",
+            both!("link {} has no compiled form", "构件 {} 不能预编译，逐位置求解（较慢）", self.scene.link_name(l)),
+        )
+        .at(self.scene.links[l.0].span)
+    }
+
+    /// A point of the scene: place, velocity or acceleration.
+    pub(super) fn point(&mut self, p: PointId, level: Level) -> Result<Pair, NoKernel> {
+        if let Some(pair) = self.points[p.0][level as usize] {
+            return Ok(pair);
+        }
+        if let Some(g) = self.m.group_of_pin[p.0] {
+            self.group(g, level)?;
+            if let Some(pair) = self.points[p.0][level as usize] {
+                return Ok(pair);
+            }
+        }
+        if let (Level::Position, Some(r)) = (level, self.scene.rolling.iter().position(|r| r.at.contains(&p))) {
+            let pair = self.contact(RollingId(r), p)?;
+            self.points[p.0][0] = Some(pair);
+            return Ok(pair);
+        }
+        let carrier = self.scene.carriers(p).find(|l| !self.m.is_passive(*l) && self.at.shapes.local(*l, p).is_some());
+        let Some((l, local)) = carrier.and_then(|l| Some((l, self.at.shapes.local(l, p)?))) else {
+            let message = both!("point {} has no compiled form", "点 {} 不能预编译，逐位置求解（较慢）", self.scene.point_name(p));
+            return Err(Diagnostic::note("no-kernel", message));
+        };
+        let pair = self.spot(Spot::Fixed(l, local), level)?;
+        self.points[p.0][level as usize] = Some(pair);
+        Ok(pair)
+    }
+
+    /// Any moving place.
+    pub(super) fn spot(&mut self, spot: Spot, level: Level) -> Result<Pair, NoKernel> {
+        match spot {
+            Spot::Pin(p) => self.point(p, level),
+            Spot::Own(l) => {
+                let origin = self.body(l)?.origin;
+                if origin != spot {
+                    return self.spot(origin, level);
+                }
+                self.link_group(l, level)?;
+                let own = self.bodies[l.0].as_ref().and_then(|b| b.own[level as usize]);
+                own.ok_or_else(|| self.lost(l))
+            }
+            Spot::Fixed(l, local) => {
+                if l == self.scene.ground {
+                    return Ok(match level {
+                        Level::Position => self.fixed(local.to_vec2()),
+                        Level::Velocity | Level::Acceleration => self.fixed(Vec2::ZERO),
+                    });
+                }
+                let body = self.body(l)?;
+                let k = (local - body.at).divide_by(body.d);
+                if k == Vec2::ZERO {
+                    return self.spot(Spot::Own(l), level);
+                }
+                if let (true, Some((_, near))) = (k == Vec2::new(1.0, 0.0), body.between) {
+                    return self.point(near, level);
+                }
+                let (o, d) = (self.spot(Spot::Own(l), level)?, self.arm(l, level)?);
+                Ok(self.emit_pair(level, Image { o, d, k: [k.x, k.y] }))
+            }
+        }
+    }
+
+    /// A place at the instant.
+    fn now(&self, spot: Spot) -> Point {
+        let nowhere = Point::new(f64::NAN, f64::NAN);
+        match spot {
+            Spot::Pin(p) => self.at.points[p.0].unwrap_or(nowhere),
+            Spot::Own(l) => match &self.bodies[l.0] {
+                Some(b) if b.origin == spot => self.now(Spot::Fixed(l, b.at)),
+                Some(b) => self.now(b.origin),
+                None => nowhere,
+            },
+            Spot::Fixed(l, local) => self.at.poses[l.0].map_or(nowhere, |pose| pose.to_world(local)),
+        }
+    }
+
+    /// Brings the group of a link to a level.
+    fn link_group(&mut self, l: LinkId, level: Level) -> Result<(), NoKernel> {
+        match self.m.group_of_link[l.0] {
+            Some(g) => self.group(g, level),
+            None => Ok(()),
+        }
+    }
+
+    /// A direction fixed in a link, in the plane.
+    fn direction_on(&mut self, l: LinkId, local: Vec2) -> Result<Pair, NoKernel> {
+        if l == self.scene.ground {
+            return Ok(self.fixed(local));
+        }
+        let k = local.divide_by(self.body(l)?.d);
+        let d = self.arm(l, Level::Position)?;
+        Ok(self.emit_pair(Level::Position, Twist { d, k: [k.x, k.y] }))
+    }
+
+    /// A straight guide in the plane.
+    fn slot(&mut self, g: GuideId) -> Result<Option<Slot>, NoKernel> {
+        if self.slots[g.0].is_none()
+            && let Some(Path::Line { through, direction }) = self.at.shapes.guides[g.0]
+        {
+            let on = self.scene.guides[g.0].on;
+            let slot = Slot {
+                through: self.spot(Spot::Fixed(on, through), Level::Position)?,
+                direction: self.direction_on(on, direction)?,
+                normal: self.direction_on(on, direction.perp())?,
+            };
+            self.slots[g.0] = Some(slot);
+        }
+        Ok(self.slots[g.0])
+    }
+}

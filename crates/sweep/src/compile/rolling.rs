@@ -1,0 +1,437 @@
+//! Rolling pairs as operations: the angles of trains, wheels and racks on straight tracks, places of contact.
+//!
+//! What a [`Train`] is made of turns by a sum of angles: the driver's times a whole ratio ([`Geared`]), and those of lines that no train
+//! tells. Such a line turns by whole turns with the driver's, found once by following it, and by less than half a turn beside ([`Against`]).
+
+use super::{Compiler, NoKernel, Spot};
+use crate::carry::{Along, Arm, Image, Product, Swing, SwingRate, Twist};
+use crate::kernel::{Pair, Reg};
+use crate::program::{Program, VALUE};
+use crate::reading::{Dot, Sum};
+use crate::station::{angle_per_value, position_now};
+use crate::train::{Combination, Ratio, Source, Train, add, together};
+use crate::turns::{Against, Geared, Turned, WayAcceleration, WayRate};
+use hodograph_base::diag::{Diagnostic, both};
+use hodograph_base::geom::Vec2;
+use hodograph_mechanism::mechanism::{Form, Level};
+use hodograph_mechanism::position::{Path, Pose};
+use hodograph_scene::{LinkId, Normal, PointId, Relation, RollingId, Touch};
+use std::f64::consts::{PI, TAU};
+
+const P: Level = Level::Position;
+const V: Level = Level::Velocity;
+const A: Level = Level::Acceleration;
+
+/// What the compiler knows of trains.
+pub(super) struct Trains {
+    pub train: Train,
+    /// Groups that are placed by their angles.
+    placed: Vec<usize>,
+    /// The driver's angle in quarter turns, and what it was.
+    pub(super) quarters: Option<(Pair, [f64; 2])>,
+    rotors: Vec<([f64; 2], Pair)>,
+    wound: Vec<(Source, Wound)>,
+    /// See [`Program::turns`].
+    pub turns: u64,
+    /// See [`Program::fastest`].
+    pub fastest: f64,
+}
+
+/// How far something has turned since the instant: with the driver, and beside that (rad; of a way on a track: m).
+#[derive(Clone, Copy)]
+struct Wound {
+    turns: Ratio,
+    rest: Reg,
+}
+
+/// Most turns through which a line is followed to see how it turns.
+const MOST_TURNS: u64 = 60;
+
+/// Steps of it, for each turn or for the whole of another way.
+const STEPS: f64 = 360.0;
+
+/// Most by which it may turn in one (rad): else it is not known by how many turns.
+const QUICK: f64 = 1.0;
+
+/// As far from half a turn it stays, so that what lies between the steps does too.
+const ASIDE: f64 = 0.5;
+
+impl Trains {
+    pub fn new(train: Train) -> Trains {
+        Trains { train, placed: Vec::new(), quarters: None, rotors: Vec::new(), wound: Vec::new(), turns: 1, fastest: 1.0 }
+    }
+
+    pub fn has_placed(&self, g: usize) -> bool {
+        self.placed.contains(&g)
+    }
+}
+
+impl Compiler<'_> {
+    /// Places a group whose links hang by one pin each and turn as something else tells; whether it is one.
+    pub(super) fn train(&mut self, g: usize) -> Result<bool, NoKernel> {
+        let Some(hung) = self.hung(g) else { return Ok(false) };
+        for (link, pin) in hung {
+            let Some(turned) = self.trains.train.of_link(link).cloned() else { return Ok(false) };
+            let rotor = self.rotor(&turned)?;
+            let axis = self.at.poses[link.0].ok_or_else(|| self.lost(link))?.axis * self.unit;
+            let arm = self.emit_pair(P, Twist { d: rotor, k: [axis.x, axis.y] });
+            self.known_by_turning(link, Spot::Pin(pin), pin, Vec2::new(self.unit, 0.0), arm)?;
+            self.pins_of(g, link, P)?;
+        }
+        self.trains.placed.push(g);
+        Ok(true)
+    }
+
+    /// The links of a group of rolling ones with the pins at which they hang, each placed before; `None` where they hang otherwise.
+    fn hung(&self, g: usize) -> Option<Vec<(LinkId, PointId)>> {
+        let group = &self.m.groups[g];
+        let forms = || group.constraints.iter().map(|&c| self.m.constraints[c].form());
+        let pinned: Vec<(PointId, LinkId)> = forms().filter_map(|f| f.meets()).collect();
+        let others = forms().all(|f| matches!(f, Form::Meet { .. } | Form::Angles { .. } | Form::Related { .. }));
+        let rolls = forms().any(|f| matches!(f, Form::Related { .. }));
+        let told = group.links.iter().all(|l| self.trains.train.of_link(*l).is_some());
+        if !others || !rolls || !told || pinned.len() != group.links.len() + group.pins.len() {
+            return None;
+        }
+        let mut hung: Vec<(LinkId, PointId)> = Vec::new();
+        while hung.len() < group.links.len() {
+            let is = |l: &LinkId| hung.iter().any(|(k, _)| k == l);
+            let placed = |p: &PointId| !group.pins.contains(p) || pinned.iter().any(|(q, l)| q == p && is(l));
+            let (pin, link) = pinned.iter().find(|(p, l)| group.links.contains(l) && !is(l) && placed(p))?;
+            hung.push((*link, *pin));
+        }
+        Some(hung)
+    }
+
+    /// The group's pins that sit on a link of it and are not placed yet.
+    fn pins_of(&mut self, g: usize, link: LinkId, level: Level) -> Result<(), NoKernel> {
+        for &p in &self.m.groups[g].pins.clone() {
+            if self.points[p.0][level as usize].is_none()
+                && let Some(local) = self.at.shapes.local(link, p)
+            {
+                self.points[p.0][level as usize] = Some(self.spot(Spot::Fixed(link, local), level)?);
+            }
+        }
+        Ok(())
+    }
+
+    /// Velocities or accelerations of such a group.
+    pub(super) fn train_at(&mut self, g: usize, level: Level) -> Result<(), NoKernel> {
+        for (link, _) in self.hung(g).unwrap_or_default() {
+            let turned = self.trains.train.turned(link);
+            let turning = self.rate_of(&turned, level)?;
+            self.set_turning(link, level as usize - 1, turning);
+            self.pins_of(g, link, level)?;
+        }
+        Ok(())
+    }
+
+    /// cos and sin of how far a combination has turned since the instant.
+    fn rotor(&mut self, turned: &Combination) -> Result<Pair, NoKernel> {
+        let (with, beside) = self.parts(turned)?;
+        let geared = (!with.is_zero()).then(|| self.geared(with)).flatten();
+        let turned = beside.map(|angle| self.emit_pair(P, Turned { angle }));
+        Ok(match (geared, turned) {
+            (Some(a), Some(b)) => self.emit_pair(P, Product { a, b }),
+            (Some(one), None) | (None, Some(one)) => one,
+            (None, None) => self.fixed(Vec2::new(1.0, 0.0)),
+        })
+    }
+
+    /// What of a combination goes with the driver's angle, and the sum of the rest.
+    fn parts(&mut self, turned: &Combination) -> Result<(Ratio, Option<Reg>), NoKernel> {
+        let (mut with, mut beside) = (Ratio::of(0, 1), None);
+        for &(source, ratio) in turned {
+            match source {
+                Source::Driver(d) if self.driver == Some(d) => with = with.plus(ratio),
+                // The other drivers stand, but for those that cams lead; and where none is swept, everything does.
+                Source::Driver(d) => drop(self.even_rates(d)?),
+                _ if self.driver.is_none() => {}
+                Source::Link(_) | Source::Line(..) | Source::Way(_) => {
+                    let wound = self.wound(source)?;
+                    with = with.plus(ratio.times(wound.turns));
+                    beside = Some(self.plus(P, beside, wound.rest, ratio.value));
+                }
+            }
+        }
+        Ok((with, beside))
+    }
+
+    /// A sum and k times another number.
+    fn plus(&mut self, level: Level, sum: Option<Reg>, b: Reg, k: f64) -> Reg {
+        let a = sum.unwrap_or_else(|| self.zero());
+        if sum.is_none() && k == 1.0 { b } else { self.emit(level, Sum { a, b, k }, 1) }
+    }
+
+    /// cos and sin of a part of the driver's way; `None` without a driver.
+    fn geared(&mut self, ratio: Ratio) -> Option<Pair> {
+        let driver = self.driver?;
+        let (quarters, start) = self.quarters(driver);
+        let [p, q] = match ratio.exact {
+            Some((p, q)) => [p as f64, q as f64],
+            None => [ratio.value, 1.0],
+        };
+        self.trains.turns = together(self.trains.turns, ratio.exact.map_or(0, |(_, q)| q as u64));
+        self.trains.fastest = self.trains.fastest.max(ratio.value.abs());
+        if let Some((_, pair)) = self.trains.rotors.iter().find(|(known, _)| *known == [p, q]) {
+            return Some(*pair);
+        }
+        let pair = self.emit_pair(P, Geared { quarters, start, p, q });
+        self.trains.rotors.push(([p, q], pair));
+        Some(pair)
+    }
+
+    /// How far a source that no train tells has turned, or gone.
+    fn wound(&mut self, source: Source) -> Result<Wound, NoKernel> {
+        if let Some((_, known)) = self.trains.wound.iter().find(|(s, _)| *s == source) {
+            return Ok(*known);
+        }
+        let wound = match source {
+            Source::Way(r) => {
+                let (way, _) = self.way(r)?;
+                let now = self.way_now(r)?;
+                let one = self.constant(1.0);
+                Wound { turns: Ratio::of(0, 1), rest: self.emit(P, Sum { a: way, b: one, k: -now }, 1) }
+            }
+            Source::Link(_) | Source::Line(..) | Source::Driver(_) => {
+                let d = match source {
+                    Source::Line(a, b) => self.between(Spot::Pin(a), Spot::Pin(b))?,
+                    Source::Link(l) => self.arm(l, P)?,
+                    Source::Driver(_) | Source::Way(_) => unreachable!("these turn with the driver, or do not turn"),
+                };
+                let Some((turns, start, centre)) = self.winding(d) else { return Err(self.not_followed(source)) };
+                let turn = match turns.is_zero() {
+                    true => self.fixed(Vec2::new(1.0, 0.0)),
+                    false => self.geared(turns).ok_or_else(|| self.not_followed(source))?,
+                };
+                Wound { turns, rest: self.emit(P, Against { d, turn, start, centre }, 1) }
+            }
+        };
+        self.trains.wound.push((source, wound));
+        Ok(wound)
+    }
+
+    fn not_followed(&self, source: Source) -> NoKernel {
+        match source {
+            Source::Link(l) => self.lost(l),
+            Source::Way(r) => self.lost(self.scene.rolling[r.0].links[1]),
+            Source::Line(a, b) => {
+                let (a, b) = (self.scene.point_name(a), self.scene.point_name(b));
+                Diagnostic::note(
+                    "no-kernel",
+                    both!("the turns of line {a}{b} cannot be counted beforehand", "直线 {a}{b} 的转数无法预先确定"),
+                )
+            }
+            Source::Driver(d) => Diagnostic::note("no-kernel", both!("{} does not turn", "{} 不转动", self.scene.driver_name(d).0)),
+        }
+    }
+
+    /// By how many turns a line turns with each turn of the driver, its direction at the instant turned by the middle of what is beside
+    /// that, and this middle; `None` where it strays by half a turn, or cannot be followed.
+    fn winding(&self, d: Pair) -> Option<(Ratio, Vec2, f64)> {
+        let driver = self.driver?;
+        if !self.tracks.is_empty() || self.trains.turns == 0 || self.trains.turns > MOST_TURNS {
+            return None;
+        }
+        let program = Program {
+            steps: [self.steps[0].clone(), Vec::new(), Vec::new()],
+            constants: self.constants.clone(),
+            registers: self.registers as usize,
+            columns: Vec::new(),
+            joints: Vec::new(),
+            tracks: Vec::new(),
+            motions: Vec::new(),
+            angular: false,
+            turns: 1,
+            fastest: 1.0,
+            runs: Default::default(),
+        };
+        let (now, per_value) = (position_now(self.scene, self.at, driver), angle_per_value(self.scene, self.at, driver));
+        let turning = self.scene.drivers[driver].kind.turns();
+        let line = |x: f64| {
+            let (s, c) = (libm::sin(x * per_value), libm::cos(x * per_value));
+            let mut registers = program.inputs(x, c, s, per_value);
+            program.derive_steps(0..program.steps[0].len(), &mut registers);
+            Vec2::new(registers[d.x.0 as usize].value, registers[d.y.0 as usize].value).unit().filter(|v| v.is_finite())
+        };
+        let start = line(now)?;
+        let reach = if turning { TAU * self.trains.turns as f64 } else { 2.0 * self.at.extent() };
+        let parts = if turning { STEPS * self.trains.turns as f64 * self.trains.fastest.ceil().min(16.0) } else { STEPS };
+        // The angle at each step as far as the line is there; and whether that is all the way.
+        let follow = |way: f64| -> Option<(Vec<f64>, bool)> {
+            let (mut angles, mut before) = (vec![0.0], start);
+            for i in 1..=parts as usize {
+                let Some(next) = line(now + way * (i as f64 / parts)) else { return Some((angles, false)) };
+                let turned = next.divide_by(before).angle();
+                if turned.abs() > QUICK {
+                    return None;
+                }
+                angles.push(angles[angles.len() - 1] + turned);
+                before = next;
+            }
+            Some((angles, true))
+        };
+        let (mut angles, full) = follow(reach)?;
+        let mut turns = Ratio::of(0, 1);
+        if full && turning {
+            let all = angles[angles.len() - 1] / TAU;
+            let whole = libm::round(all);
+            if (all - whole).abs() > 1e-6 {
+                return None;
+            }
+            turns = Ratio::of(whole as i64, self.trains.turns as i64);
+            for (i, angle) in angles.iter_mut().enumerate() {
+                *angle -= turns.value * reach * (i as f64 / parts);
+            }
+        } else {
+            angles.extend(follow(-reach)?.0);
+        }
+        let (low, high) = angles.iter().fold((0.0f64, 0.0f64), |(l, h), a| (l.min(*a), h.max(*a)));
+        let centre = 0.5 * (low + high);
+        (0.5 * (high - low) < PI - ASIDE).then(|| (turns, start.rotate_by(Vec2::from_angle(centre)), centre))
+    }
+
+    /// ω or α of a combination.
+    fn rate_of(&mut self, turned: &Combination, level: Level) -> Result<Reg, NoKernel> {
+        let mut driven = 0.0;
+        let mut rates = Vec::new();
+        for &(source, ratio) in turned {
+            match source {
+                Source::Driver(d) => driven += ratio.value * self.even_rates(d)?[level as usize - 1],
+                Source::Link(l) => rates.push((self.turning(l, level)?, ratio.value)),
+                Source::Line(a, b) => rates.push((self.turning_of_line([a, b], level)?, ratio.value)),
+                Source::Way(r) => rates.push((self.rate_of_way(r, level)?, ratio.value)),
+            }
+        }
+        let mut sum = (driven != 0.0 || rates.is_empty()).then(|| self.constant(driven));
+        for (rate, k) in rates {
+            sum = Some(self.plus(level, sum, rate, k));
+        }
+        Ok(sum.unwrap_or_else(|| self.zero()))
+    }
+
+    fn turning_of_line(&mut self, [a, b]: [PointId; 2], level: Level) -> Result<Reg, NoKernel> {
+        let arm = |c: &mut Self, level| -> Result<Pair, NoKernel> {
+            let (from, to) = (c.point(a, level)?, c.point(b, level)?);
+            Ok(c.emit_pair(level, Arm { from, to }))
+        };
+        let (d, v) = (self.between(Spot::Pin(a), Spot::Pin(b))?, arm(self, V)?);
+        self.turning_of_arm(d, v, level, |c| arm(c, A), |c| c.turning_of_line([a, b], V))
+    }
+
+    /// The wheel's centre, and where the track begins.
+    fn on_track(&mut self, r: RollingId) -> Result<(PointId, LinkId, Spot, Pair), NoKernel> {
+        let pair = &self.scene.rolling[r.0];
+        let Relation::Slide { centre, guide } = pair.relation() else { return Err(self.lost(pair.links[1])) };
+        let Some(Path::Line { through, direction }) = self.at.shapes.guides[guide.0] else { return Err(self.lost(pair.links[0])) };
+        let u = self.direction_on(pair.links[0], direction)?;
+        Ok((centre, pair.links[0], Spot::Fixed(pair.links[0], through), u))
+    }
+
+    /// How far a wheel's centre stands along its track (m), and from where to where that is.
+    fn way(&mut self, r: RollingId) -> Result<(Reg, Pair), NoKernel> {
+        let (centre, _, from, u) = self.on_track(r)?;
+        let arm = self.between(from, Spot::Pin(centre))?;
+        Ok((self.emit(P, Dot { u, v: arm }, 1), arm))
+    }
+
+    /// The same at the instant.
+    fn way_now(&mut self, r: RollingId) -> Result<f64, NoKernel> {
+        let (centre, track, from, _) = self.on_track(r)?;
+        let Some(Path::Line { direction, .. }) = self.scene.rolling[r.0].guide().and_then(|g| self.at.shapes.guides[g.0]) else {
+            return Err(self.lost(track));
+        };
+        let pose = if track == self.scene.ground { Pose::GROUND } else { self.at.poses[track.0].unwrap_or(Pose::GROUND) };
+        Ok(pose.turn(direction).dot(self.now(Spot::Pin(centre)) - self.now(from)))
+    }
+
+    /// Its rate, or the rate of that.
+    fn rate_of_way(&mut self, r: RollingId, level: Level) -> Result<Reg, NoKernel> {
+        let (centre, track, from, u) = self.on_track(r)?;
+        let arm = self.between(from, Spot::Pin(centre))?;
+        let between = |c: &mut Self, level| -> Result<Pair, NoKernel> {
+            let (from, to) = (c.spot(from, level)?, c.point(centre, level)?);
+            Ok(c.emit_pair(level, Arm { from, to }))
+        };
+        let way = WayRate { u, r: arm, v: between(self, V)?, omega: self.turning(track, V)? };
+        if level == V {
+            return Ok(self.emit(V, way, 1));
+        }
+        let (a, alpha) = (between(self, A)?, self.turning(track, A)?);
+        Ok(self.emit(A, WayAcceleration { way, a, alpha }, 1))
+    }
+
+    /// Of a link with a known angle that rolls along a straight track, or is one: the line on which its place lies, square to the track,
+    /// as a place of the link, a point of the line and its direction.
+    pub(super) fn along_track(&mut self, link: LinkId, r: RollingId) -> Result<(Spot, Pair, Pair), NoKernel> {
+        let pair = &self.scene.rolling[r.0];
+        let [track, wheel] = pair.links;
+        let rho = self.at.shapes.rolling[r.0][1];
+        let now = self.way_now(r)?;
+        let mut turned = self.trains.train.turned(wheel);
+        add(&mut turned, &self.trains.train.turned(track), Ratio::of(-1, 1));
+        // s = s₀ − ρ (Δφ₂ − Δφ₁).
+        let (with, beside) = self.parts(&turned)?;
+        let mut s = self.constant(now);
+        if let (false, Some(driver)) = (with.is_zero(), self.driver) {
+            // What runs along with the driver never comes back.
+            self.trains.turns = 0;
+            let start = position_now(self.scene, self.at, driver);
+            s = self.constant(now + rho * with.value * start);
+            s = self.emit(P, Sum { a: s, b: VALUE, k: -rho * with.value }, 1);
+        }
+        if let Some(beside) = beside {
+            s = self.emit(P, Sum { a: s, b: beside, k: -rho }, 1);
+        }
+        let (centre, _, begin, u) = self.on_track(r)?;
+        let normal = self.emit_pair(P, Twist { d: u, k: [0.0, 1.0] });
+        if link == track {
+            let back = self.emit_pair(P, Twist { d: u, k: [-1.0, 0.0] });
+            let q = self.point(centre, P)?;
+            return Ok((begin, self.emit_pair(P, Along { q, t: back, s }), normal));
+        }
+        let local = self.at.shapes.local(wheel, centre).ok_or_else(|| self.lost(wheel))?;
+        let q = self.spot(begin, P)?;
+        Ok((Spot::Fixed(wheel, local), self.emit_pair(P, Along { q, t: u, s }), normal))
+    }
+
+    /// The direction along which the two links of a pair on a straight track have one velocity at the contact.
+    pub(super) fn tangent(&mut self, r: RollingId) -> Result<Pair, NoKernel> {
+        Ok(self.on_track(r)?.3)
+    }
+
+    /// One of the places of contact of a pair.
+    pub(super) fn contact(&mut self, r: RollingId, at: PointId) -> Result<Pair, NoKernel> {
+        let [r1, r2] = self.at.shapes.rolling[r.0];
+        match self.scene.rolling[r.0].touch() {
+            Touch::Point(Normal::Centres([a, b])) => {
+                let d = self.between(Spot::Pin(a), Spot::Pin(b))?;
+                let o = self.point(a, P)?;
+                Ok(self.emit_pair(P, Image { o, d, k: [r1 / (r1 + r2), 0.0] }))
+            }
+            Touch::Point(Normal::Square { centre, .. }) => {
+                let d = self.tangent(r)?;
+                let o = self.point(centre, P)?;
+                Ok(self.emit_pair(P, Image { o, d, k: [0.0, -r2] }))
+            }
+            Touch::Strand { centres, right, .. } => self.strand_end(r, centres, right, at),
+        }
+    }
+
+    /// The velocity, or acceleration, that a link has at a place.
+    pub(super) fn of_link_at(&mut self, link: LinkId, place: Pair, level: Level) -> Result<Pair, NoKernel> {
+        if link == self.scene.ground {
+            return Ok(self.fixed(Vec2::ZERO));
+        }
+        let from = self.spot(Spot::Own(link), P)?;
+        let r = self.emit_pair(P, Arm { from, to: place });
+        let (v, omega) = (self.spot(Spot::Own(link), level)?, self.turning(link, V)?);
+        Ok(match level {
+            A => {
+                let alpha = self.turning(link, A)?;
+                self.emit_pair(A, SwingRate { a: v, r, omega, alpha })
+            }
+            P | V => self.emit_pair(V, Swing { v, r, omega }),
+        })
+    }
+}

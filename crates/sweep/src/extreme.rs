@@ -1,0 +1,362 @@
+//! What a driver's whole motion comes to: extreme positions of the outputs, strokes, time ratios, Grashof's type.
+//!
+//! An output is a link pinned to ground, or a pin or slider that runs along a straight guide on ground, and is not driven
+//! itself. Its extremes are the zeros of its rate ([`swing`](super::swing)), the driver running at unit speed. Where it stands still the mechanism
+//! is in a dead centre if it is driven from there.
+
+use super::chunks::{Rows, run_parts, run_program};
+use super::compile::outputs;
+use super::follow::Follower;
+use super::follow::extremes::Walk;
+use super::limit::{Event, Probe, Range, range};
+use super::program::Program;
+use super::station::{Stations, angle_per_value, position_now};
+use super::swing::{Course, swing};
+use super::{Ends, Placed, Width};
+use hodograph_base::cam::Motion;
+use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_mechanism::mechanism::{Core, Demand, Leg, Mechanism};
+use hodograph_scene::cams::Turning;
+use hodograph_scene::{Angle, Given, GuideId, GuidePath, LinkId, Place, PointId, PositionSlot, Scene};
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+/// What moves at the other end of the mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Output {
+    /// A link that turns about a pivot on ground: its angle (rad).
+    Turning(LinkId),
+    /// What runs along a straight guide on ground: its coordinate from the guide's start (m).
+    Sliding(GuideId),
+}
+
+/// An extreme position of an output.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extreme {
+    /// Position of the driver (rad or m).
+    pub driver: f64,
+    /// Where the output goes on, if it dwells there; the driver's position then begins the dwell.
+    pub until: Option<f64>,
+    /// Position of the output (rad or m); angles run on without jumps.
+    pub output: f64,
+    /// Whether it is one because the driver itself goes no farther.
+    pub at_limit: bool,
+}
+
+/// An output over the whole motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Swing {
+    /// Which.
+    pub output: Output,
+    /// Its extremes in the order of the driver's positions.
+    pub extremes: Vec<Extreme>,
+    /// From the lowest to the highest position (rad or m); `None` where it turns fully, or the driver has no end.
+    pub stroke: Option<f64>,
+    /// The crank angle of the slower of two strokes over that of the faster one, without the dwells between them; where a full turn has just two
+    /// extremes.
+    pub time_ratio: Option<f64>,
+}
+
+/// The smallest transmission angle of a group.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Transmission {
+    /// Its links.
+    pub links: Vec<LinkId>,
+    /// The pin at which they meet, if it is one.
+    pub pin: Option<PointId>,
+    /// The angle (rad, at most 90°).
+    pub angle: f64,
+    /// Where it is.
+    pub driver: f64,
+}
+
+/// The type of a four-bar by Grashof's rule, as seen from its driver.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Grashof {
+    /// The driver turns fully, the output swings.
+    CrankRocker,
+    /// The driver swings, the output could turn fully.
+    RockerCrank,
+    /// Both turn fully (drag link).
+    DoubleCrank,
+    /// The coupler turns fully, both others swing.
+    DoubleRocker,
+    /// No link turns fully: shortest and longest together are longer than the two others.
+    TripleRocker,
+    /// Shortest and longest together are as long as the two others: it comes into line.
+    ChangePoint,
+}
+
+/// Everything about the motion as a whole.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limits {
+    /// How far the driver goes.
+    pub range: Range,
+    /// The outputs.
+    pub swings: Vec<Swing>,
+    /// The smallest transmission angle of each group with a closed form that has one.
+    pub transmission: Vec<Transmission>,
+    /// The type of a four-bar with its lengths: driver, coupler, output, frame (m).
+    pub grashof: Option<(Grashof, [f64; 4])>,
+    /// After how many turns of a driver that turns fully everything stands as it did: one, or what rolls needs more; 0: never.
+    pub turns: u64,
+    /// The turns that were looked through for extremes: those, or one where they are too many.
+    pub seen: u64,
+}
+
+/// Most turns whose extremes are listed.
+pub(super) const MOST_TURNS: u64 = 12;
+
+/// Samples over the whole motion, between which a rate changes its sign at most once.
+const SAMPLES: usize = 720;
+
+/// An angle of 90° to what rounding leaves of its sine.
+const SQUARE: f64 = std::f64::consts::FRAC_PI_2 - 1e-7;
+
+/// The limits of a scene for one of its drivers; the others stand.
+///
+/// # Errors
+/// A scene that cannot be placed; a driver that the scene does not have.
+pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Limits, Faults> {
+    let scene = &posed(at_unit_speed(scene, driver)?, mechanism, driver);
+    let placed = placed(scene, mechanism)?;
+    let found = outputs_of(scene, mechanism, driver);
+    if scene.has_laws(driver) {
+        return Ok(walked(&placed, driver, &found));
+    }
+    let program = match outputs(scene, mechanism, &placed.at, driver, &found) {
+        Ok(program) => program,
+        // A group without a compiled form, or one that lies on it.
+        Err(_) => return Ok(walked(&placed, driver, &found)),
+    };
+    let range = range(program.clone(), &placed, driver);
+    let turning = range.full() && program.angular;
+    let seen = if turning { turns_seen(program.turns) } else { 1 };
+    let span = if turning { [range.now, range.now + TAU * seen as f64] } else { range.bounds() };
+    let swings = swings(&program, &placed, driver, &found, &range, span);
+    let probe = Probe::of(program.clone(), &placed, driver);
+    let joints = program.joints.iter().zip(probe.transmission(span[0], span[1]));
+    let transmission = joints
+        // A lever is pushed squarely everywhere.
+        .filter(|(_, (at, angle))| at.is_finite() && *angle < SQUARE)
+        .map(|(j, (at, angle))| Transmission { links: j.links.clone(), pin: j.pin, angle, driver: at })
+        .collect();
+    let grashof = grashof(&placed, driver);
+    let turns = if turning { program.turns } else { 1 };
+    Ok(Limits { range, swings, transmission, grashof, turns, seen })
+}
+
+/// Where a driver ends downward and upward, the others standing; `None` where nothing stops it.
+///
+/// # Errors
+/// Those of [`limits`].
+pub fn ends(scene: &Scene, driver: usize) -> Result<[Option<f64>; 2], Faults> {
+    let mechanism = Mechanism::new(scene)?.value;
+    Ok(limits(scene, &mechanism, driver)?.range.ends.map(|end| end.map(|event| event.value)))
+}
+
+/// The turns that are looked through of a motion that comes again after so many.
+pub(super) fn turns_seen(turns: u64) -> u64 {
+    if (1..=MOST_TURNS).contains(&turns) { turns } else { 1 }
+}
+
+/// The scene with one driver running at unit speed, so that rates are derivatives by its position; the others stand.
+fn at_unit_speed(scene: &Scene, driver: usize) -> Result<Scene, Faults> {
+    let mut scene = scene.clone();
+    let Some(d) = scene.drivers.get_mut(driver) else {
+        return Err(Diagnostic::error("no-driver", both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1)).into());
+    };
+    (d.rate.value, d.acceleration) = (1.0, None);
+    for (_, d) in scene.drivers.iter_mut().enumerate().filter(|(i, _)| *i != driver) {
+        (d.rate.value, d.acceleration) = (0.0, None);
+    }
+    Ok(scene)
+}
+
+/// The scene with its driver at some position where it can be assembled, where nothing in the scene says at which: the whole motion
+/// is looked through from there. The scene itself where there is none, or where it is told.
+fn posed(scene: Scene, mechanism: &Mechanism, driver: usize) -> Scene {
+    let silent = |f: &Faults| f.list.iter().all(|d| d.code == "driver-without-position");
+    if placed(&scene, mechanism).err().is_none_or(|faults| !silent(&faults)) {
+        return scene;
+    }
+    // A slider or a cylinder goes no farther than all lengths together.
+    let lengths = scene.lengths.iter().map(|l| l.value.value);
+    let coordinates = scene.points.iter().filter_map(|p| match &p.place {
+        Place::At([x, y]) => Some(libm::hypot(x.value, y.value)),
+        Place::InLink { .. } | Place::Polar { .. } | Place::Unknown => None,
+    });
+    let reach = lengths.chain(coordinates).sum::<f64>();
+    let span = scene.drivers[driver].span;
+    let given = |value: f64| Given { value, radius: 0.0, text: format!("{value:?} m"), span };
+    let at = |part: f64| {
+        let mut scene = scene.clone();
+        match scene.drivers[driver].kind.slot() {
+            PositionSlot::Angle(angle) => {
+                let degrees = 360.0 * part;
+                *angle = Some(Given { value: Angle::Deg(degrees), radius: 0.0, text: format!("{degrees:?} deg"), span });
+            }
+            PositionSlot::Coordinate(position) => *position = Some(given(reach * part)),
+            PositionSlot::Distance(length) => *length = Some(given(reach * part.abs())),
+        }
+        scene
+    };
+    let parts = (1..=STARTS).flat_map(|k| [1.0, -1.0].map(|sign| sign * k as f64 / STARTS as f64 * 0.5));
+    parts.map(at).find(|s| placed(s, mechanism).is_ok()).unwrap_or(scene)
+}
+
+/// Positions at each side of zero that are tried as a start: 5° of a turn.
+const STARTS: usize = 36;
+
+/// All of a scene placed.
+fn placed<'a>(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<Placed<'a>, Faults> {
+    let none = Demand { groups: vec![None; mechanism.groups.len()], level: Default::default(), needs: Vec::new() };
+    let demand = none.with_all_positions();
+    let at = hodograph_mechanism::position::configure(scene, mechanism, &demand)?.value;
+    Ok(Placed { scene, mechanism, demand, at, ends: Ends::default() })
+}
+
+/// The same limits without a compiled program, for comparison.
+#[cfg(test)]
+pub(super) fn limits_walked(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Limits, Faults> {
+    let scene = &at_unit_speed(scene, driver)?;
+    let placed = placed(scene, mechanism)?;
+    Ok(walked(&placed, driver, &outputs_of(scene, mechanism, driver)))
+}
+
+/// The same for a mechanism that is followed: no transmission angle and no change point is looked for.
+fn walked(placed: &Placed, driver: usize, found: &[Output]) -> Limits {
+    let now = position_now(placed.scene, &placed.at, driver);
+    let follower = Follower::new(placed.scene, placed.mechanism, &placed.demand, &placed.at, driver);
+    let walk = Walk::new(placed, driver, &follower, now);
+    let (range, [low, high]) = (walk.range(), walk.span());
+    let samples = SAMPLES * walk.turns() as usize;
+    let stations = Stations::slid(low, high, samples, angle_per_value(placed.scene, &placed.at, driver));
+    let joints = joints(placed.scene, driver);
+    let swing_of = |output: &Output| {
+        let samples: Vec<Option<[f64; 3]>> = stations.values.iter().map(|x| walk.at(*x, *output)).collect();
+        let column = |level: usize| -> Vec<f64> { samples.iter().map(|s| s.map_or(f64::NAN, |s| s[level])).collect() };
+        let lost = samples.iter().enumerate().filter(|(_, s)| s.is_none());
+        let missing: BTreeMap<usize, Faults> = lost.map(|(i, _)| (i, Faults::default())).collect();
+        let course = Course { stations: &stations, range: &range, period: walk.period(), joints: &joints };
+        swing(*output, [&column(0), &column(1)], &missing, &course, &|x| walk.at(x, *output))
+    };
+    let swings = found.iter().map(swing_of).collect();
+    let (turns, seen) = if range.full() { (walk.returns(), walk.turns()) } else { (1, 1) };
+    Limits { range, swings, transmission: Vec::new(), grashof: grashof(placed, driver), turns, seen }
+}
+
+fn outputs_of(scene: &Scene, m: &Mechanism, driver: usize) -> Vec<Output> {
+    let ground = &scene.links[scene.ground.0].points;
+    let driven = |l: LinkId| scene.drivers.iter().any(|d| d.kind.turned() == Some((l, scene.ground)));
+    let mut out = Vec::new();
+    for l in (0..scene.links.len()).map(LinkId) {
+        let pivoted = scene.links[l.0].points.iter().any(|p| ground.contains(p));
+        if l != scene.ground && pivoted && !driven(l) && !m.is_passive(l) && m.group_of_link[l.0].is_some() {
+            out.push(Output::Turning(l));
+        }
+    }
+    for (i, g) in scene.guides.iter().enumerate() {
+        let mine = scene.drivers[driver].kind.guide() == Some(GuideId(i));
+        if g.on == scene.ground && matches!(g.path, GuidePath::Line { .. }) && !mine {
+            out.push(Output::Sliding(GuideId(i)));
+        }
+    }
+    out
+}
+
+/// The driver's positions at which cams go from one stage or piece to the next, each with the period after which it comes again (rad).
+fn joints(scene: &Scene, driver: usize) -> Vec<[f64; 2]> {
+    let turned = scene.cams.iter().filter_map(|c| c.disc.as_ref()).filter(|t| t.driver == driver);
+    let of = |t: &Turning| -> Vec<[f64; 2]> {
+        let angles = match &t.disc.motion {
+            Motion::Law { program, .. } => program.joints(),
+            Motion::Profile(_) => t.disc.stretches().into_iter().map(|(phi, _)| phi).collect(),
+        };
+        angles.into_iter().map(|phi| [(t.disc.sense * phi + t.start - t.from) / t.way, TAU / t.way.abs()]).collect()
+    };
+    turned.flat_map(of).collect()
+}
+
+/// Columns of an output in the program: position, rate, acceleration.
+fn column(rows: &Rows, output: usize, level: usize) -> &[f64] {
+    &rows.columns[3 * output + level]
+}
+
+fn swings(program: &Program, placed: &Placed, driver: usize, found: &[Output], range: &Range, [low, high]: [f64; 2]) -> Vec<Swing> {
+    let per_value = angle_per_value(placed.scene, &placed.at, driver);
+    let (parts, stations) = {
+        let turns = if program.angular { ((high - low) / TAU - 1e-9).ceil().max(1.0) } else { 1.0 };
+        let stations = Stations::slid(low, high, (SAMPLES as f64 * turns * program.finer()) as usize, per_value);
+        (super::branches(program.clone(), placed, driver, &stations).0, stations)
+    };
+    let rows = run_parts(&parts, placed, driver, &stations, Width::Widest);
+    let at = |x: f64, output: usize| -> Option<[f64; 3]> {
+        let one = Stations::of_values(vec![x], per_value);
+        // The branch is that of the nearest sample.
+        let nearest = (0..stations.len()).min_by(|&a, &b| (stations.values[a] - x).abs().total_cmp(&(stations.values[b] - x).abs()))?;
+        let part = parts.iter().find(|(_, rows)| rows.contains(&nearest))?;
+        let rows = run_program(&part.0, placed, driver, &one, Width::One);
+        rows.missing.is_empty().then(|| [0, 1, 2].map(|l| column(&rows, output, l)[0]))
+    };
+    let period = program.period().filter(|period| range.full() && (high - low - period).abs() < 1e-9);
+    let course = Course { stations: &stations, range, period, joints: &joints(placed.scene, driver) };
+    let of = |k: usize| [column(&rows, k, 0), column(&rows, k, 1)];
+    found.iter().enumerate().map(|(k, output)| swing(*output, of(k), &rows.missing, &course, &|x| at(x, k))).collect()
+}
+
+/// The type of a four-bar: a crank on ground, a bar from it, and a bar from ground that meet in one pin.
+fn grashof(placed: &Placed, driver: usize) -> Option<(Grashof, [f64; 4])> {
+    let (scene, m) = (placed.scene, placed.mechanism);
+    let (crank, against) = scene.drivers[driver].kind.turned()?;
+    let moving = scene.links.len() - 1;
+    let dyad = m.groups.iter().find_map(|g| match &g.core {
+        Core::Pin { pin, legs } => {
+            let bar = |leg: &Leg| leg.hold()?.bar().map(|(link, _, far)| (link, far));
+            let [a, b] = &legs[..] else { return None };
+            Some((*pin, [bar(a)?, bar(b)?]))
+        }
+        Core::Link { .. } | Core::Higher => None,
+    })?;
+    if against != scene.ground || moving != 3 {
+        return None;
+    }
+    let (pin, bars) = dyad;
+    let on_ground = |p: PointId| scene.links[scene.ground.0].points.contains(&p);
+    let (coupler, output) = match (on_ground(bars[0].1), on_ground(bars[1].1)) {
+        (false, true) => (bars[0], bars[1]),
+        (true, false) => (bars[1], bars[0]),
+        _ => return None,
+    };
+    let pivot = *scene.links[crank.0].points.iter().find(|p| on_ground(**p))?;
+    let length = |l: LinkId, a: PointId, b: PointId| Some(placed.at.shapes.local(l, a)?.distance(placed.at.shapes.local(l, b)?));
+    let lengths = [
+        length(crank, pivot, coupler.1)?,
+        length(coupler.0, coupler.1, pin)?,
+        length(output.0, output.1, pin)?,
+        length(scene.ground, pivot, output.1)?,
+    ];
+    Some((grashof_of(lengths), lengths))
+}
+
+/// The type of a four-bar of these lengths: driver, coupler, output, frame.
+pub fn grashof_of(lengths: [f64; 4]) -> Grashof {
+    let shortest = (0..4).fold(0, |best, k| if lengths[k] < lengths[best] { k } else { best });
+    let (least, most) = (lengths[shortest], lengths.iter().copied().fold(0.0, f64::max));
+    let excess = 2.0 * (least + most) - lengths.iter().sum::<f64>();
+    // What a person writes is equal to ten digits: a sum that differs by rounding is none.
+    if excess.abs() <= 1e-12 * most {
+        Grashof::ChangePoint
+    } else if excess > 0.0 {
+        Grashof::TripleRocker
+    } else {
+        [Grashof::CrankRocker, Grashof::DoubleRocker, Grashof::RockerCrank, Grashof::DoubleCrank][shortest]
+    }
+}
+
+impl Limits {
+    /// The limits of the driver and its change points.
+    pub fn events(&self) -> impl Iterator<Item = &Event> {
+        self.range.ends.iter().flatten().chain(&self.range.changes)
+    }
+}

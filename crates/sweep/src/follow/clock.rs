@@ -1,0 +1,199 @@
+//! All drivers through time: each by its law, else with the constant acceleration that it has at the instant.
+//!
+//! Laws of time are evaluated anew at every time ([`Variation`] over `t`); nothing is extrapolated from the instant.
+
+use crate::station::position_now;
+use crate::vary::Variation;
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::eval::Value;
+use hodograph_scene::front::TIME;
+use hodograph_scene::{Given, Scene, Swept, driver_position, with_driver_at};
+use std::f64::consts::TAU;
+
+/// Turns of the fastest driver that are shown at most.
+const TURNS_SEEN: f64 = 3.0;
+/// Times at which the turning of drivers is sampled.
+const SAMPLES: usize = 256;
+/// A step of a driver (rad): 10°.
+const STEP: f64 = std::f64::consts::PI / 18.0;
+
+/// How every driver moves.
+#[derive(Clone)]
+pub struct Clock {
+    /// The scene at its instant.
+    scene: Scene,
+    /// Where each driver stands at the instant (rad or m).
+    positions: Vec<f64>,
+    /// What depends on t, and one second of it; `None` without laws of time.
+    laws: Option<(Variation, Value)>,
+}
+
+/// A driver some time after the instant, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gone {
+    /// How far it has gone since.
+    pub by: f64,
+    /// Its rate there.
+    pub rate: f64,
+    /// Its acceleration there.
+    pub acceleration: f64,
+}
+
+impl Clock {
+    /// The clock of a scene that is placed at its instant.
+    pub fn of(scene: &Scene, at: &Configuration) -> Clock {
+        let laws = scene.has_laws_of_time().then(|| {
+            let variation = Variation::of(scene, &[TIME]).ok()?;
+            let second = variation.value(scene, TIME, "1 s").ok()?;
+            Some((variation, second))
+        });
+        let positions = (0..scene.drivers.len()).map(|d| position_now(scene, at, d)).collect();
+        Clock { scene: scene.clone(), positions, laws: laws.flatten() }
+    }
+
+    /// The drivers `t` seconds after the instant; `None` where a law has no value.
+    pub fn gone(&self, t: f64) -> Option<Vec<Gone>> {
+        let mut there = None;
+        if let Some((laws, second)) = &self.laws {
+            let mut scene = self.scene.clone();
+            laws.set(&mut scene, &[Value { number: self.scene.instant() + t, ..*second }]).ok()?;
+            there = Some(scene);
+        }
+        let of = |d: usize| {
+            let now = &self.scene.drivers[d];
+            if let (Some(scene), Some(_)) = (&there, &now.law) {
+                let driver = &scene.drivers[d];
+                let by = driver_position(scene, d)? - driver_position(&self.scene, d)?;
+                return Some(Gone { by, rate: driver.rate.value, acceleration: driver.acceleration.as_ref().map_or(0.0, |a| a.value) });
+            }
+            let (rate, acceleration) = (now.rate.value, now.acceleration.as_ref().map_or(0.0, |a| a.value));
+            Some(Gone { by: rate * t + 0.5 * acceleration * t * t, rate: rate + acceleration * t, acceleration })
+        };
+        let gone: Vec<Gone> = (0..self.scene.drivers.len()).map(of).collect::<Option<_>>()?;
+        gone.iter().all(|g| g.by.is_finite() && g.rate.is_finite() && g.acceleration.is_finite()).then_some(gone)
+    }
+
+    /// A scene at that time: the drivers with their positions, rates and accelerations there.
+    pub fn scene_at(&self, scene: &Scene, t: f64) -> Scene {
+        let Some(gone) = self.gone(t) else { return scene.clone() };
+        let mut there = scene.clone();
+        for (d, g) in gone.iter().enumerate().filter(|(d, _)| !scene.is_led(*d)) {
+            let driver = &mut there.drivers[d];
+            let (turns, span) = (driver.kind.turns(), driver.rate.span);
+            let given = |value: f64, units: [&str; 2]| {
+                let text = format!("({value:?}) {}", units[usize::from(!turns)]);
+                Given { value, radius: value.abs() * f64::EPSILON, text, span }
+            };
+            driver.rate = given(g.rate, ["rad/s", "m/s"]);
+            driver.acceleration = (g.acceleration != 0.0).then(|| given(g.acceleration, ["rad/s^2", "m/s^2"]));
+            // Followers of cams are laid by the driver's rates.
+            let position = driver_position(scene, d).unwrap_or(self.positions[d]);
+            there = with_driver_at(&there, d, position + g.by);
+        }
+        there
+    }
+
+    /// How long before and after the instant the motion is shown (s): with laws from t = 0 to twice the instant; without them, or at t = 0,
+    /// onward through a turn of the slowest driver that turns, but at most three of the fastest. Where all slide, as far as the mechanism is large:
+    /// either way, with laws onward only, and for a second where nothing moves.
+    pub fn reach(&self, extent: f64) -> [f64; 2] {
+        let instant = self.scene.instant();
+        if self.laws.is_some() && instant > 0.0 {
+            return [instant, instant];
+        }
+        let own = (0..self.scene.drivers.len()).filter(|d| !self.scene.is_led(*d)).map(|d| &self.scene.drivers[d]);
+        let (mut turns, mut slides) = (Vec::new(), 0.0_f64);
+        for d in own.filter(|d| d.rate.value != 0.0) {
+            match d.kind.turns() {
+                true => turns.push(TAU / d.rate.value.abs()),
+                false => slides = slides.max(extent / d.rate.value.abs()),
+            }
+        }
+        let [fastest, slowest] = turns.iter().fold([f64::INFINITY, 0.0_f64], |[least, most], t| [least.min(*t), most.max(*t)]);
+        match (self.laws.is_some(), turns.is_empty()) {
+            // A law at t = 0 tells no time by itself.
+            (true, true) if slides == 0.0 => [0.0, 1.0],
+            (true, true) => [0.0, slides],
+            (false, true) => [slides; 2],
+            (_, false) => [0.0, slowest.min(TURNS_SEEN * fastest)],
+        }
+    }
+
+    /// In how many steps a way has to be gone, so that no driver turns by more than 10° in one.
+    pub fn steps(&self, [before, after]: [f64; 2]) -> usize {
+        let turning: Vec<usize> = (0..self.scene.drivers.len()).filter(|d| self.scene.drivers[*d].kind.turns()).collect();
+        let mut turned = vec![0.0; turning.len()];
+        let mut last: Option<Vec<Gone>> = None;
+        for k in 0..=SAMPLES {
+            let Some(gone) = self.gone((before + after) * (k as f64 / SAMPLES as f64) - before) else { continue };
+            if let Some(last) = &last {
+                turning.iter().zip(&mut turned).for_each(|(d, turned)| *turned += (gone[*d].by - last[*d].by).abs());
+            }
+            last = Some(gone);
+        }
+        let most = turned.into_iter().fold(0.0, f64::max);
+        libm::ceil(most / STEP) as usize
+    }
+}
+
+/// What goes on from pose to pose, with what it takes to say where everything is then.
+pub(super) enum Course {
+    Driver(usize),
+    Time(Box<Clock>),
+}
+
+impl Course {
+    pub fn of(scene: &Scene, at: &Configuration, swept: Swept) -> Course {
+        match swept {
+            Swept::Driver(d) => Course::Driver(d),
+            Swept::Time => Course::Time(Box::new(Clock::of(scene, at))),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Placed;
+    use hodograph_mechanism::mechanism::Mechanism;
+    use hodograph_scene::{read, templates};
+
+    fn clock(scene: &Scene) -> Clock {
+        let m = Mechanism::new(scene).unwrap().value;
+        Clock::of(scene, &Placed::new(scene, &m).unwrap().at)
+    }
+
+    /// What the clock says of a time is what the scene says whose instant it is.
+    #[test]
+    fn a_law_at_another_time_is_the_scene_at_that_instant() {
+        for name in ["plate-by-law", "cart-by-law"] {
+            let text = templates::get(name).unwrap();
+            let scene = read(text).unwrap().value;
+            let clock = clock(&scene);
+            for t in [0.3, 1.7] {
+                let later = templates::instantiate(name, &[("t", &format!("{} s", scene.instant() + t))]).unwrap();
+                let (there, meant) = (clock.scene_at(&scene, t), read(&later).unwrap().value);
+                for (a, b) in there.drivers.iter().zip(&meant.drivers) {
+                    assert!((a.kind.position().unwrap().value() - b.kind.position().unwrap().value()).abs() < 1e-13, "{name}");
+                    assert!((a.rate.value - b.rate.value).abs() < 1e-13, "{name}: {} against {}", a.rate.value, b.rate.value);
+                    let of = |d: &hodograph_scene::Driver| d.acceleration.as_ref().map_or(0.0, |a| a.value);
+                    assert!((of(a) - of(b)).abs() < 1e-13, "{name}: {} against {}", of(a), of(b));
+                }
+            }
+        }
+    }
+
+    /// Without laws each driver keeps its acceleration.
+    #[test]
+    fn drivers_without_laws_keep_their_accelerations() {
+        let scene = read(templates::get("five-bar").unwrap()).unwrap().value;
+        let clock = clock(&scene);
+        let gone = clock.gone(0.01).unwrap();
+        assert!(gone.len() > 1);
+        for (g, d) in gone.iter().zip(&scene.drivers) {
+            let acceleration = d.acceleration.as_ref().map_or(0.0, |a| a.value);
+            assert_eq!(g.by, d.rate.value * 0.01 + 0.5 * acceleration * 1e-4);
+            assert_eq!(g.rate, d.rate.value + acceleration * 0.01);
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! The followed links of a program on their way through the positions of a driver.
+
+use super::chains::{Chains, Follow, Values};
+use super::triad::State;
+use crate::Placed;
+use crate::general::driver_words;
+use crate::program::Program;
+use crate::station::{Stations, angle_per_value, position_now};
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use std::ops::Range;
+
+/// A program whose links are followed.
+pub(crate) struct Compiled<'a> {
+    program: Program,
+    placed: &'a Placed<'a>,
+    driver: usize,
+    per_value: f64,
+}
+
+/// The followed links at each station, or why they are not there.
+pub(crate) type States = Vec<Result<State, Faults>>;
+
+impl<'a> Compiled<'a> {
+    /// The course of a program's links through `count` values.
+    pub fn course(program: Program, placed: &'a Placed<'a>, driver: usize, count: usize, values: Values) -> Chains<Compiled<'a>> {
+        let tracked = Compiled { program, placed, driver, per_value: angle_per_value(placed.scene, &placed.at, driver) };
+        Chains::new(tracked, position_now(placed.scene, &placed.at, driver), count, values)
+    }
+
+    /// The program.
+    pub fn program(&self) -> &Program {
+        &self.program
+    }
+
+    fn turn(&self, x: f64) -> (f64, f64, f64) {
+        (libm::cos(x * self.per_value), libm::sin(x * self.per_value), self.per_value)
+    }
+}
+
+impl Follow for Compiled<'_> {
+    type State = State;
+
+    fn start(&self) -> Option<State> {
+        self.program.start(position_now(self.placed.scene, &self.placed.at, self.driver), &|x| self.turn(x))
+    }
+
+    fn advance(&self, from: &State, value: f64) -> Result<State, State> {
+        self.program.advance(from, value, &|x| self.turn(x))
+    }
+
+    fn stopped(&self, last: Option<&State>, _toward: f64) -> Faults {
+        let scene = self.placed.scene;
+        let names: Vec<_> = self.program.tracks.iter().map(|t| scene.link_name(t.link)).collect();
+        let until = last.map_or(Both::default(), |last| both!(" beyond {}", "在 {} 以后", driver_words(scene, self.driver, last.value)));
+        Diagnostic::error(
+            "limit",
+            both!("the group of link {} cannot be assembled{}", "构件 {} 所在杆组{}不能装配", Both::names(&names), until),
+        )
+        .into()
+    }
+
+    fn turns(&self) -> bool {
+        self.program.angular && self.program.turns == 1
+    }
+}
+
+/// The states of some positions of a course, by the row that `row` tells; `None` when asked to stop.
+pub(crate) fn states(
+    course: &mut Chains<Compiled>,
+    part: Range<usize>,
+    values: Values,
+    row: &dyn Fn(usize) -> usize,
+    stop: &dyn Fn() -> bool,
+) -> Option<States> {
+    let mut states: States = vec![Err(Faults::default()); part.len()];
+    let show = &mut |position, state: Result<&State, &Faults>| states[row(position)] = state.cloned().map_err(Clone::clone);
+    course.states(part, values, stop, show).then_some(states)
+}
+
+/// The states at stations in any order.
+pub(crate) fn follow(program: &Program, placed: &Placed, driver: usize, stations: &Stations) -> States {
+    let order = stations.ascending();
+    let values = |position: usize| stations.values[order[position]];
+    let mut course = Compiled::course(program.clone(), placed, driver, order.len(), &values);
+    states(&mut course, 0..order.len(), &values, &|position| order[position], &|| false).unwrap_or_default()
+}

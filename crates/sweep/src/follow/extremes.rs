@@ -1,0 +1,167 @@
+//! The motion as a whole of mechanisms that have no compiled form: followed by Newton's method from pose to pose, each solved by
+//! the loop equations.
+//!
+//! What [`crate::extreme`] asks of a program is asked here of the follower: the range of the driver, and position, rate and
+//! acceleration of every output at samples of it and between them.
+
+use super::poses::{Follower, Sweep};
+use super::whole::{Whole, event};
+use crate::Placed;
+use crate::extreme::Output;
+use crate::limit::Range;
+use hodograph_analytic as analytic;
+use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::mechanism::{Demand, Level};
+use hodograph_mechanism::position::{Configuration, Path};
+use hodograph_scene::{PointId, Scene};
+use std::borrow::Cow;
+
+/// Samples through a turn, between which a rate changes its sign at most once: one for each degree.
+const SAMPLES: usize = 360;
+
+/// A mechanism that is followed through the whole travel of a driver.
+pub(crate) struct Walk<'a> {
+    placed: &'a Placed<'a>,
+    driver: usize,
+    follower: &'a Follower<'a>,
+    sweep: Sweep,
+    now: f64,
+}
+
+impl<'a> Walk<'a> {
+    /// Follows the mechanism. The scene's driver runs at unit speed, the others stand.
+    pub fn new(placed: &'a Placed<'a>, driver: usize, follower: &'a Follower<'a>, now: f64) -> Walk<'a> {
+        Walk { placed, driver, follower, sweep: follower.sweep(SAMPLES), now }
+    }
+
+    /// How far the driver goes. Where a joint leaves the paper nothing more is looked for, and it is no limit.
+    pub fn range(&self) -> Range {
+        let (scene, poses) = (self.placed.scene, &self.sweep.poses);
+        let reach = if scene.drivers[self.driver].kind.turns() { self.sweep.period() } else { 2.0 * self.placed.at.extent() };
+        let mut ends = [None, None];
+        for (end, (limit, pose)) in ends.iter_mut().zip(self.sweep.limits.iter().zip([poses.first(), poses.last()])) {
+            let (Some(travel), Some(pose)) = (limit, pose) else { continue };
+            if !self.sweep.far(pose) {
+                let (moved, value) = (Whole::new(self.placed, self.driver), self.now + travel);
+                // Halving has come as near to the fold as the root of the rounding.
+                let located = moved.limit(value, &pose.configuration);
+                *end = Some(located.unwrap_or_else(|| event(self.placed.mechanism, value, &pose.configuration)));
+            }
+        }
+        Range { now: self.now, ends, changes: Vec::new(), reach }
+    }
+
+    /// First and last place of the driver that was reached.
+    pub fn span(&self) -> [f64; 2] {
+        let poses = &self.sweep.poses;
+        let travel = |pose: Option<&super::Pose>| self.now + pose.map_or(0.0, |p| p.travel);
+        if self.sweep.full { [self.now, self.now + self.sweep.period()] } else { [travel(poses.first()), travel(poses.last())] }
+    }
+
+    /// That after which everything stands as it did, where it has been followed through all of it.
+    pub fn period(&self) -> Option<f64> {
+        self.sweep.full.then(|| self.sweep.period())
+    }
+
+    /// The turns through which it was followed.
+    pub fn turns(&self) -> u64 {
+        self.sweep.turns
+    }
+
+    /// The turns after which everything stands as it did; 0: never.
+    pub fn returns(&self) -> u64 {
+        self.follower.returns()
+    }
+
+    /// Position, rate and acceleration of an output at a place of the driver; `None` where it has none.
+    pub fn at(&self, value: f64, output: Output) -> Option<[f64; 3]> {
+        let travel = value - self.now;
+        let poses = &self.sweep.poses;
+        if let Some(pose) = poses.iter().find(|p| p.travel == travel) {
+            return self.moving(&pose.configuration, travel, output);
+        }
+        // At a limit two assemblies meet: from there Newton's method may go to either, from this side of it only to its own.
+        let inner = poses.iter().enumerate().filter(|(k, _)| !self.sweep.is_limit(*k)).map(|(_, pose)| pose);
+        let near = inner.min_by(|a, b| self.apart(a.travel, travel).total_cmp(&self.apart(b.travel, travel)))?;
+        self.moving(&self.follower.at(&near.configuration, travel)?, travel, output)
+    }
+
+    /// How far two places of the driver are apart; on a full turn the end is the beginning.
+    fn apart(&self, a: f64, b: f64) -> f64 {
+        let d = (a - b).abs();
+        let period = self.sweep.period();
+        if self.sweep.full { (d % period).min(period - d % period) } else { d }
+    }
+
+    fn moving(&self, at: &Configuration, travel: f64, output: Output) -> Option<[f64; 3]> {
+        let mechanism = self.placed.mechanism;
+        let there = if self.placed.scene.has_laws(self.driver) {
+            Cow::Owned(self.follower.scene_at(self.placed.scene, travel))
+        } else {
+            Cow::Borrowed(self.placed.scene)
+        };
+        let scene: &Scene = &there;
+        let demand =
+            Demand { groups: vec![Some(Level::Acceleration); mechanism.groups.len()], level: Level::Acceleration, needs: Vec::new() };
+        let solution = analytic::solve(scene, mechanism, at, &demand).ok()?;
+        let all = match output {
+            Output::Turning(l) => {
+                let angle = at.direction(scene, l)?.angle();
+                [angle, solution.turning(Level::Velocity, l)?, solution.turning(Level::Acceleration, l)?]
+            }
+            Output::Sliding(g) => {
+                let guide = &scene.guides[g.0];
+                let Some(Path::Line { through, direction }) = at.guides[g.0] else { return None };
+                let runner = guide.pin.or_else(|| runner(scene, g.0))?;
+                let along = |level| Some(direction.dot(solution.vector(level, runner, guide.slider.filter(|_| guide.pin.is_none()))?));
+                [direction.dot(at.points[runner.0]? - through), along(Level::Velocity)?, along(Level::Acceleration)?]
+            }
+        };
+        all.iter().all(|x| x.is_finite()).then_some(all)
+    }
+}
+
+/// A point of the link that glides along a guide: it moves as the link does.
+fn runner(scene: &Scene, guide: usize) -> Option<PointId> {
+    scene.links[scene.guides[guide].slider?.0].points.first().copied()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::extreme::{Limits, limits, limits_walked};
+    use hodograph_mechanism::mechanism::Mechanism;
+    use hodograph_scene::{read, templates};
+
+    fn close(name: &str, a: f64, b: f64, tolerance: f64) {
+        assert!((a - b).abs() <= tolerance, "{name}: {a} against {b}");
+    }
+
+    /// What has a compiled form too: full turns, bounded ones, sliders, a link on three legs.
+    #[test]
+    fn walking_finds_what_the_compiled_program_finds() {
+        for name in ["crank-rocker", "slider-crank", "shaper", "class-iii-six-bar", "five-bar"] {
+            let scene = read(templates::get(name).unwrap()).unwrap().value;
+            let m = Mechanism::new(&scene).unwrap().value;
+            let [compiled, walked]: [Limits; 2] = [limits(&scene, &m, 0).unwrap(), limits_walked(&scene, &m, 0).unwrap()];
+            for (a, b) in compiled.range.ends.iter().zip(&walked.range.ends) {
+                match (a, b) {
+                    (None, None) => {}
+                    (Some(a), Some(b)) => {
+                        close(name, a.value, b.value, 1e-13);
+                        assert_eq!(a.toggle.is_some(), b.toggle.is_some(), "{name}");
+                    }
+                    _ => panic!("{name}: {a:?} against {b:?}"),
+                }
+            }
+            for (a, b) in compiled.swings.iter().zip(&walked.swings) {
+                assert_eq!((a.output, a.extremes.len()), (b.output, b.extremes.len()), "{name}: {a:?}\n{b:?}");
+                if let (Some(a), Some(b)) = (a.stroke, b.stroke) {
+                    close(name, a, b, 1e-6);
+                }
+                if let (Some(a), Some(b)) = (a.time_ratio, b.time_ratio) {
+                    close(name, a, b, 1e-9);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,390 @@
+//! All poses of a mechanism through the travel of one driver, or through time: followed from the scene's pose without a jump to another
+//! assembly, to the full turn or to the limits at both ends.
+//!
+//! Decided here: where the poses are and what is a limit. Not decided here: what is drawn in them.
+
+use super::clock::Course;
+use super::step::{Pose, STRAY, foretold, stray};
+use std::borrow::Cow;
+use std::f64::consts::TAU;
+
+use hodograph_base::diag::Faults;
+use hodograph_mechanism::mechanism::{Demand, Mechanism};
+use hodograph_mechanism::position::{self, Configuration, newton};
+use hodograph_mechanism::stated::{self, Moment};
+use hodograph_scene::{Given, LinkId, Scene, Swept};
+use hodograph_scene::{driver_position, with_driver_at};
+
+use crate::extreme::turns_seen;
+use crate::station::position_now;
+use crate::train::Train;
+
+/// The poses of a driver's travel, or of a time.
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    /// In the order of growing travel; the scene's own pose has the travel 0.
+    pub poses: Vec<Pose>,
+    /// Whether the mechanism comes back to its first pose after a full turn, or after [`Sweep::turns`].
+    pub full: bool,
+    /// Travel at which the mechanism can go no farther back and no farther on; the pose there is the first and the last one.
+    pub limits: [Option<f64>; 2],
+    /// Through how many turns of a driver that turns: those after which everything stands as it did, one unless wheels roll; one too
+    /// where these are too many.
+    pub turns: u64,
+}
+
+impl Sweep {
+    /// The travel after which a full motion comes again (rad).
+    pub fn period(&self) -> f64 {
+        TAU * self.turns as f64
+    }
+
+    /// Whether nothing stops the motion: then no vector grows beyond all bounds.
+    pub fn is_unlimited(&self) -> bool {
+        self.limits == [None, None]
+    }
+
+    /// Whether the driver can go no farther than a pose.
+    pub fn is_limit(&self, k: usize) -> bool {
+        k == 0 && self.limits[0].is_some() || k + 1 == self.poses.len() && self.limits[1].is_some()
+    }
+
+    /// From a pose to its neighbour.
+    pub fn step(&self, k: usize) -> f64 {
+        let neighbour = if k > 0 { self.poses.get(k - 1) } else { self.poses.get(1) };
+        neighbour.map_or(0.0, |n| (n.travel - self.poses[k].travel).abs())
+    }
+
+    /// Whether a pose is an end because a joint leaves the paper there.
+    pub fn far(&self, pose: &Pose) -> bool {
+        let Some(base) = self.poses.iter().find(|p| p.travel == 0.0) else { return false };
+        stray(&pose.configuration, &base.configuration) > FAR * 0.999 * base.configuration.extent()
+    }
+}
+
+/// Halvings of a step before the motion is taken to end: 5° become 0.0003°.
+const HALVINGS: usize = 14;
+/// A joint that has gone so many times the mechanism's size from its place has left the paper: two lines that become
+/// parallel send their crossing beyond all bounds.
+const FAR: f64 = 3.0;
+/// Parts of steps in a walk, for each of its steps: a mechanism that needs more has no motion that could be shown.
+const PARTS: usize = 20;
+/// Fewest steps between two limits.
+const STEPS_LEAST: usize = 48;
+
+/// Follows a mechanism along one driver's travel, the other drivers held, or through time.
+pub struct Follower<'a> {
+    /// With rates at which the drivers have gone, after a time of one, as far as one driver moves or all do.
+    scene: Scene,
+    mechanism: &'a Mechanism,
+    demand: &'a Demand,
+    base: &'a Configuration,
+    course: Course,
+    back: bool,
+}
+
+impl<'a> Follower<'a> {
+    /// Whether the driver moves toward smaller positions in the scene.
+    pub fn goes_back(&self) -> bool {
+        self.back
+    }
+
+    /// Of the scene in its own pose; `swept` is what goes on.
+    pub fn new(
+        scene: &Scene,
+        mechanism: &'a Mechanism,
+        demand: &'a Demand,
+        base: &'a Configuration,
+        swept: impl Into<Swept>,
+    ) -> Follower<'a> {
+        let swept = swept.into();
+        let course = Course::of(scene, base, swept);
+        let back = matches!(swept, Swept::Driver(d) if scene.drivers[d].rate.value < 0.0);
+        let mut scene = scene.clone();
+        // Only the driver moves, by a unit in a unit of time: then time is its travel.
+        for d in 0..scene.drivers.len() {
+            set_rate(&mut scene, d, if swept == Swept::Driver(d) { 1.0 } else { 0.0 });
+        }
+        Follower { scene, mechanism, demand, base, course, back }
+    }
+
+    /// Where a driver stands in the scene's own pose (rad or m).
+    fn start(&self, driver: usize) -> f64 {
+        driver_position(&self.scene, driver).unwrap_or_else(|| position_now(&self.scene, self.base, driver))
+    }
+
+    /// A scene of the same drivers at a travel, as far as it says where they are: with one that moves, all rates are as they were; through time
+    /// they are those of the time.
+    pub fn scene_at(&self, scene: &Scene, travel: f64) -> Scene {
+        match &self.course {
+            Course::Driver(d) => with_driver_at(scene, *d, self.start(*d) + travel),
+            Course::Time(clock) => clock.scene_at(scene, travel),
+        }
+    }
+
+    /// Whether it is a driver that turns.
+    fn turns(&self) -> bool {
+        matches!(self.course, Course::Driver(d) if self.scene.drivers[d].kind.turns())
+    }
+
+    /// How far the motion is shown before and after the scene's pose (rad, m or s): a turn of a driver, or the turns after which all stand as they
+    /// did; twice the mechanism's size; the time of [`Clock::reach`](super::clock::Clock::reach).
+    pub fn reach(&self) -> [f64; 2] {
+        let extent = self.base.extent();
+        match &self.course {
+            Course::Driver(_) if self.turns() => [TAU * turns_seen(self.returns()) as f64; 2],
+            Course::Driver(_) => [2.0 * extent; 2],
+            Course::Time(clock) => clock.reach(extent),
+        }
+    }
+
+    /// In how many steps at least a way through time has to be gone, so that no driver turns by much in one.
+    pub fn steps(&self, reach: [f64; 2]) -> usize {
+        match &self.course {
+            Course::Driver(_) => 1,
+            Course::Time(clock) => clock.steps(reach),
+        }
+    }
+
+    /// All poses, in at least `count` steps of a turn or of the whole way.
+    pub fn sweep(&self, count: usize) -> Sweep {
+        self.through(self.reach(), count)
+    }
+
+    /// The same, so far before and after the scene's pose.
+    pub fn through(&self, [before, after]: [f64; 2], count: usize) -> Sweep {
+        let turns = self.turns();
+        let returns = if turns { self.returns() } else { 1 };
+        let seen = turns_seen(returns);
+        let step = match &self.course {
+            Course::Driver(_) => after / (seen as f64 * count as f64),
+            Course::Time(_) => (before + after) / count.max(self.steps([before, after])) as f64,
+        };
+        let start = Pose { travel: 0.0, configuration: self.base.clone() };
+        if step == 0.0 {
+            return Sweep { poses: vec![start], full: false, limits: [None, None], turns: 1 };
+        }
+        let (mut up, high) = self.walk(step, after, None);
+        let back = |p: &Pose| self.stray(&p.configuration, self.base) < 1e-6 && self.rolled_back(&p.configuration);
+        if turns && high.is_none() && up.last().is_some_and(back) {
+            up.pop();
+            up.insert(0, start);
+            return Sweep { poses: up, full: true, limits: [None, None], turns: seen };
+        }
+        if high.is_none() && returns != seen {
+            // One turn of many.
+            up.insert(0, start);
+            return Sweep { poses: up, full: false, limits: [None, None], turns: seen };
+        }
+        let (mut down, low) = self.walk(-step, before, None);
+        let range = up.last().map_or(0.0, |p| p.travel) - down.last().map_or(0.0, |p| p.travel);
+        if (low.is_some() || high.is_some()) && range > 0.0 && range < step * STEPS_LEAST as f64 {
+            let fine = range / STEPS_LEAST as f64;
+            // The ends have been found: to halve for them anew would be most of the work.
+            let ends = [up.pop().filter(|_| high.is_some()), down.pop().filter(|_| low.is_some())];
+            let [top, bottom] = ends;
+            (up, down) = rayon::join(|| self.walk(fine, after, top).0, || self.walk(-fine, before, bottom).0);
+        }
+        let mut poses: Vec<Pose> = down.into_iter().rev().collect();
+        poses.push(start);
+        poses.extend(up);
+        Sweep { poses, full: false, limits: [low, high], turns: seen }
+    }
+
+    /// Checks that positions of this motion meet what the scene states.
+    ///
+    /// # Errors
+    /// `position-unproven`, those of the first position that breaks a statement.
+    pub fn proved<'c>(&self, positions: impl IntoIterator<Item = &'c Configuration>) -> Result<(), Faults> {
+        positions.into_iter().try_for_each(|at| stated::proved(&self.scene, self.mechanism, at, Moment::Later(self.base)))
+    }
+
+    /// The turns of the driver after which everything stands as it did; 0: never.
+    pub fn returns(&self) -> u64 {
+        Train::of(&self.scene, self.mechanism, self.base).turns()
+    }
+
+    /// Whether all links that roll stand as at the instant.
+    fn rolled_back(&self, at: &Configuration) -> bool {
+        let axis = |c: &Configuration, l: LinkId| c.poses[l.0].map(|p| p.axis);
+        let links = self.scene.rolling.iter().flat_map(|r| r.links);
+        links.filter_map(|l| Some((axis(at, l)? - axis(self.base, l)?).norm())).all(|off| off < 1e-6)
+    }
+
+    /// Poses from the scene's one on, in steps, as far as `reach`; where the motion ends before, the last is its end, which may be
+    /// known.
+    fn walk(&self, step: f64, reach: f64, known: Option<Pose>) -> (Vec<Pose>, Option<f64>) {
+        let reach = known.as_ref().map_or(reach, |end| end.travel.abs());
+        let count = (((reach / step.abs()) * (1.0 - 1e-9)).ceil() as usize).max(usize::from(known.is_some()));
+        let start = Pose { travel: 0.0, configuration: self.base.clone() };
+        let (mut before, mut now) = (None, start);
+        let mut poses = Vec::new();
+        let mut left = PARTS * count;
+        for k in 1..=count {
+            let target = if k == count { reach.copysign(step) } else { step * k as f64 };
+            if let Some(end) = known.as_ref().filter(|end| end.travel.abs() <= target.abs()) {
+                poses.push(end.clone());
+                return (poses, Some(end.travel));
+            }
+            while now.travel != target {
+                left = left.saturating_sub(1);
+                match self.next(before.as_ref(), &now, target).filter(|_| left > 0) {
+                    Some(next) => before = Some(std::mem::replace(&mut now, next)),
+                    None => {
+                        let end = self.end(&now, target);
+                        let limit = end.travel;
+                        poses.push(end);
+                        return (poses, Some(limit));
+                    }
+                }
+            }
+            poses.push(now.clone());
+        }
+        (poses, None)
+    }
+
+    /// The next pose on the way to a travel: there, or a part of the way where the motion bends.
+    fn next(&self, before: Option<&Pose>, now: &Pose, target: f64) -> Option<Pose> {
+        let half = |travel: f64| now.travel + (travel - now.travel) / 2.0;
+        let mut travel = target;
+        let mut halvings = 0;
+        // Where the last part of the way was short, the next will hardly be much longer.
+        let last = before.map_or(f64::INFINITY, |b| (now.travel - b.travel).abs());
+        while halvings < HALVINGS / 2 && (travel - now.travel).abs() > 2.0 * last {
+            (travel, halvings) = (half(travel), halvings + 1);
+        }
+        while halvings < HALVINGS {
+            let guess = foretold(before, now, travel);
+            if let Some(configuration) = self.at(&guess, travel)
+                && self.stray(&configuration, &guess) < STRAY
+            {
+                return Some(Pose { travel, configuration });
+            }
+            (travel, halvings) = (half(travel), halvings + 1);
+        }
+        None
+    }
+
+    /// The last pose before the motion ends, found by halving.
+    fn end(&self, now: &Pose, target: f64) -> Pose {
+        let (mut inside, mut outside) = (now.clone(), target);
+        loop {
+            let middle = 0.5 * (inside.travel + outside);
+            // No double lies between.
+            if middle == inside.travel || middle == outside {
+                return inside;
+            }
+            // Close to its limit a mechanism moves as the root of the distance: nothing is foretold, and nearness is judged broadly.
+            match self.at(&inside.configuration, middle).filter(|c| self.stray(c, &inside.configuration) < 10.0 * STRAY) {
+                Some(configuration) => inside = Pose { travel: middle, configuration },
+                None => outside = middle,
+            }
+        }
+    }
+
+    /// The pose at a travel that is nearest to a guess; `None` where the mechanism does not close, or leaves the paper.
+    pub fn at(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
+        self.closed(guess, travel).filter(|c| self.stray(c, self.base) < FAR)
+    }
+
+    fn closed(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
+        // Closed forms are exact; other groups have to be found from the guess.
+        if self.mechanism.groups.iter().any(|g| g.class().is_some_and(|class| class != "II")) {
+            return self.by_newton(guess, travel);
+        }
+        let gone = self.gone(travel)?;
+        let (scene, time) = self.later(&gone, travel);
+        if scene.lost_follower().is_some() {
+            return None;
+        }
+        let later = |meant: &Configuration| position::later(&scene, self.mechanism, self.demand, meant, self.base, time);
+        let mut best = match later(guess) {
+            Ok(found) => found,
+            Err(faults) if faults.list.iter().any(|d| d.code == "pose-given") => return self.by_newton(guess, travel),
+            Err(_) => return None,
+        };
+        // At a change point the closed forms of two motions change places.
+        let mut meant = guess.clone();
+        for g in 0..meant.closures.len() {
+            let kept = meant.closures[g];
+            meant.closures[g] = 1 - kept.min(1);
+            match later(&meant).ok().filter(|other| self.stray(other, guess) < self.stray(&best, guess)) {
+                Some(other) => best = other,
+                None => meant.closures[g] = kept,
+            }
+        }
+        Some(best)
+    }
+
+    /// How far each driver has gone at a travel; `None` where a law of time has no value.
+    fn gone(&self, travel: f64) -> Option<Vec<f64>> {
+        match &self.course {
+            Course::Driver(d) => Some((0..self.scene.drivers.len()).map(|k| if k == *d { travel } else { 0.0 }).collect()),
+            Course::Time(clock) => Some(clock.gone(travel)?.iter().map(|g| g.by).collect()),
+        }
+    }
+
+    /// The scene whose drivers go on at constant rates, and the time after which they have gone so far; the followers of its cams are where they
+    /// are then, and stand.
+    fn later(&self, gone: &[f64], travel: f64) -> (Cow<'_, Scene>, f64) {
+        let mut scene = self.with_followers(gone);
+        if let Course::Driver(_) = self.course {
+            return (scene, travel);
+        }
+        let owned = scene.to_mut();
+        for (d, by) in gone.iter().enumerate().filter(|(d, _)| !self.scene.is_led(*d)) {
+            set_rate(owned, d, *by);
+        }
+        (scene, 1.0)
+    }
+
+    /// The scene with the followers of its cams where the drivers' travels hold them; they stand there.
+    fn with_followers(&self, gone: &[f64]) -> Cow<'_, Scene> {
+        let mut scene = Cow::Borrowed(&self.scene);
+        for (d, by) in gone.iter().enumerate().filter(|(d, _)| self.scene.has_laws(*d)) {
+            let scene = scene.to_mut();
+            let rate = std::mem::replace(&mut scene.drivers[d].rate.value, 0.0);
+            scene.set_followers(d, Some(self.start(d) + by));
+            scene.drivers[d].rate.value = rate;
+        }
+        if (0..self.scene.drivers.len()).any(|d| self.scene.is_on_a_course(d)) {
+            let scene = scene.to_mut();
+            scene.set_courses(&|d| Some(self.start(d) + gone[d]));
+            (0..self.scene.drivers.len()).filter(|d| self.scene.is_on_a_course(*d)).for_each(|d| set_rate(scene, d, 0.0));
+        }
+        scene
+    }
+
+    fn by_newton(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
+        let mut values = newton::driver_values(&self.scene, self.base);
+        let gone = self.gone(travel)?;
+        let own = gone.iter().enumerate().filter(|(d, _)| !self.scene.is_led(*d));
+        own.for_each(|(d, by)| values.0[d] += by);
+        let scene = self.with_followers(&gone);
+        if scene.lost_follower().is_some() {
+            return None;
+        }
+        for k in (0..scene.drivers.len()).filter(|k| scene.is_led(*k)) {
+            let place = |s: &Scene| driver_position(s, k);
+            values.0[k] += place(&scene).zip(place(&self.scene)).map_or(0.0, |(there, here)| there - here);
+        }
+        newton::moved(&self.scene, self.mechanism, guess, &values)
+    }
+
+    /// The largest distance of a joint in two poses, as a part of the mechanism's size.
+    fn stray(&self, a: &Configuration, b: &Configuration) -> f64 {
+        stray(a, b) / self.base.extent().max(f64::MIN_POSITIVE)
+    }
+}
+
+/// What a pose between two others is about.
+pub fn between(one: &Pose, other: &Pose, travel: f64) -> Configuration {
+    foretold(Some(one), other, travel)
+}
+
+/// Gives a driver a constant rate (SI).
+fn set_rate(scene: &mut Scene, driver: usize, rate: f64) {
+    let of = &mut scene.drivers[driver];
+    of.rate = Given { value: rate, radius: 0.0, text: format!("{rate:?}"), span: of.rate.span };
+    of.acceleration = None;
+}

@@ -1,0 +1,252 @@
+//! Mechanisms that have no program: all their equations are solved together by Newton's method, each position from the one before it (natural
+//! continuation with step control), and the loop equations answer the questions there.
+
+use super::chains::{Chains, Follow, Values};
+use super::step::{Pose, STRAY, foretold, stray};
+use crate::Placed;
+use crate::chunks::Rows;
+use crate::compile::ask;
+use crate::general::{self, General};
+use crate::limit::{Event, Kind};
+use crate::station::{Stations, position_now};
+use crate::train::Train;
+use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_mechanism::mechanism::{Core, Mechanism};
+use hodograph_mechanism::position::Configuration;
+use hodograph_mechanism::position::fold::fold;
+use hodograph_mechanism::position::newton::{self, DriverValues};
+use hodograph_mechanism::position::toggle::Toggle;
+use hodograph_scene::{driver_position, with_driver_at};
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::ops::Range;
+
+/// Where gears tell one turn from the next, no step of the driver may be taken for one in the other sense: an eighth of a turn of the fastest
+/// wheel.
+const PART_OF_A_TURN: f64 = std::f64::consts::FRAC_PI_4;
+
+/// Steps through such a part of a turn, or of the mechanism's size, before the way counts as blocked.
+const MOST_STEPS: usize = 200;
+
+/// A mechanism that is moved by one of its drivers.
+pub(crate) struct Whole<'a> {
+    placed: &'a Placed<'a>,
+    driver: usize,
+    /// Where the driver stands at the instant.
+    now: f64,
+    /// What the drivers hold at the instant, as Newton's method counts.
+    drivers: DriverValues,
+    /// How many times as fast as the driver the fastest wheel turns, and the turns after which all stand as they did; 0: never.
+    wheels: (f64, u64),
+}
+
+/// A step that is longer than so many times the one before it is not foretold: the secant is rounding.
+const FARTHEST: f64 = 2.0;
+
+/// Where everything is at a value of the driver, which is the pose's travel, and in the step before.
+#[derive(Clone)]
+pub(crate) struct Standing {
+    now: Pose,
+    before: Option<Pose>,
+}
+
+impl Standing {
+    fn first(value: f64, at: &Configuration) -> Standing {
+        Standing { now: Pose { travel: value, configuration: at.clone() }, before: None }
+    }
+
+    /// Where the motion leads.
+    fn ahead(&self, value: f64) -> Configuration {
+        let step = |from: &Pose, to: f64| (to - from.travel).abs();
+        let near = |before: &&Pose| step(&self.now, value) <= FARTHEST * step(before, self.now.travel);
+        foretold(self.before.as_ref().filter(near), &self.now, value)
+    }
+
+    fn on(self, to: Pose) -> Standing {
+        Standing { before: Some(self.now), now: to }
+    }
+}
+
+impl<'a> Whole<'a> {
+    /// A mechanism where it stands.
+    pub fn new(placed: &'a Placed<'a>, driver: usize) -> Whole<'a> {
+        let now = position_now(placed.scene, &placed.at, driver);
+        let train = Train::of(placed.scene, placed.mechanism, &placed.at);
+        let wheels = (train.fastest(), train.turns());
+        Whole { placed, driver, now, wheels, drivers: newton::driver_values(placed.scene, &placed.at) }
+    }
+
+    /// Its course through `count` values.
+    pub fn course(placed: &'a Placed<'a>, driver: usize, count: usize, values: Values) -> Chains<Whole<'a>> {
+        let moved = Whole::new(placed, driver);
+        let now = moved.now;
+        Chains::new(moved, now, count, values)
+    }
+
+    /// What the drivers hold when this one has a value.
+    fn holding(&self, value: f64) -> DriverValues {
+        let mut drivers = self.drivers.clone();
+        drivers.0[self.driver] += value - self.now;
+        let here = self.placed.scene;
+        if here.has_laws(self.driver) {
+            let there = with_driver_at(here, self.driver, value);
+            for led in (0..here.drivers.len()).filter(|d| here.is_led(*d)) {
+                let gone = driver_position(&there, led).zip(driver_position(here, led));
+                drivers.0[led] += gone.map_or(0.0, |(there, here)| there - here);
+            }
+        }
+        drivers
+    }
+
+    fn is_turning(&self) -> bool {
+        self.placed.scene.drivers[self.driver].kind.turns()
+    }
+
+    /// Whether the mechanism stands elsewhere after a turn of the driver: gears may.
+    pub fn counts_turns(&self) -> bool {
+        self.is_turning() && !self.placed.scene.rolling.is_empty()
+    }
+
+    /// The limit next to a pose, as exactly as the equations can tell it, and what holds the mechanism there. `None` where no limit is
+    /// near by.
+    pub fn limit(&self, value: f64, near: &Configuration) -> Option<Event> {
+        let p = self.placed;
+        let (there, at) = fold(p.scene, p.mechanism, near, &self.holding(value), self.driver)?;
+        Some(event(p.mechanism, self.now + (there - self.drivers.0[self.driver]), &at))
+    }
+
+    /// Where everything is at a value, which may be many turns on: for what only the numbers next to one position need.
+    pub fn standing(&self, value: f64) -> Result<Configuration, Faults> {
+        let mut way = value - self.now;
+        if self.wheels.1 > 0 {
+            let period = TAU * self.wheels.1 as f64;
+            way -= period * libm::trunc(way / period);
+        }
+        let ends = &self.placed.ends;
+        if let Some(why) = ends.of(self.driver, way) {
+            return Err(why);
+        }
+        let first = Standing::first(self.now, &self.placed.at);
+        self.advance(&first, self.now + way).map(|s| s.now.configuration).map_err(|last| {
+            let why = self.stopped(Some(&last), value);
+            ends.note(self.driver, last.now.travel - self.now, way < 0.0, &why);
+            why
+        })
+    }
+
+    /// The limit by which a state was the last on its way.
+    pub fn end(&self, last: &Standing) -> Option<Event> {
+        self.limit(last.now.travel, &last.now.configuration)
+    }
+}
+
+/// What stops a mechanism in the pose of a limit.
+pub(crate) fn event(m: &Mechanism, value: f64, at: &Configuration) -> Event {
+    // A group without a closed form, or on three legs of which one rolls, holds the driver, unless legs are told that hold one another.
+    let followed = || m.groups.iter().find(|g| g.core == Core::Higher || g.class() == Some("III"));
+    // Where no joint is seen to lock, the last that the driver moves does: something is named in any case.
+    let last = || m.groups.iter().rev().find(|g| g.class().is_some());
+    let toggle = Toggle::at(m, at).or_else(|| followed().or_else(last).map(|g| Toggle::Open(g.links.clone())));
+    let links = toggle.as_ref().map_or_else(Vec::new, Toggle::links);
+    Event { value, kind: Kind::Limit, links, pin: None, joint: None, toggle }
+}
+
+impl Follow for Whole<'_> {
+    type State = Standing;
+
+    fn start(&self) -> Option<Standing> {
+        Some(Standing::first(self.now, &self.placed.at))
+    }
+
+    /// In steps that each converge near by.
+    fn advance(&self, from: &Standing, to: f64) -> Result<Standing, Standing> {
+        let p = self.placed;
+        let part = if self.is_turning() { PART_OF_A_TURN / self.wheels.0 } else { PART_OF_A_TURN * p.at.extent() };
+        // So many for every part of the way: no end of it is out of reach because it is far.
+        let (mut state, mut left) = (from.clone(), MOST_STEPS);
+        let mut gone = 0.0;
+        let most = if self.counts_turns() { PART_OF_A_TURN / self.wheels.0 } else { f64::INFINITY };
+        let mut step = to - from.now.travel;
+        let extent = p.at.extent();
+        while left > 0 {
+            let reached = libm::floor(((state.now.travel - from.now.travel) / part).abs());
+            if reached > gone {
+                (gone, left) = (reached, MOST_STEPS);
+            }
+            left -= 1;
+            step = step.max(-most).min(most);
+            let value = state.now.travel;
+            if value == to {
+                return Ok(state);
+            }
+            let next = if (to - value).abs() <= step.abs() { to } else { value + step };
+            let guess = state.ahead(next);
+            match newton::moved(p.scene, p.mechanism, &guess, &self.holding(next)).filter(|c| stray(c, &guess) < STRAY * extent) {
+                Some(configuration) => (state, step) = (state.on(Pose { travel: next, configuration }), step * 1.5),
+                None => step = 0.5 * (next - value),
+            }
+        }
+        if state.now.travel == to { Ok(state) } else { Err(state) }
+    }
+
+    fn stopped(&self, last: Option<&Standing>, toward: f64) -> Faults {
+        let words = |value| general::driver_words(self.placed.scene, self.driver, value);
+        let message = match last.map(|last| (last, self.end(last))) {
+            Some((_, Some(limit))) => both!("the mechanism cannot be assembled beyond {}", "机构在 {} 以后不能装配", words(limit.value)),
+            Some((last, None)) => {
+                both!("the mechanism cannot be followed beyond {}", "机构的运动在 {} 以后无法跟踪", words(last.now.travel))
+            }
+            None => both!("the mechanism cannot be followed to {}", "机构的运动无法跟踪到 {}", words(toward)),
+        };
+        Diagnostic::error("limit", message).into()
+    }
+
+    fn turns(&self) -> bool {
+        self.is_turning() && (!self.counts_turns() || self.wheels.1 == 1)
+    }
+}
+
+/// Some rows of a course. Position in the course and row of the stations are told by `row`; `None` when asked to stop.
+pub(crate) fn rows(
+    course: &mut Chains<Whole>,
+    general: &General,
+    part: Range<usize>,
+    stations: &Stations,
+    values: Values,
+    row: &dyn Fn(usize) -> usize,
+    stop: &dyn Fn() -> bool,
+) -> Option<Rows> {
+    let scene = general.scene();
+    let n = stations.len();
+    let mut columns: Vec<Vec<f64>> = scene.find.iter().flat_map(ask::names).map(|_| vec![f64::NAN; n]).collect();
+    let mut missing = BTreeMap::new();
+    let driver = course.follow().driver;
+    let done = course.states(part, values, stop, &mut |position, state| {
+        let i = row(position);
+        let there =
+            |state: &Standing| general.answers(&with_driver_at(scene, driver, stations.place(i, scene, driver)), &state.now.configuration);
+        match state.map_err(Clone::clone).and_then(there) {
+            Ok(ways) => columns.iter_mut().zip(&ways[0]).for_each(|(c, v)| c[i] = *v),
+            Err(why) => drop(missing.insert(i, why)),
+        }
+    });
+    done.then_some(Rows { columns, missing, open: Vec::new() })
+}
+
+/// A note for each limit that a course has met.
+pub(crate) fn ends(course: &Chains<Whole>) -> Vec<Diagnostic> {
+    let moved = course.follow();
+    let limits = course.ended().filter_map(|last| moved.end(last));
+    limits.map(|e| general::limit_note(moved.placed.scene, moved.driver, &e)).collect()
+}
+
+/// All rows of stations in any order, and a note for each limit on the way to them.
+pub(crate) fn follow(placed: &Placed, driver: usize, stations: &Stations) -> (Rows, Vec<Diagnostic>) {
+    let order = stations.ascending();
+    let values = |position: usize| stations.values[order[position]];
+    let mut course = Whole::course(placed, driver, order.len(), &values);
+    let general = General::new(placed, driver);
+    let all = 0..order.len();
+    let rows = rows(&mut course, &general, all, stations, &values, &|position| order[position], &|| false);
+    (rows.unwrap_or_default(), ends(&course))
+}

@@ -1,0 +1,110 @@
+//! Fuses a crank with the one group that hangs on its pin: what the crank finds stays in the machine's registers.
+
+use super::kernels::*;
+use super::{Ordered, Unit};
+use crate::kernel::{Kernel, Reg};
+use crate::lane::Lane;
+use crate::run::{Any, Whole};
+
+/// A group that hangs on the pin of a crank and on nothing else that moves, together with the crank.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OnCrank<C, K> {
+    /// The crank.
+    pub crank: C,
+    /// The group, whose registers are not read.
+    pub group: K,
+}
+
+/// Joins every crank whose numbers one unit alone reads, and reads nothing else, with that unit.
+pub(super) fn join(all: &mut Ordered, wanted: &[Reg]) {
+    let mut k = 0;
+    while k < all.order.len() {
+        let crank = all.order[k];
+        match reader(all, crank, wanted) {
+            Some((unit, op)) => {
+                all.units[unit as usize].op = Any::Whole(op);
+                all.reads[unit as usize] = all.reads[crank as usize].clone();
+                all.order.remove(k);
+            }
+            None => k += 1,
+        }
+    }
+}
+
+/// The unit that a crank is joined with, and what both are then.
+fn reader(all: &Ordered, crank: u32, wanted: &[Reg]) -> Option<(u32, Whole)> {
+    let Unit { op, outs } = &all.units[crank as usize];
+    if !is_crank(op) || outs.iter().any(|r| wanted.contains(r)) {
+        return None;
+    }
+    let mut readers = all.order.iter().filter(|unit| all.reads(**unit).iter().any(|r| outs.contains(r)));
+    match (readers.next(), readers.next()) {
+        (Some(&unit), None) if all.reads(unit) == &outs[..] => Some((unit, joined(*op, all.units[unit as usize].op)?)),
+        _ => None,
+    }
+}
+
+fn is_crank(op: &Any) -> bool {
+    use Whole::*;
+    matches!(op, Any::Whole(CrankP(_) | CrankV(_) | CrankA(_) | EvenP(_) | EvenV(_) | EvenA(_)))
+}
+
+/// Groups on cranks: the name of each, the kernels of both, how many numbers the one hands to the other, and how many come out; and
+/// [`joined`], which finds the kernel of both.
+macro_rules! on_cranks {
+    ($($name:ident = $crank:ident, $group:ident: $in:literal => $out:literal;)*) => {
+        $(
+            #[doc = concat!("[`", stringify!($group), "`] on a crank.")]
+            pub type $name = OnCrank<$crank, $group>;
+
+            impl Kernel<2, $out> for $name {
+                fn inputs(&self) -> [Reg; 2] {
+                    self.crank.inputs()
+                }
+
+                #[inline(always)]
+                fn eval<N: Lane>(&self, x: [N; 2]) -> [N; $out] {
+                    let pin: [N; $in] = self.crank.eval(x);
+                    self.group.eval(pin)
+                }
+            }
+        )*
+
+        /// The kernel of a group on a crank, where there is one.
+        fn joined(crank: Any, group: Any) -> Option<Whole> {
+            match (crank, group) {
+                $((Any::Whole(Whole::$crank(crank)), Any::Whole(Whole::$group(group))) => {
+                    Some(Whole::$name(OnCrank { crank, group }))
+                })*
+                _ => None,
+            }
+        }
+    };
+}
+
+on_cranks! {
+    CrankDyadP = CrankP, DyadGroundP: 2 => 2;
+    CrankDyadV = CrankV, DyadGroundV: 4 => 4;
+    CrankDyadA = CrankA, DyadGroundA: 6 => 6;
+    CrankDyadVL = CrankV, DyadGroundVL: 4 => 5;
+    CrankDyadAL = CrankA, DyadGroundAL: 6 => 8;
+    CrankSliderP = CrankP, SliderP: 2 => 2;
+    CrankSliderV = CrankV, SliderV: 4 => 4;
+    CrankSliderA = CrankA, SliderA: 6 => 6;
+    CrankSliderVL = CrankV, SliderVL: 4 => 5;
+    CrankSliderAL = CrankA, SliderAL: 6 => 8;
+    CrankSlottedV = CrankV, SlottedV: 4 => 5;
+    CrankSlottedA = CrankA, SlottedA: 6 => 8;
+    EvenDyadP = EvenP, DyadGroundP: 2 => 2;
+    EvenDyadV = EvenV, DyadGroundV: 4 => 4;
+    EvenDyadA = EvenA, DyadGroundA: 6 => 6;
+    EvenDyadVL = EvenV, DyadGroundVL: 4 => 5;
+    EvenDyadAL = EvenA, DyadGroundAL: 6 => 8;
+    EvenSliderP = EvenP, SliderP: 2 => 2;
+    EvenSliderV = EvenV, SliderV: 4 => 4;
+    EvenSliderA = EvenA, SliderA: 6 => 6;
+    EvenSliderVL = EvenV, SliderVL: 4 => 5;
+    EvenSliderAL = EvenA, SliderAL: 6 => 8;
+    EvenSlottedV = EvenV, SlottedV: 4 => 5;
+    EvenSlottedA = EvenA, SlottedA: 6 => 8;
+}

@@ -1,0 +1,372 @@
+//! Pattern matching on the list of operations: finds those that give position, velocity and acceleration of one point, or turning of one line.
+
+use super::kernels::{Coupled, Crank, Dyad, Images, Motion, Slider, Turned};
+use super::{NONE, Outs, Unit, Wires};
+use crate::carry::Arm;
+use crate::kernel::{Pair, Reg};
+use crate::program::{COS, Op, Program, SIN, Step};
+use crate::rows::Cross;
+use crate::run::{Any, Whole};
+use arrayvec::ArrayVec;
+
+/// A program looked at from its registers.
+pub struct Matching<'a> {
+    pub(super) program: &'a Program,
+    pub(super) steps: &'a [Step],
+    /// The values of constant registers.
+    pub constants: Vec<Option<f64>>,
+    /// The step that fills a register.
+    maker: Vec<u32>,
+    /// How often a register is read by what is asked for.
+    uses: Vec<u32>,
+    /// How many registers each step fills, and whether anything asks for them.
+    outs: Vec<u32>,
+    pub(super) alive: Vec<bool>,
+    /// The step of the length of the vector that begins at a register.
+    length: Vec<u32>,
+}
+
+/// A whole kernel of as many levels as there are, with lengths or without.
+macro_rules! levels {
+    ($levels:expr, $lengths:expr, $kernel:expr => $p:ident $v:ident $a:ident $vl:ident $al:ident) => {
+        match ($levels, $lengths) {
+            (1, _) => Whole::$p($kernel),
+            (2, false) => Whole::$v($kernel),
+            (2, true) => Whole::$vl($kernel),
+            (_, false) => Whole::$a($kernel),
+            (_, true) => Whole::$al($kernel),
+        }
+    };
+}
+
+/// Something for each level of motion.
+pub(super) type Few<T> = ArrayVec<T, 3>;
+
+/// What was found for one point: its kernel by levels and lengths, and the pairs that it fills.
+type Made<'a> = &'a dyn Fn(usize, bool) -> Whole;
+
+impl<'a> Matching<'a> {
+    pub fn new(program: &'a Program, steps: &'a [Step], wanted: &[Reg]) -> Self {
+        let n = program.registers;
+        let mut m = Matching {
+            program,
+            steps,
+            constants: vec![None; n],
+            maker: vec![NONE; n],
+            uses: vec![0; n],
+            outs: vec![0; steps.len()],
+            alive: vec![false; steps.len()],
+            length: vec![NONE; n],
+        };
+        for (reg, value) in &program.constants {
+            m.constants[reg.0 as usize] = Some(*value);
+        }
+        wanted.iter().for_each(|r| m.uses[r.0 as usize] += 1);
+        let mut wires = Wires::default();
+        for (i, step) in steps.iter().enumerate().rev() {
+            step.op.run(&mut wires, step.out);
+            m.outs[i] = wires.outs;
+            let out = step.out.0 as usize..(step.out.0 + wires.outs) as usize;
+            m.maker[out.clone()].fill(i as u32);
+            m.alive[i] = m.uses[out].iter().any(|u| *u > 0);
+            if m.alive[i] {
+                wires.ins.iter().for_each(|r| m.uses[r.0 as usize] += 1);
+                if let Op::Length(l) = step.op {
+                    m.length[l.v.x.0 as usize] = i as u32;
+                }
+            }
+        }
+        m
+    }
+
+    /// Every step that is asked for by itself.
+    pub fn singles(&self) -> Vec<Unit> {
+        (0..self.steps.len()).filter(|&i| self.alive[i]).map(|i| self.single(i)).collect()
+    }
+
+    fn single(&self, i: usize) -> Unit {
+        let step = &self.steps[i];
+        Unit { op: Any::One(step.op), outs: (0..self.outs[i]).map(|k| Reg(step.out.0 + k)).collect() }
+    }
+
+    /// The steps with those that belong together made one.
+    pub fn units(&self) -> Vec<Unit> {
+        let mut taken = vec![false; self.steps.len()];
+        let mut units = Vec::with_capacity(self.steps.len());
+        for motion in &self.program.motions {
+            self.motion(motion, &mut taken, &mut units);
+        }
+        for i in 0..self.steps.len() {
+            self.turning(i, &mut taken, &mut units);
+            self.lever(i, &mut taken, &mut units);
+        }
+        units.extend((0..self.steps.len()).filter(|&i| self.alive[i] && !taken[i]).map(|i| self.single(i)));
+        units
+    }
+
+    /// The operation that fills a pair, if it is asked for.
+    pub(super) fn op(&self, pair: Pair) -> Option<(usize, &Op)> {
+        let i = self.maker[pair.x.0 as usize];
+        let step = self.steps.get(i as usize)?;
+        (self.alive[i as usize] && step.out == pair.x && pair.y.0 == pair.x.0 + 1).then_some((i as usize, &step.op))
+    }
+
+    /// The step that fills a register.
+    pub(super) fn maker(&self, reg: Reg) -> Option<usize> {
+        Some(self.maker[reg.0 as usize] as usize).filter(|i| *i < self.steps.len())
+    }
+
+    pub(super) fn constant(&self, reg: Reg) -> Option<f64> {
+        self.constants[reg.0 as usize]
+    }
+
+    pub(super) fn fixed(&self, p: Pair) -> Option<[f64; 2]> {
+        Some([self.constant(p.x)?, self.constant(p.y)?])
+    }
+
+    pub(super) fn still(&self, p: Pair) -> bool {
+        self.fixed(p) == Some([0.0; 2])
+    }
+
+    /// A place and its rates that are constant.
+    fn ground(&self, m: &[Pair]) -> Option<[f64; 2]> {
+        self.fixed(m[0]).filter(|_| m[1..].iter().all(|rate| self.still(*rate)))
+    }
+
+    /// Position, velocity and acceleration of a point.
+    fn motion(&self, motion: &[Option<Pair>; 3], taken: &mut [bool], units: &mut Vec<Unit>) {
+        let (mut pairs, mut ops) = (Few::new(), Few::new());
+        for pair in motion.iter().map_while(|p| *p) {
+            let Some((i, op)) = self.op(pair).filter(|(i, _)| !taken[*i]) else { break };
+            pairs.push(pair);
+            ops.push((i, op));
+        }
+        // As many levels as the kernel can do together; the rest stays as it is.
+        for levels in (1..=pairs.len()).rev() {
+            let kinds: Few<&Op> = ops[..levels].iter().map(|o| o.1).collect();
+            let mut put = |measured: bool, made: Made| {
+                let lengths: Few<usize> = pairs[1..levels].iter().map(|p| self.length[p.x.0 as usize] as usize).collect();
+                let all = measured && levels > 1 && lengths.iter().all(|l| *l < self.steps.len() && !taken[*l]);
+                let mut outs: Outs = pairs[..levels].iter().flat_map(|p| [p.x, p.y]).collect();
+                ops[..levels].iter().for_each(|o| taken[o.0] = true);
+                if all {
+                    lengths.iter().for_each(|l| taken[*l] = true);
+                    outs.extend(lengths.iter().map(|l| self.steps[*l].out));
+                }
+                units.push(Unit { op: Any::Whole(made(levels, all)), outs });
+            };
+            if self.dyad(&kinds, &pairs, &mut put) || self.image(&kinds, &mut put) || self.slider(&kinds, &pairs, &mut put) {
+                return;
+            }
+        }
+    }
+
+    /// Two bars.
+    fn dyad(&self, ops: &[&Op], pairs: &[Pair], put: &mut dyn FnMut(bool, Made)) -> bool {
+        let Op::Circles(c) = ops[0] else { return false };
+        let (Some(r), Some(s)) = (self.constant(c.r), self.constant(c.s)) else { return false };
+        let (mut a, mut b) = (Few::from_iter([c.a]), Few::from_iter([c.b]));
+        // What passes between the effects is passed nowhere else.
+        let det = Reg(pairs[0].x.0 + 2);
+        if let Some(op) = ops.get(1) {
+            let Op::Bars(v) = op else { return false };
+            if (v.c, v.a, v.b, v.det, self.uses[det.0 as usize]) != (pairs[0], c.a, c.b, det, 1) {
+                return false;
+            }
+            a.push(v.va);
+            b.push(v.vb);
+            let inverse = Reg(pairs[1].x.0 + 2);
+            if let Some(op) = ops.get(2) {
+                let Op::BarsRate(w) = op else { return false };
+                if w.bars != *v || w.vc != pairs[1] || w.inverse != inverse {
+                    return false;
+                }
+                a.push(w.aa);
+                b.push(w.ab);
+            }
+            if self.uses[inverse.0 as usize] != u32::from(ops.len() > 2) {
+                return false;
+            }
+        } else if self.uses[det.0 as usize] != 0 {
+            return false;
+        }
+        let (moving, at, r, s, sign) = match (self.ground(&a), self.ground(&b)) {
+            (_, Some(at)) => (a, Some(at), r, s, c.sign),
+            // Seen from B, what was left is right.
+            (Some(at), None) => (b.clone(), Some(at), s, r, -c.sign),
+            (None, None) => (a, None, r, s, c.sign),
+        };
+        let (a, b) = (motion_of(&moving), motion_of(&b));
+        put(true, &|levels, lengths| match at {
+            Some(at) => {
+                levels!(levels, lengths, Dyad { a, b: a, at, r, s, sign } => DyadGroundP DyadGroundV DyadGroundA DyadGroundVL DyadGroundAL)
+            }
+            None => levels!(levels, lengths, Dyad { a, b, at: [0.0; 2], r, s, sign } => DyadP DyadV DyadA DyadVL DyadAL),
+        });
+        true
+    }
+
+    /// A point of a link.
+    fn image(&self, ops: &[&Op], put: &mut dyn FnMut(bool, Made)) -> bool {
+        let mut images = Few::new();
+        for op in ops {
+            let Op::Image(i) = op else { return false };
+            images.push(*i);
+        }
+        let k = images[0].k;
+        if images.iter().any(|i| i.k != k) {
+            return false;
+        }
+        let (o, d): (Few<Pair>, Few<Pair>) = images.iter().map(|i| (i.o, i.d)).unzip();
+        let ground = self.ground(&o);
+        if let Some(crank) = ground.and_then(|o| self.crank(o, k, &d)) {
+            put(false, &|levels, _| match (levels, crank.is_even()) {
+                (1, false) => Whole::CrankP(crank.turned_to()),
+                (2, false) => Whole::CrankV(crank.turned_to()),
+                (_, false) => Whole::CrankA(crank),
+                (1, true) => Whole::EvenP(crank.turned_to()),
+                (2, true) => Whole::EvenV(crank.turned_to()),
+                (_, true) => Whole::EvenA(crank.turned_to()),
+            });
+            return true;
+        }
+        let ends: Option<Few<Pair>> = d.iter().zip(&o).map(|(d, o)| self.end_from(*d, *o)).collect();
+        let (o, d) = (motion_of(&o), motion_of(&d));
+        match ends {
+            Some(ends) => {
+                let n = motion_of(&ends);
+                put(true, &|levels, lengths| match ground {
+                    Some(at) => {
+                        levels!(levels, lengths, Coupled { n, o: n, at, k } => CoupledGroundP CoupledGroundV CoupledGroundA CoupledGroundVL CoupledGroundAL)
+                    }
+                    None => levels!(levels, lengths, Coupled { n, o, at: [0.0; 2], k } => CoupledP CoupledV CoupledA CoupledVL CoupledAL),
+                });
+            }
+            None => put(true, &|levels, lengths| levels!(levels, lengths, Images { o, d, k } => ImagesP ImagesV ImagesA ImagesVL ImagesAL)),
+        }
+        true
+    }
+
+    /// Where an arm ends that begins at a place.
+    fn end_from(&self, d: Pair, o: Pair) -> Option<Pair> {
+        match self.op(d)? {
+            (_, Op::Arm(Arm { from, to })) if *from == o => Some(*to),
+            _ => None,
+        }
+    }
+
+    /// An arm that turns as the driver does, and its rates.
+    fn crank(&self, o: [f64; 2], k: [f64; 2], d: &[Pair]) -> Option<Crank<3, false>> {
+        let (_, Op::Twist(twist)) = self.op(d[0])? else { return None };
+        let turn = Pair { x: COS, y: SIN };
+        let [p, q] = twist.k;
+        let mut crank = Crank { turn, o, k: [p * k[0] - q * k[1], p * k[1] + q * k[0]], omega: 0.0, alpha: 0.0 };
+        if twist.d != turn {
+            return None;
+        }
+        if let Some(v) = d.get(1) {
+            let (_, Op::Swing(swing)) = self.op(*v)? else { return None };
+            crank.omega = self.constant(swing.omega).filter(|_| swing.r == d[0] && self.still(swing.v))?;
+            if let Some(a) = d.get(2) {
+                let (_, Op::SwingRate(rate)) = self.op(*a)? else { return None };
+                let same = rate.r == d[0] && rate.omega == swing.omega && self.still(rate.a);
+                crank.alpha = self.constant(rate.alpha).filter(|_| same)?;
+            }
+        }
+        Some(crank)
+    }
+
+    /// A pin on a bar and on a fixed guide.
+    fn slider(&self, ops: &[&Op], pairs: &[Pair], put: &mut dyn FnMut(bool, Made)) -> bool {
+        self.sliding(ops, pairs).is_some_and(|s| {
+            let Slider { a, r, q, t, sign } = s;
+            put(
+                true,
+                &|levels, lengths| levels!(levels, lengths, Slider { a, r, q, t, sign } => SliderP SliderV SliderA SliderVL SliderAL),
+            );
+            true
+        })
+    }
+
+    fn sliding(&self, ops: &[&Op], pairs: &[Pair]) -> Option<Slider<3, false>> {
+        let Op::CircleLine(c) = ops[0] else { return None };
+        let (r, q, t) = (self.constant(c.r)?, self.fixed(c.q)?, self.fixed(c.t)?);
+        let mut a = Few::from_iter([c.a]);
+        for (level, op) in ops.iter().enumerate().skip(1) {
+            let Op::Cross(cross) = op else { return None };
+            let (n, bar, square, guide) = self.rows_of(cross)?;
+            let along_bar = self.op(n).is_some_and(|(_, op)| *op == Op::Arm(Arm { from: c.a, to: pairs[0] }));
+            if !along_bar || self.fixed(square)? != [-t[1], t[0]] {
+                return None;
+            }
+            a.push(match (level, bar, guide) {
+                (1, Op::Distance(d), Op::Guided(g)) => {
+                    let rests = self.still(g.vo) && self.constant(g.omega) == Some(0.0) && g.rate == 0.0;
+                    (rests && d.rate == 0.0 && g.n == square).then_some(d.vf)?
+                }
+                (2, Op::DistanceRate(d), Op::GuidedRate(g)) => {
+                    let turning = [g.omega, g.alpha].iter().any(|w| self.constant(*w) != Some(0.0));
+                    let rests = !turning && self.still(g.vo) && self.still(g.ao) && g.acceleration == 0.0;
+                    let same = d.vp == pairs[1] && a.last() == Some(&d.vf) && d.rate == 0.0 && d.acceleration == 0.0;
+                    (rests && same).then_some(d.af)?
+                }
+                _ => return None,
+            });
+        }
+        Some(Slider { a: motion_of(&a), r, q, t, sign: c.sign })
+    }
+
+    /// The rows of a crossing, that of a distance first: its direction and operation, the other's.
+    fn rows_of(&self, c: &Cross) -> Option<(Pair, &Op, Pair, &Op)> {
+        let row = |reg: Reg| self.maker(reg).map(|i| &self.steps[i].op);
+        let (first, second) = (row(c.c1)?, row(c.c2)?);
+        match first {
+            Op::Distance(_) | Op::DistanceRate(_) => Some((c.n1, first, c.n2, second)),
+            _ => Some((c.n2, second, c.n1, first)),
+        }
+    }
+
+    /// ω and α of a line between two points.
+    fn turning(&self, i: usize, taken: &mut [bool], units: &mut Vec<Unit>) {
+        let Op::Turning(turning) = &self.steps[i].op else { return };
+        if !self.alive[i] || taken[i] {
+            return;
+        }
+        let arm = |d: Pair| match self.op(d) {
+            Some((_, Op::Arm(arm))) => Some(*arm),
+            _ => None,
+        };
+        let (Some(d), Some(v)) = (arm(turning.d), arm(turning.v)) else { return };
+        let omega = self.steps[i].out;
+        let (mut o, mut n) = (Few::from_iter([d.from, v.from]), Few::from_iter([d.to, v.to]));
+        let mut outs = Outs::from_iter([omega]);
+        taken[i] = true;
+        let rate = (i + 1..self.steps.len()).find(|&k| match &self.steps[k].op {
+            Op::TurningRate(rate) => self.alive[k] && !taken[k] && rate.omega == omega && rate.d == turning.d && rate.v == turning.v,
+            _ => false,
+        });
+        if let Some(k) = rate
+            && let Op::TurningRate(rate) = &self.steps[k].op
+            && let Some(a) = arm(rate.a)
+        {
+            taken[k] = true;
+            o.push(a.from);
+            n.push(a.to);
+            outs.push(self.steps[k].out);
+        }
+        let ground = self.ground(&o);
+        let (o, n, three) = (motion_of(&o), motion_of(&n), outs.len() > 1);
+        let op = match (ground, three) {
+            (Some(at), false) => Whole::TurnedGroundV(Turned { n, o: n, at }),
+            (Some(at), true) => Whole::TurnedGroundA(Turned { n, o: n, at }),
+            (None, false) => Whole::TurnedV(Turned { n, o, at: [0.0; 2] }),
+            (None, true) => Whole::TurnedA(Turned { n, o, at: [0.0; 2] }),
+        };
+        units.push(Unit { op: Any::Whole(op), outs });
+    }
+}
+
+/// The rates that are not there repeat the last one; nothing reads them.
+pub(super) fn motion_of(pairs: &[Pair]) -> Motion {
+    std::array::from_fn(|i| pairs[i.min(pairs.len() - 1)])
+}

@@ -1,0 +1,269 @@
+//! Single positions by the general solvers, where a program has no value; and the messages about rows and limits.
+
+use super::Placed;
+use super::follow::whole::Whole;
+use super::limit::Event;
+use super::station::Stations;
+use hodograph_analytic::{self as analytic, Solution};
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_base::digits::significant;
+use hodograph_mechanism::mechanism::Mechanism;
+use hodograph_mechanism::position::{self, Configuration};
+use hodograph_mechanism::stated::{self, Moment};
+use hodograph_scene::with_driver_at;
+use hodograph_scene::{Find, Kind, Lang, LinkId, Scene};
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// The general way to single rows of a sweep.
+pub(super) struct General<'a> {
+    placed: &'a Placed<'a>,
+    driver: usize,
+}
+
+impl<'a> General<'a> {
+    pub fn new(placed: &'a Placed<'a>, driver: usize) -> General<'a> {
+        General { placed, driver }
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &'a Scene {
+        self.placed.scene
+    }
+
+    /// The scene where it stands at the instant.
+    pub fn placed(&self) -> &'a Placed<'a> {
+        self.placed
+    }
+
+    /// The driver that moves.
+    pub fn driver(&self) -> usize {
+        self.driver
+    }
+
+    /// The scene with its driver at a station.
+    pub fn scene_at(&self, stations: &Stations, row: usize) -> Scene {
+        with_driver_at(self.placed.scene, self.driver, stations.place(row, self.placed.scene, self.driver))
+    }
+
+    /// Whether every station is where closed forms put it on the closures of the instant.
+    pub fn is_closed_everywhere(&self) -> bool {
+        self.placed.scene.is_told_everywhere() && !Whole::new(self.placed, self.driver).counts_turns()
+    }
+
+    /// Whether a cam's contact is right at the instant only, with no driver for it; then each position is that of the scene as it is read there.
+    pub fn is_read_again(&self) -> bool {
+        let scene = self.placed.scene;
+        scene.source.is_some() && scene.is_told_everywhere() && scene.kept_cams().next().is_some()
+    }
+
+    /// One row by the position solver, with the closures of the instant, and the loop equations; at a change point one for
+    /// each way on.
+    pub fn solve(&self, stations: &Stations, row: usize) -> Result<Vec<Vec<f64>>, Faults> {
+        let p = self.placed;
+        let scene = self.scene_at(stations, row);
+        unfollowed(&scene)?;
+        if self.is_read_again() {
+            let there = Afresh::of(&scene, &|_| None)?;
+            return Ok(vec![scene.find.iter().map(|f| there.answer(f)).collect::<Result<Vec<_>, _>>()?.concat()]);
+        }
+        // Closed forms do not tell on which turn wheels stand, nor the pose beside one that is given by coordinates.
+        if self.is_closed_everywhere() {
+            let told = self.answers(&scene, &position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?);
+            // A group without closed forms is only refined from the instant, which far from it leads to no position.
+            if !told.as_ref().is_err_and(stated::is_unproven) {
+                return told;
+            }
+        }
+        self.answers(&scene, &Whole::new(p, self.driver).standing(stations.values[row])?)
+    }
+
+    /// The row of a pose, one for each way on.
+    ///
+    /// # Errors
+    /// A position that is not the scene's.
+    pub fn answers(&self, scene: &Scene, at: &Configuration) -> Result<Vec<Vec<f64>>, Faults> {
+        let p = self.placed;
+        stated::proved(scene, p.mechanism, at, Moment::Later(&p.at))?;
+        let solution = analytic::solve(scene, p.mechanism, at, &p.demand)?;
+        let others = solution.singular.iter().filter_map(|s| s.other.as_deref());
+        std::iter::once(&solution).chain(others).map(|s| self.row(scene, at, s)).collect()
+    }
+
+    fn row(&self, scene: &Scene, at: &Configuration, solution: &Solution) -> Result<Vec<f64>, Faults> {
+        let mut row = Vec::new();
+        let mut afresh = None;
+        for f in &scene.find {
+            match numbers(scene, at, solution, f) {
+                Some(numbers) => row.extend(numbers?),
+                // What is of the contact of a cam that a driver stands for.
+                None if scene.source.is_some() && (0..scene.drivers.len()).any(|d| scene.is_led(d)) => {
+                    let there = match afresh.take() {
+                        Some(there) => there,
+                        None => Afresh::of(scene, &|name| at.named(scene, name).map(|p| [p.x, p.y]))?,
+                    };
+                    row.extend(there.answer(f)?);
+                    afresh = Some(there);
+                }
+                None => return Err(not_defined(scene, f).into()),
+            }
+        }
+        Ok(row)
+    }
+}
+
+fn not_defined(scene: &Scene, f: &Find) -> Diagnostic {
+    Diagnostic::error("not-defined", both!("{}: {}", "{}：{}", f.text, f.what.no_value(scene))).at(f.span)
+}
+
+/// The columns of an answer, infinite where it is; `None` where it has no value.
+fn numbers(scene: &Scene, at: &Configuration, solution: &Solution, find: &Find) -> Option<Result<Vec<f64>, Faults>> {
+    match find.what.infinite(scene) {
+        Some(_) => Some(Ok(vec![f64::INFINITY])),
+        None => solution.answer(scene, at, &find.what).map(|value| finite(value.columns())),
+    }
+}
+
+fn finite(row: Vec<f64>) -> Result<Vec<f64>, Faults> {
+    match row.iter().all(|v| v.is_finite()) {
+        true => Ok(row),
+        false => Err(Diagnostic::error("overflow", both!("a number is out of range", "数值超出范围")).into()),
+    }
+}
+
+/// The scene as it is read for one position.
+struct Afresh {
+    scene: Scene,
+    at: Configuration,
+    solution: Solution,
+}
+
+impl Afresh {
+    /// Reads a scene whose drivers stand at the position.
+    fn of(scene: &Scene, place: &dyn Fn(&str) -> Option<[f64; 2]>) -> Result<Afresh, Faults> {
+        let scene = scene.read_again(place)?;
+        let mechanism = Mechanism::new(&scene)?.value;
+        let Placed { at, demand, .. } = Placed::new(&scene, &mechanism)?;
+        stated::proved(&scene, &mechanism, &at, Moment::Instant)?;
+        let solution = analytic::solve(&scene, &mechanism, &at, &demand)?;
+        Ok(Afresh { at, solution, scene })
+    }
+
+    fn answer(&self, find: &Find) -> Result<Vec<f64>, Faults> {
+        let own = self.scene.find.iter().find(|f| f.text == find.text).unwrap_or(find);
+        numbers(&self.scene, &self.at, &self.solution, own).unwrap_or_else(|| Err(not_defined(&self.scene, own).into()))
+    }
+}
+
+/// Refuses a scene whose follower does not get where its cam leads.
+fn unfollowed(scene: &Scene) -> Result<(), Faults> {
+    let Some(cam) = scene.lost_follower() else { return Ok(()) };
+    let (cam, follower) = (scene.link_name(cam.cam), scene.link_name(cam.follower));
+    let message =
+        both!("the follower `{follower}` cannot be moved so far on cam `{cam}`", "从动件 `{follower}` 在凸轮 `{cam}` 上不能运动到此处");
+    Err(Diagnostic::error("limit", message).into())
+}
+
+/// A driver's value for people: `phi_1 = 92.5°`.
+pub(super) fn driver_words(scene: &Scene, driver: usize, value: f64) -> String {
+    let (name, kind) = scene.driver_name(driver);
+    let turning = kind == Kind::Angle;
+    let words = if turning { scene.book.text(kind, &significant(scene.book.value(kind, value), 6)) } else { scene.length_words(value) };
+    format!("{name} = {words}")
+}
+
+/// The links of an event for a sentence: `links 2, 3`.
+pub(super) fn links_words(scene: &Scene, links: &[LinkId]) -> Both {
+    let names: Vec<_> = links.iter().map(|l| scene.link_name(*l)).collect();
+    match names[..] {
+        [one] => both!("link {one}", "构件 {one}"),
+        _ => both!("links {}", "构件 {}", Both::names(&names)),
+    }
+}
+
+/// What a change point is told as.
+pub(super) fn change_note(scene: &Scene, driver: usize, change: &Event) -> Diagnostic {
+    let (links, at) = (links_words(scene, &change.links), driver_words(scene, driver, change.value));
+    Diagnostic::note(
+        "change-point",
+        both!(
+            "at {at} {} lie in line (a change point); the motion is carried on smoothly to the other side",
+            "{at} 处{}共线（运动不确定位置）；运动平滑地延续到另一侧",
+            links
+        ),
+    )
+}
+
+/// What is told of change points that come again as far as a value.
+pub(super) fn again_note(scene: &Scene, driver: usize, until: f64) -> Diagnostic {
+    let until = driver_words(scene, driver, until);
+    Diagnostic::note(
+        "change-point",
+        both!(
+            "the same change points come again, on every further turn, as far as {until}",
+            "此后每转一周都再次出现同样的运动不确定位置，直到 {until}"
+        ),
+    )
+}
+
+/// What a limit of the driver is told as.
+pub(super) fn limit_note(scene: &Scene, driver: usize, limit: &Event) -> Diagnostic {
+    let at = driver_words(scene, driver, limit.value);
+    let what = limit.toggle.as_ref().map_or_else(
+        || {
+            let pin = limit.pin.map_or(Both::default(), |p| both!(" at {}", "在 {} 处", scene.point_name(p)));
+            let links = links_words(scene, &limit.links);
+            match limit.links.len() {
+                // A slot, at the end of what it reaches.
+                1 => both!("{} reaches no farther{}", "{}{}不能再够到", links, pin),
+                _ => both!("{} come into line{}", "{}{}共线", links, pin),
+            }
+        },
+        |t| Both { en: t.words(scene, Lang::En), zh: t.words(scene, Lang::Zh) },
+    );
+    Diagnostic::note("limit", both!("the driver goes no farther than {at}: there {}", "原动件最远到 {at}：{}", what))
+}
+
+/// A run of missing rows, and why the first of them is missing.
+pub(super) struct Gap {
+    pub rows: Range<usize>,
+    pub why: Both,
+}
+
+/// The runs of missing rows, the first row of all being the `first` of the sweep.
+pub(super) fn runs(missing: &BTreeMap<usize, Faults>, first: usize) -> Vec<Gap> {
+    let mut gaps: Vec<Gap> = Vec::new();
+    for (i, why) in missing {
+        let row = first + i;
+        match gaps.last_mut().filter(|g| g.rows.end == row) {
+            Some(gap) => gap.rows.end = row + 1,
+            None => gaps.push(Gap { rows: row..row + 1, why: why.list.first().map_or(Both::default(), |d| d.message.clone()) }),
+        }
+    }
+    gaps
+}
+
+/// The range of a run of rows; `words` names a row by its swept value.
+fn range_words(words: &dyn Fn(usize) -> String, rows: &Range<usize>) -> Both {
+    match rows.len() {
+        1 => both!("at {}", "{} 处", words(rows.start)),
+        _ => both!("from {} to {}", "{} 到 {} ", words(rows.start), words(rows.end - 1)),
+    }
+}
+
+/// One note for each run of missing rows.
+pub(super) fn gap_notes(words: &dyn Fn(usize) -> String, gaps: &[Gap]) -> Vec<Diagnostic> {
+    let note = |Gap { rows, why }: &Gap| {
+        let count = match rows.len() {
+            1 => both!("1 row is", "1 行"),
+            n => both!("{n} rows are", "{n} 行"),
+        };
+        Diagnostic::warning("no-position", both!("{} missing {}: {}", "{1}缺少 {0}：{2}", count, range_words(words, rows), why))
+    };
+    gaps.iter().map(note).collect()
+}
+
+/// The note of a run of rows in which an answer is infinite.
+pub(super) fn infinite_note(words: &dyn Fn(usize) -> String, name: &str, rows: &Range<usize>) -> Diagnostic {
+    Diagnostic::note("infinite", both!("{name} is infinite {}", "{name} 在 {}为无穷大", range_words(words, rows)))
+}

@@ -1,0 +1,436 @@
+//! Where a driver can go, and where a group comes into line: limits, change points, the worst transmission angle.
+//!
+//! Every closed form knows sin² of the angle under which its two loci cross ([`super::closure::Margin::crossing`]), a smooth function of
+//! the driver's position that goes on past the limit. Its simple zeros are the limits, its double zeros the change points, its
+//! smallest value the worst transmission angle. All are located by Newton's method with exact derivatives, kept between
+//! bounds by halving; class III groups by Newton's method on the legs' equations together with their determinant.
+
+use super::Placed;
+use super::follow::triad::State;
+use super::kernel::Reg;
+use super::lane::{Dual, Width};
+use super::program::{Op, Program};
+use super::station::{Stations, angle_per_value, position_now};
+use hodograph_mechanism::position::toggle::Toggle;
+use hodograph_scene::{LinkId, PointId};
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::f64::consts::TAU;
+use std::rc::Rc;
+
+/// What happens to a group at a position of the driver.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// It cannot be assembled beyond.
+    Limit,
+    /// It comes into line and goes on: its branch changes sign.
+    ChangePoint,
+}
+
+/// A position at which a group is in line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Event {
+    /// Position of the driver (rad or m).
+    pub value: f64,
+    /// What happens.
+    pub kind: Kind,
+    /// The links of the group.
+    pub links: Vec<LinkId>,
+    /// The pin at which they meet; `None` where the group turns on a link.
+    pub pin: Option<PointId>,
+    /// Which of the program's joints; `None` for a class III group.
+    pub joint: Option<usize>,
+    /// Which legs hold one another there, where it is a matter of legs.
+    pub toggle: Option<Toggle>,
+}
+
+/// How far a driver goes from where it stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Range {
+    /// Where it stands.
+    pub now: f64,
+    /// Where it ends downward and upward; `None` where it turns fully (or nothing stops it within twice the mechanism's size).
+    pub ends: [Option<Event>; 2],
+    /// Change points on the way.
+    pub changes: Vec<Event>,
+    /// How far was looked to either side.
+    pub reach: f64,
+}
+
+impl Range {
+    /// The range in numbers: `[low, high]`.
+    pub fn bounds(&self) -> [f64; 2] {
+        let end = |i: usize, far: f64| self.ends[i].as_ref().map_or(far, |e| e.value);
+        [end(0, self.now - self.reach), end(1, self.now + self.reach)]
+    }
+
+    /// Whether a crank turns fully.
+    pub fn full(&self) -> bool {
+        self.ends.iter().all(Option::is_none)
+    }
+}
+
+/// A program with its driver, to be looked at anywhere.
+pub struct Probe<'a> {
+    /// The program.
+    pub program: Program,
+    placed: &'a Placed<'a>,
+    driver: usize,
+    per_value: f64,
+    /// Where the driver stands.
+    pub now: f64,
+    start: Option<State>,
+}
+
+/// Steps of a search over the whole reach: two degrees, or as fine a part of the way.
+const STEPS: usize = 180;
+
+/// A smallest crossing (sin²) among the samples is looked at more closely below this: within a degree of a double zero it is
+/// less, unless the joint turns twenty times as fast as the driver.
+pub(super) const SUSPECT: f64 = 0.1;
+
+/// Whether these stations leave no room between them for a limit or a change point that the crossings at them, each more than
+/// [`SUSPECT`], would not tell of: no farther apart than the samples of a search, with the driver's own place among them.
+pub(super) fn dense(program: &Program, placed: &Placed, driver: usize, stations: &Stations) -> bool {
+    let step = reach(placed, driver) / (STEPS as f64 * program.finer());
+    let now = position_now(placed.scene, &placed.at, driver);
+    let ends = stations.values.first().zip(stations.values.last());
+    // All of them, without a look at each whether to go on.
+    let close = || stations.values.windows(2).fold(true, |close, w| close & ((w[1] - w[0]).abs() <= step));
+    ends.is_some_and(|(a, b)| (now - a) * (now - b) <= 0.0) && close()
+}
+
+/// After so many times its reach a sliding driver is looked at in steps that grow, each by this factor on the one before.
+const FAR: f64 = 4.0;
+const GROWTH: f64 = 1.05;
+
+/// A double zero is met to the rounding of its two factors: a crossing (sin²) this small is a change point. At 1e-7 rad from being
+/// in line, sin² is 1e-14; a mechanism whose lengths miss a change point by less than that cannot be told from one that has it.
+const TOUCHING: f64 = 1e-14;
+
+/// Most turns through which limits are looked for: gears whose numbers of teeth have no common factor stand as they did after hundreds.
+const MOST_TURNS: u64 = 1000;
+
+/// Turns that are looked through where a mechanism never stands as it did.
+const SOME_TURNS: f64 = 100.0;
+
+/// A wheel that turns faster than this many times the driver is looked at no more closely.
+const FASTEST: f64 = 16.0;
+
+/// A turn, or twice the mechanism's size.
+pub(super) fn reach(placed: &Placed, driver: usize) -> f64 {
+    if placed.scene.drivers[driver].kind.turns() { TAU } else { 2.0 * placed.at.extent() }
+}
+
+impl<'a> Probe<'a> {
+    /// A program and where its driver stands.
+    pub fn of(program: Program, placed: &'a Placed<'a>, driver: usize) -> Probe<'a> {
+        let mut probe = Probe {
+            program,
+            placed,
+            driver,
+            per_value: angle_per_value(placed.scene, &placed.at, driver),
+            now: position_now(placed.scene, &placed.at, driver),
+            start: None,
+        };
+        probe.start = probe.program.start(probe.now, &|x| probe.turn(x));
+        probe
+    }
+
+    fn turn(&self, x: f64) -> (f64, f64, f64) {
+        (libm::cos(x * self.per_value), libm::sin(x * self.per_value), self.per_value)
+    }
+
+    /// A turn, or twice the mechanism's size.
+    pub fn reach(&self) -> f64 {
+        reach(self.placed, self.driver)
+    }
+
+    /// How far a driver is looked at to either side of where it stands: until everything stands as it did, or twice the mechanism's size.
+    pub fn span(&self) -> f64 {
+        match self.program.angular {
+            true => self.program.period().unwrap_or(SOME_TURNS * TAU),
+            false => self.reach(),
+        }
+    }
+
+    /// sin² of the crossing of a joint at a driver position, with its derivative.
+    fn crossing(&self, joint: usize, x: f64) -> Dual {
+        let (cos, sin, per_value) = self.turn(x);
+        let mut registers = self.program.inputs(x, cos, sin, per_value);
+        let joint = &self.program.joints[joint];
+        self.program.derive_steps(0..joint.step, &mut registers);
+        registers[joint.crossing.0 as usize]
+    }
+
+    /// Where a way is looked at: in equal steps, and once beyond its end, so that what lies at the very end is seen too.
+    ///
+    /// A driver that slides has left the mechanism behind after some times its size; from there on the steps grow with the way, so
+    /// that neither their number nor the gap in which a limit lies is out of measure.
+    pub(super) fn samples(&self, from: f64, until: f64) -> Vec<f64> {
+        let way = until - from;
+        let near = FAR * self.reach();
+        let equal = |way: f64| {
+            let steps = (way.abs() / self.reach() * STEPS as f64 * self.program.finer()).ceil().clamp(1.0, 2e7) as usize;
+            let step = way / steps as f64;
+            (0..=steps + 1).map(move |i| from + step * i as f64)
+        };
+        if self.per_value != 0.0 || way.abs() <= near || near == 0.0 {
+            return equal(way).collect();
+        }
+        let mut xs: Vec<f64> = equal(near.copysign(way)).collect();
+        let mut gone = xs[xs.len() - 1] - from;
+        while gone.abs() <= way.abs() {
+            gone *= GROWTH;
+            xs.push(from + gone);
+        }
+        xs
+    }
+
+    /// With followed links: only where it ends.
+    pub(super) fn walk_tracks(&self, until: f64) -> Option<Event> {
+        let mut state = self.start.clone()?;
+        let xs = self.samples(self.now, until);
+        for &x in &xs[1..xs.len() - 1] {
+            let x = if (x - until) * (until - self.now) > 0.0 { until } else { x };
+            match self.program.advance(&state, x, &|x| self.turn(x)) {
+                Ok(reached) => state = reached,
+                Err(stuck) => return Some(self.fold(&stuck, until)),
+            }
+        }
+        None
+    }
+
+    /// The crossings at many positions, joint by joint.
+    fn sampled(&self, xs: &[f64]) -> Vec<Vec<f64>> {
+        let fused = self.program.fused_crossings();
+        let found: Vec<Option<Reg>> = self.program.crossings().map(|c| fused.place(c)).collect();
+        let mut out = vec![Vec::with_capacity(xs.len()); found.len()];
+        let mut buffer = fused.buffer();
+        let stations = sampled_at(xs, self.per_value);
+        for from in (0..xs.len()).step_by(fused.positions()) {
+            let rows = from..xs.len().min(from + fused.positions());
+            fused.load(&mut buffer, &stations, rows.clone());
+            fused.run(&mut buffer, Width::Widest);
+            for (reg, out) in found.iter().zip(&mut out) {
+                match reg {
+                    Some(reg) => out.extend_from_slice(buffer.numbers(*reg, rows.len())),
+                    None => out.resize(out.len() + rows.len(), f64::NAN),
+                }
+            }
+        }
+        out
+    }
+
+    /// The first limit or change point on a way.
+    pub(super) fn first_event(&self, xs: &[f64]) -> Option<Event> {
+        let c = self.sampled(xs);
+        for i in 0..xs.len() {
+            for j in 0..c.len() {
+                let here = c[j][i];
+                // Closures of groups upstream come first in the list; where one of them misses, this one has no meaning.
+                let meaning = |i: usize| c[..j].iter().all(|u| u[i] >= -TOUCHING);
+                if i > 0 && c[j][i - 1] > TOUCHING && here < -TOUCHING && meaning(i) {
+                    return Some(self.event(j, Kind::Limit, self.root(j, xs[i - 1], xs[i])));
+                }
+                let lowest = i > 0 && i + 1 < xs.len() && here < SUSPECT && here < c[j][i - 1] && here <= c[j][i + 1];
+                if lowest && meaning(i + 1) {
+                    let (at, least) = self.least(j, xs[i - 1], xs[i + 1]);
+                    if least.abs() <= TOUCHING {
+                        return Some(self.event(j, Kind::ChangePoint, at));
+                    }
+                    if least < 0.0 {
+                        return Some(self.event(j, Kind::Limit, self.root(j, xs[i - 1], at)));
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    fn event(&self, joint: usize, kind: Kind, value: f64) -> Event {
+        let j = &self.program.joints[joint];
+        let group = &self.placed.mechanism.groups[j.group];
+        let toggle = Toggle::of(group, || false).filter(|t| matches!(t, Toggle::Line { .. }));
+        Event { value, kind, links: j.links.clone(), pin: j.pin, joint: Some(joint), toggle }
+    }
+
+    /// A zero of a joint's crossing between a position where it is positive and one where it is negative (or has no value).
+    fn root(&self, joint: usize, inside: f64, outside: f64) -> f64 {
+        let (mut inside, mut outside) = (inside, outside);
+        let mut x = 0.5 * (inside + outside);
+        for _ in 0..200 {
+            let c = self.crossing(joint, x);
+            if c.value > 0.0 {
+                inside = x;
+            } else {
+                outside = x;
+            }
+            let newton = x - c.value / c.slope;
+            let within = (newton - inside) * (newton - outside) < 0.0;
+            let next = if within { newton } else { 0.5 * (inside + outside) };
+            // No double lies between, or Newton's method stands still.
+            if next == x || next == inside || next == outside {
+                return next;
+            }
+            x = next;
+        }
+        x
+    }
+
+    /// Where a joint's crossing is smallest between two positions, and how small: its derivative's zero, by halving and
+    /// secants (the derivative is smooth too).
+    fn least(&self, joint: usize, a: f64, b: f64) -> (f64, f64) {
+        let at = |x: f64| self.crossing(joint, x);
+        let (mut a, mut b) = ((a, at(a).slope), (b, at(b).slope));
+        // Slopes of one sign: the smallest value lies at an end.
+        let mut best = if a.1 * (b.0 - a.0) > 0.0 { (a.0, at(a.0).value) } else { (b.0, at(b.0).value) };
+        if a.1 * b.1 >= 0.0 {
+            return best;
+        }
+        for i in 0..80 {
+            let secant = (a.0 * b.1 - b.0 * a.1) / (b.1 - a.1);
+            let inside = (secant - a.0) * (secant - b.0) < 0.0;
+            let x = if inside && i % 3 != 2 { secant } else { 0.5 * (a.0 + b.0) };
+            if x == a.0 || x == b.0 {
+                break;
+            }
+            let c = at(x);
+            best = (x, c.value);
+            if c.slope == 0.0 {
+                break;
+            }
+            if c.slope.signum() == a.1.signum() { a = (x, c.slope) } else { b = (x, c.slope) }
+        }
+        best
+    }
+
+    /// The limit next to a state from which a class III group cannot go on: its fold, or a limit of what lies upstream.
+    fn fold(&self, stuck: &State, until: f64) -> Event {
+        let dets = self.program.determinants(stuck);
+        // The group whose determinant is smallest, relative to its own size, is the one that folds.
+        let track = dets.iter().enumerate().min_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map_or(0, |t| t.0);
+        // What closes before the group may be at its limit instead.
+        let step = (until - stuck.value).signum() * 1e-6 * self.reach();
+        let (cos, sin, per_value) = self.turn(stuck.value + step);
+        let mut beyond = self.program.inputs(stuck.value + step, cos, sin, per_value);
+        self.program.derive_steps(0..self.program.tracks[track].step, &mut beyond);
+        for (j, joint) in self.program.joints.iter().enumerate().filter(|(_, j)| j.step < self.program.tracks[track].step) {
+            if beyond[joint.crossing.0 as usize].value < 0.0 {
+                return self.event(j, Kind::Limit, self.root(j, stuck.value, stuck.value + step));
+            }
+        }
+        let value = self.program.fold(track, stuck, &|x| self.turn(x)).unwrap_or(stuck.value);
+        let group = &self.placed.mechanism.groups[self.program.tracks[track].group];
+        let toggle = Toggle::of(group, || self.program.parallel(track, stuck, &|x| self.turn(x)));
+        Event { value, kind: Kind::Limit, links: group.links.clone(), pin: None, joint: None, toggle }
+    }
+
+    /// The smallest transmission angle of each joint over a range (rad, at most 90°), and where it is; none with class III groups.
+    pub fn transmission(&self, low: f64, high: f64) -> Vec<(f64, f64)> {
+        if !self.program.tracks.is_empty() {
+            return Vec::new();
+        }
+        let turns = if self.program.angular { ((high - low) / TAU).max(1.0) } else { 1.0 };
+        let steps = (STEPS as f64 * turns * self.program.finer() - 1e-6).ceil() as usize;
+        let xs: Vec<f64> = (0..=steps).map(|i| low + (high - low) * (i as f64 / steps as f64)).collect();
+        let angle = |sin2: f64| libm::asin(sin2.clamp(0.0, 1.0).sqrt());
+        let worst = |(j, c): (usize, &Vec<f64>)| {
+            let i = (0..c.len()).filter(|&i| c[i] >= 0.0).min_by(|&a, &b| c[a].total_cmp(&c[b]))?;
+            let (at, least) = self.least(j, xs[i.saturating_sub(1)], xs[(i + 1).min(steps)]);
+            let (at, least) = if least < c[i] { (at, least) } else { (xs[i], c[i]) };
+            Some((at, angle(least)))
+        };
+        self.sampled(&xs).iter().enumerate().map(|w| worst(w).unwrap_or((f64::NAN, f64::NAN))).collect()
+    }
+}
+
+/// Cosines and sines at the positions of a search. The last ones are kept: thousands of mechanisms of a batch are searched at the same
+/// positions.
+fn sampled_at(xs: &[f64], per_value: f64) -> Rc<Stations> {
+    thread_local! {
+        static LAST: RefCell<VecDeque<(f64, Rc<Stations>)>> = const { RefCell::new(VecDeque::new()) };
+    }
+    LAST.with_borrow_mut(|last| {
+        if let Some((_, kept)) = last.iter().find(|(p, s)| *p == per_value && s.values == xs) {
+            return kept.clone();
+        }
+        let new = Rc::new(Stations::of_values(xs.to_vec(), per_value));
+        // One for each direction of the search.
+        last.truncate(1);
+        last.push_front((per_value, new.clone()));
+        new
+    })
+}
+
+/// The range of a driver from where it stands, for a program that holds the groups that matter.
+pub fn range(program: Program, placed: &Placed, driver: usize) -> Range {
+    let mut probe = Probe::of(program.clone(), placed, driver);
+    let (now, reach) = (probe.now, probe.span());
+    let (up, changes) = probe.walk(now + reach);
+    let mut changes = changes.events;
+    if up.is_none() && program.angular && program.period().is_some() {
+        return Range { now, ends: [None, None], changes, reach };
+    }
+    let (down, others) = Probe::of(program, placed, driver).walk(now - reach);
+    changes.extend(others.events);
+    Range { now, ends: [down, up], changes, reach }
+}
+
+impl Program {
+    /// By how much a driver that turns goes on until everything stands as it did (rad); `None` where that is never, or too far to look.
+    pub(super) fn period(&self) -> Option<f64> {
+        (1..=MOST_TURNS).contains(&self.turns).then_some(TAU * self.turns as f64)
+    }
+
+    /// How many times as many steps it takes to look at everything.
+    pub(super) fn finer(&self) -> f64 {
+        self.fastest.min(FASTEST).ceil()
+    }
+
+    /// Turns a joint to its other branch.
+    pub fn flip(&mut self, joint: usize) {
+        match &mut self.steps[0][self.joints[joint].step].op {
+            Op::Circles(k) => k.sign = -k.sign,
+            Op::CircleLine(k) => k.sign = -k.sign,
+            Op::Lever(k) => k.sign = -k.sign,
+            _ => {}
+        }
+        self.runs = Default::default();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compile;
+    use hodograph_mechanism::mechanism::Mechanism;
+    use hodograph_scene::{read, templates};
+
+    /// A way beyond all measure ends where one of the mechanism's own size does.
+    #[test]
+    fn a_limit_is_where_it_is_however_far_the_way_goes() {
+        for name in ["excavator", "oscillating-cylinder", "scotch-yoke", "robot-arm"] {
+            let scene = read(templates::get(name).unwrap()).unwrap().value;
+            let m = Mechanism::new(&scene).unwrap().value;
+            let placed = Placed::new(&scene, &m).unwrap();
+            let program = compile(&scene, &m, &placed.at, Some(0), &scene.find).unwrap();
+            for sign in [1.0, -1.0] {
+                let end = |until: f64| Probe::of(program.clone(), &placed, 0).walk(until).0;
+                let probe = Probe::of(program.clone(), &placed, 0);
+                if probe.per_value != 0.0 {
+                    continue;
+                }
+                let near = end(probe.now + sign * probe.reach());
+                for far in [1e3, 1e13, 1e80] {
+                    let there = end(probe.now + sign * far);
+                    match (&near, &there) {
+                        (Some(a), Some(b)) => assert!((a.value - b.value).abs() <= 1e-12 * a.value.abs(), "{name}: {a:?}, {b:?}"),
+                        (None, None) => {}
+                        _ => panic!("{name} to {far:e}: {near:?}, {there:?}"),
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! Rows that come piece by piece: what a writer of tables asks for, whatever is swept.
+
+use super::chunks::Rows;
+use super::compile::ask;
+use super::general::{Gap, gap_notes, infinite_note, runs};
+use super::table::{Column, Table};
+use hodograph_base::diag::{Diagnostic, Faults};
+use hodograph_scene::{Find, Scene};
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// Whether to stop, asked again and again while a piece is made.
+pub type Stop<'a> = &'a (dyn Fn() -> bool + Sync);
+
+/// Nobody asks.
+pub(super) fn never() -> bool {
+    false
+}
+
+/// The rows of a sweep under way, in their order.
+pub trait Pieces: Send {
+    /// Name and unit of each column, the swept quantity first.
+    fn columns(&self) -> Vec<(String, &'static str)>;
+
+    /// How many rows there are, if none is missing.
+    fn count(&self) -> usize;
+
+    /// Rows of a piece that is made in a moment.
+    fn at_once(&self) -> usize;
+
+    /// The numbers of some rows, as far as they are there, a column after the other; `None` when asked to stop. Pieces are asked for in
+    /// order; their rows do not depend on how they are cut.
+    fn piece(&mut self, rows: Range<usize>, stop: Stop) -> Option<Vec<Vec<f64>>>;
+
+    /// What the rows cannot say, of all pieces so far.
+    fn notes(&self) -> Vec<Diagnostic>;
+}
+
+/// All rows in memory.
+pub fn gather(pieces: &mut dyn Pieces) -> Table {
+    let mut columns: Vec<Column> = pieces.columns().into_iter().map(|(name, unit)| Column { name, unit, values: Vec::new() }).collect();
+    let (count, step) = (pieces.count(), pieces.at_once());
+    for from in (0..count).step_by(step) {
+        let piece = pieces.piece(from..count.min(from + step), &never).unwrap_or_default();
+        columns.iter_mut().zip(piece).for_each(|(c, p)| c.values.extend(p));
+    }
+    Table { columns, notes: pieces.notes() }
+}
+
+/// The runs of rows so far that are missing, or in which an answer is infinite.
+pub(super) struct Gaps {
+    missing: Vec<Gap>,
+    infinite: Vec<Infinite>,
+}
+
+/// A column of answers that may be infinite, and the runs of rows in which they are.
+struct Infinite {
+    column: usize,
+    name: String,
+    runs: Vec<Range<usize>>,
+}
+
+impl Gaps {
+    /// None yet in a sweep of this scene. What has a meaning has a number wherever there is a position.
+    pub fn of(scene: &Scene) -> Gaps {
+        let columns = scene.find.iter().flat_map(|f| ask::names(f).into_iter().map(move |(name, _)| (f, name))).enumerate();
+        let bounded = |f: &Find| f.what.meaning(scene).is_some();
+        let infinite = columns.filter(|(_, (f, _))| !bounded(f)).map(|(column, (_, name))| Infinite { column, name, runs: Vec::new() });
+        Gaps { missing: Vec::new(), infinite: infinite.collect() }
+    }
+
+    /// Takes note of the infinite answers of a row.
+    pub fn see(&mut self, row: usize, answer: impl Fn(usize) -> f64) {
+        for of in self.infinite.iter_mut().filter(|of| answer(of.column).is_infinite()) {
+            match of.runs.last_mut().filter(|run| run.end == row) {
+                Some(run) => run.end = row + 1,
+                None => of.runs.push(row..row + 1),
+            }
+        }
+    }
+
+    /// Takes note of all rows of a piece, of which `first` is the first.
+    pub fn see_all(&mut self, rows: &Rows, first: usize) {
+        self.add(&rows.missing, first);
+        let count = if self.infinite.is_empty() { 0 } else { rows.columns[0].len() };
+        (0..count).filter(|i| !rows.missing.contains_key(i)).for_each(|i| self.see(first + i, |column| rows.columns[column][i]));
+    }
+
+    /// Takes note of the rows of a piece, of which `first` is the first.
+    pub fn add(&mut self, missing: &BTreeMap<usize, Faults>, first: usize) {
+        for gap in runs(missing, first) {
+            match self.missing.last_mut().filter(|g| g.rows.end == gap.rows.start) {
+                Some(last) => last.rows.end = gap.rows.end,
+                None => self.missing.push(gap),
+            }
+        }
+    }
+
+    /// Whether no row is missing.
+    pub fn is_empty(&self) -> bool {
+        self.missing.is_empty()
+    }
+
+    /// One note for each run; `words` names a row by its swept value.
+    pub fn notes(&self, words: &dyn Fn(usize) -> String) -> Vec<Diagnostic> {
+        let infinite = self.infinite.iter().flat_map(|of| of.runs.iter().map(|run| infinite_note(words, &of.name, run)));
+        gap_notes(words, &self.missing).into_iter().chain(infinite).collect()
+    }
+}

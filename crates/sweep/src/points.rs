@@ -1,0 +1,246 @@
+//! Points through the travel of one driver, or through time: where they go, and their velocities and accelerations on the way (their
+//! hodographs, when these are drawn from one pole).
+//!
+//! The mechanism is followed by [`super::follow`], each pose solved by the loop equations. A driver that goes on alone runs at the scene's rate, with the
+//! scene's acceleration, in every pose; through time rates are those of the time. Between the steps poses are added where a curve bends.
+
+use super::follow::{Follower, Pose, Sweep};
+use super::station;
+use hodograph_analytic as analytic;
+use hodograph_base::geom::Vec2;
+use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::mechanism::{Demand, Mechanism};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::quantity::{PointMotion, Rate};
+use hodograph_scene::{Asked, Find, Given, OnLink, PointId, Scene, Swept};
+
+/// Steps through a turn: 1°, the resolution of a printed curve.
+const STEPS: usize = 360;
+/// A curve may be off its chord by this part of its size: a tenth of a millimetre on a drawing of 100 mm.
+const BEND: f64 = 1e-3;
+/// Rounds of halving: next to a limit everything goes with the root of the distance, and steps grow small quickly.
+const ROUNDS: usize = 7;
+/// More poses than this are not halved again: a curve of the size of a page has no room for them.
+const MOST_MOMENTS: usize = 3000;
+/// Next to a limit vectors grow beyond all bounds: what is so many times as large as half of all leaves the paper.
+const OFF_PAPER: f64 = 2.5;
+
+/// One pose, and how the points move there.
+#[derive(Clone, Debug)]
+pub struct Moment {
+    /// How far what moves has gone from the scene's pose (rad, m or s).
+    pub travel: f64,
+    /// Where it stands (rad, m or s).
+    pub place: f64,
+    /// Where everything is.
+    pub configuration: Configuration,
+    /// Velocity (m/s) and acceleration (m/s²) of each point; `None` where they are unbounded or have no value.
+    pub vectors: Vec<[Option<Vec2>; 2]>,
+}
+
+/// The motion of some points through a driver's travel.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// Whose motion.
+    pub points: Vec<PointId>,
+    /// All poses, in the order of travel.
+    pub moments: Vec<Moment>,
+    /// So many of them at equal steps of the driver or of the time; the ends of a bounded travel are among them.
+    pub marks: Vec<Moment>,
+    /// Whether the mechanism comes back to its first pose after a full turn.
+    pub full: bool,
+    /// Whether it can go no farther at the beginning, and at the end.
+    pub limits: [bool; 2],
+}
+
+/// The scene with the drivers standing that do not go on: then a velocity is tangent to the path.
+pub fn alone(scene: &Scene, swept: Swept) -> Scene {
+    let mut scene = scene.clone();
+    let Swept::Driver(driver) = swept else { return scene };
+    for (_, d) in scene.drivers.iter_mut().enumerate().filter(|(d, _)| *d != driver) {
+        d.rate = Given { value: 0.0, radius: 0.0, text: "0".into(), span: d.rate.span };
+        d.acceleration = None;
+    }
+    scene
+}
+
+/// The largest of some sizes that one paper holds: all of a motion without limits; of another not those that are many times as
+/// large as half of all, but in any case the scene's `own`. `None` where there are none.
+pub fn bounded(mut sizes: Vec<f64>, own: f64, unlimited: bool) -> Option<f64> {
+    sizes.sort_by(f64::total_cmp);
+    let largest = *sizes.last()?;
+    Some(if unlimited { largest } else { largest.min((OFF_PAPER * sizes[sizes.len() / 2]).max(own)) })
+}
+
+/// So many poses at equal steps of the driver, in the sense in which it moves: from the scene's own through a full turn, or from one end
+/// of the travel to the other.
+pub fn at_equal_steps(follower: &Follower, sweep: &Sweep, count: usize) -> Vec<Pose> {
+    let (Some(first), Some(last)) = (sweep.poses.first(), sweep.poses.last()) else { return Vec::new() };
+    let turn = sweep.period();
+    let (from, step) = match (sweep.full, count) {
+        (true, n) => (0.0, turn / n.max(1) as f64),
+        (false, 1) => (0.0, 0.0),
+        (false, n) => (first.travel, (last.travel - first.travel) / (n.max(2) - 1) as f64),
+    };
+    let near = |travel: f64| sweep.poses.iter().min_by(|a, b| (a.travel - travel).abs().total_cmp(&(b.travel - travel).abs()));
+    let pose = |k: usize| {
+        let travel = if !sweep.full && count > 1 && k + 1 == count { last.travel } else { from + step * k as f64 };
+        let near = near(travel)?;
+        // A pose of the sweep but for rounding is that pose: at a limit nothing lies a hair beyond.
+        if (near.travel - travel).abs() <= 1e-9 * (last.travel - first.travel) {
+            return Some(near.clone());
+        }
+        Some(Pose { travel, configuration: follower.at(&near.configuration, travel)? })
+    };
+    let mut poses: Vec<Pose> = (0..count).filter_map(pose).collect();
+    if follower.goes_back() {
+        // A turn begins with the scene's own pose in either sense.
+        poses[usize::from(sweep.full)..].reverse();
+    }
+    poses
+}
+
+struct Tracer<'a> {
+    scene: Scene,
+    mechanism: &'a Mechanism,
+    demand: Demand,
+    follower: &'a Follower<'a>,
+    /// Where that stands in the scene's own pose which moves.
+    now: f64,
+    points: &'a [PointId],
+    unlimited: bool,
+}
+
+/// Follows the points of a placed scene through the travel of a driver, or through time, and marks `marks` poses at equal steps of it.
+///
+/// `demand` is what the configuration was made for; it holds all positions. Where one driver goes on, the others stand at their places, with their
+/// rates.
+pub fn motion(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    demand: &Demand,
+    at: &Configuration,
+    swept: Swept,
+    points: &[PointId],
+    marks: usize,
+) -> Motion {
+    let asked: Vec<Find> = points.iter().flat_map(|p| questions(scene, *p)).collect();
+    let scene = scene.clone();
+    let wanted = Demand::of_questions(&scene, mechanism, &asked).with_all_positions();
+    let follower = Follower::new(&scene, mechanism, demand, at, swept);
+    let sweep = follower.sweep(STEPS);
+    let now = station::now(&scene, at, swept);
+    let tracer = Tracer { scene, mechanism, demand: wanted, follower: &follower, now, points, unlimited: sweep.is_unlimited() };
+    let limits = [0, sweep.poses.len() - 1].map(|k| sweep.is_limit(k));
+    let mut moments: Vec<Moment> = sweep.poses.iter().map(|p| tracer.moment(p)).collect();
+    if sweep.full
+        && let Some(first) = moments.first().cloned()
+    {
+        moments.push(Moment { travel: sweep.period(), ..first });
+    }
+    let marks = at_equal_steps(&follower, &sweep, marks).iter().map(|p| tracer.moment(p)).collect();
+    for _ in 0..ROUNDS {
+        if moments.len() > MOST_MOMENTS || !tracer.refine(&mut moments) {
+            break;
+        }
+    }
+    if sweep.full {
+        moments.pop();
+    }
+    Motion { points: points.to_vec(), moments, marks, full: sweep.full, limits }
+}
+
+/// The questions for a point's velocity and acceleration.
+pub fn questions(scene: &Scene, point: PointId) -> [Find; 2] {
+    let of = OnLink { point, link: None };
+    let name = scene.point_name(point);
+    let span = scene.points[point.0].span;
+    Rate::ALL.map(|rate| {
+        let what = Asked::from(PointMotion { rate, of });
+        Find { text: format!("{}_{name}", what.entry().symbol), what, span }
+    })
+}
+
+impl Tracer<'_> {
+    fn moment(&self, pose: &Pose) -> Moment {
+        let scene = self.follower.scene_at(&self.scene, pose.travel);
+        let at = &pose.configuration;
+        let solution = analytic::solve(&scene, self.mechanism, at, &self.demand).ok();
+        let vector = |find: &Find| match solution.as_ref()?.answer(&scene, at, &find.what)? {
+            Value::Vector(v) => v.is_finite().then_some(v),
+            Value::Scalar(_) | Value::Point(_) => None,
+        };
+        let vectors = self.points.iter().map(|p| questions(&scene, *p).each_ref().map(vector)).collect();
+        Moment { travel: pose.travel, place: self.now + pose.travel, configuration: at.clone(), vectors }
+    }
+
+    /// Adds poses where a curve is farther from its chord than can be printed; whether there were any.
+    fn refine(&self, moments: &mut Vec<Moment>) -> bool {
+        let most =
+            |of: &dyn Fn(&Moment) -> Option<f64>| bounded(moments.iter().filter_map(of).collect(), 0.0, self.unlimited).unwrap_or(0.0);
+        let sizes: Vec<[f64; 3]> = (0..self.points.len())
+            .map(|k| {
+                let level = |l: usize| most(&|m: &Moment| m.vectors[k][l].map(Vec2::norm));
+                let first = moments.first().and_then(|m| m.configuration.points[self.points[k].0]);
+                [most(&|m: &Moment| Some(m.configuration.points[self.points[k].0]?.distance(first?))), level(0), level(1)]
+            })
+            .collect();
+        let old = std::mem::take(moments);
+        let count = old.len();
+        let mut old = old.into_iter().peekable();
+        while let Some(a) = old.next() {
+            let between = old.peek().and_then(|b| self.between(&a, b, &sizes));
+            moments.push(a);
+            moments.extend(between);
+        }
+        moments.len() > count
+    }
+
+    /// The pose in the middle of two, where it is wanted.
+    fn between(&self, a: &Moment, b: &Moment, sizes: &[[f64; 3]]) -> Option<Moment> {
+        // The middle of two poses of a smooth curve is off its chord by no more than an eighth of how much the chord turns:
+        // where the ends are near, nothing is looked at.
+        let parts = |m: &Moment, k: usize| {
+            let place = m.configuration.points[self.points[k].0].map(|p| p.to_vec2());
+            [place, m.vectors[k][0], m.vectors[k][1]]
+        };
+        let shown = |v: Option<Vec2>, level: usize, most: f64| v.filter(|v| level == 0 || v.norm() <= most * (1.0 + BEND));
+        let apart = (0..sizes.len()).any(|k| {
+            (0..3).any(|l| match (shown(parts(a, k)[l], l, sizes[k][l]), shown(parts(b, k)[l], l, sizes[k][l])) {
+                (Some(p), Some(q)) => (p - q).norm() > 16.0 * BEND * sizes[k][l],
+                (None, None) => false,
+                // The curve leaves the paper between the two.
+                _ => true,
+            })
+        });
+        if !apart {
+            return None;
+        }
+        let travel = 0.5 * (a.travel + b.travel);
+        let configuration = self.follower.at(&a.configuration, travel)?;
+        let middle = self.moment(&Pose { travel, configuration });
+        let bends = (0..sizes.len()).any(|k| {
+            let (p, q, m) = (parts(a, k), parts(b, k), parts(&middle, k));
+            (0..3).any(|l| match (shown(p[l], l, sizes[k][l]), shown(q[l], l, sizes[k][l]), m[l]) {
+                (Some(p), Some(q), Some(m)) => ((p + q) * 0.5 - m).norm() > BEND * sizes[k][l],
+                (None, None, _) => false,
+                _ => true,
+            })
+        });
+        bends.then_some(middle)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_grows_beyond_all_bounds_is_not_on_the_paper() {
+        let sizes = vec![1.0, 1.5, 90.0, 1.2, 2.0];
+        assert_eq!(bounded(sizes.clone(), 1.0, true), Some(90.0));
+        assert_eq!(bounded(sizes.clone(), 1.0, false), Some(3.75));
+        assert_eq!(bounded(sizes, 8.0, false), Some(8.0));
+        assert_eq!(bounded(vec![], 0.0, true), None);
+    }
+}

@@ -1,0 +1,155 @@
+//! What questions ask beyond points and rates, as kernels: lengths, angles, parts of a vector, the Coriolis term.
+
+use super::kernel::{Kernel, Pair, Reg};
+use super::lane::Lane;
+use hodograph_base::geom::Vec2;
+
+/// |v|.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Length {
+    /// The vector.
+    pub v: Pair,
+}
+
+impl Kernel<2, 1> for Length {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 2] {
+        [self.v.x, self.v.y]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [x, y]: [N; 2]) -> [N; 1] {
+        [(x * x + y * y).sqrt()]
+    }
+}
+
+/// The angle of a vector from the x axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Direction {
+    /// The vector.
+    pub v: Pair,
+}
+
+impl Kernel<2, 1> for Direction {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 2] {
+        [self.v.x, self.v.y]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [x, y]: [N; 2]) -> [N; 1] {
+        [y.atan2(x)]
+    }
+}
+
+/// The part of v along u, whatever u's length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    /// Direction.
+    pub u: Pair,
+    /// The vector.
+    pub v: Pair,
+}
+
+impl Kernel<4, 2> for Part {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 4] {
+        [self.u.x, self.u.y, self.v.x, self.v.y]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [ux, uy, vx, vy]: [N; 4]) -> [N; 2] {
+        let u = Vec2::new(ux, uy);
+        let k = u.dot(Vec2::new(vx, vy)) / u.norm2();
+        [ux * k, uy * k]
+    }
+}
+
+/// u·v.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dot {
+    /// Direction.
+    pub u: Pair,
+    /// The vector.
+    pub v: Pair,
+}
+
+impl Kernel<4, 1> for Dot {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 4] {
+        [self.u.x, self.u.y, self.v.x, self.v.y]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [ux, uy, vx, vy]: [N; 4]) -> [N; 1] {
+        [ux * vx + uy * vy]
+    }
+}
+
+/// aᵏ = 2 ω × v_r.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coriolis {
+    /// v_r.
+    pub v: Pair,
+    /// ω of the link that carries the guide.
+    pub omega: Reg,
+}
+
+impl Kernel<3, 2> for Coriolis {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 3] {
+        [self.v.x, self.v.y, self.omega]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [x, y, w]: [N; 3]) -> [N; 2] {
+        let twice = w + w;
+        [-(y * twice), x * twice]
+    }
+}
+
+/// a + k b.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sum {
+    /// First.
+    pub a: Reg,
+    /// Second.
+    pub b: Reg,
+    /// Its factor.
+    pub k: f64,
+}
+
+impl Kernel<2, 1> for Sum {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 2] {
+        [self.a, self.b]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [a, b]: [N; 2]) -> [N; 1] {
+        [a + b * self.k]
+    }
+}
+
+/// a / b as complex numbers: the turn and stretch that takes b to a.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quotient {
+    /// Dividend.
+    pub a: Pair,
+    /// Divisor.
+    pub b: Pair,
+}
+
+impl Kernel<4, 2> for Quotient {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 4] {
+        [self.a.x, self.a.y, self.b.x, self.b.y]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [ax, ay, bx, by]: [N; 4]) -> [N; 2] {
+        let (a, b) = (Vec2::new(ax, ay), Vec2::new(bx, by));
+        let d = b.norm2();
+        [a.dot(b) / d, b.cross(a) / d]
+    }
+}

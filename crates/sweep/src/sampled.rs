@@ -1,0 +1,37 @@
+//! Proof of a sweep by samples: some of its positions are judged by what the scene states.
+
+use super::chunks::run_parts;
+use super::general::General;
+use super::lane::Width;
+use super::station::Stations;
+use super::stood::Stood;
+use super::{Placed, branches};
+use hodograph_base::diag::Faults;
+use hodograph_mechanism::position::Configuration;
+use hodograph_mechanism::stated::{self, Moment};
+
+/// Positions that are judged in a sweep of any length: both ends, and others evenly between them. The tests judge every position of sweeps of all
+/// templates.
+const SAMPLES: usize = 9;
+
+/// Checks that some positions in which the compiled program of a sweep puts the mechanism meet what the scene states. `value` tells the driver's value at
+/// each of `count` stations. Positions that the mechanism does not reach are not judged. Rows that no program makes are proved one by one as they are
+/// made; a program with groups that are followed from position to position is not judged here.
+///
+/// # Errors
+/// `position-unproven`, one for each statement that is broken.
+pub fn proved(placed: &Placed, driver: usize, count: usize, value: impl Fn(usize) -> f64) -> Result<(), Faults> {
+    let general = General::new(placed, driver);
+    if count == 0 || general.is_read_again() {
+        return Ok(());
+    }
+    let Some(stood) = Stood::of(placed, driver) else { return Ok(()) };
+    let samples = SAMPLES.min(count);
+    let chosen = (0..samples).map(|k| value(k * (count - 1) / (samples - 1).max(1)));
+    let stations = Stations::of_values(chosen.collect(), super::station::angle_per_value(placed.scene, &placed.at, driver));
+    let judge =
+        |i: usize, at: &Configuration| stated::proved(&general.scene_at(&stations, i), placed.mechanism, at, Moment::Later(&placed.at));
+    let (parts, _) = branches(stood.program.clone(), placed, driver, &stations);
+    let rows = run_parts(&parts, placed, driver, &stations, Width::One);
+    (0..samples).filter_map(|i| Some((i, stood.laid(placed, &rows.columns, i)?))).try_for_each(|(i, at)| judge(i, &at))
+}

@@ -1,0 +1,198 @@
+//! The positions at which a driver is looked at: its values, with the cosine and sine of each where it turns.
+
+use hodograph_base::geom::Vec2;
+use hodograph_base::trig;
+use hodograph_mechanism::position::{Configuration, Path, newton};
+use hodograph_scene::{Angle, LinkId, PointId, Scene, Swept};
+use std::f64::consts::TAU;
+use std::ops::Range;
+
+/// Values of a driver (rad or m), in order.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stations {
+    /// Value of each.
+    pub values: Vec<f64>,
+    /// Cosine and sine of each as an angle; for a driver along an arc, of the angle that its way makes there.
+    pub cosines: Vec<f64>,
+    /// Sines.
+    pub sines: Vec<f64>,
+}
+
+impl Stations {
+    /// `steps` equal steps from one angle to another, both ends included; degrees are reduced exactly.
+    pub fn turned(from: Angle, to: Angle, steps: usize) -> Stations {
+        Steps { way: Way::Turn(from, to), steps }.all()
+    }
+
+    /// Given values, which mean angle·`per_value` for cosine and sine.
+    pub fn of_values(values: Vec<f64>, per_value: f64) -> Stations {
+        let (sines, cosines) = values.iter().map(|v| (libm::sin(v * per_value), libm::cos(v * per_value))).unzip();
+        Stations { values, cosines, sines }
+    }
+
+    /// `steps` equal steps from one length to another, both ends included.
+    pub fn slid(from: f64, to: f64, steps: usize, per_value: f64) -> Stations {
+        Steps { way: Way::Slide { from, to, per_value }, steps }.all()
+    }
+
+    /// Some of them.
+    pub fn pick(&self, rows: &[usize]) -> Stations {
+        let of = |values: &[f64]| rows.iter().map(|&i| values[i]).collect();
+        Stations { values: of(&self.values), cosines: of(&self.cosines), sines: of(&self.sines) }
+    }
+
+    /// Where one puts a driver of a scene: its value, of an angle beyond a turn without the whole turns, as exactly as cosine and
+    /// sine have it; unless wheels stand elsewhere on every turn.
+    pub(super) fn place(&self, i: usize, scene: &Scene, driver: usize) -> f64 {
+        // Behind wheels a turn of the driver is none of a cam.
+        let turned = scene.drivers[driver].kind.turns() && scene.rolling.is_empty() && self.values[i].abs() > TAU;
+        if turned { libm::atan2(self.sines[i], self.cosines[i]) } else { self.values[i] }
+    }
+
+    /// Their indices in the order of their values.
+    pub(super) fn ascending(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.len()).collect();
+        order.sort_by(|&a, &b| self.values[a].total_cmp(&self.values[b]));
+        order
+    }
+
+    /// How many.
+    pub fn len(&self) -> usize {
+        self.values.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+}
+
+/// From where to where a driver goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Way {
+    /// From one angle to another.
+    Turn(Angle, Angle),
+    /// From one value to another (rad or m), which mean angle·`per_value` for cosine and sine.
+    Slide {
+        /// The first value.
+        from: f64,
+        /// The last.
+        to: f64,
+        /// See [`angle_per_value`].
+        per_value: f64,
+    },
+}
+
+/// Equal steps of a driver, both ends included: [`Stations`] of any part of them are made where they are needed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Steps {
+    /// From where to where.
+    pub way: Way,
+    /// How many steps; there is a station more.
+    pub steps: usize,
+}
+
+impl Steps {
+    /// All stations.
+    pub fn all(&self) -> Stations {
+        self.part(0..self.steps + 1)
+    }
+
+    /// The value of one station.
+    pub fn value(&self, i: usize) -> f64 {
+        match self.way {
+            Way::Slide { from, to, .. } => between(from, to, i, self.steps),
+            Way::Turn(from, to) => turned(from, to, i, self.steps).radians(),
+        }
+    }
+
+    /// Some of the stations, the same whatever part they are asked in.
+    pub fn part(&self, rows: Range<usize>) -> Stations {
+        let steps = self.steps;
+        match self.way {
+            Way::Slide { from, to, per_value } => Stations::of_values(rows.map(|i| between(from, to, i, steps)).collect(), per_value),
+            Way::Turn(from, to) => {
+                let mut s = Stations::default();
+                for i in rows {
+                    let angle = turned(from, to, i, steps);
+                    let (sin, cos) = trig::sin_cos(angle);
+                    s.values.push(angle.radians());
+                    s.cosines.push(cos);
+                    s.sines.push(sin);
+                }
+                s
+            }
+        }
+    }
+}
+
+/// The `i`-th of `steps` equal steps between two angles; degrees stay degrees where both are.
+fn turned(from: Angle, to: Angle, i: usize, steps: usize) -> Angle {
+    match (from, to) {
+        (Angle::Deg(a), Angle::Deg(b)) => Angle::Deg(between(a, b, i, steps)),
+        _ => Angle::Rad(between(from.radians(), to.radians(), i, steps)),
+    }
+}
+
+/// The `i`-th of `steps` equal steps; the ends are met exactly.
+fn between(a: f64, b: f64, i: usize, steps: usize) -> f64 {
+    match i {
+        0 => a,
+        i if i == steps => b,
+        i => a + (b - a) * (i as f64 / steps as f64),
+    }
+}
+
+/// The angle of a driver's motion by its value: 1 where it turns, 1/ρ along an arc, 0 where no angle is in it.
+pub fn angle_per_value(scene: &Scene, at: &Configuration, driver: usize) -> f64 {
+    let kind = &scene.drivers[driver].kind;
+    match kind.guide().and_then(|guide| at.shapes.guides[guide.0]) {
+        Some(Path::Arc { radius, .. }) => 1.0 / radius,
+        Some(Path::Line { .. }) => 0.0,
+        None => f64::from(u8::from(kind.turns())),
+    }
+}
+
+/// Where a driver stands at the instant (rad or m). Of an angle of more than a turn only the part of a turn counts: the pose is the
+/// same, and the way from it is counted in turns of the stations, not in those that a scene has written; unless wheels stand elsewhere on
+/// every turn.
+pub fn position_now(scene: &Scene, at: &Configuration, driver: usize) -> f64 {
+    let written = scene.drivers[driver].kind.angle().map(|angle| angle.value);
+    match written.filter(|_| scene.rolling.is_empty()) {
+        // The remainder of floating-point numbers is exact.
+        Some(Angle::Deg(d)) if d.abs() > 360.0 => Angle::Deg(libm::fmod(d, 360.0)).radians(),
+        Some(Angle::Rad(r)) if r.abs() > TAU => libm::atan2(libm::sin(r), libm::cos(r)),
+        _ => driver_positions(scene, at)[driver],
+    }
+}
+
+/// Where that stands at the instant which goes on from pose to pose: a driver (rad or m), or the time (s).
+pub fn now(scene: &Scene, at: &Configuration, swept: Swept) -> f64 {
+    match swept {
+        Swept::Driver(d) => position_now(scene, at, d),
+        Swept::Time => scene.instant(),
+    }
+}
+
+/// The value of each driver in a placed mechanism: the angle that the scene counts (rad, as written where it is written),
+/// the coordinate along the guide, the length of the cylinder (m).
+pub(super) fn driver_positions(scene: &Scene, at: &Configuration) -> Vec<f64> {
+    let measured = newton::driver_values(scene, at);
+    scene
+        .drivers
+        .iter()
+        .zip(measured.0)
+        .map(|(driver, measured)| {
+            let of = |l: LinkId, line: Option<(PointId, PointId)>| match line {
+                Some((a, b)) => Some(at.points[b.0]? - at.points[a.0]?),
+                None if l == scene.ground => Some(Vec2::new(1.0, 0.0)),
+                None => at.link_direction(scene, l).or(at.poses[l.0].map(|p| p.axis)),
+            };
+            let seen = || {
+                let ((link, against), [line, against_line]) = (driver.kind.turned()?, driver.kind.lines());
+                Some(of(link, line)?.divide_by(of(against, against_line)?).angle())
+            };
+            driver.kind.position().map(hodograph_scene::Position::value).or_else(seen).unwrap_or(measured)
+        })
+        .collect()
+}

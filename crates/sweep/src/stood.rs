@@ -1,0 +1,73 @@
+//! Questions without a kernel of a mechanism that has a program: this places everything at each station, and the loop equations answer there.
+//!
+//! So these rows are on the same branches as those of all other questions, whatever lies on the way to them.
+
+use super::Placed;
+use super::chunks::{Rows, run_parts};
+use super::compile::{self, ask};
+use super::general::General;
+use super::lane::Width;
+use super::pieces::Stop;
+use super::program::Program;
+use super::station::Stations;
+use hodograph_base::diag::Faults;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_mechanism::position::{self, Configuration, Pose};
+use hodograph_scene::{LinkId, PointId};
+use rayon::prelude::*;
+
+/// The positions of a mechanism, compiled.
+pub(super) struct Stood {
+    /// The program of the places.
+    pub program: Program,
+    points: Vec<PointId>,
+    links: Vec<LinkId>,
+}
+
+impl Stood {
+    /// The positions of a placed mechanism that is moved by a driver; `None` where a group has no kernel, or is followed.
+    pub fn of(placed: &Placed, driver: usize) -> Option<Stood> {
+        let (scene, m, at) = (placed.scene, placed.mechanism, &placed.at);
+        let points: Vec<PointId> =
+            (0..scene.points.len()).map(PointId).filter(|p| at.points[p.0].is_some() && m.pins.contains(p)).collect();
+        let moves = |l: &LinkId| at.poses[l.0].is_some() && *l != scene.ground && !m.is_passive(*l);
+        let links: Vec<LinkId> = (0..scene.links.len()).map(LinkId).filter(moves).collect();
+        let program = compile::places(scene, m, at, driver, &points, &links).ok().filter(|p| p.tracks.is_empty())?;
+        Some(Stood { program, points, links })
+    }
+
+    /// The rows of stations, by the program of each stretch between change points; `None` when asked to stop.
+    pub fn rows(&self, parts: &[(Program, Vec<usize>)], general: &General, stations: &Stations, stop: Stop) -> Option<Rows> {
+        let placed = general.placed();
+        let there = run_parts(parts, placed, general.driver(), stations, Width::Widest);
+        let solve = |i: usize| -> Result<Vec<f64>, Faults> {
+            let by_program = self.laid(placed, &there.columns, i).map(|at| general.answers(&general.scene_at(stations, i), &at));
+            let mut ways = by_program.unwrap_or_else(|| general.solve(stations, i))?;
+            Ok(ways.swap_remove(0))
+        };
+        let made: Option<Vec<_>> = (0..stations.len()).into_par_iter().map(|i| (!stop()).then(|| solve(i))).collect();
+        let width = general.scene().find.iter().flat_map(ask::names).count();
+        let mut rows = Rows { columns: vec![vec![f64::NAN; stations.len()]; width], ..Default::default() };
+        for (i, row) in made?.into_iter().enumerate() {
+            match row {
+                Ok(row) => rows.columns.iter_mut().zip(row).for_each(|(c, v)| c[i] = v),
+                Err(why) => drop(rows.missing.insert(i, why)),
+            }
+        }
+        Some(rows)
+    }
+
+    /// Where everything is in a row; `None` where the program has no value.
+    pub fn laid(&self, placed: &Placed, columns: &[Vec<f64>], row: usize) -> Option<Configuration> {
+        let pair = |k: usize| Some(Vec2::new(columns.get(2 * k)?[row], columns.get(2 * k + 1)?[row])).filter(|v| v.is_finite());
+        let (mut poses, mut points) = (vec![None; placed.scene.links.len()], vec![None; placed.scene.points.len()]);
+        for (k, p) in self.points.iter().enumerate() {
+            points[p.0] = Some(pair(k)?.to_point());
+        }
+        for (k, l) in self.links.iter().enumerate() {
+            let first = self.points.len() + 2 * k;
+            poses[l.0] = Some(Pose { origin: Point::ORIGIN + pair(first)?, axis: pair(first + 1)?.unit()? });
+        }
+        Some(position::laid(placed.scene, placed.mechanism, &placed.at, poses, points))
+    }
+}

@@ -1,0 +1,212 @@
+//! The extreme positions of one output, from its positions and rates at samples of the driver's whole motion.
+//!
+//! Between two samples whose rates have other signs the zero of the rate is located by Newton's method with the acceleration as derivative. Where
+//! the rate vanishes on a whole stretch the output dwells: the stretch is one extreme, whose ends are joints of the cam that makes it.
+
+use super::extreme::{Extreme, Output, Swing};
+use super::limit::Range;
+use super::station::Stations;
+use hodograph_base::diag::Faults;
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+/// A position or rate that is smaller than this part of the largest is zero.
+const ROUNDING: f64 = 1e-12;
+
+/// Zeros of a rate nearer than this part of a step are one: between two samples there is one at most, what is more is rounding.
+const ONE: f64 = 1e-3;
+
+/// The samples of a driver's motion.
+pub(super) struct Course<'a> {
+    /// Where they are.
+    pub stations: &'a Stations,
+    /// How far the driver goes.
+    pub range: &'a Range,
+    /// That after which the first station comes again, where the stations are all of it.
+    pub period: Option<f64>,
+    /// The driver's positions at which cams go from one stage or piece to the next, each with the period after which it comes again.
+    pub joints: &'a [[f64; 2]],
+}
+
+impl Course<'_> {
+    /// From one station to the next.
+    fn step(&self) -> f64 {
+        self.stations.values.windows(2).next().map_or(0.0, |w| (w[1] - w[0]).abs())
+    }
+
+    /// A position of the driver, or the joint less than a step from it.
+    fn at_joint(&self, x: f64) -> f64 {
+        let near = self.joints.iter().map(|[joint, period]| joint + libm::rint((x - joint) / period) * period);
+        let nearest = near.min_by(|a, b| (a - x).abs().total_cmp(&(b - x).abs()));
+        nearest.filter(|joint| (joint - x).abs() < self.step()).unwrap_or(x)
+    }
+}
+
+/// The swing of an output: its positions and rates at the stations, those of them that are missing, and position, rate and acceleration anywhere.
+pub(super) fn swing(
+    output: Output,
+    [s, v]: [&[f64]; 2],
+    missing: &BTreeMap<usize, Faults>,
+    course: &Course,
+    at: &dyn Fn(f64) -> Option<[f64; 3]>,
+) -> Swing {
+    let there = |i: usize| !missing.contains_key(&i) && s[i].is_finite() && v[i].is_finite();
+    // Angles run on without jumps.
+    let mut position = s.to_vec();
+    if matches!(output, Output::Turning(_)) {
+        for i in 1..position.len() {
+            if there(i) && there(i - 1) {
+                position[i] -= libm::rint((position[i] - position[i - 1]) / TAU) * TAU;
+            }
+        }
+    }
+    // A position in the same turn as the sample beside it.
+    let near = |here: f64, i: usize| match output {
+        Output::Turning(_) => here - libm::rint((here - position[i]) / TAU) * TAU,
+        Output::Sliding(_) => here,
+    };
+    let (x, period) = (&course.stations.values, course.period);
+    // Beside a limit a rate grows beyond all bounds: how fast the output goes on the whole is told by its positions.
+    let gone = |i: usize| if there(i) && there(i - 1) { (position[i] - position[i - 1]).abs() } else { 0.0 };
+    let rounding = ROUNDING * (1..x.len()).map(gone).fold(0.0, f64::max) / course.step();
+    // Samples with a rate; one that meets a zero is passed over. After a full turn the first comes again.
+    let mut moving: Vec<(f64, usize)> = (0..x.len()).filter(|&i| there(i) && v[i].abs() > rounding).map(|i| (x[i], i)).collect();
+    if let (Some(period), Some(&(first, i))) = (period, moving.first()) {
+        moving.push((first + period, i));
+    }
+    let mut extremes: Vec<Extreme> = Vec::new();
+    for pair in moving.windows(2) {
+        let ((a, i), (b, k)) = (pair[0], pair[1]);
+        // A row that is missing in between parts the motion.
+        let joined = k < i || (i..=k).all(there);
+        if joined && (v[i] > 0.0) != (v[k] > 0.0) {
+            let driver = zero(a, b, v[i], at);
+            let [driver, until] = dwell([a, driver, b], rounding, course, at).unwrap_or([driver; 2]);
+            let Some([here, ..]) = at(driver) else { continue };
+            extremes.push(Extreme { driver, until: (until > driver).then_some(until), output: near(here, i), at_limit: false });
+        }
+    }
+    once(&mut extremes, ONE * course.step(), period);
+    let known: Vec<usize> = (0..x.len()).filter(|&i| there(i)).collect();
+    let time_ratio = match (&extremes[..], period) {
+        ([a, b], Some(TAU)) => {
+            let stroke = |from: &Extreme, to: &Extreme| (to.driver - from.until.unwrap_or(from.driver)).rem_euclid(TAU);
+            let [out, back] = [stroke(a, b), stroke(b, a)];
+            Some(out.max(back) / out.min(back))
+        }
+        _ => None,
+    };
+    let range = course.range;
+    if !range.full() {
+        let way = range.bounds()[1] - range.bounds()[0];
+        for ((event, end), inward) in range.ends.iter().zip([known.first(), known.last()]).zip([way, -way]) {
+            if let (Some(event), Some(&i)) = (event, end) {
+                let there = at_limit(event.value, inward, &|x| Some(near(at(x)?[0], i))).unwrap_or(position[i]);
+                extremes.push(Extreme { driver: event.value, until: None, output: there, at_limit: true });
+            }
+        }
+    }
+    // What is zero but for the rounding of the positions it comes from is zero.
+    let most = known.iter().map(|&i| position[i].abs()).fold(0.0, f64::max);
+    extremes.iter_mut().filter(|e| e.output.abs() < ROUNDING * most).for_each(|e| e.output = 0.0);
+    extremes.sort_by(|a, b| a.driver.total_cmp(&b.driver));
+    let least = extremes.iter().map(|e| e.output).fold(f64::INFINITY, f64::min);
+    let most = extremes.iter().map(|e| e.output).fold(f64::NEG_INFINITY, f64::max);
+    // A way that is known on one side only, or on none, has no stroke; nor has one of which more is missing than what is at its ends.
+    let whole = (period.is_some() || range.ends.iter().all(Option::is_some)) && known.len() + 4 >= x.len();
+    Swing { output, stroke: (whole && most >= least).then_some(most - least), extremes, time_ratio }
+}
+
+/// The stretch about a zero of the rate on which the output stands still, if it does; `[before, zero, after]` of it.
+fn dwell([a, zero, b]: [f64; 3], rounding: f64, course: &Course, at: &dyn Fn(f64) -> Option<[f64; 3]>) -> Option<[f64; 2]> {
+    let still = |x: f64| at(x).is_some_and(|[_, v, _]| v.abs() <= rounding);
+    let beside = ONE * course.step();
+    if !still(zero - beside) && !still(zero + beside) {
+        return None;
+    }
+    let edge = |outside: f64| {
+        let (mut inside, mut outside) = (zero, outside);
+        loop {
+            let middle = 0.5 * (inside + outside);
+            // No double lies between.
+            if middle == inside || middle == outside {
+                return course.at_joint(inside);
+            }
+            if still(middle) { inside = middle } else { outside = middle }
+        }
+    };
+    let [from, until] = [edge(a), edge(b)];
+    // A rate of a high order vanishes about its zero in the rounding.
+    Some(if until - from > beside { [from, until] } else { [course.at_joint(zero); 2] })
+}
+
+/// Of extremes that lie together those are rounding that undo one another: one is left of an odd number of them.
+fn once(extremes: &mut Vec<Extreme>, near: f64, period: Option<f64>) {
+    let mut out: Vec<Extreme> = Vec::new();
+    let end = |e: &Extreme| e.until.unwrap_or(e.driver);
+    for e in extremes.drain(..) {
+        match out.last() {
+            Some(last) if e.driver - end(last) <= near => drop(out.pop()),
+            _ => out.push(e),
+        }
+    }
+    // The last may lie beside the first of the next turn.
+    if let (Some(period), [first, .., last]) = (period, &out[..])
+        && first.driver + period - end(last) <= near
+    {
+        out.pop();
+        out.remove(0);
+    }
+    *extremes = out;
+}
+
+/// A position at a limit of the driver, where the two branches meet: near it the position is a smooth function of the root of the
+/// distance from it. The polynomial through a few places on the way `inward` is taken back to the limit itself.
+fn at_limit(limit: f64, inward: f64, at: &dyn Fn(f64) -> Option<f64>) -> Option<f64> {
+    // At six places within this part of the whole way, what the polynomial leaves out is 1e-14 of the travel.
+    const NEAR: f64 = 1e-4;
+    const PLACES: [(f64, f64); 6] = [(1.0, 6.0), (2.0, -15.0), (3.0, 20.0), (4.0, -15.0), (5.0, 6.0), (6.0, -1.0)];
+    let place = |root: f64| at(limit + inward * NEAR * root * root / 36.0);
+    PLACES.iter().map(|(root, weight)| Some(weight * place(*root)?)).sum()
+}
+
+/// A zero of a rate between two positions: Newton's method with the acceleration, kept between the bounds.
+fn zero(a: f64, b: f64, rate_at_a: f64, at: &dyn Fn(f64) -> Option<[f64; 3]>) -> f64 {
+    let (mut inside, mut outside) = (a, b);
+    let mut x = 0.5 * (a + b);
+    for _ in 0..100 {
+        let Some([_, v, acceleration]) = at(x) else { return x };
+        if (v > 0.0) == (rate_at_a > 0.0) && v != 0.0 {
+            inside = x;
+        } else {
+            outside = x;
+        }
+        let newton = x - v / acceleration;
+        let within = (newton - inside) * (newton - outside) <= 0.0;
+        let next = if within { newton } else { 0.5 * (inside + outside) };
+        if next == x || (next - x).abs() <= 2.0 * f64::EPSILON * x.abs() {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Zeros that rounding makes of one: an odd number counts as one and an even number as none, also from one turn to the next.
+    #[test]
+    fn an_extreme_is_listed_once() {
+        let left = |places: &[f64]| {
+            let extreme = |driver: &f64| Extreme { driver: *driver, until: None, output: 0.0, at_limit: false };
+            let mut all: Vec<Extreme> = places.iter().map(extreme).collect();
+            once(&mut all, 1e-5, Some(TAU));
+            all.iter().map(|e| e.driver).collect::<Vec<_>>()
+        };
+        assert_eq!(left(&[1.0, 1.000_001, 1.000_002, 4.0]), [1.000_002, 4.0]);
+        assert_eq!(left(&[1.0, 2.0, 2.000_001, 4.0]), [1.0, 4.0]);
+        assert_eq!(left(&[1e-6, 1.0, 4.0, TAU - 1e-6]), [1.0, 4.0]);
+    }
+}

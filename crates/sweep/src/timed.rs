@@ -1,0 +1,250 @@
+//! The answers through time: all drivers go on, each by its law or at its rate.
+//!
+//! The mechanism is followed from its instant to both ends once ([`Follower`]); each row is found from the nearest pose on that way, and
+//! answered by the loop equations. Nothing jumps to another assembly, and no row depends on where others are.
+
+use super::follow::whole::event;
+use super::follow::{Follower, Pose, Sweep};
+use super::general::General;
+use super::pieces::{Gaps, Pieces, Stop};
+use super::table::Table;
+use super::{Placed, compile::ask, pieces};
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_base::digits::{shortest, significant};
+use hodograph_scene::{Lang, Swept};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// Steps of the way at least.
+const STEPS: usize = 360;
+/// A way of more steps of the fastest driver, of 10° each, is not gone.
+const MOST_STEPS: usize = 36_000;
+/// Rows of a moment.
+const AT_ONCE: usize = 4096;
+
+/// A mechanism followed through a time.
+pub struct Timed<'a> {
+    placed: &'a Placed<'a>,
+    follower: Follower<'a>,
+    sweep: Sweep,
+    /// The instant (s).
+    now: f64,
+}
+
+impl<'a> Timed<'a> {
+    /// Follows a placed scene between two times (s); those that are not told are the ends of its usual way ([`Follower::reach`]).
+    ///
+    /// # Errors
+    /// `range`: more turns of the drivers than are followed.
+    pub fn new(placed: &'a Placed<'a>, [from, to]: [Option<f64>; 2]) -> Result<(Timed<'a>, [f64; 2]), Faults> {
+        let now = placed.scene.instant();
+        let follower = Follower::new(placed.scene, placed.mechanism, &placed.demand, &placed.at, Swept::Time);
+        let [before, after] = follower.reach();
+        let [from, to] = [from.unwrap_or(now - before), to.unwrap_or(now + after)];
+        let reach = [now - from.min(to), from.max(to) - now].map(|way| way.max(0.0));
+        if !(reach[0] + reach[1]).is_finite() || follower.steps(reach) > MOST_STEPS {
+            let message = both!(
+                "from {from} s to {to} s the drivers turn more than {} times",
+                "从 {from} s 到 {to} s，原动件转过 {} 转以上",
+                MOST_STEPS / 36
+            );
+            return Err(Diagnostic::error("range", message).help(both!("take a shorter time", "请缩短时间")).into());
+        }
+        let sweep = follower.through(reach, STEPS);
+        Ok((Timed { placed, follower, sweep, now }, [from, to]))
+    }
+
+    /// Equal steps from one time (s) to another.
+    pub fn steps(&'a self, [from, to]: [f64; 2], steps: usize) -> Times<'a> {
+        let at = |i: usize| if i == steps { to } else { from + (to - from) * (i as f64 / steps as f64) };
+        Times { timed: self, times: (0..=steps).map(at).collect(), gaps: Gaps::of(self.placed.scene) }
+    }
+
+    /// The answers at some times (s).
+    pub fn table(&self, times: Vec<f64>) -> Table {
+        pieces::gather(&mut Times { timed: self, times, gaps: Gaps::of(self.placed.scene) })
+    }
+
+    /// Why nothing is beyond a travel, the last that was reached.
+    fn stopped(&self, travel: f64) -> Faults {
+        let (scene, mechanism, at) = (self.placed.scene, self.placed.mechanism, significant(self.now + travel, 6));
+        let pose = self.sweep.poses.iter().find(|p| p.travel == travel);
+        let message = match pose.map(|pose| (self.sweep.far(pose), event(mechanism, travel, &pose.configuration).toggle)) {
+            Some((true, _)) => both!("beyond t = {at} s a joint leaves the paper", "t = {at} s 以后有运动副超出图纸"),
+            Some((false, Some(toggle))) => {
+                let held = Both { en: toggle.words(scene, Lang::En), zh: toggle.words(scene, Lang::Zh) };
+                both!("the drivers go no farther than t = {at} s: there {}", "原动件最远到 t = {at} s：{}", held)
+            }
+            Some((false, None)) | None => {
+                both!("the mechanism cannot be followed beyond t = {at} s", "机构的运动在 t = {at} s 以后无法跟踪")
+            }
+        };
+        Diagnostic::error("limit", message).into()
+    }
+
+    fn row(&self, time: f64) -> Result<Vec<f64>, Faults> {
+        let travel = time - self.now;
+        let far = |p: &Pose| (p.travel - travel).abs();
+        let near = self.sweep.poses.iter().min_by(|a, b| far(a).total_cmp(&far(b)));
+        let beyond = |limit: f64| self.stopped(limit);
+        let [low, high] = self.sweep.limits;
+        if let Some(limit) = low.filter(|low| travel < *low).or(high.filter(|high| travel > *high)) {
+            return Err(beyond(limit));
+        }
+        let at = match near {
+            Some(near) if near.travel == travel => near.configuration.clone(),
+            Some(near) => self.follower.at(&near.configuration, travel).ok_or_else(|| beyond(near.travel))?,
+            None => return Err(beyond(0.0)),
+        };
+        let there = self.follower.scene_at(self.placed.scene, travel);
+        let mut ways = General::new(self.placed, 0).answers(&there, &at)?;
+        Ok(ways.swap_remove(0))
+    }
+}
+
+/// Rows at times.
+pub struct Times<'a> {
+    timed: &'a Timed<'a>,
+    times: Vec<f64>,
+    gaps: Gaps,
+}
+
+impl Pieces for Times<'_> {
+    fn columns(&self) -> Vec<(String, &'static str)> {
+        let scene = self.timed.placed.scene;
+        let (name, kind) = Swept::Time.name(scene);
+        std::iter::once((name, kind.si())).chain(scene.find.iter().flat_map(ask::names)).collect()
+    }
+
+    fn count(&self) -> usize {
+        self.times.len()
+    }
+
+    fn at_once(&self) -> usize {
+        AT_ONCE
+    }
+
+    fn piece(&mut self, rows: Range<usize>, stop: Stop) -> Option<Vec<Vec<f64>>> {
+        let (first, width) = (rows.start, self.columns().len());
+        let made: Option<Vec<_>> = rows.into_par_iter().map(|i| (!stop()).then(|| self.timed.row(self.times[i]))).collect();
+        let mut columns = vec![Vec::new(); width];
+        let mut missing = BTreeMap::new();
+        for (i, row) in made?.into_iter().enumerate() {
+            match row {
+                Ok(row) => {
+                    self.gaps.see(first + i, |column| row[column]);
+                    columns.iter_mut().zip(std::iter::once(self.times[first + i]).chain(row)).for_each(|(c, v)| c.push(v));
+                }
+                Err(why) => drop(missing.insert(i, why)),
+            }
+        }
+        self.gaps.add(&missing, first);
+        Some(columns)
+    }
+
+    fn notes(&self) -> Vec<Diagnostic> {
+        self.gaps.notes(&|k| format!("t = {} s", shortest(self.times[k])))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hodograph_mechanism::mechanism::Mechanism;
+    use hodograph_scene::{read, templates};
+
+    /// A table through time holds what each scene of that instant answers.
+    #[test]
+    fn each_row_is_the_scene_at_its_instant() {
+        for name in ["plate-by-law", "cart-by-law"] {
+            let scene = read(templates::get(name).unwrap()).unwrap().value;
+            let mechanism = Mechanism::new(&scene).unwrap().value;
+            let placed = Placed::new(&scene, &mechanism).unwrap();
+            let (timed, range) = Timed::new(&placed, [None, None]).unwrap();
+            assert_eq!(range, [0.0, 2.0 * scene.instant()]);
+            let table = pieces::gather(&mut timed.steps(range, 4));
+            assert_eq!((table.rows(), table.notes.len()), (5, 0), "{name}");
+            for row in 1..5 {
+                let t = table.columns[0].values[row];
+                let there = read(templates::instantiate(name, &[("t", &format!("{t} s"))]).unwrap()).unwrap().value;
+                let placed = Placed::new(&there, &mechanism).unwrap();
+                let meant = General::new(&placed, 0).answers(&there, &placed.at).unwrap().swap_remove(0);
+                for (column, meant) in table.columns[1..].iter().zip(meant) {
+                    let off = (column.values[row] - meant).abs();
+                    assert!(off < 1e-12, "{name}, {} at t = {t} s: {} against {meant}", column.name, column.values[row]);
+                }
+            }
+        }
+    }
+
+    /// Of drivers without laws the rows are those of the scene moved on by its rates: speeds are the differences of places.
+    #[test]
+    fn several_drivers_go_on_together() {
+        let mut scene = read(templates::get("five-bar").unwrap()).unwrap().value;
+        scene.find = hodograph_scene::read_asking(templates::get("five-bar").unwrap(), "x_C,y_C,v_C").unwrap().value.find;
+        let mechanism = Mechanism::new(&scene).unwrap().value;
+        let placed = Placed::new(&scene, &mechanism).unwrap();
+        let h = 1e-6;
+        let (timed, _) = Timed::new(&placed, [Some(0.0), Some(0.02)]).unwrap();
+        let table = timed.table(vec![0.01 - h, 0.01, 0.01 + h]);
+        let column = |name: &str| &table.column(name).unwrap_or_else(|| panic!("{name}")).values;
+        for axis in ["x", "y"] {
+            let place = column(&format!("{axis}_C"));
+            let meant = (place[2] - place[0]) / (2.0 * h);
+            let told = column(&format!("v_C.{axis}"))[1];
+            assert!((told - meant).abs() < 1e-7, "{axis}: {told} against {meant}");
+        }
+    }
+
+    /// One driver at a constant rate: through time the rows are those of a sweep of the driver, of every kind of mechanism.
+    #[test]
+    fn through_time_one_driver_does_what_its_sweep_tells() {
+        let mut compared = 0;
+        for t in templates::list() {
+            let mut scene = read(templates::get(t.name).unwrap()).unwrap().value.over_a_turn();
+            if scene.own_drivers() != 1 || scene.has_laws_of_time() || scene.drivers[0].rate.value == 0.0 {
+                continue;
+            }
+            scene.drivers[0].acceleration = None;
+            let mechanism = Mechanism::new(&scene).unwrap().value;
+            let placed = Placed::new(&scene, &mechanism).unwrap();
+            let (timed, [_, whole]) = Timed::new(&placed, [None, None]).unwrap_or_else(|f| panic!("{}: {f}", t.name));
+            let times: Vec<f64> = (0..=7).map(|k| 0.97 * whole * f64::from(k) / 7.0).collect();
+            let now = crate::station::position_now(&scene, &placed.at, 0);
+            let values = times.iter().map(|time| now + scene.drivers[0].rate.value * time).collect();
+            let (told, meant) = (timed.table(times), crate::of_values(&placed, 0, values).unwrap());
+            // Beyond a limit a crank can stand, but time does not lead there.
+            assert!(
+                told.rows() == meant.rows() || 0 < told.rows() && !told.notes.is_empty(),
+                "{}: {:?} {:?}",
+                t.name,
+                told.notes,
+                meant.notes
+            );
+            let place = |k: usize| now + scene.drivers[0].rate.value * told.columns[0].values[k];
+            assert!((0..told.rows()).all(|k| (meant.columns[0].values[k] - place(k)).abs() < 1e-9), "{}", t.name);
+            for (a, b) in told.columns[1..].iter().zip(&meant.columns[1..]) {
+                let alike = meant.columns[1..].iter().filter(|c| c.unit == b.unit).flat_map(|c| &c.values);
+                // Where all of a kind vanish, what is left is rounding of the driver's own.
+                let most = alike.fold(0.1 * scene.drivers[0].rate.value.powi(2), |m: f64, v| m.max(v.abs()));
+                for (k, (a, v)) in a.values.iter().zip(&b.values).enumerate() {
+                    assert!((a - v).abs() <= 1e-7 * most, "{}, {} in row {k}: {a} against {v}", t.name, b.name);
+                    compared += 1;
+                }
+            }
+        }
+        assert!(compared > 1000, "{compared}");
+    }
+
+    #[test]
+    fn a_time_of_too_many_turns_is_refused() {
+        let scene = read(templates::get("five-bar").unwrap()).unwrap().value;
+        let mechanism = Mechanism::new(&scene).unwrap().value;
+        let placed = Placed::new(&scene, &mechanism).unwrap();
+        for to in [1e9, f64::MAX, f64::INFINITY] {
+            let told = Timed::new(&placed, [None, Some(to)]).err().expect("too long");
+            assert_eq!(told.list[0].code, "range");
+        }
+    }
+}

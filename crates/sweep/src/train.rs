@@ -1,0 +1,309 @@
+//! Trains of rolling pairs: by which ratios the angles of links hang on one another.
+//!
+//! Rolling and locking are linear in the angles: two circles keep ρ₁(φ₁ − β) + ρ₂(φ₂ − β) (β: the line of centres), on a straight track
+//! s + ρ(φ₂ − φ₁) is kept, a slider keeps its angle against its guide. So within a group the angles are found from what is known by
+//! elimination, an arm and its planets at once: each is a [`Combination`] of angles that something else tells. Numbers of teeth are whole, and
+//! so are the ratios fractions of whole numbers: where a link stands after a thousand turns is known to the last digit.
+
+use hodograph_mechanism::mechanism::{Form, Mechanism};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::{LinkId, PointId, Relation, RollingId, Scene};
+
+/// A ratio of angles: a fraction of whole numbers where it is one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Ratio {
+    /// Its value.
+    pub value: f64,
+    /// Numerator and denominator, the latter positive, without a common factor.
+    pub exact: Option<(i64, i64)>,
+}
+
+/// Denominators of fractions that a ratio of radii is taken for: within the rounding of the radii hardly any other number lies so near to one.
+const MOST_DENOMINATOR: i64 = 100_000;
+
+/// A number this small against 1 is the rounding of zero.
+const ZERO: f64 = 1e-12;
+
+impl Ratio {
+    pub const ONE: Ratio = Ratio { value: 1.0, exact: Some((1, 1)) };
+
+    /// A fraction.
+    pub fn of(p: i64, q: i64) -> Ratio {
+        let g = gcd(p, q).max(1) * if q < 0 { -1 } else { 1 };
+        Ratio { value: p as f64 / q as f64, exact: (q != 0).then_some((p / g, q / g)) }
+    }
+
+    /// A number that comes from lengths: the fraction that it is to their rounding, if there is one.
+    pub fn near(value: f64) -> Ratio {
+        // Convergents of its continued fraction.
+        let (mut a, mut b) = ((0i64, 1i64), (1i64, 0i64));
+        let mut rest = value.abs();
+        while rest.is_finite() && rest < 1e9 {
+            let whole = libm::floor(rest) as i64;
+            let next = (whole.saturating_mul(b.0).saturating_add(a.0), whole.saturating_mul(b.1).saturating_add(a.1));
+            if next.1 > MOST_DENOMINATOR {
+                break;
+            }
+            (a, b) = (b, next);
+            if (value.abs() - b.0 as f64 / b.1 as f64).abs() <= 4.0 * f64::EPSILON * value.abs() {
+                return Ratio::of(if value < 0.0 { -b.0 } else { b.0 }, b.1);
+            }
+            rest = 1.0 / (rest - whole as f64);
+        }
+        Ratio { value, exact: None }
+    }
+
+    pub fn plus(self, o: Ratio) -> Ratio {
+        let exact = self
+            .exact
+            .zip(o.exact)
+            .and_then(|((a, b), (c, d))| fraction(a.checked_mul(d)?.checked_add(c.checked_mul(b)?)?, b.checked_mul(d)?));
+        Ratio::with(exact, self.value + o.value)
+    }
+
+    pub fn times(self, o: Ratio) -> Ratio {
+        let exact = self.exact.zip(o.exact).and_then(|((a, b), (c, d))| fraction(a.checked_mul(c)?, b.checked_mul(d)?));
+        Ratio::with(exact, self.value * o.value)
+    }
+
+    fn over(self, o: Ratio) -> Ratio {
+        let exact = self.exact.zip(o.exact).and_then(|((a, b), (c, d))| fraction(a.checked_mul(d)?, b.checked_mul(c)?));
+        Ratio::with(exact, self.value / o.value)
+    }
+
+    pub fn negative(self) -> Ratio {
+        Ratio { value: -self.value, exact: self.exact.map(|(p, q)| (-p, q)) }
+    }
+
+    fn with(exact: Option<(i64, i64)>, value: f64) -> Ratio {
+        exact.map_or(Ratio { value, exact: None }, |(p, q)| Ratio::of(p, q))
+    }
+
+    pub fn is_zero(self) -> bool {
+        self.exact.map_or(self.value.abs() < ZERO, |(p, _)| p == 0)
+    }
+}
+
+fn fraction(p: i64, q: i64) -> Option<(i64, i64)> {
+    (q != 0).then_some((p, q))
+}
+
+fn gcd(a: i64, b: i64) -> i64 {
+    let (mut a, mut b) = (a.unsigned_abs(), b.unsigned_abs());
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    i64::try_from(a).unwrap_or(1)
+}
+
+/// The turns after which what comes again after each of two numbers of turns does so; 0: never.
+pub(super) fn together(a: u64, b: u64) -> u64 {
+    if a == 0 || b == 0 {
+        return 0;
+    }
+    let g = gcd(a as i64, b as i64).max(1) as u64;
+    // What takes more turns than this is never seen to come again.
+    (a / g).checked_mul(b).filter(|n| *n < 1 << 40).unwrap_or(0)
+}
+
+/// What tells an angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Source {
+    /// A turning driver.
+    Driver(usize),
+    /// A link that is no part of a train.
+    Link(LinkId),
+    /// The line from one point to another.
+    Line(PointId, PointId),
+    /// How far a wheel has gone along its track (m).
+    Way(RollingId),
+}
+
+/// How far a link has turned since the instant, as a sum of how far other things have.
+pub(super) type Combination = Vec<(Source, Ratio)>;
+
+/// The links of a mechanism whose angles are told by others.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Train {
+    /// Of each link; `None` for one whose angle its place tells.
+    links: Vec<Option<Combination>>,
+}
+
+/// An angle as a group sees it.
+enum Seen {
+    Unknown(usize),
+    Known(Combination),
+}
+
+/// One equation of a group: factors of its links' angles, and what their sum is.
+struct Equation {
+    factors: Vec<Ratio>,
+    sum: Combination,
+}
+
+impl Train {
+    /// All angles that follow from rolling, locking and driving.
+    pub fn of(scene: &Scene, m: &Mechanism, at: &Configuration) -> Train {
+        let mut train = Train { links: vec![None; scene.links.len()] };
+        if scene.rolling.is_empty() {
+            return train;
+        }
+        train.links[scene.ground.0] = Some(Vec::new());
+        for (g, group) in m.groups.iter().enumerate() {
+            let equations: Vec<Equation> =
+                group.constraints.iter().filter_map(|&c| train.equation(scene, m, at, g, m.constraints[c].form())).collect();
+            for (link, found) in group.links.iter().zip(solved(equations, group.links.len())) {
+                train.links[link.0] = found;
+            }
+        }
+        train
+    }
+
+    /// How far a link has turned, if something else tells it.
+    pub fn of_link(&self, l: LinkId) -> Option<&Combination> {
+        self.links.get(l.0)?.as_ref()
+    }
+
+    /// The same of any link: of one that is no part of a train it is its own.
+    pub fn turned(&self, l: LinkId) -> Combination {
+        self.of_link(l).cloned().unwrap_or_else(|| vec![(Source::Link(l), Ratio::ONE)])
+    }
+
+    /// The turns of a driver after which all links stand as they did; 0 where they never do. What is no part of a train comes again with
+    /// every turn.
+    pub fn turns(&self) -> u64 {
+        let all = self.links.iter().flatten().flatten().filter(|(s, _)| !matches!(s, Source::Way(_)));
+        all.map(|(_, ratio)| ratio.exact.map_or(0, |(_, q)| q as u64)).fold(1, together)
+    }
+
+    /// How many times as fast as what moves it the fastest wheel turns; at least 1.
+    pub fn fastest(&self) -> f64 {
+        let all = self.links.iter().flatten().flatten().filter(|(s, _)| !matches!(s, Source::Way(_)));
+        all.map(|(_, ratio)| ratio.value.abs()).fold(1.0, f64::max)
+    }
+
+    fn seen(&self, m: &Mechanism, g: usize, l: LinkId) -> Seen {
+        match m.groups[g].links.iter().position(|k| *k == l) {
+            Some(i) => Seen::Unknown(i),
+            None => Seen::Known(self.turned(l)),
+        }
+    }
+
+    fn equation(&self, scene: &Scene, m: &Mechanism, at: &Configuration, g: usize, form: Form) -> Option<Equation> {
+        let mut e = Equation { factors: vec![Ratio::of(0, 1); m.groups[g].links.len()], sum: Vec::new() };
+        match form {
+            Form::Angles { of, against, driver } => {
+                e.add(self.seen(m, g, of), Ratio::ONE);
+                e.add(self.seen(m, g, against), Ratio::of(-1, 1));
+                if let Some(d) = driver {
+                    e.add(Seen::Known(vec![(Source::Driver(d), Ratio::of(-1, 1))]), Ratio::ONE);
+                }
+            }
+            Form::Related { pair: r, links: [a, b] } => {
+                let pair = &scene.rolling[r.0];
+                let [ra, rb] = at.shapes.rolling[r.0];
+                match pair.relation() {
+                    Relation::Turnings(centres) => {
+                        let k = match pair.teeth() {
+                            Some([za, zb]) => Ratio::of(i64::from(za) * if ra * rb < 0.0 { -1 } else { 1 }, i64::from(zb)),
+                            None => Ratio::near(ra / rb),
+                        };
+                        e.circles(self.seen(m, g, a), self.seen(m, g, b), self.line(scene, m, g, centres)?, k);
+                    }
+                    Relation::Slide { centre, .. } => {
+                        let placed = |p: PointId| m.group_of_pin[p.0] != Some(g);
+                        // A track or a centre that the group itself places is placed by this pair.
+                        if m.groups[g].links.contains(&a) || !placed(centre) {
+                            return None;
+                        }
+                        e.add(self.seen(m, g, b), Ratio::ONE);
+                        e.add(self.seen(m, g, a), Ratio::of(-1, 1));
+                        e.add(Seen::Known(vec![(Source::Way(r), Ratio { value: 1.0 / rb, exact: None })]), Ratio::ONE);
+                    }
+                }
+            }
+            Form::Meet { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } => return None,
+        }
+        Some(e)
+    }
+
+    /// The line of two centres: that of a link which carries both, else of two known points.
+    fn line(&self, scene: &Scene, m: &Mechanism, g: usize, [a, b]: [PointId; 2]) -> Option<Seen> {
+        let both = |l: &LinkId| scene.links[l.0].points.contains(&a) && scene.links[l.0].points.contains(&b) && !m.is_passive(*l);
+        let carriers = || (0..scene.links.len()).map(LinkId).filter(both);
+        let mine = |l: &LinkId| m.groups[g].links.contains(l);
+        if let Some(l) = carriers().find(|l| self.of_link(*l).is_some()).or_else(|| carriers().find(mine)) {
+            return Some(self.seen(m, g, l));
+        }
+        let known = |p: PointId| m.group_of_pin[p.0] != Some(g);
+        (known(a) && known(b)).then(|| Seen::Known(vec![(Source::Line(a, b), Ratio::ONE)]))
+    }
+}
+
+impl Equation {
+    /// k (φ₁ − β) + (φ₂ − β), with k the ratio of the first circle to the second.
+    fn circles(&mut self, first: Seen, second: Seen, line: Seen, k: Ratio) {
+        self.add(first, k);
+        self.add(second, Ratio::ONE);
+        self.add(line, k.plus(Ratio::ONE).negative());
+    }
+
+    /// Adds an angle with its factor to the side of the unknowns.
+    fn add(&mut self, angle: Seen, factor: Ratio) {
+        match angle {
+            Seen::Unknown(i) => self.factors[i] = self.factors[i].plus(factor),
+            Seen::Known(known) => add(&mut self.sum, &known, factor.negative()),
+        }
+    }
+
+    fn less(&mut self, other: &Equation, times: Ratio) {
+        let times = times.negative();
+        for (a, b) in self.factors.iter_mut().zip(&other.factors) {
+            *a = a.plus(b.times(times));
+        }
+        add(&mut self.sum, &other.sum, times);
+    }
+}
+
+/// Adds a combination times a factor.
+pub(super) fn add(to: &mut Combination, other: &Combination, factor: Ratio) {
+    for (source, ratio) in other {
+        let more = ratio.times(factor);
+        match to.iter_mut().find(|(s, _)| s == source) {
+            Some((_, sum)) => *sum = sum.plus(more),
+            None => to.push((*source, more)),
+        }
+    }
+    to.retain(|(_, ratio)| !ratio.is_zero());
+}
+
+/// The unknowns that equations tell, by elimination.
+fn solved(mut equations: Vec<Equation>, unknowns: usize) -> Vec<Option<Combination>> {
+    let mut of = vec![None; unknowns];
+    let mut done = 0;
+    for (column, of) in of.iter_mut().enumerate() {
+        let best = (done..equations.len()).max_by(|&a, &b| {
+            let size = |i: usize| equations[i].factors[column].value.abs();
+            size(a).total_cmp(&size(b))
+        });
+        let Some(pivot) = best.filter(|&i| !equations[i].factors[column].is_zero()) else { continue };
+        equations.swap(done, pivot);
+        let factor = Ratio::ONE.over(equations[done].factors[column]);
+        let row = {
+            let r = &mut equations[done];
+            r.factors.iter_mut().for_each(|f| *f = f.times(factor));
+            r.sum.iter_mut().for_each(|(_, f)| *f = f.times(factor));
+            Equation { factors: r.factors.clone(), sum: r.sum.clone() }
+        };
+        for (i, other) in equations.iter_mut().enumerate() {
+            let times = other.factors[column];
+            if i != done && !times.is_zero() {
+                other.less(&row, times);
+            }
+        }
+        *of = Some(done);
+        done += 1;
+    }
+    let alone = |row: usize, column: usize| equations[row].factors.iter().enumerate().all(|(i, f)| i == column || f.is_zero());
+    of.iter().enumerate().map(|(column, row)| row.filter(|r| alone(*r, column)).map(|r| equations[r].sum.clone())).collect()
+}

@@ -1,0 +1,357 @@
+//! The drawing board of synthesis: constructions with ruler and compasses, in millimetres of paper.
+//!
+//! A [`Board`] knows nothing of the formulas: it lays off what is given to the scale μ_l, draws lines and circles, crosses them, and
+//! measures. Its own arithmetic is that of crossings, so that its agreement with the closed formula is evidence. Angles that are given
+//! are laid off with the protractor; halves, bisectors and circles through points are drawn.
+
+use super::candidate::Draft;
+use super::fourbar;
+use hodograph_base::diag::{Both, both};
+use hodograph_base::geom::{Point, Vec2, cross_lines};
+use hodograph_board::construct::pencil::{Blunt, Pencil};
+use hodograph_mechanism::mechanism::Level;
+pub use hodograph_mechanism::position::kernel::crossing as cross_circles;
+use std::cell::RefCell;
+
+/// How strongly a stroke is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Weight {
+    /// What is given.
+    Given,
+    /// Construction lines, which are kept 保留作图线.
+    Thin,
+    /// The linkage that comes out.
+    Result,
+}
+
+/// A stroke on the paper (mm).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stroke {
+    /// From one place to another.
+    Line(Point, Point),
+    /// A full circle.
+    Circle(Point, f64),
+    /// A short arc of a circle about a direction (rad), as the compasses strike it at a crossing.
+    Arc(Point, f64, f64),
+}
+
+/// A step of the construction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// What is done.
+    pub text: Both,
+    /// The strokes.
+    pub strokes: Vec<(Stroke, Weight)>,
+    /// Marks that it brings: name in the label language, place.
+    pub marks: Vec<(String, Point)>,
+}
+
+/// A length or angle read off the paper beside the formula's.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    /// The number of the design that it proves.
+    pub name: String,
+    /// On paper: mm, or radians of an angle.
+    pub measured: f64,
+    /// Whether it is an angle.
+    pub angle: bool,
+}
+
+/// The board.
+#[derive(Clone, Debug)]
+pub struct Board {
+    /// Metres for a millimetre of paper.
+    pub mu_l: f64,
+    /// What has been drawn.
+    pub steps: Vec<Step>,
+    /// What has been read.
+    pub readings: Vec<Reading>,
+    /// A hand that misses; none puts every mark where it is meant.
+    hand: RefCell<Option<Blunt>>,
+    /// The places that the hand has laid off (m), each with its mark: a place is marked once.
+    laid: RefCell<Vec<(Point, Point)>>,
+}
+
+/// Circles whose lines are nearer than this are seen to touch (mm).
+const LINE_MM: f64 = 0.5;
+/// Two places nearer than this are one (a pencil that misses apart).
+const SAME_MM: f64 = 1e-3;
+
+/// A way to draw a task.
+pub type Way<'a> = dyn Fn(&mut Board) -> Option<()> + 'a;
+
+/// A line on paper: a place and a direction.
+#[derive(Clone, Copy, Debug)]
+pub struct Line {
+    /// A place of it.
+    pub at: Point,
+    /// Its direction, a unit vector.
+    pub along: Vec2,
+}
+
+impl Line {
+    /// Through two places; `None` where they are one.
+    pub fn through(p: Point, q: Point) -> Option<Line> {
+        Some(Line { at: p, along: (q - p).unit()? })
+    }
+
+    /// From a place at an angle (rad).
+    pub fn ray(at: Point, angle: f64) -> Line {
+        Line { at, along: Vec2::from_angle(angle) }
+    }
+
+    /// The place at a distance along it.
+    pub fn place(&self, distance_mm: f64) -> Point {
+        self.at + self.along * distance_mm
+    }
+
+    /// Where it crosses another.
+    pub fn cross(&self, other: &Line) -> Option<Point> {
+        Some(cross_lines(self.at, self.along, other.at, other.along).at).filter(|p| p.is_finite())
+    }
+
+    /// Where it crosses a circle, in its own order.
+    pub fn cross_circle(&self, centre: Point, radius_mm: f64) -> Option<[Point; 2]> {
+        fourbar::cross_circle(self.at, self.along, centre, radius_mm).map(|both| both.map(|s| self.place(s)))
+    }
+
+    /// The square to it through a place.
+    pub fn square(&self, through: Point) -> Line {
+        Line { at: through, along: self.along.perp() }
+    }
+}
+
+impl Board {
+    /// An empty sheet.
+    pub fn new(mu_l: f64) -> Board {
+        Board { mu_l, steps: Vec::new(), readings: Vec::new(), hand: RefCell::default(), laid: RefCell::default() }
+    }
+
+    /// An empty sheet for a pencil that misses: what is laid off and pricked, openings of the compasses, readings.
+    pub fn by_hand(mu_l: f64, pencil: Blunt) -> Board {
+        Board { hand: RefCell::new(Some(pencil)), ..Board::new(mu_l) }
+    }
+
+    /// Where a mark falls that is meant to be at a place.
+    fn pricked(&self, at: Point) -> Point {
+        self.hand.borrow_mut().as_mut().map_or(at, |pencil| pencil.mark(Level::Position, at))
+    }
+
+    /// Where two circles cross, left of the line of centres first; a hand pricks them where they miss by no more than a pencil's line.
+    pub fn circles(&self, p: Point, r: f64, q: Point, s: f64) -> Option<[Point; 2]> {
+        let touching = || {
+            let gap = (p.distance(q) - r - s).max((r - s).abs() - p.distance(q));
+            let along = Line::through(p, q).filter(|_| self.misses() && gap < LINE_MM)?;
+            let at = along.place(if r >= s || p.distance(q) > s { r } else { -r });
+            Some([at, at])
+        };
+        let found = cross_circles(p, r, q, s).or_else(touching)?;
+        Some(found.map(|at| self.pricked(at)))
+    }
+
+    /// Where a line crosses a circle, in the line's order; see [`Board::circles`].
+    pub fn cut(&self, line: &Line, centre: Point, radius_mm: f64) -> Option<[Point; 2]> {
+        let touching = || {
+            let foot = line.place(line.along.dot(centre - line.at));
+            (self.misses() && foot.distance(centre) - radius_mm < LINE_MM).then_some([foot, foot])
+        };
+        let found = line.cross_circle(centre, radius_mm).or_else(touching)?;
+        Some(found.map(|at| self.pricked(at)))
+    }
+
+    fn misses(&self) -> bool {
+        self.hand.borrow().is_some()
+    }
+
+    /// What a reading stands for (m or rad).
+    pub fn value(&self, reading: &Reading) -> f64 {
+        if reading.angle { reading.measured.abs() } else { reading.measured * self.mu_l }
+    }
+
+    /// A length on paper.
+    pub fn mm(&self, length_m: f64) -> f64 {
+        let length = length_m / self.mu_l;
+        // Taken between the points of the compasses along a ruler: what counts of a miss is its part along it.
+        length + self.pricked(Point::ORIGIN).x
+    }
+
+    /// A place on paper. One that has been laid off before is the mark that is there.
+    pub fn at(&self, place: Point) -> Point {
+        let mut laid = self.laid.borrow_mut();
+        if let Some((_, mark)) = laid.iter().find(|(known, _)| *known == place) {
+            return *mark;
+        }
+        let mark = self.pricked(Point::new(place.x / self.mu_l, place.y / self.mu_l));
+        laid.push((place, mark));
+        mark
+    }
+
+    /// Begins a step.
+    pub fn step(&mut self, text: Both) -> &mut Board {
+        self.steps.push(Step { text: text.sentence(), strokes: Vec::new(), marks: Vec::new() });
+        self
+    }
+
+    fn last(&mut self) -> &mut Step {
+        if self.steps.is_empty() {
+            self.step(Both::default());
+        }
+        let end = self.steps.len() - 1;
+        &mut self.steps[end]
+    }
+
+    /// Draws a line.
+    pub fn line(&mut self, p: Point, q: Point, weight: Weight) -> &mut Board {
+        self.last().strokes.push((Stroke::Line(p, q), weight));
+        self
+    }
+
+    /// Draws a circle.
+    pub fn circle(&mut self, centre: Point, radius_mm: f64, weight: Weight) -> &mut Board {
+        self.last().strokes.push((Stroke::Circle(centre, radius_mm), weight));
+        self
+    }
+
+    /// Strikes a short arc about a centre at a place.
+    pub fn arc(&mut self, centre: Point, at: Point) -> &mut Board {
+        self.last().strokes.push((Stroke::Arc(centre, centre.distance(at), (at - centre).angle()), Weight::Thin));
+        self
+    }
+
+    /// Names a place.
+    pub fn mark(&mut self, name: &str, at: Point) -> &mut Board {
+        // A point that is found again in another way has its name.
+        let there = |(n, p): &(String, Point)| n == name && p.distance(at) < SAME_MM;
+        if !self.steps.iter().any(|s| s.marks.iter().any(there)) {
+            self.last().marks.push((name.to_owned(), at));
+        }
+        self
+    }
+
+    /// Reads a length.
+    pub fn read(&mut self, name: &str, p: Point, q: Point) -> &mut Board {
+        self.readings.push(Reading { name: name.to_owned(), measured: self.pricked(p).distance(self.pricked(q)), angle: false });
+        self
+    }
+
+    /// Reads an angle (rad).
+    pub fn read_angle(&mut self, name: &str, angle: f64) -> &mut Board {
+        self.readings.push(Reading { name: name.to_owned(), measured: angle, angle: true });
+        self
+    }
+
+    /// Perpendicular bisector: two circles of one opening, and the line through their crossings.
+    pub fn bisector(&mut self, p: Point, q: Point) -> Option<Line> {
+        // An opening well over the half makes the crossings sharp.
+        let opening = 0.7 * p.distance(q);
+        let [one, other] = cross_circles(p, opening, q, opening)?.map(|at| self.pricked(at));
+        let line = Line::through(one, other)?;
+        for (centre, at) in [(p, one), (q, one), (p, other), (q, other)] {
+            self.arc(centre, at);
+        }
+        let far = 0.35 * one.distance(other);
+        self.line(one - line.along * far, other + line.along * far, Weight::Thin);
+        Some(line)
+    }
+
+    /// The middle of two places.
+    pub fn middle(&mut self, p: Point, q: Point) -> Option<Point> {
+        let line = self.bisector(p, q)?;
+        line.cross(&Line::through(p, q)?).map(|at| self.pricked(at))
+    }
+
+    /// The centre of the circle through three places: two bisectors crossed.
+    pub fn centre(&mut self, p: Point, q: Point, r: Point) -> Option<Point> {
+        let (one, other) = (self.bisector(p, q)?, self.bisector(q, r)?);
+        let centre = self.pricked(one.cross(&other)?);
+        for (line, a, b) in [(one, p, q), (other, q, r)] {
+            let middle = a + (b - a) * 0.5;
+            if middle.distance(centre) > 0.0 && line.along.norm2() > 0.0 {
+                self.line(middle, centre, Weight::Thin);
+            }
+        }
+        Some(centre)
+    }
+
+    /// The circle over a chord with an inscribed angle (rad): its centre sees both ends under 90° − θ from the chord, on the left of it
+    /// seen from the first end (`left`).
+    pub fn inscribed(&mut self, p: Point, q: Point, angle: f64, left: bool) -> Option<(Point, f64)> {
+        let side = if left { 1.0 } else { -1.0 };
+        let lean = side * (std::f64::consts::FRAC_PI_2 - angle);
+        let chord = q - p;
+        let (one, other) = (Line::ray(p, chord.angle() + lean), Line::ray(q, (p - q).angle() - lean));
+        let centre = self.pricked(one.cross(&other)?);
+        self.line(p, centre, Weight::Thin).line(q, centre, Weight::Thin);
+        let radius = centre.distance(p);
+        self.circle(centre, radius, Weight::Thin);
+        Some((centre, radius))
+    }
+
+    /// Carries a place with a body from one position to another: two openings of the compasses, from two points of the body.
+    pub fn transfer(&mut self, at: Point, from: [Point; 2], to: [Point; 2]) -> Option<Point> {
+        let (r, s) = (at.distance(from[0]), at.distance(from[1]));
+        let left = (from[1] - from[0]).cross(at - from[0]) > 0.0;
+        let found = match cross_circles(to[0], r, to[1], s) {
+            Some([one, other]) => {
+                if left {
+                    one
+                } else {
+                    other
+                }
+            }
+            // In line with the two points the circles touch.
+            None => to[0] + (to[1] - to[0]) * ((at - from[0]).dot(from[1] - from[0]) / (from[1] - from[0]).norm2()),
+        };
+        let found = self.pricked(found);
+        self.arc(to[0], found).arc(to[1], found);
+        Some(found)
+    }
+
+    /// The limit positions of a crank and its coupler: half the difference of AC₁ and AC₂ is the crank, halved with the compasses.
+    pub fn halve(&mut self, a: Point, c: [Point; 2]) -> Option<()> {
+        self.halve_at(a, c, "F")
+    }
+
+    /// The same with another letter for the place where the difference begins, where F is taken.
+    pub fn halve_at(&mut self, a: Point, c: [Point; 2], letter: &str) -> Option<()> {
+        let far = usize::from(a.distance(c[1]) > a.distance(c[0]));
+        let (long, short) = (c[far], c[1 - far]);
+        let reach = a.distance(short) + self.pricked(Point::ORIGIN).x;
+        let ray = Line::through(a, long)?;
+        let cut = ray.place(reach);
+        self.step(both!(
+            "With AC{} as opening about A cut AC{} at {letter}; halve {letter}C{}: the half is the crank AB, the rest the coupler BC",
+            "以 A 为圆心、AC{} 为半径截 AC{} 于 {letter}；平分 {letter}C{}，其半为曲柄 AB，余长为连杆 BC",
+            2 - far,
+            far + 1,
+            far + 1
+        ));
+        self.arc(a, cut).arc(a, short).mark(letter, cut);
+        let middle = self.middle(cut, long)?;
+        self.mark("G", middle);
+        self.read("AB", middle, long).read("BC", a, middle);
+        let (crank, b) = (middle.distance(long), ray.place(middle.distance(long)));
+        self.step(both!(
+            "Draw the crank circle about A; B lies on AC{}: the linkage in that limit",
+            "以 A 为圆心作曲柄圆；B 在 AC{} 上：机构的该极限位置",
+            far + 1
+        ));
+        self.circle(a, crank, Weight::Given);
+        self.line(a, b, Weight::Result).line(b, long, Weight::Result).mark("B", b);
+        Some(())
+    }
+
+    /// Of several ways to read the task (which crossing, which side) the one that is meant: whose readings come nearest to the design's.
+    pub fn meant(&mut self, draft: &Draft, ways: &[&Way]) -> Option<()> {
+        let off = |board: &Board| {
+            let of = |r: &Reading| draft.numbers.iter().find(|n| n.name == r.name).map(|n| (board.value(r) - n.value.abs()).abs());
+            board.readings.iter().filter_map(of).fold(0.0, f64::max)
+        };
+        let drawn = ways.iter().filter_map(|way| {
+            let mut board = self.clone();
+            way(&mut board).map(|()| board)
+        });
+        *self = drawn.min_by(|a, b| off(a).total_cmp(&off(b)))?;
+        Some(())
+    }
+}

@@ -1,0 +1,52 @@
+//! Positions of a body: displacements from the first one, poles, and what makes a pin run on a circle.
+
+use hodograph_base::geom::{Point, Vec2};
+use std::f64::consts::PI;
+
+/// Where the body's frame is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Position {
+    /// Its origin (m).
+    pub origin: Point,
+    /// Its direction (rad).
+    pub angle: f64,
+}
+
+impl Position {
+    /// The place of a point given in the body's frame.
+    pub fn place(&self, local: Vec2) -> Point {
+        self.origin + local.rotate_by(Vec2::from_angle(self.angle))
+    }
+
+    /// A place carried from this position of the body to another.
+    pub fn carry(&self, to: &Position, at: Point) -> Point {
+        to.origin + (at - self.origin).rotate_by(Vec2::from_angle(to.angle - self.angle))
+    }
+
+    /// The pole of the displacement to another position: the point that stays; `None` where the body does not turn.
+    ///
+    /// P = M + (o' − o)⊥ / (2 tan(δ/2)), M the middle of both origins, δ the turning.
+    pub fn pole(&self, to: &Position) -> Option<Point> {
+        let half = (to.angle - self.angle) / 2.0;
+        // A turning of whole turns is none: the sine of its half tells that to rounding.
+        if libm::sin(half).abs() < 1e-12 {
+            return None;
+        }
+        let way = to.origin - self.origin;
+        Some(self.origin + way * 0.5 + way.perp() * (0.5 * libm::cos(half) / libm::sin(half)))
+    }
+}
+
+/// The centre of the circle through three points; `None` where they lie in a line. Also the angle under which the bisectors cross (rad).
+pub fn centre(p: Point, q: Point, r: Point) -> Option<(Point, f64)> {
+    let (u, v) = (q - p, r - p);
+    let cross = u.cross(v);
+    let angle = libm::asin((cross.abs() / (u.norm() * v.norm())).min(1.0));
+    // Under 1e-9 the centre is as far as the pivots of no linkage; below it rounding would place it.
+    if !(angle > 1e-9 && u.norm() > 0.0 && v.norm() > 0.0) {
+        return None;
+    }
+    let (a, b) = (u.norm2(), v.norm2());
+    let at = Vec2::new(v.y * a - u.y * b, u.x * b - v.x * a) * (0.5 / cross);
+    Some((p + at, angle.min(PI - angle)))
+}

@@ -1,0 +1,116 @@
+//! Positions as they are written: origin and angle of the body, or the places of two of its points.
+//!
+//! Two points B, C of the body tell a position as `[x, y, angle]` does: B is its origin, BC its direction. They keep one distance; coordinates have the
+//! digits of a book, so a small difference is told and C taken at the mean distance. B and C then are the moving pins of two or three positions, unless
+//! others or pivots are given.
+
+use super::pose::Position;
+use crate::form::Form;
+use hodograph_base::diag::{Diagnostic, both};
+use hodograph_base::digits::significant;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::json::{Kind, Node};
+
+/// Distances of two points of a body that differ by no more than this part of them are one, written with the digits of a book.
+const WRITTEN: f64 = 1e-2;
+/// Below this part of the distance a difference is rounding.
+const EXACT: f64 = 1e-9;
+
+/// How positions are written.
+const EXAMPLE: &str = "[[\"0 mm\", \"0 mm\", \"0 deg\"], ...]";
+
+/// The positions of a body, and the pins that they name in its frame.
+pub(super) struct Told {
+    /// Position by position.
+    pub all: Vec<Position>,
+    /// B and C, where positions are told by their places.
+    pub pins: Option<[Vec2; 2]>,
+}
+
+/// Reads them: two to five, of which no two are the same.
+pub(super) fn read(form: &Form) -> Option<Told> {
+    let items = form.items("positions", EXAMPLE, 2)?;
+    if items.len() > 5 {
+        let d = Diagnostic::error(
+            "wrong-count",
+            both!(
+                "a four-bar guides a body through five positions at most, here are {}",
+                "四杆机构至多能实现五个位置，此处有 {} 个",
+                items.len()
+            ),
+        );
+        form.fault(d.at(form.span("positions")).help(both!(
+            "take the five that matter, or `\"synthesis\": \"path\"` for the path of a point",
+            "请取最重要的五个；若只要求点的轨迹可用 `\"synthesis\": \"path\"`"
+        )));
+        return None;
+    }
+    let by_points = items.iter().all(|n| matches!(n.kind, Kind::Object(_)));
+    let told = if by_points { by_places(form, items)? } else { Told { all: by_angles(form, items)?, pins: None } };
+    apart(form, items, &told.all).then_some(told)
+}
+
+fn by_angles(form: &Form, items: &[Node]) -> Option<Vec<Position>> {
+    let one = |n| {
+        let [x, y, angle] = form.several::<3>(n, "positions", "[\"12 mm\", \"8 mm\", \"20 deg\"]")?;
+        let (x, y, angle) = (form.length_of(x, "positions"), form.length_of(y, "positions"), form.angle_of(angle, "positions"));
+        Some(Position { origin: Point::new(x?, y?), angle: angle? })
+    };
+    let found: Vec<Option<Position>> = items.iter().map(one).collect();
+    found.into_iter().collect()
+}
+
+fn by_places(form: &Form, items: &[Node]) -> Option<Told> {
+    let one = |n: &Node| {
+        let inner = form.object(n, "positions", &["B", "C"])?;
+        let place = |key: &str| inner.point_of(inner.need(key, "[\"0 mm\", \"0 mm\"]")?, key);
+        let (b, c) = (place("B"), place("C"));
+        Some((b?, c?))
+    };
+    let found: Vec<Option<(Point, Point)>> = items.iter().map(one).collect();
+    let found: Vec<(Point, Point)> = found.into_iter().collect::<Option<_>>()?;
+    let far: Vec<f64> = found.iter().map(|(b, c)| b.distance(*c)).collect();
+    let mean = far.iter().sum::<f64>() / far.len() as f64;
+    let off = |d: &f64| (d - mean).abs();
+    let worst = (0..far.len()).max_by(|i, j| off(&far[*i]).total_cmp(&off(&far[*j])))?;
+    if mean == 0.0 || off(&far[worst]) > WRITTEN * mean {
+        let [here, all] = [far[worst], mean].map(|l| significant(l * 1e3, 5));
+        let k = worst + 1;
+        let message = both!(
+            "B and C are {here} mm apart in position {k}, {all} mm on an average of all: they are no two points of one body",
+            "位置 {k} 中 B、C 相距 {here} mm，各位置平均为 {all} mm：二者不是同一构件上的点"
+        );
+        let help = both!("points of a rigid body keep their distance: check the coordinates", "刚体上两点距离不变：请检查坐标");
+        form.fault(Diagnostic::error("wrong-given", message).at(items[worst].span).help(help));
+        return None;
+    }
+    if off(&far[worst]) > EXACT * mean {
+        let [off, all] = [off(&far[worst]), mean].map(|l| significant(l * 1e3, 4));
+        let message = both!(
+            "the distances of B and C differ by up to {off} mm: {all} mm is taken, B where it is given, C on its ray",
+            "B、C 的距离相差至 {off} mm：取 {all} mm，B 取给定位置，C 取在射线 BC 上"
+        );
+        form.fault(Diagnostic::note("rounded", message).at(form.span("positions")));
+    }
+    let all = found.iter().map(|(b, c)| Position { origin: *b, angle: (*c - *b).angle() }).collect();
+    Some(Told { all, pins: Some([Vec2::ZERO, Vec2::new(mean, 0.0)]) })
+}
+
+/// Whether no two positions are the same.
+fn apart(form: &Form, items: &[Node], all: &[Position]) -> bool {
+    for (j, q) in all.iter().enumerate() {
+        for (i, p) in all[..j].iter().enumerate() {
+            if p.origin.distance(q.origin) == 0.0 && libm::sin((p.angle - q.angle) / 2.0).abs() < 1e-12 {
+                let (i, j) = (i + 1, j + 1);
+                let d =
+                    Diagnostic::error("precision-points-coincide", both!("positions {i} and {j} are the same", "位置 {i} 与位置 {j} 相同"));
+                form.fault(
+                    d.at(items[j - 1].span)
+                        .help(both!("leave one of them out: fewer positions have more solutions", "请去掉其中一个：位置越少，解越多")),
+                );
+                return false;
+            }
+        }
+    }
+    true
+}

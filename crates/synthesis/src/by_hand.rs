@@ -1,0 +1,110 @@
+//! What a pencil and a ruler make of a construction: drawn again and again by a hand that misses.
+//!
+//! Every place that is laid off, every opening of the compasses, crossing of bisectors, turned place and reading misses by the pencil's
+//! error, as marks of scenes do ([`Blunt`]); given angles are laid off exactly. The tolerance of a reading is the bound within which 95 of
+//! 100 drawings have it.
+
+use super::{Board, Candidate, Task};
+use hodograph_board::construct::pencil::{Blunt, USUAL_MM, WITHIN};
+
+/// Drawings: the 95 % bound of so many is known to a tenth of itself.
+const DRAWINGS: u64 = 200;
+
+/// The tolerances of a board's readings in their order (m or rad): within them lie 95 of 100 drawings with this pencil. `None` where so
+/// many drawings do not come to an end, circles that just meet passing one another.
+pub fn tolerances(task: &Task, candidate: &Candidate, board: &Board) -> Vec<Option<f64>> {
+    let pencil_mm = pencil_mm(task);
+    let drawn = |seed: u64| {
+        let mut hand = Board::by_hand(board.mu_l, Blunt::new(pencil_mm, seed));
+        task.wish.construct(&candidate.draft, &mut hand).map(|()| hand)
+    };
+    let all: Vec<Option<Board>> = (1..=DRAWINGS).map(drawn).collect();
+    let of = |k: usize| {
+        let exact = &board.readings[k];
+        let off = |hand: &Option<Board>| {
+            let read = hand.as_ref()?.readings.get(k).filter(|r| r.name == exact.name)?;
+            Some((board.value(read) - board.value(exact)).abs())
+        };
+        let mut far: Vec<f64> = all.iter().map(|hand| off(hand).unwrap_or(f64::INFINITY)).collect();
+        far.sort_by(f64::total_cmp);
+        let bound = (WITHIN * far.len() as f64).ceil() as usize - 1;
+        far.get(bound).copied().filter(|v| v.is_finite())
+    };
+    (0..board.readings.len()).map(of).collect()
+}
+
+/// The pencil of a task's paper, else the usual one (mm).
+pub fn pencil_mm(task: &Task) -> f64 {
+    task.paper.pencil_mm.unwrap_or(USUAL_MM)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{KINDS, construct, read, solve, templates};
+    use hodograph_base::geom::Point;
+
+    /// A point has one mark, however often the construction comes back to it.
+    #[test]
+    fn a_point_is_marked_once() {
+        let mut seen = 0;
+        for kind in KINDS {
+            let task = read(templates::get(kind.name).unwrap()).unwrap().value;
+            let design = solve(&task).unwrap();
+            for candidate in &design.candidates {
+                let Some(board) = construct(&task, candidate, 1e-3).unwrap() else { continue };
+                let mut hand = Board::by_hand(board.mu_l, Blunt::new(0.1, 3));
+                if task.wish.construct(&candidate.draft, &mut hand).is_none() {
+                    continue;
+                }
+                let mut marks: Vec<&str> = hand.steps.iter().flat_map(|s| &s.marks).map(|m| m.0.as_str()).collect();
+                let exact = board.steps.iter().flat_map(|s| &s.marks).count();
+                assert_eq!(marks.len(), exact, "{}: {marks:?}", kind.name);
+                marks.sort_unstable();
+                let all = marks.len();
+                marks.dedup();
+                assert_eq!(marks.len(), all, "{}", kind.name);
+                let place = Point::new(0.125, -0.25);
+                assert_eq!(hand.at(place), hand.at(place));
+                seen += all;
+            }
+        }
+        assert!(seen > 50, "{seen}");
+    }
+
+    /// Of `body` the given origins E are laid off once, not at each use: B and C of a position miss by what is laid off from its one E, and BC by two
+    /// lengths laid off and two ends read, each by σ = 0.1 mm/2.448 along it: 1.96 σ √4 = 0.160 mm.
+    #[test]
+    fn given_positions_are_laid_off_once() {
+        let task = read(templates::get("body").unwrap()).unwrap().value;
+        let design = solve(&task).unwrap();
+        let board = construct(&task, &design.candidates[0], 1e-3).unwrap().unwrap();
+        let at = board.readings.iter().position(|r| r.name == "BC").unwrap();
+        let off_mm = tolerances(&task, &design.candidates[0], &board)[at].unwrap() / board.mu_l;
+        assert!((0.144..0.176).contains(&off_mm), "{off_mm}");
+    }
+
+    /// A blunter pencil misses by more: in proportion, but where circles nearly touch, whose crossings go with the root; no reading of a template is hopeless; the same on every run.
+    #[test]
+    fn tolerances_grow_with_the_pencil() {
+        for kind in KINDS {
+            let text = templates::get(kind.name).unwrap();
+            let with = |pencil: &str| text.replacen('{', &format!("{{\"paper\": {{\"pencil\": \"{pencil}\"}},"), 1);
+            let of = |pencil: &str| {
+                let task = read(with(pencil)).unwrap().value;
+                let design = solve(&task).unwrap();
+                let candidate = &design.candidates[0];
+                let board = construct(&task, candidate, 1e-3).unwrap().unwrap();
+                (tolerances(&task, candidate, &board), board.readings)
+            };
+            let ((fine, readings), (blunt, _)) = (of("0.05 mm"), of("0.1 mm"));
+            assert_eq!(fine, of("0.05 mm").0);
+            for ((fine, blunt), reading) in fine.iter().zip(&blunt).zip(&readings) {
+                let (fine, blunt) = (fine.unwrap(), blunt.unwrap());
+                // An angle that is laid off with the protractor and read again is exact.
+                assert!(fine > 0.0 || reading.angle, "{}: {}", kind.name, reading.name);
+                assert!(fine == 0.0 || (1.05..2.5).contains(&(blunt / fine)), "{} {}: {fine} {blunt}", kind.name, reading.name);
+            }
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Three pairs of angles drawn by inversion 反转法: the crank's positions B, turned back about D by the follower's steps.
+
+use super::Function;
+use crate::board::{Board, Line, Weight};
+use crate::candidate::Draft;
+use hodograph_base::diag::both;
+use hodograph_base::digits::significant;
+use hodograph_base::geom::{Point, Vec2};
+
+impl Function {
+    /// Frame and crank are laid off; C₁ comes out. Of more than three pairs that are met exactly the first three are drawn.
+    pub(super) fn drawn(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+        let number = |name: &str| draft.numbers.iter().find(|n| n.name == name).map(|n| n.value);
+        // Where least squares or the exchange leave deviations, no crossing of circles is the linkage.
+        if draft.error > 0.0 {
+            return self.laid_on(draft, board);
+        }
+        let (a, d) = (Point::ORIGIN, Point::new(board.mm(number("AD")?), 0.0));
+        let (crank, alpha, phi) = (board.mm(number("AB")?), number("alpha0")?, number("phi0")?);
+        board.step(if self.steps.len() == 2 {
+            both!("Lay off the frame AD and the crank in its two positions AB1, AB2", "作机架 AD 及曲柄的两个位置 AB1、AB2")
+        } else {
+            both!(
+                "Lay off the frame AD and the crank in its first three positions AB1, AB2, AB3",
+                "作机架 AD 及曲柄的前三个位置 AB1、AB2、AB3"
+            )
+        });
+        board.line(a, d, Weight::Given).circle(a, crank, Weight::Thin).mark("A", a).mark("D", d);
+        let b: Vec<Point> = self.steps.iter().take(3).map(|s| a + Vec2::from_angle(alpha + s[0]) * crank).collect();
+        for (k, at) in b.iter().enumerate() {
+            board.line(a, *at, Weight::Given).mark(&format!("B_{}", k + 1), *at);
+        }
+        let mut turned = vec![b[0]];
+        for (k, at) in b.iter().enumerate().skip(1) {
+            let way = self.steps[k][1] - self.steps[0][1];
+            let back = d + (*at - d).rotate_by(Vec2::from_angle(-way));
+            let (j, angle) = (k + 1, significant(way.to_degrees(), 5));
+            board.step(both!(
+                "Turn DB{j} back about D by the follower's step ψ1{j} = {angle}°: B{j}'",
+                "将 DB{j} 绕 D 反转从动杆转角 ψ1{j} = {angle}°，得 B{j}'"
+            ));
+            board.line(d, *at, Weight::Thin).line(d, back, Weight::Thin).mark(&format!("B_{j}'"), back);
+            turned.push(back);
+        }
+        let c = match turned[..] {
+            [b1, b2] => {
+                board.step(both!(
+                    "The bisector of B1B2' meets the follower's first direction at C1",
+                    "B1B2' 的中垂线与从动杆第一位置的方向线交于 C1"
+                ));
+                let follower = Line::ray(d, phi + self.steps[0][1]);
+                let bisector = board.bisector(b1, b2)?;
+                let c = bisector.cross(&follower)?;
+                board.line(bisector.at, c, Weight::Thin);
+                c
+            }
+            _ => {
+                board.step(both!("The bisectors of B1, B2', B3' meet at C1", "B1、B2'、B3' 的中垂线交于 C1"));
+                board.centre(turned[0], turned[1], turned[2])?
+            }
+        };
+        board.mark("C_1", c);
+        board.step(both!(
+            "Draw the linkage AB1C1D; C1 lies on the follower's first direction",
+            "作位置 1 的机构 AB1C1D；C1 在从动杆第一位置的方向线上"
+        ));
+        board.line(a, b[0], Weight::Result).line(b[0], c, Weight::Result).line(c, d, Weight::Result).read("BC", b[0], c).read("CD", c, d);
+        let first = phi + self.steps[0][1];
+        let off = (c - d).angle() - first;
+        board.read_angle("phi0", phi + libm::atan2(libm::sin(off), libm::cos(off)));
+        Some(())
+    }
+}

@@ -1,0 +1,83 @@
+//! Approximations of a function drawn by laying on (图解试凑法): what the compasses give against the wanted directions of the follower.
+//!
+//! With the computed lengths the arcs about the crank's positions cross the follower's arc beside the rays that are wanted, as they do
+//! when a tracing of the rays is laid on the crank's positions; the follower's real angles are read.
+
+use super::freudenstein::Generator;
+use super::{Function, Target};
+use crate::board::{Board, Line, Weight};
+use crate::candidate::{Draft, Number};
+use crate::laid::{Laid, numbered, shown, side};
+use crate::told::of;
+use hodograph_base::diag::both;
+use hodograph_base::geom::{Point, Vec2};
+
+/// A ray reaches so far beyond the follower's arc.
+const BEYOND: f64 = 1.15;
+
+impl Function {
+    /// The positions that are drawn, with their numbers: the pairs, or the places of a curve's extreme deviations.
+    fn compared(&self, numbers: &[Number]) -> Vec<(usize, [f64; 2])> {
+        let all: Vec<(usize, [f64; 2])> = match &self.target {
+            Target::Curve { .. } => {
+                let place = |k: usize| numbers.iter().find(|n| n.name == format!("x_{k}")).map(|n| n.value);
+                (0..).map_while(|k| Some((k, self.target.step(place(k)?)?))).collect()
+            }
+            Target::Pairs { .. } => self.steps.iter().enumerate().map(|(k, s)| (k + 1, *s)).collect(),
+        };
+        shown(all.len()).into_iter().map(|k| all[k]).collect()
+    }
+
+    /// The follower's real angles at the positions that are drawn.
+    pub(super) fn outputs(&self, g: &Generator, numbers: &[Number]) -> Vec<Number> {
+        let what = both!("real angle of the follower", "从动杆的实际角");
+        let real = |(k, s): &(usize, [f64; 2])| Some(Number::angle(&format!("psi{k}"), what.clone(), g.output(s[0], g.start[1] + s[1])?));
+        self.compared(numbers).iter().filter_map(real).collect()
+    }
+
+    /// Crank positions, wanted rays, and the crossings of the arcs.
+    pub(super) fn laid_on(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+        let d = Point::new(of(draft, "AD"), 0.0);
+        let laid = Laid::off(board, draft, [Point::ORIGIN, d], None);
+        let (alpha, phi) = (of(draft, "alpha0"), of(draft, "phi0"));
+        let all = self.compared(&draft.numbers);
+        let which: Vec<usize> = all.iter().map(|p| p.0).collect();
+        board.step(both!(
+            "Lay off the computed lengths: the frame AD, and the crank in its positions {}",
+            "按计算所得杆长作机架 AD 及曲柄的各位置 {}",
+            numbered("AB", &which)
+        ));
+        board.line(laid.a, laid.d, Weight::Given).circle(laid.a, laid.crank, Weight::Thin).mark("A", laid.a).mark("D", laid.d);
+        for (k, s) in &all {
+            let b = laid.b(alpha + s[0]);
+            board.line(laid.a, b, Weight::Given).mark(&format!("B_{k}"), b);
+        }
+        board.step(both!(
+            "Lay the tracing on D: the wanted directions of the follower as rays, and the arc of its length CD",
+            "将透明纸置于 D：从动杆各期望方向的射线及以 CD 为半径的弧"
+        ));
+        board.circle(laid.d, laid.follower, Weight::Thin);
+        for (_, s) in &all {
+            board.line(laid.d, Line::ray(laid.d, phi + s[1]).place(BEYOND * laid.follower), Weight::Given);
+        }
+        board.step(both!(
+            "With BC as opening cut that arc about {}: {}; read the angles of DC, which miss the rays by the deviations",
+            "分别以 {} 为圆心、BC 为半径截该弧得 {}；量取 DC 的角，与射线之差即偏差",
+            numbered("B", &which),
+            numbered("C", &which)
+        ));
+        let mut drawn = Vec::new();
+        for (k, s) in &all {
+            let near = draft.wanted.iter().min_by(|p, q| (p.driver - alpha - s[0]).abs().total_cmp(&(q.driver - alpha - s[0]).abs()))?;
+            let pins = laid.at(board, alpha + s[0], side(near, d)?)?;
+            board.arc(pins.b, pins.c).line(laid.d, pins.c, Weight::Thin).mark(&format!("C_{k}"), pins.c);
+            let (wanted, off) = (phi + s[1], Vec2::from_angle((pins.c - laid.d).angle() - phi - s[1]).angle());
+            board.read_angle(&format!("psi{k}"), wanted + off);
+            drawn.push(pins);
+        }
+        let (k, first) = (which.first()?, drawn.first()?);
+        board.step(both!("Draw the linkage AB{k}C{k}D", "作机构 AB{k}C{k}D"));
+        laid.draw(board, first, Weight::Result);
+        Some(())
+    }
+}

@@ -1,0 +1,406 @@
+//! Function generation 按两连架杆对应位置, `"synthesis": "function"`: the output's angle as a function of the crank's.
+//!
+//! Either a function y(x) at Chebyshev's precision points x_k = (a+b)/2 − (b−a)/2 cos((2k−1)π/2n), or pairs of angles. A starting angle
+//! that is not given is an unknown. As many pairs as unknowns are met exactly ([`freudenstein`]; with crank and frame given, by
+//! inversion), more by least squares, or the greatest deviation is made least (`"fit": "minimax"`).
+
+mod course;
+mod drawing;
+mod explained;
+pub mod freudenstein;
+mod laid;
+mod nearest;
+mod solutions;
+
+use super::board::Board;
+use super::candidate::{Draft, Number, Wanted};
+use super::form::Form;
+use super::fourbar::{FourBar, Heading, named_lengths};
+use super::{Found, KindOfTask, Proof, Statement, Wish};
+use freudenstein::{Generator, Steps};
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_base::digits::metres;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_scene::front::Curve;
+use std::f64::consts::PI;
+
+/// The kind.
+pub const KIND: KindOfTask = KindOfTask {
+    name: "function",
+    what: ["the follower's angle as a function of the crank's", "按两连架杆的对应角位移（期望函数）设计"],
+    keys: &["function", "points", "fit", "input", "output", "pairs", "relative", "frame", "crank"],
+    read,
+};
+
+/// The frame where no size is given (m).
+const USUAL_FRAME: f64 = 0.1;
+
+#[derive(Clone, Debug)]
+struct Function {
+    target: Target,
+    steps: Steps,
+    /// Starting angles, where they are given.
+    start: [Option<f64>; 2],
+    minimax: bool,
+    frame: Option<f64>,
+    crank: Option<f64>,
+}
+
+/// What the output is to follow.
+#[derive(Clone, Debug)]
+enum Target {
+    /// Pairs of angles; what the output's first one is counted from (rad).
+    Pairs { zero: f64 },
+    /// y(x) over a range, with the swings of input and output.
+    Curve { text: String, curve: Curve, range: [f64; 2], swings: [f64; 2], values: [f64; 2], places: Vec<f64> },
+}
+
+impl Target {
+    /// The steps of input and output at x.
+    fn step(&self, x: f64) -> Option<[f64; 2]> {
+        let Target::Curve { curve, range, swings, values, .. } = self else { return None };
+        let along = (x - range[0]) / (range[1] - range[0]);
+        let up = (curve.at(x).ok()? - values[0]) / (values[1] - values[0]);
+        Some([swings[0] * along, swings[1] * up])
+    }
+}
+
+fn read(form: &Form) -> Option<Box<dyn Wish>> {
+    let fit = if form.has("fit") { form.choice("fit", &["points", "minimax"])? } else { "points" };
+    let frame = if form.has("frame") { Some(form.size("frame")?) } else { None };
+    let crank = if form.has("crank") { Some(form.size("crank")?) } else { None };
+    if form.has("function") && form.has("pairs") {
+        let message =
+            both!("`function` and `pairs` are both given: each alone says what is wanted", "同时给出了 `function` 和 `pairs`，应只给其一");
+        form.fault(
+            Diagnostic::error("wrong-given", message).at(form.span("pairs")).help(both!("leave one of the two out", "请去掉其中一个")),
+        );
+        return None;
+    }
+    for (key, with) in [("points", "pairs"), ("relative", "function")] {
+        if form.has(key) && form.has(with) {
+            let message = both!("`{key}` has no meaning beside `{with}`", "`{key}` 与 `{with}` 不能同时给出");
+            form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(both!("leave it out", "请去掉它")));
+        }
+    }
+    let (target, steps, start) = match (form.has("function"), form.has("pairs")) {
+        (true, false) => of_curve(form)?,
+        (false, true) => of_pairs(form)?,
+        _ => {
+            let d = Diagnostic::error("missing-key", both!("one of `function` and `pairs` is given", "应给出 `function` 与 `pairs` 之一"));
+            form.fault(d.at(form.span("function")).help(both!(
+                "write \"function\": {{\"y\": \"ln(x)\", \"from\": 1, \"to\": 2}}",
+                "请写 \"function\": {{\"y\": \"ln(x)\", \"from\": 1, \"to\": 2}}"
+            )));
+            return None;
+        }
+    };
+    let minimax = fit == "minimax";
+    if minimax && !matches!(target, Target::Curve { .. }) {
+        let d = Diagnostic::error("wrong-given", both!("`minimax` wants a function, not pairs", "`minimax` 需要函数，而不是角度对"));
+        form.fault(
+            d.at(form.span("fit")).help(both!("leave \"fit\" out: pairs are met by least squares", "请去掉 \"fit\"：角度对用最小二乘")),
+        );
+        return None;
+    }
+    let unknowns = 3 + start.iter().filter(|s| s.is_none()).count();
+    let two = steps.len() == 2;
+    if two && (crank.is_none() || frame.is_none() || start.iter().any(Option::is_none)) {
+        let message = both!("two pairs leave more than crank and frame can fix", "两对位置时，须给出曲柄、机架及绝对角度");
+        let help =
+            both!("give \"crank\", \"frame\" and absolute angles, or a third pair", "请给出 \"crank\"、\"frame\" 与绝对角度，或第三对位置");
+        form.fault(Diagnostic::error("wrong-given", message).at(form.span("pairs")).help(help));
+        return None;
+    }
+    let inverted = steps.len() == 3 && start[0].is_some() && start[1].is_none() && crank.is_some() && frame.is_some();
+    if !minimax && !inverted && !two && steps.len() < unknowns {
+        let (has, free) = (steps.len(), unknowns - 3);
+        let message = both!(
+            "{has} points are too few for {unknowns} unknowns: three lengths and {free} starting angles",
+            "{has} 个点少于 {unknowns} 个未知量：三个杆长比和 {free} 个初始角"
+        );
+        let help = both!(
+            "give {unknowns} points, a starting angle (\"from\"), or crank and frame with a given \"input\"",
+            "请给出 {unknowns} 个点、初始角 \"from\"，或给出 \"input\" 的初始角及 \"crank\"、\"frame\""
+        );
+        form.fault(Diagnostic::error("wrong-given", message).at(form.span("points")).help(help));
+        return None;
+    }
+    let alike = steps.iter().all(|[t, p]| t == p);
+    if !inverted && !two && !alike && crank.is_some() && frame.is_some() {
+        let message = both!(
+            "`crank` and `frame` are both given, but the pairs leave only the size free: the proportions follow from them",
+            "同时给出了 `crank` 与 `frame`，而各对应位置已确定杆长比，只有尺寸可选"
+        );
+        let help = both!(
+            "leave one of the two out; three pairs with a given \"input\" and \"relative\": \"output\" take both",
+            "请去掉其中一个；三对位置、给定 \"input\" 且 \"relative\": \"output\" 时可同时给出"
+        );
+        form.fault(Diagnostic::error("given-twice", message).at(form.span("crank")).help(help));
+        return None;
+    }
+    if let Some((i, j)) = coincide(&steps) {
+        let message = both!("the input is the same at points {i} and {j}", "第 {i} 点与第 {j} 点的输入角相同");
+        form.fault(
+            Diagnostic::error("precision-points-coincide", message)
+                .at(form.span("pairs"))
+                .help(both!("leave one of them out", "请去掉其中一个")),
+        );
+        return None;
+    }
+    Some(Box::new(Function { target, steps, start, minimax, frame, crank }))
+}
+
+fn coincide(steps: &Steps) -> Option<(usize, usize)> {
+    let pairs = (0..steps.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+    pairs.into_iter().find(|&(i, j)| libm::sin((steps[i][0] - steps[j][0]) / 2.0).abs() < 1e-12).map(|(i, j)| (i + 1, j + 1))
+}
+
+type Read = (Target, Steps, [Option<f64>; 2]);
+
+/// Precision points by Chebyshev's spacing.
+fn of_curve(form: &Form) -> Option<Read> {
+    let f = form.inner("function", &["y", "from", "to"])?;
+    f.need("y", "\"ln(x)\"")?;
+    let curve = f.curve("y", "x");
+    let text = f.word("y").map_or_else(String::new, |w| w.text);
+    let end = |key: &str| f.need(key, "1").and_then(|_| f.number_or_angle(key));
+    let (from, to) = (end("from"), end("to"));
+    // A range of angles, such as 0 to 90 deg; zero needs no unit.
+    let angle = from.zip(to).and_then(|(p, q)| p.1.or(q.1));
+    if let Some((p, q)) = from.zip(to).filter(|(p, q)| [p, q].iter().any(|v| v.1 != angle && v.0 != 0.0)) {
+        let message = both!("the range goes from {} to {}: of two kinds or units", "范围 {} 到 {} 的量纲或单位不同", p.0, q.0);
+        let help = both!("write both in degrees, both in radians, or both without a unit", "请两端都用度、都用弧度或都不带单位");
+        form.fault(Diagnostic::error("dimension", message).at(f.span("to")).help(help));
+        return None;
+    }
+    let (from, to) = (from.map(|v| v.0), to.map(|v| v.0));
+    let curve = curve.map(|c| match angle {
+        Some(degrees) => c.of_angle(degrees),
+        None => c,
+    });
+    let fit_five = form.word("fit").is_some_and(|w| w.text == "minimax");
+    let n = if fit_five {
+        Some(5)
+    } else if form.has("points") {
+        form.count("points", 2, 60)
+    } else {
+        Some(3)
+    };
+    let scale = |key: &str| {
+        form.need(key, "{\"from\": \"86 deg\", \"swing\": \"60 deg\"}")?;
+        let inner = form.inner(key, &["from", "swing"])?;
+        let swing = inner.need_angle("swing", "\"60 deg\"")?;
+        if swing == 0.0 {
+            let d = Diagnostic::error("out-of-range", both!("the swing of {key} is zero", "{key} 的摆角为零"));
+            form.fault(d.at(inner.span("swing")).help(both!("write \"swing\": \"60 deg\"", "请写 \"swing\": \"60 deg\"")));
+            return None;
+        }
+        Some((if inner.has("from") { Some(inner.angle("from")?) } else { None }, swing))
+    };
+    let (input, output) = (scale("input"), scale("output"));
+    let (curve, from, to, n, input, output) = (curve?, from?, to?, n?, input?, output?);
+    if from == to {
+        let d = Diagnostic::error("out-of-range", both!("the range of x is empty", "x 的范围为空"));
+        form.fault(d.at(f.span("to")).help(both!("write \"to\": {}", "请写 \"to\": {}", from + 1.0)));
+        return None;
+    }
+    let hint = if angle.is_some() || ["sin", "cos", "tan"].iter().any(|f| text.contains(f)) {
+        both!("where x is an angle, write the range so: \"from\": \"0 deg\"", "x 为角度时，请写 \"from\": \"0 deg\"")
+    } else {
+        both!("take a range on which the function has a value everywhere", "请取函数处处有值的范围")
+    };
+    let value = |x: f64| {
+        let faulty = |d: Diagnostic| form.fault(if d.help.is_none() { d.help(hint.clone()) } else { d }.at(f.span("y")));
+        curve.at(x).map_err(faulty).ok()
+    };
+    let values = [value(from)?, value(to)?];
+    if values[0] == values[1] {
+        let message = both!("y has the same value at both ends: the output's swing has no scale", "y 在两端的值相同：输出摆角无比例");
+        form.fault(
+            Diagnostic::error("out-of-range", message)
+                .at(f.span("y"))
+                .help(both!("take a range on which y rises or falls", "请取 y 单调的范围")),
+        );
+        return None;
+    }
+    let places = chebyshev(from, to, n);
+    for x in &places {
+        value(*x)?;
+    }
+    let target = Target::Curve { text, curve, range: [from, to], swings: [input.1, output.1], values, places: places.clone() };
+    let steps = places.iter().filter_map(|x| target.step(*x)).collect();
+    Some((target, steps, [input.0, output.0]))
+}
+
+/// Precision points: the zeros of Chebyshev's polynomial over the range.
+pub fn chebyshev(from: f64, to: f64, n: usize) -> Vec<f64> {
+    (1..=n).map(|k| (from + to) / 2.0 - (to - from) / 2.0 * libm::cos((2 * k - 1) as f64 * PI / (2 * n) as f64)).collect()
+}
+
+/// Pairs as written: absolute, or counted from the start that is given (`from`), or from one that is unknown (`relative`).
+fn of_pairs(form: &Form) -> Option<Read> {
+    let items = form.items("pairs", "[[\"60 deg\", \"0 deg\"], ...]", 2)?;
+    let pair = |n| {
+        let [input, output] = form.several::<2>(n, "pairs", "[\"60 deg\", \"0 deg\"]")?;
+        let (input, output) = (form.angle_of(input, "pairs"), form.angle_of(output, "pairs"));
+        Some([input?, output?])
+    };
+    let pairs: Vec<Option<[f64; 2]>> = items.iter().map(pair).collect();
+    let pairs = pairs.into_iter().collect::<Option<Vec<_>>>()?;
+    let relative = if form.has("relative") { form.choice("relative", &["input", "output", "both"])? } else { "" };
+    let free = [matches!(relative, "input" | "both"), matches!(relative, "output" | "both")];
+    let mut start = [None; 2];
+    let mut zero = [0.0; 2];
+    for (side, key) in ["input", "output"].into_iter().enumerate() {
+        let from = match form.inner(key, &["from"]) {
+            Some(inner) if inner.has("from") => Some(inner.angle("from")?),
+            _ => None,
+        };
+        match from {
+            Some(_) if free[side] => {
+                let message = both!(
+                    "the angles of the {key} count from an unknown start, and from a given one",
+                    "{key} 的角度既从未知角又从给定角起算"
+                );
+                let help = both!("leave out \"relative\" or \"from\"", "请去掉 \"relative\" 或 \"from\"");
+                form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(help));
+                return None;
+            }
+            // Angles from a given start are as they are written; others count from the first.
+            Some(from) => start[side] = Some(from),
+            None => {
+                zero[side] = pairs[0][side];
+                start[side] = (!free[side]).then_some(zero[side]);
+            }
+        }
+    }
+    let steps = pairs.iter().map(|p| [p[0] - zero[0], p[1] - zero[1]]).collect();
+    Some((Target::Pairs { zero: zero[1] }, steps, start))
+}
+
+impl Wish for Function {
+    fn title(&self) -> Both {
+        if matches!(self.target, Target::Pairs { .. }) {
+            return both!("Function generator for {} pairs of angles", "实现 {} 组对应角位置的函数机构", self.steps.len());
+        }
+        both!("Function generator with {} precision points", "{} 个插值结点的函数机构", self.steps.len())
+    }
+
+    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+        let mut notes = Vec::new();
+        let mut numbers = Vec::new();
+        if let Target::Curve { curve, places, .. } = &self.target {
+            for ((k, x), [alpha, phi]) in places.iter().enumerate().zip(&self.steps) {
+                let named = |letter: &str| format!("{letter}{}", k + 1);
+                numbers.push(Number::ratio(&named("x"), both!("precision point", "插值结点"), *x));
+                numbers.extend(
+                    curve.at(*x).ok().map(|y| Number::ratio(&named("y"), both!("value at the precision point", "结点处的函数值"), y)),
+                );
+                numbers.push(Number::angle(&named("alpha"), both!("the input's turn from its start", "输入构件自初始位置的转角"), *alpha));
+                numbers.push(Number::angle(&named("phi"), both!("the output's turn from its start", "输出构件自初始位置的转角"), *phi));
+            }
+        }
+        let none = |message: Both| Diagnostic::error("no-real-solution", message).help(self.nearest());
+        let generators = self.generators().map_err(none)?;
+        let unit = self.unit(&mut notes);
+        let drafts: Vec<Draft> = generators.iter().filter_map(|(which, g)| self.draft(which, g, unit, heading)).collect();
+        if drafts.is_empty() {
+            let message = both!(
+                "the coupler's length comes out imaginary: no four-bar closes at these points",
+                "连杆长为虚数：在这些点上没有四杆机构"
+            );
+            return Err(none(message).into());
+        }
+        Ok(Found { drafts, numbers, notes })
+    }
+
+    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+        self.drawn(draft, board)
+    }
+
+    fn statement(&self) -> Statement {
+        self.stated()
+    }
+
+    fn proof(&self, draft: &Draft) -> Vec<Proof> {
+        self.proved(draft)
+    }
+}
+
+impl Function {
+    /// Metres for a frame of 1.
+    fn unit(&self, notes: &mut Vec<Diagnostic>) -> Option<f64> {
+        match (self.frame, self.crank) {
+            (Some(frame), _) => Some(frame),
+            (None, Some(_)) => None,
+            (None, None) => {
+                let message = both!("the size is free: a frame of {} is taken", "尺寸可任取：取机架长 {}", metres(USUAL_FRAME));
+                notes.push(
+                    Diagnostic::note("free-choice", message).help(both!("give \"frame\" or \"crank\"", "可给出 \"frame\" 或 \"crank\"")),
+                );
+                Some(USUAL_FRAME)
+            }
+        }
+    }
+
+    fn draft(&self, which: &Both, g: &Generator, unit: Option<f64>, heading: &Heading) -> Option<Draft> {
+        let turned: Vec<&str> = ["AB", "DC"].into_iter().zip(g.k).filter(|(_, k)| *k < 0.0).map(|(n, _)| n).collect();
+        let raw = *g;
+        let g = g.upright();
+        let [a, b, c] = g.lengths()?;
+        let unit = unit.unwrap_or_else(|| self.crank.unwrap_or(USUAL_FRAME) / a);
+        let d = Point::new(unit, 0.0);
+        // Steps count from the upright start; whole turns do not matter.
+        let place = |s: &[f64; 2]| {
+            let psi = g.output(s[0], g.start[1] + s[1])?;
+            let (crank, follower) = (Vec2::from_angle(g.start[0] + s[0]), Vec2::from_angle(psi));
+            Some(((crank * (a * unit)).to_point(), d + follower * (c * unit)))
+        };
+        let wanted: Option<Vec<Wanted>> = self
+            .steps
+            .iter()
+            .map(|s| {
+                let (b, c) = place(s)?;
+                Some(Wanted { driver: g.start[0] + s[0], places: vec![("B".into(), b), ("C".into(), c)] })
+            })
+            .collect();
+        let wanted = wanted?;
+        let (b1, c1) = place(&self.steps[0])?;
+        let four = FourBar { a: Point::ORIGIN, b: b1, c: c1, d, e: None };
+        let mut numbers = named_lengths([a * unit, b * unit, c * unit, unit]);
+        for (i, (name, what)) in [
+            ("alpha0", both!("starting angle of the crank", "曲柄初始角")),
+            ("phi0", both!("starting angle of the follower", "从动杆初始角")),
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            numbers.push(Number::angle(name, what, g.start[i]));
+        }
+        numbers.extend(
+            raw.k
+                .iter()
+                .enumerate()
+                .map(|(i, k)| Number::ratio(&format!("K{}", i + 1), both!("Freudenstein's constant", "弗洛伊登斯坦方程系数"), *k)),
+        );
+        let exact = self.steps.iter().all(|s| g.rest(*s).abs() < 1e-9);
+        let missed = self.deviations(&g, &mut numbers);
+        let error = if exact { 0.0 } else { missed };
+        if error > 0.0 {
+            numbers.extend(self.outputs(&g, &numbers));
+        }
+        let mut remarks = Vec::new();
+        if !turned.is_empty() {
+            let message = both!("{} comes out negative: the arm is turned by 180°", "{} 为负：该杆转过 180°", Both::names(&turned));
+            remarks.push(Diagnostic::note("turned-arm", message));
+        }
+        Some(Draft {
+            ordered: true,
+            error,
+            course: self.sampled(&g),
+            remarks,
+            ..Draft::new(which.clone(), four.scene(heading), numbers, wanted)
+        })
+    }
+}

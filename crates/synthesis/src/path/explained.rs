@@ -1,0 +1,317 @@
+//! Path generation as a problem, and the formulas of its proof.
+
+use super::Path;
+use super::inversion::{back_to_first, turned_back};
+use super::prescribed::{Prescribed, Ray};
+use crate::candidate::Draft;
+use crate::told::{angle, centre_of_three, four_bar_wanted, length, of, place};
+use crate::{Proof, Statement};
+use hodograph_base::diag::{Both, both};
+use hodograph_base::geom::Point;
+
+/// Places that stand in a list; of more the first are told.
+const TOLD: usize = 12;
+
+impl Path {
+    pub(super) fn stated(&self) -> Statement {
+        let listed = |all: &[Point]| -> Vec<Both> {
+            let one = |(k, p): (usize, &Point)| {
+                let text = format!("$E_{{{}}} = {}$", k + 1, place(*p));
+                Both { en: text.clone(), zh: text }
+            };
+            let mut out: Vec<Both> = all.iter().take(TOLD).enumerate().map(one).collect();
+            if all.len() > TOLD {
+                out.push(both!("and {} places more, as in the file", "及文件中的其余 {} 个点", all.len() - TOLD));
+            }
+            out
+        };
+        match self {
+            Path::Three { points, pivots: [a, d], lengths, .. } => {
+                let mut given = listed(points);
+                given.push(pivots_told(*a, *d));
+                given.extend(lengths_told(*lengths));
+                Statement {
+                    task: both!(
+                        "Design a four-bar $ABCD$ whose coupler point $E$ passes through three given places.",
+                        "设计四杆机构 $ABCD$，使连杆上的点 $E$ 通过三个预定位置。"
+                    ),
+                    given,
+                    wanted: vec![both!(
+                        "the coupler $l_{{BC}}$, $l_{{CE}}$ and the follower $l_{{CD}}$",
+                        "连杆 $l_{{BC}}$、$l_{{CE}}$ 与从动连架杆 $l_{{CD}}$"
+                    )],
+                    open_steps: 1,
+                }
+            }
+            Path::Turned { points, pivots: [a, d], turns } => {
+                let mut given = listed(points);
+                given.push(pivots_told(*a, *d));
+                given.push(turns_told(turns));
+                Statement {
+                    task: both!(
+                        "Design a four-bar $ABCD$ whose coupler point $E$ passes through three given places at given turns of the crank.",
+                        "设计四杆机构 $ABCD$，使曲柄转过给定角度时连杆上的点 $E$ 通过三个预定位置。"
+                    ),
+                    given,
+                    wanted: vec![both!(
+                        "the crank $l_{{AB}}$, the coupler $l_{{BC}}$, $l_{{BE}}$, $l_{{CE}}$ and the follower $l_{{CD}}$",
+                        "曲柄 $l_{{AB}}$，连杆 $l_{{BC}}$、$l_{{BE}}$、$l_{{CE}}$ 与从动连架杆 $l_{{CD}}$"
+                    )],
+                    open_steps: 1,
+                }
+            }
+            Path::Prescribed(Prescribed { points, turns, lines }) => {
+                let mut given = listed(points);
+                given.push(turns_told(turns));
+                given.extend(lines.iter().flat_map(|[a, d]| [on_line("A", *a), on_line("D", *d)]));
+                Statement {
+                    task: both!(
+                        "Design a four-bar $ABCD$ whose coupler point $E$ passes through four given places at given turns of the crank.",
+                        "设计四杆机构 $ABCD$，使曲柄转过给定角度时连杆上的点 $E$ 通过四个预定位置。"
+                    ),
+                    given,
+                    wanted: vec![both!(
+                        "the pivots $A$, $D$, the crank $l_{{AB}}$, the coupler $l_{{BC}}$, $l_{{BE}}$, $l_{{CE}}$ and the follower $l_{{CD}}$",
+                        "固定铰链 $A$、$D$，曲柄 $l_{{AB}}$，连杆 $l_{{BC}}$、$l_{{BE}}$、$l_{{CE}}$ 与从动连架杆 $l_{{CD}}$"
+                    )],
+                    open_steps: 0,
+                }
+            }
+            Path::Several { points, a, lengths, line, .. } => {
+                let mut given = listed(points);
+                given.push(both!("pivot $A = {}$", "固定铰链 $A = {}$", place(*a)));
+                given.extend(lengths_told(*lengths));
+                given.extend(line.map(|line| on_line("D", line)));
+                let count = points.len();
+                Statement {
+                    task: both!(
+                        "Design a four-bar $ABCD$ whose coupler point $E$ passes through {count} given places.",
+                        "设计四杆机构 $ABCD$，使连杆上的点 $E$ 通过 {count} 个预定位置。"
+                    ),
+                    given,
+                    wanted: vec![both!(
+                        "the pivot $D$, the coupler $l_{{BC}}$, $l_{{CE}}$ and the follower $l_{{CD}}$",
+                        "固定铰链 $D$，连杆 $l_{{BC}}$、$l_{{CE}}$ 与从动连架杆 $l_{{CD}}$"
+                    )],
+                    open_steps: 0,
+                }
+            }
+            Path::Many { points, timing: Some(turns), .. } => {
+                let mut given = listed(points);
+                given.push(turns_told(turns));
+                Statement {
+                    task: both!(
+                        "Design a crank-rocker $ABCD$ whose coupler point $E$ is as near as possible to {} given places, at given turns of the crank.",
+                        "设计曲柄摇杆机构 $ABCD$，使曲柄转过给定角度时连杆上的点 $E$ 尽可能接近 {} 个预定位置。",
+                        points.len()
+                    ),
+                    given,
+                    wanted: many_wanted(),
+                    open_steps: 0,
+                }
+            }
+            Path::Many { points, timing: None, .. } => Statement {
+                task: both!(
+                    "Design a crank-rocker $ABCD$ whose coupler point $E$ passes as near as possible to {} given places, in their order.",
+                    "设计曲柄摇杆机构 $ABCD$，使连杆上的点 $E$ 依次尽可能接近 {} 个预定位置。",
+                    points.len()
+                ),
+                given: listed(points),
+                wanted: many_wanted(),
+                open_steps: 0,
+            },
+        }
+    }
+
+    pub(super) fn proved(&self, draft: &Draft) -> Vec<Proof> {
+        match self {
+            Path::Three { points, pivots, .. } => three(points, pivots[1], draft),
+            Path::Turned { points, pivots, turns } => {
+                let mut out = first_pin(points, pivots[0], turns, draft);
+                out.extend(three(points, pivots[1], draft));
+                out
+            }
+            Path::Prescribed(wish) => by_burmester(&wish.points, &wish.turns, draft),
+            Path::Many { points, timing: Some(turns), .. } if super::is_met(draft) => by_burmester(points, turns, draft),
+            Path::Several { points, .. } => several(points, draft),
+            Path::Many { points, timing, .. } => many(points.len(), timing.is_some(), draft),
+        }
+    }
+}
+
+/// A from the positions of a plane that turns with the crank, B₁ from the places turned back, D and C₁ from those of the coupler.
+fn by_burmester(e: &[Point], turns: &[f64], draft: &Draft) -> Vec<Proof> {
+    let a = Point::new(of(draft, "A_x"), of(draft, "A_y"));
+    let centre = Proof::new(
+        both!(
+            "$A$ is a centre point (Burmester) of the positions of a plane that has its origin in $E_k$ and turns with the crank:",
+            "以 $E_k$ 为原点并随曲柄转动的平面的各位置，其圆心点（布尔梅斯特）即为 $A$："
+        ),
+        [format!("A = {}", place(a))],
+    );
+    [vec![centre], first_pin(e, a, turns, draft), several(e, draft)].concat()
+}
+
+/// B₁ from the places turned back with the crank.
+fn first_pin(e: &[Point], a: Point, turns: &[f64], draft: &Draft) -> Vec<Proof> {
+    let back = turned_back(e, a, turns);
+    let [Some(second), Some(third)] = [1, 2].map(|k| back.get(k).copied()) else { return Vec::new() };
+    let b1 = Point::new(of(draft, "B1_x"), of(draft, "B1_y"));
+    let places: Vec<String> = back.iter().enumerate().skip(1).map(|(k, p)| format!("E_{}' = {}", k + 1, place(*p))).collect();
+    vec![
+        Proof::new(
+            both!(
+                "Turned back about $A$ with the crank, $\\delta_k$ its turn from place 1 to $k$, $E_k$ comes to",
+                "随曲柄绕 $A$ 反转（$\\delta_k$ 为曲柄由位置 1 到 $k$ 的转角）："
+            ),
+            ["E_k' = A + R(−\\delta_k)\\,(E_k − A)".to_owned(), places.join(" ,\\quad ")],
+        ),
+        centre_of_three(
+            both!(
+                "$B_1$ is as far from $E_1$ as from $E_2'$ and $E_3'$: the squares of the distances, subtracted, are linear equations (mm).",
+                "$B_1$ 到 $E_1$、$E_2'$、$E_3'$ 等距：距离平方相减得线性方程（mm）。"
+            ),
+            [e[0], second, third],
+            "B_1",
+            b1,
+        ),
+    ]
+}
+
+/// The crank's turns from the first place; of many the first.
+fn turns_told(turns: &[f64]) -> Both {
+    let turned: Vec<String> = turns.iter().skip(1).take(TOLD - 1).map(|t| angle(t - turns[0])).collect();
+    let more = if turns.len() > TOLD { ", ..." } else { "" };
+    both!("turns of the crank from $E_1$: ${}{more}$", "曲柄自 $E_1$ 的转角：${}{more}$", turned.join(" ,\\quad "))
+}
+
+fn on_line(letter: &str, (through, along): Ray) -> Both {
+    let (at, angle) = (place(through), angle(along.angle()));
+    both!("${letter}$ on the line through ${at}$ under ${angle}$", "${letter}$ 在过 ${at}$、倾角为 ${angle}$ 的直线上")
+}
+
+fn pivots_told(a: Point, d: Point) -> Both {
+    both!("pivots $A = {}$, $D = {}$", "固定铰链 $A = {}$，$D = {}$", place(a), place(d))
+}
+
+fn lengths_told([crank, be]: [f64; 2]) -> [Both; 2] {
+    [
+        both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(crank)),
+        both!("$l_{{BE}} = {}$ on the coupler", "连杆上 $l_{{BE}} = {}$", length(be)),
+    ]
+}
+
+/// B in all positions.
+fn pins(draft: &Draft) -> Vec<Point> {
+    draft.wanted.iter().flat_map(|w| &w.places).filter(|(n, _)| n == "B").map(|(_, p)| *p).collect()
+}
+
+/// Four or five places: D on the centre-point curve, checked by its places carried back.
+fn several(e: &[Point], draft: &Draft) -> Vec<Proof> {
+    let b = pins(draft);
+    if b.len() != e.len() {
+        return Vec::new();
+    }
+    let [d, c] = ["D", "C1"].map(|n| Point::new(of(draft, &format!("{n}_x")), of(draft, &format!("{n}_y"))));
+    let listed = |letter: &str, all: Vec<Point>, from: usize, dash: &str| {
+        let one = |(k, p): (usize, &Point)| format!("{letter}_{}{dash} = {}", k + from, place(*p));
+        all.iter().enumerate().map(one).collect::<Vec<_>>().join(" ,\\quad ")
+    };
+    let back: Vec<Point> = (1..e.len()).map(|k| back_to_first(d, &b, e, k)).collect();
+    let far: Vec<String> = back.iter().map(|p| length(p.distance(c))).collect();
+    vec![
+        Proof::new(
+            both!("$B_i$ lies on the crank's circle and at $l_{{BE}}$ from $E_i$:", "$B_i$ 在曲柄圆上，且到 $E_i$ 的距离为 $l_{{BE}}$："),
+            [listed("B", b.clone(), 1, "")],
+        ),
+        Proof::new(
+            both!(
+                "$D$ is a centre point of the positions of $BE$ (Burmester), $C_1$ its pin. Carried back with the coupler into position 1 all places of $D$ lie on a circle about $C_1$:",
+                "$D$ 是 $BE$ 各位置的圆心点（布尔梅斯特），$C_1$ 为其动铰链。$D$ 随连杆反转到位置 1 的各点在以 $C_1$ 为圆心的圆上："
+            ),
+            [
+                format!("D = {} ,\\quad C_1 = {}", place(d), place(c)),
+                listed("D", back, 2, "'"),
+                format!("l_{{CD}} = {} ,\\quad {}", length(of(draft, "CD")), far.join(" ,\\quad ")),
+            ],
+        ),
+        Proof::new(both!("So", "于是"), [["BC", "CE", "CD"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n)))).join(" ,\\quad ")]),
+    ]
+}
+
+fn three(e: &[Point; 3], d: Point, draft: &Draft) -> Vec<Proof> {
+    let Ok(b) = <[Point; 3]>::try_from(pins(draft)) else { return Vec::new() };
+    let turned = [1, 2].map(|k| back_to_first(d, &b, e, k));
+    let c1 = Point::new(of(draft, "C1_x"), of(draft, "C1_y"));
+    let crank = |k: usize| format!("B_{} = {}", k + 1, place(b[k]));
+    vec![
+        Proof::new(
+            both!("$B_i$ lies on the crank's circle and at $l_{{BE}}$ from $E_i$:", "$B_i$ 在曲柄圆上，且到 $E_i$ 的距离为 $l_{{BE}}$："),
+            [format!("{} ,\\quad {} ,\\quad {}", crank(0), crank(1), crank(2))],
+        ),
+        Proof::new(
+            both!(
+                "Carried back with the coupler into position 1, $\\delta_j$ the turning of $BE$ from position 1 to $j$, $D$ comes to",
+                "$D$ 随连杆反转到位置 1（$\\delta_j$ 为 $BE$ 由位置 1 到 $j$ 的转角）："
+            ),
+            [
+                "D_j' = B_1 + R(−\\delta_j)\\,(D − B_j)".to_owned(),
+                format!("D_2' = {} ,\\quad D_3' = {}", place(turned[0]), place(turned[1])),
+            ],
+        ),
+        centre_of_three(
+            both!(
+                "$C_1$ is as far from $D$ as from $D_2'$ and $D_3'$: the squares of the distances, subtracted, are linear equations (mm).",
+                "$C_1$ 到 $D$、$D_2'$、$D_3'$ 等距：距离平方相减得线性方程（mm）。"
+            ),
+            [d, turned[0], turned[1]],
+            "C_1",
+            c1,
+        ),
+        Proof::new(both!("So", "于是"), [["BC", "CE", "CD"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n)))).join(" ,\\quad ")]),
+    ]
+}
+
+fn many_wanted() -> Vec<Both> {
+    vec![four_bar_wanted(), both!("the frame $AD$ and the place of $E$ on the coupler", "机架 $AD$ 及 $E$ 在连杆上的位置")]
+}
+
+fn many(count: usize, timed: bool, draft: &Draft) -> Vec<Proof> {
+    let lengths = ["AB", "BC", "CD", "AD"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n))));
+    let (how, at) = if timed {
+        let how = both!(
+            "Ten unknowns (place of $A$, direction of the frame, four lengths, $E$ on the coupler, the crank's first angle $\\varphi_1$) make the sum of the squared distances least at the given turns $\\delta_k$; $E = A + z_1 p_k + z_2 q_k$, with $p_k$, $q_k$ the directions of crank and coupler from the frame, is linear in $A$, $z_1$, $z_2$, so that differential evolution runs over the ratios of the lengths and $\\varphi_1$ only; then Gauss-Newton over all:",
+            "十个未知量（$A$ 的位置、机架方向、四个杆长、$E$ 在连杆上的位置、曲柄初位角 $\\varphi_1$）使给定转角 $\\delta_k$ 处的距离平方和最小；$E = A + z_1 p_k + z_2 q_k$（$p_k$、$q_k$ 为曲柄、连杆相对机架的方向）对 $A$、$z_1$、$z_2$ 为线性，故差分进化只搜索杆长比和 $\\varphi_1$；再对全部未知量用高斯–牛顿法："
+        );
+        (how, "\\varphi_1 + \\delta_k")
+    } else {
+        let how = both!(
+            "Nine unknowns (place of $A$, direction of the frame, four lengths, $E$ on the coupler) and a crank angle for each place make the sum of the squared distances least; found by differential evolution, then Gauss-Newton:",
+            "九个未知量（$A$ 的位置、机架方向、四个杆长、$E$ 在连杆上的位置）及各点的曲柄转角使距离平方和最小；先用差分进化，再用高斯–牛顿法："
+        );
+        (how, "\\varphi_k")
+    };
+    vec![
+        Proof::new(
+            how,
+            [
+                format!("d_k = |E({at}) − E_k| ,\\quad d = \\sqrt{{(d_1^2 + d_2^2 + ... + d_{{{count}}}^2)/{count}}}"),
+                format!("d = {} ,\\quad d_{{\\text{{max}}}} = {}", length(of(draft, "rms")), length(of(draft, "max"))),
+            ],
+        ),
+        Proof::new(
+            both!("The linkage:", "所得机构："),
+            [
+                lengths.join(" ,\\quad "),
+                format!(
+                    "A = {} ,\\quad \\varphi = {} ,\\quad \\varphi_1 = {} ,\\quad u = {} ,\\quad v = {}",
+                    place(Point::new(of(draft, "A_x"), of(draft, "A_y"))),
+                    angle(of(draft, "phi")),
+                    angle(of(draft, "crank_1")),
+                    length(of(draft, "u")),
+                    length(of(draft, "v"))
+                ),
+            ],
+        ),
+    ]
+}

@@ -1,0 +1,66 @@
+//! The linkage of a search drawn at all places that it is to pass, and what its coupler point misses them by.
+
+use crate::board::{Board, Weight};
+use crate::candidate::{Draft, Number};
+use crate::laid::{Laid, numbered, shown, side};
+use crate::told::of;
+use hodograph_base::diag::both;
+use hodograph_base::geom::{Point, Vec2};
+
+/// A distance below this part of the path is rounding.
+const NOTHING: f64 = 1e-12;
+
+/// E is named beside its place where the eye parts the two (mm).
+const APART_MM: f64 = 1.0;
+
+/// The distances of the coupler point from the places that are drawn (m).
+pub fn distances(far: &[f64], extent: f64) -> Vec<Number> {
+    let what = both!("distance of E from the place", "E 到给定点的距离");
+    let told = |v: f64| if v < NOTHING * extent { 0.0 } else { v };
+    shown(far.len()).into_iter().map(|k| Number::length(&format!("delta{}", k + 1), what.clone(), told(far[k]))).collect()
+}
+
+/// The computed lengths laid off, the crank at its angle for each place, the distances read.
+pub fn drawn(board: &mut Board, draft: &Draft) -> Option<()> {
+    let a = Point::new(of(draft, "A_x"), of(draft, "A_y"));
+    let d = a + Vec2::from_angle(of(draft, "phi")) * of(draft, "AD");
+    let laid = Laid::off(board, draft, [a, d], Some(Vec2::new(of(draft, "u"), of(draft, "v"))));
+    let all = shown(draft.targets.len());
+    let which: Vec<usize> = all.iter().map(|k| k + 1).collect();
+    board.step(both!("Lay off the wanted places {}", "作出给定点 {}", numbered("P", &which)));
+    let targets: Vec<Point> = all.iter().map(|k| board.at(draft.targets[*k])).collect();
+    for (k, at) in which.iter().zip(&targets) {
+        board.mark(&format!("P_{k}"), *at);
+    }
+    board.step(both!(
+        "Lay off the computed lengths: A and D, the crank circle AB and the follower's circle CD",
+        "按计算所得尺寸作 A、D、曲柄圆 AB 及从动杆圆 CD"
+    ));
+    board.line(laid.a, laid.d, Weight::Given).circle(laid.a, laid.crank, Weight::Thin).circle(laid.d, laid.follower, Weight::Thin);
+    board.mark("A", laid.a).mark("D", laid.d);
+    board.step(both!(
+        "For each place draw the crank at its angle, C with BC as opening about B, E by the set square on BC: {}",
+        "对每个位置作曲柄，以 B 为圆心、BC 为半径定 C，再用三角板由 BC 定 E：{}",
+        numbered("E", &which)
+    ));
+    let mut first = None;
+    for (k, target) in all.iter().zip(&targets) {
+        let wanted = draft.wanted.get(*k)?;
+        let pins = laid.at(board, wanted.driver, side(wanted, d)?)?;
+        board.arc(pins.b, pins.c).arc(laid.d, pins.c).line(pins.b, pins.c, Weight::Thin).line(pins.b, pins.e, Weight::Thin);
+        board.line(pins.c, pins.e, Weight::Thin).mark(&format!("B_{}", k + 1), pins.b);
+        if pins.e.distance(*target) > APART_MM {
+            board.mark(&format!("E_{}", k + 1), pins.e);
+        }
+        board.read(&format!("delta{}", k + 1), pins.e, *target);
+        first = first.or(Some(pins));
+    }
+    board.step(both!(
+        "Draw the linkage at place 1; read the distances of {} from {}",
+        "作位置 1 的机构；量取 {} 到 {} 的距离",
+        numbered("E", &which),
+        numbered("P", &which)
+    ));
+    laid.draw(board, &first?, Weight::Result);
+    Some(())
+}

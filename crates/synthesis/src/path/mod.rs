@@ -1,0 +1,383 @@
+//! Path generation 按预定轨迹, `"synthesis": "path"`: a point E of the coupler through given places.
+//!
+//! Places met exactly, by [`inversion`]: three with A, D and either crank and BE or the crank's turns; four and five with A, crank and BE; four at given
+//! turns of the crank with lines for A and D ([`prescribed`]). Five places
+//! and more with nothing else given: least squares of the distances ([`hodograph_search`]), or at given turns of the crank ([`hodograph_search::timed`]).
+
+mod drawing;
+mod explained;
+mod inversion;
+mod laid;
+mod prescribed;
+mod sides;
+
+use super::board::Board;
+use super::candidate::{Draft, Number, Wanted};
+use super::form::Form;
+use super::fourbar::{FourBar, Heading, named_lengths};
+use super::{Found, KindOfTask, Proof, Statement, Wish};
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_base::digits::significant;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_search::{self as search, Fit, timed};
+use prescribed::Prescribed;
+use sides::Sides;
+use std::f64::consts::TAU;
+
+/// The kind.
+pub const KIND: KindOfTask = KindOfTask {
+    name: "path",
+    what: ["a coupler point through given places", "按连杆上一点的预定轨迹设计"],
+    keys: &["points", "ground", "crank", "BE", "side", "line", "line_A", "timing", "seed"],
+    read,
+};
+
+#[derive(Clone, Debug)]
+enum Path {
+    /// Three places, crank and BE given.
+    Three { points: [Point; 3], pivots: [Point; 2], lengths: [f64; 2], sides: Sides },
+    /// Three places at given angles of the crank (rad).
+    Turned { points: [Point; 3], pivots: [Point; 2], turns: [f64; 3] },
+    /// Four places at given angles of the crank.
+    Prescribed(Prescribed),
+    /// Four places with a line for D, or five; crank and BE given.
+    Several { points: Vec<Point>, a: Point, lengths: [f64; 2], sides: Sides, line: Option<(Point, Vec2)> },
+    /// Many, the crank's angles at them where these are given (rad).
+    Many { points: Vec<Point>, timing: Option<Vec<f64>>, seed: u64 },
+}
+
+fn read(form: &Form) -> Option<Box<dyn Wish>> {
+    let points = form.points("points", "[[\"50 mm\", \"70 mm\"], ...]", 3)?;
+    for j in 1..points.len() {
+        if points[..j].contains(&points[j]) && (j + 1 < points.len() || points[j] != points[0]) {
+            let k = j + 1;
+            let d = Diagnostic::error(
+                "precision-points-coincide",
+                both!("point {k} of the path repeats an earlier one", "轨迹上第 {k} 点与前面的点重复"),
+            );
+            form.fault(d.at(form.span("points")).help(both!("leave it out", "请去掉该点")));
+            return None;
+        }
+    }
+    let given: Vec<&str> = ["ground", "crank", "BE", "side", "line", "line_A"].into_iter().filter(|k| form.has(k)).collect();
+    match <[Point; 3]>::try_from(points) {
+        Ok(points) => three(form, points),
+        Err(points) if points.len() == 4 && form.has("timing") => Some(Box::new(Path::Prescribed(prescribed::read(form, points)?))),
+        Err(points) if points.len() == 4 || points.len() == 5 && !given.is_empty() => several(form, points),
+        Err(points) if given.is_empty() => {
+            let seed = if form.has("seed") { form.count("seed", 0, 1_000_000_000)? } else { 1 };
+            let timing = if form.has("timing") { Some(timing(form, points.len())?) } else { None };
+            Some(Box::new(Path::Many { points, timing, seed: seed as u64 }))
+        }
+        Err(points) => {
+            let (key, count) = (given[0], points.len());
+            let message = both!(
+                "`{key}` is given for three to five points; here are {count}, through which all lengths are sought",
+                "`{key}` 只用于三至五个点；此处有 {count} 个点，全部杆长待求"
+            );
+            let help = both!(
+                "give five points at most with ground, crank and BE, or the points alone",
+                "请给至多五个点及 ground、crank、BE，或只给各点"
+            );
+            form.fault(Diagnostic::error("wrong-given", message).at(form.span("points")).help(help));
+            None
+        }
+    }
+}
+
+/// The crank's angles at the places: one for each, of which no two are the same position of the crank.
+fn timing(form: &Form, places: usize) -> Option<Vec<f64>> {
+    let angles: Vec<Option<f64>> = form.items("timing", TIMING, 1)?.iter().map(|n| form.angle_of(n, "timing")).collect();
+    let angles: Vec<f64> = angles.into_iter().collect::<Option<_>>()?;
+    if angles.len() != places {
+        let message = both!(
+            "\"timing\" has {} angles for {} points: each has its own",
+            "\"timing\" 有 {} 个角，而有 {} 个点：每点应有一个",
+            angles.len(),
+            places
+        );
+        let help = both!("write one angle of the crank for each point; only their differences count", "请为每点写一个曲柄转角；只计其差值");
+        form.fault(Diagnostic::error("wrong-count", message).at(form.span("timing")).help(help));
+        return None;
+    }
+    for j in 1..angles.len() {
+        let same = |i: &usize| libm::sin((angles[j] - angles[*i]) / 2.0).abs() < 1e-9;
+        if let Some(i) = (0..j).find(same) {
+            let message = both!(
+                "the crank stands the same at points {} and {}, which differ",
+                "第 {} 点与第 {} 点处曲柄位置相同，而两点不同",
+                i + 1,
+                j + 1
+            );
+            let help = both!(
+                "give every point an angle of its own within a turn, or leave out one of the two",
+                "请在一周内为每点写不同的转角，或去掉其中一点"
+            );
+            form.fault(Diagnostic::error("precision-points-coincide", message).at(form.span("timing")).help(help));
+            return None;
+        }
+    }
+    Some(angles)
+}
+
+/// A search that comes so near (parts of the path) has found what meets the places.
+const MET: f64 = 1e-9;
+
+/// How a timing is written.
+const TIMING: &str = "[\"0 deg\", \"20 deg\", ...]";
+
+/// Three places: A and D, with crank and BE or the crank's angles.
+fn three(form: &Form, points: [Point; 3]) -> Option<Box<dyn Wish>> {
+    form.need("ground", "{\"A\": [\"0 mm\", \"0 mm\"], \"D\": [\"100 mm\", \"0 mm\"]}")?;
+    let inner = form.inner("ground", &["A", "D"])?;
+    let pivot = |key: &str| inner.point_of(inner.need(key, "[\"0 mm\", \"0 mm\"]")?, key);
+    let (a, d) = (pivot("A"), pivot("D"));
+    if form.has("timing") {
+        if let Some(key) = ["crank", "BE", "side"].into_iter().find(|k| form.has(k)) {
+            let message = both!("with `timing` three places fix `{key}` by themselves", "给出 `timing` 时三个位置已确定 `{key}`");
+            let help = both!("leave it out, or leave `timing` out", "请去掉它，或去掉 `timing`");
+            form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(help));
+            return None;
+        }
+        let turns = <[f64; 3]>::try_from(timing(form, 3)?).ok()?;
+        return Some(Box::new(Path::Turned { points, pivots: [a?, d?], turns }));
+    }
+    let lengths = lengths(form);
+    let sides = sides::read(form, 3);
+    Some(Box::new(Path::Three { points, pivots: [a?, d?], lengths: lengths?, sides: sides? }))
+}
+
+/// Four or five places: A, crank and BE; for four a line on which D lies.
+fn several(form: &Form, points: Vec<Point>) -> Option<Box<dyn Wish>> {
+    if let Some(key) = ["timing", "seed"].into_iter().find(|k| form.has(k)) {
+        let message = match key {
+            "timing" => both!(
+                "`timing` is given for three or four places, or for five and more alone",
+                "`timing` 只用于三、四个点，或单独给出的五个以上的点"
+            ),
+            _ => both!("`seed` belongs to a search; four and five places are met exactly", "`seed` 用于搜索；四、五个位置可精确实现"),
+        };
+        form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(both!("leave it out", "请去掉它")));
+        return None;
+    }
+    form.need("ground", "{\"A\": [\"0 mm\", \"0 mm\"]}")?;
+    let inner = form.inner("ground", &["A", "D"])?;
+    let a = inner.point_of(inner.need("A", "[\"0 mm\", \"0 mm\"]")?, "A");
+    if inner.has("D") {
+        let message = both!("with four or five places D follows: it lies on the centre-point curve", "四、五个位置时 D 由圆心曲线确定");
+        let help = both!("leave D out; for four places give the \"line\" on which it lies", "请去掉 D；四个位置时请给出 D 所在的 \"line\"");
+        form.fault(Diagnostic::error("wrong-given", message).at(inner.span("D")).help(help));
+        return None;
+    }
+    let lengths = lengths(form);
+    let sides = sides::read(form, points.len());
+    let line = match points.len() {
+        4 => Some(prescribed::ray(form, "line")?),
+        _ => None,
+    };
+    Some(Box::new(Path::Several { points, a: a?, lengths: lengths?, sides: sides?, line }))
+}
+
+/// Crank and BE.
+fn lengths(form: &Form) -> Option<[f64; 2]> {
+    let (crank, be) = (form.need_size("crank", "\"30 mm\""), form.need_size("BE", "\"80 mm\""));
+    Some([crank?, be?])
+}
+
+impl Wish for Path {
+    fn title(&self) -> Both {
+        match self {
+            Path::Three { .. } | Path::Turned { .. } => {
+                both!("Four-bar whose coupler point passes three places", "连杆点通过三个位置的四杆机构")
+            }
+            Path::Prescribed(Prescribed { points, .. }) | Path::Several { points, .. } => {
+                both!("Four-bar whose coupler point passes {} places", "连杆点通过 {} 个位置的四杆机构", points.len())
+            }
+            Path::Many { points, .. } => {
+                both!("Four-bar whose coupler point passes near {} places", "连杆点逼近 {} 个位置的四杆机构", points.len())
+            }
+        }
+    }
+
+    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+        let drafts = match self {
+            Path::Three { points, pivots, lengths, sides } => of_three(points, *pivots, *lengths, sides, heading)?,
+            Path::Turned { points, pivots, turns } => {
+                let found = inversion::turned(points, *pivots, turns, heading);
+                vec![found.map_err(|message| Diagnostic::error("no-real-solution", message).help(unturned()))?]
+            }
+            Path::Prescribed(wish) => wish.solve(heading)?,
+            Path::Several { points, a, lengths, sides, line } => of_several(points, *a, *lengths, sides, *line, heading)?,
+            Path::Many { points, timing, seed } => return searched(points, timing.as_deref(), *seed, heading),
+        };
+        Ok(Found { drafts, ..Found::default() })
+    }
+
+    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+        // D, and A where it is not given, come from centre-point curves.
+        let found =
+            |letter: &str| Point::new(super::told::of(draft, &format!("{letter}_x")), super::told::of(draft, &format!("{letter}_y")));
+        let by_sides = |board: &mut Board, points: &[Point], pivots: [Point; 2], lengths: [f64; 2], sides: &Sides| {
+            let ways: Vec<_> = sides.all.iter().map(|s| move |b: &mut Board| drawing::by_lengths(b, points, pivots, lengths, s)).collect();
+            let ways: Vec<&super::board::Way> = ways.iter().map(|w| w as &super::board::Way).collect();
+            board.meant(draft, &ways)
+        };
+        match self {
+            Path::Three { points, pivots, lengths, sides } => by_sides(board, points, *pivots, *lengths, sides),
+            Path::Turned { points, pivots, turns } => drawing::by_turns(board, points, *pivots, turns),
+            Path::Prescribed(wish) => drawing::by_turns(board, &wish.points, [found("A"), found("D")], &wish.turns),
+            Path::Several { points, a, lengths, sides, .. } => by_sides(board, points, [*a, found("D")], *lengths, sides),
+            Path::Many { points, timing: Some(turns), .. } if is_met(draft) => {
+                drawing::by_turns(board, points, [found("A"), found("D")], turns)
+            }
+            Path::Many { .. } => laid::drawn(board, draft),
+        }
+    }
+
+    fn statement(&self) -> Statement {
+        self.stated()
+    }
+
+    fn proof(&self, draft: &Draft) -> Vec<Proof> {
+        self.proved(draft)
+    }
+}
+
+/// Whether a linkage meets its places, and is none of a search.
+fn is_met(draft: &Draft) -> bool {
+    draft.targets.is_empty()
+}
+
+/// Three places with crank and BE: a linkage for each choice of sides that reaches them.
+fn of_three(e: &[Point; 3], pivots: [Point; 2], lengths: [f64; 2], sides: &Sides, heading: &Heading) -> Result<Vec<Draft>, Faults> {
+    let mut drafts = Vec::new();
+    let mut told: Vec<Both> = Vec::new();
+    for s in &sides.all {
+        match inversion::three(e, pivots, lengths, s, heading) {
+            Ok(draft) => drafts.push(draft),
+            Err(message) if !told.contains(&message) => told.push(message),
+            Err(_) => {}
+        }
+    }
+    if !drafts.is_empty() {
+        return Ok(drafts);
+    }
+    let mut faults = Faults::default();
+    for message in told {
+        let help = inversion::nearest(e, pivots, lengths, sides, heading);
+        faults.push(Diagnostic::error("no-real-solution", message).help(help));
+    }
+    Err(faults)
+}
+
+/// Four or five places with crank and BE: a linkage for each pivot D that the positions of the coupler allow.
+fn of_several(
+    e: &[Point],
+    a: Point,
+    lengths: [f64; 2],
+    sides: &Sides,
+    line: Option<(Point, Vec2)>,
+    heading: &Heading,
+) -> Result<Vec<Draft>, Faults> {
+    let found = |lengths: [f64; 2]| -> Result<Vec<Draft>, Both> {
+        let mut drafts = Vec::new();
+        let mut unreached = None;
+        for s in &sides.all {
+            match inversion::pins(e, a, lengths, s) {
+                Ok(b) => {
+                    let pairs = inversion::followers(e, &b, a, line);
+                    let told = |k: usize| both!("{}, pivot {}", "{}，固定铰链 {}", sides::told(s), k + 1);
+                    drafts.extend(pairs.iter().enumerate().map(|(k, p)| inversion::draft(e, &b, [a, p.centre], p.pin, told(k), heading)));
+                }
+                Err(message) => unreached = Some(message),
+            }
+        }
+        match unreached {
+            Some(message) if drafts.is_empty() => Err(message),
+            _ => Ok(drafts),
+        }
+    };
+    let scale = a.distance(e[0]) * 1e3;
+    let works = |l: [f64; 2]| l.iter().all(|x| *x > 0.0) && found(l).is_ok_and(|all| !all.is_empty());
+    let message = match found(lengths) {
+        Ok(drafts) if !drafts.is_empty() => return Ok(drafts),
+        Ok(_) => match line {
+            Some(_) => {
+                both!("the line does not meet the centre-point curve of the coupler's positions", "直线与连杆各位置的圆心曲线不相交")
+            }
+            None => both!("the coupler's positions have no further Burmester point", "连杆各位置没有其他实布尔梅斯特点"),
+        },
+        Err(message) => message,
+    };
+    Err(Diagnostic::error("no-real-solution", message).help(inversion::nearest_lengths(e, a, lengths, scale, works)).into())
+}
+
+fn unturned() -> Both {
+    both!("change one of the crank's angles, or move A", "请改变一个曲柄转角，或移动 A")
+}
+
+/// Many places: the best optima of a search.
+fn searched(points: &[Point], timing: Option<&[f64]>, seed: u64, heading: &Heading) -> Result<Found, Faults> {
+    let found = match timing {
+        None => search::search(points, seed),
+        Some(turns) => timed::search(points, turns, seed),
+    };
+    let (_, extent) = search::extent(points);
+    let told = |f: &Fit| {
+        let mut draft = of_fit(points, f, heading)?;
+        draft.remarks.extend(search::remarks(f, points));
+        Some(draft)
+    };
+    // Five places at given turns fix ten unknowns: what meets them is found without a search.
+    let met = match timing {
+        Some(turns) if points.len() == 5 => {
+            let wish = Prescribed { points: points.to_vec(), turns: turns.to_vec(), lines: None };
+            let longest = |d: &Draft| ["AB", "BC", "CD", "AD", "BE"].map(|n| super::told::of(d, n)).into_iter().fold(0.0, f64::max);
+            wish.linkages(heading).into_iter().filter(|d| longest(d) <= search::LARGEST * extent).collect()
+        }
+        Some(_) | None => Vec::new(),
+    };
+    let near = found.fits.iter().filter(|f| met.is_empty() || f.rms > MET * extent).filter_map(told);
+    let drafts: Vec<Draft> = met.iter().cloned().chain(near).collect();
+    let numbers = vec![
+        Number::ratio("evaluations", both!("positions evaluated", "计算的位置数"), found.evaluations as f64),
+        Number::ratio("restarts", both!("runs of the search", "搜索次数"), found.runs as f64),
+    ];
+    if drafts.is_empty() {
+        let message = both!("the search found no crank-rocker near these places", "没有找到逼近这些点的曲柄摇杆机构");
+        let help = both!("order the points along the path, or try another \"seed\"", "请按轨迹次序排列各点，或换一个 \"seed\"");
+        return Err(Diagnostic::error("no-real-solution", message).help(help).into());
+    }
+    Ok(Found { drafts, numbers, notes: Vec::new() })
+}
+
+/// A linkage of the search: what it really does is wanted of its scene, how far that is from the places is told.
+fn of_fit(points: &[Point], fit: &Fit, heading: &Heading) -> Option<Draft> {
+    let l = &fit.linkage;
+    let at: Vec<search::Place> = fit.cranks.iter().map(|t| l.place(*t)).collect::<Option<_>>()?;
+    let first = at.first()?;
+    let four = FourBar { a: l.a, b: first.b, c: first.c, d: l.d(), e: Some(l.e) };
+    let wanted = fit
+        .cranks
+        .iter()
+        .zip(&at)
+        .map(|(t, p)| Wanted { driver: *t, places: vec![("B".into(), p.b), ("C".into(), p.c), ("E".into(), p.e)] })
+        .collect();
+    let far: Vec<f64> = points.iter().zip(&at).map(|(p, q)| p.distance(q.e)).collect();
+    let mut numbers = named_lengths(four.lengths());
+    numbers.push(Number::length("A_x", both!("place of A", "A 的位置"), l.a.x));
+    numbers.push(Number::length("A_y", both!("place of A", "A 的位置"), l.a.y));
+    numbers.push(Number::angle("phi", both!("direction of the frame", "机架方向"), l.phi - TAU * libm::rint(l.phi / TAU)));
+    numbers.push(Number::length("u", both!("E along BC from B", "E 沿 BC 的坐标"), l.e.x));
+    numbers.push(Number::length("v", both!("E to the left of BC", "E 在 BC 左侧的距离"), l.e.y));
+    numbers.push(Number::angle(
+        "crank_1",
+        both!("crank angle at place 1", "位置 1 的曲柄转角"),
+        fit.cranks[0] - TAU * libm::rint(fit.cranks[0] / TAU),
+    ));
+    numbers.push(Number::length("rms", both!("root mean square distance", "均方根距离"), fit.rms));
+    numbers.push(Number::length("max", both!("greatest distance", "最大距离"), far.iter().copied().fold(0.0, f64::max)));
+    numbers.extend(laid::distances(&far, search::extent(points).1));
+    let which = both!("root mean square distance {} mm", "均方根距离 {} mm", significant(fit.rms * 1e3, 4));
+    Some(Draft { ordered: true, error: fit.rms, targets: points.to_vec(), ..Draft::new(which, four.scene(heading), numbers, wanted) })
+}

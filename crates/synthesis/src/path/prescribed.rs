@@ -1,0 +1,137 @@
+//! Four and five places at given turns of the crank, all lengths free: of four A and D lie on lines, of five they are some of a few points.
+//!
+//! |E_k − A − R(β_k) w| = BE for all k, with w = AB₁: so the points E_k − R(β_k) w lie on a circle about A. They are the places of a pin of a
+//! plane that has its origin in E_k and turns with the crank, and A is a centre point of its positions ([`burmester`]). The coupler then is known in
+//! all positions, and D is a centre point of those.
+
+use super::inversion;
+use crate::body::burmester;
+use crate::body::pose::Position;
+use crate::candidate::{Draft, Number};
+use crate::form::Form;
+use crate::fourbar::Heading;
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_base::geom::{Point, Vec2};
+
+/// A line through a place.
+pub(super) type Ray = (Point, Vec2);
+
+/// The wish.
+#[derive(Clone, Debug)]
+pub(super) struct Prescribed {
+    /// The places.
+    pub points: Vec<Point>,
+    /// The crank's angles at them.
+    pub turns: Vec<f64>,
+    /// Where A lies, and where D lies; of five places nothing is free.
+    pub lines: Option<[Ray; 2]>,
+}
+
+/// A crank shorter than this part of the distance of A from the path is none.
+const NONE: f64 = 1e-6;
+
+/// The line of a key.
+pub(super) fn ray(form: &Form, key: &'static str) -> Option<Ray> {
+    form.need(key, "{\"through\": [\"100 mm\", \"0 mm\"], \"angle\": \"0 deg\"}")?;
+    let inner = form.inner(key, &["through", "angle"])?;
+    inner.need("through", "[\"100 mm\", \"0 mm\"]")?;
+    let angle = if inner.has("angle") { inner.angle("angle") } else { Some(0.0) };
+    let through = inner.point("through");
+    Some((through?, Vec2::from_angle(angle?)))
+}
+
+/// Reads the wish for four places: `line` for D, and for A, which may have `line_A`.
+pub(super) fn read(form: &Form, points: Vec<Point>) -> Option<Prescribed> {
+    if let Some(key) = ["ground", "crank", "BE", "side", "seed"].into_iter().find(|k| form.has(k)) {
+        let message = both!(
+            "with `timing` at four places `{key}` is not free: the pivots lie on curves, the lengths follow",
+            "四个位置给出 `timing` 时 `{key}` 不能再给定：固定铰链在曲线上，各长度随之确定"
+        );
+        let help = both!(
+            "leave it out and give the \"line\" on which A and D lie (\"line_A\" for another line of A)",
+            "请去掉它，并给出 A、D 所在的 \"line\"（A 另有直线时写 \"line_A\"）"
+        );
+        form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(help));
+        return None;
+    }
+    let turns = super::timing(form, points.len());
+    let line = ray(form, "line");
+    let of_a = if form.has("line_A") { ray(form, "line_A") } else { line };
+    Some(Prescribed { points, turns: turns?, lines: Some([of_a?, line?]) })
+}
+
+impl Prescribed {
+    /// The pivots A, each with B in all places.
+    fn cranks(&self) -> Vec<(Point, Vec<Point>)> {
+        let positions: Vec<Position> = self.points.iter().zip(&self.turns).map(|(e, t)| Position { origin: *e, angle: *t }).collect();
+        let crank = |pair: burmester::Pair| {
+            let (a, w) = (pair.centre, self.points[0] - pair.pin);
+            let b: Vec<Point> = self.turns.iter().map(|t| a + w.rotate_by(Vec2::from_angle(t - self.turns[0]))).collect();
+            let far = self.points.iter().map(|e| e.distance(a)).fold(0.0, f64::max);
+            (w.norm() > NONE * far && self.points[0].distance(b[0]) > NONE * far).then_some((a, b))
+        };
+        let found = match self.lines {
+            Some([(through, along), _]) => burmester::on_line(&positions, through, along),
+            None => burmester::of_five(&positions),
+        };
+        found.into_iter().filter_map(crank).collect()
+    }
+
+    /// A linkage for each A and each D.
+    pub(super) fn linkages(&self, heading: &Heading) -> Vec<Draft> {
+        let e = &self.points;
+        let of_crank = |(i, (a, b)): (usize, &(Point, Vec<Point>))| -> Vec<Draft> {
+            let pairs = inversion::followers(e, b, *a, self.lines.map(|l| l[1]));
+            let one = |(k, p): (usize, &burmester::Pair)| {
+                let which = both!("pivot A {}, pivot D {}", "固定铰链 A 之 {}，D 之 {}", i + 1, k + 1);
+                let mut draft = inversion::draft(e, b, [*a, p.centre], p.pin, which, heading);
+                draft.numbers.push(Number::length("A_x", both!("place of A", "A 的位置"), a.x));
+                draft.numbers.push(Number::length("A_y", both!("place of A", "A 的位置"), a.y));
+                draft
+            };
+            pairs.iter().enumerate().map(one).collect()
+        };
+        self.cranks().iter().enumerate().flat_map(of_crank).collect()
+    }
+
+    /// The linkages of four places.
+    pub(super) fn solve(&self, heading: &Heading) -> Result<Vec<Draft>, Faults> {
+        let drafts = self.linkages(heading);
+        if !drafts.is_empty() {
+            return Ok(drafts);
+        }
+        let message = if self.cranks().is_empty() {
+            both!(
+                "the line of A does not meet the curve of the pivots at which the crank has these turns",
+                "A 的直线与满足各转角的固定铰链曲线不相交"
+            )
+        } else {
+            both!("the line of D does not meet the centre-point curve of the coupler's positions", "D 的直线与连杆各位置的圆心曲线不相交")
+        };
+        Err(Diagnostic::error("no-real-solution", message).help(self.shifted()).into())
+    }
+
+    /// The nearest of some lines, moved across themselves, that give a linkage.
+    fn shifted(&self) -> Both {
+        let size = self.points.iter().map(|p| p.distance(self.points[0])).fold(0.0, f64::max);
+        let moved = |by: f64| {
+            let lines = self.lines.map(|both| both.map(|(through, along)| (through + along.perp() * by, along)));
+            let wish = Prescribed { lines, ..self.clone() };
+            let follows = |(a, b): &(Point, Vec<Point>)| !inversion::followers(&wish.points, b, *a, lines.map(|l| l[1])).is_empty();
+            wish.cranks().iter().any(follows)
+        };
+        // Twentieths of the path, up to twice its size to either side.
+        let found = (1..=40).flat_map(|k| [f64::from(k), -f64::from(k)]).map(|k| k * size / 20.0).find(|by| moved(*by));
+        match found {
+            Some(by) => {
+                let told = hodograph_base::digits::significant(by.abs() * 1e3, 4);
+                if by > 0.0 {
+                    both!("moved {told} mm to its left the line does", "直线向左平移 {told} mm 时可以")
+                } else {
+                    both!("moved {told} mm to its right the line does", "直线向右平移 {told} mm 时可以")
+                }
+            }
+            None => both!("give another line, or other turns", "请换一条直线或改变转角"),
+        }
+    }
+}

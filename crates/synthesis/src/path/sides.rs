@@ -1,0 +1,61 @@
+//! On which side of AE the crank's pin B lies at each place of a path.
+//!
+//! One side for all places is the usual wish; a list names it place by place, for linkages whose crank and BE come in line between two places. Where
+//! the file says nothing, all are looked at, those with one side first.
+
+use crate::form::Form;
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::json::Kind;
+
+/// The sides that are looked at: left of AE, for each place.
+#[derive(Clone, Debug)]
+pub(super) struct Sides {
+    /// Each a list of as many entries as there are places.
+    pub all: Vec<Vec<bool>>,
+}
+
+/// The words of the file.
+const WORDS: [&str; 2] = ["left of AE", "right of AE"];
+
+/// Reads `side`; `None` where it cannot be read.
+pub(super) fn read(form: &Form, places: usize) -> Option<Sides> {
+    let Some(inner) = form.inner("side", &["B"]) else {
+        return (!form.has("side")).then(|| Sides { all: every(places) });
+    };
+    let node = inner.need("B", "\"left of AE\"")?;
+    if !matches!(node.kind, Kind::Array(_)) {
+        let left = inner.choice("B", &WORDS)? == WORDS[0];
+        return Some(Sides { all: vec![vec![left; places]] });
+    }
+    let items = inner.items("B", "[\"left of AE\", \"right of AE\", ...]", 1)?;
+    let word = |n| Some(inner.choice_of(n, "B", &WORDS)? == WORDS[0]);
+    let sides: Vec<Option<bool>> = items.iter().map(word).collect();
+    let sides: Vec<bool> = sides.into_iter().collect::<Option<_>>()?;
+    if sides.len() != places {
+        let message = both!("\"B\" names {} sides for {} places", "\"B\" 有 {} 个侧向，而有 {} 个点", sides.len(), places);
+        let help = both!("write one side for all, or one for each place", "请为全部写一个，或为每点写一个");
+        form.fault(Diagnostic::error("wrong-count", message).at(node.span).help(help));
+        return None;
+    }
+    Some(Sides { all: vec![sides] })
+}
+
+/// All choices, those of one side first, then by how often the side changes.
+fn every(places: usize) -> Vec<Vec<bool>> {
+    let mut all: Vec<Vec<bool>> = (0..1_usize << places).map(|bits| (0..places).map(|k| bits >> k & 1 == 0).collect()).collect();
+    let changes = |s: &Vec<bool>| s.windows(2).filter(|w| w[0] != w[1]).count();
+    all.sort_by_key(changes);
+    all
+}
+
+/// In words.
+pub(super) fn told(sides: &[bool]) -> Both {
+    let word = |left: &bool| if *left { both!("left", "左") } else { both!("right", "右") };
+    match sides {
+        [first, rest @ ..] if rest.iter().all(|s| s == first) => both!("B {} of AE", "B 在 AE {}侧", word(first)),
+        _ => {
+            let all: Vec<Both> = sides.iter().map(word).collect();
+            both!("B {} of AE", "B 依次在 AE {}侧", Both::join(&all, ", ", "、"))
+        }
+    }
+}

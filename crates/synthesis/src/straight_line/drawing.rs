@@ -1,0 +1,208 @@
+//! Straight-line linkages drawn at the ends of the stretch, in its middle and at the extremes of E; length and deviation read square.
+
+use super::{Linkage, SHORT, Task};
+use crate::board::{Board, Line, Weight};
+use crate::candidate::Draft;
+use crate::fourbar::{FourBar, Heading};
+use crate::laid::{Laid, numbered};
+use crate::told::of;
+use hodograph_base::diag::{Both, both};
+use hodograph_base::geom::{Point, Vec2};
+
+/// Positions of the driver nearer than this are one (rad).
+const SAME: f64 = 1e-6;
+/// The line and the parallels reach so far beyond the stretch.
+const BEYOND: f64 = 0.1;
+
+/// A position on paper: the place of E, the lines of the links, the pins, that of the driver first.
+struct Position {
+    e: Point,
+    links: Vec<[Point; 2]>,
+    pins: Vec<(&'static str, Point)>,
+}
+
+/// The position on a board for the driver's angle (rad).
+type Placing = dyn Fn(&Board, f64) -> Option<Position>;
+
+/// How a linkage is laid off, and its position for the driver's angle.
+struct Sheet {
+    laid: Both,
+    fixed: Vec<(&'static str, Point)>,
+    circles: Vec<(Point, f64)>,
+    guide: Option<[Point; 2]>,
+    moved: Both,
+    at: Box<Placing>,
+}
+
+impl Task {
+    /// The computed lengths laid off; E at the positions that decide length and deviation.
+    pub(super) fn drawn(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+        let made = self.made(self.length / self.unit_length(), &Heading::default())?;
+        let sheet = self.sheet(draft, board)?;
+        let drivers = drivers(draft, made.wanted.first()?.driver, self.begins_dead());
+        let which: Vec<usize> = (1..=drivers.len()).collect();
+        board.step(sheet.laid);
+        for (centre, radius) in &sheet.circles {
+            board.circle(*centre, *radius, Weight::Thin);
+        }
+        if let Some([p, q]) = sheet.guide {
+            board.line(p, q, Weight::Given);
+        }
+        for (name, at) in &sheet.fixed {
+            board.mark(name, *at);
+        }
+        board.step(both!("{}: {}", "{}：{}", sheet.moved, numbered("E", &which)));
+        let mut all = Vec::new();
+        for (k, driver) in drivers.iter().enumerate() {
+            let position = (sheet.at)(board, *driver)?;
+            for [p, q] in &position.links {
+                board.line(*p, *q, Weight::Thin);
+            }
+            let (name, pin) = position.pins[0];
+            board.mark(&format!("{name}_{}", k + 1), pin).mark(&format!("E_{}", k + 1), position.e);
+            all.push(position);
+        }
+        measured(board, &all, made.along == 'x');
+        let first = all.first()?;
+        board.step(both!("Draw the linkage in position 1", "作位置 1 的机构"));
+        for [p, q] in &first.links {
+            board.line(*p, *q, Weight::Result);
+        }
+        for (name, at) in &first.pins[1..] {
+            board.mark(&format!("{name}_1"), *at);
+        }
+        Some(())
+    }
+
+    /// Whether the range begins in a dead point of the driver.
+    fn begins_dead(&self) -> bool {
+        match self.linkage {
+            Linkage::Chebyshev => true,
+            Linkage::Watt | Linkage::Roberts | Linkage::Hoeken | Linkage::ScottRussell | Linkage::Peaucellier => false,
+        }
+    }
+
+    fn sheet(&self, draft: &Draft, board: &Board) -> Option<Sheet> {
+        Some(match self.linkage {
+            Linkage::Watt => four_bar(draft, board, &super::watt(of(draft, "AB") / 5.0)),
+            Linkage::Chebyshev => four_bar(draft, board, &super::chebyshev(of(draft, "AB") / 5.0)),
+            Linkage::Roberts => four_bar(draft, board, &super::roberts(of(draft, "AB") / super::ROBERTS)),
+            Linkage::Hoeken => four_bar(draft, board, &super::hoeken(of(draft, "AB"), self.ratios)),
+            Linkage::ScottRussell => scott_russell(draft, board),
+            Linkage::Peaucellier => peaucellier(draft, board),
+        })
+    }
+}
+
+/// The drivers' positions: the middle, the ends, and the extremes across the line where these lie elsewhere (rad). A range that is swept
+/// from next to a dead point is drawn from the dead point itself.
+fn drivers(draft: &Draft, middle: f64, dead: bool) -> Vec<f64> {
+    let short = if dead { SHORT } else { 0.0 };
+    let number = |name: &str| draft.numbers.iter().find(|n| n.name == name).map(|n| n.value);
+    let named = |name: &str| number(name).map(|at| if name == "from" { at - short } else { at });
+    let mut all: Vec<f64> = vec![middle];
+    for at in ["from", "to", "at_least", "at_greatest"].into_iter().filter_map(named) {
+        if all.iter().all(|d| (d - at).abs() > SAME) {
+            all.push(at);
+        }
+    }
+    all
+}
+
+/// The line through E₁, squares to it from the ends and parallels through the extremes; their distances are read.
+fn measured(board: &mut Board, all: &[Position], level: bool) {
+    let along = if level { Vec2::new(1.0, 0.0) } else { Vec2::new(0.0, 1.0) };
+    let Some(first) = all.first() else { return };
+    let line = Line { at: first.e, along };
+    let across = line.square(first.e);
+    let ends = |of: &Line| {
+        let on = |p: &Position| of.along.dot(p.e - of.at);
+        let (low, high) = all.iter().map(on).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        [of.place(low), of.place(high)]
+    };
+    let ([from, to], [low, high]) = (ends(&line), ends(&across));
+    board.step(both!(
+        "Draw through E1 the line of the motion, and perpendiculars to it from the outermost E: their distance is the length, that of the parallels through the E farthest to either side the deviation",
+        "过 E1 作运动方向的直线；由最外的两个 E 向其作垂线，其间距为直线段长；过两侧最远的 E 作平行线，其间距为偏差"
+    ));
+    let beyond = (to - from) * BEYOND;
+    for at in [low, high] {
+        let shift = at - first.e;
+        board.line(from + shift - beyond, to + shift + beyond, Weight::Thin);
+    }
+    board.read("length", from, to).read("deviation", low, high);
+}
+
+fn four_bar(draft: &Draft, board: &Board, l: &FourBar) -> Sheet {
+    let opened = Laid::off(board, draft, [l.a, l.d], l.e);
+    let left = (l.d - l.b).cross(l.c - l.b) > 0.0;
+    let at = move |board: &Board, crank: f64| {
+        let pins = opened.at(board, crank, left)?;
+        let links = vec![[opened.a, pins.b], [pins.b, pins.c], [pins.c, opened.d], [pins.c, pins.e], [pins.b, pins.e]];
+        Some(Position { e: pins.e, links, pins: vec![("B", pins.b), ("C", pins.c)] })
+    };
+    Sheet {
+        laid: both!("Lay off A and D, the circles of AB about A and of CD about D", "作 A、D 及以 A 为圆心的 AB 圆、以 D 为圆心的 CD 圆"),
+        fixed: vec![("A", opened.a), ("D", opened.d)],
+        circles: vec![(opened.a, opened.crank), (opened.d, opened.follower)],
+        guide: None,
+        moved: if l.e.is_none_or(|e| e.y == 0.0) {
+            both!(
+                "In the middle, at the ends and the extremes lay off AB, with BC about B cut the circle of CD, and lay off BE on BC",
+                "在中间、两端及极值处作 AB，以 B 为圆心、BC 为半径截 CD 圆得 C，在 BC 线上取 BE"
+            )
+        } else {
+            both!(
+                "In the middle, at the ends and the extremes lay off AB, with BC about B cut the circle of CD, and lay the triangle BCE on BC",
+                "在中间、两端及极值处作 AB，以 B 为圆心、BC 为半径截 CD 圆得 C，在 BC 上作三角形 BCE"
+            )
+        },
+        at: Box::new(at),
+    }
+}
+
+fn scott_russell(draft: &Draft, board: &Board) -> Sheet {
+    let (a, crank) = (board.at(Point::ORIGIN), board.mm(of(draft, "AB")));
+    let guide = Line { at: a, along: Vec2::new(1.0, 0.0) };
+    let at = move |board: &Board, angle: f64| {
+        let b = a + Vec2::from_angle(angle) * crank;
+        let c = board.cut(&guide, b, crank)?[1];
+        let e = Line::through(c, b)?.place(2.0 * crank);
+        Some(Position { e, links: vec![[a, b], [c, e]], pins: vec![("B", b), ("C", c)] })
+    };
+    Sheet {
+        laid: both!("Lay off A, the guide through it and the crank circle", "作 A、过 A 的导路及曲柄圆"),
+        fixed: vec![("A", a)],
+        circles: vec![(a, crank)],
+        // C comes out to twice the crank.
+        guide: Some([a, guide.place(2.0 * crank * (1.0 + BEYOND))]),
+        moved: both!(
+            "In the positions lay off AB, with BC = AB about B cut the guide in C, and lay off CE on CB",
+            "在各位置作 AB，以 B 为圆心、BC = AB 为半径截导路得 C，在 CB 线上取 CE"
+        ),
+        at: Box::new(at),
+    }
+}
+
+fn peaucellier(draft: &Draft, board: &Board) -> Sheet {
+    let [crank, long, short] = ["KC", "OX", "CX"].map(|name| board.mm(of(draft, name)));
+    let (o, k) = (board.at(Point::ORIGIN), board.at(Point::new(of(draft, "KC"), 0.0)));
+    let at = move |board: &Board, angle: f64| {
+        let c = k + Vec2::from_angle(angle) * crank;
+        let [x, y] = board.circles(o, long, c, short)?;
+        let e = board.circles(x, short, y, short)?.into_iter().max_by(|p, q| p.distance(c).total_cmp(&q.distance(c)))?;
+        let links = vec![[k, c], [o, x], [o, y], [c, x], [c, y], [x, e], [y, e]];
+        Some(Position { e, links, pins: vec![("C", c), ("X", x), ("Y", y)] })
+    };
+    Sheet {
+        laid: both!("Lay off O and K, and about K the circle through O", "作 O、K 及以 K 为圆心过 O 的圆"),
+        fixed: vec![("O", o), ("K", k)],
+        circles: vec![(k, crank), (o, long)],
+        guide: None,
+        moved: both!(
+            "In the positions lay off KC; OX about O and CX about C intersect at X and Y, CX about these at E",
+            "在各位置作 KC；以 O 为圆心、OX 为半径与以 C 为圆心、CX 为半径交于 X、Y，再以 X、Y 为圆心、CX 为半径交于 E"
+        ),
+        at: Box::new(at),
+    }
+}

@@ -1,0 +1,68 @@
+//! Templates: a synthesis file for each kind of task, whose parameters can be set.
+
+use hodograph_base::diag::Both;
+
+/// Every template: its name, which is that of its kind, and its text.
+const FILES: &[(&str, &str)] = &[
+    ("function", include_str!("../../../templates/synthesis/function.json")),
+    ("body", include_str!("../../../templates/synthesis/body.json")),
+    ("time-ratio", include_str!("../../../templates/synthesis/time-ratio.json")),
+    ("limits", include_str!("../../../templates/synthesis/limits.json")),
+    ("path", include_str!("../../../templates/synthesis/path.json")),
+    ("cognates", include_str!("../../../templates/synthesis/cognates.json")),
+    ("straight-line", include_str!("../../../templates/synthesis/straight-line.json")),
+];
+
+/// The names of all templates, in order.
+pub fn names() -> impl Iterator<Item = &'static str> + Clone {
+    FILES.iter().map(|(name, _)| *name)
+}
+
+/// The text of a template; `None` for an unknown name.
+///
+/// ```
+/// let text = hodograph::synthesis::templates::get("time-ratio").unwrap();
+/// assert!(hodograph::synthesis::read(text).is_ok());
+/// ```
+pub fn get(name: &str) -> Option<&'static str> {
+    FILES.iter().find(|(n, _)| *n == name).map(|(_, text)| *text)
+}
+
+/// The title of a template.
+pub fn title(name: &str) -> Both {
+    let task = get(name).and_then(|text| super::read(text).ok());
+    task.map(|t| t.value.heading.title).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{KINDS, construct, read, solve};
+
+    #[test]
+    fn every_kind_has_a_template_that_is_solved_without_defect_and_drawn() {
+        for kind in KINDS {
+            let text = get(kind.name).unwrap_or_else(|| panic!("add templates/synthesis/{}.json to FILES", kind.name));
+            let task = read(text).unwrap_or_else(|f| panic!("{}: {f}", kind.name));
+            assert_eq!(task.notes, [], "{}", kind.name);
+            let design = solve(&task.value).unwrap_or_else(|f| panic!("{}: {f}", kind.name));
+            let best = &design.candidates[0];
+            assert_eq!(best.judged.defects, [], "{}", kind.name);
+            // Its proportions are given: there is nothing to construct.
+            if kind.name == "straight-line" {
+                continue;
+            }
+            let board = construct(&task.value, best, 1e-3).unwrap_or_else(|f| panic!("{}: {f}", kind.name));
+            assert!(board.is_some_and(|b| b.steps.len() > 1 && !b.readings.is_empty()), "{}", kind.name);
+        }
+    }
+
+    #[test]
+    fn every_file_is_in_the_list() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../templates/synthesis");
+        for file in std::fs::read_dir(folder).unwrap() {
+            let name = file.unwrap().file_name().into_string().unwrap();
+            assert!(FILES.iter().any(|(n, _)| format!("{n}.json") == name), "add templates/synthesis/{name} to FILES");
+        }
+    }
+}

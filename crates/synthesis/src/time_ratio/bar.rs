@@ -1,0 +1,109 @@
+//! K and the chord C₁C₂ with the crank or the coupler: both limits of C lie under θ as seen from A, at the sum and the difference of the two bars.
+//!
+//! By the law of cosines L² = AC₁² + AC₂² − 2 AC₁ AC₂ cos θ with AC = BC ± AB and the chord L = C₁C₂:
+//! 2 AB² (1 + cos θ) + 2 BC² (1 − cos θ) = L².
+
+use crate::board::{Board, Line, Weight};
+use crate::told::length;
+use hodograph_base::diag::{Both, both};
+use hodograph_base::digits::significant;
+use hodograph_base::geom::Point;
+use std::f64::consts::FRAC_PI_2;
+
+/// The bar that is given (m).
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Bar {
+    /// AB.
+    Crank(f64),
+    /// BC.
+    Coupler(f64),
+}
+
+impl Bar {
+    /// Its key in the file.
+    pub(super) fn key(self) -> &'static str {
+        match self {
+            Bar::Crank(_) => "crank",
+            Bar::Coupler(_) => "coupler",
+        }
+    }
+
+    pub(super) fn length(self) -> f64 {
+        match self {
+            Bar::Crank(l) | Bar::Coupler(l) => l,
+        }
+    }
+
+    /// The same bar of another length (mm).
+    pub(super) fn with(self, mm: f64) -> Bar {
+        match self {
+            Bar::Crank(_) => Bar::Crank(mm * 1e-3),
+            Bar::Coupler(_) => Bar::Coupler(mm * 1e-3),
+        }
+    }
+
+    pub(super) fn told(self) -> Both {
+        match self {
+            Bar::Crank(l) => both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(l)),
+            Bar::Coupler(l) => both!("coupler $l_{{BC}} = {}$", "连杆 $l_{{BC}} = {}$", length(l)),
+        }
+    }
+
+    /// The other bar as a formula of this one.
+    pub(super) fn formula(self) -> [&'static str; 2] {
+        match self {
+            Bar::Crank(_) => ["BC", "l_{BC}^2 = \\frac{l_{C_1C_2}^2 − 2\\,l_{AB}^2(1 + \\cos\\theta)}{2(1 − \\cos\\theta)}"],
+            Bar::Coupler(_) => ["AB", "l_{AB}^2 = \\frac{l_{C_1C_2}^2 − 2\\,l_{BC}^2(1 − \\cos\\theta)}{2(1 + \\cos\\theta)}"],
+        }
+    }
+
+    /// On the line AC₁ a point F or H whose distance from C₁ is twice the bar, and under which angle the chord is seen from it.
+    fn seen(self, theta: f64) -> (&'static str, f64) {
+        match self {
+            Bar::Crank(_) => ("F", FRAC_PI_2 + theta / 2.0),
+            Bar::Coupler(_) => ("H", theta / 2.0),
+        }
+    }
+
+    /// Crank and coupler over the chord; `None` where there are none.
+    pub(super) fn both(self, chord: f64, cosine: f64) -> Option<[f64; 2]> {
+        let (plus, minus) = (2.0 * (1.0 + cosine), 2.0 * (1.0 - cosine));
+        // With θ = 0 the crank is half the chord, whatever the coupler.
+        let [ab2, bc2] = match self {
+            Bar::Crank(l) => [l * l, (chord * chord - l * l * plus) / minus],
+            Bar::Coupler(l) => [(chord * chord - l * l * minus) / plus, l * l],
+        };
+        (cosine < 1.0 && bc2.is_finite() && ab2 > 0.0 && bc2 > ab2).then(|| [ab2.sqrt(), bc2.sqrt()])
+    }
+
+    /// A by ruler and compasses on the circle over C₁C₂ with the inscribed angle θ, on one side of the chord.
+    pub(super) fn place(
+        self,
+        board: &mut Board,
+        [c1, c2]: [Point; 2],
+        (theta, side): (f64, bool),
+        (centre, radius): (Point, f64),
+        k: usize,
+    ) -> Option<Point> {
+        let (letter, seen) = self.seen(theta);
+        let told = significant(seen.to_degrees(), 5);
+        board.step(match self {
+            Bar::Crank(_) => both!(
+                "AF = AC2 on AC1 leaves C1F = 2 AB, and C1C2 is seen from F under 90° + θ/2 = {told}°: the circle with that inscribed angle, cut by the opening 2 AB about C1, gives F",
+                "在 AC1 上取 AF = AC2，则 C1F = 2 AB，且 ∠C1FC2 = 90° + θ/2 = {told}°：作以该角为圆周角的圆，以 C1 为圆心、2 AB 为半径截得 F"
+            ),
+            Bar::Coupler(_) => both!(
+                "AH = AC2 beyond A on C1A makes C1H = 2 BC, and C1C2 is seen from H under θ/2 = {told}°: the circle with that inscribed angle, cut by the opening 2 BC about C1, gives H",
+                "在 C1A 的延长线上取 AH = AC2，则 C1H = 2 BC，且 ∠C1HC2 = θ/2 = {told}°：作以该角为圆周角的圆，以 C1 为圆心、2 BC 为半径截得 H"
+            ),
+        });
+        let (other, wide) = board.inscribed(c1, c2, seen, side)?;
+        let opening = board.mm(2.0 * self.length());
+        board.circle(c1, opening, Weight::Thin);
+        let h = board.circles(c1, opening, other, wide)?[k];
+        board.mark(letter, h);
+        board.step(both!("The line C1{} meets the first circle again at A", "直线 C1{} 与第一个圆再交于 A", letter));
+        let crossings = board.cut(&Line::through(c1, h)?, centre, radius)?;
+        crossings.into_iter().max_by(|p, q| p.distance(c1).total_cmp(&q.distance(c1)))
+    }
+}

@@ -1,0 +1,164 @@
+//! The crank-rocker as a problem, and the formulas of its proof.
+
+use super::super::bar::Bar;
+use super::{CrankRocker, Size, Way};
+use crate::candidate::Draft;
+use crate::told::{angle, angle_of_limits, half_difference, length, number, of, place};
+use crate::{Proof, Statement};
+use hodograph_base::diag::both;
+use hodograph_base::geom::Point;
+
+impl CrankRocker {
+    pub(super) fn stated(&self) -> Statement {
+        let mut given = vec![
+            both!("time ratio $K = {}$", "行程速度变化系数 $K = {}$", number(self.ratio.k)),
+            match self.size {
+                Size::Rocker => both!("rocker $l_{{CD}} = {}$", "摇杆 $l_{{CD}} = {}$", length(self.rocker)),
+                Size::Frame(frame) => both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame)),
+                Size::Crank(crank) => both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(crank)),
+            },
+        ];
+        match self.way {
+            Way::Limit { frame, angle: limit } => {
+                given.push(both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame)));
+                given.push(both!(
+                    "angle of the rocker with the frame in one limit position $\\angle ADC_1 = {}$",
+                    "一极限位置上摇杆与机架的夹角 $\\angle ADC_1 = {}$",
+                    angle(limit)
+                ));
+            }
+            Way::Swing { swing, frame } => {
+                given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
+                given.push(both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame)));
+            }
+            Way::Bar { swing, bar } => {
+                given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
+                given.push(bar.told());
+            }
+            Way::Line { swing, line: [through, end] } => {
+                given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
+                given.push(both!(
+                    "$A$ on the line through ${}$ under ${}$ ($D$ the origin, the swing even about the upward axis)",
+                    "$A$ 在过 ${}$、倾角为 ${}$ 的直线上（$D$ 为原点，摆角关于竖直轴对称）",
+                    place(through),
+                    angle((end - through).angle())
+                ));
+            }
+            Way::Gamma { swing, gamma } => {
+                given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
+                given.push(both!(
+                    "least transmission angle $\\gamma_{{\\text{{min}}}} = {}$",
+                    "最小传动角 $\\gamma_{{\\text{{min}}}} = {}$",
+                    angle(gamma)
+                ));
+            }
+            Way::Best { swing, .. } => {
+                given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
+                given.push(both!(
+                    "the least transmission angle $\\gamma_{{\\text{{min}}}}$ is to be as great as possible",
+                    "最小传动角 $\\gamma_{{\\text{{min}}}}$ 应尽可能大"
+                ));
+            }
+        }
+        let crank_given = matches!(self.way, Way::Bar { bar: Bar::Crank(_), .. }) || matches!(self.size, Size::Crank(_));
+        let mut wanted = vec![if let Way::Bar { bar: Bar::Coupler(_), .. } = self.way {
+            both!("the length of the crank $l_{{AB}}$", "曲柄 $l_{{AB}}$ 的长度")
+        } else if crank_given {
+            both!("the length of the coupler $l_{{BC}}$", "连杆 $l_{{BC}}$ 的长度")
+        } else {
+            both!("the lengths of crank $l_{{AB}}$ and coupler $l_{{BC}}$", "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度")
+        }];
+        if self.size != Size::Rocker {
+            wanted.push(both!("the rocker $l_{{CD}}$", "摇杆 $l_{{CD}}$ 的长度"));
+        }
+        let framed = matches!(self.way, Way::Limit { .. } | Way::Swing { .. }) || matches!(self.size, Size::Frame(_));
+        if !framed {
+            wanted.push(both!("the frame $l_{{AD}}$", "机架 $l_{{AD}}$ 的长度"));
+        }
+        if !matches!(self.way, Way::Gamma { .. }) {
+            wanted.push(both!("the least transmission angle $\\gamma_{{\\text{{min}}}}$", "最小传动角 $\\gamma_{{\\text{{min}}}}$"));
+        }
+        let task = both!(
+            "Design a crank-rocker $ABCD$ with a quick return: crank $AB$, coupler $BC$, rocker $CD$, frame $AD$.",
+            "设计具有急回特性的曲柄摇杆机构 $ABCD$：曲柄 $AB$，连杆 $BC$，摇杆 $CD$，机架 $AD$。"
+        );
+        Statement { task, given, wanted, open_steps: 1 }
+    }
+
+    pub(super) fn proved(&self, draft: &Draft) -> Vec<Proof> {
+        let mut out = vec![angle_of_limits(self.ratio.k, self.ratio.theta)];
+        // The frame lies along x, A at the origin.
+        let limits: Vec<Point> = draft.wanted.iter().flat_map(|w| &w.places).filter(|(n, _)| n == "C").map(|(_, p)| *p).collect();
+        let [c1, c2] = limits[..] else { return out };
+        let ac = [c1, c2].map(|c| c.to_vec2().norm());
+        out.push(self.second_limit(draft, ac));
+        out.push(half_difference(ac, of(draft, "AB"), of(draft, "BC")));
+        if let Way::Gamma { gamma, .. } = self.way {
+            out.push(Proof::new(
+                both!(
+                    "At the greatest and the least $l_{{BD}}$ the transmission angle is extreme; along $\\beta$ its least value is the wanted one where",
+                    "$l_{{BD}}$ 最大和最小时传动角取极值；随 $\\beta$ 变化，最小传动角在下处等于给定值"
+                ),
+                [format!("\\gamma_{{\\text{{min}}}} = {} ,\\quad \\beta = {}", angle(gamma), angle(of(draft, "beta")))],
+            ));
+        }
+        if matches!(self.way, Way::Best { .. }) {
+            out.push(Proof::new(
+                both!(
+                    "At the greatest and the least $l_{{BD}}$ the transmission angle is extreme; along $\\beta$ its least value is greatest where",
+                    "$l_{{BD}}$ 最大和最小时传动角取极值；随 $\\beta$ 变化，最小传动角在下处最大"
+                ),
+                [format!("\\beta = {} ,\\quad l_{{AD}} = {}", angle(of(draft, "beta")), length(of(draft, "AD")))],
+            ));
+        }
+        out
+    }
+
+    /// How C₂ or A follows.
+    fn second_limit(&self, draft: &Draft, [ac1, ac2]: [f64; 2]) -> Proof {
+        match self.way {
+            Way::Limit { .. } => Proof::new(
+                both!(
+                    "$C_2$ lies on the ray $AC_1$ turned by $\\theta$ and on the circle of the rocker: with $\\delta = \\angle C_2AD$ the law of cosines is a quadratic equation for $l_{{AC_2}}$,",
+                    "$C_2$ 在 $AC_1$ 转过 $\\theta$ 的射线与摇杆圆弧上：记 $\\delta = \\angle C_2AD$，由余弦定理得 $l_{{AC_2}}$ 的二次方程"
+                ),
+                [
+                    "l_{AC_2}^2 − 2\\,l_{AC_2}\\,l_{AD}\\cos\\delta + l_{AD}^2 = l_{CD}^2".to_owned(),
+                    format!("l_{{AC_1}} = {} ,\\quad l_{{AC_2}} = {}", length(ac1), length(ac2)),
+                ],
+            ),
+            Way::Bar { bar, .. } => {
+                let [other, formula] = bar.formula();
+                let chord = 2.0 * of(draft, "CD") * libm::sin(of(draft, "psi") / 2.0);
+                Proof::new(
+                    both!(
+                        "With $l_{{AC}} = l_{{BC}} \\pm l_{{AB}}$ in the two limit positions the law of cosines in $AC_1C_2$ gives the other bar",
+                        "两极限位置 $l_{{AC}} = l_{{BC}} \\pm l_{{AB}}$，在 $AC_1C_2$ 中由余弦定理得另一杆长"
+                    ),
+                    [
+                        format!("l_{{C_1C_2}} = 2\\,l_{{CD}}\\sin\\frac{{\\psi}}{{2}} = {}", length(chord)),
+                        format!("{formula} ,\\quad l_{{{other}}} = {}", length(of(draft, other))),
+                        format!("l_{{AC_1}} = {} ,\\quad l_{{AC_2}} = {}", length(ac1), length(ac2)),
+                    ],
+                )
+            }
+            Way::Swing { .. } | Way::Line { .. } | Way::Best { .. } | Way::Gamma { .. } => {
+                let chord = 2.0 * of(draft, "CD") * libm::sin(of(draft, "psi") / 2.0);
+                Proof::new(
+                    both!(
+                        "$A$ lies on the circle over $C_1C_2$ with the inscribed angle $\\theta$; with $\\beta = \\angle C_1C_2A$ the law of sines gives",
+                        "$A$ 在以 $C_1C_2$ 为弦、圆周角为 $\\theta$ 的圆上；记 $\\beta = \\angle C_1C_2A$，由正弦定理得"
+                    ),
+                    [
+                        format!("l_{{C_1C_2}} = 2\\,l_{{CD}}\\sin\\frac{{\\psi}}{{2}} = {}", length(chord)),
+                        format!(
+                            "l_{{AC_1}} = \\frac{{l_{{C_1C_2}}\\sin\\beta}}{{\\sin\\theta}} = {} ,\\quad l_{{AC_2}} = \\frac{{l_{{C_1C_2}}\\sin(\\beta + \\theta)}}{{\\sin\\theta}} = {}",
+                            length(ac1),
+                            length(ac2)
+                        ),
+                    ],
+                )
+            }
+        }
+    }
+}

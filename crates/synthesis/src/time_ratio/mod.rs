@@ -1,0 +1,112 @@
+//! Time ratio 急回: linkages whose two strokes take unequal times, `"synthesis": "time-ratio"`.
+//!
+//! θ = 180°(K − 1)/(K + 1) is the crank angle between the limit positions 极位夹角. A file for each linkage.
+
+mod bar;
+mod crank_rocker;
+mod slider_crank;
+mod slotted;
+
+use super::form::Form;
+use super::{KindOfTask, Wish};
+use hodograph_base::diag::{Diagnostic, both};
+pub(super) use slider_crank::sketch;
+use std::f64::consts::PI;
+
+/// The kind.
+pub const KIND: KindOfTask = KindOfTask {
+    name: "time-ratio",
+    what: ["linkages with a quick return, from the time ratio K", "按行程速度变化系数 K 设计"],
+    keys: &[
+        "linkage", "K", "theta", "rocker", "frame", "limit", "swing", "gamma", "best", "line", "stroke", "offset", "crank", "coupler",
+        "rod", "link",
+    ],
+    read,
+};
+
+/// What reads the wish for a linkage.
+type Reader = fn(&Form) -> Option<Box<dyn Wish>>;
+
+/// The linkages, each with what reads it.
+const LINKAGES: [(&str, Reader); 5] = [
+    ("crank-rocker", crank_rocker::read),
+    ("slider-crank", slider_crank::read),
+    ("slotted-lever", slotted::lever),
+    ("whitworth", slotted::whitworth),
+    ("shaper", slotted::shaper),
+];
+
+fn read(form: &Form) -> Option<Box<dyn Wish>> {
+    form.need("linkage", "\"crank-rocker\"")?;
+    let name = form.choice("linkage", &LINKAGES.map(|l| l.0))?;
+    LINKAGES.iter().find(|l| l.0 == name).and_then(|(_, read)| read(form))
+}
+
+/// The time ratio and its angle θ, from either; a K below one is the other stroke's.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ratio {
+    /// K, at least 1.
+    pub k: f64,
+    /// θ (rad).
+    pub theta: f64,
+    /// Whether 1/K was taken.
+    pub turned: bool,
+}
+
+impl Ratio {
+    fn read(form: &Form) -> Option<Ratio> {
+        if form.has("K") && form.has("theta") {
+            let d = Diagnostic::error("given-twice", both!("`K` and `theta` say the same", "`K` 与 `theta` 重复"));
+            form.fault(d.at(form.span("theta")).help(both!("keep one of the two", "请保留其中一个")));
+            return None;
+        }
+        if form.has("theta") {
+            let theta = form.angle("theta")?;
+            if !(0.0..PI).contains(&theta) {
+                let d = Diagnostic::error("out-of-range", both!("`theta` lies from 0° to less than 180°", "`theta` 应在 0° 到 180° 之间"));
+                form.fault(
+                    d.at(form.span("theta"))
+                        .help(both!("write \"theta\": \"30 deg\", or \"K\": 1.4", "请写 \"theta\": \"30 deg\" 或 \"K\": 1.4")),
+                );
+                return None;
+            }
+            return Some(Ratio { k: (PI + theta) / (PI - theta), theta, turned: false });
+        }
+        form.need("K", "1.5")?;
+        let k = form.number("K")?;
+        if k <= 0.0 {
+            let d = Diagnostic::error("not-positive", both!("`K` must be greater than zero", "`K` 应大于零"));
+            form.fault(d.at(form.span("K")).help(both!("write \"K\": 1.4; 1 is no quick return", "请写 \"K\": 1.4；1 表示无急回")));
+            return None;
+        }
+        let (k, turned) = if k < 1.0 { (1.0 / k, true) } else { (k, false) };
+        Some(Ratio { k, theta: PI * (k - 1.0) / (k + 1.0), turned })
+    }
+
+    /// What is to be said of it.
+    pub fn notes(self) -> Vec<Diagnostic> {
+        let message = both!("K is below one: taken as 1/K, the slow stroke is the other one", "K 小于 1：按 1/K 计算，慢行程为另一行程");
+        self.turned.then(|| Diagnostic::note("K-below-one", message)).into_iter().collect()
+    }
+}
+
+/// Strokes whose crank angles differ by less than this (rad) take the same time: it is rounding.
+const ALIKE: f64 = 1e-9;
+
+/// Which stroke is the slow one, for the sense in which the crank turns.
+pub(super) fn slow_stroke(first: f64, second: f64, omega: f64) -> Diagnostic {
+    let way = (if omega < 0.0 { first - second } else { second - first }).rem_euclid(2.0 * PI);
+    if (way - PI).abs() < ALIKE {
+        return Diagnostic::note("slow-stroke", both!("both strokes take the same time", "两个行程所需时间相同"));
+    }
+    let (from, to) = if way >= PI { (1, 2) } else { (2, 1) };
+    let sense = if omega < 0.0 { both!("clockwise", "顺时针") } else { both!("counter-clockwise", "逆时针") };
+    Diagnostic::note(
+        "slow-stroke",
+        both!(
+            "with the crank turning {} the stroke from C{from} to C{to} is the slow one",
+            "曲柄{}转动时，由 C{from} 到 C{to} 为慢行程",
+            sense
+        ),
+    )
+}

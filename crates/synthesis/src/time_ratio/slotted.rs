@@ -1,0 +1,345 @@
+//! Linkages with a slotted lever 导杆: the slotted lever, the shaper, Whitworth's.
+//!
+//! Swinging lever: in its limits the crank is square to it, so its swing ψ is θ, and AB = AC sin(θ/2). Shaper: CD = H/(2 sin(θ/2)), the
+//! ram's guide in the middle of the rise of D's arc, y = CD (1 + cos(θ/2))/2, which makes the greatest pressure angle least. Whitworth:
+//! the lever turns fully about a pivot inside the crank's circle; while its dead line turns by 180° the crank turns by 360°/(K + 1), so
+//! AC = AB cos(180°/(K + 1)). Pivots: A of the crank, C of the lever, straight below it.
+
+mod drawing;
+mod explained;
+
+use super::Ratio;
+use super::slider_crank::sketch;
+use crate::board::Board;
+use crate::candidate::{Demand, Draft, Number, Wanted, deg, mm, place};
+use crate::form::Form;
+use crate::fourbar::{Heading, headed, omega};
+use crate::{Found, Proof, Statement, Wish};
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_base::digits::{metres, significant};
+use hodograph_base::geom::{Point, Vec2};
+use serde_json::{Map, Value as Json, json};
+use std::f64::consts::PI;
+
+#[derive(Clone, Debug)]
+struct Slotted {
+    ratio: Ratio,
+    /// Crank AB and frame AC.
+    crank: f64,
+    frame: f64,
+    /// Whether the crank was given, and the frame follows.
+    by_crank: bool,
+    kind: Kind,
+    /// What was chosen for the author.
+    notes: Vec<Diagnostic>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    /// The lever alone, to D if its length is given.
+    Lever { lever: Option<f64> },
+    /// With a ram.
+    Shaper { stroke: f64, link: f64 },
+    /// With a slider on a line through C.
+    Whitworth { stroke: f64, link: f64 },
+}
+
+/// What was chosen for the author beside a kind.
+type Chosen = (Kind, Vec<Diagnostic>);
+
+/// Crank and frame, the crank angle between the limits.
+struct Sizes {
+    crank: f64,
+    theta: f64,
+}
+
+/// Reads the lever alone.
+pub(super) fn lever(form: &Form) -> Option<Box<dyn Wish>> {
+    let lever = if form.has("rocker") { form.size("rocker").map(Some) } else { Some(None) };
+    read(form, swings, |_| Some((Kind::Lever { lever: lever? }, Vec::new())))
+}
+
+/// Reads the shaper.
+pub(super) fn shaper(form: &Form) -> Option<Box<dyn Wish>> {
+    let stroke = form.need_size("stroke", STROKE);
+    let link = sized(form, "link");
+    read(form, swings, |own| {
+        let (stroke, link, mut notes) = (stroke?, link?, Vec::new());
+        let link = link.unwrap_or_else(|| short_link(stroke, own.theta / 2.0, &mut notes));
+        Some((Kind::Shaper { stroke, link }, notes))
+    })
+}
+
+/// Reads Whitworth's linkage.
+pub(super) fn whitworth(form: &Form) -> Option<Box<dyn Wish>> {
+    let (stroke, link) = (sized(form, "stroke"), sized(form, "link"));
+    let share = |ratio: Ratio| 1.0 / libm::cos(PI / (ratio.k + 1.0));
+    read(form, share, |own| {
+        let (stroke, link, mut notes) = (stroke?, link?, Vec::new());
+        let stroke = stroke.unwrap_or_else(|| chosen_stroke(own.crank, &mut notes));
+        let link = link.unwrap_or_else(|| chosen_link(stroke, &mut notes));
+        Some((Kind::Whitworth { stroke, link }, notes))
+    })
+}
+
+/// How a stroke is written.
+const STROKE: &str = "\"300 mm\"";
+
+/// A length that may be left out; the outer `None` where it has a fault.
+fn sized(form: &Form, key: &'static str) -> Option<Option<f64>> {
+    if form.has(key) { form.size(key).map(Some) } else { Some(None) }
+}
+
+/// AB/AC of a lever that swings.
+fn swings(ratio: Ratio) -> f64 {
+    libm::sin(ratio.theta / 2.0)
+}
+
+/// What all three have: the time ratio, and crank or frame by their share; `kind` is none where its own keys have a fault.
+fn read(form: &Form, share: impl Fn(Ratio) -> f64, kind: impl FnOnce(&Sizes) -> Option<Chosen>) -> Option<Box<dyn Wish>> {
+    let ratio = Ratio::read(form);
+    let one = one_of(form, ["crank", "frame"]);
+    let (ratio, (key, size)) = (ratio?, one?);
+    if ratio.theta == 0.0 {
+        let d = Diagnostic::error("no-real-solution", both!("with K = 1 a slotted lever has no quick return", "K = 1 时导杆机构没有急回"));
+        form.fault(d.at(form.span("K")).help(both!("K is greater than one", "K 应大于 1")));
+        return None;
+    }
+    let share = share(ratio);
+    let (crank, frame) = if key == "crank" { (size, size / share) } else { (size * share, size) };
+    let (kind, mut notes) = kind(&Sizes { crank, theta: ratio.theta })?;
+    notes.extend(ratio.notes());
+    Some(Box::new(Slotted { ratio, crank, frame, by_crank: key == "crank", kind, notes }))
+}
+
+/// A link of a shaper's ram: three tenths of the lever, and no less than what keeps its pressure angle under 12°.
+fn short_link(stroke: f64, half: f64, notes: &mut Vec<Diagnostic>) -> f64 {
+    let lever = stroke / (2.0 * libm::sin(half));
+    let rise = lever * (1.0 - libm::cos(half)) / 2.0;
+    let link = (0.3 * lever).max(5.0 * rise);
+    let message = both!("the link to the ram is free: {} is taken", "连接滑枕的连杆长可任取：取 {}", metres(link));
+    let help = both!("give \"link\", longer than {}", "可给出大于 {} 的 \"link\"", metres(rise));
+    notes.push(Diagnostic::note("free-choice", message).help(help));
+    link
+}
+
+/// A stroke of Whitworth's slider: the crank's circle across.
+fn chosen_stroke(crank: f64, notes: &mut Vec<Diagnostic>) -> f64 {
+    let stroke = 2.0 * crank;
+    let message = both!("the stroke of the slider is free: {} is taken", "滑块行程可任取：取 {}", metres(stroke));
+    notes.push(Diagnostic::note("free-choice", message).help(both!("give \"stroke\"", "可给出 \"stroke\"")));
+    stroke
+}
+
+/// A long link of Whitworth's slider: three times the lever's arm.
+fn chosen_link(stroke: f64, notes: &mut Vec<Diagnostic>) -> f64 {
+    let link = 1.5 * stroke;
+    let message = both!("the link to the slider is free: {} is taken", "连接滑块的连杆长可任取：取 {}", metres(link));
+    let help = both!("give \"link\", longer than {}", "可给出大于 {} 的 \"link\"", metres(stroke / 2.0));
+    notes.push(Diagnostic::note("free-choice", message).help(help));
+    link
+}
+
+/// Exactly one of two lengths.
+fn one_of(form: &Form, keys: [&'static str; 2]) -> Option<(&'static str, f64)> {
+    match keys.map(|k| form.has(k)) {
+        [true, false] => Some((keys[0], form.size(keys[0])?)),
+        [false, true] => Some((keys[1], form.size(keys[1])?)),
+        _ => {
+            let [one, other] = keys;
+            let message = both!("one of `{one}` and `{other}` is given", "应给出 `{one}` 与 `{other}` 之一");
+            form.fault(
+                Diagnostic::error("missing-key", message)
+                    .at(form.span("linkage"))
+                    .help(both!("write \"{other}\": \"100 mm\"", "请写 \"{other}\": \"100 mm\"")),
+            );
+            None
+        }
+    }
+}
+
+impl Wish for Slotted {
+    fn title(&self) -> Both {
+        let k = significant(self.ratio.k, 4);
+        match self.kind {
+            Kind::Lever { .. } => both!("Slotted lever with time ratio {}", "行程速度变化系数为 {} 的摆动导杆机构", k),
+            Kind::Shaper { .. } => both!("Shaper with time ratio {}", "行程速度变化系数为 {} 的牛头刨床机构", k),
+            Kind::Whitworth { .. } => both!("Whitworth quick return with time ratio {}", "行程速度变化系数为 {} 的转动导杆机构", k),
+        }
+    }
+
+    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+        let draft = match self.kind {
+            Kind::Lever { lever } => self.lever(lever, heading),
+            Kind::Shaper { stroke, link } => self.shaper(stroke, link, heading)?,
+            Kind::Whitworth { stroke, link } => self.whitworth(stroke, link, heading)?,
+        };
+        Ok(Found { drafts: vec![draft], notes: self.notes.clone(), ..Found::default() })
+    }
+
+    fn construct(&self, _: &Draft, board: &mut Board) -> Option<()> {
+        self.drawn(board)
+    }
+
+    fn statement(&self) -> Statement {
+        self.stated()
+    }
+
+    fn proof(&self, draft: &Draft) -> Vec<Proof> {
+        self.proved(draft)
+    }
+}
+
+impl Slotted {
+    fn c(&self) -> Point {
+        Point::new(0.0, -self.frame)
+    }
+
+    fn numbers(&self) -> Vec<Number> {
+        vec![
+            Number::length("AB", both!("crank", "曲柄"), self.crank),
+            Number::length("AC", both!("frame", "机架"), self.frame),
+            Number::angle("theta", both!("crank angle between the limit positions", "极位夹角"), self.ratio.theta),
+            Number::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k),
+        ]
+    }
+
+    /// The swinging lever's limits: the crank square to the lever, on the right and on the left; each with the lever's direction.
+    fn limits(&self) -> [(f64, Point, Vec2); 2] {
+        let half = self.ratio.theta / 2.0;
+        [1.0, -1.0].map(|side| {
+            let crank = Vec2::new(side * libm::cos(half), -libm::sin(half));
+            (crank.angle(), (crank * self.crank).to_point(), Vec2::new(side * libm::sin(half), libm::cos(half)))
+        })
+    }
+
+    /// The links and the slot that all three have; `D` is on the lever where it has a length.
+    fn scene(&self, heading: &Heading, driver: f64, d: Option<(f64, Point)>) -> Map<String, Json> {
+        let mut scene = headed(heading);
+        let lever = if d.is_some() { json!(["C", "D"]) } else { json!(["C"]) };
+        scene.insert("links".into(), json!({"1": ["A", "B"], "3": lever, "6": ["A", "C"]}));
+        scene.insert("ground".into(), json!("6"));
+        scene.insert("points".into(), json!({"A": [0, 0], "C": place(self.c())}));
+        let guide = match d {
+            Some(_) => json!({"pin": "B", "slider": "2", "on": "3", "line": "CD"}),
+            None => json!({"pin": "B", "slider": "2", "on": "3", "through": "C"}),
+        };
+        let mut lengths = json!({"AB": mm(self.crank)});
+        if let Some((lever, at)) = d {
+            lengths["CD"] = mm(lever);
+            scene.insert("sketch".into(), sketch(&[("D", at)]));
+        }
+        scene.insert("lengths".into(), lengths);
+        scene.insert("guides".into(), json!([guide]));
+        scene.insert("driver".into(), json!({"link": "1", "angle": deg(driver), "omega": omega(heading.omega)}));
+        scene.insert("find".into(), json!(["omega_3", "alpha_3", "vr_B3B2"]));
+        scene
+    }
+
+    fn draft(&self, scene: Map<String, Json>, numbers: Vec<Number>, wanted: Vec<Wanted>, stroke: f64, heading: &Heading) -> Draft {
+        let remarks = vec![super::slow_stroke(wanted[0].driver, wanted[1].driver, heading.omega)];
+        let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(stroke)];
+        Draft { demands, remarks, ..Draft::new(both!("the only solution", "唯一解"), Json::Object(scene), numbers, wanted) }
+    }
+
+    fn lever(&self, lever: Option<f64>, heading: &Heading) -> Draft {
+        let limits = self.limits();
+        let wanted = limits.map(|(driver, b, direction)| {
+            let d = lever.map(|l| ("D".to_owned(), self.c() + direction * l));
+            Wanted { driver, places: std::iter::once(("B".to_owned(), b)).chain(d).collect() }
+        });
+        let (driver, _, direction) = limits[0];
+        let scene = self.scene(heading, driver, lever.map(|l| (l, self.c() + direction * l)));
+        let mut numbers = self.numbers();
+        numbers.extend(lever.map(|l| Number::length("CD", both!("lever", "导杆"), l)));
+        self.draft(scene, numbers, wanted.into(), self.ratio.theta, heading)
+    }
+
+    fn shaper(&self, stroke: f64, link: f64, heading: &Heading) -> Result<Draft, Faults> {
+        let half = self.ratio.theta / 2.0;
+        let lever = stroke / (2.0 * libm::sin(half));
+        let height = lever * (1.0 + libm::cos(half)) / 2.0;
+        let off = (lever - height) / link;
+        if off >= 1.0 {
+            let message = both!("the link of {} does not reach from D to the ram", "长 {} 的连杆不能由 D 到达滑枕", metres(link));
+            let help = both!("\"link\" is longer than {}", "\"link\" 应大于 {}", metres(lever - height));
+            return Err(Diagnostic::error("no-real-solution", message).help(help).into());
+        }
+        let limits = self.limits();
+        // The ram lies to the left of D.
+        let ram = |d: Point| {
+            let rise = self.c().y + height - d.y;
+            Point::new(d.x - ((link - rise) * (link + rise)).sqrt(), self.c().y + height)
+        };
+        let wanted = limits.map(|(driver, b, direction)| {
+            let d = self.c() + direction * lever;
+            Wanted { driver, places: vec![("B".into(), b), ("D".into(), d), ("E".into(), ram(d))] }
+        });
+        let d = self.c() + limits[0].2 * lever;
+        let mut scene = self.scene(heading, limits[0].0, Some((lever, d)));
+        self.add_slider(&mut scene, link, self.c().y + height, &[("D", d), ("E", ram(d))]);
+        let mut numbers = self.numbers();
+        numbers.push(Number::length("CD", both!("lever", "导杆"), lever));
+        numbers.push(Number::length("DE", both!("link to the ram", "连接滑枕的连杆"), link));
+        numbers.push(Number::length("y", both!("height of the ram's guide over C", "导路到 C 的距离"), height));
+        numbers.push(Number::length("H", both!("stroke", "行程"), stroke));
+        numbers.push(Number::angle("alpha_max", both!("greatest pressure angle of DE", "DE 的最大压力角"), libm::asin(off)));
+        Ok(self.draft(scene, numbers, wanted.into(), stroke, heading))
+    }
+
+    fn whitworth(&self, stroke: f64, link: f64, heading: &Heading) -> Result<Draft, Faults> {
+        let arm = stroke / 2.0;
+        if link <= arm {
+            let message = both!("the link of {} is too short for the slider's stroke", "长 {} 的连杆不足以满足滑块行程", metres(link));
+            let help = both!("\"link\" is longer than {}", "\"link\" 应大于 {}", metres(arm));
+            return Err(Diagnostic::error("no-real-solution", message).help(help).into());
+        }
+        // Dead line of the lever: square to AC through C, where it meets the crank's circle.
+        let reach = ((self.crank - self.frame) * (self.crank + self.frame)).sqrt();
+        let c = self.c();
+        let wanted = [1.0, -1.0].map(|side| {
+            let b = Point::new(side * reach, c.y);
+            let d = Point::new(side * arm, c.y);
+            Wanted {
+                driver: b.to_vec2().angle(),
+                places: vec![("B".into(), b), ("D".into(), d), ("E".into(), Point::new(d.x - link, c.y))],
+            }
+        });
+        let (d, e) = (Point::new(arm, c.y), Point::new(arm - link, c.y));
+        // The lever is laid by its slot: D is on the side of B.
+        let mut scene = self.scene(heading, wanted[0].driver, Some((arm, d)));
+        self.add_slider(&mut scene, link, c.y, &[("D", d), ("E", e)]);
+        let mut numbers = self.numbers();
+        numbers.push(Number::length("CD", both!("arm of the lever", "导杆上的臂长"), arm));
+        numbers.push(Number::length("DE", both!("link to the slider", "连接滑块的连杆"), link));
+        numbers.push(Number::length("H", both!("stroke", "行程"), stroke));
+        numbers.push(Number::angle(
+            "alpha_return",
+            both!("crank angle of the quick stroke", "快行程的曲柄转角"),
+            2.0 * PI / (self.ratio.k + 1.0),
+        ));
+        let ratio = |gap: f64| self.crank / gap;
+        numbers.push(Number::ratio(
+            "i_max",
+            both!("greatest ratio ω of lever to crank", "导杆与曲柄角速度比的最大值"),
+            ratio(self.crank - self.frame),
+        ));
+        numbers.push(Number::ratio(
+            "i_min",
+            both!("least ratio ω of lever to crank", "导杆与曲柄角速度比的最小值"),
+            ratio(self.crank + self.frame),
+        ));
+        Ok(self.draft(scene, numbers, wanted.into(), stroke, heading))
+    }
+
+    /// Adds the link DE and its slider on a level guide.
+    fn add_slider(&self, scene: &mut Map<String, Json>, link: f64, level: f64, rough: &[(&str, Point)]) {
+        scene["links"]["4"] = json!(["D", "E"]);
+        scene["lengths"]["DE"] = mm(link);
+        if let Some(guides) = scene["guides"].as_array_mut() {
+            guides.push(json!({"pin": "E", "slider": "5", "on": "6", "through": [0, mm(level)], "angle": "0 deg"}));
+        }
+        scene.insert("sketch".into(), sketch(rough));
+        scene.insert("find".into(), json!(["v_E", "a_E", "omega_3", "omega_4"]));
+    }
+}

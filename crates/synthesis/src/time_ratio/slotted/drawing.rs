@@ -1,0 +1,114 @@
+//! Slotted lever, shaper and Whitworth's linkage drawn.
+
+use super::{Kind, Slotted};
+use crate::board::{Board, Line, Weight};
+use hodograph_base::diag::both;
+use hodograph_base::digits::significant;
+use hodograph_base::geom::Point;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+impl Slotted {
+    pub(super) fn drawn(&self, board: &mut Board) -> Option<()> {
+        match self.kind {
+            Kind::Lever { .. } => self.swinging(board).map(|_| ()),
+            Kind::Shaper { stroke, .. } => {
+                let (c, b) = self.swinging(board)?;
+                ram(board, c, b, stroke)
+            }
+            Kind::Whitworth { stroke, .. } => self.turning(board, stroke),
+        }
+    }
+
+    /// A above C; the lever in its limit touches the crank's circle. Returns C and B on the right.
+    fn swinging(&self, board: &mut Board) -> Option<(Point, Point)> {
+        let half = self.ratio.theta / 2.0;
+        let named = significant(half.to_degrees(), 4);
+        let (a, lever) = (Point::ORIGIN, FRAC_PI_2 - half);
+        if self.by_crank {
+            let radius = board.mm(self.crank);
+            let b = Line::ray(a, -half).place(radius);
+            let c = Line::ray(b, lever).cross(&Line::ray(a, -FRAC_PI_2))?;
+            board.step(both!("Draw the crank circle about A; lay off θ/2 = {named}° below the horizontal: B1; the tangent there meets the vertical through A at C", "以 A 为圆心作曲柄圆；由水平线向下量 θ/2 = {named}° 得 B1；过 B1 的切线与过 A 的铅垂线交于 C"));
+            board.circle(a, radius, Weight::Given).line(a, b, Weight::Given).line(c, b, Weight::Thin).line(a, c, Weight::Thin);
+            board.mark("A", a).mark("B_1", b).mark("C", c).read("AC", a, c);
+            return Some((c, b));
+        }
+        let c = Point::new(0.0, -board.mm(self.frame));
+        let ray = Line::ray(c, lever);
+        let b = ray.cross(&ray.square(a))?;
+        board.step(both!(
+            "Lay off the frame AC; under θ/2 = {named}° from it draw the lever's limit; the perpendicular from A meets it at B1",
+            "作机架 AC；在 C 处与其成 θ/2 = {named}° 作导杆极限位置；由 A 作垂线，垂足为 B1"
+        ));
+        board.line(a, c, Weight::Given).line(c, b, Weight::Thin).line(a, b, Weight::Result).mark("A", a).mark("B_1", b).mark("C", c);
+        board.step(both!("The crank circle about A touches the lever in B1", "以 A 为圆心作曲柄圆，与导杆切于 B1"));
+        board.circle(a, a.distance(b), Weight::Thin).read("AB", a, b);
+        Some((c, b))
+    }
+
+    /// Whitworth: while the lever's dead line turns by 180° the crank turns by 360°/(K + 1).
+    fn turning(&self, board: &mut Board, stroke: f64) -> Option<()> {
+        let half = PI / (self.ratio.k + 1.0);
+        let a = Point::ORIGIN;
+        let named = significant(half.to_degrees(), 4);
+        let down = |side: f64| Line::ray(a, -FRAC_PI_2 + side * half);
+        let (b, c) = if self.by_crank {
+            let radius = board.mm(self.crank);
+            let b = [1.0, -1.0].map(|s| down(s).place(radius));
+            let c = Line::through(b[0], b[1])?.cross(&Line::ray(a, -FRAC_PI_2))?;
+            board.step(both!(
+                "Draw the crank circle about A; B1 and B2 lie under 180°/(K + 1) = {named}° from the downward line; their chord meets it at C",
+                "以 A 为圆心作曲柄圆；由向下的铅垂线两侧各量 180°/(K + 1) = {named}° 得 B1、B2；弦 B1B2 与铅垂线交于 C"
+            ));
+            board.circle(a, radius, Weight::Given);
+            (b, c)
+        } else {
+            let c = Point::new(0.0, -board.mm(self.frame));
+            let level = Line::ray(c, 0.0);
+            let b = [down(1.0).cross(&level)?, down(-1.0).cross(&level)?];
+            board.step(both!(
+                "Lay off the frame AC; rays from A under 180°/(K + 1) = {named}° to both sides meet the level line through C at B1, B2",
+                "作机架 AC；由 A 在两侧作与 AC 成 180°/(K + 1) = {named}° 的射线，与过 C 的水平线交于 B1、B2"
+            ));
+            board.circle(a, a.distance(b[0]), Weight::Thin);
+            (b, c)
+        };
+        board.line(a, b[0], Weight::Thin).line(a, b[1], Weight::Thin).line(b[0], b[1], Weight::Thin).line(a, c, Weight::Result);
+        board.mark("A", a).mark("B_1", b[0]).mark("B_2", b[1]).mark("C", c).read("AB", a, b[0]).read("AC", a, c);
+        let [p, q] = [0.0, board.mm(stroke)].map(|x| Point::new(c.x + x, c.y));
+        board.step(both!("Lay the stroke off from C and halve it: the arm CD of the lever", "由 C 量取行程并平分，得导杆臂长 CD"));
+        board.line(p, q, Weight::Thin);
+        let d = board.middle(p, q)?;
+        board.line(c, d, Weight::Result).mark("D", d).read("CD", c, d);
+        Some(())
+    }
+}
+
+/// The shaper's lever by the stroke, and the ram's guide in the middle of the rise of D's arc.
+fn ram(board: &mut Board, c: Point, b: Point, stroke: f64) -> Option<()> {
+    let half = board.mm(stroke) / 2.0;
+    let lever = Line::through(c, b)?;
+    let d1 = lever.cross(&Line::ray(Point::new(c.x + half, c.y), FRAC_PI_2))?;
+    let d2 = Point::new(2.0 * c.x - d1.x, d1.y);
+    board.step(both!(
+        "At H/2 beside the vertical through C draw a parallel: it meets the lever at D1; D2 is its mirror image",
+        "在过 C 的铅垂线一侧 H/2 处作平行线，与导杆交于 D1；D2 与其对称"
+    ));
+    board.line(c, d1, Weight::Result).line(c, d2, Weight::Thin).line(d1, d2, Weight::Thin).line(
+        Point::new(c.x + half, c.y),
+        d1,
+        Weight::Thin,
+    );
+    board.mark("D_1", d1).mark("D_2", d2).read("CD", c, d1);
+    let top = Line::ray(c, FRAC_PI_2).place(c.distance(d1));
+    let foot = Point::new(c.x, d1.y);
+    board.step(both!(
+        "D's arc about C; halve its rise over the chord D1D2: through the middle, y over C, runs the ram's guide",
+        "以 C 为圆心作 D 的圆弧；平分其拱高，过中点（距 C 为 y）作滑枕导路"
+    ));
+    board.circle(c, c.distance(d1), Weight::Thin);
+    let middle = board.middle(foot, top)?;
+    board.line(Point::new(middle.x - 1.3 * half, middle.y), Point::new(middle.x + 1.3 * half, middle.y), Weight::Result);
+    board.mark("E", middle).read("y", c, middle);
+    Some(())
+}
