@@ -11,6 +11,10 @@ use std::process::Command;
 
 mod wide;
 
+/// The example of a binding, a project of its own (`tests/svg` builds it): run here on a file of each kind.
+#[path = "../examples/golden-images/examples/answers.rs"]
+mod binding;
+
 fn problem(name: &str) -> Problem {
     let text = templates::text(name, &[]).unwrap_or_else(|f| panic!("{name}: {f}"));
     read(text).unwrap_or_else(|f| panic!("{name}: {f}")).value
@@ -49,6 +53,16 @@ fn templates_of_all_kinds_take_the_same_calls() {
         }
     }
     assert!(answered > 100 && kinds.len() == 3, "{answered} {kinds:?}");
+}
+
+/// A binding gets answers and figures of each kind of file by one call.
+#[test]
+fn a_binding_takes_files_of_all_kinds() {
+    for (name, has) in [("shaper", "omega_3"), ("time-ratio", "candidates"), ("pursuit", "answers")] {
+        let (json, figures) = binding::answers(&templates::text(name, &[]).unwrap()).unwrap_or_else(|f| panic!("{name}: {f}"));
+        assert!(json.contains(has), "{name}: {json}");
+        assert!(!figures.is_empty() && figures.iter().all(|(_, svg)| svg.starts_with("<svg")), "{name}");
+    }
 }
 
 /// The library and the program give one text.
