@@ -1,6 +1,6 @@
 //! Every output of the program beside that of another build of it, for a change of structure that is to change nothing.
 //!
-//! `HODOGRAPH_PROGRAM=/path/of/the/other cargo test --release --test frozen`: what each command says and writes for each template, design task, motion
+//! `HODOGRAPH_PROGRAM=/path/of/the/other cargo test --test frozen`: what each command says and writes for each template, design task, motion
 //! and near-singular scene, in both languages, byte for byte (some half an hour; `HODOGRAPH_FROZEN=cam` takes the files whose name has this in it).
 //! Without the other build nothing is compared.
 

@@ -1,6 +1,6 @@
 //! Golden files: of every template plan and construction as text, for some the plan as JSON, the sheet as SVG (outlines folded to a hash) and PNG.
 //!
-//! To accept what the program now makes: `HODOGRAPH_ACCEPT=1 cargo test --release --test golden`. That run writes what differs and
+//! To accept what the program now makes: `HODOGRAPH_ACCEPT=1 cargo test --test golden`. That run writes what differs and
 //! fails, naming each file; look at them (`git diff`), the next run without the variable passes. Of the sheets a quarter is compared, all with
 //! `HODOGRAPH_WIDE=1`, and all are written when accepting. [`files`] lists the files.
 
@@ -366,7 +366,7 @@ fn motions_look_as_they_are_drawn() {
 fn the_gallery_is_current() {
     let mut failures = Vec::new();
     let mut page = String::from(
-        "# Gallery\n\nEvery kind of picture, then every template as its sheet. `HODOGRAPH_ACCEPT=1 cargo test --release --test golden` makes the pictures and this\n\
+        "# Gallery\n\nEvery kind of picture, then every template as its sheet. `HODOGRAPH_ACCEPT=1 cargo test --test golden` makes the pictures and this\n\
          page anew; the same test without it checks that they are current. Any of them: `hodograph new NAME > scene.json && hodograph draw scene.json -o out/`.\n",
     );
     page += "\n## Kinds of picture\n\nThe mechanism, both polygons, equations and results of a sheet are pictures too: `hodograph draw --figure`.\n";

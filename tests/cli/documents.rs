@@ -18,7 +18,7 @@ fn commands_of_the_documents_run() {
                 let line = line.split('#').next().unwrap().trim();
                 let words: Vec<&str> = line.split_whitespace().collect();
                 let words = match words[..] {
-                    ["cargo", "run", "--release", "--", ..] => &words[4..],
+                    ["cargo", "run", "--", ..] => &words[3..],
                     ["hodograph", ..] => &words[1..],
                     // The tests themselves, the benchmarks.
                     ["cargo", ..] | [] => continue,

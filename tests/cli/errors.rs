@@ -182,7 +182,7 @@ fn a_code_is_explained_with_cause_and_cure() {
 fn page() -> String {
     let all: Value = serde_json::from_str(&printed(&["explain", "--json"])).unwrap();
     let word = |of: &Value| of.as_str().unwrap().to_owned();
-    let mut out = "# Errors, warnings and notes\n\nEvery message has a code, which stands in its first line. Here is each with its cause and its cure, as `hodograph explain CODE` tells them\n(`--lang zh` in Chinese, `--json` for programs). With `--errors json` a run writes its messages as one JSON document to standard error;\n`hodograph schema --diagnostics` is its schema. This page is made from `src/cli/explain/`: `HODOGRAPH_ACCEPT=1 cargo test --release --test cli page`.\n"
+    let mut out = "# Errors, warnings and notes\n\nEvery message has a code, which stands in its first line. Here is each with its cause and its cure, as `hodograph explain CODE` tells them\n(`--lang zh` in Chinese, `--json` for programs). With `--errors json` a run writes its messages as one JSON document to standard error;\n`hodograph schema --diagnostics` is its schema. This page is made from `src/cli/explain/`: `HODOGRAPH_ACCEPT=1 cargo test --test cli page`.\n"
         .to_owned();
     let codes = all["codes"].as_array().unwrap();
     let mut groups: Vec<&Value> = Vec::new();
@@ -216,5 +216,5 @@ fn the_page_of_errors_is_current() {
         fs::write(&path, page).unwrap();
         panic!("docs/errors.md is written: look at it (git diff); without HODOGRAPH_ACCEPT the test passes");
     }
-    panic!("docs/errors.md is not what `hodograph explain --json` makes: HODOGRAPH_ACCEPT=1 cargo test --release --test cli page");
+    panic!("docs/errors.md is not what `hodograph explain --json` makes: HODOGRAPH_ACCEPT=1 cargo test --test cli page");
 }

@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// The command that accepts, told by every failure.
-pub const HOW: &str = "if this is what you want, look at it and run: HODOGRAPH_ACCEPT=1 cargo test --release --test golden";
+pub const HOW: &str = "if this is what you want, look at it and run: HODOGRAPH_ACCEPT=1 cargo test --test golden";
 
 pub const LANGS: [(Lang, &str); 2] = [(Lang::En, "en"), (Lang::Zh, "zh")];
 
@@ -176,7 +176,7 @@ fn write_if_accepting(path: &Path, now: &[u8], failures: &mut Vec<String>) -> bo
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();
         std::fs::write(path, now).unwrap();
         failures.push(format!(
-            "{}: accepted. Look at it (git diff --stat, git diff) and run without HODOGRAPH_ACCEPT: cargo test --release --test golden",
+            "{}: accepted. Look at it (git diff --stat, git diff) and run without HODOGRAPH_ACCEPT: cargo test --test golden",
             path.display()
         ));
     }

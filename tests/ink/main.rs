@@ -2,7 +2,7 @@
 //! paths of lines. Nothing here knows how labels are placed.
 //!
 //! The gate looks at a few poses of each template; all of them (every 15° from 4°, both languages, three styles):
-//! `HODOGRAPH_INK=all cargo test --release --test ink -- --nocapture`. One template: `HODOGRAPH_ONLY=shaper`.
+//! `HODOGRAPH_INK=all cargo test --test ink -- --nocapture`. One template: `HODOGRAPH_ONLY=shaper`.
 
 mod faults;
 mod read;

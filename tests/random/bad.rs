@@ -79,13 +79,13 @@ fn broken_scenes_are_explained() {
         if std::env::var("HODOGRAPH_ACCEPT").is_ok_and(|v| v == "1") {
             std::fs::write(&file, &now).unwrap();
             panic!(
-                "tests/bad/messages.txt: accepted. Read it (git diff tests/bad/messages.txt) and run without HODOGRAPH_ACCEPT:\n  cargo test --release --test random broken_scenes"
+                "tests/bad/messages.txt: accepted. Read it (git diff tests/bad/messages.txt) and run without HODOGRAPH_ACCEPT:\n  cargo test --test random broken_scenes"
             );
         }
         let at = golden.lines().zip(now.lines()).position(|(a, b)| a != b).unwrap_or(golden.lines().count().min(now.lines().count()));
         let line = |t: &str| t.lines().nth(at).unwrap_or("(end)").to_string();
         panic!(
-            "the messages for tests/bad changed, first in line {}:\n  expected {}\n  actual   {}\nRead them all with `git diff tests/bad/messages.txt` after accepting them:\n  HODOGRAPH_ACCEPT=1 cargo test --release --test random broken_scenes",
+            "the messages for tests/bad changed, first in line {}:\n  expected {}\n  actual   {}\nRead them all with `git diff tests/bad/messages.txt` after accepting them:\n  HODOGRAPH_ACCEPT=1 cargo test --test random broken_scenes",
             at + 1,
             line(&golden),
             line(&now)

@@ -1,7 +1,7 @@
 //! Every printed digit of what is asked of a cam is true: against formulas of this file in 640-bit arithmetic, which take derivatives as differences and
 //! angles of phases from triangles.
 //!
-//! `HODOGRAPH_SEEDS=10 HODOGRAPH_WIDE=1 cargo test --release --test random of_cams -- --nocapture` compares more than 10⁵ numbers.
+//! `HODOGRAPH_SEEDS=10 HODOGRAPH_WIDE=1 cargo test --test random of_cams -- --nocapture` compares more than 10⁵ numbers.
 
 use crate::cam_truth::{ByLaw, Cam, Profile};
 use crate::properties::seeds;

@@ -1,7 +1,7 @@
 //! Every printed digit of what `cam` tells of a cam over a whole turn is true: against formulas of [`crate::cam_truth`] in 640-bit arithmetic, which take
 //! derivatives as differences and look for extremes by themselves.
 //!
-//! `HODOGRAPH_SEEDS=10 HODOGRAPH_WIDE=1 cargo test --release --test random of_cams -- --nocapture`
+//! `HODOGRAPH_SEEDS=10 HODOGRAPH_WIDE=1 cargo test --test random of_cams -- --nocapture`
 
 use crate::cam_laws::ends;
 use crate::cam_truth::{Branch, ByLaw, Cam, Follower, Profile, bottom, differences, slope, whole};

@@ -175,7 +175,7 @@ fn printed_digits_are_true_on_random_mechanisms() {
     tally.done(2000);
 }
 
-/// `HODOGRAPH_SEEDS=20 cargo test --release --test random gears_and_cams` compares more than 10⁵ numbers.
+/// `HODOGRAPH_SEEDS=20 cargo test --test random gears_and_cams` compares more than 10⁵ numbers.
 #[test]
 fn printed_digits_are_true_of_gears_and_cams() {
     let mut tally = Tally::default();

@@ -1,6 +1,6 @@
 //! Random mechanisms and hostile input: what must hold of every scene, not only of those that somebody thought of.
 //!
-//! Seeds are fixed, so that a run says the same everywhere. For a longer hunt: `HODOGRAPH_SEEDS=100 cargo test --release
+//! Seeds are fixed, so that a run says the same everywhere. For a longer hunt: `HODOGRAPH_SEEDS=100 cargo test
 //! --test random -- --nocapture` takes a hundred times as many.
 //! Without it and without `HODOGRAPH_WIDE=1` a part of them is taken.
 

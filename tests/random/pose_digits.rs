@@ -1,6 +1,6 @@
 //! Every printed digit of instantaneous centres, of curvature and of composite motion is true: against geometry in 640-bit arithmetic ([`crate::poses`]).
 //!
-//! `HODOGRAPH_SEEDS=5 cargo test --release --test random pose_digits -- --nocapture` compares some 36 000 numbers.
+//! `HODOGRAPH_SEEDS=5 cargo test --test random pose_digits -- --nocapture` compares some 36 000 numbers.
 
 use crate::compared::{Compared, asking};
 use crate::emit::{Ask, Pose, scene as emitted};

@@ -1,7 +1,7 @@
 //! A sweep says what `solve` says: every quantity that a scene can ask, at eight positions of each of its drivers, against the scene that is written
 //! for that position and solved by itself. Told are the driver's position, the coordinates of what moves, and roughly where joints are.
 //!
-//! One scene of 24 is looked at. `HODOGRAPH_SAYS=all cargo test --release --test says` looks at all 550, some 15 minutes of the processor;
+//! One scene of 24 is looked at. `HODOGRAPH_SAYS=all cargo test --test says` looks at all 550, some 15 minutes of the processor;
 //! `HODOGRAPH_SAYS=3/8` at the third of eight parts of them, `HODOGRAPH_SAYS=cam` at those whose name has this in it.
 
 mod moved;

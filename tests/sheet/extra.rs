@@ -2,7 +2,7 @@
 //! at 24 positions of its driver.
 //!
 //! The gate looks at one of the positions, another one for each template; all of them:
-//! `HODOGRAPH_WIDE=1 HODOGRAPH_EXTRA=all cargo test --release --test sheet read -- --nocapture`. One template: `HODOGRAPH_ONLY=shaper`.
+//! `HODOGRAPH_WIDE=1 HODOGRAPH_EXTRA=all cargo test --test sheet read -- --nocapture`. One template: `HODOGRAPH_ONLY=shaper`.
 
 use crate::legible::{SMALLEST_MM, look, poses};
 use crate::wide::every;

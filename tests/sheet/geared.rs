@@ -1,7 +1,7 @@
 //! Whether the figures of gears and cams can be read: teeth, Kutzbach's plan and the figures of `hodograph cam`, in 24 positions of the
 //! driver and both languages. No label lies on another, none beside the paper.
 //!
-//! The table: `cargo test --release --test sheet geared -- --nocapture`
+//! The table: `cargo test --test sheet geared -- --nocapture`
 
 use crate::wide::every;
 use hodograph::cam::Survey;

@@ -1,7 +1,7 @@
 //! Whether every sheet can be read, whatever the pose: all templates at 24 positions of their driver, in both languages and
 //! both notation profiles.
 //!
-//! `HODOGRAPH_WIDE=1` looks at all positions, else a part of them is looked at. The table: `HODOGRAPH_WIDE=1 cargo test --release --test sheet every_pose -- --nocapture`
+//! `HODOGRAPH_WIDE=1` looks at all positions, else a part of them is looked at. The table: `HODOGRAPH_WIDE=1 cargo test --test sheet every_pose -- --nocapture`
 
 use crate::wide::every;
 use hodograph::figure::list::{self, Extras, Wanted};

@@ -263,7 +263,7 @@ fn ink(figure: &Figure, name: &str) -> (String, Vec<u8>) {
     let svg = svg::write(figure).expect("every item is sound");
     assert_eq!(svg.notes, [], "{name}");
     let png = png::render(&svg.value, 200.0).expect("the document is sound");
-    // To look at the sheets: HODOGRAPH_SHEETS=some/folder cargo test --release --test sheet
+    // To look at the sheets: HODOGRAPH_SHEETS=some/folder cargo test --test sheet
     if let Some(folder) = std::env::var_os("HODOGRAPH_SHEETS") {
         let path = std::path::Path::new(&folder).join(name);
         std::fs::write(path.with_extension("svg"), &svg.value).expect("the folder can be written to");

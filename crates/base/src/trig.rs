@@ -50,7 +50,7 @@ pub fn turns_of(angle: f64) -> f64 {
 /// that of 30°: sine 0.5. A non-finite angle gives NaN.
 ///
 /// ```
-/// use hodograph::trig::{Angle, sin_cos};
+/// use hodograph_base::trig::{Angle, sin_cos};
 /// assert_eq!(sin_cos(Angle::Deg(60.0)).1, 0.5);
 /// assert_eq!(sin_cos(Angle::Deg(-90.0)), (-1.0, 0.0));
 /// ```

@@ -101,16 +101,16 @@ pub fn drawn(entry: &Entry, w: &Wanted, width_mm: Option<f64>) -> Result<Warned<
 /// `paper-too-small` where the smallest legible figure is larger than the room; and what the figure itself has.
 ///
 /// ```
-/// use hodograph::figure::{fit::{Room, pages}, list::{Extras, Wanted, named}, sheet::Options};
-/// use hodograph::scene::{self, Lang, templates};
-/// use hodograph::worked::{Scope, work};
+/// use hodograph_figure::{fit::{Room, pages}, list::{Extras, Wanted, named}, sheet::Options};
+/// use hodograph_scene::{self as scene, Lang, templates};
+/// use hodograph_worked::worked::{Scope, work};
 /// let scene = scene::read(templates::get("slider-crank").unwrap())?.value;
 /// let worked = work(&scene, Scope::Figure)?.value;
 /// let (options, extras) = (Options::of_language(Lang::En), Extras::default());
 /// let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &extras };
 /// let made = pages(named("mechanism").unwrap(), &wanted, Room::Column(80.0))?.value;
 /// assert_eq!(made[0].1.width_mm, 80.0);
-/// # Ok::<(), hodograph::diag::Faults>(())
+/// # Ok::<(), hodograph_base::diag::Faults>(())
 /// ```
 pub fn pages(entry: &Entry, w: &Wanted, room: Room) -> Result<Warned<Pages>, Faults> {
     let mut needs = [0.0_f64; 2];

@@ -60,16 +60,16 @@ pub struct Wanted {
 /// `no-driver`, `no-path` (a point that stands still), `no-motion` where the mechanism cannot be followed from its pose.
 ///
 /// ```
-/// use hodograph::figure::{path, sheet::Options};
-/// use hodograph::scene::{self, Lang, Swept, PointId, templates};
-/// use hodograph::worked::{Scope, work};
+/// use hodograph_figure::{path, sheet::Options};
+/// use hodograph_scene::{self as scene, Lang, Swept, PointId, templates};
+/// use hodograph_worked::worked::{Scope, work};
 /// let scene = scene::read(templates::get("crank-rocker").unwrap())?.value;
 /// let worked = work(&scene, Scope::Figure)?.value;
 /// let e = PointId(scene.points.iter().position(|p| p.name == "E").unwrap());
 /// let wanted = path::Wanted { points: vec![e], swept: Swept::Driver(0), marks: 12, poses: 0 };
 /// let figure = path::figure(&scene, &worked, &Options::of_language(Lang::En), &wanted)?.value;
 /// assert!(figure.title.starts_with("Crank-rocker"));
-/// # Ok::<(), hodograph::diag::Faults>(())
+/// # Ok::<(), hodograph_base::diag::Faults>(())
 /// ```
 pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted) -> Result<Warned<Figure>, Faults> {
     check(scene, wanted)?;

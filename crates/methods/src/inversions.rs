@@ -7,7 +7,8 @@
 //! whose profile is one circle is kept; others are refused, where what they touch follows from the driver's angle.
 //!
 //! ```
-//! use hodograph::{inversions, scene};
+//! use hodograph_methods::inversions;
+//! use hodograph_scene as scene;
 //! let scene = scene::read(scene::templates::get("crank-rocker").unwrap()).unwrap().value;
 //! let all = inversions::inversions(&scene).unwrap().value;
 //! assert_eq!(all.len(), 4);

@@ -69,7 +69,7 @@ pub fn render_in(faults: &Faults, source_name: &str, source: &str, lang: Lang) -
 /// escape character, `�` where Unicode has no such sign. Line breaks and tabs stay.
 ///
 /// ```
-/// assert_eq!(hodograph::report::diagnostics::visible("a\u{1b}[31m\n"), "a␛[31m\n");
+/// assert_eq!(hodograph_report::diagnostics::visible("a\u{1b}[31m\n"), "a␛[31m\n");
 /// ```
 pub fn visible(text: &str) -> Cow<'_, str> {
     let sign = |c: char| match c {

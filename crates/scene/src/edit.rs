@@ -15,7 +15,7 @@ use hodograph_base::number::Ball;
 ///
 /// ```
 /// let text = r#"{"links": {}, "find": ["v_B"]}"#;
-/// assert_eq!(hodograph::scene::edit::with_find(text, &["a_B", "x_B"]).unwrap(), r#"{"links": {}, "find": ["a_B","x_B"]}"#);
+/// assert_eq!(hodograph_scene::edit::with_find(text, &["a_B", "x_B"]).unwrap(), r#"{"links": {}, "find": ["a_B","x_B"]}"#);
 /// ```
 pub fn with_find(text: &str, find: &[&str]) -> Result<String, Faults> {
     let mut faults = Faults::default();
@@ -40,7 +40,7 @@ pub fn with_find(text: &str, find: &[&str]) -> Result<String, Faults> {
 ///
 /// ```
 /// let text = r#"{"parameters": {"r": "100 mm", "s": "2*r"}}"#;
-/// let new = hodograph::scene::edit::with_parameters(text, &[("r", "120")]).unwrap();
+/// let new = hodograph_scene::edit::with_parameters(text, &[("r", "120")]).unwrap();
 /// assert_eq!(new, r#"{"parameters": {"r": "120 mm", "s": "2*r"}}"#);
 /// ```
 pub fn with_parameters(text: &str, values: &[(&str, &str)]) -> Result<String, Faults> {
@@ -54,7 +54,7 @@ pub fn with_parameters(text: &str, values: &[(&str, &str)]) -> Result<String, Fa
 /// What is no angle; places count in `text`.
 ///
 /// ```
-/// use hodograph::scene::{Angle, edit::angle};
+/// use hodograph_scene::{Angle, edit::angle};
 /// assert_eq!(angle("90").unwrap(), Angle::Deg(90.0));
 /// assert_eq!(angle("1 rad").unwrap(), Angle::Rad(1.0));
 /// assert_eq!(angle("108000000000002550").unwrap(), Angle::Deg(30.0));
@@ -69,7 +69,7 @@ pub fn angle(text: &str) -> Result<Angle, Faults> {
 /// As [`angle`].
 ///
 /// ```
-/// use hodograph::scene::{Angle, edit::angles};
+/// use hodograph_scene::{Angle, edit::angles};
 /// let [from, to] = angles("108000000000002550", "108000000000002910").unwrap();
 /// assert_eq!([from, to], [Angle::Deg(30.0), Angle::Deg(390.0)]);
 /// ```
@@ -132,7 +132,7 @@ pub fn length(text: &str) -> Result<f64, Faults> {
 /// What is no time.
 ///
 /// ```
-/// use hodograph::scene::edit::time;
+/// use hodograph_scene::edit::time;
 /// assert_eq!(time("1.5").unwrap(), 1.5);
 /// assert_eq!(time("2 min").unwrap(), 120.0);
 /// assert!(time("3 m").is_err());

@@ -70,8 +70,8 @@ use raw::Extent;
 /// What is no length, not greater than zero, or more than 5 mm; places count in `text`.
 ///
 /// ```
-/// assert_eq!(hodograph::scene::pencil("1/4 * 1 mm").unwrap(), 0.25);
-/// assert!(hodograph::scene::pencil("1 deg").is_err());
+/// assert_eq!(hodograph_scene::pencil("1/4 * 1 mm").unwrap(), 0.25);
+/// assert!(hodograph_scene::pencil("1 deg").is_err());
 /// ```
 pub fn pencil(text: &str) -> Result<f64, Faults> {
     let mut faults = Faults::default();
@@ -91,8 +91,8 @@ pub fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faul
 /// What is no length, or no side of a paper; places count in `text`.
 ///
 /// ```
-/// assert_eq!(hodograph::scene::width("80 mm").unwrap(), 80.0);
-/// assert!(hodograph::scene::width("1 mm").is_err());
+/// assert_eq!(hodograph_scene::width("80 mm").unwrap(), 80.0);
+/// assert!(hodograph_scene::width("1 mm").is_err());
 /// ```
 pub fn width(text: &str) -> Result<f64, Faults> {
     let mut faults = Faults::default();
@@ -112,7 +112,7 @@ pub fn begins_a_question(text: &str) -> bool {
 /// All faults of the file in one list, each with its place as byte offsets into `source`; warnings are among them.
 ///
 /// ```
-/// let scene = hodograph::scene::read(r#"{
+/// let scene = hodograph_scene::read(r#"{
 ///   "links": {"1": ["A", "B"], "2": ["A"]}, "ground": "2", "lengths": {"AB": "100 mm"},
 ///   "driver": {"link": "1", "angle": "30 deg", "omega": "10 rad/s"}, "find": ["v_B"] }"#).unwrap().value;
 /// assert_eq!(scene.lengths[0].value.value, 0.1);
@@ -131,7 +131,8 @@ const ASKED: usize = usize::MAX / 2;
 /// [`place_in_asked`].
 ///
 /// ```
-/// use hodograph::{diag::Span, scene};
+/// use hodograph_base::diag::Span;
+/// use hodograph_scene as scene;
 /// let text = scene::templates::get("crank-rocker").unwrap();
 /// assert_eq!(scene::read_asking(text, "a_C, x_C").unwrap().value.find.len(), 2);
 /// let faults = scene::read_asking(text, "a_C, x_Q").unwrap_err();
@@ -159,8 +160,8 @@ pub fn language_of(source: &[u8]) -> Option<Lang> {
 ///
 /// ```
 /// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1"}"#;
-/// assert!(hodograph::scene::read_topology(text).unwrap().value.drivers.is_empty());
-/// assert!(hodograph::scene::read(text).is_err());
+/// assert!(hodograph_scene::read_topology(text).unwrap().value.drivers.is_empty());
+/// assert!(hodograph_scene::read(text).is_err());
 /// ```
 pub fn read_topology(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
     read_as(source.as_ref(), None, Extent::Pairs)
@@ -174,8 +175,8 @@ pub fn read_topology(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> 
 /// ```
 /// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1",
 ///     "points": {"A": [0, 0], "B": ["30 mm", "40 mm"], "C": ["120 mm", "60 mm"], "D": ["100 mm", 0]}, "driver": {"link": "2"}}"#;
-/// assert!(!hodograph::scene::read_pose(text).unwrap().value.drivers[0].rate_told);
-/// assert!(hodograph::scene::read(text).is_err());
+/// assert!(!hodograph_scene::read_pose(text).unwrap().value.drivers[0].rate_told);
+/// assert!(hodograph_scene::read(text).is_err());
 /// ```
 pub fn read_pose(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
     read_as(source.as_ref(), None, Extent::Pose)
@@ -190,7 +191,7 @@ pub fn read_pose(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
 /// ```
 /// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1",
 ///     "points": {"A": [0, 0], "B": ["30 mm", "40 mm"], "C": ["120 mm", "60 mm"], "D": ["100 mm", 0]}}"#;
-/// assert_eq!(hodograph::scene::read_at_rest(text).unwrap().value.drivers[0].rate.value, 0.0);
+/// assert_eq!(hodograph_scene::read_at_rest(text).unwrap().value.drivers[0].rate.value, 0.0);
 /// ```
 pub fn read_at_rest(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
     read_as(source.as_ref(), None, Extent::Rest)
@@ -204,7 +205,7 @@ pub fn read_at_rest(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
 /// ```
 /// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1",
 ///     "points": {"A": [0, 0], "B": ["30 mm", "40 mm"], "C": ["110 mm", "60 mm"], "D": ["100 mm", 0]}, "find": ["P_13", "i_24"]}"#;
-/// assert!(!hodograph::scene::read_at_any_rate(text).unwrap().value.drivers[0].rate_told);
+/// assert!(!hodograph_scene::read_at_any_rate(text).unwrap().value.drivers[0].rate_told);
 /// ```
 pub fn read_at_any_rate(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
     let told = read_as(source.as_ref(), None, Extent::Motion);

@@ -22,7 +22,7 @@ pub struct Reading {
 ///
 /// ```
 /// let text = r#"{"points": {"A": [0, 0], "B": [1, 0]}, "readings": {"2": {"points": {"A": [1, 2]}}}}"#;
-/// let all = hodograph::scene::readings::readings(text).unwrap();
+/// let all = hodograph_scene::readings::readings(text).unwrap();
 /// assert_eq!(all[1].text, r#"{"points":{"A":[1,2],"B":[1,0]}}"#);
 /// ```
 pub fn readings(text: &str) -> Result<Vec<Reading>, Faults> {

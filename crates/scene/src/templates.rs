@@ -115,7 +115,7 @@ pub fn get(name: &str) -> Result<&'static str, Diagnostic> {
 /// make a mechanism is seen when the text is read.
 ///
 /// ```
-/// use hodograph::scene::templates::instantiate;
+/// use hodograph_scene::templates::instantiate;
 /// let text = instantiate("crank-rocker", &[("l_AB", "80"), ("omega_1", "-2 rad/s")]).unwrap();
 /// assert!(text.contains(r#""l_AB": "80 mm""#) && text.contains(r#""omega_1": "-2 rad/s""#));
 /// ```

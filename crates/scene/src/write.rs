@@ -9,7 +9,7 @@ const WIDTH: usize = 110;
 /// Nothing but white space depends on this.
 ///
 /// ```
-/// use hodograph::scene::write;
+/// use hodograph_scene::write;
 /// let text = write(&serde_json::json!({"links": {"1": ["A", "B"]}, "ground": "2"}));
 /// assert_eq!(text, "{\"links\": {\"1\": [\"A\", \"B\"]}, \"ground\": \"2\"}\n");
 /// ```

@@ -42,12 +42,13 @@ pub struct Range {
 /// The ranges of one length, in order, the three others as they are; none where these do not close with any.
 ///
 /// ```
-/// use hodograph::{sweep::extreme::Grashof, synthesis::grashof::{Length, ranges}};
+/// use hodograph_sweep::extreme::Grashof;
+/// use hodograph_synthesis::grashof::{Length, ranges};
 /// // A course problem: coupler 50, output 35, frame 30; for which cranks is it a crank-rocker?
 /// let all = ranges([0.0, 0.050, 0.035, 0.030], Length::Driver)?;
 /// assert_eq!(all[0].kind, Grashof::CrankRocker);
 /// assert!((all[0].to - 0.015).abs() < 1e-15 && all[0].change_point);
-/// # Ok::<(), hodograph::diag::Diagnostic>(())
+/// # Ok::<(), hodograph_base::diag::Diagnostic>(())
 /// ```
 ///
 /// # Errors

@@ -8,13 +8,13 @@
 //! Not decided here: how a scene moves ([`hodograph_sweep`], [`hodograph_mechanism::position`]).
 //!
 //! ```
-//! let task = hodograph::synthesis::read(r#"{"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 1.5,
+//! let task = hodograph_synthesis::read(r#"{"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 1.5,
 //!     "rocker": "75 mm", "frame": "100 mm", "limit": "45 deg"}"#).unwrap().value;
-//! let design = hodograph::synthesis::solve(&task).unwrap();
+//! let design = hodograph_synthesis::solve(&task).unwrap();
 //! let best = &design.candidates[0];
 //! assert!(best.judged.defects.is_empty());
 //! assert!((best.judged.time_ratio.unwrap() - 1.5).abs() < 1e-9);
-//! assert!(hodograph::scene::read(best.scene_text()).is_ok());
+//! assert!(hodograph_scene::read(best.scene_text()).is_ok());
 //! ```
 
 #![forbid(unsafe_code)]

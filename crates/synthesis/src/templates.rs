@@ -21,8 +21,8 @@ pub fn names() -> impl Iterator<Item = &'static str> + Clone {
 /// The text of a template; `None` for an unknown name.
 ///
 /// ```
-/// let text = hodograph::synthesis::templates::get("time-ratio").unwrap();
-/// assert!(hodograph::synthesis::read(text).is_ok());
+/// let text = hodograph_synthesis::templates::get("time-ratio").unwrap();
+/// assert!(hodograph_synthesis::read(text).is_ok());
 /// ```
 pub fn get(name: &str) -> Option<&'static str> {
     FILES.iter().find(|(n, _)| *n == name).map(|(_, text)| *text)

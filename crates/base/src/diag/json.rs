@@ -9,8 +9,8 @@ pub const SCHEMA: &str = "hodograph/errors/1";
 /// The document of a run: its version and all diagnostics, as [`Faults::json`] makes them.
 ///
 /// ```
-/// use hodograph::diag::{self, Diagnostic, Faults};
-/// let faults = Faults::from(Diagnostic::error("no-driver", hodograph::diag::both!("no driver", "没有原动件")));
+/// use hodograph_base::diag::{self, Diagnostic, Faults};
+/// let faults = Faults::from(Diagnostic::error("no-driver", hodograph_base::diag::both!("no driver", "没有原动件")));
 /// let told = diag::json::document(faults.json("", ""));
 /// assert_eq!(told["schema"], "hodograph/errors/1");
 /// assert_eq!(told["diagnostics"][0]["code"], "no-driver");

@@ -18,7 +18,7 @@ impl LineColumn {
     /// The place of a byte offset. An offset within a character is that of the character, one beyond the text is its end.
     ///
     /// ```
-    /// use hodograph::diag::LineColumn;
+    /// use hodograph_base::diag::LineColumn;
     /// let text = "{\n  \"μ\": 1 }";
     /// assert_eq!(LineColumn::of(text, 0), LineColumn { line: 1, column: 1 });
     /// // The letter μ has two bytes and is one column.
@@ -52,7 +52,7 @@ impl Span {
     /// Lines and columns of a span in its text: of its first character, and of the character after its last one.
     ///
     /// ```
-    /// use hodograph::diag::{LineColumn, Span};
+    /// use hodograph_base::diag::{LineColumn, Span};
     /// let [from, to] = Span::new(2, 5).lines("a\nbcd\n");
     /// assert_eq!((from, to), (LineColumn { line: 2, column: 1 }, LineColumn { line: 2, column: 4 }));
     /// ```

@@ -11,9 +11,9 @@ use hodograph_scene::{PointId, Scene};
 /// A name, or several run together (`O2B`, `3/2`), as it stands among other signs: `B_1` → `B\_1`.
 ///
 /// ```
-/// use hodograph::paper::label::Label;
-/// use hodograph::plan::names::name_label;
-/// assert_eq!(Label::math(format!("v_{{{}}}", name_label("O_"))).faults(), []);
+/// use hodograph_board::plan::names::name_label;
+/// assert_eq!(name_label("O_"), "O\\_");
+/// assert_eq!(name_label("B'"), "B'");
 /// ```
 pub fn name_label(names: &str) -> String {
     let mut out = String::with_capacity(names.len());

@@ -49,15 +49,15 @@ pub struct Wanted {
 /// `no-motion` where the mechanism cannot be followed from its pose; `paper-too-small` where the paper does not hold one row.
 ///
 /// ```
-/// use hodograph::figure::{poses, sheet::Options};
-/// use hodograph::scene::{self, Lang, Swept, templates};
-/// use hodograph::worked::{Scope, work};
+/// use hodograph_figure::{poses, sheet::Options};
+/// use hodograph_scene::{self as scene, Lang, Swept, templates};
+/// use hodograph_worked::worked::{Scope, work};
 /// let scene = scene::read(templates::get("slider-crank").unwrap())?.value;
 /// let worked = work(&scene, Scope::Figure)?.value;
 /// let wanted = poses::Wanted { count: 4, swept: Swept::Driver(0), points: Vec::new() };
 /// let pages = poses::sheets(&scene, &worked, &Options::of_language(Lang::En), &wanted)?.value;
 /// assert_eq!(pages.len(), 2); // a page of A4 holds two or three rows
-/// # Ok::<(), hodograph::diag::Faults>(())
+/// # Ok::<(), hodograph_base::diag::Faults>(())
 /// ```
 pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted) -> Result<Warned<Vec<Figure>>, Faults> {
     let poses = Poses::of(scene, worked, wanted, BOXES)?;

@@ -37,7 +37,7 @@ impl Counts {
     /// F = 3n − (2 p_l + p_h − p′) − F′.
     ///
     /// ```
-    /// use hodograph::mechanism::Counts;
+    /// use hodograph_mechanism::mechanism::Counts;
     /// // A locomotive's three coupled axles: one of the cranks repeats the others.
     /// assert_eq!(Counts { moving: 4, lower: 6, higher: 0 }.freedom(1, 0), 1);
     /// ```

@@ -6,7 +6,8 @@
 //! centre has one velocity on both links ([`velocities`]). [`uses`] takes angular rates and speeds from centres.
 //!
 //! ```
-//! use hodograph::{centres, scene};
+//! use hodograph_methods::centres;
+//! use hodograph_scene as scene;
 //! let scene = scene::read(scene::templates::get("crank-rocker").unwrap()).unwrap().value;
 //! let found = centres::centres(&scene).unwrap().value;
 //! assert_eq!(found.list.len(), 6);
@@ -85,7 +86,7 @@ impl Centres {
 /// How many centres so many links have: N(N − 1)/2, the ground being one of them.
 ///
 /// ```
-/// assert_eq!([3, 4, 5, 6].map(hodograph::centres::count), [3, 6, 10, 15]);
+/// assert_eq!([3, 4, 5, 6].map(hodograph_methods::centres::count), [3, 6, 10, 15]);
 /// ```
 pub fn count(links: usize) -> usize {
     links * links.saturating_sub(1) / 2

@@ -6,7 +6,8 @@
 //! paths of the pole in both planes. Any moving link is seen from any other.
 //!
 //! ```
-//! use hodograph::{curvature, scene};
+//! use hodograph_methods::curvature;
+//! use hodograph_scene as scene;
 //! let scene = scene::read(scene::templates::get("crank-rocker").unwrap()).unwrap().value;
 //! let asked = curvature::Asked { links: curvature::couplers(&scene), ..Default::default() };
 //! let found = curvature::curvature(&scene, &asked).unwrap().value;

@@ -8,11 +8,11 @@
 //! Points that move on links of mechanisms by laws of time are scenes ([`hodograph_scene`]).
 //!
 //! ```
-//! let problem = hodograph::particle::read(hodograph::particle::templates::get("pursuit").unwrap())?.value;
-//! let solved = hodograph::particle::solve(&problem)?;
+//! let problem = hodograph_methods::particle::read(hodograph_methods::particle::templates::get("pursuit").unwrap())?.value;
+//! let solved = hodograph_methods::particle::solve(&problem)?;
 //! assert_eq!(problem.find[0].text, "T_AB");
 //! assert!((solved.answers[0].value.scalar().unwrap() - 5.0 / 9.0 * 3000.0).abs() < 1e-9);
-//! # Ok::<(), hodograph::diag::Faults>(())
+//! # Ok::<(), hodograph_base::diag::Faults>(())
 //! ```
 
 mod ask;

@@ -73,16 +73,17 @@ impl Figure {
     /// The first vector of a name as `find` writes it: that of a polygon before those of its insets.
     ///
     /// ```
-    /// use hodograph::{figure::sheet::{Options, sheet}, scene, worked::{work, Scope}};
-    /// let scene = scene::read(scene::templates::get("crank-rocker").unwrap())?.value;
-    /// let worked = work(&scene, Scope::Figure)?.value;
-    /// let figure = sheet(&scene, &worked, &Options::of_language(scene::Lang::En))?;
+    /// use hodograph_base::geom::Point;
+    /// use hodograph_paper::paper::arrow::Head;
+    /// use hodograph_paper::paper::item::{Colour, Figure, Item, Shape, Stroke};
+    /// use hodograph_paper::paper::shown::Shown;
+    /// let (from, to) = (Point::ORIGIN, Point::new(30.0, 40.0));
+    /// let arrow = Item::new("velocity edge", Shape::Arrow { from, to, stroke: Stroke::new(0.4), head: Head::VECTOR });
+    /// // To a scale of 0.02 (m/s)/mm.
+    /// let items = vec![arrow.with_id("vel-abs-B").showing(Shown::vector("v_B", from, to, 0.02))];
+    /// let figure = Figure { width_mm: 50.0, height_mm: 50.0, title: "v".into(), desc: String::new(), lang: "en".into(), paper: Colour::WHITE, items };
     /// let b = figure.vector("v_B").unwrap();
-    /// assert_eq!(b.id, "vel-abs-B");
-    /// // The crank of 100 mm turns at 10 rad/s.
-    /// assert!((b.si - 1.0).abs() < 1e-9 && (b.from.distance(b.to) - b.mm).abs() < 1e-9);
-    /// assert_eq!(figure.mark("v_B").unwrap().at, b.to);
-    /// # Ok::<(), hodograph::diag::Faults>(())
+    /// assert_eq!((b.id, b.mm, b.si), ("vel-abs-B", 50.0, 1.0));
     /// ```
     pub fn vector(&self, name: &str) -> Option<Vector<'_>> {
         let named = |i: &&Item| i.shown.as_ref().is_some_and(|s| s.names.iter().any(|n| n == name));
@@ -120,7 +121,7 @@ fn mark(item: &Item) -> Option<Mark<'_>> {
 /// Names of a scene are letters, digits, `'` and `_`, and those of coincident points may have a comma before the link: two names never become one.
 ///
 /// ```
-/// use hodograph::paper::shown::escaped;
+/// use hodograph_paper::paper::shown::escaped;
 /// assert_eq!(["normal-C-B", "O2,3", "A'", "B_1", "杆"].map(escaped), ["normal-C-B", "O2__3", "A_0027", "B_005f1", "_6746"]);
 /// ```
 pub fn escaped(name: &str) -> String {
@@ -141,7 +142,7 @@ pub fn escaped(name: &str) -> String {
 /// A question as a part of an id: its `_` is `-`, all else as [`escaped`] has it.
 ///
 /// ```
-/// assert_eq!(hodograph::paper::shown::question_id("an_CB"), "an-CB");
+/// assert_eq!(hodograph_paper::paper::shown::question_id("an_CB"), "an-CB");
 /// ```
 pub fn question_id(text: &str) -> String {
     // A hyphen is a comma to `find`, in ids it parts words.

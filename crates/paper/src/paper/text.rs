@@ -76,7 +76,7 @@ pub struct Run {
 /// as a box and never dropped in silence.
 ///
 /// ```
-/// use hodograph::paper::{label::Label, text};
+/// use hodograph_paper::paper::{label::Label, text};
 /// // Digits of Times are half an em wide.
 /// assert_eq!(text::set(&Label::math("3")).width_em, 0.5);
 /// assert_eq!(text::set(&Label::text("\u{1F600}")).faults[0].code, "missing-glyph");

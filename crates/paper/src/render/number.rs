@@ -15,7 +15,7 @@ const SI_DIGITS: usize = 6;
 /// A value in SI units as the file carries it: six significant digits in the shortest form, without exponent and without `-0`.
 ///
 /// ```
-/// use hodograph::render::number::si;
+/// use hodograph_paper::render::number::si;
 /// assert_eq!([1.0, 0.58317491, -0.0, 1.5e-7, 123456789.0].map(si), ["1", "0.583175", "0", "0.00000015", "123457000"]);
 /// ```
 pub fn si(value: f64) -> String {

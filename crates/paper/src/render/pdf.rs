@@ -45,15 +45,16 @@ const MITRE: f32 = 4.0;
 /// Warnings and errors as [`document`].
 ///
 /// ```
-/// use hodograph::paper::item::{Colour, Figure, Item, Shape, Stroke};
-/// use hodograph::{geom::Point, render::pdf};
+/// use hodograph_paper::paper::item::{Colour, Figure, Item, Shape, Stroke};
+/// use hodograph_base::geom::Point;
+/// use hodograph_paper::render::pdf;
 /// let edge = Shape::Line { from: Point::ORIGIN, to: Point::new(4.0, 3.0), stroke: Stroke::new(0.4) };
 /// let items = vec![Item::new("link", edge)];
 /// let (title, lang) = ("A link".into(), "en".into());
 /// let figure = Figure { width_mm: 10.0, height_mm: 10.0, title, desc: String::new(), lang, paper: Colour::WHITE, items };
 /// let file = pdf::pdf(&[figure])?.value;
 /// assert!(file.starts_with(b"%PDF-1.7"));
-/// # Ok::<(), hodograph::diag::Faults>(())
+/// # Ok::<(), hodograph_base::diag::Faults>(())
 /// ```
 pub fn pdf(figures: &[Figure]) -> Result<Warned<Vec<u8>>, Faults> {
     let page = |f: &Figure| {

@@ -45,14 +45,15 @@ pub const CONTRACT: &str = "svg/1";
 /// all of them in the order of the items.
 ///
 /// ```
-/// use hodograph::paper::item::{Colour, Figure, Item, Shape, Stroke};
-/// use hodograph::{geom::Point, render::svg};
+/// use hodograph_paper::paper::item::{Colour, Figure, Item, Shape, Stroke};
+/// use hodograph_base::geom::Point;
+/// use hodograph_paper::render::svg;
 /// let edge = Shape::Line { from: Point::ORIGIN, to: Point::new(4.0, 3.0), stroke: Stroke::new(0.4) };
 /// let items = vec![Item::new("link", edge).with_id("crank")];
 /// let figure = Figure { width_mm: 10.0, height_mm: 10.0, title: "A link".into(), desc: String::new(), lang: "en".into(), paper: Colour::WHITE, items };
 /// // y up on the paper, down in the file: 3 mm above the lower edge is 7 mm below the upper one.
 /// assert!(svg::write(&figure)?.value.contains(r#"x2="4" y1="10" y2="7""#));
-/// # Ok::<(), hodograph::diag::Faults>(())
+/// # Ok::<(), hodograph_base::diag::Faults>(())
 /// ```
 pub fn write(figure: &Figure) -> Result<Warned<String>, Faults> {
     document(figure, Writing::Used)

@@ -4,7 +4,7 @@
 //! set of rules, and [`Builder::json`] is the file. Names, numbers and what belongs together are judged there, not here.
 //!
 //! ```
-//! use hodograph::scene::build::{Builder, Driver, deg, mm, rad_per_s};
+//! use hodograph_scene::build::{Builder, Driver, deg, mm, rad_per_s};
 //!
 //! let builder = Builder::new()
 //!     .link("1", ["A", "B"])
@@ -15,7 +15,7 @@
 //!     .find(["v_B"]);
 //! assert_eq!(builder.build()?.value.lengths[0].value.value, 0.1);
 //! assert!(builder.json().contains(r#""lengths": {"AB": "100 mm"}"#));
-//! # Ok::<(), hodograph::diag::Faults>(())
+//! # Ok::<(), hodograph_base::diag::Faults>(())
 //! ```
 
 mod amount;

@@ -121,8 +121,9 @@ pub struct Watch<'a> {
 /// Measures every way on a worked scene; the median of the times of its runs counts.
 ///
 /// ```
-/// use hodograph::effort::ways::{Watch, measure};
-/// use hodograph::{scene, worked::{Scope, work}};
+/// use hodograph_worked::effort::ways::{Watch, measure};
+/// use hodograph_scene as scene;
+/// use hodograph_worked::worked::{Scope, work};
 /// use std::time::{Duration, Instant};
 ///
 /// let scene = scene::read(scene::templates::get("crank-rocker").unwrap())?.value;
@@ -130,7 +131,7 @@ pub struct Watch<'a> {
 /// let start = Instant::now();
 /// let measured = measure(&scene, &worked, Watch { now: &|| start.elapsed(), patience: Duration::from_millis(1) })?;
 /// assert!(measured.iter().all(|m| m.seconds.is_none_or(|s| s >= 0.0)));
-/// # Ok::<(), hodograph::diag::Faults>(())
+/// # Ok::<(), hodograph_base::diag::Faults>(())
 /// ```
 ///
 /// # Errors

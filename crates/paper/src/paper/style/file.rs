@@ -75,9 +75,9 @@ pub type Open<'a> = dyn FnMut(&str) -> Result<Vec<u8>, Diagnostic> + 'a;
 /// All faults in one list, each with its place in `source` as byte offsets.
 ///
 /// ```
-/// let style = hodograph::paper::style::read(br#"{ "base": "dark", "lines": { "link": 0.9 } }"#).unwrap();
+/// let style = hodograph_paper::paper::style::read(br#"{ "base": "dark", "lines": { "link": 0.9 } }"#).unwrap();
 /// assert_eq!(style.link.width_mm, 0.9);
-/// assert!(hodograph::paper::style::read(br#"{ "lines": { "link": 90 } }"#).is_err());
+/// assert!(hodograph_paper::paper::style::read(br#"{ "lines": { "link": 90 } }"#).is_err());
 /// ```
 pub fn read(source: &[u8]) -> Result<Style, Faults> {
     read_with(source, &mut nothing)

@@ -184,13 +184,13 @@ impl Difference {
 /// `diff-kinds` for an SVG and a PNG; what reading and drawing an SVG has.
 ///
 /// ```
-/// use hodograph::render::diff::{Options, Picture, compare};
+/// use hodograph_paper::render::diff::{Options, Picture, compare};
 /// let svg = |y: f64| Picture::Svg(format!(r#"<svg xmlns="http://www.w3.org/2000/svg" width="9mm" height="9mm" viewBox="0 0 9 9">
 ///     <line id="link" x1="1" y1="1" x2="8" y2="{y}" stroke="black"/></svg>"#));
 /// assert!(compare(&svg(5.0), &svg(5.0), &Options::default())?.is_empty());
 /// let moved = compare(&svg(5.0), &svg(6.5), &Options::default())?;
 /// assert_eq!((moved.moved[0].id.as_str(), moved.moved[0].mm), ("link", Some(1.5)));
-/// # Ok::<(), hodograph::diag::Diagnostic>(())
+/// # Ok::<(), hodograph_base::diag::Diagnostic>(())
 /// ```
 pub fn compare(old: &Picture, new: &Picture, options: &Options) -> Result<Difference, Diagnostic> {
     let ([a, b], documents) = rasters(old, new)?;

@@ -31,10 +31,10 @@ impl IdPrefix {
     /// A document of [`super::write()`] with the prefix before all its ids and before what refers to them.
     ///
     /// ```
-    /// use hodograph::render::svg::IdPrefix;
+    /// use hodograph_paper::render::svg::IdPrefix;
     /// let prefix = IdPrefix::new("fig1-")?;
     /// assert_eq!(prefix.put_before(r##"<g id="a"><use xlink:href="#b"/></g>"##), r##"<g id="fig1-a"><use xlink:href="#fig1-b"/></g>"##);
-    /// # Ok::<(), hodograph::diag::Diagnostic>(())
+    /// # Ok::<(), hodograph_base::diag::Diagnostic>(())
     /// ```
     pub fn put_before<'a>(&self, svg: &'a str) -> Cow<'a, str> {
         if self.0.is_empty() {
