@@ -45,6 +45,9 @@ const POSITIONS: usize = 8;
 /// Where the first of them lies, as a part of the step: no multiple of what people write.
 const OFF: f64 = 0.37;
 
+/// So many times the mechanism's size is beyond every paper.
+const FAR: f64 = 1e9;
+
 /// What was compared, and what differs.
 #[derive(Default)]
 struct Tally {
@@ -78,7 +81,7 @@ impl Tally {
         // What lies far off is a crossing of lines that are nearly parallel.
         let size = size.max(expected.abs());
         // The radius of a straight piece is rounding of infinity.
-        if unit == "m" && got.abs().min(expected.abs()) > 1e9 * size_of_unit {
+        if unit == "m" && got.abs().min(expected.abs()) > FAR * size_of_unit {
             return;
         }
         let allowed = 1e-9 * size * (1.0 + expected.abs() / size.max(f64::MIN_POSITIVE)) * (1e-2 * condition).max(1.0);
@@ -116,6 +119,11 @@ fn values(swept: &Scene, m: &Mechanism, placed: &Placed, driver: usize) -> Vec<f
         extreme::limits(swept, m, driver).map_or([now, now], |l| l.range.bounds())
     };
     (0..POSITIONS).map(|k| low + (high - low) * (k as f64 + OFF) / POSITIONS as f64).collect()
+}
+
+/// The numbers of an answer; none where there is none.
+fn values_of<'a>(single: Option<&'a Single>, find: &Find) -> &'a [f64] {
+    single.and_then(|s| s.answers.get(&find.text)?.as_deref()).unwrap_or_default()
 }
 
 fn asking(scene: &Scene, find: &[Find]) -> Scene {
@@ -237,6 +245,11 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
                     let answered = single.as_ref().ok().filter(|s| s.answers.get(&group[0].text).is_some_and(Option::is_some));
                     if single.as_ref().is_ok_and(|s| s.condition > 1e6) {
                         tally.singular += 1;
+                        continue;
+                    }
+                    // A place or a radius beyond the paper is rounding of infinity: a straight path, a link that does not turn.
+                    let off_paper = |v: &f64| v.is_finite() && v.abs() > FAR * extent;
+                    if group[0].what.kind() == scene::Kind::Length && values_of(answered, &group[0]).iter().any(off_paper) {
                         continue;
                     }
                     let (Some(single), Some(row)) = (answered, at[k]) else {
