@@ -13,6 +13,7 @@ mod wide;
 
 /// The example of a binding, a project of its own (`tests/svg` builds it): run here on a file of each kind.
 #[path = "../examples/golden-images/examples/answers.rs"]
+#[allow(dead_code)]
 mod binding;
 
 fn problem(name: &str) -> Problem {

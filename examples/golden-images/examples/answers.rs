@@ -18,7 +18,6 @@ pub fn answers(text: &str) -> Result<(String, Vec<(String, String)>), Faults> {
     Ok((solved.json(&look, false, &solved.notes).to_string(), figures))
 }
 
-#[allow(dead_code)] // hodograph's own tests include this file as a module.
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     for path in std::env::args_os().skip(1).map(std::path::PathBuf::from) {
         let (json, figures) = answers(&std::fs::read_to_string(&path)?)?;
