@@ -112,7 +112,7 @@ fn every_mistake_is_there() {
         for a in &all {
             let told = format!("{} {:?}", t.name, a.site);
             met.insert(a.site.mistake());
-            let mu = |s: &hodograph::attempts::Stage| s.worked.construction.polygon(a.gap.level).unwrap().mu;
+            let mu = |s: &hodograph::attempts::Stage| s.worked.construction.polygon(a.gap.on).unwrap().mu;
             assert_eq!(mu(&a.right).to_bits(), mu(&a.wrong).to_bits(), "{told}");
             assert!(!a.rows.is_empty() && a.gap.vector.norm() > 0.0, "{told}");
             let why = a.site.why(&scene);

@@ -7,10 +7,9 @@ use hodograph::accuracy::{self, Drawn, drafting, simulate};
 use hodograph::construct::pencil::{Exact, Single};
 use hodograph::construct::{Layout, by_hand};
 use hodograph::figure::sheet::{Options, sheet};
-use hodograph::mechanism::Level;
 use hodograph::paper::item::Shape;
 use hodograph::render::svg;
-use hodograph::scene::{self, Lang, Scene, templates};
+use hodograph::scene::{self, DiagramKind, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 
 fn worked(text: &str) -> (Scene, Worked) {
@@ -159,8 +158,8 @@ fn a_bad_angle_is_told_with_a_pose_that_is_better() {
     // The larger scale too: all answers within 1 %.
     let mut larger = scene.clone();
     let factor = bad.larger.unwrap();
-    for level in Level::ALL {
-        larger.paper.scales.set(level.kind(), w.construction.scale(level).map(|mu| mu / factor));
+    for on in DiagramKind::ALL {
+        larger.paper.scales.set(on.kind(), w.construction.scale(on).map(|mu| mu / factor));
     }
     let drafting = work(&larger, Scope::Questions).unwrap().value.with_drafting(&larger).drafting.unwrap();
     assert!(drafting.tolerances.iter().flatten().all(|t| t.relative.unwrap() <= 0.01));

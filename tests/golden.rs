@@ -31,14 +31,14 @@ use hodograph::figure::steps as steps_of;
 use hodograph::figure::synthesis as designs;
 use hodograph::figure::{groups, path, poses};
 use hodograph::lesson;
-use hodograph::mechanism::{Level, Mechanism};
+use hodograph::mechanism::Mechanism;
 use hodograph::paper::style::Style;
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::render::{png as raster, svg};
 use hodograph::report::cam::Report;
 use hodograph::report::{answers, centres as report_of_centres, construction, drafting, plan, plan_json};
-use hodograph::scene::{self, Angle, Lang, PointId, Swept, edit, templates};
+use hodograph::scene::{self, Angle, DiagramKind, Lang, PointId, Swept, edit, templates};
 use hodograph::sweep::{self, Placed, Stations, Width, extreme};
 use hodograph::synthesis;
 use hodograph::worked::{Scope, work};
@@ -160,12 +160,13 @@ fn kinds_of_figures_look_as_accepted() {
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let options = Options { style: Style::named(style).unwrap(), ..Options::of_language(Lang::En) };
         let figure = match kind {
-            "inset" => drawing(&scene, &worked, &options, Level::Acceleration).unwrap(),
+            "inset" => drawing(&scene, &worked, &options, DiagramKind::Acceleration).unwrap(),
             "equations" => equations(&scene, &worked, &options).unwrap(),
             "step" => steps_of::figures(&scene, &worked, &options).swap_remove(11),
             "overlay" => {
                 let point = PointId(scene.points.iter().position(|p| p.name == "S").unwrap());
-                let overlay = Overlay { vectors: Some(Level::Velocity), ..Overlay::default() }.with_motion(&scene, &worked, 6, &[point]);
+                let overlay =
+                    Overlay { vectors: Some(DiagramKind::Velocity), ..Overlay::default() }.with_motion(&scene, &worked, 6, &[point]);
                 diagram(&scene, &worked, &options, &overlay)
             }
             "groups" => groups::figure(&scene, &worked, &options.style, &options.notation, Lang::En),

@@ -7,12 +7,12 @@ use hodograph::composite::{Known, On, Staged, Term, Verdict, level, projections}
 use hodograph::construct::Action;
 use hodograph::figure::curves::Diagram;
 use hodograph::lesson;
-use hodograph::mechanism::{Level, Mechanism};
+use hodograph::mechanism::Mechanism;
 use hodograph::plan::text::Writer;
 use hodograph::plan::{Body, By, TermKind, notation::Notation};
 use hodograph::report::construction::sentences;
 use hodograph::scene::quantity::{Frame, RelativePath, relative_path};
-use hodograph::scene::{self, Asked, Lang, Scene, Swept, templates};
+use hodograph::scene::{self, Asked, DiagramKind, Lang, Scene, Swept, templates};
 use hodograph::sweep::pieces::gather;
 use hodograph::sweep::{Placed, timed::Timed};
 use hodograph::worked::{Scope, Worked, work};
@@ -81,7 +81,7 @@ fn lines_are_drawn_through_marks_that_are_there() {
 fn rolling_has_no_sliding_velocity() {
     let mut rolling = 0;
     for (name, scene, worked) in moving() {
-        for t in worked.plan.terms(Level::Velocity) {
+        for t in worked.plan.terms(DiagramKind::Velocity) {
             if let (TermKind::Roll, By::Contact(pair)) = (t.kind, t.by) {
                 assert!(scene.rolling[pair.0].contact().is_none(), "{name}: {t:?}");
             }
@@ -95,7 +95,7 @@ fn rolling_has_no_sliding_velocity() {
 #[test]
 fn no_step_turns_the_ground() {
     for (name, scene, worked) in moving() {
-        let rates = Level::RATES.iter().flat_map(|l| worked.plan.steps(*l)).flat_map(|g| &g.rates);
+        let rates = DiagramKind::POLYGONS.iter().flat_map(|l| worked.plan.steps(*l)).flat_map(|g| &g.rates);
         assert!(rates.clone().all(|(body, _)| *body != Body::Link(scene.ground)), "{name}");
     }
 }
@@ -294,7 +294,7 @@ fn composite_motion_is_projected_across_the_other_unknown() {
                 match p.on {
                     On::Across if s.known == Known::Transport => {
                         assert!(path != RelativePath::Unknown, "{name}: the direction of v_a is not known: {p:?}");
-                        let circle = s.circle.is_some() && p.level == Level::Acceleration;
+                        let circle = s.circle.is_some() && p.of == DiagramKind::Acceleration;
                         assert!(!(circle && has(Term::Absolute)), "{name}: the direction of a_a is not known: {p:?}");
                         across += 1;
                     }

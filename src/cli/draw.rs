@@ -8,13 +8,12 @@ use super::values::{Format, Vectors};
 use super::{Failure, File, Run, Told, files, granted, ids, look_of, pencil, verdict};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::figure::list::{Entry, Extras};
-use crate::mechanism::Level;
 use crate::paper::font::own::Fonts;
 use crate::paper::item::Figure;
 use crate::paper::style::{self, Style};
 use crate::problem::{self, Extent, Pictures, Wish};
 use crate::render::pdf;
-use crate::scene::{self, PointId, Scene};
+use crate::scene::{self, DiagramKind, PointId, Scene};
 use crate::worked::Worked;
 use hodograph_base::json::fields::suggest;
 use std::path::{Path, PathBuf};
@@ -185,13 +184,13 @@ fn read_style(name: &str) -> Result<Style, Failure> {
 /// Vectors that the questions do not call for, points that the scene does not have.
 fn extras(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<Extras, Failure> {
     let (vectors, word) = match a.vectors {
-        Some(Vectors::Velocity) => (Some(Level::Velocity), "velocity"),
-        Some(Vectors::Acceleration) => (Some(Level::Acceleration), "acceleration"),
+        Some(Vectors::Velocity) => (Some(DiagramKind::Velocity), "velocity"),
+        Some(Vectors::Acceleration) => (Some(DiagramKind::Acceleration), "acceleration"),
         None => (None, ""),
     };
     let mut wrong = Vec::new();
-    if let Some(level) = vectors.filter(|l| worked.construction.polygon(*l).is_none()) {
-        let kind = if level == Level::Acceleration { both!("accelerations", "加速度") } else { both!("velocities", "速度") };
+    if let Some(on) = vectors.filter(|l| worked.construction.polygon(*l).is_none()) {
+        let kind = on.vectors();
         let d = Diagnostic::error("no-figure", both!("the scene's questions call for no {}", "所求的量用不到{}", kind))
             .help(both!("ask for one in \"find\"", "请在 \"find\" 中求相应的量"));
         wrong.push(Told::argument("--vectors", word, d));

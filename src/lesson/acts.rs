@@ -4,29 +4,28 @@
 use serde_json::{Value, json};
 
 use crate::construct::{Action, Construction, Polygon};
-use crate::mechanism::Level;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::plan::{Body, By, Term, TermKind, VertexId};
-use crate::scene::{Lang, LinkId, Scene};
+use crate::scene::{DiagramKind, Lang, LinkId, Scene};
 
 use super::bank::Formulas;
 use super::frames::Frame;
 
-/// For each action of a level: its kind (`l` a vector laid off, `d` a direction, `x` a crossing, `c` a copied image, `j` two marks joined,
+/// For each action of a polygon: its kind (`l` a vector laid off, `d` a direction, `x` a crossing, `c` a copied image, `j` two marks joined,
 /// `p` a perpendicular; empty where nothing is drawn), the links, then of its first term: vertex and the one from which it is
 /// seen (of a crossing or an image the vertex found, and −1), what sets its sense (`t` a turning, `n` a centre, `k` a turning and a
 /// sliding, `s` a sliding), and the formulas of symbol, direction, line and turning; −1 where there is none.
-pub fn acts(frame: &Frame, level: Level, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
+pub fn acts(frame: &Frame, on: DiagramKind, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let (scene, paper) = (&frame.scene, &frame.worked.construction);
-    let Some(p) = paper.polygon(level) else { return Vec::new() };
+    let Some(p) = paper.polygon(on) else { return Vec::new() };
     let w = Writer { scene, plan: &frame.worked.plan, notation, lang: Lang::En };
-    p.actions.iter().map(|a| Act { w: &w, level, p, paper }.told(a, formulas)).collect()
+    p.actions.iter().map(|a| Act { w: &w, on, p, paper }.told(a, formulas)).collect()
 }
 
 struct Act<'a> {
     w: &'a Writer<'a>,
-    level: Level,
+    on: DiagramKind,
     p: &'a Polygon,
     paper: &'a Construction,
 }
@@ -51,7 +50,7 @@ impl Act<'_> {
         let [first, ..] = terms else { return json!([kind, [], -1, -1]) };
         let direction = self.w.direction(first);
         let line = ["\\perp ", "\\parallel "].iter().find_map(|sign| direction.strip_prefix(sign)).unwrap_or_default();
-        let symbols: Vec<String> = terms.iter().map(|t| self.w.symbol(self.level, t)).collect();
+        let symbols: Vec<String> = terms.iter().map(|t| self.w.symbol(self.on, t)).collect();
         let told = if direction == self.w.notation.unknown { "" } else { direction.as_str() };
         let mut formula = |text: &str| if text.is_empty() { -1 } else { formulas.formula(text) as i64 };
         json!([
@@ -69,14 +68,14 @@ impl Act<'_> {
 
     /// The angular velocity or acceleration that decides a term's sense.
     fn turning(&self, t: &Term) -> String {
-        let (level, body) = match (t.kind, t.by) {
-            (TermKind::Coriolis, By::Guide { guide, .. }) => (Level::Velocity, Some(Body::Link(self.w.scene.guides[guide.0].on))),
-            (TermKind::Coriolis, By::Frame { body, .. }) => (Level::Velocity, body),
-            (TermKind::Coriolis, By::Cylinder(d)) => (Level::Velocity, Some(Body::Cylinder(d))),
-            (_, By::Turning(body)) => (self.level, Some(body)),
+        let (on, body) = match (t.kind, t.by) {
+            (TermKind::Coriolis, By::Guide { guide, .. }) => (DiagramKind::Velocity, Some(Body::Link(self.w.scene.guides[guide.0].on))),
+            (TermKind::Coriolis, By::Frame { body, .. }) => (DiagramKind::Velocity, body),
+            (TermKind::Coriolis, By::Cylinder(d)) => (DiagramKind::Velocity, Some(Body::Cylinder(d))),
+            (_, By::Turning(body)) => (self.on, Some(body)),
             (_, By::Guide { .. } | By::Cylinder(_) | By::Contact(_) | By::Frame { .. } | By::Apart) => return String::new(),
         };
-        body.map_or_else(String::new, |body| self.w.turning(level, body))
+        body.map_or_else(String::new, |body| self.w.turning(on, body))
     }
 
     /// The links whose motion the terms are, each once.

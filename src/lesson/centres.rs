@@ -19,7 +19,6 @@ use crate::figure::centres::stepped;
 use crate::figure::list::{Extras, Wanted};
 use crate::figure::particle::View;
 use crate::figure::sheet;
-use crate::mechanism::Level;
 use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
 use crate::paper::style::Style;
@@ -27,7 +26,7 @@ use crate::paper::words::words as figure_words;
 use crate::report::centres::Words;
 use crate::report::html::sentence as html;
 use crate::report::math::mathml;
-use crate::scene::{Kind, Scene, Swept};
+use crate::scene::{DiagramKind, Kind, Scene, Swept};
 use crate::sweep::follow::{Follower, Pose, Sweep};
 use crate::worked::{Worked, work_pose};
 
@@ -85,7 +84,7 @@ pub(super) fn lesson(
         let centres = placed(&scene, &worked.mechanism, &worked.configuration).ok()?.value;
         // A centre without a place in a pose would leave its steps without one.
         let whole = centres.list.iter().zip(&task.found.list).all(|(c, own)| c.place.is_some() || own.place.is_none());
-        whole.then_some(Found { frame: Frame { travel: pose.travel, scene, worked, shown: [false; 2], end: false }, centres })
+        whole.then_some(Found { frame: Frame { travel: pose.travel, scene, worked, shown: Vec::new(), end: false }, centres })
     };
     let frames: Vec<Found> = poses.par_iter().filter_map(found).collect();
     let from_own = |k: &usize| frames[*k].frame.travel.abs();
@@ -108,7 +107,7 @@ fn views(f: &Found, options: &sheet::Options) -> Vec<View> {
     let [mechanism, circle] = stepped(&wanted, &f.centres, REACH_MM);
     let [en, zh] = LANGS.map(figure_words);
     let both_of = |en: &str, zh: &str| Both { en: en.to_owned(), zh: zh.to_owned() };
-    let scales = vec![(Level::Position, f.frame.worked.construction.diagram.mu)];
+    let scales = vec![(DiagramKind::Plane, f.frame.worked.construction.diagram.mu)];
     vec![
         View { part: mechanism, caption: both_of(en.centres, zh.centres), scales },
         View { part: circle, caption: both_of(en.circle_diagram, zh.circle_diagram), scales: Vec::new() },

@@ -7,11 +7,11 @@ use serde_json::{Value, json};
 
 use crate::construct::{Action, Polygon};
 use crate::figure::tables::{found_by, target};
-use crate::mechanism::Level;
 use crate::plan::notation::Notation;
 use crate::plan::text::{Column, Writer};
 use crate::plan::{Step, Term};
 use crate::report::equation::{Written, written};
+use crate::scene::DiagramKind;
 
 use super::acts::acts;
 use super::bank::{Formulas, runs};
@@ -21,8 +21,8 @@ use super::steps::LANGS;
 /// For the page: what is written, and which frames follow which variant of the construction.
 ///
 /// `written`: a table is a list of columns (sign before it, symbol, direction, magnitude: indices of formulas, −1 for none), a
-/// statement an object with both languages. `variants`: for each level and each of its actions 0, or the index of what is written
-/// and the columns that the action draws. `acts`: for each variant and level what its actions are about ([`super::acts`]). `frames`:
+/// statement an object with both languages. `variants`: for each polygon and each of its actions 0, or the index of what is written
+/// and the columns that the action draws. `acts`: for each variant and polygon what its actions are about ([`super::acts`]). `frames`:
 /// runs of variants, −1 for none; 0 for the first in all.
 pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Value {
     let mut table = Book { written: Vec::new() };
@@ -36,8 +36,8 @@ pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) 
         }
         let index = known.iter().position(|k| alike(k, frame)).unwrap_or_else(|| {
             known.push(frame);
-            variants.push(json!(Level::RATES.map(|level| table.level(frame, level, notation, formulas))));
-            about.push(json!(Level::RATES.map(|level| acts(frame, level, notation, formulas))));
+            variants.push(json!(DiagramKind::POLYGONS.map(|on| table.level(frame, on, notation, formulas))));
+            about.push(json!(DiagramKind::POLYGONS.map(|on| acts(frame, on, notation, formulas))));
             known.len() - 1
         });
         which.push(index as i64);
@@ -51,7 +51,7 @@ fn alike(a: &Frame, b: &Frame) -> bool {
     let (one, other) = (&a.worked.construction, &b.worked.construction);
     one.chosen == other.chosen
         && a.worked.plan == b.worked.plan
-        && Level::RATES.iter().all(|l| match (one.polygon(*l), other.polygon(*l)) {
+        && DiagramKind::POLYGONS.iter().all(|l| match (one.polygon(*l), other.polygon(*l)) {
             (Some(p), Some(q)) => {
                 p.actions.len() == q.actions.len() && (0..p.actions.len()).all(|k| drawn(p, k) == drawn(q, k)) && same_kinds(p, q)
             }
@@ -92,16 +92,15 @@ impl Book {
         })
     }
 
-    /// For each action of a level 0, or what is written and the columns that it draws.
-    fn level(&mut self, frame: &Frame, level: Level, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
+    /// For each action of a polygon 0, or what is written and the columns that it draws.
+    fn level(&mut self, frame: &Frame, on: DiagramKind, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
         let (paper, plan) = (&frame.worked.construction, &frame.worked.plan);
-        let Some(polygon) = paper.polygon(level) else { return Vec::new() };
+        let Some(polygon) = paper.polygon(on) else { return Vec::new() };
         let writers = LANGS.map(|lang| Writer { scene: &frame.scene, plan, notation, lang });
         let mut all: Vec<Solved> = Vec::new();
-        for group in plan.steps(level) {
+        for group in plan.steps(on) {
             for step in group.steps(group.drawn(paper.chosen[group.group])) {
-                let (Some(found), [Some(en), Some(zh)]) =
-                    (found_by(polygon, target(step)), writers.map(|w| written(&w, paper, level, step)))
+                let (Some(found), [Some(en), Some(zh)]) = (found_by(polygon, target(step)), writers.map(|w| written(&w, paper, on, step)))
                 else {
                     continue;
                 };

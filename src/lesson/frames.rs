@@ -9,11 +9,11 @@ use crate::construct::scale::Boxes;
 use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::series::{Scales, ends};
 use crate::geom::Point;
-use crate::mechanism::{Demand, Level, Mechanism};
+use crate::mechanism::{Demand, Mechanism};
 use crate::paper::style::Style;
 use crate::plan::notation::Notation;
 use crate::position::Configuration;
-use crate::scene::{Kind, Scene};
+use crate::scene::{ByKind, DiagramKind, Kind, Scene};
 use crate::worked::{Worked, work_placed, work_pose};
 
 use super::curve;
@@ -30,7 +30,7 @@ pub struct Frame {
     /// The pose worked through.
     pub worked: Worked,
     /// Whether the polygon of velocities, and that of accelerations, is on the paper.
-    pub shown: [bool; 2],
+    pub shown: Vec<DiagramKind>,
     /// Whether the driver can go no farther here: nothing is said of the motion.
     pub end: bool,
 }
@@ -44,9 +44,9 @@ pub struct Frames {
     /// Whether the mechanism turns fully.
     pub full: bool,
     /// The scale and the windows of either polygon, if there is one.
-    pub zoom: [Option<Zoom>; 2],
+    pub zoom: ByKind<Zoom>,
     /// How either is split over several drawings, if it is.
-    pub split: [Option<Split>; 2],
+    pub split: ByKind<Split>,
     /// Whether some polygon next to a limit is too large for the paper.
     pub cut: bool,
 }
@@ -97,8 +97,8 @@ struct Papers {
     mu: f64,
     /// The names of the points of the motion.
     points: Vec<String>,
-    zooms: [Option<Zoom>; 2],
-    splits: [Option<Split>; 2],
+    zooms: ByKind<Zoom>,
+    splits: ByKind<Split>,
 }
 
 /// A mark in a window, and in which.
@@ -257,19 +257,18 @@ impl Maker<'_> {
         let boxes = own.map_or(Boxes::default(), |w| Boxes::of(&self.scene.paper, &w.plan));
         let common = Scales::of(&self.scene.paper, &poses, unlimited, boxes);
         let own_poses: Vec<(&Scene, &Worked)> = trials.iter().map(|t| (&t.scene, &t.worked)).collect();
-        let of = |level| {
-            let (split, label_mm) = split(&own_poses, level, self.style, self.notation);
-            (Zoom::of(&self.scene.paper, &poses, &common, level, boxes, split.as_ref(), &label_mm), split)
+        let of = |on| {
+            let (split, label_mm) = split(&own_poses, on, self.style, self.notation);
+            (Zoom::of(&self.scene.paper, &poses, &common, on, boxes, split.as_ref(), &label_mm), split)
         };
-        let [(velocity, split_v), (acceleration, split_a)] = Level::RATES.map(of);
-        let mu = own.map(|w| w.construction.diagram.mu).or(common.mu.get(Kind::Length)).unwrap_or(1.0);
-        Papers {
-            mu,
-            points: self.scene.points.iter().map(|p| p.name.clone()).collect(),
-            common,
-            zooms: [velocity, acceleration],
-            splits: [split_v, split_a],
+        let (mut zooms, mut splits) = (ByKind::default(), ByKind::default());
+        for on in DiagramKind::POLYGONS {
+            let (zoom, split) = of(on);
+            zooms.set(on.kind(), zoom);
+            splits.set(on.kind(), split);
         }
+        let mu = own.map(|w| w.construction.diagram.mu).or(common.mu.get(Kind::Length)).unwrap_or(1.0);
+        Papers { mu, points: self.scene.points.iter().map(|p| p.name.clone()).collect(), common, zooms, splits }
     }
 
     /// Draws all poses to the common scales.
@@ -280,8 +279,8 @@ impl Maker<'_> {
         let to_scale = |trial: &Trial| {
             let mut scene = trial.scene.clone();
             scene.paper.scales.set(Kind::Length, Some(papers.mu));
-            for (level, zoom) in Level::RATES.into_iter().zip(&papers.zooms) {
-                scene.paper.scales.set(level.kind(), zoom.as_ref().map(|z| z.mu));
+            for on in DiagramKind::POLYGONS {
+                scene.paper.scales.set(on.kind(), papers.zooms.of(on.kind()).map(|z| z.mu));
             }
             let Worked { mechanism, demand, configuration, .. } = &trial.worked;
             let worked = work_placed(&scene, mechanism.clone(), demand.clone(), configuration.clone()).ok()?.value;
@@ -290,11 +289,12 @@ impl Maker<'_> {
         let drawn: Vec<Option<(Scene, Worked)>> = trials.par_iter().map(to_scale).collect();
         for (trial, drawn) in trials.into_iter().zip(drawn) {
             let Some((scene, worked)) = drawn else { continue };
-            let shown = Level::RATES.map(|level| papers.common.holds(&trial.worked, level));
-            frames.cut |= Level::RATES.iter().zip(shown).any(|(l, s)| !s && worked.construction.polygon(*l).is_some());
+            let holds = |on: &DiagramKind| papers.common.holds(&trial.worked, *on);
+            frames.cut |= DiagramKind::POLYGONS.iter().any(|on| !holds(on) && worked.construction.polygon(*on).is_some());
+            let shown: Vec<DiagramKind> = DiagramKind::POLYGONS.into_iter().filter(holds).collect();
             let near = |k: usize| sweep.is_limit(k) && (sweep.poses[k].travel - trial.travel).abs() < 2.0 * BEFORE[3] * sweep.step(k);
             let end = trial.travel != 0.0 && (near(0) || near(sweep.poses.len() - 1));
-            frames.list.push(Frame { travel: trial.travel, scene, worked, shown: shown.map(|s| s && !end), end });
+            frames.list.push(Frame { travel: trial.travel, scene, worked, shown: if end { Vec::new() } else { shown }, end });
         }
         // A scene in a singular pose begins beside it.
         let from_own = |k: &usize| frames.list[*k].travel.abs();
@@ -325,23 +325,23 @@ impl Papers {
         if !polygons {
             return marks;
         }
-        for ((level, zoom), split) in Level::RATES.into_iter().zip(&self.zooms).zip(&self.splits) {
-            let (Some(p), Some(zoom)) = (worked.construction.polygon(level), zoom) else { continue };
+        for on in DiagramKind::POLYGONS {
+            let (Some(p), Some(zoom)) = (worked.construction.polygon(on), self.zooms.of(on.kind())) else { continue };
             // What is not shown need not be true.
-            let on_paper = self.common.holds(worked, level);
+            let on_paper = self.common.holds(worked, on);
             let through = |windows: &Windows, scale: usize, q: Point| {
                 on_paper.then(|| (scale, (q.to_vec2() * (1.0 / windows.view[scale])).to_point()))
             };
             for (part, windows) in zoom.windows.iter().enumerate() {
                 let mut add = |list: Vec<Option<Point>>, scale| marks.extend(list.into_iter().map(|q| through(windows, scale, q?)));
-                match split {
+                match self.splits.of(on.kind()) {
                     None => {
-                        let scale = windows.place(ends(worked, level));
+                        let scale = windows.place(ends(worked, on));
                         let in_si = |q: Point| (q.to_vec2() * p.mu).to_point();
                         add(p.images.iter().map(|q| q.map(in_si)).chain(p.edges.iter().map(|e| Some(in_si(e.to.1)))).collect(), scale);
                     }
                     Some(split) => {
-                        let list = split.ends(worked, level, part);
+                        let list = split.ends(worked, on, part);
                         let scale = windows.place(list.iter().flatten().copied());
                         add(list, scale);
                     }

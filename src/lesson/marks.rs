@@ -7,12 +7,11 @@ use std::collections::hash_map::Entry;
 use serde_json::{Value, json};
 
 use crate::geom::Point;
-use crate::mechanism::Level;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::plan::{Spot, VertexId};
-use crate::scene::Lang;
 use crate::scene::quantity::Meaning;
+use crate::scene::{DiagramKind, Lang};
 
 use super::bank::Formulas;
 use super::frames::{Frame, Frames};
@@ -28,11 +27,11 @@ pub fn marks(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> V
     let plan = &base.worked.plan;
     let w = Writer { scene: &base.scene, plan, notation, lang: Lang::En };
     let alike = |f: &Frame| f.worked.plan.vertices == plan.vertices;
-    let has = |f: &Frame, i: usize| alike(f) && f.shown[i] && f.worked.construction.polygon(Level::RATES[i]).is_some();
+    let has = |f: &Frame, on: DiagramKind| alike(f) && f.shown.contains(&on) && f.worked.construction.polygon(on).is_some();
     let seen: [Vec<bool>; 3] = [
         frames.list.iter().map(alike).collect(),
-        frames.list.iter().map(|f| has(f, 0)).collect(),
-        frames.list.iter().map(|f| has(f, 1)).collect(),
+        frames.list.iter().map(|f| has(f, DiagramKind::Velocity)).collect(),
+        frames.list.iter().map(|f| has(f, DiagramKind::Acceleration)).collect(),
     ];
     let mut packed = Columns::default();
     let mut list = Vec::new();
@@ -41,12 +40,12 @@ pub fn marks(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> V
         let placed = packed.points(frames, &seen[0], place);
         let fixed = plan.vertex(v).fixed;
         let symbols = [0, 1].map(|i| {
-            let level = Level::RATES[i];
-            let image = |f: &Frame| f.worked.construction.polygon(level)?.images[v.0];
+            let on = DiagramKind::POLYGONS[i];
+            let image = |f: &Frame| f.worked.construction.polygon(on)?.images[v.0];
             if fixed || !seen[i + 1].contains(&true) || !packed.points(frames, &seen[i + 1], image) {
                 return -1;
             }
-            formulas.formula(&w.vector(level, v)) as i64
+            formulas.formula(&w.vector(on, v)) as i64
         });
         let moves = !fixed && matches!(plan.vertex(v).spot, Spot::Point(_));
         list.push(json!([formulas.formula(&w.name(v)), placed, placed && moves, asked(&w, v), symbols]));

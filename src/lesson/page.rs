@@ -7,24 +7,24 @@ use serde_json::{Value, json};
 use crate::construct::pencil::USUAL_MM;
 use crate::diag::Faults;
 use crate::geom::Point;
-use crate::mechanism::{Level, Mechanism};
+use crate::mechanism::Mechanism;
 use crate::paper::label::Label;
 use crate::paper::words as figure_words;
 use crate::plan::names::name_label;
 use crate::position::toggle::Toggle;
 use crate::render::escaped;
 use crate::render::svg::Elements;
-use crate::report::amount::of_level;
+use crate::report::amount::scale_formula;
 use crate::report::math::mathml;
 use crate::report::statement::paragraphs;
-use crate::scene::{Book, DriverKind, Lang, PointId, Scene};
+use crate::scene::{DiagramKind, DriverKind, Lang, PointId, Scene};
 use crate::scene::{Swept, driver_position};
 
 use super::bank::{self, Formulas};
 use super::equations::equations;
 use super::frames::{Frame, Frames};
 use super::marks::marks;
-use super::scenery::{Layout, Scenery, Shows, place, scenery, stray};
+use super::scenery::{Layout, Scenery, scenery, stray};
 use super::steps::{LANGS, answers, steps};
 use super::track::{Told, UNIT, runs};
 use super::words::{table, word};
@@ -80,7 +80,7 @@ pub fn page(scene: &Scene, options: &Options, (mechanism, sweep): (&Mechanism, &
     };
     let told_drawings: Vec<Value> = drawings.iter().zip(&told).map(|(d, t)| drawing(d, t)).collect();
     let book = &frames.list[frames.base].scene.book;
-    let scales: Vec<usize> = drawings.iter().map(|d| formulas.formula(&scale_formula(book, d.shows, d.mu))).collect();
+    let scales: Vec<usize> = drawings.iter().map(|d| formulas.formula(&scale_formula(book, d.shows.on, d.mu))).collect();
     let mut data = json!({
         "digits": pack::alphabet(),
         "unit": UNIT,
@@ -184,37 +184,19 @@ fn drawing(d: &Scenery, told: &[Told]) -> Value {
         // A name stands once in a document: that of an element in the window of all poses is kept aside.
         layout["markup"] = json!(told.markup.replace(" id=\"", " data-id=\""));
     }
-    // For the page the mechanism has no level, an index among the rates.
-    let (level, part) = match d.shows {
-        Shows::Mechanism => (None, None),
-        Shows::Polygon(level, part) => (Some(place(level)), part),
-    };
-    json!({"key": d.shows.key(), "level": level, "part": part, "shown": runs(d.shown.iter().copied()), "layouts": layouts})
-}
-
-/// A scale as the label language says it.
-fn scale_formula(book: &Book, shows: Shows, mu: f64) -> String {
-    let level = match shows {
-        Shows::Mechanism => Level::Position,
-        Shows::Polygon(level, _) => level,
-    };
-    of_level(book, level, mu)
+    // For the page a polygon has a level, its index among the polygons.
+    let on = DiagramKind::POLYGONS.iter().position(|on| *on == d.shows.on);
+    json!({"key": d.shows.key(), "level": on, "part": d.shows.part, "shown": runs(d.shown.iter().copied()), "layouts": layouts})
 }
 
 /// A drawing with its caption, as it is first seen.
 fn figure(d: &Scenery, told: &[Told], frames: &Frames, lang: Lang) -> String {
     let [w, h] = d.size_mm.map(crate::render::number::mm);
     let book = &frames.list[frames.base].scene.book;
-    let caption = |l: Lang| match d.shows {
-        Shows::Mechanism => figure_words::words(l).diagram.to_owned(),
-        Shows::Polygon(level, None) => figure_words::words(l).polygon(level).to_owned(),
-        Shows::Polygon(level, Some(part)) => {
-            let (name, number) = (figure_words::words(l).polygon(level), part + 1);
-            match l {
-                Lang::En => format!("{name} ({number})"),
-                Lang::Zh => format!("{name}（{number}）"),
-            }
-        }
+    let caption = |l: Lang| match (figure_words::words(l).drawing(d.shows.on), d.shows.part, l) {
+        (name, None, _) => name.to_owned(),
+        (name, Some(part), Lang::En) => format!("{name} ({})", part + 1),
+        (name, Some(part), Lang::Zh) => format!("{name}（{}）", part + 1),
     };
     let key = d.shows.key();
     let both = LANGS.map(|l| format!(" data-{}=\"{}\"", tag(l), escaped(&caption(l)))).concat();
@@ -223,7 +205,7 @@ fn figure(d: &Scenery, told: &[Told], frames: &Frames, lang: Lang) -> String {
         "<figure id=\"{key}\" class=\"drawing\">\n<svg viewBox=\"0 0 {w} {h}\" style=\"--w:{w};--h:{h}\" role=\"img\" aria-labelledby=\"{key}-caption\">\n\
          {ink}</svg>\n<p class=\"off\" hidden></p>\n{ZOOMS}<figcaption><span id=\"{key}-caption\"{both}>{}</span> <span class=\"scale\">{}</span></figcaption>\n</figure>\n",
         escaped(&caption(lang)),
-        mathml(&Label::math(scale_formula(book, d.shows, d.mu))),
+        mathml(&Label::math(scale_formula(book, d.shows.on, d.mu))),
     )
 }
 

@@ -5,11 +5,10 @@ use crate::figure::fit::{self, Room};
 use crate::figure::list::{Extras, Wanted};
 use crate::figure::sheet;
 use crate::geom::Point;
-use crate::mechanism::Level;
 use crate::paper::item::Figure;
 use crate::render::number::mm;
 use crate::render::svg::{Elements, hex};
-use crate::scene::Scene;
+use crate::scene::{DiagramKind, Scene};
 use crate::worked::Worked;
 
 use crate::render::escaped;
@@ -51,8 +50,8 @@ struct Drawings {
 
 /// The drawings side by side or one below the other, and their size (mm) together.
 fn drawings(scene: &Scene, worked: &Worked, options: &sheet::Options, stacked: bool) -> Result<(Drawings, [f64; 2]), Faults> {
-    let drawn = |level| Some((level, sheet::drawing(scene, worked, options, level)?));
-    let mut figures: Vec<_> = Level::ALL.into_iter().filter_map(drawn).collect();
+    let drawn = |on| Some((on, sheet::drawing(scene, worked, options, on)?));
+    let mut figures: Vec<_> = DiagramKind::ALL.into_iter().filter_map(drawn).collect();
     let most = |side: fn(&Figure) -> f64| figures.iter().map(|(_, f)| side(f)).fold(0.0, f64::max);
     let sum = |side: fn(&Figure) -> f64| figures.iter().map(|(_, f)| side(f) + GAP_MM).sum::<f64>() - GAP_MM;
     let [width, height] = if stacked { [most(|f| f.width_mm), sum(|f| f.height_mm)] } else { [sum(|f| f.width_mm), most(|f| f.height_mm)] };
@@ -60,7 +59,7 @@ fn drawings(scene: &Scene, worked: &Worked, options: &sheet::Options, stacked: b
     let mut body = String::new();
     let mut elements = Elements::new(height);
     let mut done = 0;
-    for (level, figure) in &mut figures {
+    for (on, figure) in &mut figures {
         // Side by side all stand on one line, their captions at the bottom.
         top -= figure.height_mm;
         let corner = if stacked { Point::new((width - figure.width_mm) / 2.0, top) } else { Point::new(x, 0.0) };
@@ -69,7 +68,7 @@ fn drawings(scene: &Scene, worked: &Worked, options: &sheet::Options, stacked: b
         top -= GAP_MM;
         let list = elements.of(&figure.items)?;
         // An item that several steps draw comes with the first.
-        let of: Vec<Option<usize>> = figure.items.iter().map(|i| i.steps().min().filter(|_| *level > Level::Position)).collect();
+        let of: Vec<Option<usize>> = figure.items.iter().map(|i| i.steps().min().filter(|_| *on > DiagramKind::Plane)).collect();
         let most = of.iter().flatten().max().map_or(0, |n| n + 1);
         // What comes in one step stays together, in the order of the drawing; the order of steps is told by the index.
         for (element, of) in list.iter().zip(&of) {

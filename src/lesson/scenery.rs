@@ -11,13 +11,12 @@ use crate::figure::course::courses;
 use crate::figure::mechanism::{self, Course};
 use crate::figure::polygon::{self, Share};
 use crate::geom::{Point, Vec2};
-use crate::mechanism::Level;
-use crate::paper::drawing::{Drawing, Habits, Part, prefix};
+use crate::paper::drawing::{Drawing, Habits, Part};
 use crate::paper::extent::Rect;
 use crate::paper::style::Style;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::scene::Lang;
+use crate::scene::{DiagramKind, Lang};
 use crate::worked::Worked;
 
 use super::frames::{Frame, Frames};
@@ -33,23 +32,18 @@ const AIR_MM: f64 = 1.0;
 
 /// What a drawing shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shows {
-    /// The mechanism.
-    Mechanism,
-    /// A polygon, or one part of it where it is split.
-    Polygon(Level, Option<usize>),
+pub struct Shows {
+    /// The diagram.
+    pub on: DiagramKind,
+    /// Of a polygon that is split, the part.
+    pub part: Option<usize>,
 }
 
 impl Shows {
     /// A word for names in the page.
     pub fn key(self) -> String {
-        match self {
-            Shows::Mechanism => "mechanism".to_owned(),
-            Shows::Polygon(level, part) => {
-                let word = ["velocity", "acceleration"][place(level)];
-                part.map_or_else(|| word.to_owned(), |part| format!("{word}-{}", part + 1))
-            }
-        }
+        let word = self.on.word();
+        self.part.map_or_else(|| word.to_owned(), |part| format!("{word}-{}", part + 1))
     }
 }
 
@@ -87,21 +81,16 @@ pub struct Layout {
 /// # Errors
 /// Those of the SVG writer.
 pub fn scenery(frames: &Frames, notation: &Notation, style: &Style) -> Result<Vec<Scenery>, Faults> {
-    let mut wanted = vec![Shows::Mechanism];
-    let drawn = |level: Level| frames.list.iter().any(|f| f.worked.construction.polygon(level).is_some());
-    for level in Level::RATES.into_iter().filter(|l| drawn(*l)) {
-        match &frames.split[place(level)] {
-            None => wanted.push(Shows::Polygon(level, None)),
-            Some(split) => wanted.extend((0..split.parts()).map(|part| Shows::Polygon(level, Some(part)))),
+    let mut wanted = vec![Shows { on: DiagramKind::Plane, part: None }];
+    let drawn = |on: DiagramKind| frames.list.iter().any(|f| f.worked.construction.polygon(on).is_some());
+    for on in DiagramKind::POLYGONS.into_iter().filter(|on| drawn(*on)) {
+        match frames.split.of(on.kind()) {
+            None => wanted.push(Shows { on, part: None }),
+            Some(split) => wanted.extend((0..split.parts()).map(|part| Shows { on, part: Some(part) })),
         }
     }
     // The drawings know nothing of one another.
     wanted.into_par_iter().map(|shows| Studio::of(frames, notation, style, shows).scenery()).collect()
-}
-
-/// A level's place in what is told of both.
-pub fn place(level: Level) -> usize {
-    usize::from(level == Level::Acceleration)
 }
 
 /// The parts of all frames in which something is drawn.
@@ -127,17 +116,17 @@ impl<'a> Studio<'a> {
         let share = share_of(frames, shows);
         let is_full = |(w, p): (Writer, &Polygon)| share.map_or_else(|| polygon::is_full(&w, p), |s| polygon::is_full_share(&w, p, s));
         let full = frames.list.iter().any(|f| polygon_of(f, shows, notation).is_some_and(is_full));
-        let mu = match shows {
-            Shows::Mechanism => frames.list[frames.base].worked.construction.diagram.mu,
-            Shows::Polygon(level, _) => frames.zoom[place(level)].as_ref().map_or(1.0, |z| z.mu),
+        let mu = match shows.on {
+            DiagramKind::Plane => frames.list[frames.base].worked.construction.diagram.mu,
+            on @ (DiagramKind::Velocity | DiagramKind::Acceleration) => frames.zoom.of(on.kind()).map_or(1.0, |z| z.mu),
         };
         Studio { frames, notation, style, shows, full, mu }
     }
 
     fn scenery(&self) -> Result<Scenery, Faults> {
-        match self.shows {
-            Shows::Mechanism => self.mechanism(),
-            Shows::Polygon(level, part) => self.polygon(level, part.unwrap_or(0)),
+        match self.shows.on {
+            DiagramKind::Plane => self.mechanism(),
+            on @ (DiagramKind::Velocity | DiagramKind::Acceleration) => self.polygon(on, self.shows.part.unwrap_or(0)),
         }
     }
 
@@ -165,8 +154,8 @@ impl<'a> Studio<'a> {
         self.told(size(own), vec![(own_mu, own, self.parts(own_mu, own, true)), (mu, seen, self.parts(mu, seen, false))])
     }
 
-    fn polygon(&self, level: Level, part: usize) -> Result<Scenery, Faults> {
-        let Some(zoom) = self.frames.zoom[place(level)].as_ref().map(|z| &z.windows[part]) else {
+    fn polygon(&self, on: DiagramKind, part: usize) -> Result<Scenery, Faults> {
+        let Some(zoom) = self.frames.zoom.of(on.kind()).map(|z| &z.windows[part]) else {
             return self.told([0.0; 2], Vec::new());
         };
         let window = window_mm(self.label_mm());
@@ -215,7 +204,7 @@ impl<'a> Studio<'a> {
     }
 
     fn courses(&self, mu: f64) -> Vec<Course> {
-        if self.shows != Shows::Mechanism {
+        if self.shows.on != DiagramKind::Plane {
             return Vec::new();
         }
         let drawn: Vec<Worked> = self.frames.list.iter().map(|f| zoom::diagram(&f.worked, self.mu / mu)).collect();
@@ -234,15 +223,15 @@ impl<'a> Studio<'a> {
 
     fn part(&self, k: usize, mu: f64, course: Option<&Course>, window: Rect, habits: &mut Habits) -> Option<Part> {
         let frame = &self.frames.list[k];
-        match self.shows {
-            Shows::Mechanism => {
+        match self.shows.on {
+            DiagramKind::Plane => {
                 let by = stray(self.frames, frame) * (self.mu / mu);
                 let room = Rect::new(window.min - by, window.max - by);
                 let mut part = self.diagram(k, mu, course?).0.finish_within(habits, room);
                 part.translate(by);
                 Some(part)
             }
-            Shows::Polygon(..) => {
+            DiagramKind::Velocity | DiagramKind::Acceleration => {
                 let (w, p) = polygon_of(frame, self.shows, self.notation)?;
                 let p = p.to_scale(mu);
                 let drawing = match share_of(self.frames, self.shows) {
@@ -273,15 +262,14 @@ impl<'a> Studio<'a> {
             for (k, part) in parts.into_iter().enumerate() {
                 let Some(mut part) = part else { continue };
                 part.translate(shift);
-                if let Shows::Polygon(level, Some(_)) = self.shows {
+                if let Some(own) = self.shows.part {
                     // What several parts show has a name of its own in each.
-                    let (kind, own) = (Shows::Polygon(level, None).key(), self.shows.key());
-                    let (whole, number) = (prefix(&kind), &own[kind.len()..]);
-                    part.items.iter_mut().for_each(|i| i.id = i.id.replacen(whole, &format!("{whole}{number}"), 1));
+                    let whole = self.shows.on.prefix();
+                    part.items.iter_mut().for_each(|i| i.id = i.id.replacen(whole, &format!("{whole}-{}", own + 1), 1));
                 }
                 back[k] = beyond(part.bounds, middle, size_mm);
                 let mut drawn = frames.list[k].worked.construction.chosen.clone();
-                if self.shows != Shows::Mechanism {
+                if self.shows.on != DiagramKind::Plane {
                     drawn.push(plans[k]);
                 }
                 track.add(k, &part.items, &drawn)?;
@@ -321,16 +309,13 @@ fn about(centre: Point, [w, h]: [f64; 2]) -> Rect {
 
 /// A frame's polygon, where it is on the paper, and who writes its letters (the language does not matter).
 fn polygon_of<'a>(frame: &'a Frame, shows: Shows, notation: &'a Notation) -> Option<(Writer<'a>, &'a Polygon)> {
-    let Shows::Polygon(level, _) = shows else { return None };
-    let on_paper = frame.shown[Level::RATES.iter().position(|l| *l == level)?];
-    let p = frame.worked.construction.polygon(level).filter(|_| on_paper)?;
+    let p = frame.worked.construction.polygon(shows.on).filter(|_| frame.shown.contains(&shows.on))?;
     Some((Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang: Lang::En }, p))
 }
 
 /// The part of a split polygon that a drawing shows.
 fn share_of(frames: &Frames, shows: Shows) -> Option<Share<'_>> {
-    let Shows::Polygon(level, Some(part)) = shows else { return None };
-    Some(frames.split[place(level)].as_ref()?.share(part))
+    Some(frames.split.of(shows.on.kind())?.share(shows.part?))
 }
 
 /// By how much (mm) a frame's diagram must be moved to lie over that of the scene's own pose: its origin may be a point that

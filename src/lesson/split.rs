@@ -5,11 +5,10 @@
 
 use crate::figure::polygon::{Share, is_full, is_full_share, shares};
 use crate::geom::Point;
-use crate::mechanism::Level;
 use crate::paper::style::Style;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::scene::{Lang, Scene};
+use crate::scene::{DiagramKind, Lang, Scene};
 use crate::worked::Worked;
 
 /// The split of a polygon.
@@ -36,18 +35,18 @@ impl Split {
     }
 
     /// The ends of a part's vectors in a pose, seen from the pole (SI), in an order that all poses share.
-    pub fn ends(&self, worked: &Worked, level: Level, part: usize) -> Vec<Option<Point>> {
-        let Some(p) = worked.construction.polygon(level) else { return Vec::new() };
+    pub fn ends(&self, worked: &Worked, on: DiagramKind, part: usize) -> Vec<Option<Point>> {
+        let Some(p) = worked.construction.polygon(on) else { return Vec::new() };
         self.share(part).ends(p).into_iter().map(|end| end.map(|q| (q.to_vec2() * p.mu).to_point())).collect()
     }
 }
 
 /// The split of a polygon over all poses, if it is split, and the type of each of its drawings (mm): small where there are many vectors.
-pub fn split(poses: &[(&Scene, &Worked)], level: Level, style: &Style, notation: &Notation) -> (Option<Split>, Vec<f64>) {
+pub fn split(poses: &[(&Scene, &Worked)], on: DiagramKind, style: &Style, notation: &Notation) -> (Option<Split>, Vec<f64>) {
     let drawn = || {
         poses.iter().filter_map(|(scene, worked)| {
             let w = Writer { scene, plan: &worked.plan, notation, lang: Lang::En };
-            Some((w, *worked, worked.construction.polygon(level)?))
+            Some((w, *worked, worked.construction.polygon(on)?))
         })
     };
     let size = |many: bool| if many { style.small_mm } else { style.label_mm };

@@ -7,29 +7,28 @@ use rayon::prelude::*;
 use crate::certified::ladder::Certified;
 use crate::certified::{Steps, certify, steps as certified_steps};
 use crate::figure::results::DIGITS;
-use crate::mechanism::Level;
 use crate::paper::phrase::{Phrase, tr};
 use crate::paper::words::words;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::amount::{amount, sense, symbol};
 use crate::report::construction::sentences;
-use crate::scene::{Lang, Swept, driver_position};
+use crate::scene::{DiagramKind, Lang, Swept, driver_position};
 
 use super::bank::{self, Formulas};
 use super::frames::{Frame, Frames};
-use super::scenery::{Shows, place};
+use super::scenery::Shows;
 
 /// Both languages of the page.
 pub const LANGS: [Lang; 2] = [Lang::En, Lang::Zh];
 
-/// The steps after the mechanism's own: the key of the drawing, index of the action in its level (−1 for the pole), and what is said,
+/// The steps after the mechanism's own: the key of the drawing, index of the action in its polygon (−1 for the pole), and what is said,
 /// English and Chinese.
 pub fn steps(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let mut steps = Vec::new();
     let told: Vec<Steps> = frames.list.par_iter().map(|f| certified_steps(&f.scene, &f.worked, None)).collect();
-    for level in Level::RATES {
-        let of = |lang| frames.list.iter().zip(&told).map(|(f, t)| of_level(f, t, level, notation, lang)).collect::<Vec<_>>();
+    for on in DiagramKind::POLYGONS {
+        let of = |lang| frames.list.iter().zip(&told).map(|(f, t)| told_on(f, t, on, notation, lang)).collect::<Vec<_>>();
         let mut said = LANGS.map(of);
         let count = said[0].iter().map(Vec::len).max().unwrap_or(0);
         // A pose in which fewer vectors are drawn has a sentence for the steps of the others, too.
@@ -37,10 +36,10 @@ pub fn steps(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> V
             let rest = tr(lang, "In this position nothing more is drawn.", "该位置不再作图。");
             frames.iter_mut().filter(|s| !s.is_empty()).for_each(|s| s.resize(count, rest.to_owned()));
         }
-        let split = frames.split[place(level)].as_ref();
+        let split = frames.split.of(on.kind());
         for n in 0..count {
             let [en, zh] = in_both(|l| said[l].iter().map(|s| s.get(n).cloned()).collect(), formulas);
-            let shows = Shows::Polygon(level, split.map(|s| s.part_of(n.checked_sub(1))));
+            let shows = Shows { on: on, part: split.map(|s| s.part_of(n.checked_sub(1))) };
             steps.push(json!([shows.key(), n as i64 - 1, en, zh]));
         }
     }
@@ -56,8 +55,8 @@ fn in_both(said: impl Fn(usize) -> Vec<Option<String>>, formulas: &mut Formulas)
     [en, zh]
 }
 
-fn of_level(frame: &Frame, told: &Steps, level: Level, notation: &Notation, lang: Lang) -> Vec<String> {
-    let Some(p) = frame.worked.construction.polygon(level).filter(|_| !frame.end) else { return Vec::new() };
+fn told_on(frame: &Frame, told: &Steps, on: DiagramKind, notation: &Notation, lang: Lang) -> Vec<String> {
+    let Some(p) = frame.worked.construction.polygon(on).filter(|_| !frame.end) else { return Vec::new() };
     let w = Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang };
     sentences(&w, &frame.worked.construction, p, told).iter().map(Phrase::source).collect()
 }

@@ -10,9 +10,8 @@
 use crate::construct::scale::{self, Boxes, extent};
 use crate::figure::series::{Scales, ends, size};
 use crate::geom::{Point, Vec2};
-use crate::mechanism::Level;
 use crate::paper::extent::Rect;
-use crate::scene::Paper;
+use crate::scene::{DiagramKind, Paper};
 use crate::worked::Worked;
 
 use super::split::Split;
@@ -97,31 +96,31 @@ impl Zoom {
         paper: &Paper,
         poses: &[(f64, &Worked)],
         common: &Scales,
-        level: Level,
+        on: DiagramKind,
         boxes: Boxes,
         split: Option<&Split>,
         label_mm: &[f64],
     ) -> Option<Zoom> {
-        let one = common.mu.get(level.kind())?;
-        let whole = |w: &Worked| (size(w, level, &boxes).unwrap_or(0.0), ends(w, level).collect());
-        let whole = Sight::list(poses, |w| common.holds(w, level), whole);
+        let one = common.mu.get(on.kind())?;
+        let whole = |w: &Worked| (size(w, on, &boxes).unwrap_or(0.0), ends(w, on).collect());
+        let whole = Sight::list(poses, |w| common.holds(w, on), whole);
         let (own, middling) = Sight::usual(&whole)?;
         let half = OF_HALF * middling;
-        let fixed = paper.scales.get(level.kind());
+        let fixed = paper.scales.get(on.kind());
         let base = poses.iter().min_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))?.1;
-        let usual = if own.size >= half { base.construction.polygon(level).map(|p| p.mu) } else { None };
-        let usual_mu = || scale::choose_in(paper.unit(level.kind()), extent(Sight::around(&whole, half).into_iter()), boxes.polygon);
+        let usual = if own.size >= half { base.construction.polygon(on).map(|p| p.mu) } else { None };
+        let usual_mu = || scale::choose_in(paper.unit(on.kind()), extent(Sight::around(&whole, half).into_iter()), boxes.polygon);
         let mu = fixed.or(usual).unwrap_or_else(|| if half > 0.0 { usual_mu() } else { one });
         let windows = match split {
             None => vec![Windows::of(&whole, label_mm[0], one)?],
             Some(split) => {
                 let part = |(k, label_mm): (usize, &f64)| {
                     let seen = |w: &Worked| {
-                        let ends: Vec<Point> = split.ends(w, level, k).into_iter().flatten().collect();
+                        let ends: Vec<Point> = split.ends(w, on, k).into_iter().flatten().collect();
                         let [width, height] = extent(ends.iter().copied().chain([Point::ORIGIN]));
                         ((width / boxes.polygon[0]).max(height / boxes.polygon[1]), ends)
                     };
-                    Windows::of(&Sight::list(poses, |w| common.holds(w, level), seen), *label_mm, one)
+                    Windows::of(&Sight::list(poses, |w| common.holds(w, on), seen), *label_mm, one)
                 };
                 label_mm.iter().enumerate().map(part).collect::<Option<_>>()?
             }

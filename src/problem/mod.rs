@@ -24,7 +24,7 @@ use crate::scene::{Lang, Scene, Swept};
 use crate::synthesis;
 use crate::worked::{Worked, instant};
 use crate::worksheet::{Document, Sides};
-use serde_json::Value as Json;
+use serde_json::{Value as Json, json};
 
 pub use scene::whole_motion;
 pub use task::included;
@@ -161,6 +161,9 @@ impl Options {
         Options { figures: true, ..Options::default() }
     }
 }
+
+/// The version of the document that [`Solved::json`] makes; keys are only added within one.
+const SCHEMA: &str = "hodograph/solved/1";
 
 /// Solves a problem.
 ///
@@ -315,8 +318,14 @@ impl Solved {
     }
 
     /// The answers for programs, in SI, with remarks of reading and solving; of a design task with `steps` the construction too.
+    ///
+    /// One document for all kinds of file, `hodograph/solved/1`; `hodograph schema --solved` describes it.
     pub fn json(&self, look: &Look, steps: bool, notes: &[Diagnostic]) -> Json {
-        self.answered.json(look, steps, notes)
+        let mut all = json!({"schema": SCHEMA, "kind": self.answered.kind().word()});
+        if let (Json::Object(all), Json::Object(told)) = (&mut all, self.answered.json(look, steps, notes)) {
+            all.extend(told);
+        }
+        all
     }
 
     /// Figures, each with the word that its file is named after.
@@ -363,6 +372,7 @@ impl Solved {
 trait Answered: std::fmt::Debug + Send + Sync {
     fn answers(&self, look: &Look) -> Vec<Answer>;
     fn text(&self, look: &Look, steps: bool) -> String;
+    fn kind(&self) -> Kind;
     fn json(&self, look: &Look, steps: bool, notes: &[Diagnostic]) -> Json;
     fn figures(&self, pictures: &Pictures, look: &Look) -> Result<Warned<Pages>, Faults>;
     fn worksheet(&self, sides: Sides, mistake: Option<&str>, look: &Look) -> Result<Document, Faults>;

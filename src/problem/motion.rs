@@ -1,6 +1,6 @@
 //! Motions of points without a mechanism.
 
-use super::{Answer, Answered, Lesson, Look, Pictures, Solved, Verdict};
+use super::{Answer, Answered, Kind, Lesson, Look, Pictures, Solved, Verdict};
 use crate::answer::Value as Told;
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::list::Pages;
@@ -84,6 +84,10 @@ impl Answered for Moved {
         let lang = self.lang(look);
         let notation = look.notation.clone().unwrap_or_else(|| Notation::of_language(lang));
         report::text(&self.problem, &self.solved, &self.board, look.digits, steps.then_some(&notation), lang)
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Motion
     }
 
     fn json(&self, look: &Look, _: bool, notes: &[Diagnostic]) -> Json {

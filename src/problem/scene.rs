@@ -1,6 +1,6 @@
 //! Scenes.
 
-use super::{Answer, Answered, Lesson, Look, Options, Pictures, Solved, Verdict};
+use super::{Answer, Answered, Kind, Lesson, Look, Options, Pictures, Solved, Verdict};
 use crate::attempts;
 use crate::certified::{Certified, certify, steps};
 use crate::diag::{Diagnostic, Faults, Warned, both};
@@ -119,6 +119,10 @@ impl Answered for Mechanism {
             out += &format!("\n{}", construction::text(&w, &worked.construction, &steps));
         }
         out
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Scene
     }
 
     fn json(&self, look: &Look, _: bool, notes: &[Diagnostic]) -> Json {

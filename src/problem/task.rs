@@ -1,6 +1,6 @@
 //! Tasks of design.
 
-use super::{Answer, Answered, Lesson, Look, Options, Pictures, Solved};
+use super::{Answer, Answered, Kind, Lesson, Look, Options, Pictures, Solved};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::figure::list::Pages;
 use crate::figure::{fit, sheet, synthesis as figure};
@@ -98,6 +98,10 @@ impl Answered for Designed {
             Some(construction) => text + lang.of(&construction.steps),
             None => text + &format!("\n{}\n", lang.of(&no_construction())),
         }
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Task
     }
 
     fn json(&self, _: &Look, steps: bool, _: &[Diagnostic]) -> Json {

@@ -15,6 +15,17 @@ pub enum Kind {
     Motion,
 }
 
+impl Kind {
+    /// Its word in documents for programs.
+    pub fn word(self) -> &'static str {
+        match self {
+            Kind::Scene => "scene",
+            Kind::Task => "task",
+            Kind::Motion => "motion",
+        }
+    }
+}
+
 /// Something that only some kinds of file grant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]

@@ -43,11 +43,11 @@ impl Maker<'_> {
             "The solution below contains one mistake. Find it, say why it is one, and give the right values.",
             "下面的解法中有一处错误。请指出错误，说明理由，并求出正确结果。",
         ));
-        let level = attempt.gap.level;
-        for group in self.worked.plan.steps(level) {
+        let on = attempt.gap.on;
+        for group in self.worked.plan.steps(on) {
             let chosen = group.drawn(self.worked.construction.chosen[group.group]);
             for step in group.steps(chosen) {
-                self.step(blocks, level, step);
+                self.step(blocks, on, step);
             }
         }
         let figure = as_printed(attempt, self.options);

@@ -1,4 +1,4 @@
-//! The solution's side: freedom and groups, scales, then for each level equations, angular rates, polygon and steps.
+//! The solution's side: freedom and groups, scales, then for each polygon equations, angular rates, polygon and steps.
 
 use super::speak::Speak;
 use super::{Block, Maker, Table, TableKind};
@@ -6,7 +6,6 @@ use crate::centres::Task;
 use crate::construct::Polygon;
 use crate::figure::sheet::drawing;
 use crate::figure::tables::special_line;
-use crate::mechanism::Level;
 use crate::mechanism::compound;
 use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, fill};
@@ -14,13 +13,13 @@ use crate::plan::names::name_label;
 use crate::plan::text::Column;
 use crate::plan::{Body, GroupSteps, Method, Rate, Spot, Step};
 use crate::report::amount::number;
-use crate::report::amount::of_level;
+use crate::report::amount::scale_formula;
 use crate::report::construction::sentences;
 use crate::report::equation::{Written, written};
 use crate::report::math::Math;
 use crate::report::mobility::lower_set;
 use crate::report::plan::group_set;
-use crate::scene::Lang;
+use crate::scene::{DiagramKind, Lang};
 
 /// Digits of a length on paper in the choice of scales: a ruler gives no more.
 const RULER_DIGITS: usize = 4;
@@ -54,17 +53,17 @@ impl Maker<'_> {
         self.groups(blocks);
         let shown = alone || special;
         if shown {
-            blocks.extend(self.figure("construction", Level::Position));
+            blocks.extend(self.figure("construction", DiagramKind::Plane));
         }
         self.scales(blocks, shown);
-        for level in Level::RATES {
-            self.level(blocks, level);
+        for on in DiagramKind::POLYGONS {
+            self.level(blocks, on);
         }
         self.results(blocks, task.as_ref());
     }
 
-    fn figure(&self, name: &'static str, level: Level) -> Option<Block> {
-        drawing(self.scene, self.worked, self.options, level).map(|f| Block::Figure { name, figure: Box::new(f) })
+    fn figure(&self, name: &'static str, on: DiagramKind) -> Option<Block> {
+        drawing(self.scene, self.worked, self.options, on).map(|f| Block::Figure { name, figure: Box::new(f) })
     }
 
     /// What laws of time give at the instant.
@@ -116,7 +115,7 @@ impl Maker<'_> {
         let mut members = Vec::new();
         let mm = |v: f64| format!("{} mm", number(v, RULER_DIGITS));
         let book = &self.scene.book;
-        let mut mu = format!("${}$", of_level(book, Level::Position, mu_of_figure));
+        let mut mu = format!("${}$", scale_formula(book, DiagramKind::Plane, mu_of_figure));
         if let Some(l) = self.scene.lengths.first() {
             let (a, b) = (l.a.min(l.b), l.a.max(l.b));
             let ends = name_label(&format!("{}{}", self.scene.point_name(a), self.scene.point_name(b)));
@@ -127,8 +126,8 @@ impl Maker<'_> {
             };
         }
         members.push(mu);
-        for level in Level::RATES {
-            members.extend(paper.polygon(level).filter(|_| !paper.is_empty(level)).map(|p| format!("${}$", of_level(book, level, p.mu))));
+        for on in DiagramKind::POLYGONS {
+            members.extend(paper.polygon(on).filter(|_| !paper.is_empty(on)).map(|p| format!("${}$", scale_formula(book, on, p.mu))));
         }
         blocks.push(self.heading(2, "Scales", "比例尺"));
         blocks.push(self.paragraph(
@@ -139,34 +138,31 @@ impl Maker<'_> {
         blocks.push(Block::List { numbered: false, members: members.iter().map(|s| Phrase::new(s)).collect() });
     }
 
-    fn level(&self, blocks: &mut Vec<Block>, level: Level) {
-        let Some(polygon) = self.worked.construction.polygon(level) else { return };
-        blocks.push(Block::Heading(2, self.words().equations(level).into()));
-        for group in self.worked.plan.steps(level) {
+    fn level(&self, blocks: &mut Vec<Block>, on: DiagramKind) {
+        let Some(polygon) = self.worked.construction.polygon(on) else { return };
+        blocks.push(Block::Heading(2, self.words().equations(on).into()));
+        for group in self.worked.plan.steps(on) {
             let chosen = group.drawn(self.worked.construction.chosen[group.group]);
             for step in group.steps(chosen).take(group.alternatives.get(chosen).map_or(0, Vec::len)) {
-                self.step(blocks, level, step);
+                self.step(blocks, on, step);
             }
-            self.rates(blocks, level, group);
+            self.rates(blocks, on, group);
             for step in &group.further {
-                self.step(blocks, level, step);
+                self.step(blocks, on, step);
             }
         }
-        self.polygon(blocks, level, polygon);
+        self.polygon(blocks, on, polygon);
     }
 
-    fn polygon(&self, blocks: &mut Vec<Block>, level: Level, polygon: &Polygon) {
-        let (name, en, zh) = match level {
-            Level::Acceleration => ("acceleration", "Construction of the acceleration polygon", "作加速度多边形"),
-            Level::Position | Level::Velocity => ("velocity", "Construction of the velocity polygon", "作速度多边形"),
-        };
-        blocks.push(self.heading(3, en, zh));
-        blocks.extend(self.figure(name, level));
+    fn polygon(&self, blocks: &mut Vec<Block>, on: DiagramKind, polygon: &Polygon) {
+        let name = on.name();
+        blocks.push(self.heading(3, &format!("Construction of the {}", name.en), &format!("作{}", name.zh)));
+        blocks.extend(self.figure(on.word(), on));
         let members = sentences(&self.writer(), &self.worked.construction, polygon, self.told);
         blocks.push(Block::List { numbered: true, members });
     }
 
-    pub(super) fn step(&self, blocks: &mut Vec<Block>, level: Level, step: &Step) {
+    pub(super) fn step(&self, blocks: &mut Vec<Block>, on: DiagramKind, step: &Step) {
         let w = self.writer();
         if let Step::Equation { target, .. } = step
             && let Some(special) = w.plan.special(*target)
@@ -175,10 +171,10 @@ impl Maker<'_> {
             let text = fill(self.words().special_point, &[("S", &w.spot(*target)), ("1", &a), ("2", &b), ("", self.link(special.link))]);
             blocks.push(Block::Paragraph(Phrase::new(&text)));
         }
-        match (written(&w, &self.worked.construction, level, step), step) {
+        match (written(&w, &self.worked.construction, on, step), step) {
             (Some(Written::Line(line)), _) => blocks.push(Block::Paragraph(line)),
             (Some(Written::Table(columns)), Step::Equation { target, method, .. }) => {
-                self.table(blocks, &w.vector(level, *target), *method, columns);
+                self.table(blocks, &w.vector(on, *target), *method, columns);
             }
             _ => {}
         }
@@ -221,13 +217,13 @@ impl Maker<'_> {
     }
 
     /// How the turning of each link of the group follows from the vectors: `ω₃ = v_C / l_CD`.
-    fn rates(&self, blocks: &mut Vec<Block>, level: Level, group: &GroupSteps) {
+    fn rates(&self, blocks: &mut Vec<Block>, on: DiagramKind, group: &GroupSteps) {
         let w = self.writer();
         let formula = |(body, rate): &(Body, Rate)| {
-            let symbol = w.turning(level, *body);
+            let symbol = w.turning(on, *body);
             match rate {
-                Rate::Measured { of, to } => Some((format!("{symbol} ="), Some((w.measured(level, *body, *of, *to), w.length(*of, *to))))),
-                Rate::Same(l) => Some((format!("{symbol} = {}", w.turning(level, Body::Link(*l))), None)),
+                Rate::Measured { of, to } => Some((format!("{symbol} ="), Some((w.measured(on, *body, *of, *to), w.length(*of, *to))))),
+                Rate::Same(l) => Some((format!("{symbol} = {}", w.turning(on, Body::Link(*l))), None)),
                 Rate::Given { .. } | Rate::Zero => None,
             }
         };

@@ -17,8 +17,8 @@ pub(super) trait Speak {
         words(self.lang())
     }
 
-    fn heading(&self, level: u8, en: &'static str, zh: &'static str) -> Block {
-        Block::Heading(level, self.tr(en, zh).into())
+    fn heading(&self, level: u8, en: &str, zh: &str) -> Block {
+        Block::Heading(level, if self.lang() == Lang::En { en } else { zh }.into())
     }
 
     fn paragraph(&self, en: &str, zh: &str) -> Block {

@@ -21,13 +21,12 @@ use chromium::Browser;
 use grip::let_go;
 use hodograph::figure::{mechanism, polygon};
 use hodograph::lesson::{Options, lesson};
-use hodograph::mechanism::Level;
 use hodograph::paper::item::Shape;
 use hodograph::paper::style::Style;
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::report::construction::sentences;
-use hodograph::scene::{self, DriverKind, Kind, Lang, Scene, driver_position, templates, with_driver_at};
+use hodograph::scene::{self, DiagramKind, DriverKind, Kind, Lang, Scene, driver_position, templates, with_driver_at};
 use hodograph::sweep::extreme::ends;
 use hodograph::worked::{Scope, Worked, work};
 use std::collections::{BTreeMap, BTreeSet};
@@ -113,11 +112,11 @@ fn drawn(scene: &Scene, worked: &Worked) -> Ends {
     let notation = Notation::of_language(Lang::En);
     let w = Writer { scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
     let mut items = mechanism::mechanism(&Style::default(), scene, worked, &notation).items;
-    for level in Level::RATES {
+    for on in DiagramKind::POLYGONS {
         items.extend(
             worked
                 .construction
-                .polygon(level)
+                .polygon(on)
                 .map(|p| polygon::drawing(&Style::default(), &w, p, polygon::is_full(&w, p)).finish().items)
                 .unwrap_or_default(),
         );
@@ -236,16 +235,16 @@ fn every_step_reveals_what_it_names() {
             .filter((id) => !id.endsWith("-leader"))"##;
         assert_eq!(b.eval(visible).as_array().unwrap().len(), 0, "{name}: the construction begins with empty paper");
         let mut before: BTreeSet<String> = BTreeSet::new();
-        let levels = [(Level::Velocity, "velocity"), (Level::Acceleration, "acceleration")];
-        for (level, key) in levels {
-            let Some(p) = worked.construction.polygon(level) else { continue };
+        let levels = [(DiagramKind::Velocity, "velocity"), (DiagramKind::Acceleration, "acceleration")];
+        for (on, key) in levels {
+            let Some(p) = worked.construction.polygon(on) else { continue };
             let w = Writer { scene: &there, plan: &worked.plan, notation: &notation, lang: Lang::En };
             let items = polygon::drawing(&Style::default(), &w, p, polygon::is_full(&w, p)).finish().items;
             // The lengths of the sentences are those of the figure.
             let own = work(&scene, Scope::Figure).unwrap().value;
             let writer = Writer { scene: &scene, plan: &own.plan, notation: &notation, lang: Lang::En };
             let told = hodograph::certified::steps(&scene, &own, None);
-            let said = sentences(&writer, &own.construction, own.construction.polygon(level).unwrap(), &told);
+            let said = sentences(&writer, &own.construction, own.construction.polygon(on).unwrap(), &told);
             let step =
                 |class: &str| class.split(' ').filter_map(|w| w.strip_prefix("step-")?.parse::<usize>().ok()).min().map_or(0, |n| n + 1);
             // Which vectors are named depends on the room that a window has.

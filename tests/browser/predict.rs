@@ -15,8 +15,8 @@ fn answers(scene: &Scene) -> Vec<Answer> {
     use hodograph::construct::Action;
     let worked = work(scene, Scope::Figure).unwrap().value;
     let mut list = Vec::new();
-    for level in Level::RATES {
-        let Some(p) = worked.construction.polygon(level) else { continue };
+    for on in DiagramKind::POLYGONS {
+        let Some(p) = worked.construction.polygon(on) else { continue };
         let ends = |e: usize| (p.edges[e].from.1, p.edges[e].to.1);
         for action in &p.actions {
             match action {

@@ -128,7 +128,7 @@ fn what_is_drawn_over_the_drawings_is_true() {
                 const m = e.getScreenCTM(); return [0, 2].flatMap((i) => { const p = new DOMPoint(n[i], n[i + 1]).matrixTransform(m); return [p.x, p.y]; }); })";
     let ends: Vec<[f64; 4]> = serde_json::from_value(b.eval(ends)).unwrap();
     let own = ends.iter().find(|e| (e[0] - place[0]).hypot(e[1] - place[1]) < 0.5).unwrap_or_else(|| panic!("{ends:?} {place:?}"));
-    let p = worked.construction.polygon(Level::Velocity).unwrap();
+    let p = worked.construction.polygon(DiagramKind::Velocity).unwrap();
     let of_c = worked.plan.vertices.iter().position(|v| matches!(v.spot, hodograph::plan::Spot::Point(q) if q.0 == c)).unwrap();
     let v = p.images[of_c].unwrap();
     let off = ((own[3] - own[1]) * v.x + (own[2] - own[0]) * v.y).abs() / v.to_vec2().norm() / (own[2] - own[0]).hypot(own[3] - own[1]);
@@ -240,8 +240,8 @@ fn a_polygon_of_many_vectors_is_split() {
             let Some((part, whole)) = parts.iter().find_map(|p| Some((p, own(p)?))) else { continue };
             let Some(want) = library.get(&whole) else { continue };
             let mu: f64 = b.eval(&format!("document.querySelector('#{part} svg').dataset.mu")).as_str().unwrap().parse().unwrap();
-            let level = if part.starts_with('a') { Level::Acceleration } else { Level::Velocity };
-            let times = worked.construction.polygon(level).unwrap().mu / mu;
+            let on = if part.starts_with('a') { DiagramKind::Acceleration } else { DiagramKind::Velocity };
+            let times = worked.construction.polygon(on).unwrap().mu / mu;
             let off = ends.iter().zip(want).map(|(a, b)| (a - b * times).abs()).fold(0.0, f64::max);
             assert!(off < 1e-2, "{id} at {there}: off by {off} mm");
             compared += 1;

@@ -146,10 +146,21 @@ fn answers_as_json_fit_their_schema() {
             fits(&schema, &told, path.to_str().unwrap());
             seen += 1;
             unanswered += usize::from(run.status.code() == Some(4));
-            motions += usize::from(told["schema"] == "hodograph/solved-motion/1");
+            motions += usize::from(told["kind"] == "motion");
         }
     }
     assert!(seen > 20 && unanswered >= 2 && motions >= 1, "{seen} {unanswered} {motions}");
+    // Design tasks have the same document, with a construction where one is asked for.
+    let tasks = scenes("templates/synthesis");
+    for path in &tasks {
+        for options in [&[][..], &["--steps"]] {
+            let run = hodograph().args(["synth", "--json"]).arg(path).args(options).output().unwrap();
+            let told: Value = serde_json::from_slice(&run.stdout).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+            fits(&schema, &told, path.to_str().unwrap());
+            assert!(told["kind"] == "task" && told.get("construction").is_some() == !options.is_empty(), "{}", path.display());
+        }
+    }
+    assert!(tasks.len() >= 5, "{tasks:?}");
     // Documents of another shape are refused.
     let mut told: Value = serde_json::from_str(&printed(&["solve", "--json", &templates_path("shaper")])).unwrap();
     assert!(schema.is_valid(&told));

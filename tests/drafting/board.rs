@@ -2,11 +2,10 @@
 
 use hodograph::construct::pencil::Blunt;
 use hodograph::construct::{Layout, by_hand};
-use hodograph::mechanism::Level;
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::plan::{Body, By, Spot, Step, Term, TermKind};
-use hodograph::scene::{self, Lang, Scene, templates};
+use hodograph::scene::{self, DiagramKind, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 
 /// All templates, and these: a wheel on a turning track, a composite motion, a cylinder that stretches with an acceleration, three links one
@@ -49,8 +48,8 @@ fn all() -> Vec<(String, Scene, Worked)> {
         .collect()
 }
 
-fn steps(worked: &Worked, level: Level) -> impl Iterator<Item = &Step> {
-    worked.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further))
+fn steps(worked: &Worked, on: DiagramKind) -> impl Iterator<Item = &Step> {
+    worked.plan.steps(on).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further))
 }
 
 /// What has a construction is drawn, and says what the loop equations say.
@@ -73,9 +72,9 @@ fn magnitudes_name_what_they_are_made_of() {
     for (name, scene, w) in all() {
         let notation = Notation::of_language(Lang::En);
         let writer = Writer { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
-        for level in Level::RATES {
-            for t in w.plan.terms(level).filter(|t| t.known && !w.plan.vanishes(&scene, level, t)) {
-                let said = writer.magnitude(level, &t);
+        for on in DiagramKind::POLYGONS {
+            for t in w.plan.terms(on).filter(|t| t.known && !w.plan.vanishes(&scene, on, t)) {
+                let said = writer.magnitude(on, &t);
                 let (begins, holds): (&str, &[&str]) = match (t.kind, t.by) {
                     (TermKind::Coriolis, by) => {
                         seen.insert(match by {
@@ -105,8 +104,8 @@ fn rolling_is_marked_where_it_is_a_part() {
     for (name, scene, w) in all() {
         let notation = Notation::of_language(Lang::En);
         let writer = Writer { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
-        for t in w.plan.terms(Level::Acceleration).filter(|t| t.kind == TermKind::Roll) {
-            let symbol = writer.symbol(Level::Acceleration, &t);
+        for t in w.plan.terms(DiagramKind::Acceleration).filter(|t| t.kind == TermKind::Roll) {
+            let symbol = writer.symbol(DiagramKind::Acceleration, &t);
             let on_ground = w.plan.vertex(t.to).fixed;
             assert_eq!(symbol.contains("ro"), !on_ground, "{name}: {symbol}");
             counts[usize::from(on_ground)] += 1;
@@ -122,13 +121,13 @@ fn equations_name_their_vector() {
     for (name, scene, w) in all() {
         let notation = Notation::of_language(Lang::En);
         let writer = Writer { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
-        for level in Level::RATES {
-            for step in steps(&w, level) {
+        for on in DiagramKind::POLYGONS {
+            for step in steps(&w, on) {
                 let Step::Equation { target, chains, .. } = step else { continue };
-                let columns = writer.columns(level, *target, chains);
+                let columns = writer.columns(on, *target, chains);
                 let terms = chains[0].known.len();
                 assert!(chains.len() > 1 || chains[0].unknown.is_empty(), "{name}: {step:?}");
-                let (own, fixed) = (writer.vector(level, *target), w.plan.vertex(chains[0].start).fixed);
+                let (own, fixed) = (writer.vector(on, *target), w.plan.vertex(chains[0].start).fixed);
                 let said = || columns.iter().map(|c| format!("{} {}", c.joint, c.symbol)).collect::<Vec<_>>();
                 if chains.len() > 1 && fixed || columns.is_empty() {
                     continue;
@@ -184,8 +183,8 @@ fn no_vector_is_drawn_twice_and_each_that_is_asked_is_drawn() {
         for (r, find) in w.results.iter().map(|r| (r, &scene.value.find[r.find].text)) {
             assert!(r.drawn.is_some(), "{}: {find} is not drawn", t.name);
         }
-        for level in Level::RATES {
-            let groups = w.plan.steps(level);
+        for on in DiagramKind::POLYGONS {
+            let groups = w.plan.steps(on);
             for (g, group) in groups.iter().enumerate() {
                 for (k, b) in group.between.iter().enumerate() {
                     between += 1;

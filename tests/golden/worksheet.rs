@@ -6,12 +6,11 @@ use super::wide::every;
 use hodograph::centres::Task;
 use hodograph::certified::certify;
 use hodograph::digits::significant;
-use hodograph::mechanism::Level;
 use hodograph::paper::extent::{Rect, bounds};
 use hodograph::paper::item::{Item, Shape};
 use hodograph::render::pages::{Kind, Page};
 use hodograph::render::pdf;
-use hodograph::scene::{self, Direction, GuidePath, Lang, Scene, templates};
+use hodograph::scene::{self, DiagramKind, Direction, GuidePath, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 use hodograph::worksheet::{Block, Document, Options, Sides, html, markdown, pages, typst, worksheet};
 
@@ -125,8 +124,8 @@ fn the_solution_has_every_answer_and_both_polygons() {
             let (text, beside) = markdown::markdown(&d, t.name).unwrap();
             assert!(!text.contains("NaN") && !text.contains("inf "), "{} {suffix}", t.name);
             for (polygon, word) in [
-                (worked.construction.polygon(Level::Velocity), "velocity"),
-                (worked.construction.polygon(Level::Acceleration), "acceleration"),
+                (worked.construction.polygon(DiagramKind::Velocity), "velocity"),
+                (worked.construction.polygon(DiagramKind::Acceleration), "acceleration"),
             ] {
                 let name = format!("{}-{word}.svg", t.name);
                 assert_eq!(polygon.is_some() && !by_centres, beside.iter().any(|f| f.name == name), "{} {word}", t.name);

@@ -7,11 +7,10 @@ use crate::wide::every;
 use hodograph::answer::Value;
 use hodograph::composite::{Choice, Verdict, choices, name_of};
 use hodograph::geom::{Point, Vec2};
-use hodograph::mechanism::Level;
 use hodograph::position::Configuration;
 use hodograph::scene::quantity::composite::Part;
 use hodograph::scene::quantity::{Composite, Frame, PointMotion, Rate};
-use hodograph::scene::{Asked, Find, Scene};
+use hodograph::scene::{Asked, DiagramKind, Find, Scene};
 use hodograph::worked::{Scope, Worked, work};
 
 /// Choices of one mechanism that are looked at.
@@ -94,10 +93,10 @@ fn parts_of_a_composite_motion_add_up_and_are_differences_of_positions() {
     for seed in seeds(120) {
         let Some((case, chosen, scene, worked)) = parted(seed) else { continue };
         let fail = |what: String| -> ! { panic!("seed {seed}: {what}\n{}", case.text) };
-        let sizes = Level::RATES.map(|l| worked.construction.polygon(l).map_or(0.0, |p| p.largest()));
+        let sizes = DiagramKind::POLYGONS.map(|l| worked.construction.polygon(l).map_or(0.0, |p| p.largest()));
         let extent = worked.configuration.extent();
         let omega = sizes[0] / extent;
-        let rates = worked.construction.rates.iter().filter(|r| r.level == Level::Velocity).map(|r| r.value.abs()).fold(omega, f64::max);
+        let rates = worked.construction.rates.iter().filter(|r| r.on == DiagramKind::Velocity).map(|r| r.value.abs()).fold(omega, f64::max);
         let scale = [sizes[0].max(1e-3), sizes[1].max(sizes[0] * rates).max(1e-3)];
         let well = worked.solution.condition < 2e2 && rates < 20.0;
         let h = 2e-3 / rates.max(1.0);
@@ -115,9 +114,9 @@ fn parts_of_a_composite_motion_add_up_and_are_differences_of_positions() {
                     (1, part(Part::Transport), sum(&[Part::TransportNormal, Part::TransportTangential])),
                     (1, part(Part::Relative), sum(&[Part::RelativeNormal, Part::RelativeTangential])),
                 ];
-                for (k, (level, whole, parts)) in sums.into_iter().enumerate() {
+                for (k, (on, whole, parts)) in sums.into_iter().enumerate() {
                     let (Some(whole), Some(parts)) = (whole, parts) else { continue };
-                    let near = 1e-10 * worked.solution.condition.max(1e2) * scale[level];
+                    let near = 1e-10 * worked.solution.condition.max(1e2) * scale[on];
                     if (whole - parts).norm() > near {
                         fail(format!("{name}, sum {k} by way {way}: {whole:?} is not {parts:?}"));
                     }
@@ -138,11 +137,11 @@ fn parts_of_a_composite_motion_add_up_and_are_differences_of_positions() {
                 (1, Part::Transport, moved.second(h, seat)),
                 (1, Part::Relative, moved.second(h, there)),
             ];
-            for (level, p, difference) in differences {
+            for (on, p, difference) in differences {
                 let [computed, drawn] = values(&scene, &worked, Composite { part: p, of: c.of, frame: c.frame }.into());
                 for solved in [computed, drawn].into_iter().flatten() {
-                    let allowed = if level == 0 { 1e-6 } else { 1e-5 };
-                    if (difference - solved).norm() > allowed * scale[level] {
+                    let allowed = if on == 0 { 1e-6 } else { 1e-5 };
+                    if (difference - solved).norm() > allowed * scale[on] {
                         fail(format!("{name} {p:?}: differences say {difference:?}, solved {solved:?}"));
                     }
                     compared += 1;

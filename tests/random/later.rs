@@ -7,7 +7,7 @@ use hodograph::construct::conditions;
 use hodograph::geom::Point;
 use hodograph::mechanism::Level;
 use hodograph::position::{later, newton};
-use hodograph::scene::{self, LinkId, templates};
+use hodograph::scene::{self, DiagramKind, LinkId, templates};
 use hodograph::worked::{Scope, work};
 
 /// Wheels and racks whose pose is told by lengths and an angle, at every time.
@@ -125,7 +125,7 @@ fn a_sound_drawing_keeps_the_conditions_of_opened_links() {
         let w = work(&scene, Scope::Figure).unwrap().value;
         for c in conditions(&scene, &w.mechanism, &w.configuration, &w.plan, &w.construction) {
             assert!(c.off_mm < 1e-9, "{omega} rad/s, {alpha} rad/s²: {c:?}");
-            levels[usize::from(c.level == Level::Acceleration)] += 1;
+            levels[usize::from(c.on == DiagramKind::Acceleration)] += 1;
         }
     }
     assert!(levels.iter().all(|n| *n > 0), "{levels:?}");

@@ -12,7 +12,7 @@ use hodograph::geom::{Point, Vec2};
 use hodograph::mechanism::{Level, Mechanism};
 use hodograph::plan::{Body, By, Plan, Spot, Step, Term, TermKind, Vertex, VertexId};
 use hodograph::position::{Configuration, Path, newton};
-use hodograph::scene::{self, DriverKind, PointId, Scene};
+use hodograph::scene::{self, DiagramKind, DriverKind, PointId, Scene};
 use hodograph::worked::{Scope, Worked, work};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -44,7 +44,7 @@ impl Case {
     /// mechanism's size.
     fn scale(&self, level: Level) -> f64 {
         let w = &self.worked;
-        let largest = |l| w.construction.polygon(l).map_or(0.0, |p| p.largest());
+        let largest = |l| w.construction.polygon(DiagramKind::of(l)).map_or(0.0, |p| p.largest());
         let v = largest(Level::Velocity);
         match level {
             Level::Acceleration => largest(level).max(v * v / w.configuration.extent().max(1e-300)),
@@ -211,10 +211,10 @@ fn vectors_are_differences_of_positions() {
         let pose = if m.coordinates_only { Pose::Coordinates } else { Pose::of(seed) };
         let c = solve(seed, &m, &style(pose, Ask::Everything, seed));
         let extent = c.worked.configuration.extent();
-        let largest = |l| c.worked.construction.polygon(l).map_or(0.0, |p| p.largest());
+        let largest = |l| c.worked.construction.polygon(DiagramKind::of(l)).map_or(0.0, |p| p.largest());
         let (v, a) = (largest(Level::Velocity), largest(Level::Acceleration));
         let omega =
-            c.worked.construction.rates.iter().filter(|r| r.level == Level::Velocity).map(|r| r.value.abs()).fold(v / extent, f64::max);
+            c.worked.construction.rates.iter().filter(|r| r.on == DiagramKind::Velocity).map(|r| r.value.abs()).fold(v / extent, f64::max);
         // Where a motion is strongly amplified its higher derivatives swamp any difference formula.
         if c.worked.solution.condition > 2e2 || omega > 20.0 {
             continue;
@@ -370,7 +370,7 @@ fn every_edge_keeps_its_word() {
             let oracle = Oracle { c };
             let plan = &c.worked.plan;
             for level in Level::RATES {
-                let Some(polygon) = c.worked.construction.polygon(level) else { continue };
+                let Some(polygon) = c.worked.construction.polygon(DiagramKind::of(level)) else { continue };
                 let largest = polygon.edges.iter().map(|e| (e.to.1 - e.from.1).norm() * polygon.mu).fold(c.scale(level), f64::max);
                 let near = 1e-8 * largest + f64::MIN_POSITIVE;
                 for (i, v) in plan.vertices.iter().enumerate() {
@@ -404,7 +404,7 @@ fn every_edge_keeps_its_word() {
                 }
                 // The board draws the edges of an equation chain after chain, first the known ones, then one for each unknown line.
                 let mut rest = polygon.edges.iter().filter(|e| !e.between);
-                for group in plan.steps(level) {
+                for group in plan.steps(DiagramKind::of(level)) {
                     for step in group.steps(c.worked.construction.chosen[group.group].min(group.alternatives.len().saturating_sub(1))) {
                         match step {
                             Step::Equation { target, chains, .. } => {
@@ -585,7 +585,7 @@ fn names_and_the_order_of_keys_do_not_matter() {
 }
 
 fn terms(plan: &Plan, level: Level) -> impl Iterator<Item = &Term> {
-    let steps = plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
+    let steps = plan.steps(DiagramKind::of(level)).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
     steps.flat_map(|s| match s {
         Step::Equation { chains, .. } => chains.iter().flat_map(|c| c.known.iter().chain(&c.unknown)).collect::<Vec<_>>(),
         _ => Vec::new(),
@@ -596,11 +596,15 @@ fn terms(plan: &Plan, level: Level) -> impl Iterator<Item = &Term> {
 fn only_what_is_asked_is_done() {
     each(120, Pose::Coordinates, Ask::Positions, |_, c| {
         let (plan, paper) = (&c.worked.plan, &c.worked.construction);
-        assert!(plan.velocity.is_empty() && plan.acceleration.is_empty() && plan.vertices.is_empty(), "seed {}", c.seed);
+        assert!(plan.stages.is_empty() && plan.vertices.is_empty(), "seed {}", c.seed);
         assert!(paper.diagrams.is_empty() && c.worked.solution.size == [0, 0]);
     });
     each(120, Pose::Coordinates, Ask::Velocities, |_, c| {
-        assert!(c.worked.plan.acceleration.is_empty() && c.worked.construction.polygon(Level::Acceleration).is_none(), "seed {}", c.seed);
+        assert!(
+            c.worked.plan.steps(DiagramKind::Acceleration).is_empty() && c.worked.construction.polygon(DiagramKind::Acceleration).is_none(),
+            "seed {}",
+            c.seed
+        );
         assert_eq!(c.worked.solution.size[1], 0, "seed {}: accelerations solved that nothing asks for", c.seed);
     });
     each(200, Pose::Coordinates, Ask::Everything, |_, c| {
@@ -654,7 +658,7 @@ fn only_the_groups_upstream_are_solved() {
             }
         }
         for (g, reached) in reached.iter().enumerate() {
-            let planned = w.plan.velocity.iter().chain(&w.plan.acceleration).any(|s| s.group == g);
+            let planned = w.plan.stages.iter().flat_map(|s| &s.groups).any(|s| s.group == g);
             assert_eq!(planned, *reached, "seed {seed}: group {g} planned or not\n{json}");
             for l in &w.mechanism.groups[g].links {
                 assert_eq!(w.configuration.poses[l.0].is_some(), *reached, "seed {seed}: link {l:?} placed or not\n{json}");

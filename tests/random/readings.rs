@@ -9,14 +9,14 @@ use hodograph::construct::{Mark, ShownAs};
 use hodograph::figure::results::named;
 use hodograph::figure::sheet::{Options, sheet};
 use hodograph::geom::Vec2;
-use hodograph::mechanism::{Level, joined};
+use hodograph::mechanism::joined;
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::plan::{Spot, VertexId};
 use hodograph::render::svg;
 use hodograph::report::construction::mark;
 use hodograph::scene::quantity::{Meaning, Of, Rate, Relative, Sliding, Split, Turning, relative, sliding};
-use hodograph::scene::{self, Asked, DriverKind, Find, Lang, LinkId, OnLink, Scene, templates};
+use hodograph::scene::{self, Asked, DiagramKind, DriverKind, Find, Lang, LinkId, OnLink, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 use std::collections::BTreeMap;
 
@@ -94,11 +94,11 @@ fn asking_all(mut scene: Scene) -> Scene {
     scene
 }
 
-fn scale(worked: &Worked, level: Level) -> f64 {
-    let largest = |level| worked.construction.polygon(level).map_or(0.0, |p| p.largest());
-    let v = largest(Level::Velocity);
-    match level {
-        Level::Acceleration => largest(level).max(v * v / worked.configuration.extent().max(1e-300)),
+fn scale(worked: &Worked, on: DiagramKind) -> f64 {
+    let largest = |on| worked.construction.polygon(on).map_or(0.0, |p| p.largest());
+    let v = largest(DiagramKind::Velocity);
+    match on {
+        DiagramKind::Acceleration => largest(on).max(v * v / worked.configuration.extent().max(1e-300)),
         _ => v,
     }
 }
@@ -108,15 +108,15 @@ fn check_readings(name: &str, scene: &Scene, worked: &Worked) -> usize {
     let mut read = 0;
     for r in &worked.results {
         let find = &scene.find[r.find];
-        let (level, what) = (find.what.level(), format!("{name}: {}", find.text));
-        let (Some(drawn), true) = (&r.drawn, level > Level::Position) else { continue };
-        let size = if matches!(drawn.value, Value::Scalar(_)) { r.scale } else { scale(worked, level) };
+        let (on, what) = (find.what.diagram(), format!("{name}: {}", find.text));
+        let (Some(drawn), true) = (&r.drawn, on > DiagramKind::Plane) else { continue };
+        let size = if matches!(drawn.value, Value::Scalar(_)) { r.scale } else { scale(worked, on) };
         let off = |a: Value, b: Value| match (a, b) {
             (Value::Vector(a), Value::Vector(b)) => (a - b).norm(),
             (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs(),
             _ => f64::INFINITY,
         };
-        let worst = worked.construction.magnification[usize::from(level == Level::Acceleration)];
+        let worst = worked.construction.magnified(on);
         let near = 1e-12 * worst.max(1e3) * size;
         assert!(off(drawn.value, r.computed) <= near, "{what}: edge {:?}, rows {:?}, size {size}", drawn.value, r.computed);
         let formula = evaluate(scene, &worked.configuration, &worked.solution, &find.what).expect("the analysis reaches what is drawn");
@@ -126,7 +126,7 @@ fn check_readings(name: &str, scene: &Scene, worked: &Worked) -> usize {
             continue;
         };
         read += 1;
-        let polygon = worked.construction.polygon(level).expect("what is measured is drawn");
+        let polygon = worked.construction.polygon(on).expect("what is measured is drawn");
         let [from, to] = m.marks;
         let distance = (to.1 - from.1).norm();
         assert!((distance - m.length_mm).abs() <= near / polygon.mu, "{what}: {} mm between marks {distance} mm apart", m.length_mm);
@@ -150,8 +150,8 @@ fn check_names(name: &str, scene: &Scene, worked: &Worked) {
     for lang in [Lang::En, Lang::Zh] {
         let notation = Notation::of_language(lang);
         let w = Writer { scene, plan: &worked.plan, notation: &notation, lang };
-        for level in Level::RATES {
-            let Some(p) = worked.construction.polygon(level) else { continue };
+        for on in DiagramKind::POLYGONS {
+            let Some(p) = worked.construction.polygon(on) else { continue };
             let size = p.largest() / p.mu;
             let mut called: BTreeMap<String, Vec2> = BTreeMap::new();
             let mut call = |symbol: String, v: Vec2| {
@@ -160,21 +160,21 @@ fn check_names(name: &str, scene: &Scene, worked: &Worked) {
             };
             for e in &p.edges {
                 if let [t] = e.terms[..] {
-                    call(w.symbol(level, &t), e.to.1 - e.from.1);
+                    call(w.symbol(on, &t), e.to.1 - e.from.1);
                 }
             }
             for (v, at) in p.images.iter().enumerate() {
                 let (v, vertex) = (VertexId(v), worked.plan.vertex(VertexId(v)));
                 if let (Some(at), false, Spot::Point(_)) = (at, vertex.fixed, vertex.spot) {
-                    call(w.vector(level, v), at.to_vec2());
+                    call(w.vector(on, v), at.to_vec2());
                 }
             }
-            for r in worked.results.iter().filter(|r| scene.find[r.find].what.level() == level) {
+            for r in worked.results.iter().filter(|r| scene.find[r.find].what.diagram() == on) {
                 let Some(m) = r.drawn.as_ref().and_then(|d| d.measured.as_ref()) else { continue };
                 let Some(shown) = &m.shown else { continue };
                 let drawn = match &shown.vector {
-                    ShownAs::Image(v) => w.vector(level, *v),
-                    ShownAs::Edges(terms) => terms.iter().map(|t| w.symbol(level, t)).collect::<Vec<_>>().join(" + "),
+                    ShownAs::Image(v) => w.vector(on, *v),
+                    ShownAs::Edges(terms) => terms.iter().map(|t| w.symbol(on, t)).collect::<Vec<_>>().join(" + "),
                 };
                 let told = named(&w, &scene.find[r.find], r);
                 assert!(told.ends_with(&drawn) || told.ends_with(&format!("({drawn})")), "{name}: {told} is drawn as {drawn}");
@@ -185,7 +185,7 @@ fn check_names(name: &str, scene: &Scene, worked: &Worked) {
             // Marks are told apart, too.
             let mut letters: BTreeMap<String, Mark> = BTreeMap::new();
             for (m, _) in p.edges.iter().flat_map(|e| [e.from, e.to]) {
-                let letter = mark(&w, level, &m);
+                let letter = mark(&w, on, &m);
                 let before = *letters.entry(letter.clone()).or_insert(m);
                 assert_eq!(before, m, "{name}: two marks {letter}");
             }
@@ -248,12 +248,12 @@ fn printed_lengths_are_distances_in_the_svg() {
             for r in &worked.results {
                 let find = &scene.find[r.find];
                 let Some(m) = r.drawn.as_ref().and_then(|d| d.measured.as_ref()) else { continue };
-                if worked.construction.is_empty(find.what.level()) {
+                if worked.construction.is_empty(find.what.diagram()) {
                     continue;
                 }
-                let level = find.what.level();
+                let on = find.what.diagram();
                 let place = |k: usize| {
-                    let id = hodograph::figure::polygon::mark_id(&w, level, &m.marks[k].0);
+                    let id = hodograph::figure::polygon::mark_id(&w, on, &m.marks[k].0);
                     let node = by_id(&id).unwrap_or_else(|| panic!("{name}: no mark {id} for {}", find.text));
                     assert!(node.attribute("class").unwrap().split(' ').any(|c| c == "mark"));
                     let number = |key: &str| node.attribute(key).unwrap().parse::<f64>().unwrap();

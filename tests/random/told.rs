@@ -11,12 +11,12 @@ use hodograph::mechanism::{ConstraintLine, Level};
 use hodograph::number::{Big, Real};
 use hodograph::plan::{Body, By, SpecialLine, Spot, Term, TermKind, VertexId};
 use hodograph::position::{Configuration, Path};
-use hodograph::scene::{DriverKind, LinkId, Scene};
+use hodograph::scene::{DiagramKind, DriverKind, LinkId, Scene};
 use hodograph::worked::Worked;
 
 /// One number: of which action of which polygon, which, its value, and what is nothing beside it.
 pub struct Told {
-    pub level: Level,
+    pub level: DiagramKind,
     pub action: usize,
     pub what: What,
     pub value: Big,
@@ -40,12 +40,12 @@ pub fn told(scene: &Scene, w: &Worked, d: &Differences<Big>, pencil_mm: f64) -> 
         let special = w.plan.special(c.target).expect("only special points are crossed on the diagram");
         let [u, v] = special.lines.each_ref().map(|line| o.line(line).1);
         let crossing = crossing(u, v, Big::from_decimal(&shortest(w.construction.diagram.mu)), pencil_mm);
-        out.extend(crossing.map(|(what, value, nothing)| Told { level: Level::Position, action, what, value, nothing }));
+        out.extend(crossing.map(|(what, value, nothing)| Told { level: DiagramKind::Plane, action, what, value, nothing }));
     }
-    for level in Level::RATES {
+    for level in DiagramKind::POLYGONS {
         if let Some(p) = w.construction.polygon(level) {
             for action in 0..p.actions.len() {
-                out.extend(o.numbers(level, p, action, pencil_mm).into_iter().map(|(what, value, nothing)| Told {
+                out.extend(o.numbers(level.level(), p, action, pencil_mm).into_iter().map(|(what, value, nothing)| Told {
                     level,
                     action,
                     what,
@@ -85,7 +85,7 @@ impl Oracle<'_> {
                         vec![(What::Length(0), length, NOTHING_MM), (What::Arm, arm, 0.0), (What::Rate, value, nothing)]
                     }
                     None => {
-                        let rates = self.w.construction.rates.iter().filter(|r| r.level == level);
+                        let rates = self.w.construction.rates.iter().filter(|r| r.on == p.on);
                         vec![(What::Rate, value, 1e-13 * rates.map(|r| r.value.abs()).fold(0.0, f64::max))]
                     }
                 }

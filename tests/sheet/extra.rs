@@ -8,10 +8,9 @@ use crate::legible::{SMALLEST_MM, look, poses};
 use crate::wide::every;
 use hodograph::figure::list::{self, Extras, Wanted};
 use hodograph::figure::sheet::{Options, drawing};
-use hodograph::mechanism::Level;
 use hodograph::paper::item::{Colour, Shape};
 use hodograph::paper::style::Style;
-use hodograph::scene::{self, Lang, templates};
+use hodograph::scene::{self, DiagramKind, Lang, templates};
 use hodograph::worked::{Scope, work};
 
 /// Of the 24 positions the gate looks at one for each template.
@@ -95,7 +94,7 @@ fn a_roller_lies_over_the_plate_that_holds_it() {
     }
     let scene = scene::read(&text).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
-    let figure = drawing(&scene, &worked, &Options::of_language(Lang::En), Level::Position).unwrap();
+    let figure = drawing(&scene, &worked, &Options::of_language(Lang::En), DiagramKind::Plane).unwrap();
     let last = |what: &str| figure.items.iter().rposition(|i| i.class.split_whitespace().any(|c| c == what));
     let (plate, roller) = (last("plate"), last("roller"));
     assert!(plate.is_some() && plate < roller, "plate {plate:?}, roller {roller:?}");
@@ -108,7 +107,7 @@ fn twelve_links_have_twelve_colours() {
     let worked = work(&scene, Scope::Figure).unwrap().value;
     for style in ["slides", "dark"] {
         let options = Options { style: Style::named(style).unwrap(), ..Options::of_language(Lang::En) };
-        let figure = drawing(&scene, &worked, &options, Level::Position).unwrap();
+        let figure = drawing(&scene, &worked, &options, DiagramKind::Plane).unwrap();
         let mut colours: Vec<(usize, Colour)> = Vec::new();
         for item in &figure.items {
             let (Some(link), Shape::Line { stroke, .. } | Shape::Polyline { stroke: Some(stroke), .. }) = (item.link, &item.shape) else {

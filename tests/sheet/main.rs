@@ -19,7 +19,6 @@ use wide::every;
 
 use hodograph::figure::sheet::{Options, sheet};
 use hodograph::geom::{Point, Vec2, cross_lines};
-use hodograph::mechanism::Level;
 use hodograph::paper::extent::translate;
 use hodograph::paper::item::{Anchor, Colour, Figure, Item, Shape};
 use hodograph::paper::label::Label;
@@ -28,7 +27,7 @@ use hodograph::paper::style::Style;
 use hodograph::paper::symbols as sym;
 use hodograph::paper::{arrow::Head, extent::Rect};
 use hodograph::render::{png, svg};
-use hodograph::scene::{self, Lang, templates};
+use hodograph::scene::{self, DiagramKind, Lang, templates};
 use hodograph::worked::{Scope, work};
 
 static STYLE: LazyLock<Style> = LazyLock::new(Style::default);
@@ -323,8 +322,8 @@ fn check(name: &str, scene: &scene::Scene, worked: &hodograph::worked::Worked, f
             }
         }
     }
-    for (level, kind) in [(Level::Velocity, "velocity"), (Level::Acceleration, "acceleration")] {
-        let Some(p) = worked.construction.polygon(level) else { continue };
+    for (on, kind) in [(DiagramKind::Velocity, "velocity"), (DiagramKind::Acceleration, "acceleration")] {
+        let Some(p) = worked.construction.polygon(on) else { continue };
         let pole = figure.items.iter().find(|i| i.id == hodograph::paper::drawing::id(kind, "pole")).and_then(|i| match i.shape {
             Shape::Circle { centre, .. } => Some(centre),
             _ => None,

@@ -4,10 +4,9 @@ use std::collections::BTreeSet;
 
 use hodograph::figure::list::{Entry, Extras, LIST, MECHANISM, USUAL, Wanted};
 use hodograph::figure::sheet::Options;
-use hodograph::mechanism::Level;
 use hodograph::paper::item::{Figure, Item};
 use hodograph::plan::notation::Notation;
-use hodograph::scene::{self, Lang, Scene, templates};
+use hodograph::scene::{self, DiagramKind, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 
 use crate::wide::every;
@@ -53,8 +52,8 @@ fn faults(name: &str, figure: &Figure) -> Vec<String> {
 /// The sheet of a scene in a language and notation, and the other figures where they are wanted.
 fn figures(scene: &Scene, worked: &Worked, (lang, notation): (Lang, &str), others: bool) -> Vec<(String, Figure)> {
     let options = Options { notation: Notation::named(notation).unwrap(), ..Options::of_language(lang) };
-    let vectors = |level| Extras { vectors: Some(level), dimensions: true, ..Extras::default() };
-    let all = [Extras::default(), vectors(Level::Velocity), vectors(Level::Acceleration)];
+    let vectors = |on| Extras { vectors: Some(on), dimensions: true, ..Extras::default() };
+    let all = [Extras::default(), vectors(DiagramKind::Velocity), vectors(DiagramKind::Acceleration)];
     let mut out = Vec::new();
     for (k, extras) in all.iter().enumerate() {
         let wanted = Wanted { scene, worked, options: &options, extras };

@@ -2,9 +2,8 @@
 
 use hodograph::answer::Value;
 use hodograph::figure::sheet::{Options, sheet};
-use hodograph::mechanism::Level;
 use hodograph::render::svg;
-use hodograph::scene::{self, Lang, templates};
+use hodograph::scene::{self, DiagramKind, Lang, templates};
 use hodograph::worked::{Scope, work};
 
 use crate::wide::every;
@@ -26,8 +25,8 @@ fn lengths_are_distances_on_paper_and_values_are_lengths_times_the_scale() {
             let number = |key: &str| node.attribute(key).unwrap().parse::<f64>().unwrap();
             let (id, name) = (node.attribute("id").unwrap(), node.attribute("data-name").unwrap());
             assert!(!node.attribute("data-si").unwrap().contains(['e', 'E', '−']), "{id}");
-            let level = if name.starts_with('a') { Level::Acceleration } else { Level::Velocity };
-            let mu = worked.construction.polygon(level).unwrap().mu;
+            let on = if name.starts_with('a') { DiagramKind::Acceleration } else { DiagramKind::Velocity };
+            let mu = worked.construction.polygon(on).unwrap().mu;
             let inset = node.attribute("class").unwrap().contains("inset");
             if !inset {
                 let wanted = number("data-mm") * mu;

@@ -102,6 +102,8 @@ fn the_work_is_what_is_asked() {
             groups_placed: *groups_placed,
             velocity: motion(*velocity),
             acceleration: motion(*acceleration),
+            // A trial for the scales, and the drawing: no stage looks back.
+            drawings: 2,
             answers: find.len(),
             certified_values: *certified_values,
             labels_placed: 0,

@@ -3,9 +3,8 @@
 use std::collections::BTreeSet;
 
 use hodograph::figure::sheet::{Options, drawing, equations};
-use hodograph::mechanism::Level;
 use hodograph::paper::item::{Figure, Shape};
-use hodograph::scene::{self, Lang, templates};
+use hodograph::scene::{self, DiagramKind, Lang, templates};
 use hodograph::worked::{Scope, work};
 
 fn labels(figure: &Figure) -> Vec<&str> {
@@ -68,7 +67,7 @@ fn every_letter_of_a_table_is_in_the_diagram() {
         for lang in [Lang::En, Lang::Zh] {
             let options = Options::of_language(lang);
             let Some(tables) = equations(&scene, &worked, &options) else { continue };
-            let diagram = drawing(&scene, &worked, &options, Level::Position).unwrap();
+            let diagram = drawing(&scene, &worked, &options, DiagramKind::Plane).unwrap();
             let drawn: Vec<String> = labels(&diagram).iter().map(|l| plain(l)).collect();
             for source in labels(&tables) {
                 for name in named(source) {

@@ -74,22 +74,22 @@ fn answers_are_as_expected() {
 #[test]
 fn marks_are_told_apart() {
     use hodograph::construct::Mark;
-    use hodograph::mechanism::Level;
     use hodograph::plan::notation::Notation;
     use hodograph::plan::text::Writer;
     use hodograph::plan::{Term, VertexId};
+    use hodograph::scene::DiagramKind;
     for t in templates::list() {
         let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         for lang in [scene::Lang::En, scene::Lang::Zh] {
             let notation = Notation::of_language(lang);
             let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang };
-            for level in Level::RATES {
-                let Some(p) = worked.construction.polygon(level) else { continue };
+            for on in DiagramKind::POLYGONS {
+                let Some(p) = worked.construction.polygon(on) else { continue };
                 let mut parts: Vec<(String, Term)> = Vec::new();
                 for edge in &p.edges {
                     if let Mark::Part(term) | Mark::Again(term) = edge.to.0 {
-                        let name = w.part(level, &term);
+                        let name = w.part(on, &term);
                         let clash = parts.iter().find(|(n, other)| *n == name && *other != term);
                         assert!(clash.is_none(), "{}: {name} names {term:?} and {clash:?}", t.name);
                         parts.push((name, term));
@@ -98,11 +98,11 @@ fn marks_are_told_apart() {
                 let images: Vec<String> = (0..p.images.len())
                     .map(VertexId)
                     .filter(|v| !w.plan.vertex(*v).fixed && p.images[v.0].is_some())
-                    .map(|v| w.image(level, v))
+                    .map(|v| w.image(on, v))
                     .collect();
                 for (i, a) in images.iter().enumerate() {
                     assert!(!images[..i].contains(a), "{}: {a} names two images", t.name);
-                    assert!(*a != w.pole(level), "{}: {a} names the pole and an image", t.name);
+                    assert!(*a != w.pole(on), "{}: {a} names the pole and an image", t.name);
                 }
             }
         }

@@ -11,13 +11,13 @@ use hodograph::figure::mechanism::Overlay;
 use hodograph::figure::sheet::{Options, diagram, sheet};
 use hodograph::figure::{path, steps as steps_of};
 use hodograph::lesson;
-use hodograph::mechanism::{Level, Mechanism};
+use hodograph::mechanism::Mechanism;
 use hodograph::paper::item::Figure;
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::render::{pdf, svg};
 use hodograph::report::{answers, construction, limits, plan, plan_json};
-use hodograph::scene::{self, Lang, PointId, Scene, Swept, templates};
+use hodograph::scene::{self, DiagramKind, Lang, PointId, Scene, Swept, templates};
 use hodograph::sweep::{self, Placed, Stations, Width, extreme};
 use hodograph::worked::{Scope, Worked, work};
 use hodograph::worksheet;
@@ -327,7 +327,7 @@ fn everything(text: &str, scene: &Scene, worked: &Worked, failures: &mut Vec<Str
         }
         let moving =
             (0..scene.points.len()).map(PointId).find(|p| scene.mover(*p).is_some() && !scene.links[scene.ground.0].points.contains(p));
-        let overlay = Overlay { vectors: Some(Level::Velocity), dimensions: true, ..Overlay::default() };
+        let overlay = Overlay { vectors: Some(DiagramKind::Velocity), dimensions: true, ..Overlay::default() };
         let overlay = overlay.with_motion(scene, worked, 3, moving.as_slice());
         drawn("overlay", &diagram(scene, worked, &options, &overlay), failures);
         if let Some(figure) = steps_of::figures(scene, worked, &options).last() {

@@ -2,9 +2,8 @@
 //! sense, and each with its own name only.
 
 use hodograph::figure::sheet::{Options, drawing};
-use hodograph::mechanism::Level;
 use hodograph::render::svg;
-use hodograph::scene::{self, Driver, DriverKind, Lang, Scene, templates};
+use hodograph::scene::{self, DiagramKind, Driver, DriverKind, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 
 type P = [f64; 2];
@@ -114,7 +113,7 @@ fn sense(scene: &Scene, worked: &Worked, driver: &Driver, (tail, tip): (P, P), c
 fn check(name: &str, scene: &Scene, faults: &mut Vec<String>) -> usize {
     let worked = work(scene, Scope::Figure).unwrap_or_else(|f| panic!("{name}: {f}")).value;
     let options = Options::of_language(Lang::En);
-    let written = svg::write(&drawing(scene, &worked, &options, Level::Position).unwrap()).unwrap().value;
+    let written = svg::write(&drawing(scene, &worked, &options, DiagramKind::Plane).unwrap()).unwrap().value;
     let document = roxmltree::Document::parse(&written).unwrap();
     let mut seen = 0;
     for (k, driver) in scene.drivers.iter().enumerate() {

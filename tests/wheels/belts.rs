@@ -5,13 +5,13 @@ use hodograph::answer::Value;
 use hodograph::centres::{Place, centres};
 use hodograph::diag::{Faults, Severity};
 use hodograph::geom::{Point, Vec2};
-use hodograph::mechanism::{Level, Mechanism};
+use hodograph::mechanism::Mechanism;
 use hodograph::plan::TermKind;
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::report;
 use hodograph::scene::build::{Belt, Builder, Driver, deg, mm, rad_per_s};
-use hodograph::scene::{self, Lang, Scene, templates};
+use hodograph::scene::{self, DiagramKind, Lang, Scene, templates};
 use hodograph::sweep::{self, Placed, Stations, Width, extreme, station};
 use hodograph::trains::{given, trains};
 use hodograph::worked::{Scope, Worked, work};
@@ -116,7 +116,7 @@ fn both_ends_of_a_strand_run_along_it_at_one_speed() {
 fn no_sliding_of_a_belt_is_sought_between_axes_that_stand() {
     let apart = |scene: &Scene| {
         let plan = solved(scene).plan;
-        plan.terms(Level::Velocity).filter(|t| t.kind == TermKind::Roll).count()
+        plan.terms(DiagramKind::Velocity).filter(|t| t.kind == TermKind::Roll).count()
     };
     let standing = read(templates::get("belt-crank-rocker").unwrap());
     assert_eq!(apart(&standing), 0);

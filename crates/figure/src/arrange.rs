@@ -12,7 +12,7 @@ pub(super) struct Pieces {
     pub title: Option<Part>,
     /// Mechanism and polygons, with their captions.
     pub drawings: Vec<Part>,
-    /// Equations with their heading, for each level.
+    /// Equations with their heading, for each polygon.
     pub equations: Vec<(Part, Vec<Part>)>,
     /// The results.
     pub results: Part,
@@ -202,7 +202,7 @@ pub(super) fn put_together(tree: Tree, mut parts: Vec<Part>) -> Part {
     Part::of(parts.into_iter().flat_map(|p| p.items).collect())
 }
 
-/// The equations of all levels, one below the other; `None` where there are none.
+/// The equations of all polygons, one below the other; `None` where there are none.
 pub(super) fn column(equations: Vec<(Part, Vec<Part>)>) -> Option<Part> {
     let mut parts = Vec::new();
     let mut tree = Vec::new();
@@ -246,7 +246,7 @@ impl Layout {
         Layout { parts, title, drawings, equations, results }
     }
 
-    /// The parts in their order, in rows: the drawings; the equations of each level, or of all in columns side by side; the results. At
+    /// The parts in their order, in rows: the drawings; the equations of each polygon, or of all in columns side by side; the results. At
     /// last everything below one another.
     fn in_rows(&self, width_mm: f64) -> Vec<Tree> {
         let by_level = || self.equations.iter().map(|e| Tree::text_column(e.iter().map(|k| Tree::Leaf(*k)).collect())).collect();
@@ -304,7 +304,7 @@ impl Layout {
         all.into_iter().map(|rest| Tree::column(title.map(Tree::Leaf).into_iter().chain(rest).collect())).collect()
     }
 
-    /// All equations in so many columns of about the same height; a column never begins with the last line of a level.
+    /// All equations in so many columns of about the same height; a column never begins with the last line of a polygon.
     fn text_columns(&self, columns: usize) -> Vec<Tree> {
         let lines: Vec<usize> = self.equations.iter().flatten().copied().collect();
         let height = |k: &usize| self.parts[*k].bounds.height_mm() + LINE_GAP_MM;

@@ -6,11 +6,10 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::{Edge, Polygon};
 use hodograph_board::plan::VertexId;
 use hodograph_board::plan::text::{Writer, vertex_name};
-use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::attempts::{Attempt, wanted};
 use hodograph_paper::paper::phrase::{Phrase, Piece};
 use hodograph_report::attempts::{Words, gap_symbol};
-use hodograph_scene::Scene;
+use hodograph_scene::{DiagramKind, Scene};
 use hodograph_worked::certified::certify;
 use hodograph_worked::worked::Worked;
 use unicode_width::UnicodeWidthChar;
@@ -27,7 +26,7 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::{Captioned, Style};
 use hodograph_paper::paper::text::set;
-use hodograph_report::amount::of_level;
+use hodograph_report::amount::scale_formula;
 
 /// Each wrong solution on a page.
 pub const ENTRY: Entry =
@@ -83,8 +82,8 @@ fn figure(w: &Wanted, words: &Words, a: &Attempt) -> Figure {
 
 /// The right polygon with the wrong one over it.
 fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part> {
-    let level = a.gap.level;
-    let (right, wrong) = (a.right.worked.construction.polygon(level)?, a.wrong.worked.construction.polygon(level)?);
+    let on = a.gap.on;
+    let (right, wrong) = (a.right.worked.construction.polygon(on)?, a.wrong.worked.construction.polygon(on)?);
     let [right_words, wrong_words] = words.writers(a);
     let mut d = polygon::drawing(&w.options.style, &right_words, right, false);
     let style = &w.options.style;
@@ -121,11 +120,11 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
             continue;
         }
         drawn.push((from, to));
-        arrow(&mut d, (from, to), (&key(e, &wrong_words, level), &symbol(e, &wrong_words, level)));
+        arrow(&mut d, (from, to), (&key(e, &wrong_words, on), &symbol(e, &wrong_words, on)));
     }
     let tips = gap_tips(right, wrong, a)?;
     if tips[1].to_vec2().norm() > SAME_MM && !is_there(Point::ORIGIN, tips[1], &drawn) {
-        arrow(&mut d, (Point::ORIGIN, tips[1]), (&wrong_words.vector_key(a.gap.wrong), &wrong_words.vector(level, a.gap.wrong)));
+        arrow(&mut d, (Point::ORIGIN, tips[1]), (&wrong_words.vector_key(a.gap.wrong), &wrong_words.vector(on, a.gap.wrong)));
     }
     for (v, at) in wrong.images.iter().enumerate().filter_map(|(v, at)| Some((VertexId(v), (*at)?))) {
         if a.wrong.worked.plan.vertex(v).fixed || lettered.iter().any(|p| p.distance(at) < SAME_MM) {
@@ -135,11 +134,11 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
         // Found by image, no equation leads there: the whole vector does.
         if !drawn.iter().any(|(a, b)| a.distance(at) < SAME_MM || b.distance(at) < SAME_MM) {
             drawn.push((Point::ORIGIN, at));
-            arrow(&mut d, (Point::ORIGIN, at), (&wrong_words.vector_key(v), &wrong_words.vector(level, v)));
+            arrow(&mut d, (Point::ORIGIN, at), (&wrong_words.vector_key(v), &wrong_words.vector(on, v)));
         }
         let name = format!("wrong-image-{}", vertex_name(wrong_words.scene, wrong_words.plan, v));
         d.draw(&name, "wrong", hodograph_paper::paper::symbols::dot(style, at));
-        let label = Label::math(format!("{}*", wrong_words.image(level, v)));
+        let label = Label::math(format!("{}*", wrong_words.image(on, v)));
         d.label(&name, "wrong", LabelRequest::at_point(label, style.label_mm, at, style.dot_radius_mm));
     }
     let gap = Stroke { width_mm: style.vector.width_mm * 1.6, colour: RED, ..style.vector };
@@ -150,15 +149,15 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
     // Beside a wrong solution many times as large the right one may shrink to a spot.
     d.thin_out(&[Point::ORIGIN, tips[0], tips[1], from + (to - from) * 0.5]);
     let caption = words.frame_of_drawing(a);
-    Some(maker.titled(d.finish(), Label::text(caption), &of_level(&w.scene.book, level, right.mu), "attempt"))
+    Some(maker.titled(d.finish(), Label::text(caption), &scale_formula(&w.scene.book, on, right.mu), "attempt"))
 }
 
-fn symbol(e: &Edge, w: &Writer, level: Level) -> String {
-    e.terms.iter().map(|t| w.symbol(level, t)).collect::<Vec<_>>().join(" + ")
+fn symbol(e: &Edge, w: &Writer, on: DiagramKind) -> String {
+    e.terms.iter().map(|t| w.symbol(on, t)).collect::<Vec<_>>().join(" + ")
 }
 
-fn key(e: &Edge, w: &Writer, level: Level) -> String {
-    e.terms.iter().map(|t| w.key(level, t)).collect::<Vec<_>>().join("-and-")
+fn key(e: &Edge, w: &Writer, on: DiagramKind) -> String {
+    e.terms.iter().map(|t| w.key(on, t)).collect::<Vec<_>>().join("-and-")
 }
 
 fn gap_tips(right: &Polygon, wrong: &Polygon, a: &Attempt) -> Option<[Point; 2]> {
@@ -279,10 +278,10 @@ fn parted(piece: &Piece) -> Vec<Piece> {
 /// The polygon of a wrong solution as its author would draw it, with nothing that tells it from a right one.
 pub fn as_printed(a: &Attempt, options: &Options) -> Option<Figure> {
     let maker = Maker { scene: &a.wrong.scene, worked: &a.wrong.worked, options, certified: Vec::new() };
-    let level = a.gap.level;
-    let part = maker.captioned(maker.polygon(a.wrong.worked.construction.polygon(level)?), "", level);
+    let on = a.gap.on;
+    let part = maker.captioned(maker.polygon(a.wrong.worked.construction.polygon(on)?), "", on);
     let mut figure = maker.alone(part);
-    figure.desc = maker.name(Captioned::Drawing(level)).into();
+    figure.desc = maker.name(Captioned::Drawing(on)).into();
     Some(figure)
 }
 

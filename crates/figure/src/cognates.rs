@@ -2,8 +2,8 @@
 
 use hodograph_base::diag::{Diagnostic, Faults, Warned};
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_mechanism::mechanism::Level;
 use hodograph_paper::paper::phrase::tr;
+use hodograph_scene::DiagramKind;
 use hodograph_synthesis::cognates::Cognates;
 use std::f64::consts::TAU;
 
@@ -67,7 +67,7 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     d.draw("F", "cognate", sym::fixed_pivot(style, f, Vec2::new(0.0, -1.0)));
     d.label("F", "cognate", LabelRequest::at_point(Label::math("F"), style.label_mm, f, style.pin_radius_mm));
     let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
-    let (_, mu) = maker.caption(Level::Position);
+    let (_, mu) = maker.caption(DiagramKind::Plane);
     let words = tr(w.options.lang, "Cognates (Roberts–Chebyshev): ", "同源机构（罗伯茨–切比雪夫）：");
     let caption = Label::text(words).then(Label::math("ABCD,\\quad AA_{1}P_{1}F,\\quad DD_{1}P_{2}F"));
     let figure = maker.alone(maker.titled(d.finish(), caption, &mu, "cognates"));

@@ -5,12 +5,11 @@
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::composite::{Solved, Staged, level, name_of};
 use hodograph_report::composite::{Words, symbol};
 use hodograph_scene::quantity::Frame;
 use hodograph_scene::quantity::composite::Part as Piece;
-use hodograph_scene::{Kind, Scene};
+use hodograph_scene::{DiagramKind, Kind, Scene};
 use hodograph_worked::worked::Worked;
 
 use super::arrange::AIM_MM;
@@ -26,7 +25,7 @@ use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::shown::{Length, Shown};
 use hodograph_paper::paper::style::Captioned;
-use hodograph_report::amount::of_level;
+use hodograph_report::amount::scale_formula;
 
 /// The parallelograms and the parts of the accelerations.
 pub const ENTRY: Entry = Entry {
@@ -169,17 +168,17 @@ fn stand(parts: &mut [Part], rows: &[Vec<usize>]) {
     }
 }
 
-/// The vectors of a level on paper, the absolute first.
-fn vectors(w: &Wanted, s: &Solved, level: Level, mu: f64) -> Vec<Vector> {
+/// The vectors of a polygon on paper, the absolute first.
+fn vectors(w: &Wanted, s: &Solved, on: DiagramKind, mu: f64) -> Vec<Vector> {
     let notation = &w.options.notation;
     let vector = |part: Option<Piece>, v: Vec2| {
         let mm = v * (1.0 / mu);
-        let shown = Shown { names: vec![quantity(w.scene, s, part, level)], length: Some(Length { mm: mm.norm(), si: v.norm() }) };
-        Vector { symbol: symbol(part, level, notation), key: key(part).into(), shown, mm, absolute: part.is_none() }
+        let shown = Shown { names: vec![quantity(w.scene, s, part, on)], length: Some(Length { mm: mm.norm(), si: v.norm() }) };
+        Vector { symbol: symbol(part, on, notation), key: key(part).into(), shown, mm, absolute: part.is_none() }
     };
-    match level {
-        Level::Acceleration => s.acceleration.iter().map(|(part, v)| vector(*part, *v)).collect(),
-        Level::Position | Level::Velocity => {
+    match on {
+        DiagramKind::Acceleration => s.acceleration.iter().map(|(part, v)| vector(*part, *v)).collect(),
+        DiagramKind::Plane | DiagramKind::Velocity => {
             let parts = [None, Some(Piece::TransportVelocity), Some(Piece::RelativeVelocity)];
             parts.into_iter().zip(s.velocity).map(|(part, v)| vector(part, v)).collect()
         }
@@ -201,7 +200,7 @@ fn key(part: Option<Piece>) -> &'static str {
 }
 
 /// A part of the motion as `find` writes it: `ve_A/2`, `a_A`.
-fn quantity(scene: &Scene, s: &Solved, part: Option<Piece>, level: Level) -> String {
+fn quantity(scene: &Scene, s: &Solved, part: Option<Piece>, on: DiagramKind) -> String {
     let letters = match part {
         None => "",
         Some(Piece::TransportVelocity | Piece::Transport) => "e",
@@ -212,7 +211,7 @@ fn quantity(scene: &Scene, s: &Solved, part: Option<Piece>, level: Level) -> Str
         Some(Piece::RelativeTangential) => "rt",
         Some(Piece::Coriolis) => "k",
     };
-    let letter = if level == Level::Acceleration { "a" } else { "v" };
+    let letter = on.letter();
     let frame = match s.choice.frame {
         Frame::Link(l) => scene.link_name(l).to_owned(),
         Frame::Point(p) => name_of(scene, &p),
@@ -222,24 +221,29 @@ fn quantity(scene: &Scene, s: &Solved, part: Option<Piece>, level: Level) -> Str
 }
 
 fn velocities(w: &Wanted, maker: &Maker, scales: &Scales, s: &Solved, heading: Label, k: usize) -> Part {
-    let composed = Composed { at: s.choice.of.point, vectors: vectors(w, s, Level::Velocity, scales.velocity), parallelogram: true };
+    let composed = Composed { at: s.choice.of.point, vectors: vectors(w, s, DiagramKind::Velocity, scales.velocity), parallelogram: true };
     let part = mechanism::composed(&w.options.style, w.scene, maker.worked, &w.options.notation, &composed);
-    let mu = format!("{},\\quad {}", maker.caption(Level::Position).1, of_level(&w.scene.book, Level::Velocity, scales.velocity));
+    let mu =
+        format!("{},\\quad {}", maker.caption(DiagramKind::Plane).1, scale_formula(&w.scene.book, DiagramKind::Velocity, scales.velocity));
     named(maker.titled(part, heading, &mu, "velocities"), "velocities", k)
 }
 
 fn accelerations(w: &Wanted, maker: &Maker, mu: f64, s: &Solved, k: usize) -> Part {
-    let composed = Composed { at: s.choice.of.point, vectors: vectors(w, s, Level::Acceleration, mu), parallelogram: false };
+    let composed = Composed { at: s.choice.of.point, vectors: vectors(w, s, DiagramKind::Acceleration, mu), parallelogram: false };
     let part = mechanism::composed(&w.options.style, w.scene, maker.worked, &w.options.notation, &composed);
     let words = maker.words().composite_acceleration;
-    named(maker.titled(part, Label::text(words), &of_level(&w.scene.book, Level::Acceleration, mu), "accelerations"), "accelerations", k)
+    named(
+        maker.titled(part, Label::text(words), &scale_formula(&w.scene.book, DiagramKind::Acceleration, mu), "accelerations"),
+        "accelerations",
+        k,
+    )
 }
 
 /// The parts one after another from the pole, and the absolute vector from the pole to their end.
 fn polygon(w: &Wanted, maker: &Maker, mu: f64, s: &Solved, k: usize) -> Part {
     let style = &w.options.style;
     let mut d = Drawing::new("composite", style.clone());
-    let all = vectors(w, s, Level::Acceleration, mu);
+    let all = vectors(w, s, DiagramKind::Acceleration, mu);
     let pole = Point::ORIGIN;
     let mut at = pole;
     let arrow = |d: &mut Drawing, from: Point, v: &Vector| {
@@ -261,8 +265,12 @@ fn polygon(w: &Wanted, maker: &Maker, mu: f64, s: &Solved, k: usize) -> Part {
     let pole_name = format!("{}'", w.options.notation.pole);
     d.draw("pole", "pole", hodograph_paper::paper::symbols::dot(style, pole));
     d.label("pole", "pole", LabelRequest::at_point(Label::math(pole_name), style.label_mm, pole, style.dot_radius_mm));
-    let words = maker.name(Captioned::Drawing(Level::Acceleration));
-    named(maker.titled(d.finish(), Phrase::new(words).label(), &of_level(&w.scene.book, Level::Acceleration, mu), "polygon"), "polygon", k)
+    let words = maker.name(Captioned::Drawing(DiagramKind::Acceleration));
+    named(
+        maker.titled(d.finish(), Phrase::new(words).label(), &scale_formula(&w.scene.book, DiagramKind::Acceleration, mu), "polygon"),
+        "polygon",
+        k,
+    )
 }
 
 /// What is told below the drawings.

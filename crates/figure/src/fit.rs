@@ -6,8 +6,7 @@
 use hodograph_base::diag::{Both, Diagnostic, Faults, Warned, both};
 use hodograph_base::geom::Vec2;
 use hodograph_board::construct::scale::coarser;
-use hodograph_mechanism::mechanism::Level;
-use hodograph_scene::Scene;
+use hodograph_scene::{ByKind, DiagramKind, Scene};
 use hodograph_worked::worked::{Scope, Worked, work};
 
 use super::list::{Entry, Extras, Pages, USUAL, Wanted};
@@ -116,7 +115,7 @@ pub fn pages(entry: &Entry, w: &Wanted, room: Room) -> Result<Warned<Pages>, Fau
     let mut needs = [0.0_f64; 2];
     let of_sheet = entry.name == USUAL.name && w.extras.poses == 0;
     for part in PARTS {
-        let smaller = Smaller::of(w, part, [part; 3])?;
+        let smaller = Smaller::of(w, part, &ByKind::default())?;
         let wanted = smaller.wanted(w.extras);
         if of_sheet {
             match sheet_of(&wanted, part, room) {
@@ -173,7 +172,7 @@ pub fn first_that_fits<T>(
     let mut needs = [0.0_f64; 2];
     let beside = PARTS.into_iter().filter(|part| *part >= LEAST_TYPE).map(|part| (part, false));
     for (part, stacked) in beside.chain(PARTS.map(|part| (part, true))) {
-        match draw(&Smaller::of(w, part, [part; 3])?.wanted(w.extras), stacked)? {
+        match draw(&Smaller::of(w, part, &ByKind::default())?.wanted(w.extras), stacked)? {
             Ok(made) => return Ok(made),
             Err(size) => needs = size,
         }
@@ -219,28 +218,26 @@ fn sheet_of(w: &Wanted, part: f64, room: Room) -> Result<Warned<Pages>, [f64; 2]
 /// the room is no column, nothing grows, or all together become too wide.
 fn grown(w: &Wanted, part: f64, room: Room) -> Result<Option<Warned<Pages>>, Faults> {
     let Room::Column(_) = room else { return Ok(None) };
-    let mut parts = [part; 3];
-    for level in Level::ALL {
+    let mut parts = ByKind::default();
+    for on in DiagramKind::ALL {
         // Upwards to the first that is too wide: crowded names, which take longest to place, are sought seldom.
         for larger in PARTS.into_iter().rev().filter(|p| *p > part) {
-            let mut only = [part; 3];
-            only[level as usize] = larger;
-            let tried = Smaller::of(w, part, only)?;
+            let tried = Smaller::of(w, part, &ByKind::default().with(on.kind(), Some(larger)))?;
             let wanted = tried.wanted(w.extras);
             let fits = |width_mm: f64| width_mm <= room.inner()[0];
             // Lines that are too wide need no names.
-            let lines_fit = wanted.worked.construction.polygon(level).is_none_or(|p| fits(p.extent()[0] / p.mu));
-            let drawn = || drawing(wanted.scene, wanted.worked, wanted.options, level);
+            let lines_fit = wanted.worked.construction.polygon(on).is_none_or(|p| fits(p.extent()[0] / p.mu));
+            let drawn = || drawing(wanted.scene, wanted.worked, wanted.options, on);
             if !lines_fit || !drawn().is_none_or(|figure| fits(figure.width_mm - 2.0 * MARGIN_MM)) {
                 break;
             }
-            parts[level as usize] = larger;
+            parts.set(on.kind(), Some(larger));
         }
     }
-    if parts == [part; 3] {
+    if parts == ByKind::default() {
         return Ok(None);
     }
-    let smaller = Smaller::of(w, part, parts)?;
+    let smaller = Smaller::of(w, part, &parts)?;
     Ok(sheet_of(&smaller.wanted(w.extras), part, room).ok())
 }
 
@@ -302,7 +299,7 @@ fn left_out(what: &[Both], room: Room) -> Option<Diagnostic> {
 /// worked again.
 pub fn to_part(scene: &Scene, worked: &Worked, options: &Options, part: f64) -> Option<(Scene, Worked)> {
     let extras = Extras::default();
-    let Smaller { scene, worked, .. } = Smaller::of(&Wanted { scene, worked, options, extras: &extras }, part, [part; 3]).ok()?;
+    let Smaller { scene, worked, .. } = Smaller::of(&Wanted { scene, worked, options, extras: &extras }, part, &ByKind::default()).ok()?;
     Some((scene, worked?))
 }
 
@@ -315,18 +312,19 @@ struct Smaller {
 }
 
 impl Smaller {
-    /// Ink of this part of its size; the drawing of each level of its own.
-    fn of(w: &Wanted, part: f64, drawings: [f64; 3]) -> Result<Smaller, Faults> {
+    /// Ink of this part of its size, and all diagrams but those that have another part.
+    fn of(w: &Wanted, part: f64, others: &ByKind) -> Result<Smaller, Faults> {
         let mut scene = w.scene.clone();
         // The room is kept here, so the sheet is free.
         scene.paper.size_mm = None;
         let options = Options { style: w.options.style.reduced(part), ..w.options.clone() };
         if part < 1.0 {
             let board = &w.worked.construction;
-            for level in Level::ALL {
-                let (part, kind, paper) = (drawings[level as usize], level.kind(), &scene.paper);
+            for on in DiagramKind::ALL {
+                let (kind, paper) = (on.kind(), &scene.paper);
+                let part = others.get(kind).unwrap_or(part);
                 let coarser = |mu| if part < 1.0 { coarser(paper.unit(kind), mu, 1.0 / part) } else { mu };
-                let mu = paper.scales.get(kind).or_else(|| board.scale(level).map(coarser));
+                let mu = paper.scales.get(kind).or_else(|| board.scale(on).map(coarser));
                 scene.paper.scales.set(kind, mu);
             }
         }

@@ -6,8 +6,7 @@
 use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale;
-use hodograph_mechanism::mechanism::Level;
-use hodograph_scene::Book;
+use hodograph_scene::{Book, DiagramKind};
 
 use super::plot::over;
 use hodograph_paper::paper::drawing::{Drawing, Part};
@@ -32,7 +31,7 @@ const SHORTEST_MM: f64 = 0.6;
 /// The vector of one point through a motion.
 pub struct Hodograph<'a> {
     /// Velocities or accelerations.
-    pub level: Level,
+    pub on: DiagramKind,
     /// The vector as `find` writes it.
     pub quantity: &'a str,
     /// The pole's letter.
@@ -131,11 +130,11 @@ pub fn hodograph(style: &Style, h: &Hodograph) -> Part {
 
 /// The axes through the pole, with the ticks of one step.
 fn axes(d: &mut Drawing, style: &Style, h: &Hodograph, runs: &[Vec<Vec2>]) {
-    let kind = h.level.kind();
+    let kind = h.on.kind();
     let step = scale::choose_in(h.book.size(kind), [TICK_MM * h.mu, 0.0], [1.0, 1.0]);
     let stroke = style.thin.coloured(AXIS);
     let unit = h.book.upright(kind);
-    let letter = if h.level == Level::Acceleration { "a" } else { "v" };
+    let letter = h.on.letter();
     for (axis, along) in [("x", Vec2::new(1.0, 0.0)), ("y", Vec2::new(0.0, 1.0))] {
         let parts = || runs.iter().flatten().map(|v| v.dot(along));
         let (lo, hi) = (parts().fold(0.0, f64::min), parts().fold(0.0, f64::max));

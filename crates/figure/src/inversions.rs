@@ -2,9 +2,9 @@
 
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::Point;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::inversions::{Inversion, inversions};
 use hodograph_report::inversions as report;
+use hodograph_scene::DiagramKind;
 
 use super::list::{Entry, Pages, Wanted};
 use super::mechanism;
@@ -56,7 +56,7 @@ fn sheet(w: &Wanted, some: &[(usize, &Inversion)]) -> Figure {
 fn part(w: &Wanted, i: &Inversion, k: usize) -> Part {
     let maker = Maker { scene: &i.scene, worked: &i.worked, options: w.options, certified: Vec::new() };
     let drawing = mechanism::numbered(&w.options.style, &i.scene, &i.worked, &w.options.notation).finish();
-    let (_, mu) = maker.caption(Level::Position);
+    let (_, mu) = maker.caption(DiagramKind::Plane);
     let caption = format!("({}) {}", k + 1, report::heading(i, w.options.lang));
     let below = format!("\\text{{{}}},\\quad {mu}", report::words(i, w.options.lang));
     let mut part = maker.titled(drawing, Label::text(caption), &below, "inversion");

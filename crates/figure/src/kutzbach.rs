@@ -12,11 +12,10 @@ use std::f64::consts::TAU;
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::{name_label, point_label};
-use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::trains::{Train, Turns, trains};
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_report::trains::{number, omega, table, turns};
-use hodograph_scene::{Kind, LinkId, PointId};
+use hodograph_scene::{DiagramKind, Kind, LinkId, PointId};
 
 use super::sheet::Maker;
 use hodograph_paper::paper::drawing::{Drawing, Part};
@@ -24,7 +23,7 @@ use hodograph_paper::paper::grid::{self, Cell, Row};
 use hodograph_paper::paper::item::{Anchor, Dash, Figure, Item, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::symbols as sym;
-use hodograph_report::amount::{of_level, scale};
+use hodograph_report::amount::{scale, scale_formula};
 
 /// Between the circles and the plan of velocities: the arrows of the plan and a name fit in.
 const APART_MM: f64 = 12.0;
@@ -134,7 +133,7 @@ impl Plan<'_> {
         let (maker, train) = (self.maker, self.train);
         let style = &maker.options.style;
         let stations = self.stations()?;
-        let (mu_l, mu_v) = (maker.worked.construction.diagram.mu, maker.worked.construction.polygon(Level::Velocity)?.mu);
+        let (mu_l, mu_v) = (maker.worked.construction.diagram.mu, maker.worked.construction.polygon(DiagramKind::Velocity)?.mu);
         // A link that turns to the left moves to the left above its centre: the plan is the mechanism turned upright.
         let speed = |link: LinkId, s: f64| self.speed(&stations, link, s) * (-mu_l / mu_v);
         let mut d = Drawing::new("kutzbach", style.clone());
@@ -194,8 +193,8 @@ impl Plan<'_> {
         let book = &maker.scene.book;
         let mus = format!(
             "{},\\quad {},\\quad \\mu_{{\\omega}} = {} {}",
-            of_level(book, Level::Position, mu_l),
-            of_level(book, Level::Velocity, mu_v),
+            scale_formula(book, DiagramKind::Plane, mu_l),
+            scale_formula(book, DiagramKind::Velocity, mu_v),
             scale(book.value(Kind::Omega, mu_omega)),
             book.scale_label(Kind::Omega)
         );

@@ -9,14 +9,13 @@ mod plate;
 use hodograph_base::diag::{Both, Diagnostic};
 use hodograph_base::geom::Point;
 use hodograph_board::plan::notation::Notation;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::particle::board::{Arrow, Drawn, Views};
 use hodograph_methods::particle::{Problem, Solved};
 use hodograph_paper::paper::phrase::Phrase;
-use hodograph_report::amount::of_level;
+use hodograph_report::amount::scale_formula;
 use hodograph_report::answers::DIGITS;
 use hodograph_report::particle as report;
-use hodograph_scene::{Book, Lang};
+use hodograph_scene::{Book, DiagramKind, Lang};
 
 use super::arrange::Tree;
 use super::sheet::MARGIN_MM;
@@ -61,13 +60,13 @@ pub struct View {
     /// Its caption.
     pub caption: Both,
     /// Its scales.
-    pub scales: Vec<(Level, f64)>,
+    pub scales: Vec<(DiagramKind, f64)>,
 }
 
 impl View {
     /// The scales in a line, in the label language.
     pub fn scale(&self, book: &Book) -> String {
-        let told: Vec<String> = self.scales.iter().map(|(level, mu)| of_level(book, *level, *mu)).collect();
+        let told: Vec<String> = self.scales.iter().map(|(on, mu)| scale_formula(book, *on, *mu)).collect();
         told.join(",\\quad ")
     }
 }
@@ -104,7 +103,7 @@ pub fn as_given(problem: &Problem, solved: &Solved, drawn: &Drawn, style: &Style
     let maker = Maker { problem, solved, style, lang, also: &ALONE };
     let views = match &drawn.views {
         Views::Chase { .. } => maker.start(drawn).into_iter().collect(),
-        Views::Plate { .. } => vec![maker.on_plate(drawn, Level::Position, &[])?, maker.along_axis(drawn, Level::Position, &[])],
+        Views::Plate { .. } => vec![maker.on_plate(drawn, DiagramKind::Plane, &[])?, maker.along_axis(drawn, DiagramKind::Plane, &[])],
     };
     let mut parts: Vec<Part> = views.into_iter().map(|v| maker.captioned(v)).collect();
     let tree = Tree::row((0..parts.len()).map(Tree::Leaf).collect());
@@ -144,8 +143,8 @@ impl Maker<'_> {
             Views::Chase { .. } => Ok(self.course(d, true).into_iter().chain(self.polygons(d)).collect()),
             Views::Plate { velocities, accelerations, .. } => {
                 let mut all = Vec::new();
-                for (level, views) in [(Level::Velocity, velocities), (Level::Acceleration, accelerations)] {
-                    all.extend([self.on_plate(d, level, &views[0])?, self.along_axis(d, level, &views[1])]);
+                for (on, views) in [(DiagramKind::Velocity, velocities), (DiagramKind::Acceleration, accelerations)] {
+                    all.extend([self.on_plate(d, on, &views[0])?, self.along_axis(d, on, &views[1])]);
                 }
                 Ok(all)
             }
@@ -237,12 +236,12 @@ impl Maker<'_> {
         d.label_at(name, "point", name, at, self.style.dot_radius_mm, None);
     }
 
-    fn scales(&self, drawn: &Drawn, level: Level) -> Vec<(Level, f64)> {
-        let lengths = (Level::Position, drawn.mu[0]);
-        match level {
-            Level::Position => vec![lengths],
-            Level::Velocity => vec![lengths, (level, drawn.mu[1])],
-            Level::Acceleration => vec![lengths, (level, drawn.mu[2])],
+    fn scales(&self, drawn: &Drawn, on: DiagramKind) -> Vec<(DiagramKind, f64)> {
+        let lengths = (DiagramKind::Plane, drawn.mu[0]);
+        match on {
+            DiagramKind::Plane => vec![lengths],
+            DiagramKind::Velocity => vec![lengths, (on, drawn.mu[1])],
+            DiagramKind::Acceleration => vec![lengths, (on, drawn.mu[2])],
         }
     }
 }

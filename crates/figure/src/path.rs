@@ -9,9 +9,8 @@ use hodograph_base::digits::direction_degrees;
 use hodograph_base::geom::Vec2;
 use hodograph_board::construct::scale::{self, Boxes};
 use hodograph_board::plan::names::point_label;
-use hodograph_mechanism::mechanism::Level;
-use hodograph_paper::paper::phrase::{Phrase, fill, tr};
-use hodograph_scene::{Kind, PointId, Scene, Swept};
+use hodograph_paper::paper::phrase::{Phrase, capital, fill, tr};
+use hodograph_scene::{DiagramKind, Kind, Lang, PointId, Scene, Swept};
 use hodograph_sweep::points::{Moment, Motion, alone, at_equal_steps, bounded, motion, questions};
 use hodograph_worked::worked::{Worked, work_motion, work_placed};
 
@@ -25,7 +24,7 @@ use hodograph_paper::paper::grid::{self, Cell, Row};
 use hodograph_paper::paper::item::{Anchor, Figure, Item};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::shown::escaped;
-use hodograph_report::amount::of_level;
+use hodograph_report::amount::scale_formula;
 use hodograph_report::amount::{number, symbol};
 use hodograph_sweep::follow::Follower;
 
@@ -188,7 +187,7 @@ impl Page<'_> {
             ([one], _) => format!("Path of {one}"),
             (names, _) => format!("Paths of {}", names.join(", ")),
         };
-        let (_, mu) = maker.caption(Level::Position);
+        let (_, mu) = maker.caption(DiagramKind::Plane);
         maker.titled(part, Phrase::new(&words).label(), &mu, "mechanism")
     }
 
@@ -196,8 +195,8 @@ impl Page<'_> {
     fn hodographs(&mut self, boxes: &Boxes) -> Vec<Part> {
         let paper = self.scene().paper.clone();
         let mut parts = Vec::new();
-        for (l, level) in Level::RATES.into_iter().enumerate() {
-            let of = |moments: &[Moment], k: usize| -> Vec<Option<Vec2>> { moments.iter().map(|m| m.vectors[k][l]).collect() };
+        for (l, on) in DiagramKind::POLYGONS.into_iter().enumerate() {
+            let of = |moments: &[Moment], k: usize| -> Vec<Option<Vec2>> { moments.iter().map(|m| m.vector(k, on.level())).collect() };
             let curves: Vec<Vec<Option<Vec2>>> = (0..self.moved.points.len()).map(|k| of(&self.moved.moments, k)).collect();
             let sizes = curves.iter().flatten().flatten().map(|v| v.norm()).collect();
             let own = self.moved.moments.iter().find(|m| m.travel == 0.0);
@@ -206,14 +205,14 @@ impl Page<'_> {
             let shown: Vec<_> = curves.iter().map(|c| runs(c, self.moved.full, most)).collect();
             self.cut |= shown.iter().any(|s| s.1);
             let ends = shown.iter().flat_map(|s| s.0.iter().flatten()).map(|v| v.to_point());
-            let kind = level.kind();
+            let kind = on.kind();
             let mu = scale::fitted(&paper, kind, scale::extent(ends.chain([hodograph_base::geom::Point::ORIGIN])), boxes.polygon);
             for (k, &point) in self.moved.points.iter().enumerate() {
                 let find = &questions(self.scene(), point)[l];
                 let h = Hodograph {
-                    level,
+                    on,
                     quantity: &find.text,
-                    pole: &self.maker.writer().pole(level),
+                    pole: &self.maker.writer().pole(on),
                     link: self.scene().mover(point).map(|l| l.0),
                     curve: &curves[k],
                     closed: self.moved.full,
@@ -225,16 +224,13 @@ impl Page<'_> {
                 let part = hodograph(&self.maker.options.style, &h);
                 let name = self.scene().point_name(point);
                 // Several points have captions of one scale.
-                let (en, zh, id) = match level {
-                    Level::Position | Level::Velocity => {
-                        ("Velocity hodograph of ${}$", "点 ${}$ 的速度矢端曲线", format!("vel-hodograph-{}", escaped(name)))
-                    }
-                    Level::Acceleration => {
-                        ("Acceleration hodograph of ${}$", "点 ${}$ 的加速度矢端曲线", format!("acc-hodograph-{}", escaped(name)))
-                    }
+                let id = format!("{}-hodograph-{}", on.prefix(), escaped(name));
+                let (vector, point) = (on.vector(), point_label(name));
+                let words = match self.maker.options.lang {
+                    Lang::En => format!("{} hodograph of ${point}$", capital(&vector.en)),
+                    Lang::Zh => format!("点 ${point}$ 的{}矢端曲线", vector.zh),
                 };
-                let words = fill(tr(self.maker.options.lang, en, zh), &[("", &point_label(name))]);
-                parts.push(self.maker.titled(part, Phrase::new(&words).label(), &of_level(&self.scene().book, level, mu), &id));
+                parts.push(self.maker.titled(part, Phrase::new(&words).label(), &scale_formula(&self.scene().book, on, mu), &id));
             }
         }
         parts
@@ -363,10 +359,10 @@ fn stand(title: Option<Part>, drawings: Vec<Part>, text: Part) -> (Vec<Item>, [f
     let levels = parts.len().saturating_sub(1).div_ceil(per_level.max(1));
     parts.push(text);
     parts.extend(title);
-    let level = |k: usize| leaves(1 + k * per_level, per_level);
+    let drawn = |k: usize| leaves(1 + k * per_level, per_level);
     // Levels side by side, the points of each below one another; or the other way.
-    let rows = || Tree::row((0..levels).map(|k| Tree::column(level(k))).collect());
-    let columns = || Tree::column((0..levels).map(|k| Tree::row(level(k))).collect());
+    let rows = || Tree::row((0..levels).map(|k| Tree::column(drawn(k))).collect());
+    let columns = || Tree::column((0..levels).map(|k| Tree::row(drawn(k))).collect());
     let layouts = [rows(), columns()].map(|right| {
         let body = Tree::row(vec![Tree::Leaf(0), right]);
         Tree::column(heading.map(Tree::Leaf).into_iter().chain([body, Tree::Leaf(table)]).collect())

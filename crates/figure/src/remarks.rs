@@ -7,12 +7,12 @@ use hodograph_base::digits::{shortest, significant};
 use hodograph_board::construct::conditions;
 use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::text::{point_label, vertex_name};
-use hodograph_mechanism::mechanism::{Core, Level, Opened};
+use hodograph_mechanism::mechanism::{Core, Opened};
 use hodograph_mechanism::position::redundant::Checked;
 use hodograph_paper::paper::phrase::{Phrase, fill};
 use hodograph_report::answers::worst;
 use hodograph_report::drafting;
-use hodograph_scene::Scene;
+use hodograph_scene::{DiagramKind, Scene};
 use hodograph_worked::accuracy::BadAngle;
 use hodograph_worked::worked::{Outcome, Worked};
 
@@ -74,9 +74,9 @@ fn repeats(answers: &Answers, repeats: &Checked) -> Vec<String> {
         let [a, b] = [c.pins.0, c.pins.1].map(|p| name_label(scene.point_name(p)));
         let (v, n, line) = (format!("v_{{{b}{a}}}"), format!("a_{{{b}{a}}}^n"), format!("l_{{{a}{b}}}"));
         let mm = format!("{:.2}", c.off_mm);
-        match c.level {
-            Level::Acceleration => fill(words.along_acceleration, &[("a", &n), ("w", &v), ("", &line), ("mm", &mm)]),
-            Level::Velocity | Level::Position => fill(words.along_velocity, &[("v", &v), ("", &format!("{a}{b}")), ("mm", &mm)]),
+        match c.on {
+            DiagramKind::Acceleration => fill(words.along_acceleration, &[("a", &n), ("w", &v), ("", &line), ("mm", &mm)]),
+            DiagramKind::Velocity | DiagramKind::Plane => fill(words.along_velocity, &[("v", &v), ("", &format!("{a}{b}")), ("mm", &mm)]),
         }
     });
     let checked: Vec<String> = checked.collect();

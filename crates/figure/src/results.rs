@@ -7,14 +7,13 @@ use hodograph_board::plan::notation::Notation;
 use hodograph_board::plan::text::Writer;
 use hodograph_board::plan::{Body, Rate};
 use hodograph_mechanism::answer::Value;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::centres::{Centre, Centres, Origin, Place, centres};
 use hodograph_paper::paper::phrase::{Phrase, fill};
 use hodograph_report::answers::{Line, at_infinity, lines as by_question, reason, verdict};
 use hodograph_report::centres as report_of_centres;
 use hodograph_report::drafting::{self, Amount};
 use hodograph_scene::quantity::Meaning;
-use hodograph_scene::{Asked, Book, Find, Kind, Lang, Scene};
+use hodograph_scene::{Asked, Book, DiagramKind, Find, Kind, Lang, Scene};
 use hodograph_worked::certified::ladder::{Certified, Number, READING_DIGITS, Why};
 use hodograph_worked::worked::{Outcome, Worked};
 
@@ -144,7 +143,7 @@ fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::P
         let sign = |what: &str| cell(Label::math("="), Anchor::Middle, what);
         let value = r.value();
         // Where nothing moves there is no polygon to measure.
-        let nothing = worked.construction.is_empty(find.what.level());
+        let nothing = worked.construction.is_empty(find.what.diagram());
         let by_lines = || by_lines(centres.as_ref()?, find, words);
         let measured = if placed == Measured::Nowhere {
             None
@@ -301,11 +300,11 @@ fn told(style: &Style, notation: &Notation, find: &Find, words: &str) -> Row {
 /// `v^{r}_{B2B3} = −v^{r}_{B3B2}`.
 pub fn named(w: &Writer, find: &Find, r: &Outcome) -> String {
     let asked = symbol(find, w.notation);
-    let level = find.what.level();
+    let on = find.what.diagram();
     let Some(shown) = r.drawn.as_ref().and_then(|d| d.measured.as_ref()).and_then(|m| m.shown.as_ref()) else { return asked };
     let drawn = match &shown.vector {
-        ShownAs::Image(v) => w.vector(level, *v),
-        ShownAs::Edges(terms) => terms.iter().map(|t| w.symbol(level, t)).collect::<Vec<_>>().join(" + "),
+        ShownAs::Image(v) => w.vector(on, *v),
+        ShownAs::Edges(terms) => terms.iter().map(|t| w.symbol(on, t)).collect::<Vec<_>>().join(" + "),
     };
     match (drawn == asked, shown.reversed) {
         (true, false) => asked,
@@ -328,24 +327,18 @@ fn tolerance(book: &Book, worked: &Worked, r: &Outcome, find: &Find) -> Option<L
 /// `ω_2`, for a link that turns as another does.
 fn as_another(answers: &Answers, find: &Find) -> Option<Label> {
     let Some(Meaning::Turning(link, None)) = find.what.meaning(answers.scene) else { return None };
-    let level = find.what.level();
-    let plan = &answers.worked.plan;
-    let groups = match level {
-        Level::Position => return None,
-        Level::Velocity => &plan.velocity,
-        Level::Acceleration => &plan.acceleration,
-    };
-    let other = groups.iter().flat_map(|g| &g.rates).find_map(|(body, rate)| match (body, rate) {
+    let on = find.what.diagram();
+    let other = answers.worked.plan.steps(on).iter().flat_map(|g| &g.rates).find_map(|(body, rate)| match (body, rate) {
         (Body::Link(l), Rate::Same(other)) if *l == link => Some(*other),
         (Body::Link(_) | Body::Cylinder(_), _) => None,
     });
-    Some(Label::math(answers.writer().turning(level, Body::Link(other?))))
+    Some(Label::math(answers.writer().turning(on, Body::Link(other?))))
 }
 
 /// What the ruler gave: `48.32 mm · μ_v`, for angular rates over the link's length.
 pub fn measured(book: &Book, r: &Outcome, c: &Certified, find: &Find, words: &Words) -> Option<Label> {
-    let level = find.what.level();
-    if level == Level::Position {
+    let on = find.what.diagram();
+    if on == DiagramKind::Plane {
         return None;
     }
     let Some(drawn) = &r.drawn else {
@@ -353,7 +346,6 @@ pub fn measured(book: &Book, r: &Outcome, c: &Certified, find: &Find, words: &Wo
     };
     let measured = drawn.measured.as_ref()?;
     let mm = measured.length_mm;
-    let scale = if level == Level::Acceleration { "\\mu_a" } else { "\\mu_v" };
     // Less than a thousandth of a millimetre is nothing that a ruler gives.
     let certain = |n: Option<&Number>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| inked(&t.0));
     let mm_text = match certain(c.reading.as_ref().map(|r| &r.length_mm)) {
@@ -361,7 +353,7 @@ pub fn measured(book: &Book, r: &Outcome, c: &Certified, find: &Find, words: &Wo
         None if mm < 1e-3 => "0".to_owned(),
         None => number(mm, DIGITS),
     };
-    let read = format!("{mm_text} mm \\cdot {scale}");
+    let read = format!("{mm_text} mm \\cdot \\mu_{}", on.letter());
     Some(Label::math(match measured.arm_m {
         Some(length) => {
             let arm = certain(c.reading.as_ref().and_then(|r| r.arm.as_ref()));

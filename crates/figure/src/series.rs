@@ -3,8 +3,7 @@
 
 use hodograph_base::geom::Point;
 use hodograph_board::construct::scale::{self, Boxes, extent};
-use hodograph_mechanism::mechanism::Level;
-use hodograph_scene::{ByKind, Kind, Paper};
+use hodograph_scene::{ByKind, DiagramKind, Kind, Paper};
 use hodograph_sweep::points::bounded;
 use hodograph_worked::worked::Worked;
 
@@ -14,7 +13,7 @@ pub struct Scales {
     /// Of the mechanism and of the polygons that there are, SI per mm.
     pub mu: ByKind,
     /// The largest polygons (in boxes, SI) that the paper holds.
-    most: [f64; 2],
+    most: ByKind,
     boxes: Boxes,
 }
 
@@ -25,23 +24,23 @@ impl Scales {
         let places = poses.iter().flat_map(|(_, w)| w.configuration.points.iter().flatten().copied());
         let lengths = scale::fitted(paper, Kind::Length, extent(places), boxes.diagram);
         let mu = ByKind::default().with(Kind::Length, Some(lengths));
-        let mut scales = Scales { mu, most: [f64::INFINITY; 2], boxes };
-        for (i, level) in Level::RATES.into_iter().enumerate() {
-            let size = |w: &Worked| size(w, level, &boxes);
+        let mut scales = Scales { mu, most: ByKind::default(), boxes };
+        for on in DiagramKind::POLYGONS {
+            let size = |w: &Worked| size(w, on, &boxes);
             let own = poses.iter().find(|p| p.0 == 0.0).and_then(|p| size(p.1)).unwrap_or(0.0);
             let Some(most) = bounded(poses.iter().filter_map(|p| size(p.1)).collect(), own, unlimited) else { continue };
             let fitting = poses.iter().map(|p| p.1).filter(|w| size(w).is_some_and(|s| s <= most));
-            let ends = fitting.flat_map(|w| ends(w, level));
-            let mu = scale::fitted(paper, level.kind(), extent(ends.chain([Point::ORIGIN])), boxes.polygon);
-            scales.mu.set(level.kind(), Some(mu));
-            scales.most[i] = most;
+            let ends = fitting.flat_map(|w| ends(w, on));
+            let mu = scale::fitted(paper, on.kind(), extent(ends.chain([Point::ORIGIN])), boxes.polygon);
+            scales.mu.set(on.kind(), Some(mu));
+            scales.most.set(on.kind(), Some(most));
         }
         scales
     }
 
     /// Whether the paper holds a pose's polygon (there is one, and it is not next to a limit).
-    pub fn holds(&self, worked: &Worked, level: Level) -> bool {
-        size(worked, level, &self.boxes).is_some_and(|s| s <= self.most[usize::from(level == Level::Acceleration)])
+    pub fn holds(&self, worked: &Worked, on: DiagramKind) -> bool {
+        size(worked, on, &self.boxes).is_some_and(|s| s <= self.most.get(on.kind()).unwrap_or(f64::INFINITY))
     }
 
     /// The diagonal of the room for a polygon (mm): no vector on the paper is longer.
@@ -56,8 +55,8 @@ impl Scales {
 }
 
 /// The ends of all vectors of a pose's polygon, seen from the pole (SI).
-pub fn ends(worked: &Worked, level: Level) -> impl Iterator<Item = Point> {
-    worked.construction.polygon(level).into_iter().flat_map(|p| {
+pub fn ends(worked: &Worked, on: DiagramKind) -> impl Iterator<Item = Point> {
+    worked.construction.polygon(on).into_iter().flat_map(|p| {
         let mu = p.mu;
         let marks = p.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(p.images.iter().flatten().copied());
         marks.map(move |q| (q.to_vec2() * mu).to_point())
@@ -65,7 +64,7 @@ pub fn ends(worked: &Worked, level: Level) -> impl Iterator<Item = Point> {
 }
 
 /// How large a polygon is (SI per mm of its box).
-pub fn size(worked: &Worked, level: Level, boxes: &Boxes) -> Option<f64> {
-    let [w, h] = worked.construction.polygon(level)?.extent();
+pub fn size(worked: &Worked, on: DiagramKind, boxes: &Boxes) -> Option<f64> {
+    let [w, h] = worked.construction.polygon(on)?.extent();
     Some((w / boxes.polygon[0]).max(h / boxes.polygon[1]))
 }

@@ -8,13 +8,12 @@ use hodograph_board::construct::Polygon;
 use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::notation::Notation;
 use hodograph_board::plan::text::Writer;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_paper::paper::phrase::Phrase;
 use hodograph_report::given::Givens;
-use hodograph_scene::{Kind, Lang, Scene, Swept};
+use hodograph_scene::{DiagramKind, Kind, Lang, Scene, Swept};
 use hodograph_worked::worked::Worked;
 
-use hodograph_report::amount::of_level;
+use hodograph_report::amount::scale_formula;
 
 use super::arrange::{Pieces, Tree, arrange, arrange_in, column, put_together};
 use super::described::described;
@@ -121,34 +120,34 @@ pub fn sheet_in(scene: &Scene, worked: &Worked, options: &Options, width_mm: f64
     }
     let mut drawings = maker.drawings(true);
     if fewer == Fewer::Drawings {
-        let polygons = Level::RATES.into_iter().filter(|l| worked.construction.polygon(*l).is_some());
-        let levels: Vec<Level> = std::iter::once(Level::Position).chain(polygons).collect();
-        let gone = drawings.iter().zip(&levels).filter(|(part, level)| **level != Level::Position && !fits(part));
-        out.extend(gone.map(|(_, level)| match level {
-            Level::Position => both!("the mechanism", "机构运动简图"),
-            Level::Velocity => both!("the velocity polygon", "速度多边形"),
-            Level::Acceleration => both!("the acceleration polygon", "加速度多边形"),
+        let polygons = DiagramKind::POLYGONS.into_iter().filter(|l| worked.construction.polygon(*l).is_some());
+        let levels: Vec<DiagramKind> = std::iter::once(DiagramKind::Plane).chain(polygons).collect();
+        let gone = drawings.iter().zip(&levels).filter(|(part, on)| **on != DiagramKind::Plane && !fits(part));
+        out.extend(gone.map(|(_, on)| match on {
+            DiagramKind::Plane => both!("the mechanism", "机构运动简图"),
+            DiagramKind::Velocity => both!("the velocity polygon", "速度多边形"),
+            DiagramKind::Acceleration => both!("the acceleration polygon", "加速度多边形"),
         }));
-        let mut level = levels.iter();
-        drawings.retain(|part| level.next() == Some(&Level::Position) || fits(part));
+        let mut on = levels.iter();
+        drawings.retain(|part| on.next() == Some(&DiagramKind::Plane) || fits(part));
     }
     let pieces = Pieces { title, drawings, equations, results };
     let (items, size) = arrange_in(pieces, width_mm);
     (maker.figure(items, size), out)
 }
 
-/// The drawing of a level alone, with its caption and scale: the mechanism for positions, else the polygon; `None` where the scene
+/// A diagram alone, with its caption and scale; `None` where the scene
 /// does not call for it.
-pub fn drawing(scene: &Scene, worked: &Worked, options: &Options, level: Level) -> Option<Figure> {
+pub fn drawing(scene: &Scene, worked: &Worked, options: &Options, on: DiagramKind) -> Option<Figure> {
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
-    let part = match level {
-        Level::Position => maker.mechanism(),
-        Level::Velocity | Level::Acceleration => maker.polygon(worked.construction.polygon(level)?),
+    let part = match on {
+        DiagramKind::Plane => maker.mechanism(),
+        DiagramKind::Velocity | DiagramKind::Acceleration => maker.polygon(worked.construction.polygon(on)?),
     };
-    Some(maker.alone(maker.captioned(part, "", level)))
+    Some(maker.alone(maker.captioned(part, "", on)))
 }
 
-/// The equations of all levels alone; `None` where the scene calls for none.
+/// All equations alone; `None` where the scene calls for none.
 pub fn equations(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure> {
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
     Some(maker.alone(column(maker.equations(&steps(scene, worked, None), None))?))
@@ -164,9 +163,9 @@ pub fn results(scene: &Scene, worked: &Worked, options: &Options) -> Figure {
 pub fn diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Overlay) -> Figure {
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
     let part = mechanism::overlaid(&options.style, scene, worked, &maker.writer(), overlay);
-    let (words, mut mu) = maker.caption(Level::Position);
-    if let (Some(level), Some(of_vectors)) = (overlay.vectors, overlay.mu(scene, worked)) {
-        mu = format!("{mu},\\quad {}", of_level(&scene.book, level, of_vectors));
+    let (words, mut mu) = maker.caption(DiagramKind::Plane);
+    if let (Some(on), Some(of_vectors)) = (overlay.vectors, overlay.mu(scene, worked)) {
+        mu = format!("{mu},\\quad {}", scale_formula(&scene.book, on, of_vectors));
     }
     let titled = maker.titled(part, Phrase::new(words).label(), &mu, "mechanism");
     maker.alone(if overlay.dimensions { maker.with_givens(titled) } else { titled })
@@ -176,7 +175,7 @@ pub fn diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Over
 pub fn problem_diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Overlay) -> Figure {
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
     let part = mechanism::overlaid(&options.style, scene, worked, &maker.writer(), overlay);
-    maker.alone(maker.captioned(part, "", Level::Position))
+    maker.alone(maker.captioned(part, "", DiagramKind::Plane))
 }
 
 /// Makes the parts of a sheet.
@@ -201,12 +200,12 @@ impl Maker<'_> {
         Writer { scene: self.scene, plan: &self.worked.plan, notation: &self.options.notation, lang: self.options.lang }
     }
 
-    /// The equations of each level with their heading; nothing where there are none. `steps` are the certified numbers of the
+    /// The equations of each polygon with their heading; nothing where there are none. `steps` are the certified numbers of the
     /// construction; in a column of a width long ones are broken.
     pub fn equations(&self, steps: &Steps, width_mm: Option<f64>) -> Vec<(Part, Vec<Part>)> {
         let writer = self.writer();
         let tables = Tables { width_mm, ..self.tables(&writer, steps) };
-        Level::RATES.map(|l| (self.heading(l), tables.parts(l))).into()
+        DiagramKind::POLYGONS.map(|l| (self.heading(l), tables.parts(l))).into()
     }
 
     /// What the tables are made from.
@@ -225,17 +224,17 @@ impl Maker<'_> {
 
     /// The drawings with their captions.
     fn drawings(&self, lettered: bool) -> Vec<Part> {
-        let mut all = vec![(Level::Position, self.mechanism())];
-        for level in Level::RATES {
-            if let Some(p) = self.worked.construction.polygon(level) {
-                all.push((level, self.polygon(p)));
+        let mut all = vec![(DiagramKind::Plane, self.mechanism())];
+        for on in DiagramKind::POLYGONS {
+            if let Some(p) = self.worked.construction.polygon(on) {
+                all.push((on, self.polygon(p)));
             }
         }
         let mut letters = ["(a) ", "(b) ", "(c) "].into_iter();
         all.into_iter()
-            .map(|(level, part)| {
+            .map(|(on, part)| {
                 let letter = letters.next().filter(|_| lettered).unwrap_or_default();
-                self.captioned(part, letter, level)
+                self.captioned(part, letter, on)
             })
             .collect()
     }
@@ -245,17 +244,17 @@ impl Maker<'_> {
         self.options.style.captions.of(what, self.options.lang)
     }
 
-    /// The name of the drawing of a level, and its scale.
-    pub fn caption(&self, level: Level) -> (&str, String) {
+    /// The name of a diagram, and its scale.
+    pub fn caption(&self, on: DiagramKind) -> (&str, String) {
         let paper = &self.worked.construction;
         let book = &self.scene.book;
-        let mu = |level| paper.polygon(level).map_or(0.0, |p| p.mu);
-        let scale = match level {
-            Level::Position => of_level(book, level, paper.diagram.mu),
-            _ if paper.is_empty(level) => format!("\\text{{{}}}", self.words().no_vectors),
-            Level::Velocity | Level::Acceleration => of_level(book, level, mu(level)),
+        let mu = |on| paper.polygon(on).map_or(0.0, |p| p.mu);
+        let scale = match on {
+            DiagramKind::Plane => scale_formula(book, on, paper.diagram.mu),
+            _ if paper.is_empty(on) => format!("\\text{{{}}}", self.words().no_vectors),
+            DiagramKind::Velocity | DiagramKind::Acceleration => scale_formula(book, on, mu(on)),
         };
-        (self.name(Captioned::Drawing(level)), scale)
+        (self.name(Captioned::Drawing(on)), scale)
     }
 
     /// A part alone on its paper.
@@ -265,13 +264,9 @@ impl Maker<'_> {
         self.figure(part.items, size)
     }
 
-    pub fn captioned(&self, part: Part, letter: &str, level: Level) -> Part {
-        let (words, mu) = self.caption(level);
-        let id = match level {
-            Level::Position => "mechanism",
-            Level::Velocity => "vel",
-            Level::Acceleration => "acc",
-        };
+    pub fn captioned(&self, part: Part, letter: &str, on: DiagramKind) -> Part {
+        let (words, mu) = self.caption(on);
+        let id = on.prefix();
         self.titled(part, Phrase::new(&format!("{letter}{words}")).label(), &mu, id)
     }
 
@@ -343,9 +338,12 @@ impl Maker<'_> {
         Some(Part::of(lines.into_iter().enumerate().map(item).collect()))
     }
 
-    fn heading(&self, level: Level) -> Part {
-        let id = if level == Level::Acceleration { "heading-acceleration" } else { "heading-velocity" };
-        self.line(id, Phrase::new(self.name(Captioned::Equations(level))).label(), self.options.style.caption_mm)
+    fn heading(&self, on: DiagramKind) -> Part {
+        self.line(
+            &format!("heading-{}", on.word()),
+            Phrase::new(self.name(Captioned::Equations(on))).label(),
+            self.options.style.caption_mm,
+        )
     }
 
     pub fn figure(&self, items: Vec<Item>, size: [f64; 2]) -> Figure {

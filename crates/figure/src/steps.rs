@@ -3,10 +3,9 @@
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::Polygon;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_paper::paper::phrase::Phrase;
 use hodograph_report::construction::sentences;
-use hodograph_scene::{Lang, Scene};
+use hodograph_scene::{DiagramKind, Lang, Scene};
 use hodograph_worked::certified;
 use hodograph_worked::worked::Worked;
 
@@ -39,12 +38,12 @@ pub fn figures_in(scene: &Scene, worked: &Worked, options: &Options, room: Optio
     // Nothing of the results is shown: they need no digits.
     let maker = Maker { scene, worked, options, certified: Vec::new() };
     let told = certified::steps(scene, worked, None);
-    let levels: Vec<Steps> = Level::RATES
+    let levels: Vec<Steps> = DiagramKind::POLYGONS
         .into_iter()
         .zip(maker.equations(&told, width_mm))
-        .filter_map(|(level, (_, written))| Some(Steps::of(&maker, worked.construction.polygon(level)?, (&told, &written), width_mm)))
+        .filter_map(|(on, (_, written))| Some(Steps::of(&maker, worked.construction.polygon(on)?, (&told, &written), width_mm)))
         .collect();
-    let diagram = maker.captioned(maker.mechanism(), "", Level::Position);
+    let diagram = maker.captioned(maker.mechanism(), "", DiagramKind::Plane);
     let most = |size: fn(&Steps) -> f64| levels.iter().map(size).fold(0.0, f64::max);
     let (polygon_width, polygon_height) = (most(|s| s.polygon.bounds.width_mm()), most(|s| s.polygon.bounds.height_mm()));
     let (text_width, text_height) = (most(|s| s.text_mm()[0]), most(|s| s.text_mm()[1]));
@@ -108,7 +107,7 @@ struct Steps {
 
 impl Steps {
     fn of(maker: &Maker, p: &Polygon, (told, written): (&certified::Steps, &[Part]), width_mm: Option<f64>) -> Steps {
-        let polygon = maker.captioned(maker.polygon(p), "", p.level);
+        let polygon = maker.captioned(maker.polygon(p), "", p.on);
         let sentences = sentences(&maker.writer(), &maker.worked.construction, p, told);
         let finds = |part: &Part| part.items.iter().flat_map(Item::steps).max();
         // The pole has no equation; an action belongs to the first equation that is solved at it or after it. What is

@@ -1,4 +1,4 @@
-//! The equations of a level as they are written beside the polygon: tables for equations with two chains, one line for
+//! The equations of a polygon as they are written beside the polygon: tables for equations with two chains, one line for
 //! everything else.
 
 use hodograph_worked::certified::Steps;
@@ -8,9 +8,9 @@ use hodograph_base::digits::inked;
 use hodograph_board::construct::{Action, Construction, Polygon};
 use hodograph_board::plan::text::{Column, Writer, vertex_name};
 use hodograph_board::plan::{Chain, Special, SpecialLine, Step, VertexId};
-use hodograph_mechanism::mechanism::{ConstraintLine, Level};
+use hodograph_mechanism::mechanism::ConstraintLine;
 use hodograph_paper::paper::phrase::{Phrase, fill};
-use hodograph_scene::{PointId, Scene};
+use hodograph_scene::{DiagramKind, PointId, Scene};
 
 use super::results::DIGITS;
 use hodograph_paper::paper::drawing::{Part, id};
@@ -49,32 +49,32 @@ pub struct Tables<'a> {
 }
 
 impl Tables<'_> {
-    /// One part for each step of a level, in the order of solving.
-    pub fn parts(&self, level: Level) -> Vec<Part> {
-        self.parts_of(level, |_| true)
+    /// One part for each step of a polygon, in the order of solving.
+    pub fn parts(&self, on: DiagramKind) -> Vec<Part> {
+        self.parts_of(on, |_| true)
     }
 
     /// The same of some groups only, by their places in the mechanism's list.
-    pub fn parts_of(&self, level: Level, wanted: impl Fn(usize) -> bool) -> Vec<Part> {
-        let Some(polygon) = self.construction.polygon(level) else { return Vec::new() };
+    pub fn parts_of(&self, on: DiagramKind, wanted: impl Fn(usize) -> bool) -> Vec<Part> {
+        let Some(polygon) = self.construction.polygon(on) else { return Vec::new() };
         let mut parts = Vec::new();
-        for group in self.writer.plan.steps(level).iter().filter(|g| wanted(g.group)) {
+        for group in self.writer.plan.steps(on).iter().filter(|g| wanted(g.group)) {
             let chosen = group.drawn(self.construction.chosen[group.group]);
             for step in group.steps(chosen) {
                 let step_class = step_class(polygon, target(step));
                 match step {
                     Step::Equation { target, chains, .. } => {
                         if let Some(special) = self.writer.plan.special(*target) {
-                            parts.push(self.special(level, *target, special, &step_class));
+                            parts.push(self.special(on, *target, special, &step_class));
                         }
-                        parts.extend(self.equation(level, *target, chains, &step_class));
+                        parts.extend(self.equation(on, *target, chains, &step_class));
                     }
-                    Step::Image { target, from, .. } => parts.push(self.image(level, *target, *from, &step_class)),
+                    Step::Image { target, from, .. } => parts.push(self.image(on, *target, *from, &step_class)),
                     Step::Same { target, from, link } => {
                         let w = self.writer;
-                        let formula = format!("{} = {}", w.summand(level, *target), w.summand(level, *from));
+                        let formula = format!("{} = {}", w.summand(on, *target), w.summand(on, *from));
                         let why = self.words().no_turning.replace("{}", w.scene.link_name(*link));
-                        parts.push(self.line(level, *target, &formula, Some(Label::text(why)), &step_class));
+                        parts.push(self.line(on, *target, &formula, Some(Label::text(why)), &step_class));
                     }
                 }
             }
@@ -94,42 +94,42 @@ impl Tables<'_> {
         Cell { label: label.in_fonts(&self.style.fonts), size_mm, anchor, class: class.into(), id }
     }
 
-    fn equation(&self, level: Level, target: VertexId, chains: &[Chain], step: &str) -> Vec<Part> {
+    fn equation(&self, on: DiagramKind, target: VertexId, chains: &[Chain], step: &str) -> Vec<Part> {
         let (w, book) = (self.writer, &self.writer.scene.book);
         if let [chain] = chains {
             let [term] = chain.known[..] else {
                 // Nothing is added: the point moves as one known before.
                 if chain.known.is_empty() {
-                    let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.summand(level, chain.start) };
-                    let formula = format!("{} = {start}", w.summand(level, target));
-                    return (chain.start != target).then(|| self.line(level, target, &formula, None, step)).into_iter().collect();
+                    let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.summand(on, chain.start) };
+                    let formula = format!("{} = {start}", w.summand(on, target));
+                    return (chain.start != target).then(|| self.line(on, target, &formula, None, step)).into_iter().collect();
                 }
-                return self.table(level, target, chains, step);
+                return self.table(on, target, chains, step);
             };
             if w.plan.vertex(chain.start).fixed {
-                let (whole, part) = (w.vector(level, target), w.symbol(level, &term));
+                let (whole, part) = (w.vector(on, target), w.symbol(on, &term));
                 // On the drawing it is the whole vector that is named.
                 let head = if whole == part { whole } else { format!("{whole} = {part}") };
                 // What a driver gives is a number, not a formula.
-                let magnitude = match (w.magnitude(level, &term), self.construction.vector(level, target)) {
+                let magnitude = match (w.magnitude(on, &term), self.construction.vector(on, target)) {
                     (known, Some(v)) if known == w.notation.known => {
-                        let certain = self.steps.vector(level, target).and_then(|n| n.text(DIGITS)).map(|(text, _)| inked(&text));
-                        let rough = || format!("\\approx {}", number(book.value(level.kind(), v.norm()), 1));
-                        book.label(level.kind(), &certain.unwrap_or_else(rough))
+                        let certain = self.steps.vector(on, target).and_then(|n| n.text(DIGITS)).map(|(text, _)| inked(&text));
+                        let rough = || format!("\\approx {}", number(book.value(on.kind(), v.norm()), 1));
+                        book.label(on.kind(), &certain.unwrap_or_else(rough))
                     }
                     (formula, _) => formula,
                 };
                 let formula = format!("{head} = {magnitude}");
-                return vec![self.line(level, target, &formula, Some(Label::math(w.direction(&term))), step)];
+                return vec![self.line(on, target, &formula, Some(Label::math(w.direction(&term))), step)];
             }
         }
-        self.table(level, target, chains, step)
+        self.table(on, target, chains, step)
     }
 
     /// The table of an equation; in a column, as many as it takes, each going on before a sign.
-    fn table(&self, level: Level, target: VertexId, chains: &[Chain], step: &str) -> Vec<Part> {
-        let columns = self.writer.columns(level, target, chains);
-        let set = |ends: Range<usize>| self.part_of_table(level, target, &columns, ends, step);
+    fn table(&self, on: DiagramKind, target: VertexId, chains: &[Chain], step: &str) -> Vec<Part> {
+        let columns = self.writer.columns(on, target, chains);
+        let set = |ends: Range<usize>| self.part_of_table(on, target, &columns, ends, step);
         let Some(width_mm) = self.width_mm else { return vec![set(0..columns.len())] };
         let (mut parts, mut start) = (Vec::new(), 0);
         while start < columns.len() {
@@ -144,10 +144,10 @@ impl Tables<'_> {
         parts
     }
 
-    fn part_of_table(&self, level: Level, target: VertexId, columns: &[Column], ends: Range<usize>, step: &str) -> Part {
+    fn part_of_table(&self, on: DiagramKind, target: VertexId, columns: &[Column], ends: Range<usize>, step: &str) -> Part {
         let (w, style, words) = (self.writer, self.style, self.words());
-        let name = id(kind(level), &format!("equation-{}", self.vertex(target)));
-        let class = |what: &str| format!("{} table {what} {step}", kind(level));
+        let name = id(kind(on), &format!("equation-{}", self.vertex(target)));
+        let class = |what: &str| format!("{} table {what} {step}", kind(on));
         let head = |word: &str, what: &str| {
             let id = if ends.start == 0 { format!("{name}-{what}") } else { format!("{name}-{what}-from-{}", ends.start) };
             Some(self.cell(heading(word), style.caption_mm, Anchor::End, id, &class("heading")))
@@ -179,9 +179,9 @@ impl Tables<'_> {
         part
     }
 
-    fn line(&self, level: Level, target: VertexId, formula: &str, why: Option<Label>, step: &str) -> Part {
-        let name = id(kind(level), &format!("statement-{}", self.vertex(target)));
-        let class = format!("{} statement {step}", kind(level));
+    fn line(&self, on: DiagramKind, target: VertexId, formula: &str, why: Option<Label>, step: &str) -> Part {
+        let name = id(kind(on), &format!("statement-{}", self.vertex(target)));
+        let class = format!("{} statement {step}", kind(on));
         let mut cells = vec![Some(self.cell(Label::math(formula), self.style.label_mm, Anchor::Start, name.clone(), &class))];
         if let Some(why) = why {
             // A quad keeps formula and reason apart.
@@ -199,16 +199,16 @@ impl Tables<'_> {
         self.boxed(grid::set(&rows, gap_mm), height)
     }
 
-    fn image(&self, level: Level, target: VertexId, from: (VertexId, VertexId), step: &str) -> Part {
+    fn image(&self, on: DiagramKind, target: VertexId, from: (VertexId, VertexId), step: &str) -> Part {
         let w = self.writer;
-        let images = format!("{}{}{}", w.image(level, from.0), w.image(level, from.1), w.image(level, target));
+        let images = format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, target));
         let points = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(target));
         // Three points in line make no triangle: their image is a ratio.
         let in_line = self.construction.diagram.in_line([from.0, from.1, target]);
-        let head = Label::math(format!("{}: \\quad", w.vector(level, target)));
+        let head = Label::math(format!("{}: \\quad", w.vector(on, target)));
         let similar = if in_line {
             let ratio = |[a, b, x]: [String; 3]| format!("{a}{b}/{a}{x}");
-            let images = ratio([from.0, from.1, target].map(|v| w.image(level, v)));
+            let images = ratio([from.0, from.1, target].map(|v| w.image(on, v)));
             head.then(Label::math(format!("{images} = {}", ratio([from.0, from.1, target].map(|v| w.spot(v))))))
         } else {
             // No embedded font has the sign △; a capital delta has its shape.
@@ -216,8 +216,8 @@ impl Tables<'_> {
             let sides = [Label::text("Δ"), Label::math(images), Label::text(" "), similar, Label::text(" Δ"), Label::math(points)];
             sides.into_iter().fold(head, Label::then)
         };
-        let name = id(kind(level), &format!("statement-{}", self.vertex(target)));
-        let class = format!("{} statement image {step}", kind(level));
+        let name = id(kind(on), &format!("statement-{}", self.vertex(target)));
+        let class = format!("{} statement image {step}", kind(on));
         let mut cells = vec![Some(self.cell(similar, self.style.label_mm, Anchor::Start, name.clone(), &class))];
         if !in_line {
             let why = Label::text(self.words().image);
@@ -227,14 +227,14 @@ impl Tables<'_> {
     }
 
     /// What a special point is.
-    fn special(&self, level: Level, target: VertexId, special: &Special, step: &str) -> Part {
+    fn special(&self, on: DiagramKind, target: VertexId, special: &Special, step: &str) -> Part {
         let [a, b] = special.lines.each_ref().map(|line| special_line(self.writer, self.words(), line));
         let (letter, link) = (self.writer.spot(target), self.writer.scene.link_name(special.link));
         let text = fill(self.words().special_point, &[("S", &letter), ("1", &a), ("2", &b), ("", link)]);
-        let class = format!("{} statement special {step}", kind(level));
+        let class = format!("{} statement special {step}", kind(on));
         let id = match special.legs {
-            Some(_) => id(kind(level), &format!("special-{}", special.group)),
-            None => id(kind(level), &format!("special-{}-{link}", special.group)),
+            Some(_) => id(kind(on), &format!("special-{}", special.group)),
+            None => id(kind(on), &format!("special-{}-{link}", special.group)),
         };
         let size_mm = self.style.caption_mm;
         let told = Phrase::new(&text);
@@ -275,11 +275,8 @@ fn heading(word: &str) -> Label {
     Label::text(word).then(Label::math("\\quad"))
 }
 
-fn kind(level: Level) -> &'static str {
-    match level {
-        Level::Acceleration => "acceleration",
-        Level::Position | Level::Velocity => "velocity",
-    }
+fn kind(on: DiagramKind) -> &'static str {
+    on.word()
 }
 
 /// The vertex that a step finds.

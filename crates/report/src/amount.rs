@@ -4,12 +4,11 @@ use hodograph_base::digits::{direction_degrees, inked, shortest, significant};
 use hodograph_board::plan::names::{name_label, point_label};
 use hodograph_board::plan::notation::Notation;
 use hodograph_mechanism::answer::Value;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::words::Words;
 use hodograph_scene::quantity::combined::halves_of;
 use hodograph_scene::quantity::{Asked, Of, Over};
-use hodograph_scene::{Book, Find, Kind};
+use hodograph_scene::{Book, DiagramKind, Find, Kind};
 use hodograph_worked::certified::ladder::{Certified, Part};
 
 /// A question's symbol: `vr_B2B3` → `v^{r}_{B2B3}`.
@@ -110,15 +109,10 @@ pub fn number(value: f64, digits: usize) -> String {
     inked(&significant(value, digits))
 }
 
-/// The scale of a level: `\mu_v = 0.01 (m/s)/mm`.
-pub fn of_level(book: &Book, level: Level, mu: f64) -> String {
-    let kind = level.kind();
-    let letter = match level {
-        Level::Position => 'l',
-        Level::Velocity => 'v',
-        Level::Acceleration => 'a',
-    };
-    format!("\\mu_{letter} = {} {}", scale(book.value(kind, mu)), book.scale_label(kind))
+/// The scale of a diagram: `\mu_v = 0.01 (m/s)/mm`.
+pub fn scale_formula(book: &Book, on: DiagramKind, mu: f64) -> String {
+    let kind = on.kind();
+    format!("\\mu_{} = {} {}", on.letter(), scale(book.value(kind, mu)), book.scale_label(kind))
 }
 
 /// A scale as the label language wants it: `0.002`, `2 \times 10^{-6}`.

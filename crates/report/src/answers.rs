@@ -9,9 +9,8 @@ use hodograph_board::construct::Measured;
 use hodograph_board::plan::notation::Notation;
 use hodograph_board::plan::text::Writer;
 use hodograph_mechanism::answer::Value;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_paper::paper::phrase::{fill, formula, sense, tr};
-use hodograph_scene::{Book, Find, Kind, Lang, Scene};
+use hodograph_scene::{Book, DiagramKind, Find, Kind, Lang, Scene};
 use hodograph_worked::certified::ladder::{Certified, Number, Part, READING_DIGITS, Why};
 use hodograph_worked::worked::{Far, NoAnswer, Outcome, Unanswered, Worked};
 use serde_json::{Value as Json, json};
@@ -24,8 +23,6 @@ pub use none::{reason, verdict};
 
 /// Digits of the direction of a point at infinity.
 const DIRECTION_DIGITS: usize = 5;
-/// The version of the document that [`json()`] makes; `hodograph schema --solved` describes it.
-pub const SCHEMA: &str = "hodograph/solved/1";
 /// Digits that text answers show unless more or fewer are asked for.
 pub const DIGITS: usize = 6;
 
@@ -194,7 +191,7 @@ fn measured_words(w: &Writer, worked: &Worked, find: &Find, r: &Outcome, c: &Cer
         None => tr(lang, "(loop equations)", "（解析）").into(),
         Some(a) => match &a.measured {
             // Where nothing moves there is no polygon and no scale.
-            Some(_) if worked.construction.is_empty(find.what.level()) => String::new(),
+            Some(_) if worked.construction.is_empty(find.what.diagram()) => String::new(),
             Some(m) => {
                 let certain = |n: Option<&Number>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| t.0);
                 let book = &w.scene.book;
@@ -203,8 +200,8 @@ fn measured_words(w: &Writer, worked: &Worked, find: &Find, r: &Outcome, c: &Cer
                 let arm = m.arm_m.map(|l| format!(" / {}", book.text(Kind::Length, &arm.unwrap_or_else(|| rough(l))))).unwrap_or_default();
                 let length = if r.value().magnitude() == 0.0 { 0.0 } else { m.length_mm };
                 let length = certain(c.reading.as_ref().map(|r| &r.length_mm)).unwrap_or_else(|| significant(length, READING_DIGITS));
-                let level = find.what.level();
-                format!("({} {length} mm · μ {}{arm})", between(w, level, m), scale_words(book, level, m))
+                let on = find.what.diagram();
+                format!("({} {length} mm · μ {}{arm})", between(w, on, m), scale_words(book, on, m))
             }
             None => String::new(),
         },
@@ -212,13 +209,13 @@ fn measured_words(w: &Writer, worked: &Worked, find: &Find, r: &Outcome, c: &Cer
 }
 
 /// A scale as a factor, with its unit: the product is right as it stands.
-fn scale_words(book: &Book, level: Level, m: &Measured) -> String {
-    format!("{} {}", shortest(book.value(level.kind(), m.mu)), book.scale_name(level.kind()))
+fn scale_words(book: &Book, on: DiagramKind, m: &Measured) -> String {
+    format!("{} {}", shortest(book.value(on.kind(), m.mu)), book.scale_name(on.kind()))
 }
 
 /// The letters of the two marks between which a length lies: `bc`, `n′_c–c′`.
-fn between(w: &Writer, level: Level, m: &Measured) -> String {
-    let [from, to] = m.marks.map(|(mark, _)| formula(&construction::mark(w, level, &mark)));
+fn between(w: &Writer, on: DiagramKind, m: &Measured) -> String {
+    let [from, to] = m.marks.map(|(mark, _)| formula(&construction::mark(w, on, &mark)));
     // After a subscript the next letter would read as a part of it.
     let apart = if from.contains('_') { "–" } else { "" };
     format!("{from}{apart}{to}")
@@ -258,7 +255,7 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
                 "analysis": r.longer.is_none().then(|| value(r.computed)),
                 "longer_numbers": r.longer.map(|rung| rung.name()),
                 "measured_mm": r.drawn.as_ref().and_then(|a| a.measured.as_ref()).map(|m| m.length_mm),
-                "measured_between": r.drawn.as_ref().and_then(|a| a.measured.as_ref()).map(|m| m.marks.map(|(mark, _)| formula(&construction::mark(&w, find.what.level(), &mark)))),
+                "measured_between": r.drawn.as_ref().and_then(|a| a.measured.as_ref()).map(|m| m.marks.map(|(mark, _)| formula(&construction::mark(&w, find.what.diagram(), &mark)))),
                 "scale": r.drawn.as_ref().and_then(|a| a.measured.as_ref()).map(|m| m.mu),
                 "difference": r.agreement.map(|a| a.difference),
                 "agrees": r.agreement.map(|a| a.holds()),
@@ -273,13 +270,12 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         })
         .collect();
     let mut all = json!({
-        "schema": SCHEMA,
         "title": {"en": scene.title.en, "zh": scene.title.zh},
         "answers": answers,
         // Infinite where singular, which JSON writes as null.
         "condition": worked.solution.condition,
         "singular": worked.solution.singular.iter().map(|s| singularity(scene, s)).collect::<Vec<_>>(),
-        "scales": Level::ALL.into_iter().filter_map(|level| Some((level.kind().scale_key()?.to_owned(), json!(worked.construction.scale(level))))).collect::<serde_json::Map<_, _>>(),
+        "scales": DiagramKind::ALL.into_iter().filter_map(|on| Some((on.kind().scale_key()?.to_owned(), json!(worked.construction.scale(on))))).collect::<serde_json::Map<_, _>>(),
         "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
     });
     if let Some(d) = &worked.drafting {

@@ -10,7 +10,6 @@ use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::notation::Notation;
 use hodograph_board::plan::text::{Column, Writer};
 use hodograph_mechanism::answer::Value;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::attempts::{Attempt, Row, Shown, Side, Site};
 use hodograph_paper::paper::phrase::{Phrase, sense, tr};
 use hodograph_paper::paper::words::words;
@@ -114,9 +113,9 @@ impl Words<'_> {
             Side::Right => right,
             Side::Wrong => wrong,
         };
-        let Shown { level, step, framed, missing, .. } = &a.shown;
+        let Shown { on, step, framed, missing, .. } = &a.shown;
         let Step::Equation { target, chains, .. } = step else { return None };
-        let columns = w.columns(*level, *target, chains);
+        let columns = w.columns(*on, *target, chains);
         let is_framed = |c: &Column| c.term.is_some_and(|t| framed.contains(&t));
         let mut all: Vec<Framed> = columns.into_iter().map(|column| Framed { framed: is_framed(&column), column }).collect();
         if let Some(m) = missing {
@@ -130,10 +129,10 @@ impl Words<'_> {
     pub fn statement(&self, a: &Attempt) -> Option<Phrase> {
         let [_, w] = self.writers(a);
         let Step::Image { target, from, .. } = &a.shown.step else { return None };
-        let level = a.shown.level;
-        let images = format!("{}{}{}", w.image(level, from.0), w.image(level, from.1), w.image(level, *target));
+        let on = a.shown.on;
+        let images = format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, *target));
         let spots = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(*target));
-        let (vector, similar) = (w.vector(level, *target), &w.notation.similar);
+        let (vector, similar) = (w.vector(on, *target), &w.notation.similar);
         let image = match self.lang {
             Lang::En => format!("${vector}$ by the image: Δ${images}$ ${similar}$ Δ${spots}$"),
             Lang::Zh => format!("由影像求 ${vector}$：Δ${images}$ ${similar}$ Δ${spots}$"),
@@ -244,7 +243,7 @@ impl Words<'_> {
     /// The gap between the tips.
     pub fn gap(&self, a: &Attempt) -> Phrase {
         let [_, wrong] = self.writers(a);
-        let kind = a.gap.level.kind();
+        let kind = a.gap.on.kind();
         let size = self.scene.book.label(kind, &number(self.scene.book.value(kind, a.gap.vector.norm()), DIGITS));
         let name = gap_symbol(&wrong, a);
         match self.lang {
@@ -285,7 +284,7 @@ fn significant_at_most(value: f64) -> String {
 
 /// The symbol of the gap: `\Delta a_{E3}`.
 pub fn gap_symbol(w: &Writer, a: &Attempt) -> String {
-    format!("\\Delta {}", w.vector(a.gap.level, a.gap.wrong))
+    format!("\\Delta {}", w.vector(a.gap.on, a.gap.wrong))
 }
 
 /// Whether the wrong solution stands in print; else it is one of those that are often made.
@@ -359,7 +358,7 @@ pub fn json(words: &Words, all: &[Attempt]) -> Json {
             "mistake": a.site.mistake().name(),
             "pair": a.site.point(words.scene),
             "link": a.site.link(words.scene).map(|l| words.scene.link_name(l)),
-            "level": if a.gap.level == Level::Acceleration { "acceleration" } else { "velocity" },
+            "level": a.gap.on.word(),
             "framed": framed.unwrap_or_default(),
             "gap": [a.gap.vector.x, a.gap.vector.y],
             "answers": a.rows.iter().map(row).collect::<Vec<_>>(),

@@ -11,13 +11,12 @@ use hodograph_base::digits::{direction_degrees, inked, significant};
 use hodograph_base::geom::Vec2;
 use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::notation::Notation;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::composite::contact::Slip;
 use hodograph_methods::composite::{Choice, Known, On, Place, Projection, Solved, Staged, Term, Turned, Verdict, name_of, projections};
 use hodograph_paper::paper::phrase::{Phrase, capital, sense, tr};
 use hodograph_scene::quantity::composite::Part;
 use hodograph_scene::quantity::{Frame, RelativePath};
-use hodograph_scene::{GuidePath, Kind, Lang, Scene};
+use hodograph_scene::{DiagramKind, GuidePath, Kind, Lang, Scene};
 use serde_json::{Value as Json, json};
 
 /// Significant digits of the table; the certified ones are told by `solve`.
@@ -201,22 +200,22 @@ impl Words<'_> {
         let [a, e, r] = s.velocity;
         out.extend(self.values(&[("v_{a}".into(), a), ("v_{e}".into(), e), ("v_{r}".into(), r)], Kind::Velocity, per_line));
         let projections = projections(s);
-        let projected = |level| -> Vec<Phrase> {
-            let lines = projections.iter().filter(|p| p.level == level).flat_map(|p| {
+        let projected = |of| -> Vec<Phrase> {
+            let lines = projections.iter().filter(|p| p.of == of).flat_map(|p| {
                 let (words, equation) = self.projection(p, s.known);
                 if per_line < PER_LINE { vec![words, format!("${equation}$")] } else { vec![self.projected(&words, &equation)] }
             });
             lines.map(|l| Phrase::new(&l)).collect()
         };
-        out.extend(projected(Level::Velocity));
+        out.extend(projected(DiagramKind::Velocity));
         if !s.acceleration.is_empty() {
-            let written = |p| self.notation.vectors.write(symbol(p, Level::Acceleration, self.notation));
+            let written = |p| self.notation.vectors.write(symbol(p, DiagramKind::Acceleration, self.notation));
             let symbols: Vec<String> = s.acceleration.iter().skip(1).map(|(p, _)| written(*p)).collect();
             out.push(Phrase::new(&format!("${} = {}$", self.notation.vectors.write("a_{a}".to_owned()), symbols.join(" + "))));
             let each: Vec<(String, Vec2)> =
-                s.acceleration.iter().map(|(p, v)| (symbol(*p, Level::Acceleration, self.notation), *v)).collect();
+                s.acceleration.iter().map(|(p, v)| (symbol(*p, DiagramKind::Acceleration, self.notation), *v)).collect();
             out.extend(self.values(&each, Kind::Acceleration, per_line));
-            out.extend(projected(Level::Acceleration));
+            out.extend(projected(DiagramKind::Acceleration));
         }
         out.extend(s.turning.as_ref().map(|t| self.turning(s, t)));
         out
@@ -304,13 +303,13 @@ impl Words<'_> {
     /// An equation on a line: `projected square to v_r (on 120°):` and `v_a cos 30° = v_e cos 60°`.
     fn projection(&self, p: &Projection, known: Known) -> (String, String) {
         let symbol_of = |term: Term| {
-            let letter = if p.level == Level::Acceleration { "a" } else { "v" };
+            let letter = p.of.letter();
             match term {
-                Term::Absolute => symbol(None, p.level, self.notation),
+                Term::Absolute => symbol(None, p.of, self.notation),
                 Term::AbsoluteNormal => format!("{letter}^{{n}}_{{a}}"),
                 Term::AbsoluteTangential => format!("{letter}^{{{}}}_{{a}}", self.notation.tangential),
                 Term::Component => format!("{letter}_{{a{}}}", if p.on == On::Y { "y" } else { "x" }),
-                Term::Part(part) => symbol(Some(part), p.level, self.notation),
+                Term::Part(part) => symbol(Some(part), p.of, self.notation),
             }
         };
         let term = |(term, angle): &(Term, f64)| {
@@ -334,19 +333,19 @@ impl Words<'_> {
     fn on_line(&self, p: &Projection, known: Known) -> String {
         let lang = self.lang;
         let degrees = inked(&significant(direction_degrees(p.line.angle()), 4));
-        let relative = match p.level {
-            Level::Acceleration => symbol(Some(Part::RelativeTangential), p.level, self.notation),
-            Level::Position | Level::Velocity => symbol(Some(Part::RelativeVelocity), p.level, self.notation),
+        let relative = match p.of {
+            DiagramKind::Acceleration => symbol(Some(Part::RelativeTangential), p.of, self.notation),
+            DiagramKind::Plane | DiagramKind::Velocity => symbol(Some(Part::RelativeVelocity), p.of, self.notation),
         };
-        let wanted = match (known, p.level) {
-            (Known::Transport, Level::Acceleration) => tr(lang, " for $a_{a}$", "，求 $a_{a}$"),
+        let wanted = match (known, p.of) {
+            (Known::Transport, DiagramKind::Acceleration) => tr(lang, " for $a_{a}$", "，求 $a_{a}$"),
             (Known::Transport, _) => tr(lang, " for $v_{a}$", "，求 $v_{a}$"),
-            (Known::Absolute, Level::Acceleration) => tr(lang, " for the transport part", "，求牵连加速度"),
+            (Known::Absolute, DiagramKind::Acceleration) => tr(lang, " for the transport part", "，求牵连加速度"),
             (Known::Absolute, _) => tr(lang, " for $v_{e}$", "，求 $v_{e}$"),
             (Known::Both, _) => "",
         };
         // A point at rest in its frame has no v_r to be square to.
-        let rests = p.level == Level::Velocity && p.rests;
+        let rests = p.of == DiagramKind::Velocity && p.rests;
         match (p.on, lang) {
             (On::X, Lang::En) => format!("Projected on the x axis{wanted}:"),
             (On::X, Lang::Zh) => format!("向 x 轴投影{wanted}："),
@@ -363,8 +362,8 @@ impl Words<'_> {
 }
 
 /// The symbol of a part in the letters of theoretical mechanics with the marks of a notation; `None`: the absolute.
-pub fn symbol(part: Option<Part>, level: Level, notation: &Notation) -> String {
-    let letter = if level == Level::Acceleration { "a" } else { "v" };
+pub fn symbol(part: Option<Part>, on: DiagramKind, notation: &Notation) -> String {
+    let letter = on.letter();
     let (below, above) = match part {
         None => ("a", ""),
         Some(Part::TransportVelocity | Part::Transport) => ("e", ""),
@@ -398,7 +397,7 @@ pub fn json(staged: &Staged, all: &[Choice], solved: &[Solved], notes: &[Diagnos
         let [a, e, r] = s.velocity;
         let mut out = json!({"v_a": vector(a), "v_e": vector(e), "v_r": vector(r)});
         for (part, v) in &s.acceleration {
-            let key = symbol(*part, Level::Acceleration, &keys).replace(['{', '}'], "");
+            let key = symbol(*part, DiagramKind::Acceleration, &keys).replace(['{', '}'], "");
             let key = match key.split_once("^") {
                 Some((letter, rest)) => rest.split_once('_').map_or(key.clone(), |(above, below)| format!("{letter}_{below}{above}")),
                 None => key,

@@ -2,9 +2,8 @@
 
 use hodograph_base::digits::{shortest, significant};
 use hodograph_board::plan::text::{Writer, vertex_name};
-use hodograph_mechanism::mechanism::Level;
 use hodograph_paper::paper::phrase::{formula, tr};
-use hodograph_scene::{Book, Find, Kind, Scene};
+use hodograph_scene::{Book, DiagramKind, Find, Kind, Scene};
 use hodograph_worked::accuracy::{CrossingTolerance, Drafting, Tolerance};
 use hodograph_worked::certified::Steps;
 use hodograph_worked::certified::steps::What;
@@ -59,14 +58,13 @@ pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
         let head = ["crossing", "angle", "moves by", ""];
         let zh = ["交点", "交角", "偏移", ""];
         let mut rows = vec![[0, 1, 2, 3].map(|i| tr(lang, head[i], zh[i]).to_string())];
-        let certain = Level::ALL.into_iter().flat_map(|level| steps.crossings(&worked.construction, level));
+        let certain = DiagramKind::ALL.into_iter().flat_map(|on| steps.crossings(&worked.construction, on));
         rows.extend(d.crossings.iter().zip(certain).map(|(c, certain)| {
             let told = |what, rough: f64| certain(what).unwrap_or_else(|| format!("≈ {}", significant(rough, 1)));
             let [moves, si] = match c.moves_on_paper_mm() {
-                Some(mm) => [
-                    format!("{} mm", told(What::Moved, mm)),
-                    book.text(c.level.kind(), &told(What::Off, book.value(c.level.kind(), c.moves))),
-                ],
+                Some(mm) => {
+                    [format!("{} mm", told(What::Moved, mm)), book.text(c.on.kind(), &told(What::Off, book.value(c.on.kind(), c.moves)))]
+                }
                 None => [tr(lang, "off the paper", "移出图纸").to_string(), String::new()],
             };
             [crossing_name(w, c), format!("{}°", told(What::Angle, c.angle_deg())), moves, si]
@@ -81,8 +79,8 @@ pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
         let Some(l) = t.as_ref().filter(|t| t.absolute > 0.0).and_then(|t| t.larger.as_ref()) else { continue };
         let [width, height] = l.size_mm;
         let by = if l.factor > 1.0 { format!("× {}", shortest(l.rounded())) } else { tr(lang, "as it is", "不必").to_string() };
-        let mu = Level::ALL.map(|level| {
-            let kind = level.kind();
+        let mu = DiagramKind::ALL.map(|on| {
+            let kind = on.kind();
             l.scales.get(kind).map_or(String::new(), |mu| format!("{} {}", shortest(book.value(kind, mu)), book.scale_name(kind)))
         });
         let sheet = l.sheet().unwrap_or(tr(lang, "larger than A0", "大于 A0"));
@@ -96,9 +94,9 @@ pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
 }
 
 fn crossing_name(w: &Writer, c: &CrossingTolerance) -> String {
-    match c.level {
-        Level::Position => vertex_name(w.scene, w.plan, c.target),
-        level @ (Level::Velocity | Level::Acceleration) => formula(&w.image(level, c.target)),
+    match c.on {
+        DiagramKind::Plane => vertex_name(w.scene, w.plan, c.target),
+        on @ (DiagramKind::Velocity | DiagramKind::Acceleration) => formula(&w.image(on, c.target)),
     }
 }
 
@@ -113,7 +111,7 @@ fn table<const N: usize>(rows: &[[String; N]]) -> String {
     out
 }
 
-/// The drawings' names for programs, in the order of [`Level`].
+/// The drawings' names for programs, in the order of [`DiagramKind`].
 const DRAWINGS: [&str; 3] = ["diagram", "velocity polygon", "acceleration polygon"];
 
 /// The pencil and the crossings, for programs.
@@ -121,12 +119,12 @@ pub fn json(scene: &Scene, worked: &Worked, d: &Drafting) -> Json {
     let crossing = |c: &CrossingTolerance| {
         json!({
             "point": vertex_name(scene, &worked.plan, c.target),
-            "drawing": DRAWINGS[c.level as usize],
+            "drawing": DRAWINGS[c.on as usize],
             "sine": c.sine,
             "angle_deg": c.angle_deg(),
             "tolerance_mm": c.moves_mm,
             "tolerance": c.moves,
-            "unit": c.level.kind().si(),
+            "unit": c.on.kind().si(),
         })
     };
     json!({"pencil_mm": d.pencil_mm, "part_within": hodograph_board::construct::pencil::WITHIN, "crossings": d.crossings.iter().map(crossing).collect::<Vec<_>>()})

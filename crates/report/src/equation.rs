@@ -5,10 +5,9 @@
 use hodograph_board::construct::Construction;
 use hodograph_board::plan::text::{Column, Writer};
 use hodograph_board::plan::{Chain, Step, VertexId};
-use hodograph_mechanism::mechanism::Level;
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_paper::paper::words::words;
-use hodograph_scene::Lang;
+use hodograph_scene::{DiagramKind, Lang};
 
 /// What is written.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,18 +18,18 @@ pub enum Written {
     Table(Vec<Column>),
 }
 
-/// How a step of a level is written, where it is drawn so; `None` for one that says nothing.
-pub fn written(w: &Writer, paper: &Construction, level: Level, step: &Step) -> Option<Written> {
+/// How a step of a polygon is written, where it is drawn so; `None` for one that says nothing.
+pub fn written(w: &Writer, paper: &Construction, on: DiagramKind, step: &Step) -> Option<Written> {
     let line = |text: String| Some(Written::Line(Phrase::new(&text)));
     match step {
-        Step::Equation { target, chains, .. } => equation(w, level, *target, chains),
+        Step::Equation { target, chains, .. } => equation(w, on, *target, chains),
         Step::Image { target, from, link } => {
-            let images = format!("{}{}{}", w.image(level, from.0), w.image(level, from.1), w.image(level, *target));
+            let images = format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, *target));
             let spots = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(*target));
-            let (vector, link) = (w.vector(level, *target), w.scene.link_name(*link));
+            let (vector, link) = (w.vector(on, *target), w.scene.link_name(*link));
             let parts = |[a, b, x]: [String; 3]| format!("{a}{b}/{a}{x}");
             let all = [from.0, from.1, *target];
-            let ratio = || format!("{} = {}", parts(all.map(|v| w.image(level, v))), parts(all.map(|v| w.spot(v))));
+            let ratio = || format!("{} = {}", parts(all.map(|v| w.image(on, v))), parts(all.map(|v| w.spot(v))));
             line(match w.lang {
                 Lang::En if paper.diagram.in_line(all) => format!("${vector}$ by the image of link {link}, points in line: ${}$.", ratio()),
                 Lang::Zh if paper.diagram.in_line(all) => format!("由构件 {link} 上共线各点的影像求 ${vector}$：${}$。", ratio()),
@@ -42,21 +41,21 @@ pub fn written(w: &Writer, paper: &Construction, level: Level, step: &Step) -> O
         }
         Step::Same { target, from, link } => {
             let why = words(w.lang).no_turning.replace("{}", w.scene.link_name(*link));
-            let formula = format!("{} = {}", w.summand(level, *target), w.summand(level, *from));
+            let formula = format!("{} = {}", w.summand(on, *target), w.summand(on, *from));
             line(format!("${formula}${}{why}", tr(w.lang, ": ", "：")))
         }
     }
 }
 
-fn equation(w: &Writer, level: Level, target: VertexId, chains: &[Chain]) -> Option<Written> {
-    let vector = w.vector(level, target);
+fn equation(w: &Writer, on: DiagramKind, target: VertexId, chains: &[Chain]) -> Option<Written> {
+    let vector = w.vector(on, target);
     let line = |text: String| Some(Written::Line(Phrase::new(&text)));
     if let [chain] = chains
         && w.plan.vertex(chain.start).fixed
         && let [term] = chain.known[..]
     {
         // One known term: a driven point, or one on a known link.
-        let (part, magnitude, direction) = (w.symbol(level, &term), w.magnitude(level, &term), w.direction(&term));
+        let (part, magnitude, direction) = (w.symbol(on, &term), w.magnitude(on, &term), w.direction(&term));
         let head = if vector == part { vector } else { format!("{vector} = {part}") };
         let known = if magnitude == w.notation.known { String::new() } else { format!(" = {magnitude}") };
         let given = if known.is_empty() { tr(w.lang, " (given)", "（已知）") } else { "" };
@@ -66,9 +65,9 @@ fn equation(w: &Writer, level: Level, target: VertexId, chains: &[Chain]) -> Opt
         && chain.known.is_empty()
         && chain.unknown.is_empty()
     {
-        let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.summand(level, chain.start) };
-        let vector = w.summand(level, target);
+        let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.summand(on, chain.start) };
+        let vector = w.summand(on, target);
         return if chain.start == target { None } else { line(format!("${vector} = {start}$")) };
     }
-    Some(Written::Table(w.columns(level, target, chains)))
+    Some(Written::Table(w.columns(on, target, chains)))
 }

@@ -1,19 +1,18 @@
 //! Motions without a mechanism for people and programs: answers with their certain digits, the drawing beside them, and that a pursuit is integrated.
 
 use super::answers::diagnostic;
-use crate::amount::of_level;
+use crate::amount::scale_formula;
 use hodograph_base::diag::{Both, Diagnostic};
 use hodograph_base::digits::{plain, significant};
 use hodograph_base::number::Ball;
 use hodograph_base::number::decimal::{Certain, Enclosure};
 use hodograph_board::plan::notation::Notation;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::particle::board::Drawn;
 use hodograph_methods::particle::plate::Part;
 use hodograph_methods::particle::pursuit::End;
 use hodograph_methods::particle::{Asked, Kind, Mutual, Problem, Solved, Value};
 use hodograph_paper::paper::phrase::{Phrase, tr};
-use hodograph_scene::{Book, Kind as Quantity, Lang};
+use hodograph_scene::{Book, DiagramKind, Kind as Quantity, Lang};
 use serde_json::{Value as Json, json};
 
 /// The kind of an answer; a time has none.
@@ -151,12 +150,9 @@ fn head(drawn: &Drawn, lang: Lang) -> &'static str {
 
 /// The scales of a drawing in the label language.
 pub fn scales(book: &Book, [l, v, a]: [f64; 3]) -> String {
-    let all = [(Level::Position, l), (Level::Velocity, v), (Level::Acceleration, a)];
-    all.map(|(level, mu)| format!("${}$", of_level(book, level, mu))).join(", ")
+    let all = [(DiagramKind::Plane, l), (DiagramKind::Velocity, v), (DiagramKind::Acceleration, a)];
+    all.map(|(on, mu)| format!("${}$", scale_formula(book, on, mu))).join(", ")
 }
-
-/// The version of the document that [`json()`] makes; `hodograph schema --solved` describes it.
-pub const SCHEMA: &str = "hodograph/solved-motion/1";
 
 /// The same for programs, in SI.
 pub fn json(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, notes: &[Diagnostic]) -> Json {
@@ -199,7 +195,6 @@ pub fn json(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, 
         })
         .collect();
     json!({
-        "schema": SCHEMA,
         "title": {"en": problem.title.en, "zh": problem.title.zh},
         "time": problem.instant(),
         "answers": answers,

@@ -3,9 +3,9 @@
 use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::text::{Column, Writer};
 use hodograph_board::plan::{Between, Body, Effect, GroupSteps, Method, Rate, Reason, Special, SpecialLine, Step, Term};
-use hodograph_mechanism::mechanism::{Assur, ConstraintLine, Level, Mechanism, moved_words};
+use hodograph_mechanism::mechanism::{Assur, ConstraintLine, Mechanism, moved_words};
 use hodograph_paper::paper::phrase::{Phrase, formula, tr};
-use hodograph_scene::{Lang, PointId, Scene};
+use hodograph_scene::{DiagramKind, Lang, PointId, Scene};
 use unicode_width::UnicodeWidthStr;
 
 /// The whole plan.
@@ -54,18 +54,15 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
         ));
     }
     let mut equation = 0;
-    for level in Level::RATES {
-        let steps = w.plan.steps(level);
+    for on in DiagramKind::POLYGONS {
+        let steps = w.plan.steps(on);
         if steps.is_empty() {
             continue;
         }
         line(String::new());
-        line(match level {
-            Level::Acceleration => tr(lang, "accelerations", "加速度").into(),
-            Level::Position | Level::Velocity => tr(lang, "velocities", "速度").into(),
-        });
+        line(lang.of(&on.vectors()).to_owned());
         for group in steps {
-            for text in group_lines(w, level, group, &mut equation) {
+            for text in group_lines(w, on, group, &mut equation) {
                 line(format!("  {text}"));
             }
         }
@@ -197,7 +194,7 @@ pub(super) fn reason_words(r: Reason, lang: Lang) -> &'static str {
     }
 }
 
-fn group_lines(w: &Writer, level: Level, group: &GroupSteps, equation: &mut usize) -> Vec<String> {
+fn group_lines(w: &Writer, on: DiagramKind, group: &GroupSteps, equation: &mut usize) -> Vec<String> {
     let lang = w.lang;
     let mut out = Vec::new();
     if group.alternatives.len() > 1 {
@@ -211,21 +208,21 @@ fn group_lines(w: &Writer, level: Level, group: &GroupSteps, equation: &mut usiz
         );
     }
     for step in group.alternatives.first().into_iter().flatten() {
-        out.extend(step_lines(w, level, step, equation));
+        out.extend(step_lines(w, on, step, equation));
     }
-    out.extend(group.rates.iter().filter_map(|(body, rate)| rate_words(w, level, *body, *rate)));
+    out.extend(group.rates.iter().filter_map(|(body, rate)| rate_words(w, on, *body, *rate)));
     for step in &group.further {
-        out.extend(step_lines(w, level, step, equation));
+        out.extend(step_lines(w, on, step, equation));
     }
-    out.extend(group.between.iter().map(|b| between_words(w, level, b)));
+    out.extend(group.between.iter().map(|b| between_words(w, on, b)));
     out
 }
 
 /// What is drawn between two images, because no equation shows it.
-pub(super) fn between_words(w: &Writer, level: Level, between: &Between) -> String {
+pub(super) fn between_words(w: &Writer, on: DiagramKind, between: &Between) -> String {
     let (of, to) = between.ends();
-    let (from, end) = (formula(&w.image(level, to)), formula(&w.image(level, of)));
-    let symbols = |terms: &[Term]| terms.iter().map(|t| formula(&w.symbol(level, t))).collect::<Vec<_>>().join(" + ");
+    let (from, end) = (formula(&w.image(on, to)), formula(&w.image(on, of)));
+    let symbols = |terms: &[Term]| terms.iter().map(|t| formula(&w.symbol(on, t))).collect::<Vec<_>>().join(" + ");
     match (between, w.lang) {
         (Between::Join(t), Lang::En) => format!("{}: join {from} and {end}", symbols(&[*t])),
         (Between::Join(t), Lang::Zh) => format!("{}：连接 {from}、{end}", symbols(&[*t])),
@@ -248,13 +245,13 @@ pub(super) fn between_words(w: &Writer, level: Level, between: &Between) -> Stri
 }
 
 /// How an angular rate is found; nothing is said of a link that does not turn.
-pub(super) fn rate_words(w: &Writer, level: Level, body: Body, rate: Rate) -> Option<String> {
-    let symbol = formula(&w.turning(level, body));
+pub(super) fn rate_words(w: &Writer, on: DiagramKind, body: Body, rate: Rate) -> Option<String> {
+    let symbol = formula(&w.turning(on, body));
     Some(match rate {
         Rate::Zero => return None,
         Rate::Given { .. } => format!("{symbol}{}", tr(w.lang, ": given by the driver", "：由原动件给定")),
-        Rate::Same(l) => format!("{symbol} = {}", formula(&w.turning(level, Body::Link(l)))),
-        Rate::Measured { of, to } => formula(&format!("{symbol} = {} / {}", w.measured(level, body, of, to), w.length(of, to))),
+        Rate::Same(l) => format!("{symbol} = {}", formula(&w.turning(on, Body::Link(l)))),
+        Rate::Measured { of, to } => formula(&format!("{symbol} = {} / {}", w.measured(on, body, of, to), w.length(of, to))),
     })
 }
 
@@ -291,29 +288,29 @@ fn line_words(w: &Writer, line: &SpecialLine) -> String {
     }
 }
 
-fn step_lines(w: &Writer, level: Level, step: &Step, equation: &mut usize) -> Vec<String> {
+fn step_lines(w: &Writer, on: DiagramKind, step: &Step, equation: &mut usize) -> Vec<String> {
     let lang = w.lang;
     match step {
         Step::Equation { target, chains, method } => {
             *equation += 1;
             let why = method_words(*method, lang);
-            let mut out = vec![format!("({equation}) {} — {why}", formula(&w.vector(level, *target)))];
+            let mut out = vec![format!("({equation}) {} — {why}", formula(&w.vector(on, *target)))];
             if let Some(special) = w.plan.special(*target) {
                 out.push(format!("    {}", special_words(w, special, &formula(&w.spot(*target)))));
             }
-            let columns = w.columns(level, *target, chains);
+            let columns = w.columns(on, *target, chains);
             match columns[..] {
-                [] => out.push(format!("    {} = 0", formula(&w.summand(level, *target)))),
+                [] => out.push(format!("    {} = 0", formula(&w.summand(on, *target)))),
                 _ => out.extend(table(w, &columns).into_iter().map(|l| format!("    {l}"))),
             }
             out
         }
         Step::Image { link, target, from } => {
-            let images = format!("{}{}{}", w.image(level, from.0), w.image(level, from.1), w.image(level, *target));
+            let images = format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, *target));
             let points = format!("{}{}", w.line(from.0, from.1), w.spot(*target));
             vec![format!(
                 "{} — {} {}{}△{} {} △{}",
-                formula(&w.vector(level, *target)),
+                formula(&w.vector(on, *target)),
                 tr(lang, "image, link", "影像法，构件"),
                 w.scene.link_name(*link),
                 tr(lang, ": ", "："),
@@ -324,8 +321,8 @@ fn step_lines(w: &Writer, level: Level, step: &Step, equation: &mut usize) -> Ve
         }
         Step::Same { link, target, from } => vec![format!(
             "{} = {} — {}",
-            formula(&w.vector(level, *target)),
-            formula(&w.vector(level, *from)),
+            formula(&w.vector(on, *target)),
+            formula(&w.vector(on, *from)),
             match lang {
                 Lang::En => format!("link {} does not turn", w.scene.link_name(*link)),
                 Lang::Zh => format!("构件 {} 作平动", w.scene.link_name(*link)),

@@ -11,7 +11,7 @@ use hodograph_board::plan::text::{Column, Writer, vertex_name};
 use hodograph_board::plan::{Between, Body, By, Chain, Effect, GroupSteps, Method, Rate, Reason, Spot, Step, Term, TermKind, VertexId};
 use hodograph_mechanism::mechanism::{Assur, Demand, Level, Mechanism};
 use hodograph_paper::paper::phrase::formula;
-use hodograph_scene::{DriverKind, GuidePath, LinkId, PointId, Scene};
+use hodograph_scene::{DiagramKind, DriverKind, GuidePath, LinkId, PointId, Scene};
 use hodograph_worked::effort::{Motion, Work};
 use hodograph_worked::worked::Worked;
 use serde_json::{Value as Json, json};
@@ -20,7 +20,7 @@ use serde_json::{Value as Json, json};
 pub fn json(m: &Mechanism, demand: &Demand, w: &Writer, done: Option<(&Worked, Work)>, notes: &[Diagnostic]) -> Json {
     let r = Reporter { w, scene: w.scene, m, demand, worked: done.map(|d| d.0) };
     let f = &m.mobility;
-    json!({
+    let mut out = json!({
         "title": {"en": w.scene.title.en, "zh": w.scene.title.zh},
         "language": match w.lang { hodograph_scene::Lang::En => "en", hodograph_scene::Lang::Zh => "zh" },
         "notation": w.notation.name,
@@ -31,11 +31,15 @@ pub fn json(m: &Mechanism, demand: &Demand, w: &Writer, done: Option<(&Worked, W
         "groups": r.groups(),
         "effects": w.plan.effects.iter().map(|(e, included, why)| r.effect(*e, *included, *why)).collect::<Vec<_>>(),
         "vertices": (0..w.plan.vertices.len()).map(|v| r.vertex(VertexId(v))).collect::<Vec<_>>(),
-        "velocity": r.level(Level::Velocity, 0),
-        "acceleration": r.level(Level::Acceleration, r.equations(Level::Velocity)),
-        "work": done.map(|d| work(&d.1)),
-        "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
-    })
+    });
+    let mut before = 0;
+    for on in DiagramKind::POLYGONS {
+        out[on.word()] = json!(r.stage(on, before));
+        before += r.equations(on);
+    }
+    out["work"] = json!(done.map(|d| work(&d.1)));
+    out["notes"] = json!(notes.iter().map(diagnostic).collect::<Vec<_>>());
+    out
 }
 
 fn work(work: &Work) -> Json {
@@ -55,6 +59,7 @@ fn work(work: &Work) -> Json {
         "groups_placed": work.groups_placed,
         "velocity": motion(&work.velocity),
         "acceleration": motion(&work.acceleration),
+        "drawings": work.drawings,
         "answers": work.answers,
         "certified_values": work.certified_values,
         "labels_placed": work.labels_placed,
@@ -167,48 +172,48 @@ impl Reporter<'_> {
         })
     }
 
-    /// Equations of a level in the first alternatives, which the text of the plan numbers.
-    fn equations(&self, level: Level) -> usize {
-        self.w.plan.steps(level).iter().map(|g| count(g.steps(0))).sum()
+    /// Equations of a polygon in the first alternatives, which the text of the plan numbers.
+    fn equations(&self, on: DiagramKind) -> usize {
+        self.w.plan.steps(on).iter().map(|g| count(g.steps(0))).sum()
     }
 
-    /// The groups of a level; their equations are numbered from `first` + 1.
-    fn level(&self, level: Level, first: usize) -> Vec<Json> {
+    /// The groups of a polygon; their equations are numbered from `first` + 1.
+    fn stage(&self, on: DiagramKind, first: usize) -> Vec<Json> {
         let mut number = first;
         let mut out = Vec::new();
-        for g in self.w.plan.steps(level) {
+        for g in self.w.plan.steps(on) {
             let before = number;
             // An alternative replaces the first solution and takes over its numbering.
-            let alternatives: Vec<Vec<Json>> = g.alternatives.iter().map(|steps| self.steps(level, steps, before)).collect();
+            let alternatives: Vec<Vec<Json>> = g.alternatives.iter().map(|steps| self.steps(on, steps, before)).collect();
             number += g.alternatives.first().map_or(0, count);
-            let further = self.steps(level, &g.further, number);
+            let further = self.steps(on, &g.further, number);
             number += count(&g.further);
             out.push(json!({
                 "group": g.group,
                 "alternatives": alternatives,
                 "drawn": self.worked.map(|d| g.drawn(d.construction.chosen[g.group])),
-                "between": g.between.iter().map(|b| self.between(level, b)).collect::<Vec<_>>(),
-                "rates": self.rates(level, g),
+                "between": g.between.iter().map(|b| self.between(on, b)).collect::<Vec<_>>(),
+                "rates": self.rates(on, g),
                 "further": further,
             }));
         }
         out
     }
 
-    fn between(&self, level: Level, between: &Between) -> Json {
+    fn between(&self, on: DiagramKind, between: &Between) -> Json {
         let (of, to) = between.ends();
         let kind = match between {
             Between::Join(_) => "join",
             Between::Perpendicular { .. } => "perpendicular",
             Between::LayOff { .. } => "lay-off",
         };
-        let symbols: Vec<Json> = between.terms().iter().map(|t| both(&self.w.symbol(level, t))).collect();
-        json!({"kind": kind, "of": of.0, "to": to.0, "symbols": symbols, "text": between_words(self.w, level, between)})
+        let symbols: Vec<Json> = between.terms().iter().map(|t| both(&self.w.symbol(on, t))).collect();
+        json!({"kind": kind, "of": of.0, "to": to.0, "symbols": symbols, "text": between_words(self.w, on, between)})
     }
 
-    fn rates(&self, level: Level, g: &GroupSteps) -> Vec<Json> {
+    fn rates(&self, on: DiagramKind, g: &GroupSteps) -> Vec<Json> {
         let rate = |(body, rate): &(Body, Rate)| {
-            let mut out = json!({"symbol": both(&self.w.turning(level, *body)), "by": self.body(*body)});
+            let mut out = json!({"symbol": both(&self.w.turning(on, *body)), "by": self.body(*body)});
             out["kind"] = json!(match rate {
                 Rate::Measured { .. } => "measured",
                 Rate::Given { .. } => "given",
@@ -223,7 +228,7 @@ impl Reporter<'_> {
                 Rate::Same(l) => out["as"] = json!(self.scene.link_name(*l)),
                 Rate::Zero => {}
             }
-            out["text"] = json!(rate_words(self.w, level, *body, *rate));
+            out["text"] = json!(rate_words(self.w, on, *body, *rate));
             out
         };
         g.rates.iter().map(rate).collect()
@@ -236,24 +241,24 @@ impl Reporter<'_> {
         }
     }
 
-    fn steps(&self, level: Level, steps: &[Step], mut number: usize) -> Vec<Json> {
+    fn steps(&self, on: DiagramKind, steps: &[Step], mut number: usize) -> Vec<Json> {
         let w = self.w;
         let step = |s: &Step| match s {
             Step::Equation { target, chains, method } => {
                 number += 1;
-                self.equation(level, *target, chains, *method, number)
+                self.equation(on, *target, chains, *method, number)
             }
             Step::Image { link, target, from } => json!({
                 "kind": "image",
                 "target": target.0,
-                "symbol": both(&w.vector(level, *target)),
+                "symbol": both(&w.vector(on, *target)),
                 "link": self.scene.link_name(*link),
                 "from": [from.0.0, from.1.0],
             }),
             Step::Same { link, target, from } => json!({
                 "kind": "same",
                 "target": target.0,
-                "symbol": both(&w.vector(level, *target)),
+                "symbol": both(&w.vector(on, *target)),
                 "link": self.scene.link_name(*link),
                 "from": [from.0],
             }),
@@ -261,15 +266,15 @@ impl Reporter<'_> {
         steps.iter().map(step).collect()
     }
 
-    fn equation(&self, level: Level, target: VertexId, chains: &[Chain], method: Method, number: usize) -> Json {
+    fn equation(&self, on: DiagramKind, target: VertexId, chains: &[Chain], method: Method, number: usize) -> Json {
         let w = self.w;
-        let columns = w.columns(level, target, chains);
+        let columns = w.columns(on, target, chains);
         let text: Vec<String> = columns.iter().map(|c| format!("{} {}", c.joint, formula(&c.symbol)).trim().to_string()).collect();
         json!({
             "kind": "equation",
             "number": number,
             "target": target.0,
-            "symbol": both(&w.vector(level, target)),
+            "symbol": both(&w.vector(on, target)),
             "method": match method {
                 Method::Driven => "driven",
                 Method::SameLink => "same-link",
@@ -280,12 +285,12 @@ impl Reporter<'_> {
             },
             "method_text": method_words(method, w.lang),
             "text": text.join(" "),
-            "terms": columns.iter().map(|c| self.column(level, c)).collect::<Vec<_>>(),
-            "omitted": self.omitted(level, target, chains),
+            "terms": columns.iter().map(|c| self.column(on, c)).collect::<Vec<_>>(),
+            "omitted": self.omitted(on, target, chains),
         })
     }
 
-    fn column(&self, level: Level, c: &Column) -> Json {
+    fn column(&self, on: DiagramKind, c: &Column) -> Json {
         let part = |tex: &str| json!({"known": tex != self.w.notation.unknown, "text": formula(tex), "tex": tex});
         let mut out = json!({
             "joint": c.joint,
@@ -300,9 +305,9 @@ impl Reporter<'_> {
         out["kind"] = json!(term_name(t.kind));
         (out["of"], out["to"], out["by"]) = (json!(t.of.0), json!(t.to.0), self.by(t.by));
         let (included, why) = match t.kind {
-            _ if self.w.plan.vanishes(self.scene, level, &t) => (false, Reason::AtRest),
+            _ if self.w.plan.vanishes(self.scene, on, &t) => (false, Reason::AtRest),
             TermKind::Coriolis => (true, Reason::GuideTurns),
-            TermKind::Tangential | TermKind::Slide | TermKind::Extension if t.known && level == Level::Acceleration => {
+            TermKind::Tangential | TermKind::Slide | TermKind::Extension if t.known && on == DiagramKind::Acceleration => {
                 (true, Reason::Accelerated)
             }
             TermKind::Relative
@@ -329,12 +334,12 @@ impl Reporter<'_> {
 
     /// The terms that an acceleration equation could have and has not, with the reason: what connects its points is told
     /// by its own terms and by those of the velocity equation for the same point.
-    fn omitted(&self, level: Level, target: VertexId, chains: &[Chain]) -> Vec<Json> {
-        if level != Level::Acceleration {
+    fn omitted(&self, on: DiagramKind, target: VertexId, chains: &[Chain]) -> Vec<Json> {
+        if on != DiagramKind::Acceleration {
             return Vec::new();
         }
         let own: Vec<Term> = terms(chains).copied().collect();
-        let before = self.w.plan.velocity.iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
+        let before = self.w.plan.steps(DiagramKind::Velocity).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
         let of_velocity = before.filter_map(|s| match s {
             Step::Equation { target: t, chains, .. } if *t == target => Some(terms(chains)),
             Step::Equation { .. } | Step::Image { .. } | Step::Same { .. } => None,

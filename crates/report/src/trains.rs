@@ -7,7 +7,7 @@ use hodograph_mechanism::answer::Source;
 use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::trains::{Train, Turns, given, trains};
 use hodograph_paper::paper::phrase::{Phrase, formula, tr};
-use hodograph_scene::{Kind, Lang, LinkId, Scene};
+use hodograph_scene::{DiagramKind, Kind, Lang, LinkId, Scene};
 use hodograph_worked::worked::Worked;
 use unicode_width::UnicodeWidthStr;
 
@@ -164,7 +164,7 @@ fn apart(worked: &Worked, train: &Train, t: Turns) -> Option<[String; 2]> {
         std::iter::once((train.arm, t.arm)).chain(train.gears.iter().enumerate().map(|(k, g)| (g.link, train.rate(k, t)))).collect();
     let largest = members.iter().map(|m| m.1.abs()).fold(0.0, f64::max);
     let worst = |of: &dyn Fn(LinkId) -> Option<f64>| members.iter().filter_map(|(l, w)| Some((of(*l)? - w).abs())).reduce(f64::max);
-    let drawn = worst(&|l| worked.construction.rate(Level::Velocity, Body::Link(l)))?;
+    let drawn = worst(&|l| worked.construction.rate(DiagramKind::Velocity, Body::Link(l)))?;
     let solved = worst(&|l| worked.solution.turning(Level::Velocity, l))?;
     (largest > 0.0).then(|| [drawn, solved].map(|d| significant(d / largest, 1)))
 }

@@ -25,38 +25,64 @@ pub enum Kind {
     Number,
 }
 
-/// A number for each kind of quantity that has one.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct ByKind(BTreeMap<Kind, f64>);
+/// A value, mostly a number, for each kind of quantity that has one: for each kind of diagram, by the quantity that it is drawn of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ByKind<T = f64>(BTreeMap<Kind, T>);
 
-impl ByKind {
-    /// The number of a kind.
-    pub fn get(&self, kind: Kind) -> Option<f64> {
-        self.0.get(&kind).copied()
+impl<T> Default for ByKind<T> {
+    fn default() -> Self {
+        ByKind(BTreeMap::new())
+    }
+}
+
+impl<T: Copy> ByKind<T> {
+    /// The value of a kind.
+    pub fn get(&self, kind: Kind) -> Option<T> {
+        self.of(kind).copied()
+    }
+}
+
+impl<T> ByKind<T> {
+    /// The value of a kind, as it stands.
+    pub fn of(&self, kind: Kind) -> Option<&T> {
+        self.0.get(&kind)
     }
 
-    /// Sets the number of a kind, or takes it away.
-    pub fn set(&mut self, kind: Kind, value: Option<f64>) {
+    /// The values of all kinds that have one, in the order of [`Kind`].
+    pub fn values(&self) -> impl Iterator<Item = &T> {
+        self.0.values()
+    }
+
+    /// The value of a kind, to be changed; that of a kind without one begins with the default.
+    pub fn entry(&mut self, kind: Kind) -> &mut T
+    where
+        T: Default,
+    {
+        self.0.entry(kind).or_default()
+    }
+
+    /// Sets the value of a kind, or takes it away.
+    pub fn set(&mut self, kind: Kind, value: Option<T>) {
         match value {
             Some(value) => self.0.insert(kind, value),
             None => self.0.remove(&kind),
         };
     }
 
-    /// All with another number for a kind, or without one.
-    pub fn with(mut self, kind: Kind, value: Option<f64>) -> ByKind {
+    /// All with another value for a kind, or without one.
+    pub fn with(mut self, kind: Kind, value: Option<T>) -> Self {
         self.set(kind, value);
         self
     }
 
-    /// All numbers changed alike.
-    pub fn map(&self, change: impl Fn(f64) -> f64) -> ByKind {
-        ByKind(self.0.iter().map(|(kind, value)| (*kind, change(*value))).collect())
+    /// All values changed alike.
+    pub fn map<U>(&self, change: impl Fn(&T) -> U) -> ByKind<U> {
+        ByKind(self.0.iter().map(|(kind, value)| (*kind, change(value))).collect())
     }
 }
 
-impl FromIterator<(Kind, f64)> for ByKind {
-    fn from_iter<I: IntoIterator<Item = (Kind, f64)>>(all: I) -> ByKind {
+impl<T> FromIterator<(Kind, T)> for ByKind<T> {
+    fn from_iter<I: IntoIterator<Item = (Kind, T)>>(all: I) -> ByKind<T> {
         ByKind(all.into_iter().collect())
     }
 }

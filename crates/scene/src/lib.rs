@@ -15,6 +15,7 @@ pub mod book;
 pub mod build;
 pub mod cams;
 mod decode;
+mod diagram;
 mod driver;
 pub mod edit;
 mod elsewhere;
@@ -50,6 +51,7 @@ mod written;
 
 pub use again::Source;
 pub use book::Book;
+pub use diagram::DiagramKind;
 pub use driver::{Position, PositionSlot};
 pub use elsewhere::{driver_position, with_driver_at};
 pub use kind::{ByKind, Kind};

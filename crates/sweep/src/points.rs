@@ -11,7 +11,7 @@ use hodograph_base::geom::Vec2;
 use hodograph_mechanism::answer::Value;
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::position::Configuration;
-use hodograph_scene::quantity::{PointMotion, Rate};
+use hodograph_scene::quantity::{Level, PointMotion, Rate};
 use hodograph_scene::{Asked, Find, Given, OnLink, PointId, Scene, Swept};
 
 /// Steps through a turn: 1°, the resolution of a printed curve.
@@ -36,6 +36,13 @@ pub struct Moment {
     pub configuration: Configuration,
     /// Velocity (m/s) and acceleration (m/s²) of each point; `None` where they are unbounded or have no value.
     pub vectors: Vec<[Option<Vec2>; 2]>,
+}
+
+impl Moment {
+    /// The velocity or the acceleration of a point; `None` of positions.
+    pub fn vector(&self, point: usize, level: Level) -> Option<Vec2> {
+        self.vectors[point][Level::RATES.iter().position(|rate| *rate == level)?]
+    }
 }
 
 /// The motion of some points through a driver's travel.

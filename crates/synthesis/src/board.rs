@@ -9,8 +9,8 @@ use super::fourbar;
 use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2, cross_lines};
 use hodograph_board::construct::pencil::{Blunt, Pencil};
-use hodograph_mechanism::mechanism::Level;
 pub use hodograph_mechanism::position::kernel::crossing as cross_circles;
+use hodograph_scene::DiagramKind;
 use std::cell::RefCell;
 
 /// How strongly a stroke is drawn.
@@ -134,7 +134,7 @@ impl Board {
 
     /// Where a mark falls that is meant to be at a place.
     fn pricked(&self, at: Point) -> Point {
-        self.hand.borrow_mut().as_mut().map_or(at, |pencil| pencil.mark(Level::Position, at))
+        self.hand.borrow_mut().as_mut().map_or(at, |pencil| pencil.mark(DiagramKind::Plane, at))
     }
 
     /// Where two circles cross, left of the line of centres first; a hand pricks them where they miss by no more than a pencil's line.

@@ -56,6 +56,8 @@ pub struct Worked {
     pub plan: Plan,
     /// The drawing board.
     pub construction: Construction,
+    /// How often the construction was evaluated: a trial for its scales, and the drawing; more often in a pose that loses digits or special points.
+    pub drawings: usize,
     /// The loop equations' solution.
     pub solution: Solution,
     /// One result for each question that has an answer in the pose, in the order of the questions.
@@ -210,7 +212,8 @@ fn stages(
     measured: bool,
 ) -> Result<Warned<Worked>, Faults> {
     let given = Given { scene, mechanism: &mechanism, demand: &demand };
-    let Posed { configuration, solution, singular, written, near, drawing, mut notes } = pose::pose(given, configuration, measured)?;
+    let Posed { configuration, solution, singular, written, near, drawing, drawings, mut notes } =
+        pose::pose(given, configuration, measured)?;
     let magnified = |level| drawing.magnified(level);
     let (plan, construction) = (&drawing.plan, &drawing.construction);
     notes.extend(solution.notes.iter().cloned());
@@ -291,6 +294,7 @@ fn stages(
         configuration,
         plan: drawing.plan,
         construction: drawing.construction,
+        drawings,
         solution,
         results,
         unanswered,

@@ -2,9 +2,8 @@
 
 use hodograph::diag::Faults;
 use hodograph::figure::sheet::{Options, drawing};
-use hodograph::mechanism::Level;
 use hodograph::render::svg;
-use hodograph::scene::{Lang, build::*};
+use hodograph::scene::{DiagramKind, Lang, build::*};
 use hodograph::worked::{Scope, work};
 
 /// The figures by name, as SVG.
@@ -26,9 +25,9 @@ pub fn figures() -> Result<Vec<(&'static str, String)>, Faults> {
     let worked = work(&scene, Scope::Figure)?.value;
     let options = Options::of_language(Lang::En);
     let mut out = Vec::new();
-    for (name, level) in [("mechanism", Level::Position), ("velocity", Level::Velocity)] {
-        let figure = drawing(&scene, &worked, &options, level).expect("velocities are asked for");
-        out.push((name, svg::write(&figure)?.value));
+    for on in [DiagramKind::Plane, DiagramKind::Velocity] {
+        let figure = drawing(&scene, &worked, &options, on).expect("velocities are asked for");
+        out.push((on.word(), svg::write(&figure)?.value));
     }
     Ok(out)
 }

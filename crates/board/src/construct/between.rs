@@ -6,7 +6,7 @@ use super::{Action, Edge, Polygon};
 use crate::plan::{Between, Body, By, Rate, Term, TermKind};
 use hodograph_base::diag::Faults;
 use hodograph_base::number::Real;
-use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::DiagramKind;
 
 impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     /// What is drawn between images, as far as they are there, and the turnings measured from what is drawn. What cannot be read yet stays
@@ -22,10 +22,10 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
             let between = open.remove(next);
             // The alternative of the group that was drawn may show it.
             let terms = between.terms();
-            let each = terms.iter().all(|t| self.plan.vanishes(self.scene, p.level, t) || p.edge_of(&[*t]).is_some());
+            let each = terms.iter().all(|t| self.plan.vanishes(self.scene, p.on, t) || p.edge_of(&[*t]).is_some());
             let shown = match between {
                 // Where nothing moves there are no edges: each vector that would be drawn is told to be nothing.
-                _ if self.stands(p.level) => false,
+                _ if self.stands(p.on) => false,
                 Between::Join(_) | Between::Perpendicular { .. } => each,
                 Between::LayOff { .. } => each && p.edge_of(&terms).is_some(),
             };
@@ -48,7 +48,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         };
         known.iter().filter(by_omega).filter_map(body).all(|b| {
             let still = matches!(b, Body::Link(l) if self.m.never_turns[l.0]);
-            still || self.done.rate(Level::Velocity, b).is_some()
+            still || self.done.rate(DiagramKind::Velocity, b).is_some()
         })
     }
 
@@ -56,7 +56,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     fn between(&mut self, p: &mut Polygon<N>, between: &Between) -> Result<(), Faults> {
         let (of, to) = between.ends();
         let from = (self.mark(to), self.image(p, to));
-        if self.stands(p.level) {
+        if self.stands(p.on) {
             let parts: Vec<Vec<Term>> = match between {
                 Between::Join(t) => vec![vec![*t]],
                 Between::Perpendicular { normal, tangential } => vec![vec![*normal, *tangential]],
@@ -82,8 +82,8 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
                 }
                 let u = self.arm(of, to).unit().ok_or_else(|| Faults::from(self.coincide(of, to)))?;
                 let apart = self.drawn_length(normal);
-                let u = self.pencil.ruler(p.level, u, apart);
-                let foot = self.pencil.mark(p.level, from.1 + u * u.dot(end.1 - from.1));
+                let u = self.pencil.ruler(p.on, u, apart);
+                let foot = self.pencil.mark(p.on, from.1 + u * u.dot(end.1 - from.1));
                 let foot = (part_mark(p, normal), foot);
                 p.edges.push(edge(vec![*normal], from, foot, false));
                 p.edges.push(edge(vec![*tangential], foot, end, false));

@@ -2,43 +2,82 @@
 
 use super::pencil::{Exact, Pencil};
 use super::scale::{self, Boxes};
-use super::{Action, Construction, Diagram, Edge, Mark, Polygon};
+use super::{Action, Construction, Diagram, Edge, Layout, Mark, Polygon};
 use crate::plan::{Between, Body, By, Chain, Plan, Rate, Spot, Step, Term, VertexId};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::geom::{Point, Vec2, cross_lines};
 use hodograph_base::number::Real;
-use hodograph_mechanism::mechanism::{Level, Mechanism};
+use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::exact::Inputs;
-use hodograph_scene::{Kind, Scene};
+use hodograph_scene::{ByKind, DiagramKind, Kind, Scene};
 
-/// Draws a plan.
+/// Draws a plan: once for trial, which chooses special points and scales, and once to them.
 ///
 /// # Errors
 /// Two unknown directions that are parallel: a dead centre, with the links and the joint; numbers too large to draw.
 pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, boxes: &Boxes) -> Result<Construction, Faults> {
-    let mut exact = Exact;
+    twice(scene, m, at, plan, boxes, &mut Exact)
+}
+
+/// The trial and the drawing, with one pencil.
+fn twice<P: Pencil>(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    plan: &Plan,
+    boxes: &Boxes,
+    pencil: &mut P,
+) -> Result<Construction, Faults> {
+    let layout = trial(scene, m, at, plan, boxes, pencil)?;
+    drawn(scene, m, at, plan, &layout, pencil)?.finish()
+}
+
+/// The layout of a plan: the special points that lie best, and the scales at which each polygon, drawn on a sheet of any size, fits its room.
+fn trial<P: Pencil>(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    plan: &Plan,
+    boxes: &Boxes,
+    pencil: &mut P,
+) -> Result<Layout, Faults> {
     let mu = scale::fitted(&scene.paper, Kind::Length, scale::size(scene, at), boxes.diagram);
-    let mut board = Board::new(scene, m, at, plan, mu, &mut exact);
+    let mut board = Board::new(scene, m, at, plan, mu, pencil);
     for g in 0..m.groups.len() {
-        if plan.velocity.iter().any(|s| s.group == g && s.alternatives.len() > 1) {
+        if plan.steps(DiagramKind::Velocity).iter().any(|s| s.group == g && s.alternatives.len() > 1) {
             board.done.chosen[g] = board.best_alternative(g)?;
         }
     }
     board.set_out();
-    for level in Level::RATES {
-        if plan.level < level {
-            continue;
-        }
-        // Drawn once on a sheet of any size to see how large it is, then to the scale that fits.
-        let mark = board.done.rates.len();
-        let trial = board.draw(level, board.trial_scale(level))?;
-        let mu = scale::fitted(&scene.paper, level.kind(), trial.extent(), boxes.polygon);
-        board.done.rates.truncate(mark);
-        let polygon = board.draw(level, mu)?;
+    let mut scales = ByKind::default();
+    for on in DiagramKind::POLYGONS.into_iter().filter(|on| on.level() <= plan.level) {
+        let polygon = board.draw(on, board.trial_scale(on))?;
+        scales.set(on.kind(), Some(scale::fitted(&scene.paper, on.kind(), polygon.extent(), boxes.polygon)));
         board.keep(polygon);
     }
-    board.finish()
+    Ok(Layout { mu, scales, chosen: board.done.chosen })
+}
+
+/// Everything drawn to a layout; what has no scale in it is not drawn.
+pub(super) fn drawn<'a, N: Real, P: Pencil<N>>(
+    scene: &'a Scene,
+    m: &'a Mechanism,
+    at: &'a Configuration<N>,
+    plan: &'a Plan,
+    layout: &Layout,
+    pencil: &'a mut P,
+) -> Result<Board<'a, N, P>, Faults> {
+    let mut board = Board::new(scene, m, at, plan, layout.mu, pencil);
+    board.done.chosen.clone_from(&layout.chosen);
+    board.set_out();
+    for on in DiagramKind::POLYGONS {
+        if let Some(mu) = layout.scales.get(on.kind()) {
+            let polygon = board.draw(on, mu)?;
+            board.keep(polygon);
+        }
+    }
+    Ok(board)
 }
 
 pub(super) struct Board<'a, N, P> {
@@ -93,7 +132,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
                 diagrams: Vec::new(),
                 rates: Vec::new(),
                 chosen: vec![0; m.groups.len()],
-                magnification: [1.0; 2],
+                magnification: ByKind::default(),
             },
             hand: super::hand::Hand::default(),
             extent: at.extent(),
@@ -144,13 +183,13 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         (self.spot(of) - self.spot(to)) * self.mu
     }
 
-    pub(super) fn draw(&mut self, level: Level, mu: f64) -> Result<Polygon<N>, Faults> {
+    pub(super) fn draw(&mut self, on: DiagramKind, mu: f64) -> Result<Polygon<N>, Faults> {
         let fixed = self.plan.vertices.iter().map(|v| v.fixed.then_some(Point::origin())).collect();
-        let mut polygon = Polygon { level, mu, images: fixed, edges: Vec::new(), actions: Vec::new() };
+        let mut polygon = Polygon { on, mu, images: fixed, edges: Vec::new(), actions: Vec::new() };
         let plan = self.plan;
         // What waits for an image of a later group: vectors between images, and rates measured on such images.
         let (mut open, mut unread): (Vec<&Between>, Vec<(Body, Rate)>) = (Vec::new(), Vec::new());
-        for steps in plan.steps(level) {
+        for steps in plan.steps(on) {
             // Given rates serve the group's own points; measured ones come from them.
             for (body, rate) in steps.rates.iter().filter(|(_, r)| !matches!(r, Rate::Measured { .. })) {
                 self.turning(&mut polygon, *body, *rate);
@@ -175,7 +214,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         match step {
             Step::Equation { target, chains, .. } => self.equation(p, *target, chains),
             // Where nothing moves there is no triangle to copy.
-            Step::Image { target, from: (a, _), .. } if self.stands(p.level) => {
+            Step::Image { target, from: (a, _), .. } if self.stands(p.on) => {
                 p.images[target.0] = Some(self.image(p, *a));
                 p.actions.push(Action::Reach(*target));
                 Ok(())
@@ -186,7 +225,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
                 if !ratio.is_finite() {
                     return Err(self.coincide(*a, *b).into());
                 }
-                p.images[target.0] = Some(self.pencil.mark(p.level, ia + (ib - ia).rotate_by(ratio)));
+                p.images[target.0] = Some(self.pencil.mark(p.on, ia + (ib - ia).rotate_by(ratio)));
                 p.actions.push(Action::Copy { target: *target, from: (*a, *b) });
                 Ok(())
             }
@@ -198,9 +237,9 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         }
     }
 
-    /// Whether all vectors of a level vanish because no driver moves.
-    pub(super) fn stands(&self, level: Level) -> bool {
-        level == Level::Velocity && self.plan.rest.is_all()
+    /// Whether all vectors of a polygon vanish because no driver moves.
+    pub(super) fn stands(&self, on: DiagramKind) -> bool {
+        on == DiagramKind::Velocity && self.plan.rest.is_all()
     }
 
     pub(super) fn image(&self, p: &Polygon<N>, v: VertexId) -> Point<N> {
@@ -218,7 +257,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             // The last known vector of a chain without unknowns ends in the target itself.
             let leads = chain.unknown.is_empty() && chains.len() == 1;
             let at = self.lay_off(p, start, &chain.known, leads.then_some(target))?;
-            let vanishes = |t: &Term| self.plan.vanishes(self.scene, p.level, t);
+            let vanishes = |t: &Term| self.plan.vanishes(self.scene, p.on, t);
             let line = match chain.unknown.first() {
                 Some(term) if vanishes(term) => {
                     p.actions.push(Action::Nothing { terms: chain.unknown.clone(), at: at.1, target: None });
@@ -228,7 +267,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
                     let u = self.direction(term)?;
                     p.actions.push(Action::Line { terms: chain.unknown.clone(), mark: at.0, through: at.1, direction: u });
                     let apart = self.drawn_length(term);
-                    Some((self.pencil.mark(p.level, at.1), self.pencil.ruler(p.level, u, apart)))
+                    Some((self.pencil.mark(p.on, at.1), self.pencil.ruler(p.on, u, apart)))
                 }
                 None => None,
             };
@@ -242,12 +281,12 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
                 // Numbers that know their error are undecided where the lines may be parallel.
                 let parallel = !N::knows_its_error() && s <= PARALLEL_UNITS * f64::EPSILON * rounding;
                 if parallel || !c.at.is_finite() {
-                    return Err(self.dead_centre(p.level, target, chains).into());
+                    return Err(self.dead_centre(p.on, target, chains).into());
                 }
                 // Velocities go with 1/sine; accelerations with the square of velocities through one more crossing.
-                self.done.magnification[0] = self.done.magnification[0].max(rounding / s);
-                self.done.magnification[1] = self.done.magnification[1].max(rounding * rounding / (s * s * s));
-                let found = self.pencil.mark(p.level, c.at);
+                self.magnify(DiagramKind::Velocity, rounding / s);
+                self.magnify(DiagramKind::Acceleration, rounding * rounding / (s * s * s));
+                let found = self.pencil.mark(p.on, c.at);
                 p.images[target.0] = Some(found);
                 let mut edges = Vec::new();
                 for ((mark, from, _), chain) in ends.iter().zip(chains) {
@@ -284,15 +323,15 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         target: Option<VertexId>,
     ) -> Result<(Mark, Point<N>), Faults> {
         let mut at = from;
-        let last_drawn = known.iter().rposition(|t| !self.plan.vanishes(self.scene, p.level, t));
+        let last_drawn = known.iter().rposition(|t| !self.plan.vanishes(self.scene, p.on, t));
         for (i, term) in known.iter().enumerate() {
-            if self.plan.vanishes(self.scene, p.level, term) {
+            if self.plan.vanishes(self.scene, p.on, term) {
                 let reached = target.filter(|_| last_drawn.is_none() && i + 1 == known.len());
                 p.actions.push(Action::Nothing { terms: vec![*term], at: at.1, target: reached });
                 continue;
             }
             let end = at.1 + self.known_vector(p, term)?.laid_off(p.mu);
-            let end = self.pencil.mark(p.level, end);
+            let end = self.pencil.mark(p.on, end);
             let mark = match target {
                 Some(target) if Some(i) == last_drawn => Mark::Image(target),
                 Some(_) | None => part_mark(p, term),
@@ -346,6 +385,12 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         crate::plan::text::vertex_name(self.scene, self.plan, v)
     }
 
+    /// Notes by how much a crossing magnifies rounding on a diagram.
+    fn magnify(&mut self, on: DiagramKind, by: f64) {
+        let worst = self.done.magnified(on).max(by);
+        self.done.magnification.set(on.kind(), Some(worst));
+    }
+
     /// Whether the first point of a sliding term belongs to the carrier of the guide (then signs are reversed).
     pub(super) fn reversed(&self, term: &Term) -> bool {
         let By::Guide { guide, .. } = term.by else { return false };
@@ -358,14 +403,10 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         }
     }
 
-    fn dead_centre(&self, level: Level, target: VertexId, chains: &[Chain]) -> Diagnostic {
+    fn dead_centre(&self, on: DiagramKind, target: VertexId, chains: &[Chain]) -> Diagnostic {
         let words: Vec<Both> =
             chains.iter().filter_map(|c| c.unknown.first()).map(|t| crate::plan::text::held_by(self.scene, self.plan, t)).collect();
         let at = self.name(target);
-        let what = match level {
-            Level::Acceleration => both!("acceleration", "加速度"),
-            Level::Position | Level::Velocity => both!("velocity", "速度"),
-        };
         let lie = if chains.iter().flat_map(|c| &c.unknown).all(|t| matches!(t.by, By::Turning(_) | By::Cylinder(_))) {
             both!("lie in line", "共线")
         } else {
@@ -378,7 +419,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
                 "死点：{}在 {at} 处{}，{}不能确定",
                 Both::join(&words, " and ", "与"),
                 lie,
-                what
+                on.vector()
             ),
         )
         .help(both!("choose another pose, or drive another link", "请改变位置或换原动件"));
@@ -386,5 +427,48 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             d = d.at(self.scene.points[p.0].span);
         }
         d
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan;
+    use hodograph_mechanism::mechanism::Demand;
+    use hodograph_mechanism::position::configure;
+    use hodograph_scene::{read, templates};
+
+    /// The exact pencil, and how many marks it makes on each diagram.
+    #[derive(Default)]
+    struct Counting(ByKind<usize>);
+
+    impl Pencil for Counting {
+        const EXACT: bool = true;
+
+        fn mark(&mut self, on: DiagramKind, at: Point) -> Point {
+            *self.0.entry(on.kind()) += 1;
+            at
+        }
+    }
+
+    #[test]
+    fn everything_is_drawn_twice() {
+        let mut marks = 0;
+        for template in templates::list() {
+            let Ok(scene) = read(templates::get(template.name).unwrap()) else { continue };
+            let scene = scene.value;
+            let Ok(m) = Mechanism::new(&scene) else { continue };
+            let m = m.value;
+            let demand = Demand::of(&scene, &m).with_all_positions();
+            let Ok(at) = configure(&scene, &m, &demand) else { continue };
+            let plan = plan::plan(&scene, &m, &demand);
+            let (mut all, mut once) = (Counting::default(), Counting::default());
+            let Ok(done) = twice(&scene, &m, &at.value, &plan, &Boxes::of(&scene.paper, &plan), &mut all) else { continue };
+            let again = drawn(&scene, &m, &at.value, &plan, &Layout::of(&done), &mut once).unwrap().finish().unwrap();
+            assert_eq!(done, again, "{}", template.name);
+            assert_eq!(all.0, once.0.map(|marks| 2 * marks), "{}", template.name);
+            marks += once.0.values().sum::<usize>();
+        }
+        assert!(marks > 500, "{marks}");
     }
 }

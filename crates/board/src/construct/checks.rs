@@ -4,9 +4,9 @@
 use super::{Construction, Polygon};
 use crate::plan::Plan;
 use hodograph_base::geom::Point;
-use hodograph_mechanism::mechanism::{Level, Mechanism};
+use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::Configuration;
-use hodograph_scene::{PointId, Scene};
+use hodograph_scene::{DiagramKind, PointId, Scene};
 
 /// A condition of an opened link, and by how much the drawing misses it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,7 +16,7 @@ pub struct Condition {
     /// The two pins.
     pub pins: (PointId, PointId),
     /// Of velocities or of accelerations.
-    pub level: Level,
+    pub on: DiagramKind,
     /// By how much it is missed, mm of paper.
     pub off_mm: f64,
 }
@@ -27,15 +27,22 @@ pub fn conditions(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan,
     for (index, redundant) in m.redundant.iter().enumerate() {
         let hodograph_mechanism::mechanism::Opened::Link(l) = redundant.opened else { continue };
         let Some(pins) = m.held(l) else { continue };
-        for level in Level::RATES {
-            let off = off_mm(scene, at, plan, paper, pins, level);
-            out.extend(off.map(|off_mm| Condition { index, pins, level, off_mm }));
+        for on in DiagramKind::POLYGONS {
+            let off = off_mm(scene, at, plan, paper, pins, on);
+            out.extend(off.map(|off_mm| Condition { index, pins, on, off_mm }));
         }
     }
     out
 }
 
-fn off_mm(scene: &Scene, at: &Configuration, plan: &Plan, paper: &Construction, (a, b): (PointId, PointId), level: Level) -> Option<f64> {
+fn off_mm(
+    scene: &Scene,
+    at: &Configuration,
+    plan: &Plan,
+    paper: &Construction,
+    (a, b): (PointId, PointId),
+    on: DiagramKind,
+) -> Option<f64> {
     let line = at.points[b.0]? - at.points[a.0]?;
     let along = line.unit()?;
     let apart = |polygon: &Polygon| {
@@ -45,12 +52,12 @@ fn off_mm(scene: &Scene, at: &Configuration, plan: &Plan, paper: &Construction, 
         };
         Some(image(b)? - image(a)?)
     };
-    let velocities = paper.polygon(Level::Velocity)?;
+    let velocities = paper.polygon(DiagramKind::Velocity)?;
     let v = apart(velocities)?;
-    if level == Level::Velocity {
+    if on == DiagramKind::Velocity {
         return Some(v.dot(along).abs());
     }
-    let accelerations = paper.polygon(level)?;
+    let accelerations = paper.polygon(on)?;
     // aⁿ = v²/l, v square to the line as it was drawn.
     let across = v.dot(along.perp()) * velocities.mu;
     let normal = across * across / line.norm() / accelerations.mu;

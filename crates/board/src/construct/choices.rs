@@ -5,7 +5,8 @@ use super::board::Board;
 use super::pencil::Pencil;
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::geom::{Point, Vec2, cross_lines};
-use hodograph_mechanism::mechanism::{Core, Level};
+use hodograph_mechanism::mechanism::Core;
+use hodograph_scene::DiagramKind;
 
 /// The pairs of legs on which the special point of a triad may lie, in the order of the plan's alternatives.
 pub(super) const SPECIAL_LEGS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
@@ -41,7 +42,7 @@ impl<P: Pencil> Board<'_, f64, P> {
     }
 
     /// A scale for the trial drawing: of the order of the vectors, so that no square overflows.
-    pub(super) fn trial_scale(&self, level: Level) -> f64 {
+    pub(super) fn trial_scale(&self, on: DiagramKind) -> f64 {
         let rate = self.scene.drivers.iter().map(|d| d.rate.value.abs()).fold(0.0, f64::max);
         let size = self.at.extent().max(f64::MIN_POSITIVE);
         let v = self
@@ -49,9 +50,9 @@ impl<P: Pencil> Board<'_, f64, P> {
             .drivers
             .iter()
             .fold(0.0f64, |v, d| v.max(if d.kind.turns() { d.rate.value.abs() * size } else { d.rate.value.abs() }));
-        let s = match level {
-            Level::Acceleration => v * (v / size).max(rate),
-            Level::Position | Level::Velocity => v,
+        let s = match on {
+            DiagramKind::Acceleration => v * (v / size).max(rate),
+            DiagramKind::Plane | DiagramKind::Velocity => v,
         };
         let s = s / 100.0;
         if s.is_normal() { s } else { 1.0 }

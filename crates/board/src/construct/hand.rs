@@ -5,15 +5,15 @@
 //! pin in its slot) from the diagram, shapes of links for images from the diagram, ω and α from the polygons.
 
 use super::Construction;
-use super::board::Board;
+use super::board::{Board, drawn};
 use super::pencil::Pencil;
 use crate::plan::{Body, By, Plan, SpecialLine, Spot, Term, VertexId};
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
-use hodograph_mechanism::mechanism::{ConstraintLine, Level, Mechanism};
+use hodograph_mechanism::mechanism::{ConstraintLine, Mechanism};
 use hodograph_mechanism::position::{Configuration, Path, Pose};
-use hodograph_scene::{ByKind, GuideId, Normal, PointId, RollingId, Scene, Touch};
+use hodograph_scene::{ByKind, DiagramKind, GuideId, Normal, PointId, RollingId, Scene, Touch};
 
 /// What has to be chosen before a drawing is made: scales, and which special points are used.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +29,7 @@ pub struct Layout {
 impl Layout {
     /// That of a finished construction.
     pub fn of(done: &Construction) -> Layout {
-        let scales = done.diagrams.iter().map(|p| (p.level.kind(), p.mu)).collect();
+        let scales = done.diagrams.iter().map(|p| (p.on.kind(), p.mu)).collect();
         Layout { mu: done.diagram.mu, scales, chosen: done.chosen.clone() }
     }
 
@@ -55,15 +55,7 @@ pub fn by_hand<N: Real, P: Pencil<N>>(
     layout: &Layout,
     pencil: &mut P,
 ) -> Result<(Construction<N>, Configuration<N>), Faults> {
-    let mut board = Board::new(scene, m, at, plan, layout.mu, pencil);
-    board.done.chosen.clone_from(&layout.chosen);
-    board.set_out();
-    for level in Level::RATES {
-        if let Some(mu) = layout.scales.get(level.kind()) {
-            let polygon = board.draw(level, mu)?;
-            board.keep(polygon);
-        }
-    }
+    let board = drawn(scene, m, at, plan, layout, pencil)?;
     let shown = board.shown();
     Ok((board.finish()?, shown))
 }
@@ -90,12 +82,12 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
             return;
         }
         for p in 0..self.at.points.len() {
-            let drawn = self.at.points[p].map(|q| self.paper(q)).map(|q| self.pencil.mark(Level::Position, q));
+            let drawn = self.at.points[p].map(|q| self.paper(q)).map(|q| self.pencil.mark(DiagramKind::Plane, q));
             self.hand.joints.push(drawn);
         }
         for g in 0..self.at.guides.len() {
             let apart = self.guide_length(GuideId(g));
-            let turn = self.pencil.ruler(Level::Position, Vec2::unit_x(), apart);
+            let turn = self.pencil.ruler(DiagramKind::Plane, Vec2::unit_x(), apart);
             self.hand.turns.push(turn);
         }
     }
@@ -121,7 +113,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
                 along.approx().norm()
             }
         };
-        along.unit().map_or(along, |u| self.pencil.ruler(Level::Position, u, apart))
+        along.unit().map_or(along, |u| self.pencil.ruler(DiagramKind::Plane, u, apart))
     }
 
     /// How far apart the two marks lie from which the direction of a term is taken (mm): the joints of its arm, or the ends of the

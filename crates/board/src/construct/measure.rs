@@ -8,51 +8,50 @@ use crate::plan::{Body, By, Rate, Spot, Term, TermKind, VertexId};
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::Path;
-use hodograph_scene::{Normal, RollingId, Touch};
+use hodograph_scene::{DiagramKind, Normal, RollingId, Touch};
 
 impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     /// ω or α of a body from what was read so far.
-    pub(super) fn rate(&self, level: Level, body: Body) -> N {
+    pub(super) fn rate(&self, on: DiagramKind, body: Body) -> N {
         if let Body::Link(l) = body
             && self.m.never_turns[l.0]
         {
             return N::from_f64(0.0);
         }
-        self.done.rate(level, body).expect("the plan finds an angular rate before it uses it")
+        self.done.rate(on, body).expect("the plan finds an angular rate before it uses it")
     }
 
     /// Finds the turning of a body; needed ones that come earlier in the list are there already. Whether it is known now.
     pub(super) fn turning(&mut self, p: &mut Polygon<N>, body: Body, rate: Rate) -> bool {
-        let level = p.level;
-        if self.done.rate(level, body).is_some() {
+        let on = p.on;
+        if self.done.rate(on, body).is_some() {
             return true;
         }
         let zero = N::from_f64(0.0);
-        let known = |value| RateReading { level, body, value, measured: None };
+        let known = |value| RateReading { on, body, value, measured: None };
         let reading = match rate {
-            _ if self.stands(level) => known(zero),
+            _ if self.stands(on) => known(zero),
             Rate::Zero => known(zero),
-            Rate::Same(other) => known(self.rate(level, Body::Link(other))),
+            Rate::Same(other) => known(self.rate(on, Body::Link(other))),
             Rate::Given { driver, against } => {
-                let own = self.given(level, driver);
+                let own = self.given(on, driver);
                 // The driver counts from `against` to its link; a link that is driven "backwards" has the opposite sign.
                 let forward = self.scene.drivers[driver].kind.turned().is_some_and(|(link, _)| Body::Link(link) == body);
                 let own = if forward { own } else { -own };
-                known(self.rate(level, Body::Link(against)) + own)
+                known(self.rate(on, Body::Link(against)) + own)
             }
             Rate::Measured { of, to } => {
                 let Some([from, end]) = self.measured_between(p, body, of, to) else { return false };
                 let mu: N = scale::number(p.mu);
                 let r = self.arm_of(body, of, to);
                 let l = r.norm();
-                let drawn = self.pencil.read(level, end.1 - from.1);
+                let drawn = self.pencil.read(on, end.1 - from.1);
                 // Carried back to the link: the part square to the arm turns it.
                 let square = (r * (N::from_f64(1.0) / l)).cross(drawn);
                 let length = square.magnitude();
                 RateReading {
-                    level,
+                    on,
                     body,
                     value: square * mu / l,
                     measured: Some(RateMeasured { length, arm: l, line: (of, to), marks: [from, end] }),
@@ -67,8 +66,8 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     /// The two marks from whose distance a turning is measured: the images of two points of a link; for accelerations, and for the line of
     /// a cylinder, the ends of the part square to the arm. `None` as long as they are not there.
     fn measured_between(&self, p: &Polygon<N>, body: Body, of: VertexId, to: VertexId) -> Option<[(Mark, Point<N>); 2]> {
-        let kind = match (p.level, body) {
-            (Level::Acceleration, _) => TermKind::Tangential,
+        let kind = match (p.on, body) {
+            (DiagramKind::Acceleration, _) => TermKind::Tangential,
             (_, Body::Cylinder(_)) => TermKind::Relative,
             (_, Body::Link(_)) => return Some([(self.mark(to), p.images[to.0]?), (self.mark(of), p.images[of.0]?)]),
         };
@@ -82,26 +81,26 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         let arm = || self.arm(term.of, term.to);
         let turning = |body| self.arm_of(body, term.of, term.to);
         Ok(Si(match (term.kind, term.by) {
-            (TermKind::Relative, By::Turning(body)) => turning(body).perp() * self.rate(Level::Velocity, body),
+            (TermKind::Relative, By::Turning(body)) => turning(body).perp() * self.rate(DiagramKind::Velocity, body),
             (TermKind::Normal, By::Turning(body)) => {
-                let omega = self.rate(Level::Velocity, body);
+                let omega = self.rate(DiagramKind::Velocity, body);
                 turning(body) * -(omega * omega)
             }
-            (TermKind::Tangential, By::Turning(body)) => turning(body).perp() * self.rate(Level::Acceleration, body),
+            (TermKind::Tangential, By::Turning(body)) => turning(body).perp() * self.rate(DiagramKind::Acceleration, body),
             (TermKind::Extension, By::Cylinder(d)) => {
                 let e = arm().unit().ok_or_else(|| Faults::from(self.coincide(term.of, term.to)))?;
-                e * self.given(p.level, d)
+                e * self.given(p.on, d)
             }
             (TermKind::Coriolis, By::Cylinder(d)) => {
                 let e = arm().unit().ok_or_else(|| Faults::from(self.coincide(term.of, term.to)))?;
-                e.perp() * (two * self.rate(Level::Velocity, Body::Cylinder(d)) * self.given(Level::Velocity, d))
+                e.perp() * (two * self.rate(DiagramKind::Velocity, Body::Cylinder(d)) * self.given(DiagramKind::Velocity, d))
             }
             (TermKind::Slide, By::Guide { driver: Some(d), .. }) => {
-                let given = self.given(p.level, d);
+                let given = self.given(p.on, d);
                 self.guide_tangent(term) * if self.reversed(term) { -given } else { given }
             }
             (TermKind::Coriolis, By::Guide { guide, .. }) => {
-                let omega = self.rate(Level::Velocity, Body::Link(self.plan.coriolis_link(self.scene, guide)));
+                let omega = self.rate(DiagramKind::Velocity, Body::Link(self.plan.coriolis_link(self.scene, guide)));
                 self.slide_velocity(term).0.perp() * (two * omega)
             }
             (TermKind::SlideNormal, By::Frame { about: Some(centre), .. }) => {
@@ -111,7 +110,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
                 inward * (v.norm2() / inward.norm2())
             }
             (TermKind::Coriolis, By::Frame { body: Some(body), .. }) => {
-                let omega = self.rate(Level::Velocity, body);
+                let omega = self.rate(DiagramKind::Velocity, body);
                 self.slide_velocity(term).0.perp() * (two * omega)
             }
             (TermKind::SlideNormal, By::Guide { guide, .. }) => {
@@ -124,7 +123,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
             }
             (TermKind::Roll, By::Contact(pair)) => {
                 let links = self.scene.rolling[pair.0].links;
-                let [one, other] = links.map(|l| self.rate(Level::Velocity, Body::Link(l)));
+                let [one, other] = links.map(|l| self.rate(DiagramKind::Velocity, Body::Link(l)));
                 let way = if self.plan.vertex(term.of).on == Some(links[0]) { -1.0 } else { 1.0 };
                 self.contact_radius(pair, term.of) * ((other - one) * (other - one) * N::from_f64(way))
             }
@@ -149,18 +148,18 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         }
     }
 
-    fn given(&self, level: Level, driver: usize) -> N {
+    fn given(&self, on: DiagramKind, driver: usize) -> N {
         let d = &self.scene.drivers[driver];
-        match level {
-            Level::Acceleration => d.acceleration.as_ref().map_or(N::from_f64(0.0), |a| self.inputs.number(a)),
-            Level::Position | Level::Velocity => self.inputs.number(&d.rate),
+        match on {
+            DiagramKind::Acceleration => d.acceleration.as_ref().map_or(N::from_f64(0.0), |a| self.inputs.number(a)),
+            DiagramKind::Plane | DiagramKind::Velocity => self.inputs.number(&d.rate),
         }
     }
 
     /// Sliding velocity between the two points of a term, measured on the velocity polygon.
     fn slide_velocity(&mut self, term: &Term) -> Si<N> {
-        let v = self.done.polygon(Level::Velocity).expect("velocities are drawn before accelerations");
+        let v = self.done.polygon(DiagramKind::Velocity).expect("velocities are drawn before accelerations");
         let (drawn, mu) = (self.image(v, term.of) - self.image(v, term.to), v.mu);
-        Si::measured(self.pencil.read(Level::Velocity, drawn), mu)
+        Si::measured(self.pencil.read(DiagramKind::Velocity, drawn), mu)
     }
 }

@@ -24,7 +24,7 @@ pub use readings::{Answer, Measured, Shown, ShownAs, read, read_by_hand};
 use crate::plan::{Body, Plan, Term, VertexId};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
-use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::{ByKind, DiagramKind};
 
 /// The mechanism drawn to scale.
 #[derive(Clone, Debug, PartialEq)]
@@ -194,7 +194,7 @@ impl<N> Action<N> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polygon<N = f64> {
     /// Velocity or acceleration.
-    pub level: Level,
+    pub on: DiagramKind,
     /// μ, SI per mm.
     pub mu: f64,
     /// Images of the vertices, mm from the pole; fixed vertices lie in the pole.
@@ -285,8 +285,8 @@ impl Polygon {
 /// An angular rate read off.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RateReading<N = f64> {
-    /// Level: velocity for ω, acceleration for α.
-    pub level: Level,
+    /// The polygon on which it is measured: that of velocities for ω, of accelerations for α.
+    pub on: DiagramKind,
     /// The body.
     pub body: Body,
     /// rad/s or rad/s².
@@ -320,32 +320,39 @@ pub struct Construction<N = f64> {
     pub rates: Vec<RateReading<N>>,
     /// For each group, the alternative of its steps that was drawn.
     pub chosen: Vec<usize>,
-    /// How many times rounding is magnified at the worst crossing, in velocities and in accelerations.
-    pub magnification: [f64; 2],
+    /// How many times rounding is magnified at the worst crossing that a polygon rests on; none where it rests on none.
+    magnification: ByKind,
 }
 
 impl Construction {
     /// The scale of the mechanism or of a polygon, SI per mm; `None` where there is no polygon.
-    pub fn scale(&self, level: Level) -> Option<f64> {
-        if level == Level::Position { Some(self.diagram.mu) } else { self.polygon(level).map(|p| p.mu) }
+    pub fn scale(&self, on: DiagramKind) -> Option<f64> {
+        if on == DiagramKind::Plane { Some(self.diagram.mu) } else { self.polygon(on).map(|p| p.mu) }
     }
 
-    /// Whether a level's polygon is a single point, because nothing moves: it has a pole, and no scale worth telling.
-    pub fn is_empty(&self, level: Level) -> bool {
-        self.polygon(level).is_some_and(Polygon::is_empty)
+    /// Whether a polygon is a single point, because nothing moves: it has a pole, and no scale worth telling.
+    pub fn is_empty(&self, on: DiagramKind) -> bool {
+        self.polygon(on).is_some_and(Polygon::is_empty)
+    }
+}
+
+impl<N> Construction<N> {
+    /// How many times rounding is magnified at the worst crossing that a diagram rests on; 1 without crossings.
+    pub fn magnified(&self, on: DiagramKind) -> f64 {
+        self.magnification.get(on.kind()).unwrap_or(1.0)
     }
 }
 
 impl<N: Real> Construction<N> {
-    /// The polygon of a level.
-    pub fn polygon(&self, level: Level) -> Option<&Polygon<N>> {
-        self.diagrams.iter().find(|p| p.level == level)
+    /// The polygon of a kind, if it is drawn.
+    pub fn polygon(&self, on: DiagramKind) -> Option<&Polygon<N>> {
+        self.diagrams.iter().find(|p| p.on == on)
     }
 
-    /// The crossings of a level's polygon (of the diagram for [`Level::Position`]), in the order in which they were drawn.
-    pub fn crossings(&self, level: Level) -> Vec<Crossed<N>> {
-        match self.polygon(level) {
-            None if level == Level::Position => self.diagram.crossed.clone(),
+    /// The crossings on a diagram, in the order in which they were drawn.
+    pub fn crossings(&self, on: DiagramKind) -> Vec<Crossed<N>> {
+        match self.polygon(on) {
+            None if on == DiagramKind::Plane => self.diagram.crossed.clone(),
             None => Vec::new(),
             Some(p) => p
                 .actions
@@ -359,14 +366,14 @@ impl<N: Real> Construction<N> {
     }
 
     /// A vertex's vector in SI, through μ.
-    pub fn vector(&self, level: Level, v: VertexId) -> Option<Vec2<N>> {
-        let p = self.polygon(level)?;
+    pub fn vector(&self, on: DiagramKind, v: VertexId) -> Option<Vec2<N>> {
+        let p = self.polygon(on)?;
         Some(p.images[v.0]?.to_vec2() * scale::number(p.mu))
     }
 
     /// An angular rate.
-    pub fn rate(&self, level: Level, body: Body) -> Option<N> {
+    pub fn rate(&self, on: DiagramKind, body: Body) -> Option<N> {
         // Mostly one that was read last is wanted.
-        self.rates.iter().rev().find(|r| r.level == level && r.body == body).map(|r| r.value)
+        self.rates.iter().rev().find(|r| r.on == on && r.body == body).map(|r| r.value)
     }
 }

@@ -6,7 +6,7 @@
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
-use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::DiagramKind;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -23,23 +23,23 @@ pub fn radius_in_deviations() -> f64 {
 
 /// What draws.
 ///
-/// `on` tells the drawing: [`Level::Position`] for the mechanism diagram, else the polygon of that level. All lengths are
+/// `on` tells the diagram. All lengths are
 /// millimetres of paper.
 pub trait Pencil<N: Real = f64> {
     /// Whether every mark falls where it is meant: then nothing else is ever asked.
     const EXACT: bool;
 
     /// A mark that is meant to fall at `at`.
-    fn mark(&mut self, on: Level, at: Point<N>) -> Point<N>;
+    fn mark(&mut self, on: DiagramKind, at: Point<N>) -> Point<N>;
 
     /// A vector measured: its end is read as well as a mark is made.
-    fn read(&mut self, on: Level, v: Vec2<N>) -> Vec2<N> {
+    fn read(&mut self, on: DiagramKind, v: Vec2<N>) -> Vec2<N> {
         self.mark(on, v.to_point()).to_vec2()
     }
 
     /// The unit direction that a ruler takes which is laid along two marks `apart_mm` apart in the direction of the unit
     /// vector `u`: it misses each of them by itself.
-    fn ruler(&mut self, on: Level, u: Vec2<N>, apart_mm: f64) -> Vec2<N> {
+    fn ruler(&mut self, on: DiagramKind, u: Vec2<N>, apart_mm: f64) -> Vec2<N> {
         let from = self.mark(on, Point::origin());
         let to = self.mark(on, (u * N::from_f64(apart_mm)).to_point());
         (to - from).unit().unwrap_or(u)
@@ -53,15 +53,15 @@ pub struct Exact;
 impl<N: Real> Pencil<N> for Exact {
     const EXACT: bool = true;
 
-    fn mark(&mut self, _: Level, at: Point<N>) -> Point<N> {
+    fn mark(&mut self, _: DiagramKind, at: Point<N>) -> Point<N> {
         at
     }
 
-    fn read(&mut self, _: Level, v: Vec2<N>) -> Vec2<N> {
+    fn read(&mut self, _: DiagramKind, v: Vec2<N>) -> Vec2<N> {
         v
     }
 
-    fn ruler(&mut self, _: Level, u: Vec2<N>, _: f64) -> Vec2<N> {
+    fn ruler(&mut self, _: DiagramKind, u: Vec2<N>, _: f64) -> Vec2<N> {
         u
     }
 }
@@ -93,7 +93,7 @@ impl Blunt {
 impl Pencil for Blunt {
     const EXACT: bool = false;
 
-    fn mark(&mut self, _: Level, at: Point) -> Point {
+    fn mark(&mut self, _: DiagramKind, at: Point) -> Point {
         // The distance of a normal error is Rayleigh's: P(r > R) = exp(−R²/2σ²), which is 5 % at the stated error.
         let distance = self.error_mm * (libm::log(self.uniform()) / libm::log(1.0 - WITHIN)).sqrt();
         at + Vec2::from_angle(self.uniform() * std::f64::consts::TAU) * distance
@@ -107,7 +107,7 @@ pub struct Single;
 impl Pencil for Single {
     const EXACT: bool = false;
 
-    fn mark(&mut self, _: Level, at: Point) -> Point {
+    fn mark(&mut self, _: DiagramKind, at: Point) -> Point {
         Point::new(f64::from(at.x as f32), f64::from(at.y as f32))
     }
 }
@@ -119,7 +119,8 @@ mod tests {
     #[test]
     fn nineteen_of_twenty_marks_fall_within_the_error() {
         let mut pencil = Blunt::new(0.1, 7);
-        let marks: Vec<Vec2> = (0..20_000).map(|_| pencil.mark(Level::Velocity, Point::new(3.0, 4.0)) - Point::new(3.0, 4.0)).collect();
+        let marks: Vec<Vec2> =
+            (0..20_000).map(|_| pencil.mark(DiagramKind::Velocity, Point::new(3.0, 4.0)) - Point::new(3.0, 4.0)).collect();
         let within = marks.iter().filter(|m| m.norm() <= 0.1).count() as f64 / marks.len() as f64;
         // Three standard deviations of a share of 0.95 in 20 000: 0.005.
         assert!((within - WITHIN).abs() < 0.005, "{within}");
@@ -129,7 +130,7 @@ mod tests {
 
     #[test]
     fn the_same_seed_draws_the_same() {
-        let draw = |seed| Blunt::new(0.5, seed).mark(Level::Position, Point::ORIGIN);
+        let draw = |seed| Blunt::new(0.5, seed).mark(DiagramKind::Plane, Point::ORIGIN);
         assert_eq!(draw(1), draw(1));
         assert_ne!(draw(1), draw(2));
         // A value, so that a change of the generator or of its use shows.
@@ -141,7 +142,7 @@ mod tests {
     fn a_ruler_between_far_marks_lies_truer() {
         let turn = |apart: f64| -> f64 {
             let mut pencil = Blunt::new(0.1, 3);
-            (0..500).map(|_| pencil.ruler(Level::Velocity, Vec2::new(1.0, 0.0), apart).angle().powi(2)).sum::<f64>().sqrt()
+            (0..500).map(|_| pencil.ruler(DiagramKind::Velocity, Vec2::new(1.0, 0.0), apart).angle().powi(2)).sum::<f64>().sqrt()
         };
         assert!((turn(10.0) / turn(100.0) - 10.0).abs() < 0.1);
     }

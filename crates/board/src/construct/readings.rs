@@ -9,12 +9,12 @@ use crate::plan::{Asking, Plan, Spot, Term, VertexId, asking, body_of};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_mechanism::answer::{Value, place};
-use hodograph_mechanism::mechanism::{Level, Mechanism};
+use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::combined::combine;
 use hodograph_scene::quantity::composite::Part;
 use hodograph_scene::quantity::{Composite, Frame, Meaning, Of, Seen};
-use hodograph_scene::{Asked, Find, Kind, LinkId, OnLink, PointId, Scene};
+use hodograph_scene::{Asked, DiagramKind, Find, Kind, LinkId, OnLink, PointId, Scene};
 
 /// The answer to one question.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,22 +82,22 @@ struct OnPaper<'a, N> {
 
 impl<N: Real> OnPaper<'_, N> {
     /// The image of a point, the pole for a fixed one; `None` where it is not drawn.
-    fn image(&self, level: Level, p: &OnLink) -> Option<Point<N>> {
+    fn image(&self, on: DiagramKind, p: &OnLink) -> Option<Point<N>> {
         let ground = self.scene.ground;
         if p.link.map_or_else(|| self.scene.links[ground.0].points.contains(&p.point), |l| l == ground) {
             return Some(Point::origin());
         }
-        self.paper.polygon(level)?.images[self.plan.find_vertex(self.scene, p.point, p.link)?.0]
+        self.paper.polygon(on)?.images[self.plan.find_vertex(self.scene, p.point, p.link)?.0]
     }
 
-    /// Whether all points of a question have their images, at every level that it is made of.
+    /// Whether all points of a question have their images, on the diagram that it is read on.
     fn is_drawn(&self, what: &Asked) -> bool {
-        what.points(self.scene).iter().all(|p| self.image(what.level(), p).is_some())
+        what.points(self.scene).iter().all(|p| self.image(what.diagram(), p).is_some())
     }
 
     /// Where a question lies on paper; `None` where no edge shows it.
     fn find(&self, what: &Asked) -> Option<Found<N>> {
-        let polygon = self.paper.polygon(what.level())?;
+        let polygon = self.paper.polygon(what.diagram())?;
         match asking(self.scene, self.m, self.plan, what)? {
             Asking::Vector { of, reversed } => {
                 let (pole, tip) = ((Mark::Pole, Point::origin()), (polygon.mark(self.plan, of), polygon.images[of.0]?));
@@ -112,12 +112,12 @@ impl<N: Real> OnPaper<'_, N> {
         }
     }
 
-    fn turning(&self, level: Level, link: LinkId) -> Option<N> {
+    fn turning(&self, on: DiagramKind, link: LinkId) -> Option<N> {
         // What turns as a link that never turns never turns itself.
         if self.m.never_turns[link.0] {
             return Some(N::from_f64(0.0));
         }
-        self.paper.rate(level, body_of(self.scene, self.m, link))
+        self.paper.rate(on, body_of(self.scene, self.m, link))
     }
 }
 
@@ -148,31 +148,31 @@ pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper
 impl OnPaper<'_, f64> {
     /// The answer to a question.
     fn answer(&self, at: &Configuration, find: usize, what: &Asked) -> Option<Answer> {
-        let level = what.level();
+        let on = what.diagram();
         // What is put together from two is drawn where both are.
         if let Asked::Combined(c) = what {
             let [a, b] = c.operands.map(|q| self.answer(at, find, &q.asked()));
             return Some(Answer { find, value: combine(c.operation, a?.value, b?.value)?, measured: None });
         }
-        if level == Level::Position {
+        if on == DiagramKind::Plane {
             return Some(Answer { find, value: place(self.scene, at, what)?, measured: None });
         }
         match what.meaning(self.scene) {
             Some(Meaning::Turning(l, None)) => {
-                let reading = self.paper.rates.iter().find(|r| r.level == level && r.body == body_of(self.scene, self.m, l));
-                let measured = reading.zip(self.paper.polygon(level)).and_then(|(r, p)| {
+                let reading = self.paper.rates.iter().find(|r| r.on == on && r.body == body_of(self.scene, self.m, l));
+                let measured = reading.zip(self.paper.polygon(on)).and_then(|(r, p)| {
                     let m = r.measured?;
                     let arm_of = points_of(at, self.plan, m.line, m.arm);
                     Some(Measured { length_mm: m.length, mu: p.mu, arm_m: Some(m.arm), arm_of, marks: m.marks, shown: None })
                 });
-                return Some(Answer { find, value: Value::Scalar(self.turning(level, l)?), measured });
+                return Some(Answer { find, value: Value::Scalar(self.turning(on, l)?), measured });
             }
             Some(Meaning::Turning(l, Some(against))) => {
-                let value = self.turning(level, l)? - self.turning(level, against)?;
+                let value = self.turning(on, l)? - self.turning(on, against)?;
                 return Some(Answer { find, value: Value::Scalar(value), measured: None });
             }
             Some(Meaning::Ratio(links, arm)) => {
-                let of = |l| self.turning(level, l);
+                let of = |l| self.turning(on, l);
                 let arm = arm.map_or(Some(0.0), of)?;
                 let value = (of(links[0])? - arm) / (of(links[1])? - arm);
                 return value.is_finite().then_some(Answer { find, value: Value::Scalar(value), measured: None });
@@ -188,7 +188,7 @@ impl OnPaper<'_, f64> {
         if !self.is_drawn(what) {
             return None;
         }
-        Some(match (self.find(what), self.paper.polygon(level)) {
+        Some(match (self.find(what), self.paper.polygon(on)) {
             (Some(Found { marks, shown }), Some(p)) => {
                 let drawn = marks[1].1 - marks[0].1;
                 let measured = Measured { length_mm: drawn.norm(), mu: p.mu, arm_m: None, arm_of: None, marks, shown: Some(shown) };
@@ -234,19 +234,19 @@ pub fn read_by_hand<P: Pencil>(
         if matches!(find.what, Asked::Combined(_)) {
             return Some(answer?.value);
         }
-        let level = find.what.level();
-        Some(match (answer?.value, paper.polygon(level)) {
-            (Value::Vector(v), Some(p)) => Value::Vector(pencil.read(level, v * (1.0 / p.mu)) * p.mu),
+        let on = find.what.diagram();
+        Some(match (answer?.value, paper.polygon(on)) {
+            (Value::Vector(v), Some(p)) => Value::Vector(pencil.read(on, v * (1.0 / p.mu)) * p.mu),
             // Rates were read when they were first needed; a difference of two is calculated.
             (value @ (Value::Scalar(_) | Value::Point(_)), Some(_)) | (value @ Value::Vector(_), None) => value,
-            (Value::Point(p), None) => Value::Point((pencil.read(level, p.to_vec2() * (1.0 / mu)) * mu).to_point()),
+            (Value::Point(p), None) => Value::Point((pencil.read(on, p.to_vec2() * (1.0 / mu)) * mu).to_point()),
             (Value::Scalar(s), None) => Value::Scalar(match find.what.of() {
                 Of::Link(l) if find.what.kind() == Kind::Angle => {
                     let apart = shown.link_direction(scene, l).map_or(shown.extent(), Vec2::norm) / mu;
-                    pencil.ruler(level, Vec2::from_angle(s), apart).angle()
+                    pencil.ruler(on, Vec2::from_angle(s), apart).angle()
                 }
                 Of::Point(_) | Of::Points(..) | Of::Link(_) | Of::Links(..) | Of::Line(..) | Of::Seen(..) => {
-                    pencil.read(level, Vec2::new(s / mu, 0.0)).x * mu
+                    pencil.read(on, Vec2::new(s / mu, 0.0)).x * mu
                 }
             }),
         })

@@ -4,11 +4,10 @@ use crate::plan::{Plan, Step};
 use hodograph_base::digits::shortest;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::Configuration;
-use hodograph_scene::{Cam, Kind, Paper, Rolling, Scene};
+use hodograph_scene::{Cam, DiagramKind, Kind, Paper, Rolling, Scene};
 
-/// A velocity (m/s) or an acceleration (m/s²), by the polygon's level. Laid-off and measured vectors are millimetres: the two do not mix, and only a
+/// A velocity (m/s) or an acceleration (m/s²), by the polygon. Laid-off and measured vectors are millimetres: the two do not mix, and only a
 /// scale μ leads from the one to the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Si<N>(pub Vec2<N>);
@@ -59,8 +58,8 @@ impl Boxes {
             return Boxes { diagram: part(DIAGRAM_PART), polygon: part(POLYGON_PART) };
         }
         let usual = Boxes::default();
-        let level = plan.level.max(Level::Velocity);
-        let vectors = plan.steps(level).iter().flat_map(|g| g.steps(0)).map(|s| match s {
+        let last = DiagramKind::of(plan.level).max(DiagramKind::Velocity);
+        let vectors = plan.steps(last).iter().flat_map(|g| g.steps(0)).map(|s| match s {
             Step::Equation { chains, .. } => chains.iter().map(|c| c.known.len() + c.unknown.len()).sum(),
             Step::Image { .. } | Step::Same { .. } => 1_usize,
         });

@@ -7,9 +7,9 @@ use super::pencil::Pencil;
 use crate::plan::{Special, SpecialLine, VertexId};
 use hodograph_base::geom::{Point, Vec2, cross_lines};
 use hodograph_base::number::Real;
-use hodograph_mechanism::mechanism::{ConstraintLine, Core, Leg, Level};
+use hodograph_mechanism::mechanism::{ConstraintLine, Core, Leg};
 use hodograph_mechanism::position::Path;
-use hodograph_scene::{Normal, RollingId, Touch};
+use hodograph_scene::{DiagramKind, Normal, RollingId, Touch};
 
 impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     pub(super) fn special_point(&mut self, v: VertexId, special: &Special) -> Option<Point<N>> {
@@ -23,7 +23,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         if alternative.is_none_or(|k| self.done.chosen[special.group] == k) {
             self.done.diagram.crossed.push(Crossed { target: v, sine: c.sine });
         }
-        Some(self.pencil.mark(Level::Position, c.at))
+        Some(self.pencil.mark(DiagramKind::Plane, c.at))
     }
 
     /// A line (on paper) along which a link is held.

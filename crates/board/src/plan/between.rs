@@ -5,10 +5,10 @@
 //! the two images afterwards ([`Between`]), and so is aᵗ where a turning is measured from it.
 
 use super::build::{Builder, slot};
-use super::{Between, Body, By, Plan, Rate, Spot, Step, Term, TermKind, Vertex, VertexId, canonical};
+use super::{Between, Body, By, GroupSteps, Plan, Rate, Spot, Stage, Step, Term, TermKind, Vertex, VertexId, canonical};
 use hodograph_mechanism::mechanism::{Joined, Level, Mechanism, Need, Passive, Strut, joined, nodes_of};
 use hodograph_scene::quantity::{Frame, Meaning, Seen, Split};
-use hodograph_scene::{Asked, GuidePath, LinkId, OnLink, PointId, Scene};
+use hodograph_scene::{Asked, DiagramKind, GuidePath, LinkId, OnLink, PointId, Scene};
 
 /// What a question of motion means on paper.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -230,17 +230,19 @@ impl Builder<'_> {
         self.intern(Spot::Point(p.point), canonical(self.scene, p.point, p.link))
     }
 
-    pub(super) fn list(&mut self, level: Level) -> &mut Vec<super::GroupSteps> {
-        match level {
-            Level::Acceleration => &mut self.acceleration,
-            Level::Velocity | Level::Position => &mut self.velocity,
-        }
+    pub(super) fn list(&mut self, level: Level) -> &mut Vec<GroupSteps> {
+        let on = DiagramKind::of(level);
+        let stage = self.stages.iter().position(|s| s.on == on).unwrap_or_else(|| {
+            self.stages.push(Stage { on, groups: Vec::new() });
+            self.stages.len() - 1
+        });
+        &mut self.stages[stage].groups
     }
 
     /// Draws terms between their two images behind a group, unless an edge shows them already.
     fn between(&mut self, level: Level, group: usize, terms: &[Term]) {
         let Term { of, to, .. } = terms[0];
-        let drawn = |g: &super::GroupSteps| {
+        let drawn = |g: &GroupSteps| {
             let in_all = !g.alternatives.is_empty() && g.alternatives.iter().all(|a| a.iter().flat_map(rows).any(|r| holds(&r, terms)));
             in_all || g.further.iter().flat_map(rows).any(|r| holds(&r, terms)) || g.between.iter().any(|b| holds(&b.terms(), terms))
         };

@@ -2,7 +2,7 @@
 
 use super::between::body_of;
 use super::names::small_letters;
-use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Special, Spot, Step, Vertex, VertexId, canonical, effects};
+use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Special, Spot, Stage, Step, Vertex, VertexId, canonical, effects};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Need, Opened};
 use hodograph_scene::{Guide, GuideId, LinkId, PointId, Scene};
 use std::collections::{HashMap, HashSet};
@@ -23,8 +23,7 @@ pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &
         demand,
         vertices: Vec::new(),
         specials: Vec::new(),
-        velocity: Vec::new(),
-        acceleration: Vec::new(),
+        stages: Vec::new(),
         interned: HashMap::new(),
         known: [HashSet::new(), HashSet::new()],
         sources: [Vec::new(), Vec::new()],
@@ -46,8 +45,7 @@ pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &
     let mut plan = Plan {
         vertices: b.vertices,
         specials: b.specials,
-        velocity: b.velocity,
-        acceleration: b.acceleration,
+        stages: b.stages.into_iter().filter(|s| !s.groups.is_empty()).collect(),
         still: m.never_turns.clone(),
         rest: Rest::of(scene, m),
         letters: small_letters(scene),
@@ -66,8 +64,7 @@ pub(super) struct Builder<'a> {
     pub(super) demand: &'a Demand,
     pub(super) vertices: Vec<Vertex>,
     specials: Vec<Special>,
-    pub(super) velocity: Vec<GroupSteps>,
-    pub(super) acceleration: Vec<GroupSteps>,
+    pub(super) stages: Vec<Stage>,
     /// Where each vertex stands in the list.
     interned: HashMap<(Spot, Option<LinkId>), VertexId>,
     /// Known vertices at each level.

@@ -2,7 +2,7 @@
 
 use super::{By, Effect, Plan, Reason, Step, TermKind};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
-use hodograph_scene::{GuideId, Scene};
+use hodograph_scene::{DiagramKind, GuideId, Scene};
 
 /// What was considered, and why it is in or out.
 pub(super) fn considered(scene: &Scene, m: &Mechanism, demand: &Demand, plan: &Plan) -> Vec<(Effect, bool, Reason)> {
@@ -22,11 +22,11 @@ pub(super) fn considered(scene: &Scene, m: &Mechanism, demand: &Demand, plan: &P
         }
         for (i, g) in scene.guides.iter().enumerate() {
             let id = GuideId(i);
-            let steps = || plan.acceleration.iter().flat_map(|s| s.alternatives.iter().flatten().chain(&s.further));
+            let steps = || plan.steps(DiagramKind::Acceleration).iter().flat_map(|s| s.alternatives.iter().flatten().chain(&s.further));
             let moves = |s: &Step| {
                 s.chains().iter().flat_map(|c| &c.known).any(|t| {
                     let here = matches!(t.by, By::Guide { guide, .. } if guide == id) && t.kind == TermKind::Coriolis;
-                    here && !plan.vanishes(scene, Level::Acceleration, t)
+                    here && !plan.vanishes(scene, DiagramKind::Acceleration, t)
                 })
             };
             let (on, reason) = if m.never_turns[g.on.0] {

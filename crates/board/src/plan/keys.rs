@@ -5,8 +5,7 @@
 
 use super::text::{Writer, vertex_name};
 use super::{Body, By, Spot, Term, TermKind, VertexId};
-use hodograph_mechanism::mechanism::Level;
-use hodograph_scene::Scene;
+use hodograph_scene::{DiagramKind, Scene};
 
 /// The part of a relative motion that a vector is.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -58,14 +57,14 @@ impl Writer<'_> {
     }
 
     /// The whole vector of a vertex as `find` writes it: `v_B`, `a_B3`.
-    pub fn vector_quantity(&self, level: Level, v: VertexId) -> String {
-        format!("{}_{}", letter(level), self.vertex(v))
+    pub fn vector_quantity(&self, on: DiagramKind, v: VertexId) -> String {
+        format!("{}_{}", on.letter(), self.vertex(v))
     }
 
     /// The key of a term: `abs-C`, `rel-C-B`, `normal-C-B`, `coriolis-A3-A2`.
-    pub fn key(&self, level: Level, t: &Term) -> String {
-        let part = self.part_of(level, t);
-        match (part, self.is_absolute(level, t)) {
+    pub fn key(&self, on: DiagramKind, t: &Term) -> String {
+        let part = self.part_of(on, t);
+        match (part, self.is_absolute(on, t)) {
             (Part::Whole, true) => self.vector_key(t.of),
             (_, true) => format!("{}-{}", part.word(), self.vertex(t.of)),
             (_, false) => format!("{}-{}-{}", part.word(), self.vertex(t.of), self.vertex(t.to)),
@@ -73,10 +72,10 @@ impl Writer<'_> {
     }
 
     /// A term as `find` writes it: `v_CB`, `an_CB`, `ak_A3A2`, `arn_A/2`.
-    pub fn quantity(&self, level: Level, t: &Term) -> String {
-        let part = self.part_of(level, t);
-        let head = format!("{}{}_{}", letter(level), part.letters(), self.vertex(t.of));
-        if self.is_absolute(level, t) {
+    pub fn quantity(&self, on: DiagramKind, t: &Term) -> String {
+        let part = self.part_of(on, t);
+        let head = format!("{}{}_{}", on.letter(), part.letters(), self.vertex(t.of));
+        if self.is_absolute(on, t) {
             return head;
         }
         let of_guide = matches!(part, Part::SlidingNormal | Part::SlidingTangential);
@@ -100,14 +99,14 @@ impl Writer<'_> {
     }
 
     /// The part of a relative motion that a term is: the cases of its superscript.
-    fn part_of(&self, level: Level, t: &Term) -> Part {
-        let acceleration = level == Level::Acceleration;
+    fn part_of(&self, on: DiagramKind, t: &Term) -> Part {
+        let acceleration = on == DiagramKind::Acceleration;
         let along_arc = match t.by {
             By::Guide { guide, .. } => self.is_arc(guide),
             By::Frame { about, .. } => about.is_some(),
             By::Turning(_) | By::Cylinder(_) | By::Contact(_) | By::Apart => false,
         };
-        let fixed_guide = self.is_absolute(level, t) && matches!(t.by, By::Guide { .. });
+        let fixed_guide = self.is_absolute(on, t) && matches!(t.by, By::Guide { .. });
         match t.kind {
             TermKind::Relative if matches!(t.by, By::Turning(Body::Cylinder(_))) => Part::Tangential,
             TermKind::Relative => Part::Whole,
@@ -117,11 +116,11 @@ impl Writer<'_> {
             TermKind::Extension => Part::Sliding,
             TermKind::Slide if fixed_guide && acceleration && along_arc => Part::Tangential,
             TermKind::Slide if fixed_guide => Part::Whole,
-            TermKind::SlideNormal if self.is_absolute(level, t) => Part::Normal,
+            TermKind::SlideNormal if self.is_absolute(on, t) => Part::Normal,
             TermKind::Slide if acceleration && along_arc => Part::SlidingTangential,
             TermKind::Slide => Part::Sliding,
             TermKind::SlideNormal => Part::SlidingNormal,
-            TermKind::Roll if acceleration && !self.is_absolute(level, t) => Part::Rolling,
+            TermKind::Roll if acceleration && !self.is_absolute(on, t) => Part::Rolling,
             TermKind::Roll => Part::Whole,
         }
     }
@@ -147,8 +146,4 @@ fn is_vertex(scene: &Scene, text: &str) -> Option<usize> {
         return Some(0);
     }
     scene.points.iter().any(|p| text.strip_prefix(p.name.as_str()).is_some_and(link)).then_some(1)
-}
-
-fn letter(level: Level) -> &'static str {
-    if level == Level::Acceleration { "a" } else { "v" }
 }

@@ -28,7 +28,7 @@ pub use build::{plan, plan_without};
 pub use rest::Rest;
 
 use hodograph_mechanism::mechanism::{ConstraintLine, Level};
-use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
+use hodograph_scene::{DiagramKind, GuideId, LinkId, PointId, RollingId, Scene};
 
 /// Index into [`Plan::vertices`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -106,7 +106,7 @@ pub enum Body {
 /// What makes a term.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TermKind {
-    /// v_BA = ω × r, square to AB; at the acceleration level the whole of a_BA, which only a joined line shows.
+    /// v_BA = ω × r, square to AB; of accelerations the whole of a_BA, which only a joined line shows.
     Relative,
     /// aⁿ_BA = ω² l, from B to A.
     Normal,
@@ -291,7 +291,7 @@ pub enum Rate {
     Zero,
 }
 
-/// The steps for one group at one level.
+/// The steps of one group on one diagram.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GroupSteps {
     /// The group.
@@ -316,6 +316,15 @@ impl GroupSteps {
     pub fn steps(&self, alternative: usize) -> impl Iterator<Item = &Step> {
         self.alternatives.get(alternative).into_iter().flatten().chain(&self.further)
     }
+}
+
+/// The steps of one diagram.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stage {
+    /// The diagram.
+    pub on: DiagramKind,
+    /// Its steps, group after group.
+    pub groups: Vec<GroupSteps>,
 }
 
 /// An effect that was considered.
@@ -363,10 +372,8 @@ pub struct Plan {
     pub vertices: Vec<Vertex>,
     /// The special points among them.
     pub specials: Vec<Special>,
-    /// Velocity steps, group after group.
-    pub velocity: Vec<GroupSteps>,
-    /// Acceleration steps.
-    pub acceleration: Vec<GroupSteps>,
+    /// The steps of each diagram, in the order of drawing; a diagram of which nothing is planned has none.
+    pub stages: Vec<Stage>,
     /// For each link, whether it keeps its direction for topological reasons.
     pub still: Vec<bool>,
     /// What stands still because a driver does.
@@ -395,13 +402,14 @@ impl Plan {
         &self.vertices[v.0]
     }
 
-    /// The steps of a level.
-    pub fn steps(&self, level: Level) -> &[GroupSteps] {
-        match level {
-            Level::Position => &[],
-            Level::Velocity => &self.velocity,
-            Level::Acceleration => &self.acceleration,
-        }
+    /// The steps of a diagram, group after group.
+    pub fn steps(&self, on: DiagramKind) -> &[GroupSteps] {
+        self.stages.iter().find(|s| s.on == on).map_or(&[], |s| &s.groups)
+    }
+
+    /// The steps of a diagram, to be changed.
+    pub fn steps_mut(&mut self, on: DiagramKind) -> &mut [GroupSteps] {
+        self.stages.iter_mut().find(|s| s.on == on).map_or(&mut [], |s| &mut s.groups)
     }
 
     /// The vertex of a point (of a link), if the plan has it.
@@ -417,22 +425,18 @@ impl Plan {
         }
     }
 
-    /// The terms of all chains and of all vectors drawn between images at a level, alternatives included.
-    pub fn terms(&self, level: Level) -> impl Iterator<Item = Term> + '_ {
-        self.steps(level).iter().flat_map(|g| {
+    /// The terms of all chains and of all vectors drawn between images on a diagram, alternatives included.
+    pub fn terms(&self, on: DiagramKind) -> impl Iterator<Item = Term> + '_ {
+        self.steps(on).iter().flat_map(|g| {
             let chains = g.alternatives.iter().flatten().chain(&g.further).flat_map(Step::chains);
             let of_chains = chains.flat_map(|c| c.known.iter().chain(&c.unknown)).copied();
             of_chains.chain(g.between.iter().flat_map(Between::terms))
         })
     }
 
-    /// Number of vector equations (with two chains) written at a level, in the first alternatives.
-    pub fn equations(&self, level: Level) -> usize {
-        self.steps(level)
-            .iter()
-            .flat_map(|g| g.steps(0))
-            .filter(|s| matches!(s, Step::Equation { chains, .. } if chains.len() == 2))
-            .count()
+    /// Number of vector equations (with two chains) written for a diagram, in the first alternatives.
+    pub fn equations(&self, on: DiagramKind) -> usize {
+        self.steps(on).iter().flat_map(|g| g.steps(0)).filter(|s| matches!(s, Step::Equation { chains, .. } if chains.len() == 2)).count()
     }
 }
 

@@ -5,8 +5,8 @@
 //! the rate 0 as it is written counts.
 
 use super::{Body, By, Plan, Term, TermKind};
-use hodograph_mechanism::mechanism::{Level, Mechanism};
-use hodograph_scene::{Driver, GuidePath, Scene};
+use hodograph_mechanism::mechanism::Mechanism;
+use hodograph_scene::{DiagramKind, Driver, GuidePath, Scene};
 
 /// What is at rest.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -58,10 +58,10 @@ fn spread(scene: &Scene, drivers: &[bool], links: &mut [bool]) -> bool {
 
 impl Plan {
     /// Whether a term vanishes at the instant because a driver is at rest.
-    pub fn vanishes(&self, scene: &Scene, level: Level, t: &Term) -> bool {
+    pub fn vanishes(&self, scene: &Scene, on: DiagramKind, t: &Term) -> bool {
         let rest = &self.rest;
         if rest.is_all() {
-            return level == Level::Velocity || matches!(t.kind, TermKind::Normal | TermKind::SlideNormal | TermKind::Coriolis);
+            return on == DiagramKind::Velocity || matches!(t.kind, TermKind::Normal | TermKind::SlideNormal | TermKind::Coriolis);
         }
         // What is found by the drawing may come out as nothing, but is not known to.
         if !t.known {
@@ -77,7 +77,7 @@ impl Plan {
             (TermKind::Coriolis, By::Cylinder(d)) => rest.drivers[d],
             (TermKind::Coriolis, By::Frame { body, .. }) => body.is_none_or(still),
             (TermKind::Slide, By::Guide { driver: Some(d), .. }) | (TermKind::Extension, By::Cylinder(d)) => {
-                level == Level::Velocity && rest.drivers[d]
+                on == DiagramKind::Velocity && rest.drivers[d]
             }
             _ => false,
         }

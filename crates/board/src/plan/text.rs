@@ -7,8 +7,7 @@ use super::names::{image_label, image_of, is_image, name_label, numbered, pole_l
 use super::notation::Notation;
 use super::{Body, By, Chain, Plan, Spot, Step, Term, TermKind, VertexId};
 use hodograph_base::diag::{Both, both};
-use hodograph_mechanism::mechanism::Level;
-use hodograph_scene::{GuideId, GuidePath, Lang, Scene};
+use hodograph_scene::{DiagramKind, GuideId, GuidePath, Lang, Scene};
 
 /// What the texts are written for.
 #[derive(Clone, Copy, Debug)]
@@ -107,47 +106,43 @@ impl Writer<'_> {
         format!("l_{{{}}}", name_label(&line_name(self.scene, self.plan, a, b)))
     }
 
-    fn letter(level: Level) -> &'static str {
-        if level == Level::Acceleration { "a" } else { "v" }
-    }
-
     /// Symbol of a whole vector of a vertex: `v_{B3}`.
-    pub fn vector(&self, level: Level, v: VertexId) -> String {
-        format!("{}_{{{}}}", Self::letter(level), self.name(v))
+    pub fn vector(&self, on: DiagramKind, v: VertexId) -> String {
+        format!("{}_{{{}}}", on.letter(), self.name(v))
     }
 
     /// From a fixed point a vector is absolute; a cylinder's parts are always told as relative, for the other chain of
     /// their equation may start at a fixed point as well.
-    pub(super) fn is_absolute(&self, level: Level, t: &Term) -> bool {
+    pub(super) fn is_absolute(&self, on: DiagramKind, t: &Term) -> bool {
         let whole = |t: &Term| match t.by {
             By::Cylinder(_) | By::Turning(Body::Cylinder(_)) => false,
             // Over a fixed point of a guide that turns, sliding is the whole of the velocity, but beside the Coriolis term only a part of
             // the acceleration.
-            By::Guide { guide, .. } => level == Level::Velocity || self.plan.still[self.scene.guides[guide.0].on.0],
+            By::Guide { guide, .. } => on == DiagramKind::Velocity || self.plan.still[self.scene.guides[guide.0].on.0],
             By::Turning(Body::Link(_)) | By::Contact(_) | By::Apart => true,
             By::Frame { .. } => false,
         };
         let absolute = |t: &Term| self.plan.vertex(t.to).fixed && whole(t);
         // A point held from two fixed ones (a part of the mechanism that cannot move) has the same vector by two names.
-        absolute(t) && !self.plan.terms(level).any(|u| u.of == t.of && u.to != t.to && absolute(&u))
+        absolute(t) && !self.plan.terms(on).any(|u| u.of == t.of && u.to != t.to && absolute(&u))
     }
 
-    fn subscript(&self, level: Level, t: &Term) -> String {
-        if self.is_absolute(level, t) { self.name(t.of) } else { format!("{}{}", self.name(t.of), self.name(t.to)) }
+    fn subscript(&self, on: DiagramKind, t: &Term) -> String {
+        if self.is_absolute(on, t) { self.name(t.of) } else { format!("{}{}", self.name(t.of), self.name(t.to)) }
     }
 
     /// The sliding velocity that makes a Coriolis or normal part of sliding.
     fn sliding(&self, t: &Term) -> String {
         if let By::Frame { .. } = t.by {
-            return self.symbol(Level::Velocity, &Term { kind: TermKind::Relative, by: By::Apart, ..*t });
+            return self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Relative, by: By::Apart, ..*t });
         }
-        self.symbol(Level::Velocity, &Term { kind: TermKind::Slide, ..*t })
+        self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Slide, ..*t })
     }
 
     /// The vector from which the turning of a body is measured: `v_{CB}`, `a^t_{CB}`.
-    pub fn measured(&self, level: Level, body: Body, of: VertexId, to: VertexId) -> String {
-        let kind = if level == Level::Acceleration { TermKind::Tangential } else { TermKind::Relative };
-        self.symbol(level, &Term { kind, of, to, by: By::Turning(body), known: false })
+    pub fn measured(&self, on: DiagramKind, body: Body, of: VertexId, to: VertexId) -> String {
+        let kind = if on == DiagramKind::Acceleration { TermKind::Tangential } else { TermKind::Relative };
+        self.symbol(on, &Term { kind, of, to, by: By::Turning(body), known: false })
     }
 
     /// Name of a vertex in the letters of images, in the label language.
@@ -160,8 +155,8 @@ impl Writer<'_> {
         name_label(&numbered(self.scene, name, vertex.number.map(|n| self.scene.link_name(n))))
     }
 
-    fn superscript(&self, level: Level, t: &Term) -> String {
-        let fixed_guide = self.is_absolute(level, t);
+    fn superscript(&self, on: DiagramKind, t: &Term) -> String {
+        let fixed_guide = self.is_absolute(on, t);
         match (t.kind, t.by) {
             // The part square to the line: the whole has the part along it too.
             (TermKind::Relative, By::Turning(Body::Cylinder(_))) => self.notation.tangential.clone(),
@@ -172,22 +167,22 @@ impl Writer<'_> {
             (TermKind::Extension, _) => self.notation.sliding.clone(),
             // On a fixed straight guide sliding is the point's whole motion.
             (TermKind::Slide, By::Guide { guide, .. }) if fixed_guide => {
-                if level == Level::Acceleration && self.is_arc(guide) {
+                if on == DiagramKind::Acceleration && self.is_arc(guide) {
                     self.notation.tangential.clone()
                 } else {
                     String::new()
                 }
             }
             (TermKind::SlideNormal, _) if fixed_guide => "n".into(),
-            (TermKind::Slide, By::Guide { guide, .. }) if level == Level::Acceleration && self.is_arc(guide) => {
+            (TermKind::Slide, By::Guide { guide, .. }) if on == DiagramKind::Acceleration && self.is_arc(guide) => {
                 format!("{}\\,{}", self.notation.sliding, self.notation.tangential)
             }
-            (TermKind::Slide, By::Frame { about: Some(_), .. }) if level == Level::Acceleration => {
+            (TermKind::Slide, By::Frame { about: Some(_), .. }) if on == DiagramKind::Acceleration => {
                 format!("{}\\,{}", self.notation.sliding, self.notation.tangential)
             }
             (TermKind::Slide, _) => self.notation.sliding.clone(),
             (TermKind::SlideNormal, _) => format!("{}\\,n", self.notation.sliding),
-            (TermKind::Roll, _) if level == Level::Acceleration && !fixed_guide => "ro".into(),
+            (TermKind::Roll, _) if on == DiagramKind::Acceleration && !fixed_guide => "ro".into(),
             (TermKind::Roll, _) => String::new(),
         }
     }
@@ -197,42 +192,42 @@ impl Writer<'_> {
     }
 
     /// Symbol of a term: `v_{CB}`, `a^t_{CB}`, `a^k_{B3B2}`.
-    pub fn symbol(&self, level: Level, t: &Term) -> String {
-        let (q, sub, sup) = (Self::letter(level), self.subscript(level, t), self.superscript(level, t));
+    pub fn symbol(&self, on: DiagramKind, t: &Term) -> String {
+        let (q, sub, sup) = (on.letter(), self.subscript(on, t), self.superscript(on, t));
         if sup.is_empty() { format!("{q}_{{{sub}}}") } else { format!("{q}^{{{sup}}}_{{{sub}}}") }
     }
 
     /// The pole of a polygon: `p`, `p'`. Where a moving point has that letter, another one.
-    pub fn pole(&self, level: Level) -> String {
+    pub fn pole(&self, on: DiagramKind) -> String {
         let letter = pole_letter(self.scene, self.plan, &self.notation.pole);
-        format!("{letter}{}", prime(level))
+        format!("{letter}{}", on.prime())
     }
 
     /// The image of a vertex: `b`, `b_3`, `b'_3`; fixed points have theirs in the pole.
-    pub fn image(&self, level: Level, v: VertexId) -> String {
+    pub fn image(&self, on: DiagramKind, v: VertexId) -> String {
         let vertex = self.plan.vertex(v);
         if vertex.fixed {
-            return self.pole(level);
+            return self.pole(on);
         }
         let link = vertex.number.map(|l| self.scene.link_name(l));
         match vertex.spot {
-            Spot::Point(p) => image_label(&self.plan.letters, p, link, prime(level)),
-            Spot::Special(k) => image_of(&special_name(self.scene, self.plan, k).to_lowercase(), link, prime(level)),
+            Spot::Point(p) => image_label(&self.plan.letters, p, link, on.prime()),
+            Spot::Special(k) => image_of(&special_name(self.scene, self.plan, k).to_lowercase(), link, on.prime()),
         }
     }
 
     /// The end of a part of the acceleration of a point: `n'_B`, `k'`, written with the image letter of the point in
     /// the subscript, as n_b′. A letter of the notation profile (η, κ) stands where the image of a point is n or k already.
-    pub fn part(&self, level: Level, t: &Term) -> String {
+    pub fn part(&self, on: DiagramKind, t: &Term) -> String {
         let (letter, other) = self.part_letters(t.kind);
         // Two parts of one point, such as aⁿ_C and aⁿ_CB, are told apart by the point from which the second is seen.
-        let shared = self.plan.terms(level).any(|u| self.part_letters(u.kind).0 == letter && u.of == t.of && u.to != t.to);
-        let to = if shared && !self.is_absolute(level, t) { self.small(t.to) } else { String::new() };
+        let shared = self.plan.terms(on).any(|u| self.part_letters(u.kind).0 == letter && u.of == t.of && u.to != t.to);
+        let to = if shared && !self.is_absolute(on, t) { self.small(t.to) } else { String::new() };
         // Over one pin in two slots of a link there are two parts of one name; the second has a prime more.
         let twin = |u: &Term| self.part_letters(u.kind).0 == letter && (u.of, u.to) == (t.of, t.to);
-        let before = self.plan.terms(level).filter(twin).take_while(|u| u.is_same(t).is_none()).count();
+        let before = self.plan.terms(on).filter(twin).take_while(|u| u.is_same(t).is_none()).count();
         let letter = if is_image(self.scene, self.plan, letter) { other } else { letter };
-        format!("{letter}{}{}_{{{}{to}}}", prime(level), "'".repeat(before), self.small(t.of))
+        format!("{letter}{}{}_{{{}{to}}}", on.prime(), "'".repeat(before), self.small(t.of))
     }
 
     fn part_letters(&self, kind: TermKind) -> (&'static str, &str) {
@@ -246,8 +241,8 @@ impl Writer<'_> {
     }
 
     /// The symbol of a body's turning: `\omega_3`, `\alpha_3`; of an unnumbered cylinder `\omega_{FG}`.
-    pub fn turning(&self, level: Level, body: Body) -> String {
-        let letter = if level == Level::Acceleration { "\\alpha" } else { "\\omega" };
+    pub fn turning(&self, on: DiagramKind, body: Body) -> String {
+        let letter = on.turning_letter();
         match body {
             Body::Link(l) => format!("{letter}_{{{}}}", name_label(self.scene.link_name(l))),
             Body::Cylinder(d) => {
@@ -270,7 +265,7 @@ impl Writer<'_> {
             (TermKind::Coriolis, By::Guide { guide, .. }) if !self.is_arc(guide) => format!("\\perp {}", self.guide_line(guide)),
             (TermKind::Coriolis, By::Guide { guide, .. }) => format!("\\parallel {}", self.guide_line(guide)),
             (TermKind::Coriolis, By::Frame { .. }) => {
-                format!("\\perp {}", self.symbol(Level::Velocity, &Term { kind: TermKind::Relative, by: By::Apart, ..*t }))
+                format!("\\perp {}", self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Relative, by: By::Apart, ..*t }))
             }
             (TermKind::Coriolis, _) => format!("\\perp {}", self.line(t.to, t.of)),
             (TermKind::Slide, By::Guide { guide, .. }) if self.is_arc(guide) => format!("\\perp {}", self.guide_line(guide)),
@@ -298,8 +293,8 @@ impl Writer<'_> {
 
     /// Magnitude of a term: `\omega_1 l_{AB}`, `\omega_3^2 l_{BC}`, `0` where a driver at rest leaves nothing of it, or the
     /// sign for unknown.
-    pub fn magnitude(&self, level: Level, t: &Term) -> String {
-        if self.plan.vanishes(self.scene, level, t) {
+    pub fn magnitude(&self, on: DiagramKind, t: &Term) -> String {
+        if self.plan.vanishes(self.scene, on, t) {
             return "0".into();
         }
         if !t.known {
@@ -308,19 +303,19 @@ impl Writer<'_> {
         let length = || self.length(t.of, t.to);
         let squared = |s: String| s.replacen('_', "^2_", 1);
         match (t.kind, t.by) {
-            (TermKind::Relative, By::Turning(b)) => format!("{} {}", self.turning(Level::Velocity, b), length()),
-            (TermKind::Normal, By::Turning(b)) => format!("{} {}", squared(self.turning(Level::Velocity, b)), length()),
-            (TermKind::Tangential, By::Turning(b)) => format!("{} {}", self.turning(Level::Acceleration, b), length()),
+            (TermKind::Relative, By::Turning(b)) => format!("{} {}", self.turning(DiagramKind::Velocity, b), length()),
+            (TermKind::Normal, By::Turning(b)) => format!("{} {}", squared(self.turning(DiagramKind::Velocity, b)), length()),
+            (TermKind::Tangential, By::Turning(b)) => format!("{} {}", self.turning(DiagramKind::Acceleration, b), length()),
             (TermKind::Coriolis, By::Guide { guide, .. }) => {
-                let omega = self.turning(Level::Velocity, Body::Link(self.plan.coriolis_link(self.scene, guide)));
+                let omega = self.turning(DiagramKind::Velocity, Body::Link(self.plan.coriolis_link(self.scene, guide)));
                 format!("2{omega} {}", self.sliding(t))
             }
             (TermKind::Coriolis, By::Frame { body: Some(body), .. }) => {
-                format!("2{} {}", self.turning(Level::Velocity, body), self.sliding(t))
+                format!("2{} {}", self.turning(DiagramKind::Velocity, body), self.sliding(t))
             }
             (TermKind::Coriolis, By::Cylinder(d)) => {
-                let v = self.symbol(Level::Velocity, &Term { kind: TermKind::Extension, ..*t });
-                format!("2{} {v}", self.turning(Level::Velocity, Body::Cylinder(d)))
+                let v = self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Extension, ..*t });
+                format!("2{} {v}", self.turning(DiagramKind::Velocity, Body::Cylinder(d)))
             }
             (TermKind::SlideNormal, _) => {
                 let v = self.sliding(t);
@@ -334,14 +329,14 @@ impl Writer<'_> {
 
     /// The columns of an equation with its loci: the chain that starts at a fixed point (or the point itself) on the
     /// left, then the others, each after an equals sign.
-    pub fn columns(&self, level: Level, target: VertexId, chains: &[Chain]) -> Vec<Column> {
+    pub fn columns(&self, on: DiagramKind, target: VertexId, chains: &[Chain]) -> Vec<Column> {
         let mut out: Vec<Column> = Vec::new();
         // A chain alone has nothing unknown.
         let absolute_left = !self.plan.vertex(chains[0].start).fixed || chains.len() == 1 && chains[0].known.len() > 1;
         if absolute_left {
             out.push(Column {
                 joint: "",
-                symbol: self.summand(level, target),
+                symbol: self.summand(on, target),
                 direction: self.notation.unknown.clone(),
                 magnitude: self.notation.unknown.clone(),
                 term: None,
@@ -361,15 +356,15 @@ impl Writer<'_> {
                 j
             };
             if !self.plan.vertex(chain.start).fixed {
-                let (direction, magnitude) = self.known_vector(level, chain.start);
-                out.push(Column { joint: joint(), symbol: self.summand(level, chain.start), direction, magnitude, term: None });
+                let (direction, magnitude) = self.known_vector(on, chain.start);
+                out.push(Column { joint: joint(), symbol: self.summand(on, chain.start), direction, magnitude, term: None });
             }
             for t in chain.known.iter().chain(&chain.unknown) {
                 out.push(Column {
                     joint: joint(),
-                    symbol: self.notation.vectors.write(self.symbol(level, t)),
+                    symbol: self.notation.vectors.write(self.symbol(on, t)),
                     direction: self.direction(t),
-                    magnitude: self.magnitude(level, t),
+                    magnitude: self.magnitude(on, t),
                     term: Some(*t),
                 });
             }
@@ -378,13 +373,13 @@ impl Writer<'_> {
     }
 
     /// A point's vector as it stands in a vector equation.
-    pub fn summand(&self, level: Level, v: VertexId) -> String {
-        self.notation.vectors.write(self.vector(level, v))
+    pub fn summand(&self, on: DiagramKind, v: VertexId) -> String {
+        self.notation.vectors.write(self.vector(on, v))
     }
 
     /// Direction and magnitude of a vertex known before: those of its own single term, else "known".
-    fn known_vector(&self, level: Level, v: VertexId) -> (String, String) {
-        let defining = self.plan.steps(level).iter().flat_map(|g| g.steps(0)).find_map(|s| match s {
+    fn known_vector(&self, on: DiagramKind, v: VertexId) -> (String, String) {
+        let defining = self.plan.steps(on).iter().flat_map(|g| g.steps(0)).find_map(|s| match s {
             Step::Equation { target, chains, .. } if *target == v && chains.len() == 1 => Some(&chains[0]),
             Step::Equation { .. } | Step::Image { .. } | Step::Same { .. } => None,
         });
@@ -392,12 +387,8 @@ impl Writer<'_> {
             && self.plan.vertex(c.start).fixed
             && let [t] = c.known[..]
         {
-            return (self.direction(&t), self.magnitude(level, &t));
+            return (self.direction(&t), self.magnitude(on, &t));
         }
         (self.notation.known.clone(), self.notation.known.clone())
     }
-}
-
-fn prime(level: Level) -> &'static str {
-    if level == Level::Acceleration { "'" } else { "" }
 }

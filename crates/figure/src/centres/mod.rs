@@ -10,9 +10,8 @@ pub(super) mod rays;
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::Point;
 use hodograph_board::plan::names::name_label;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::centres::{Centres, How, Pair, centres};
-use hodograph_scene::Scene;
+use hodograph_scene::{DiagramKind, Scene};
 
 use rays::Plate;
 
@@ -63,7 +62,7 @@ fn plates(found: &Centres) -> Vec<Plate> {
 fn parted(w: &Wanted, found: &Centres, plates: Vec<Plate>) -> Pages {
     let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let words = maker.words();
-    let (_, mu) = maker.caption(Level::Position);
+    let (_, mu) = maker.caption(DiagramKind::Plane);
     let mut pages = Pages::new();
     let mut first = 1;
     for (k, plate) in plates.iter().enumerate() {
@@ -87,7 +86,7 @@ fn described(mut figure: Figure, w: &Wanted, found: &Centres, title: &str) -> Fi
 fn figure(w: &Wanted, found: &Centres) -> Figure {
     let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let words = maker.words();
-    let (_, mu) = maker.caption(Level::Position);
+    let (_, mu) = maker.caption(DiagramKind::Plane);
     let first = maker.titled(diagram::part(w, found, &Plate::default()), Label::text(format!("(a) {}", words.centres)), &mu, "centres");
     let second = maker.titled(circle::part(w, found), Label::text(format!("(b) {}", words.circle_diagram)), "", "circle");
     let mut parts = [first, second];

@@ -8,7 +8,6 @@ use crate::mechanism;
 use crate::sheet::Maker;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::name_label;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::curvature::drawing::{Drawing as Ruler, How, Rays};
 use hodograph_methods::curvature::known::Known;
 use hodograph_methods::curvature::motion::{Bend, State};
@@ -23,7 +22,7 @@ use hodograph_paper::paper::lines::wrapped;
 use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_report::curvature::Words;
-use hodograph_scene::{Link, PointId};
+use hodograph_scene::{DiagramKind, Link, PointId};
 
 use super::ball;
 use super::board::Board;
@@ -54,7 +53,7 @@ const GAP_MM: f64 = 9.0;
 pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Figure {
     let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let words = Words { found, lang: w.options.lang };
-    let (_, mu) = maker.caption(Level::Position);
+    let (_, mu) = maker.caption(DiagramKind::Plane);
     let caption = Label::text(format!("{} – ", maker.words().curvature)).then(words.heading_set(of).label());
     let mut drawing = maker.titled(part(w, &words, of), caption, &mu, "curvature");
     let mut below = text(w, &words, of);

@@ -10,7 +10,6 @@ use crate::mechanism;
 use crate::sheet::Maker;
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2, cross_lines};
-use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::curvature::centrodes::{STEPS, Station, centrodes};
 use hodograph_methods::curvature::{Curvature, OfLink};
 use hodograph_paper::paper::extent::Rect;
@@ -18,7 +17,7 @@ use hodograph_paper::paper::item::{Dash, Figure, Shape, Stroke};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_report::curvature::Words;
-use hodograph_scene::Lang;
+use hodograph_scene::{DiagramKind, Lang};
 
 use super::board::Board;
 use std::f64::consts::TAU;
@@ -114,7 +113,7 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
         board.spot("pole", Label::math(symbol), at, false);
     }
     board.spots();
-    let (_, mu) = maker.caption(Level::Position);
+    let (_, mu) = maker.caption(DiagramKind::Plane);
     let [open, close] = match w.options.lang {
         Lang::En => [" (", ")"],
         Lang::Zh => ["（", "）"],

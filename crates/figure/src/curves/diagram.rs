@@ -3,8 +3,8 @@
 use crate::sheet::swept_symbol;
 use hodograph_board::plan::notation::Notation;
 use hodograph_report::amount::symbol;
-use hodograph_scene::quantity::{Level, Of};
-use hodograph_scene::{Asked, Kind, Scene, Swept};
+use hodograph_scene::quantity::Of;
+use hodograph_scene::{Asked, DiagramKind, Kind, Scene, Swept};
 use hodograph_sweep::{Placed, Table, of_values, zoom};
 use std::f64::consts::TAU;
 
@@ -84,7 +84,7 @@ impl Diagram {
         let (driver_unit, factor) = scene.book.fine(moves);
         let si: &[f64] = first.map_or(&[], |c| &c.values);
         let places = si.iter().map(|v| v * factor).collect();
-        let mut panels: Vec<((Level, bool), Panel)> = Vec::new();
+        let mut panels: Vec<((DiagramKind, bool), Panel)> = Vec::new();
         for find in &scene.find {
             let (order, kind) = (order(&find.what), find.what.kind());
             let (unit, times) = scene.book.fine(kind);
@@ -140,10 +140,11 @@ fn component(symbol: &str, axis: char) -> String {
     }
 }
 
-/// Which panel a quantity belongs to, from the top: level by level, that of the links below that of the points.
-fn order(what: &Asked) -> (Level, bool) {
+/// Which panel a quantity belongs to, from the top: diagram by diagram, that of the links below that of the points.
+fn order(what: &Asked) -> (DiagramKind, bool) {
     let kind = what.kind();
-    (kind.level(), kind != kind.level().kind())
+    let on = DiagramKind::of(kind.level());
+    (on, kind != on.kind())
 }
 
 /// The link whose motion it is: of a pin's links the first that moves.

@@ -2,7 +2,7 @@
 
 use crate::sheet::{diagram, drawing};
 use hodograph_base::diag::{Faults, Warned};
-use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::DiagramKind;
 
 use super::{Entry, Pages, Wanted, page};
 
@@ -12,20 +12,20 @@ pub const MECHANISM: Entry = Entry { name: "mechanism", about: ["The kinematic d
 pub const VELOCITY: Entry = Entry {
     name: "velocity",
     about: ["The velocity polygon", "速度多边形"],
-    draw: |w| page(VELOCITY.name, drawing(w.scene, w.worked, w.options, Level::Velocity)),
+    draw: |w| page(VELOCITY.name, drawing(w.scene, w.worked, w.options, DiagramKind::Velocity)),
 };
 /// The acceleration polygon.
 pub const ACCELERATION: Entry = Entry {
     name: "acceleration",
     about: ["The acceleration polygon", "加速度多边形"],
-    draw: |w| page(ACCELERATION.name, drawing(w.scene, w.worked, w.options, Level::Acceleration)),
+    draw: |w| page(ACCELERATION.name, drawing(w.scene, w.worked, w.options, DiagramKind::Acceleration)),
 };
 
 fn mechanism(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     let figure = if w.extras.any() {
         Some(diagram(w.scene, w.worked, w.options, &w.extras.overlay(w.scene, w.worked)))
     } else {
-        drawing(w.scene, w.worked, w.options, Level::Position)
+        drawing(w.scene, w.worked, w.options, DiagramKind::Plane)
     };
     page(MECHANISM.name, figure)
 }

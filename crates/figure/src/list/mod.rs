@@ -12,8 +12,7 @@ mod results;
 mod sheet;
 
 use hodograph_base::diag::{Faults, Warned};
-use hodograph_mechanism::mechanism::Level;
-use hodograph_scene::{PointId, Scene};
+use hodograph_scene::{DiagramKind, PointId, Scene};
 use hodograph_worked::worked::Worked;
 
 use super::attempts;
@@ -86,8 +85,8 @@ pub struct Wanted<'a> {
 /// What is drawn with the mechanism.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Extras {
-    /// Vectors of this level at its points.
-    pub vectors: Option<Level>,
+    /// Vectors of this polygon at its points.
+    pub vectors: Option<DiagramKind>,
     /// The given lengths as dimensions.
     pub dimensions: bool,
     /// So many positions of the first driver.

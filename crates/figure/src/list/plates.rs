@@ -4,13 +4,13 @@ use crate::arrange::{Tree, put_together};
 use crate::polygon::plates;
 use crate::sheet::Maker;
 use hodograph_base::diag::{Faults, Warned};
-use hodograph_mechanism::mechanism::Level;
 use hodograph_paper::paper::drawing::Part;
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_paper::paper::style::Captioned;
-use hodograph_report::amount::of_level;
+use hodograph_report::amount::scale_formula;
 use hodograph_report::plan::group_set;
+use hodograph_scene::DiagramKind;
 use hodograph_worked::certified::{certify, steps};
 
 use super::{Entry, Pages, Wanted};
@@ -28,20 +28,20 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     let numbers = steps(w.scene, w.worked, None);
     let (writer, lang) = (maker.writer(), w.options.lang);
     let mut pages = Pages::new();
-    for level in Level::RATES {
-        let Some(polygon) = w.worked.construction.polygon(level) else { continue };
+    for on in DiagramKind::POLYGONS {
+        let Some(polygon) = w.worked.construction.polygon(on) else { continue };
         for plate in plates(&w.options.style, &writer, &w.worked.mechanism, polygon) {
             let m = &w.worked.mechanism;
             let group = m.assur_of(w.scene, plate.groups[0]).map(|g| group_set(w.scene, m, &g, lang).label());
-            let words = Phrase::new(&format!("{}{}", maker.name(Captioned::Drawing(level)), tr(lang, ", ", "，"))).label();
+            let words = Phrase::new(&format!("{}{}", maker.name(Captioned::Drawing(on)), tr(lang, ", ", "，"))).label();
             let words = group.into_iter().fold(words, Label::then);
-            let mu = of_level(&w.scene.book, level, plate.mu);
-            let drawn = maker.titled(plate.part, words, &mu, if level == Level::Acceleration { "acc" } else { "vel" });
+            let mu = scale_formula(&w.scene.book, on, plate.mu);
+            let drawn = maker.titled(plate.part, words, &mu, on.prefix());
             let mut parts: Vec<Part> = vec![drawn];
-            parts.extend(maker.tables(&writer, &numbers).parts_of(level, |g| plate.groups.contains(&g)));
+            parts.extend(maker.tables(&writer, &numbers).parts_of(on, |g| plate.groups.contains(&g)));
             let written: Vec<Tree> = (1..parts.len()).map(Tree::Leaf).collect();
             let tree = Tree::row(vec![Tree::Leaf(0), Tree::text_column(written)]);
-            let kind = if level == Level::Acceleration { "acceleration" } else { "velocity" };
+            let kind = on.word();
             let number = pages.iter().filter(|(name, _)| name.starts_with(kind)).count() + 1;
             pages.push((format!("{kind}-{number}"), maker.alone(put_together(tree, parts))));
         }

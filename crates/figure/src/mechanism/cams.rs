@@ -6,13 +6,13 @@ use hodograph_base::cam::{Segment, Station};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::name_label;
 use hodograph_mechanism::answer::Value;
-use hodograph_mechanism::mechanism::{Level, Opened};
+use hodograph_mechanism::mechanism::Opened;
 use hodograph_mechanism::position::Path;
 use hodograph_paper::paper::item::{Dash, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::{LabelRequest, Reads};
 use hodograph_paper::paper::symbols as sym;
-use hodograph_scene::{Asked, Cam, Direction, Follows, GuideId, GuidePath, LinkId, Pieces, PointId, Turning};
+use hodograph_scene::{Asked, Cam, DiagramKind, Direction, Follows, GuideId, GuidePath, LinkId, Pieces, PointId, Turning};
 
 use super::Draft;
 use super::letters::NumberPlace;
@@ -240,7 +240,7 @@ impl Draft<'_> {
 
     /// The sense in which a roller turns, where it is asked for and the velocities are drawn.
     fn spin(&mut self, c: &Cam, centre: Point, radius_mm: f64) {
-        if self.worked.construction.polygon(Level::Velocity).is_none() {
+        if self.worked.construction.polygon(DiagramKind::Velocity).is_none() {
             return;
         }
         let asked =

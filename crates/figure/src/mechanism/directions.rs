@@ -3,7 +3,7 @@
 use super::Draft;
 use hodograph_board::plan::text::Writer;
 use hodograph_paper::paper::item::Shape;
-use hodograph_scene::{GuideId, Lang};
+use hodograph_scene::{DiagramKind, GuideId, Lang};
 
 /// The mark begins beyond the block and is long enough to show a direction.
 const FROM_MM: f64 = 9.0;
@@ -16,7 +16,7 @@ impl Draft<'_> {
         let w = Writer { scene: self.scene, plan, notation: self.notation, lang: Lang::En };
         let named: Vec<(GuideId, String)> = (0..self.scene.guides.len())
             .map(GuideId)
-            .filter(|g| plan.velocity.iter().flat_map(|s| s.steps(0)).any(|s| s.slides_along(*g)))
+            .filter(|g| plan.steps(DiagramKind::Velocity).iter().flat_map(|s| s.steps(0)).any(|s| s.slides_along(*g)))
             .filter_map(|g| Some((g, w.tangent(g)?)))
             .collect();
         for (g, name) in named {

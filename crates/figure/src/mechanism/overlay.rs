@@ -4,16 +4,15 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale;
 use hodograph_board::plan::text::Writer;
 use hodograph_board::plan::{Spot, VertexId};
-use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::Configuration;
-use hodograph_paper::paper::drawing::{Part, prefix};
+use hodograph_paper::paper::drawing::Part;
 use hodograph_paper::paper::item::{Colour, Dash, Shape, Stroke};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::shown::Shown;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
-use hodograph_scene::{PointId, Scene};
+use hodograph_scene::{DiagramKind, PointId, Scene};
 use hodograph_sweep::follow::Follower;
 use hodograph_sweep::points::at_equal_steps;
 use hodograph_worked::worked::{Worked, work_motion};
@@ -32,8 +31,8 @@ const BEHIND: Colour = Colour::grey(150);
 /// What is drawn besides the mechanism.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Overlay {
-    /// Vectors of this level at the points.
-    pub vectors: Option<Level>,
+    /// Vectors of this polygon at the points.
+    pub vectors: Option<DiagramKind>,
     /// Other positions of everything.
     pub poses: Vec<Configuration>,
     /// The given lengths as dimensions.
@@ -74,13 +73,13 @@ impl Overlay {
     pub fn mu(&self, scene: &Scene, worked: &Worked) -> Option<f64> {
         let p = worked.construction.polygon(self.vectors?)?;
         let most = shown(worked, self.vectors?).map(|(_, at)| at).fold([0.0_f64; 2], |[x, y], v| [x.max(v.x.abs()), y.max(v.y.abs())]);
-        Some(scale::choose_in(scene.paper.unit(p.level.kind()), most.map(|mm| mm * p.mu), [VECTOR_MM, VECTOR_MM]))
+        Some(scale::choose_in(scene.paper.unit(p.on.kind()), most.map(|mm| mm * p.mu), [VECTOR_MM, VECTOR_MM]))
     }
 }
 
 /// The points of the mechanism that have a vector on paper, and the vector (mm of the polygon).
-fn shown(worked: &Worked, level: Level) -> impl Iterator<Item = (VertexId, Vec2)> + '_ {
-    let images = worked.construction.polygon(level).into_iter().flat_map(|p| p.images.iter().enumerate());
+fn shown(worked: &Worked, on: DiagramKind) -> impl Iterator<Item = (VertexId, Vec2)> + '_ {
+    let images = worked.construction.polygon(on).into_iter().flat_map(|p| p.images.iter().enumerate());
     images.filter_map(|(v, at)| {
         let vertex = worked.plan.vertex(VertexId(v));
         let own = !vertex.fixed && matches!(vertex.spot, Spot::Point(_));
@@ -156,16 +155,16 @@ impl Draft<'_> {
     }
 
     fn vectors(&mut self, w: &Writer, overlay: &Overlay) {
-        let (Some(level), Some(mu)) = (overlay.vectors, overlay.mu(self.scene, self.worked)) else { return };
-        let Some(p) = self.worked.construction.polygon(level) else { return };
+        let (Some(on), Some(mu)) = (overlay.vectors, overlay.mu(self.scene, self.worked)) else { return };
+        let Some(p) = self.worked.construction.polygon(on) else { return };
         let (worked, style) = (self.worked, self.style);
-        for (v, vector) in shown(worked, level) {
+        for (v, vector) in shown(worked, on) {
             let vector = vector * (p.mu / mu);
             let Some(from) = worked.construction.diagram.spots[v.0].filter(|_| vector.norm() > SHORTEST_MM) else { continue };
             let to = from + vector;
-            let symbol = w.vector(level, v);
-            let key = format!("{}-{}", prefix(if level == Level::Acceleration { "acceleration" } else { "velocity" }), w.vector_key(v));
-            let shown = Shown::vector(w.vector_quantity(level, v), from, to, mu);
+            let symbol = w.vector(on, v);
+            let key = format!("{}-{}", on.prefix(), w.vector_key(v));
+            let shown = Shown::vector(w.vector_quantity(on, v), from, to, mu);
             self.d.of_link(worked.plan.vertex(v).link(self.scene).map(|l| l.0));
             let owner = self.d.vector(&key, "vector", Shape::Arrow { from, to, stroke: style.vector, head: style.head }, shown);
             let request = LabelRequest::along(Label::math(&symbol), style.label_mm, from, to, style.vector.width_mm / 2.0);

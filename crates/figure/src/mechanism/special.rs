@@ -4,9 +4,9 @@ use super::Draft;
 use hodograph_base::geom::Point;
 use hodograph_board::plan::names::{point_label, special_name};
 use hodograph_board::plan::{SpecialLine, Spot};
-use hodograph_mechanism::mechanism::Level;
 use hodograph_paper::paper::item::{Dash, Shape};
 use hodograph_paper::paper::symbols as sym;
+use hodograph_scene::DiagramKind;
 
 /// A special point further from the mechanism than this part of its size is only told in words: drawn, it would make the
 /// mechanism small.
@@ -18,7 +18,7 @@ impl Draft<'_> {
         let worked = self.worked;
         for (v, vertex) in worked.plan.vertices.iter().enumerate() {
             let (Spot::Special(k), Some(at)) = (vertex.spot, worked.construction.diagram.spots[v]) else { continue };
-            let drawn = worked.construction.polygon(Level::Velocity).is_some_and(|p| p.images[v].is_some());
+            let drawn = worked.construction.polygon(DiagramKind::Velocity).is_some_and(|p| p.images[v].is_some());
             if vertex.on.is_some() || !drawn || !self.within_reach(at) {
                 continue;
             }

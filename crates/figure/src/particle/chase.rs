@@ -4,13 +4,13 @@ use super::{Maker, View, step};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::Point;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::particle::board::{Arrow, Drawn, FINE, SIGHTS, Views};
 use hodograph_paper::paper::drawing::{Drawing, Part};
 use hodograph_paper::paper::item::{Colour, Dash, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::symbols as sym;
+use hodograph_scene::DiagramKind;
 
 fn caption(until: f64, meets: bool) -> Both {
     let last = significant(until, if meets { 5 } else { 3 });
@@ -55,7 +55,7 @@ impl Maker<'_> {
         if let Some([_, p]) = course.last().filter(|_| *meets) {
             self.named(&mut d, "P", *p);
         }
-        Some(View { part: d.finish(), caption: caption(*until, *meets), scales: vec![(Level::Position, drawn.mu[0])] })
+        Some(View { part: d.finish(), caption: caption(*until, *meets), scales: vec![(DiagramKind::Plane, drawn.mu[0])] })
     }
 
     /// Pursuer and target at the start, with the way that the target takes.
@@ -70,7 +70,7 @@ impl Maker<'_> {
         self.named(&mut d, &motion.point, a);
         self.named(&mut d, target, b);
         let caption = both!("At the start, $t = 0$, with the path of ${target}$", "$t = 0$ 时的起始位置及 ${target}$ 的轨迹");
-        Some(View { part: d.finish(), caption, scales: vec![(Level::Position, drawn.mu[0])] })
+        Some(View { part: d.finish(), caption, scales: vec![(DiagramKind::Plane, drawn.mu[0])] })
     }
 
     /// The two at the instant and the line between them.
@@ -110,13 +110,16 @@ impl Maker<'_> {
     /// Both polygons from their poles.
     pub fn polygons(&self, drawn: &Drawn) -> Vec<View> {
         let Views::Chase { velocities, foot, accelerations, .. } = &drawn.views else { return Vec::new() };
-        vec![self.polygon(drawn, Level::Velocity, velocities, Some(*foot)), self.polygon(drawn, Level::Acceleration, accelerations, None)]
+        vec![
+            self.polygon(drawn, DiagramKind::Velocity, velocities, Some(*foot)),
+            self.polygon(drawn, DiagramKind::Acceleration, accelerations, None),
+        ]
     }
 
-    fn polygon(&self, drawn: &Drawn, level: Level, arrows: &[Arrow], foot: Option<Point>) -> View {
+    fn polygon(&self, drawn: &Drawn, on: DiagramKind, arrows: &[Arrow], foot: Option<Point>) -> View {
         let style = self.style;
         let mut d = Drawing::new("polygon", style.clone());
-        let prime = if level == Level::Acceleration { "'" } else { "" };
+        let prime = on.prime();
         let pole = format!("{}{prime}", self.notation().pole);
         for a in arrows {
             self.arrow(&mut d, a);
@@ -136,10 +139,10 @@ impl Maker<'_> {
         }
         d.draw("pole", "pole", sym::dot(style, Point::ORIGIN));
         d.label_at("pole", "pole", &pole, Point::ORIGIN, style.dot_radius_mm, None);
-        let (caption, mu) = match level {
-            Level::Acceleration => (both!("Acceleration of the pursuer", "追踪点的加速度"), drawn.mu[2]),
-            Level::Position | Level::Velocity => (both!("Velocities at the instant", "此瞬时的速度"), drawn.mu[1]),
+        let (caption, mu) = match on {
+            DiagramKind::Acceleration => (both!("Acceleration of the pursuer", "追踪点的加速度"), drawn.mu[2]),
+            DiagramKind::Plane | DiagramKind::Velocity => (both!("Velocities at the instant", "此瞬时的速度"), drawn.mu[1]),
         };
-        View { part: d.finish(), caption, scales: vec![(level, mu)] }
+        View { part: d.finish(), caption, scales: vec![(on, mu)] }
     }
 }

@@ -3,7 +3,6 @@
 use super::{Maker, View, step};
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::particle::Kind;
 use hodograph_methods::particle::board::{Arrow, Drawn, Views};
 use hodograph_methods::particle::law::Way;
@@ -12,13 +11,14 @@ use hodograph_paper::paper::item::{Colour, Dash, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::symbols as sym;
+use hodograph_scene::DiagramKind;
 
 /// A plate seen on its edge lies behind the vectors along it.
 const PLATE: Colour = Colour::grey(175);
 
 impl Maker<'_> {
     /// The view on the plate: its axis upward, the path, v_r or a_r at the point.
-    pub(super) fn on_plate(&self, drawn: &Drawn, level: Level, arrows: &[Arrow]) -> Result<View, Diagnostic> {
+    pub(super) fn on_plate(&self, drawn: &Drawn, on: DiagramKind, arrows: &[Arrow]) -> Result<View, Diagnostic> {
         let style = self.style;
         let mut d = Drawing::new("front", style.clone());
         let motion = &self.problem.motions[drawn.motion];
@@ -45,11 +45,11 @@ impl Maker<'_> {
         }
         self.named(&mut d, &motion.point, m);
         d.label("link", "link", LabelRequest::at_point(Label::math(&plate.link), style.label_mm, sheet[1] + Vec2::new(-5.0, 5.0), 0.0));
-        let caption = match level {
-            Level::Position => both!("View on the plate", "板面视图"),
-            Level::Velocity | Level::Acceleration => both!("View on the plate (calculated)", "板面视图（计算所得）"),
+        let caption = match on {
+            DiagramKind::Plane => both!("View on the plate", "板面视图"),
+            DiagramKind::Velocity | DiagramKind::Acceleration => both!("View on the plate (calculated)", "板面视图（计算所得）"),
         };
-        Ok(View { part: d.finish(), caption, scales: self.scales(drawn, level) })
+        Ok(View { part: d.finish(), caption, scales: self.scales(drawn, on) })
     }
 
     /// The path on the plate in millimetres: a line beyond the point and its beginning, a whole circle, a stretch of another way.
@@ -83,7 +83,7 @@ impl Maker<'_> {
     }
 
     /// The view along the axis: the plate as a line, and all that is square to the axis.
-    pub(super) fn along_axis(&self, drawn: &Drawn, level: Level, arrows: &[Arrow]) -> View {
+    pub(super) fn along_axis(&self, drawn: &Drawn, on: DiagramKind, arrows: &[Arrow]) -> View {
         let style = self.style;
         let mut d = Drawing::new("top", style.clone());
         let motion = &self.problem.motions[drawn.motion];
@@ -133,7 +133,7 @@ impl Maker<'_> {
             );
             d.label("omega", "rotation", ring.owned(owner));
         }
-        if let (Level::Velocity, [one, other, whole]) = (level, arrows) {
+        if let (DiagramKind::Velocity, [one, other, whole]) = (on, arrows) {
             for from in [one.to, other.to] {
                 self.line(&mut d, &format!("parallelogram {}", step(1)), vec![from, whole.to], style.thin.dashed(Dash::Dashed));
             }
@@ -142,12 +142,12 @@ impl Maker<'_> {
             self.arrow(&mut d, a);
         }
         self.named(&mut d, &motion.point, m);
-        let caption = match level {
-            Level::Position => both!("View along the axis", "沿轴视图"),
-            Level::Velocity | Level::Acceleration => {
+        let caption = match on {
+            DiagramKind::Plane => both!("View along the axis", "沿轴视图"),
+            DiagramKind::Velocity | DiagramKind::Acceleration => {
                 both!("View along the axis (calculated; $v'$, $a'$ as they are seen there)", "沿轴视图（计算所得；$v'$、$a'$ 为其投影）")
             }
         };
-        View { part: d.finish(), caption, scales: self.scales(drawn, level) }
+        View { part: d.finish(), caption, scales: self.scales(drawn, on) }
     }
 }

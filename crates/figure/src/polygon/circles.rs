@@ -113,8 +113,7 @@ mod tests {
     use super::*;
     use hodograph_board::plan::notation::Notation;
     use hodograph_board::plan::text::Writer;
-    use hodograph_mechanism::mechanism::Level;
-    use hodograph_scene::{Lang, read};
+    use hodograph_scene::{DiagramKind, Lang, read};
     use hodograph_worked::worked::{Scope, work};
 
     /// A planet on a sun that turns, inside a ring that turns: all circles but that of the arm.
@@ -126,12 +125,12 @@ mod tests {
         "find": ["omega_2", "omega_3", "alpha_2", "alpha_3", "a_K3", "a_K4", "a_E3", "a_E5"]}"#;
 
     /// For each circle of a polygon: link, centre, image of the contact, radius; and the polygon's scale.
-    fn circles(text: &str, level: Level) -> (Vec<(String, Circle)>, f64) {
+    fn circles(text: &str, on: DiagramKind) -> (Vec<(String, Circle)>, f64) {
         let scene = read(text).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let notation = Notation::of_language(Lang::En);
         let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
-        let p = worked.construction.polygon(level).unwrap();
+        let p = worked.construction.polygon(on).unwrap();
         let all = Draft::of(&w, p).image_circles();
         (all.into_iter().map(|c| (scene.link_name(c.link).to_owned(), c)).collect(), p.mu)
     }
@@ -140,21 +139,21 @@ mod tests {
     fn radii_are_those_of_the_motion() {
         let (r, omega, alpha) = ([0.04, 0.03, 0.1], [7.0_f64, -8.0, -2.0], [-3.0_f64, 26.0 / 3.0, 4.0]);
         let index = |name: &str| ["4", "3", "5"].iter().position(|n| *n == name).unwrap();
-        for level in Level::RATES {
-            let (all, mu) = circles(DIFFERENTIAL, level);
+        for on in DiagramKind::POLYGONS {
+            let (all, mu) = circles(DIFFERENTIAL, on);
             assert_eq!(all.len(), 3, "sun, planet (once for two contacts), ring");
             for (name, c) in all {
                 let k = index(&name);
-                let rate = if level == Level::Velocity { omega[k].abs() } else { (alpha[k].powi(2) + omega[k].powi(4)).sqrt() };
+                let rate = if on == DiagramKind::Velocity { omega[k].abs() } else { (alpha[k].powi(2) + omega[k].powi(4)).sqrt() };
                 let wanted = rate * r[k] / mu;
-                assert!((c.radius_mm() - wanted).abs() < 1e-9 * wanted, "{name} at {level:?}: {} and not {wanted}", c.radius_mm());
+                assert!((c.radius_mm() - wanted).abs() < 1e-9 * wanted, "{name} at {on:?}: {} and not {wanted}", c.radius_mm());
             }
         }
     }
 
     #[test]
     fn in_velocities_those_of_a_pair_touch() {
-        let (all, _) = circles(DIFFERENTIAL, Level::Velocity);
+        let (all, _) = circles(DIFFERENTIAL, DiagramKind::Velocity);
         let of = |name: &str| all.iter().find(|(n, _)| n == name).map(|(_, c)| (c.centre, c.radius_mm())).unwrap();
         let ((o, sun), (q, planet), (_, ring)) = (of("4"), of("3"), of("5"));
         let apart = o.distance(q);
@@ -165,7 +164,7 @@ mod tests {
 
     #[test]
     fn a_circle_that_would_swamp_the_polygon_is_an_arc() {
-        let (all, _) = circles(DIFFERENTIAL, Level::Velocity);
+        let (all, _) = circles(DIFFERENTIAL, DiagramKind::Velocity);
         assert!(all.iter().any(|(_, c)| c.whole) && all.iter().all(|(_, c)| c.whole || 2.0 * c.radius_mm() > c.radius_mm() * LARGEST));
     }
 }

@@ -6,7 +6,7 @@ use hodograph_paper::paper::drawing::Drawing;
 use hodograph_paper::paper::item::{Anchor, Colour, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::style::Style;
-use hodograph_report::amount::of_level;
+use hodograph_report::amount::scale_formula;
 
 use super::names::Shown;
 use super::{Draft, SAME_MM, ZERO_MM, middle};
@@ -100,8 +100,7 @@ impl Draft<'_> {
         let ends: Vec<Point> = arrows.iter().flat_map(|k| [self.arrows[*k].from, self.arrows[*k].to]).collect();
         let (lo, hi) = around(ends.iter().copied());
         let size = hi - lo;
-        let mu =
-            scale::choose_in(self.w.scene.book.size(self.p.level.kind()), [size.x * self.p.mu, size.y * self.p.mu], [ROOM_MM, ROOM_MM]);
+        let mu = scale::choose_in(self.w.scene.book.size(self.p.on.kind()), [size.x * self.p.mu, size.y * self.p.mu], [ROOM_MM, ROOM_MM]);
         let times = self.p.mu / mu;
         if !(times.is_finite() && times >= LEAST) {
             return None;
@@ -169,7 +168,7 @@ impl Draft<'_> {
                 d.label_at(&name, &format!("inset {}", l.class(k)), &l.names.join(", "), at, 0.3, (at - inner).unit());
             }
         }
-        let mu = of_level(&self.w.scene.book, self.p.level, inset.mu);
+        let mu = scale_formula(&self.w.scene.book, self.p.on, inset.mu);
         let at = inset.at - Vec2::new(0.0, inset.outer_mm() + style.small_mm + 0.8);
         let label = Shape::Label { at, label: Label::math(mu), size_mm: style.small_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
         d.shape("inset-scale", &class, label);

@@ -4,9 +4,9 @@ use hodograph_base::geom::Point;
 use hodograph_board::construct::{Mark, Polygon};
 use hodograph_board::plan::VertexId;
 use hodograph_board::plan::text::Writer;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_paper::paper::drawing::id;
 use hodograph_paper::paper::shown::Shown;
+use hodograph_scene::DiagramKind;
 
 /// All marks of a polygon between which something can be measured, each once: the pole, images, ends of parts.
 pub(super) fn marks(w: &Writer, p: &Polygon) -> Vec<(Mark, Point)> {
@@ -21,30 +21,30 @@ pub(super) fn marks(w: &Writer, p: &Polygon) -> Vec<(Mark, Point)> {
 }
 
 /// The key of a mark: `pole`, `image-B`, `normal-C-B`.
-pub(super) fn key(w: &Writer, level: Level, mark: &Mark) -> String {
+pub(super) fn key(w: &Writer, on: DiagramKind, mark: &Mark) -> String {
     match mark {
         Mark::Pole => "pole".into(),
         Mark::Image(v) if w.plan.vertex(*v).fixed => "pole".into(),
         Mark::Image(v) => w.vector_key(*v).replacen("abs", "image", 1),
-        Mark::Part(t) => w.key(level, t),
-        Mark::Again(t) => format!("again-{}", w.key(level, t)),
+        Mark::Part(t) => w.key(on, t),
+        Mark::Again(t) => format!("again-{}", w.key(on, t)),
     }
 }
 
 /// The quantity of a mark: the vector that ends there.
-pub(super) fn shown_by(w: &Writer, level: Level, mark: &Mark) -> Shown {
-    let pole = || if level == Level::Acceleration { "pole-a" } else { "pole-v" }.to_owned();
+pub(super) fn shown_by(w: &Writer, on: DiagramKind, mark: &Mark) -> Shown {
+    let pole = || format!("pole-{}", on.letter());
     Shown::mark(match mark {
         Mark::Pole => pole(),
         Mark::Image(v) if w.plan.vertex(*v).fixed => pole(),
-        Mark::Image(v) => w.vector_quantity(level, *v),
-        Mark::Part(t) => w.quantity(level, t),
-        Mark::Again(t) => format!("{}-again", w.quantity(level, t)),
+        Mark::Image(v) => w.vector_quantity(on, *v),
+        Mark::Part(t) => w.quantity(on, t),
+        Mark::Again(t) => format!("{}-again", w.quantity(on, t)),
     })
 }
 
 /// The id of a mark's element in the SVG: `acc-mark-normal-C-B`.
-pub fn mark_id(w: &Writer, level: Level, mark: &Mark) -> String {
-    let kind = if level == Level::Acceleration { "acceleration" } else { "velocity" };
-    id(kind, &format!("mark-{}", key(w, level, mark)))
+pub fn mark_id(w: &Writer, on: DiagramKind, mark: &Mark) -> String {
+    let kind = on.word();
+    id(kind, &format!("mark-{}", key(w, on, mark)))
 }

@@ -16,7 +16,6 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::{Action, Mark, Polygon};
 use hodograph_board::plan::text::Writer;
 use hodograph_board::plan::{Body, By, Spot, Step, Term, TermKind, VertexId};
-use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::quantity::Meaning;
 
 use hodograph_paper::paper::drawing::{Drawing, Part};
@@ -87,7 +86,7 @@ pub fn polygon(style: &Style, w: &Writer, p: &Polygon) -> Part {
     let (mut draft, style) = Draft::new(style, w, p, false);
     draft.side_by_side(style.vector.width_mm);
     let finished = |mut drawing: Drawing| {
-        marks(w, p).iter().for_each(|(mark, at)| drawing.mark(&marks::key(w, p.level, mark), shown_by(w, p.level, mark), *at));
+        marks(w, p).iter().for_each(|(mark, at)| drawing.mark(&marks::key(w, p.on, mark), shown_by(w, p.on, mark), *at));
         drawing.finish()
     };
     let (drawing, names) = draft.draw(&style, &[]);
@@ -134,14 +133,14 @@ impl<'a> Draft<'a> {
 impl Draft<'_> {
     /// Symbols of the vectors from the pole that a question asks for or an equation starts with.
     fn needed(&self) -> Vec<String> {
-        let (w, level) = (self.w, self.p.level);
-        let asked = w.scene.find.iter().filter(|f| f.what.level() == level).filter_map(|f| match f.what.meaning(w.scene)? {
+        let (w, on) = (self.w, self.p.on);
+        let asked = w.scene.find.iter().filter(|f| f.what.diagram() == on).filter_map(|f| match f.what.meaning(w.scene)? {
             Meaning::Vector(p) => w.plan.find_vertex(w.scene, p.point, p.link),
             Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Turning(..) | Meaning::Ratio(..) | Meaning::Place(_) => None,
         });
-        let steps = w.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
+        let steps = w.plan.steps(on).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
         let starts = steps.flat_map(Step::chains).map(|c| c.start);
-        asked.chain(starts).map(|v| w.vector(level, v)).collect()
+        asked.chain(starts).map(|v| w.vector(on, v)).collect()
     }
 
     /// Goes through the board's actions.
@@ -164,9 +163,9 @@ impl Draft<'_> {
                     self.image(*target, step);
                 }
                 Action::Nothing { terms, at, target } => {
-                    let symbols = terms.iter().map(|t| format!("{} = ", self.w.symbol(p.level, t)));
+                    let symbols = terms.iter().map(|t| format!("{} = ", self.w.symbol(p.on, t)));
                     let note = format!("{}0", symbols.collect::<String>());
-                    self.zeros.push(Zero { at: *at, key: Name::sum(self.w, p.level, terms).key, note, step });
+                    self.zeros.push(Zero { at: *at, key: Name::sum(self.w, p.on, terms).key, note, step });
                     target.iter().for_each(|v| self.image(*v, step));
                 }
                 Action::Reach(v) | Action::Same { target: v, .. } => self.image(*v, step),
@@ -189,7 +188,7 @@ impl Draft<'_> {
 
     fn edge(&mut self, index: usize, step: usize) {
         let edge = &self.p.edges[index];
-        let name = Name::sum(self.w, self.p.level, &edge.terms);
+        let name = Name::sum(self.w, self.p.on, &edge.terms);
         if edge.from.1.distance(edge.to.1) < ZERO_MM {
             let sign = self.zero_sign(edge.from.1.distance(edge.to.1));
             let note = format!("{} {sign} 0", name.symbol);
@@ -265,7 +264,7 @@ impl Draft<'_> {
         if matches!(vertex.spot, Spot::Special(_)) {
             return;
         }
-        let name = Name::whole(self.w, self.p.level, v);
+        let name = Name::whole(self.w, self.p.on, v);
         if at.distance(Point::ORIGIN) >= ZERO_MM {
             self.arrow((Point::ORIGIN, at), name, "absolute", step, self.w.plan.vertex(v).link(self.w.scene).map(|l| l.0));
         } else if !self.zeros.iter().any(|zero| zero.note.starts_with(&name.symbol)) {
@@ -282,10 +281,7 @@ impl Draft<'_> {
 
     /// Draws everything; for each arrow the name of its label. What is named in an inset is not named in the polygon.
     fn draw(&self, style: &Style, insets: &[Inset]) -> (Drawing, Vec<String>) {
-        let kind = match self.p.level {
-            Level::Acceleration => "acceleration",
-            Level::Position | Level::Velocity => "velocity",
-        };
+        let kind = self.p.on.word();
         let mut d = Drawing::new(kind, style.clone());
         let middle = middle(self.letters.iter().map(|l| l.at));
         for (from, to, step) in &self.lines {
@@ -383,19 +379,19 @@ fn covers((a, b): (Point, Point), p: Point) -> bool {
 mod tests {
     use super::*;
     use hodograph_board::plan::notation::Notation;
-    use hodograph_scene::{Lang, read, templates};
+    use hodograph_scene::{DiagramKind, Lang, read, templates};
     use hodograph_worked::worked::{Scope, work};
 
-    fn drawn(name: &str, level: Level) -> Vec<(String, Shape)> {
-        drawn_of(templates::get(name).unwrap(), level)
+    fn drawn(name: &str, on: DiagramKind) -> Vec<(String, Shape)> {
+        drawn_of(templates::get(name).unwrap(), on)
     }
 
-    fn drawn_of(text: &str, level: Level) -> Vec<(String, Shape)> {
+    fn drawn_of(text: &str, on: DiagramKind) -> Vec<(String, Shape)> {
         let scene = read(text).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let notation = Notation::of_language(Lang::En);
         let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
-        let part = polygon(&Style::default(), &w, worked.construction.polygon(level).unwrap());
+        let part = polygon(&Style::default(), &w, worked.construction.polygon(on).unwrap());
         part.items.into_iter().map(|i| (i.id, i.shape)).collect()
     }
 
@@ -405,7 +401,7 @@ mod tests {
 
     #[test]
     fn a_vector_that_is_an_edge_is_drawn_once() {
-        let mut names = drawn("offset-slider-crank", Level::Velocity);
+        let mut names = drawn("offset-slider-crank", DiagramKind::Velocity);
         names.sort_by(|a, b| a.0.cmp(&b.0));
         // v_B and v_C are edges from the pole; v_S is found by an image and has its arrow from the pole.
         assert_eq!(arrows(&names), ["vel-abs-B", "vel-abs-C", "vel-abs-S", "vel-rel-C-B"]);
@@ -413,7 +409,7 @@ mod tests {
 
     #[test]
     fn vectors_of_no_length_are_noted() {
-        let items = drawn("parallelogram", Level::Velocity);
+        let items = drawn("parallelogram", DiagramKind::Velocity);
         let note = |s: &Shape| matches!(s, Shape::Label { label, .. } if label.source() == "v_{CB} = 0");
         assert!(items.iter().any(|(_, s)| note(s)));
         assert!(!arrows(&items).iter().any(|a| a.contains("C-B")));
@@ -424,8 +420,8 @@ mod tests {
     #[test]
     fn a_mechanism_at_rest_has_its_pole_and_nothing_else() {
         let still = templates::instantiate("crank-rocker", &[("omega_1", "0 rad/s")]).unwrap();
-        for (level, letters) in [(Level::Velocity, "o, b, c, e"), (Level::Acceleration, "o', b', c', e'")] {
-            let items = drawn_of(&still, level);
+        for (on, letters) in [(DiagramKind::Velocity, "o, b, c, e"), (DiagramKind::Acceleration, "o', b', c', e'")] {
+            let items = drawn_of(&still, on);
             let labels: Vec<&str> =
                 items.iter().filter_map(|(_, s)| if let Shape::Label { label, .. } = s { Some(label.source()) } else { None }).collect();
             assert_eq!(labels, [letters]);
@@ -435,7 +431,7 @@ mod tests {
 
     #[test]
     fn three_points_of_a_link_show_their_image() {
-        let items = drawn("crank-rocker", Level::Velocity);
+        let items = drawn("crank-rocker", DiagramKind::Velocity);
         // b–c is an edge already: the triangle needs two more lines.
         assert_eq!(items.iter().filter(|(id, _)| id.starts_with("vel-image")).count(), 2);
     }

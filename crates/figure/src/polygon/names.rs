@@ -7,13 +7,13 @@ use hodograph_base::geom::Point;
 use hodograph_board::construct::Mark;
 use hodograph_board::plan::text::Writer;
 use hodograph_board::plan::{Term, VertexId};
-use hodograph_mechanism::mechanism::Level;
 use hodograph_paper::paper::drawing::Drawing;
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::shown::{Length, Shown as Quantity};
 use hodograph_paper::paper::style::Style;
 use hodograph_report::construction::mark as mark_name;
+use hodograph_scene::DiagramKind;
 
 use super::marks;
 use super::{Arrow, Draft, LABEL_ROOM_MM, covers, is_one};
@@ -38,18 +38,14 @@ impl PartialEq for Name {
 
 impl Name {
     /// That of a vector from the pole.
-    pub fn whole(w: &Writer, level: Level, v: VertexId) -> Name {
-        Name { symbol: w.vector(level, v), key: w.vector_key(v), quantity: w.vector_quantity(level, v) }
+    pub fn whole(w: &Writer, on: DiagramKind, v: VertexId) -> Name {
+        Name { symbol: w.vector(on, v), key: w.vector_key(v), quantity: w.vector_quantity(on, v) }
     }
 
     /// That of terms drawn as one.
-    pub fn sum(w: &Writer, level: Level, terms: &[Term]) -> Name {
+    pub fn sum(w: &Writer, on: DiagramKind, terms: &[Term]) -> Name {
         let all = |of: &dyn Fn(&Term) -> String, sign: &str| terms.iter().map(of).collect::<Vec<_>>().join(sign);
-        Name {
-            symbol: all(&|t| w.symbol(level, t), " + "),
-            key: all(&|t| w.key(level, t), "-and-"),
-            quantity: all(&|t| w.quantity(level, t), "+"),
-        }
+        Name { symbol: all(&|t| w.symbol(on, t), " + "), key: all(&|t| w.key(on, t), "-and-"), quantity: all(&|t| w.quantity(on, t), "+") }
     }
 }
 
@@ -95,7 +91,7 @@ pub(super) struct Shown {
 impl Draft<'_> {
     /// Marks a point, once.
     pub(super) fn letter(&mut self, at: Point, mark: Mark, step: usize) {
-        let (name, key) = (mark_name(self.w, self.p.level, &mark), marks::key(self.w, self.p.level, &mark));
+        let (name, key) = (mark_name(self.w, self.p.on, &mark), marks::key(self.w, self.p.on, &mark));
         if !self.letters.iter().any(|l| l.name == name && is_one(l.at, at)) {
             self.letters.push(Letter { at, name, key, step });
         }

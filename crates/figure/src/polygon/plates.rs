@@ -100,7 +100,7 @@ pub fn is_full_share(w: &Writer, p: &Polygon, share: Share) -> bool {
 /// The groups that start a plate, each with the pins behind it that only sit on its links.
 fn heads(w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<Vec<usize>> {
     let mut heads: Vec<Vec<usize>> = Vec::new();
-    for group in w.plan.steps(p.level).iter().map(|g| g.group) {
+    for group in w.plan.steps(p.on).iter().map(|g| g.group) {
         match heads.last_mut() {
             Some(head) if mechanism.groups[group].is_carried() => head.push(group),
             _ => heads.push(vec![group]),
@@ -129,7 +129,7 @@ fn plate(style: &Style, w: &Writer, p: &Polygon, mine: &dyn Fn(usize) -> bool) -
         let all = ends.iter().map(f);
         all.clone().fold(f64::NEG_INFINITY, f64::max) - all.fold(f64::INFINITY, f64::min)
     };
-    let mu = scale::choose_in(w.scene.book.size(p.level.kind()), [over(|q| q.x) * p.mu, over(|q| q.y) * p.mu], ROOM_MM);
+    let mu = scale::choose_in(w.scene.book.size(p.on.kind()), [over(|q| q.x) * p.mu, over(|q| q.y) * p.mu], ROOM_MM);
     let own = p.to_scale(mu);
     let mut draft = Draft::of(w, &own).only(mine)?;
     draft.side_by_side(style.vector.width_mm);
@@ -143,7 +143,7 @@ fn plate(style: &Style, w: &Writer, p: &Polygon, mine: &dyn Fn(usize) -> bool) -
 /// The group whose image each action finds, or serves to find; what reads between images belongs to the group before.
 fn groups_of_actions(w: &Writer, p: &Polygon) -> Vec<Option<usize>> {
     let mut of: HashMap<VertexId, usize> = HashMap::new();
-    for GroupSteps { group, alternatives, further, .. } in w.plan.steps(p.level) {
+    for GroupSteps { group, alternatives, further, .. } in w.plan.steps(p.on) {
         for step in alternatives.iter().flatten().chain(further) {
             let (Step::Equation { target, .. } | Step::Image { target, .. } | Step::Same { target, .. }) = step;
             of.entry(*target).or_insert(*group);

@@ -10,40 +10,21 @@ use crate::{mechanism, polygon};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::Polygon;
 use hodograph_board::plan::text::Writer;
-use hodograph_mechanism::mechanism::Level;
-use hodograph_paper::paper::drawing::{Drawing, Habits, Part, prefix};
+use hodograph_paper::paper::drawing::{Drawing, Habits, Part};
 use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::item::{Anchor, Colour, Dash, Item, Shape, Stroke};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::shown::escaped;
-use hodograph_scene::Scene;
+use hodograph_scene::{DiagramKind, Scene};
 use hodograph_worked::worked::Worked;
 
 /// Curves behind polygons stand back.
 const BEHIND: Colour = Colour::grey(150);
 
-/// What a column shows.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Shows {
-    Mechanism,
-    Polygon(Level),
-}
-
-impl Shows {
-    /// In one word, for names.
-    fn word(self) -> &'static str {
-        match self {
-            Shows::Mechanism => "mechanism",
-            Shows::Polygon(Level::Acceleration) => "acceleration",
-            Shows::Polygon(Level::Velocity | Level::Position) => "velocity",
-        }
-    }
-}
-
-/// A column: a drawing for each row, and the box that holds each of them with ground or pole at one place.
+/// A column: a diagram for each row, and the box that holds each of them with ground or pole at one place.
 pub(super) struct Column {
-    pub shows: Shows,
+    pub on: DiagramKind,
     pub parts: Vec<Part>,
     pub bounds: Rect,
 }
@@ -51,32 +32,30 @@ pub(super) struct Column {
 impl Table<'_> {
     /// The columns that the scales allow.
     pub(super) fn columns(&self) -> Vec<Column> {
-        let levels = Level::RATES.into_iter().filter(|level| self.scales.mu.get(level.kind()).is_some());
-        let shows = std::iter::once(Shows::Mechanism).chain(levels.map(Shows::Polygon));
-        shows
-            .map(|shows| {
-                let parts = self.parts(shows);
+        let drawn = DiagramKind::ALL.into_iter().filter(|on| self.scales.mu.get(on.kind()).is_some());
+        drawn
+            .map(|on| {
+                let parts = self.parts(on);
                 let all = parts.iter().filter(|p| !p.items.is_empty()).map(|p| p.bounds).reduce(Rect::union);
-                Column { shows, parts, bounds: all.unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)) }
+                Column { on, parts, bounds: all.unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)) }
             })
             .collect()
     }
 
     /// A row's polygon, where it is on the paper, and who writes its letters.
-    fn polygon<'a>(&'a self, row: &'a Row, shows: Shows) -> Option<(Writer<'a>, &'a Polygon)> {
-        let Shows::Polygon(level) = shows else { return None };
-        let shown = !row.unbounded() && row.shown[usize::from(level == Level::Acceleration)];
-        let p = row.worked.construction.polygon(level).filter(|_| shown)?;
+    fn polygon<'a>(&'a self, row: &'a Row, on: DiagramKind) -> Option<(Writer<'a>, &'a Polygon)> {
+        let shown = !row.unbounded() && row.shown.contains(&on);
+        let p = row.worked.construction.polygon(on).filter(|_| shown)?;
         let Options { notation, lang, .. } = self.options;
         Some((Writer { scene: &row.scene, plan: &row.worked.plan, notation, lang: *lang }, p))
     }
 
-    fn parts(&self, shows: Shows) -> Vec<Part> {
+    fn parts(&self, on: DiagramKind) -> Vec<Part> {
         let Options { style, notation, .. } = self.options;
         let poses: Vec<(&Scene, &Worked)> = self.rows.iter().map(|r| (&r.scene, &r.worked)).collect();
         let courses = courses(&poses, style, notation);
-        let behind = self.behind(shows);
-        let full = self.rows.iter().filter_map(|row| self.polygon(row, shows)).any(|(w, p)| polygon::is_full(&w, p));
+        let behind = self.behind(on);
+        let full = self.rows.iter().filter_map(|row| self.polygon(row, on)).any(|(w, p)| polygon::is_full(&w, p));
         let (mut habits, mut of_polygon) = (Habits::new(), Habits::new());
         let mut parts = Vec::new();
         let mut named = false;
@@ -88,8 +67,8 @@ impl Table<'_> {
             drawing
         };
         for (k, row) in self.rows.iter().enumerate() {
-            let mut part = match shows {
-                Shows::Mechanism => {
+            let mut part = match on {
+                DiagramKind::Plane => {
                     let drawing = with_names(mechanism::drawing(style, &row.scene, &row.worked, notation, &courses[k]), true);
                     let mut part = drawing.finish_after(&mut habits);
                     // The diagram's origin may be a point that moves.
@@ -97,7 +76,7 @@ impl Table<'_> {
                     part.translate((here.origin - first.origin) * (1.0 / first.mu));
                     part
                 }
-                Shows::Polygon(_) => match self.polygon(row, shows) {
+                DiagramKind::Velocity | DiagramKind::Acceleration => match self.polygon(row, on) {
                     // An inset would take more room than the pose.
                     Some((w, p)) if self.still => polygon::drawing(style, &w, p, full).finish_after(&mut of_polygon),
                     Some((w, p)) => with_names(polygon::drawing(style, &w, p, full), has_room(p)).finish(),
@@ -108,7 +87,7 @@ impl Table<'_> {
                 part = Part::of(behind.iter().cloned().chain(part.items).collect());
             }
             for item in &mut part.items {
-                let word = if item.id == "absent" { format!("absent-{}", shows.word()) } else { item.id.clone() };
+                let word = if item.id == "absent" { format!("absent-{}", on.word()) } else { item.id.clone() };
                 item.id = format!("pose-{}-{word}", k + 1);
             }
             parts.push(part);
@@ -130,23 +109,22 @@ impl Table<'_> {
     }
 
     /// Paths behind the mechanism, hodographs behind the polygons: they are the same in all rows.
-    fn behind(&self, shows: Shows) -> Vec<Item> {
+    fn behind(&self, on: DiagramKind) -> Vec<Item> {
         let (Some(moved), Some(first)) = (self.moved, self.rows.first()) else { return Vec::new() };
         let stroke = Stroke { dash: Dash::Solid, ..self.options.style.thin.coloured(BEHIND) };
         let mut items = Vec::new();
         for (k, point) in moved.points.iter().enumerate() {
             let name = first.scene.point_name(*point);
-            let lines: Vec<Vec<Point>> = match shows {
-                Shows::Mechanism => {
+            let lines: Vec<Vec<Point>> = match on {
+                DiagramKind::Plane => {
                     let diagram = &first.worked.construction.diagram;
                     let paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu)).to_point();
                     let places = moved.moments.iter().chain(moved.moments.first().filter(|_| moved.full));
                     vec![places.filter_map(|m| m.configuration.points[point.0]).map(paper).collect()]
                 }
-                Shows::Polygon(level) => {
-                    let l = usize::from(level == Level::Acceleration);
-                    let Some(mu) = self.scales.mu.get(level.kind()) else { continue };
-                    let curve: Vec<Option<Vec2>> = moved.moments.iter().map(|m| m.vectors[k][l]).collect();
+                DiagramKind::Velocity | DiagramKind::Acceleration => {
+                    let Some(mu) = self.scales.mu.get(on.kind()) else { continue };
+                    let curve: Vec<Option<Vec2>> = moved.moments.iter().map(|m| m.vector(k, on.level())).collect();
                     let paper = |v: &Vec2| (*v * (1.0 / mu)).to_point();
                     // As far as the polygons reach.
                     let most = self.scales.longest_mm() * mu;
@@ -155,7 +133,7 @@ impl Table<'_> {
             };
             for (n, points) in lines.into_iter().enumerate() {
                 let shape = Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None };
-                items.push(Item::new("curve", shape).with_id(format!("{}-curve-{}-{n}", prefix(shows.word()), escaped(name))));
+                items.push(Item::new("curve", shape).with_id(format!("{}-curve-{}-{n}", on.prefix(), escaped(name))));
             }
         }
         items

@@ -13,8 +13,7 @@ pub use turn::{Turn, turn};
 use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
 use hodograph_base::geom::Point;
 use hodograph_board::construct::scale::Boxes;
-use hodograph_mechanism::mechanism::Level;
-use hodograph_scene::{PointId, Scene, Swept};
+use hodograph_scene::{DiagramKind, PointId, Scene, Swept};
 use hodograph_sweep::follow::{Follower, Pose};
 use hodograph_sweep::points::{Motion, at_equal_steps, motion};
 use hodograph_sweep::station;
@@ -97,7 +96,7 @@ impl Poses {
                 scales.fix(&mut scene.paper);
                 let Worked { mechanism, demand, configuration, .. } = trial;
                 let worked = work_placed(&scene, mechanism.clone(), demand.clone(), configuration.clone()).ok()?.value;
-                let shown = Level::RATES.map(|level| scales.holds(trial, level));
+                let shown = DiagramKind::POLYGONS.into_iter().filter(|on| scales.holds(trial, *on)).collect();
                 Some(Row { scene, worked, shown, end, place: now + pose.travel })
             })
             .collect();
@@ -141,7 +140,7 @@ impl Poses {
 struct Row {
     scene: Scene,
     worked: Worked,
-    shown: [bool; 2],
+    shown: Vec<DiagramKind>,
     /// Whether the driver can go no farther: then nothing but the driver has a vector, and that is no polygon.
     end: bool,
     /// Where that stands which moves (rad, m or s).

@@ -1,6 +1,6 @@
 //! How the rows of a sheet of poses make pages: how many stand side by side, their rules, heads and names.
 
-use super::cells::{Column, Shows};
+use super::cells::Column;
 use super::{Table, text};
 use crate::path::turned;
 use crate::plot::over;
@@ -8,13 +8,12 @@ use crate::sheet::{MARGIN_MM, Maker, swept_symbol};
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_mechanism::mechanism::Level;
 use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::item::{Anchor, Figure, Item, Shape, Stroke};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::{Phrase, fill, formula, tr};
-use hodograph_report::amount::of_level;
-use hodograph_scene::Kind;
+use hodograph_report::amount::scale_formula;
+use hodograph_scene::{DiagramKind, Kind};
 
 /// Air around a drawing in its cell.
 const AIR_MM: f64 = 3.5;
@@ -48,20 +47,11 @@ impl Table<'_> {
 
     /// What stands above a column: its name, and its scale.
     fn head(&self, column: &Column) -> (Label, String) {
-        let which = match column.shows {
-            Shows::Mechanism => Level::Position,
-            Shows::Polygon(level) => level,
-        };
-        let maker = self.maker();
-        let (words, mu) = maker.caption(which);
+        let (maker, on) = (self.maker(), column.on);
+        let (words, mu) = maker.caption(on);
         // The first pose may have no polygon.
-        let mu = match column.shows {
-            Shows::Polygon(level) => {
-                let book = &self.rows[0].scene.book;
-                of_level(book, level, self.scales.mu.get(level.kind()).unwrap_or(1.0))
-            }
-            Shows::Mechanism => mu,
-        };
+        let mu =
+            if on == DiagramKind::Plane { mu } else { scale_formula(&maker.scene.book, on, self.scales.mu.get(on.kind()).unwrap_or(1.0)) };
         (Phrase::new(words).label(), mu)
     }
 

@@ -3,17 +3,16 @@
 //! Decided here: what stands where in a frame. Not decided here: how frames become a moving picture (`render::gif`,
 //! `render::moving`).
 
-use super::cells::{Column, Shows};
+use super::cells::Column;
 use super::{Poses, Table, Wanted, text};
 use crate::sheet::{MARGIN_MM, Maker, Options, swept_symbol};
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::Point;
 use hodograph_board::construct::scale::Boxes;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_paper::paper::item::{Anchor, Figure, Item};
 use hodograph_paper::paper::label::Label;
-use hodograph_report::amount::of_level;
-use hodograph_scene::{Scene, Swept};
+use hodograph_report::amount::scale_formula;
+use hodograph_scene::{DiagramKind, Scene, Swept};
 use hodograph_worked::worked::Worked;
 
 /// Between drawings.
@@ -87,15 +86,11 @@ fn frame(table: &Table, columns: &[Column], k: usize, size: [f64; 2]) -> Figure 
         let held = if absent { part.bounds.centre() } else { column.bounds.centre() };
         part.translate(middle - held);
         drawn.extend(part.items);
-        let (level, name) = match column.shows {
-            Shows::Mechanism => (Level::Position, "mechanism"),
-            Shows::Polygon(Level::Acceleration) => (Level::Acceleration, "acc"),
-            Shows::Polygon(level @ (Level::Velocity | Level::Position)) => (level, "vel"),
-        };
-        let (words, mu) = maker.caption(level);
+        let (on, name) = (column.on, column.on.prefix());
+        let (words, mu) = maker.caption(on);
         // A pose without a polygon has no scale of its own.
-        let own = table.scales.mu.get(level.kind()).filter(|_| level > Level::Position);
-        let mu = own.map_or(mu, |mu| of_level(&row.scene.book, level, mu));
+        let own = table.scales.mu.get(on.kind()).filter(|_| on > DiagramKind::Plane);
+        let mu = own.map_or(mu, |mu| scale_formula(&row.scene.book, on, mu));
         let at = Point::new(middle.x, foot - CAPTION_MM);
         put(&format!("caption-{name}"), at, Label::text(words), style.caption_mm, Anchor::Middle);
         put(&format!("scale-{name}"), Point::new(at.x, at.y - SCALE_MM), Label::math(mu), style.small_mm, Anchor::Middle);

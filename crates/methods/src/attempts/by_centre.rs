@@ -4,8 +4,8 @@ use super::rewrite::{crossing, replace_crossing};
 use super::{Shown, Side, Site, Topology};
 use hodograph_base::diag::{Both, both};
 use hodograph_board::plan::{Body, By, Chain, Plan, Special, SpecialLine, Spot, Step, TermKind, Vertex, VertexId};
-use hodograph_mechanism::mechanism::{ConstraintLine, Level};
-use hodograph_scene::{GuidePath, LinkId, PointId, Scene};
+use hodograph_mechanism::mechanism::ConstraintLine;
+use hodograph_scene::{DiagramKind, GuidePath, LinkId, PointId, Scene};
 
 /// What is needed to build it.
 struct Found {
@@ -35,7 +35,7 @@ fn normal_line(scene: &Scene, link: LinkId, pin: PointId) -> Option<ConstraintLi
 
 /// The crossing that finds one end of a link from the other, both of whose velocities have known directions.
 fn found(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(usize, Found)> {
-    crossing(plan, Level::Acceleration, |target, chains| {
+    crossing(plan, DiagramKind::Acceleration, |target, chains| {
         let turns = |c: &&Chain| matches!(c.unknown[..], [t] if t.kind == TermKind::Tangential && t.by == By::Turning(Body::Link(link)));
         let chain = chains.iter().find(turns)?;
         let from = chain.start;
@@ -62,8 +62,8 @@ pub fn hung_on_pole(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(Plan, S
     wrong.vertices.push(Vertex { spot, on: None, number: None, fixed: true });
     let centre = VertexId(wrong.vertices.len() - 1);
     let step = Step::Image { link, target: f.target, from: (centre, f.known) };
-    replace_crossing(&mut wrong, Level::Acceleration, f.target, &step);
-    let shown = Shown { level: Level::Acceleration, step, side: Side::Wrong, framed: Vec::new(), missing: None };
+    replace_crossing(&mut wrong, DiagramKind::Acceleration, f.target, &step);
+    let shown = Shown { on: DiagramKind::Acceleration, step, side: Side::Wrong, framed: Vec::new(), missing: None };
     Some((wrong, shown))
 }
 

@@ -9,10 +9,11 @@ use hodograph_base::diag::{Both, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::Vec2;
 use hodograph_board::plan::{Body, TermKind};
-use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::quantity::{Meaning, PointMotion, Rate};
-use hodograph_scene::{Angle, Cam, Direction, Find, Follows, Given, Guide, GuidePath, Kind, LinkId, OnLink, PointId, Scene, Through};
+use hodograph_scene::{
+    Angle, Cam, DiagramKind, Direction, Find, Follows, Given, Guide, GuidePath, Kind, LinkId, OnLink, PointId, Scene, Through,
+};
 use hodograph_worked::worked::Worked;
 use hodograph_worked::worked::contact::{name, with_contact, work_at};
 
@@ -65,7 +66,7 @@ pub fn slid(scene: &Scene, at: &Configuration, index: usize, frame: LinkId) -> O
     let stage = |scene: Scene, at: Configuration| work_at(&scene, at).map(|worked| Stage { scene, worked });
     let (right, wrong) = (stage(right, right_at)?, stage(wrong, wrong_at)?);
     // A frame that does not turn has no Coriolis part: there the sliding itself shows the equation.
-    let with = |kind| Shown::with(&wrong.worked.plan, Level::Acceleration, Side::Wrong, |t| t.kind == kind);
+    let with = |kind| Shown::with(&wrong.worked.plan, DiagramKind::Acceleration, Side::Wrong, |t| t.kind == kind);
     let mut shown = with(TermKind::Coriolis).or_else(|| with(TermKind::Slide))?;
     shown.framed.clear();
     shown.missing = Some(missing(scene, [owner, frame], own, &right, tangent.perp())?);
@@ -75,14 +76,14 @@ pub fn slid(scene: &Scene, at: &Configuration, index: usize, frame: LinkId) -> O
 /// The relative acceleration of the owner's point in the frame along the normal.
 fn missing(scene: &Scene, [owner, frame]: [LinkId; 2], own: PointId, right: &Stage, normal: Vec2) -> Option<Missing> {
     let (s, w): (&Scene, &Worked) = (&right.scene, &right.worked);
-    let vector = |level, link| {
+    let vector = |on, link| {
         let v = w.plan.find_vertex(s, own, link)?;
-        w.construction.vector(level, v)
+        w.construction.vector(on, v)
     };
-    let relative = |level| Some(vector(level, None)? - vector(level, Some(frame))?);
-    let omega = w.construction.rate(Level::Velocity, Body::Link(frame))?;
-    let coriolis = relative(Level::Velocity)?.perp() * (2.0 * omega);
-    let along = (relative(Level::Acceleration)? - coriolis).dot(normal);
+    let relative = |on| Some(vector(on, None)? - vector(on, Some(frame))?);
+    let omega = w.construction.rate(DiagramKind::Velocity, Body::Link(frame))?;
+    let coriolis = relative(DiagramKind::Velocity)?.perp() * (2.0 * omega);
+    let along = (relative(DiagramKind::Acceleration)? - coriolis).dot(normal);
     let book = &scene.book;
     let number = significant(book.value(Kind::Acceleration, along.abs()), DIGITS);
     let (e, owner, frame) = (&s.points[own.0].name, scene.link_name(owner), scene.link_name(frame));

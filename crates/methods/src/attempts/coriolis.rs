@@ -4,8 +4,7 @@ use super::rewrite::{known_terms, leave_out};
 use super::{Shown, Side, Site, Topology};
 use hodograph_base::diag::{Both, both};
 use hodograph_board::plan::{Body, By, Plan, Term, TermKind};
-use hodograph_mechanism::mechanism::Level;
-use hodograph_scene::{GuideId, LinkId, Scene};
+use hodograph_scene::{DiagramKind, GuideId, LinkId, Scene};
 
 fn is_at(guide: GuideId) -> impl Fn(&Term) -> bool {
     move |t| t.kind == TermKind::Coriolis && matches!(t.by, By::Guide { guide: g, .. } if g == guide)
@@ -30,7 +29,7 @@ pub fn without(t: &Topology) -> Vec<Site> {
 
 /// Each such guide with a link that carries its runner, turns, and whose angular velocity is known by then.
 pub fn by_another(t: &Topology) -> Vec<Site> {
-    let known = |l: &LinkId| t.plan.velocity.iter().flat_map(|g| &g.rates).any(|(b, _)| *b == Body::Link(*l));
+    let known = |l: &LinkId| t.plan.steps(DiagramKind::Velocity).iter().flat_map(|g| &g.rates).any(|(b, _)| *b == Body::Link(*l));
     let mut all = Vec::new();
     for g in guides(t) {
         let guide = &t.scene.guides[g.0];
@@ -43,7 +42,7 @@ pub fn by_another(t: &Topology) -> Vec<Site> {
 
 /// The plan without the term.
 pub fn left_out(plan: &Plan, guide: GuideId) -> Option<(Plan, Shown)> {
-    let shown = Shown::with(plan, Level::Acceleration, Side::Right, is_at(guide))?;
+    let shown = Shown::with(plan, DiagramKind::Acceleration, Side::Right, is_at(guide))?;
     let mut wrong = plan.clone();
     leave_out(&mut wrong, is_at(guide));
     Some((wrong, shown))
@@ -53,7 +52,7 @@ pub fn left_out(plan: &Plan, guide: GuideId) -> Option<(Plan, Shown)> {
 pub fn turned_by(plan: &Plan, guide: GuideId, link: LinkId) -> Option<(Plan, Shown)> {
     let mut wrong = plan.clone();
     wrong.coriolis_by = Some((guide, link));
-    let shown = Shown::with(&wrong, Level::Acceleration, Side::Wrong, is_at(guide))?;
+    let shown = Shown::with(&wrong, DiagramKind::Acceleration, Side::Wrong, is_at(guide))?;
     Some((wrong, shown))
 }
 

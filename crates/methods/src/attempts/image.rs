@@ -1,11 +1,10 @@
 //! An image built on points of two links: the triangle of points that belong to no one link keeps no shape.
 
-use super::rewrite::{each, steps};
+use super::rewrite::each;
 use super::{Shown, Side, Site, Topology};
 use hodograph_base::diag::{Both, both};
 use hodograph_board::plan::{Plan, Spot, Step, VertexId};
-use hodograph_mechanism::mechanism::Level;
-use hodograph_scene::{LinkId, PointId, Scene};
+use hodograph_scene::{DiagramKind, LinkId, PointId, Scene};
 
 /// A point found by an image of its link, and a pin of the link with a fixed point of another link that hangs on the pin.
 fn across(scene: &Scene, plan: &Plan, step: &Step) -> Option<(PointId, LinkId, LinkId, [VertexId; 2])> {
@@ -29,7 +28,7 @@ fn across(scene: &Scene, plan: &Plan, step: &Step) -> Option<(PointId, LinkId, L
 /// Each point of a link that is found by an image, and beside whose link another one with a fixed pivot hangs.
 pub fn sites(t: &Topology) -> Vec<Site> {
     let mut all: Vec<Site> = Vec::new();
-    for step in t.plan.velocity.iter().flat_map(each) {
+    for step in t.plan.steps(DiagramKind::Velocity).iter().flat_map(each) {
         if let Some((p, own, other, _)) = across(t.scene, t.plan, step)
             && !all.iter().any(|a| matches!(a, Site::ImageAcrossLinks(q, l, _) if (*q, *l) == (p, own)))
         {
@@ -39,18 +38,18 @@ pub fn sites(t: &Topology) -> Vec<Site> {
     all
 }
 
-/// The plan with the image on the points of the other link, at both levels.
+/// The plan with the image on the points of the other link, in both polygons.
 pub fn on_points_of(scene: &Scene, plan: &Plan, point: PointId) -> Option<(Plan, Shown)> {
     let mut wrong = plan.clone();
     let mut shown = None;
-    for level in Level::RATES {
-        for group in steps(&mut wrong, level) {
+    for on in DiagramKind::POLYGONS {
+        for group in wrong.steps_mut(on) {
             for step in group.alternatives.iter_mut().flatten().chain(&mut group.further) {
                 let Some((p, link, _, [pin, pivot])) = across(scene, plan, step) else { continue };
                 let Step::Image { target, .. } = *step else { continue };
                 if p == point {
                     *step = Step::Image { link, target, from: (pin, pivot) };
-                    shown = Some(Shown { level, step: step.clone(), side: Side::Wrong, framed: Vec::new(), missing: None });
+                    shown = Some(Shown { on, step: step.clone(), side: Side::Wrong, framed: Vec::new(), missing: None });
                 }
             }
         }

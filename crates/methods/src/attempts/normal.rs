@@ -4,8 +4,7 @@ use super::rewrite::{known_terms, leave_out};
 use super::{Shown, Side, Site, Topology};
 use hodograph_base::diag::{Both, both};
 use hodograph_board::plan::{Body, By, Plan, Term, TermKind};
-use hodograph_mechanism::mechanism::Level;
-use hodograph_scene::{LinkId, Scene};
+use hodograph_scene::{DiagramKind, LinkId, Scene};
 
 fn is_of(link: LinkId) -> impl Fn(&Term) -> bool {
     move |t| t.kind == TermKind::Normal && t.by == By::Turning(Body::Link(link))
@@ -27,7 +26,7 @@ pub fn sites(t: &Topology) -> Vec<Site> {
 
 /// The plan without it.
 pub fn left_out(plan: &Plan, link: LinkId) -> Option<(Plan, Shown)> {
-    let shown = Shown::with(plan, Level::Acceleration, Side::Right, is_of(link))?;
+    let shown = Shown::with(plan, DiagramKind::Acceleration, Side::Right, is_of(link))?;
     let mut wrong = plan.clone();
     leave_out(&mut wrong, is_of(link));
     Some((wrong, shown))

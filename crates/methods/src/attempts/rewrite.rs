@@ -2,15 +2,7 @@
 
 use super::Topology;
 use hodograph_board::plan::{Between, Chain, GroupSteps, Plan, Step, Term, TermKind, VertexId};
-use hodograph_mechanism::mechanism::Level;
-
-/// The steps of a level.
-pub fn steps(plan: &mut Plan, level: Level) -> &mut Vec<GroupSteps> {
-    match level {
-        Level::Acceleration => &mut plan.acceleration,
-        Level::Velocity | Level::Position => &mut plan.velocity,
-    }
-}
+use hodograph_scene::DiagramKind;
 
 /// All steps of a group, every alternative.
 pub fn each(group: &GroupSteps) -> impl Iterator<Item = &Step> {
@@ -19,14 +11,15 @@ pub fn each(group: &GroupSteps) -> impl Iterator<Item = &Step> {
 
 /// The known terms of acceleration equations that do not vanish; with `crossings` only of those that are closed by crossing two lines.
 pub fn known_terms<'a>(t: &'a Topology, crossings: bool) -> impl Iterator<Item = Term> + 'a {
-    let chains = t.plan.acceleration.iter().flat_map(each).map(Step::chains).filter(move |c| !crossings || c.len() == 2);
+    let chains =
+        t.plan.steps(DiagramKind::Acceleration).iter().flat_map(each).map(Step::chains).filter(move |c| !crossings || c.len() == 2);
     let known = chains.flatten().flat_map(|c| &c.known).copied();
-    known.filter(|term| !t.plan.vanishes(t.scene, Level::Acceleration, term))
+    known.filter(|term| !t.plan.vanishes(t.scene, DiagramKind::Acceleration, term))
 }
 
 /// Leaves known terms out of the acceleration equations, and out of what is drawn between images.
 pub fn leave_out(plan: &mut Plan, wrong: impl Fn(&Term) -> bool) {
-    for group in &mut plan.acceleration {
+    for group in plan.steps_mut(DiagramKind::Acceleration) {
         for step in group.alternatives.iter_mut().flatten().chain(&mut group.further) {
             if let Step::Equation { chains, .. } = step {
                 chains.iter_mut().for_each(|c| c.known.retain(|t| !wrong(t)));
@@ -42,8 +35,8 @@ pub fn leave_out(plan: &mut Plan, wrong: impl Fn(&Term) -> bool) {
 }
 
 /// The first equation closed by crossing two lines for which something is found, with its group.
-pub fn crossing<T>(plan: &Plan, level: Level, found: impl Fn(VertexId, &[Chain]) -> Option<T>) -> Option<(usize, T)> {
-    plan.steps(level).iter().find_map(|group| {
+pub fn crossing<T>(plan: &Plan, on: DiagramKind, found: impl Fn(VertexId, &[Chain]) -> Option<T>) -> Option<(usize, T)> {
+    plan.steps(on).iter().find_map(|group| {
         let of = |step: &Step| match step {
             Step::Equation { target, chains, .. } if chains.len() == 2 => found(*target, chains),
             Step::Equation { .. } | Step::Image { .. } | Step::Same { .. } => None,
@@ -54,8 +47,8 @@ pub fn crossing<T>(plan: &Plan, level: Level, found: impl Fn(VertexId, &[Chain])
 
 /// Replaces the crossing that finds a vertex by another step. The turnings that were measured on the crossing's edges are measured on a
 /// perpendicular instead.
-pub fn replace_crossing(plan: &mut Plan, level: Level, target: VertexId, by: &Step) {
-    for group in steps(plan, level) {
+pub fn replace_crossing(plan: &mut Plan, on: DiagramKind, target: VertexId, by: &Step) {
+    for group in plan.steps_mut(on) {
         let mut tangential: Vec<Between> = Vec::new();
         for step in group.alternatives.iter_mut().flatten().chain(&mut group.further) {
             let Step::Equation { target: own, chains, .. } = step else { continue };

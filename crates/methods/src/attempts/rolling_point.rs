@@ -1,17 +1,16 @@
 //! The touching point of a rolling wheel taken to have no acceleration against its track: the wheel's image is hung on it, or a further point of the
 //! wheel is found from it with the right angular velocity and acceleration. Both are printed; their numbers differ.
 
-use super::rewrite::{crossing, replace_crossing, steps};
+use super::rewrite::{crossing, replace_crossing};
 use super::{Missing, Shown, Side, Site, Topology};
 use hodograph_base::diag::{Both, both};
 use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::{Body, By, Chain, Method, Plan, Spot, Step, Term, TermKind, VertexId};
-use hodograph_mechanism::mechanism::Level;
-use hodograph_scene::{LinkId, Normal, PointId, RollingId, Scene, Touch};
+use hodograph_scene::{DiagramKind, LinkId, Normal, PointId, RollingId, Scene, Touch};
 
 /// The crossing that finds the wheel's point at a contact, and the term along the normal in it.
 fn found(plan: &Plan, pair: RollingId) -> Option<(usize, (VertexId, Term))> {
-    crossing(plan, Level::Acceleration, |target, chains| {
+    crossing(plan, DiagramKind::Acceleration, |target, chains| {
         let rolls = |c: &&Chain| matches!(c.unknown[..], [t] if t.kind == TermKind::Roll && t.by == By::Contact(pair));
         let other = chains.iter().find(|c| !rolls(c))?;
         let along = chains.iter().find(rolls).filter(|c| c.known.is_empty())?;
@@ -28,11 +27,11 @@ pub fn sites(t: &Topology) -> Vec<Site> {
 /// The plan in which that point has the acceleration of the track.
 pub fn as_track(plan: &Plan, pair: RollingId) -> Option<(Plan, Shown)> {
     let (_, (target, term)) = found(plan, pair)?;
-    let shown = Shown::with(plan, Level::Acceleration, Side::Right, |t| t == &term)?;
+    let shown = Shown::with(plan, DiagramKind::Acceleration, Side::Right, |t| t == &term)?;
     let mut wrong = plan.clone();
     let step =
         Step::Equation { target, chains: vec![Chain { start: term.to, known: vec![], unknown: vec![] }], method: Method::Coincident };
-    replace_crossing(&mut wrong, Level::Acceleration, target, &step);
+    replace_crossing(&mut wrong, DiagramKind::Acceleration, target, &step);
     Some((wrong, shown))
 }
 
@@ -41,9 +40,9 @@ pub fn bases(t: &Topology) -> Vec<Site> {
     let pairs = (0..t.scene.rolling.len()).map(RollingId);
     let of = |r: RollingId| {
         // Its angular velocity and acceleration must be found before its further points are.
-        let turns = |l: &LinkId| Level::RATES.into_iter().all(|level| is_turning_found(t.plan, level, *l));
+        let turns = |l: &LinkId| DiagramKind::POLYGONS.into_iter().all(|on| is_turning_found(t.plan, on, *l));
         let wheel = wheel_on_ground(t.scene, r).filter(turns);
-        let further = t.plan.acceleration.iter().flat_map(|g| &g.further);
+        let further = t.plan.steps(DiagramKind::Acceleration).iter().flat_map(|g| &g.further);
         let images = further.filter_map(move |step| imaged(t.plan, step, wheel?));
         images.map(move |(p, _)| Site::RollingPointAsBase(r, p))
     };
@@ -69,8 +68,8 @@ fn wheel_on_ground(scene: &Scene, r: RollingId) -> Option<LinkId> {
 }
 
 /// Whether a plan measures or is given the turning of a link.
-fn is_turning_found(plan: &Plan, level: Level, link: LinkId) -> bool {
-    plan.steps(level).iter().flat_map(|g| &g.rates).any(|(body, _)| *body == Body::Link(link))
+fn is_turning_found(plan: &Plan, on: DiagramKind, link: LinkId) -> bool {
+    plan.steps(on).iter().flat_map(|g| &g.rates).any(|(body, _)| *body == Body::Link(link))
 }
 
 /// The point that a step finds by the image of a link.
@@ -91,14 +90,14 @@ pub fn as_base(scene: &Scene, plan: &Plan, pair: RollingId, point: PointId) -> O
     let track = plan.find_vertex(scene, at, Some(scene.ground))?;
     let mut wrong = plan.clone();
     let mut shown = None;
-    for group in steps(&mut wrong, Level::Acceleration) {
+    for group in wrong.steps_mut(DiagramKind::Acceleration) {
         for step in &mut group.further {
             let Some((_, target)) = imaged(plan, step, wheel).filter(|(p, _)| *p == point) else { continue };
             let term = |kind| Term { kind, of: target, to: contact, by: By::Turning(Body::Link(wheel)), known: true };
             let known = vec![term(TermKind::Normal), term(TermKind::Tangential)];
             *step = Step::Equation { target, chains: vec![Chain { start: track, known, unknown: vec![] }], method: Method::SameLink };
             let missing = Some(own_acceleration(scene, pair, wheel));
-            shown = Some(Shown { level: Level::Acceleration, step: step.clone(), side: Side::Wrong, framed: Vec::new(), missing });
+            shown = Some(Shown { on: DiagramKind::Acceleration, step: step.clone(), side: Side::Wrong, framed: Vec::new(), missing });
         }
     }
     Some((wrong, shown?))

@@ -1,7 +1,7 @@
 //! The equation in which a mistake is seen, and the vector in it that is framed.
 
 use hodograph_board::plan::{Plan, Step, Term};
-use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::DiagramKind;
 
 /// Whose equation it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,7 +27,7 @@ pub struct Missing {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shown {
     /// Of velocities or accelerations.
-    pub level: Level,
+    pub on: DiagramKind,
     /// The step.
     pub step: Step,
     /// Whose it is.
@@ -39,14 +39,14 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// The first step of a level with a term for which `wrong` holds, and all such terms of it.
-    pub fn with(plan: &Plan, level: Level, side: Side, wrong: impl Fn(&Term) -> bool) -> Option<Shown> {
+    /// The first step of a polygon with a term for which `wrong` holds, and all such terms of it.
+    pub fn with(plan: &Plan, on: DiagramKind, side: Side, wrong: impl Fn(&Term) -> bool) -> Option<Shown> {
         let terms = |s: &Step| -> Vec<Term> {
             s.chains().iter().flat_map(|c| c.known.iter().chain(&c.unknown)).filter(|t| wrong(t)).copied().collect()
         };
-        let all = plan.steps(level).iter().flat_map(|g| g.steps(0));
+        let all = plan.steps(on).iter().flat_map(|g| g.steps(0));
         // An equation with unknowns tells more than one in which all is known.
         let step = all.filter(|s| !terms(s).is_empty()).max_by_key(|s| (s.chains().len() == 2, std::cmp::Reverse(0)))?;
-        Some(Shown { level, step: step.clone(), side, framed: terms(step), missing: None })
+        Some(Shown { on, step: step.clone(), side, framed: terms(step), missing: None })
     }
 }

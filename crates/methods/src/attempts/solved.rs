@@ -6,9 +6,9 @@ use hodograph_board::construct::pencil::Exact;
 use hodograph_board::construct::{Layout, Polygon, by_hand, read, scale};
 use hodograph_board::plan::{Plan, Special, SpecialLine, Spot, VertexId};
 use hodograph_mechanism::answer::Value;
-use hodograph_mechanism::mechanism::{ConstraintLine, Level};
+use hodograph_mechanism::mechanism::ConstraintLine;
 use hodograph_mechanism::position::{Configuration, Path};
-use hodograph_scene::{Attempted, ByKind, Given, Scene};
+use hodograph_scene::{Attempted, ByKind, DiagramKind, Given, Scene};
 use hodograph_worked::worked::Worked;
 
 /// What is drawn of a solution.
@@ -35,7 +35,7 @@ pub struct Row {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap {
     /// In the velocities or the accelerations.
-    pub level: Level,
+    pub on: DiagramKind,
     /// The vertex in the right plan.
     pub right: VertexId,
     /// The same in the wrong plan.
@@ -106,21 +106,21 @@ pub fn solved(scene: &Scene, worked: &Worked, site: Site, said: Option<&Attempte
 
 /// Both drawn again, to the largest scales at which they fit a page over one another.
 fn to_one_scale(right: Stage, wrong: Stage) -> Option<(Stage, Stage)> {
-    let extent = |level: Level| {
+    let extent = |on: DiagramKind| {
         let marks = |p: &Polygon| -> Vec<Point> {
             let ends = p.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(p.images.iter().flatten().copied());
             ends.map(|q| (q.to_vec2() * p.mu).to_point()).collect()
         };
-        let polygons = [&right, &wrong].map(|s| s.worked.construction.polygon(level));
+        let polygons = [&right, &wrong].map(|s| s.worked.construction.polygon(on));
         let all = polygons.into_iter().flatten().flat_map(marks).chain([Point::ORIGIN]);
         scale::extent(all)
     };
-    let mu = |level: Level| {
-        let size = extent(level);
-        let drawn = right.worked.construction.polygon(level)?;
-        if size == [0.0, 0.0] { Some(drawn.mu) } else { Some(scale::fitted(&right.scene.paper, level.kind(), size, PAGE_MM)) }
+    let mu = |on: DiagramKind| {
+        let size = extent(on);
+        let drawn = right.worked.construction.polygon(on)?;
+        if size == [0.0, 0.0] { Some(drawn.mu) } else { Some(scale::fitted(&right.scene.paper, on.kind(), size, PAGE_MM)) }
     };
-    let scales: ByKind = Level::RATES.into_iter().filter_map(|level| Some((level.kind(), mu(level)?))).collect();
+    let scales: ByKind = DiagramKind::POLYGONS.into_iter().filter_map(|on| Some((on.kind(), mu(on)?))).collect();
     let again = |s: Stage| {
         let layout = Layout { scales: scales.clone(), ..Layout::of(&s.worked.construction) };
         let (construction, _) =
@@ -195,24 +195,24 @@ fn rows(scene: &Scene, worked: &Worked, wrong: &[Option<Value>], said: Option<&A
             (Value::Vector(a), Some(Value::Vector(b))) => (a - b).norm() > SAME * r.scale.max(a.norm()),
             (Value::Scalar(_) | Value::Vector(_) | Value::Point(_), _) => false,
         };
-        (printed.is_some() || find.what.level() > Level::Position && differs).then_some(Row { result: k, wrong, printed })
+        (printed.is_some() || find.what.diagram() > DiagramKind::Plane && differs).then_some(Row { result: k, wrong, printed })
     };
     worked.results.iter().enumerate().filter_map(row).collect()
 }
 
 /// The tips furthest apart: of the vertex that the wrong step finds, where these differ.
 fn gap(right: &Stage, wrong: &Stage, shown: &Shown) -> Option<Gap> {
-    let of = |level: Level, v: VertexId| {
+    let of = |on: DiagramKind, v: VertexId| {
         let vertex = right.worked.plan.vertex(v);
         let same = |w: &hodograph_board::plan::Vertex| w.spot == vertex.spot && w.on == vertex.on;
         let other = VertexId(wrong.worked.plan.vertices.iter().position(same)?);
-        let tips = [right.worked.construction.vector(level, v)?, wrong.worked.construction.vector(level, other)?];
-        let mu = right.worked.construction.polygon(level)?.mu;
+        let tips = [right.worked.construction.vector(on, v)?, wrong.worked.construction.vector(on, other)?];
+        let mu = right.worked.construction.polygon(on)?.mu;
         let vector = tips[1] - tips[0];
-        (vector.norm() > APART_MM * mu).then_some(Gap { level, right: v, wrong: other, vector })
+        (vector.norm() > APART_MM * mu).then_some(Gap { on, right: v, wrong: other, vector })
     };
-    let levels = [shown.level, Level::Acceleration, Level::Velocity];
-    levels.into_iter().find_map(|level| {
+    let levels = [shown.on, DiagramKind::Acceleration, DiagramKind::Velocity];
+    levels.into_iter().find_map(|on| {
         let target = shown.step.target();
         let stage = match shown.side {
             Side::Right => right,
@@ -223,10 +223,10 @@ fn gap(right: &Stage, wrong: &Stage, shown: &Shown) -> Option<Gap> {
             let own = right.worked.plan.vertex(*v);
             own.spot == named.spot && own.on == named.on
         });
-        if let Some(gap) = meant.and_then(|v| of(level, v)) {
+        if let Some(gap) = meant.and_then(|v| of(on, v)) {
             return Some(gap);
         }
-        let all = (0..right.worked.plan.vertices.len()).filter_map(|v| of(level, VertexId(v)));
+        let all = (0..right.worked.plan.vertices.len()).filter_map(|v| of(on, VertexId(v)));
         all.max_by(|a, b| a.vector.norm().total_cmp(&b.vector.norm()))
     })
 }

@@ -5,7 +5,7 @@
 use super::Solved;
 use super::solved::{Closure, Known};
 use hodograph_base::geom::Vec2;
-use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::DiagramKind;
 use hodograph_scene::quantity::RelativePath;
 use hodograph_scene::quantity::composite::Part;
 
@@ -44,7 +44,7 @@ pub enum Term {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Projection {
     /// Of velocities or accelerations.
-    pub level: Level,
+    pub of: DiagramKind,
     /// Which line it is.
     pub on: On,
     /// The direction of the line (unit vector).
@@ -58,8 +58,8 @@ pub struct Projection {
 /// The projections of a choice; none where the equation has more than two unknowns, and where the point rests in the frame for good.
 pub fn projections(s: &Solved) -> Vec<Projection> {
     let lines = lines(s);
-    let levels = [(Level::Velocity, velocities(s)), (Level::Acceleration, accelerations(s))];
-    let all = levels.iter().flat_map(|(level, vectors)| lines.iter().filter_map(|(on, line)| projected(s, *level, (*on, *line), vectors)));
+    let levels = [(DiagramKind::Velocity, velocities(s)), (DiagramKind::Acceleration, accelerations(s))];
+    let all = levels.iter().flat_map(|(of, vectors)| lines.iter().filter_map(|(on, line)| projected(s, *of, (*on, *line), vectors)));
     all.collect()
 }
 
@@ -104,7 +104,7 @@ fn accelerations(s: &Solved) -> Vec<(Term, Vec2)> {
 }
 
 /// The equation of a level on a line.
-fn projected(s: &Solved, level: Level, (on, line): (On, Vec2), vectors: &[(Term, Vec2)]) -> Option<Projection> {
+fn projected(s: &Solved, of: DiagramKind, (on, line): (On, Vec2), vectors: &[(Term, Vec2)]) -> Option<Projection> {
     let largest = vectors.iter().map(|v| v.1.norm()).fold(0.0, f64::max);
     let on_line = |(term, v): &(Term, Vec2)| {
         let u = v.unit()?;
@@ -119,7 +119,7 @@ fn projected(s: &Solved, level: Level, (on, line): (On, Vec2), vectors: &[(Term,
     }
     let [absolute, _, relative] = s.velocity;
     let rests = relative.norm() <= SQUARE * absolute.norm();
-    (terms.len() > 1).then_some(Projection { level, on, line, rests, terms })
+    (terms.len() > 1).then_some(Projection { of, on, line, rests, terms })
 }
 
 /// a_rᵗ.

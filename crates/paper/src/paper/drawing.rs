@@ -6,6 +6,7 @@
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_scene::DiagramKind;
 
 use super::broken::break_at;
 use super::extent::{Rect, bounds, translate};
@@ -316,11 +317,7 @@ pub fn id(kind: &str, name: &str) -> String {
 
 /// The first word of the ids of a drawing.
 pub fn prefix(kind: &str) -> &str {
-    match kind {
-        "velocity" => "vel",
-        "acceleration" => "acc",
-        other => other,
-    }
+    DiagramKind::ALL.into_iter().find(|on| on.word() == kind).map_or(kind, |on| on.prefix())
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! All words on figures, in both languages: one table.
 
-use hodograph_mechanism::mechanism::Level;
-use hodograph_scene::Lang;
+use hodograph_scene::{DiagramKind, Lang};
 
 /// The words of one language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -227,19 +226,20 @@ impl Words {
         }
     }
 
-    /// Caption of a level's polygon.
-    pub fn polygon(&self, level: Level) -> &'static str {
-        match level {
-            Level::Acceleration => self.acceleration_polygon,
-            Level::Position | Level::Velocity => self.velocity_polygon,
+    /// Caption of a diagram.
+    pub fn drawing(&self, on: DiagramKind) -> &'static str {
+        match on {
+            DiagramKind::Plane => self.diagram,
+            DiagramKind::Velocity => self.velocity_polygon,
+            DiagramKind::Acceleration => self.acceleration_polygon,
         }
     }
 
-    /// Heading of a level's equations.
-    pub fn equations(&self, level: Level) -> &'static str {
-        match level {
-            Level::Acceleration => self.accelerations,
-            Level::Position | Level::Velocity => self.velocities,
+    /// Heading of the equations of a diagram; the plane has none of its own.
+    pub fn equations(&self, on: DiagramKind) -> &'static str {
+        match on {
+            DiagramKind::Acceleration => self.accelerations,
+            DiagramKind::Plane | DiagramKind::Velocity => self.velocities,
         }
     }
 }

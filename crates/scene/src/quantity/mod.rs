@@ -58,6 +58,7 @@ pub use transmission::Transmission;
 pub use turning::Turning;
 pub use value::{Known, Value};
 
+use super::diagram::DiagramKind;
 use super::kind::Kind;
 use super::model::{Find, OnLink, Scene};
 use super::resolve::Question;
@@ -228,6 +229,11 @@ impl Asked {
     /// How deep it asks.
     pub fn level(&self) -> Level {
         self.entry().level
+    }
+
+    /// The diagram on which it is read.
+    pub fn diagram(&self) -> DiagramKind {
+        DiagramKind::of(self.level())
     }
 
     /// The points of whose motion it is asked, the one from which the other is seen last.

@@ -7,10 +7,9 @@ use hodograph_board::construct::pencil::Exact;
 use hodograph_board::construct::{Action, Construction, Layout, by_hand};
 use hodograph_board::plan::text::{held_by, vertex_name};
 use hodograph_board::plan::{Spot, Step, VertexId};
-use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::Configuration;
 use hodograph_mechanism::position::newton::{driver_values, moved};
-use hodograph_scene::Kind;
+use hodograph_scene::{DiagramKind, Kind};
 use std::collections::BTreeMap;
 
 /// Under this angle (degrees) a pencil error is more than five times magnified (1 / sin 10° = 5.8): the reader is told.
@@ -114,7 +113,8 @@ fn other_point(drawn: &Drawn, target: VertexId, pencil_mm: f64, present: f64) ->
     let layout = Layout::of(drawn.construction);
     let finds = |steps: &[Step], v: VertexId| steps.iter().any(|s| matches!(s, Step::Equation { target, .. } if *target == v));
     let chosen = |g: usize| layout.chosen[g];
-    let steps = drawn.plan.velocity.iter().find(|s| s.alternatives.get(chosen(s.group)).is_some_and(|a| finds(a, target)))?;
+    let steps =
+        drawn.plan.steps(DiagramKind::Velocity).iter().find(|s| s.alternatives.get(chosen(s.group)).is_some_and(|a| finds(a, target)))?;
     let group = steps.group;
     let mut best: Option<OtherPoint> = None;
     for (k, alternative) in steps.alternatives.iter().enumerate().filter(|(k, _)| *k != chosen(group)) {
@@ -152,7 +152,7 @@ struct Search<'a> {
     drawn: &'a Drawn<'a>,
     /// The sine of each crossing as it is drawn: it changes its sign only through a dead centre, and beyond it, or in another assembly,
     /// the problem is not the same.
-    was: BTreeMap<(Level, usize), f64>,
+    was: BTreeMap<(DiagramKind, usize), f64>,
     ahead: Vec<(usize, usize, usize)>,
     ways: Vec<[Option<Configuration>; 2]>,
     tried: Vec<Tried>,
@@ -163,7 +163,7 @@ const SENSES: [f64; 2] = [1.0, -1.0];
 
 impl<'a> Search<'a> {
     fn new(drawn: &'a Drawn<'a>) -> Search<'a> {
-        let was = crossings(drawn.construction, 0.0).into_iter().map(|c| ((c.level, c.target.0), c.sine)).collect();
+        let was = crossings(drawn.construction, 0.0).into_iter().map(|c| ((c.on, c.target.0), c.sine)).collect();
         let turning = |driver: &usize| drawn.scene.drivers[*driver].kind.turns();
         let steps = (SEARCH_DEG / SEARCH_STEP_DEG) as usize;
         let drivers = (0..drawn.scene.drivers.len()).filter(turning);
@@ -185,7 +185,7 @@ impl<'a> Search<'a> {
                 self.tried.extend(there);
             }
             let Tried { driver, turn_deg, crossings } = &self.tried[k];
-            let here = crossings.iter().find(|c| (c.level, c.target) == (crossing.level, crossing.target)).map(|c| c.angle_deg());
+            let here = crossings.iter().find(|c| (c.on, c.target) == (crossing.on, crossing.target)).map(|c| c.angle_deg());
             if let Some(crossing_deg) = here.filter(|here| *here >= GOOD_DEG)
                 && crossings.iter().all(|c| c.angle_deg() >= BAD_DEG)
             {
@@ -205,7 +205,7 @@ impl<'a> Search<'a> {
         let at = moved(drawn.scene, drawn.mechanism, &from, &values)?;
         let paper = redrawn(drawn, &at, &Layout::of(drawn.construction))?;
         let now = crossings(&paper, 0.0);
-        if !now.iter().all(|c| self.was.get(&(c.level, c.target.0)).is_some_and(|was| was * c.sine > 0.0)) {
+        if !now.iter().all(|c| self.was.get(&(c.on, c.target.0)).is_some_and(|was| was * c.sine > 0.0)) {
             return None;
         }
         self.ways[driver][way] = Some(at);
@@ -215,7 +215,7 @@ impl<'a> Search<'a> {
 
 /// What is nearly at a dead centre, as the beginning of a clause; nothing for a special point on the diagram.
 fn near(drawn: &Drawn, c: &CrossingTolerance) -> Both {
-    let Some(polygon) = drawn.construction.polygon(c.level) else { return Both::default() };
+    let Some(polygon) = drawn.construction.polygon(c.on) else { return Both::default() };
     let edges = polygon.actions.iter().find_map(|a| {
         let Action::Cross { target, edges, .. } = a else { return None };
         (*target == c.target).then_some(edges)

@@ -13,9 +13,9 @@ use hodograph_board::construct::pencil::{Pencil, WITHIN, radius_in_deviations};
 use hodograph_board::construct::{Construction, Layout, by_hand, read_by_hand, scale};
 use hodograph_board::plan::{Plan, VertexId};
 use hodograph_mechanism::answer::Value;
-use hodograph_mechanism::mechanism::{Level, Mechanism};
+use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::Configuration;
-use hodograph_scene::{Asked, Kind, Scene};
+use hodograph_scene::{Asked, ByKind, DiagramKind, Kind, Scene};
 
 /// A finished construction with all that is needed to draw it again.
 #[derive(Clone, Debug)]
@@ -36,8 +36,8 @@ pub struct Drawn<'a> {
 
 impl Drawn<'_> {
     /// Width and height of a drawing (mm).
-    pub fn size_mm(&self, level: Level) -> [f64; 2] {
-        match self.construction.polygon(level) {
+    pub fn size_mm(&self, on: DiagramKind) -> [f64; 2] {
+        match self.construction.polygon(on) {
             Some(p) => p.extent().map(|s| s / p.mu),
             None => scale::size(self.scene, self.configuration).map(|s| s / self.construction.diagram.mu),
         }
@@ -76,7 +76,7 @@ pub struct Tolerance {
     /// As a part of the answer; `None` for an answer of zero, and for coordinates and angles, whose zero is arbitrary.
     pub relative: Option<f64>,
     /// What of `absolute` comes from marks on the diagram, the velocity and the acceleration polygon, each alone.
-    pub parts: [f64; 3],
+    pub parts: ByKind,
     /// How large the drawings have to be for 1 %; `None` where `relative` is.
     pub larger: Option<Larger>,
 }
@@ -84,8 +84,8 @@ pub struct Tolerance {
 /// A crossing and what a pencil makes of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrossingTolerance {
-    /// The drawing: [`Level::Position`] for the special point of a triad on the diagram.
-    pub level: Level,
+    /// The drawing: [`DiagramKind::Plane`] for the special point of a triad on the diagram.
+    pub on: DiagramKind,
     /// The vertex found.
     pub target: VertexId,
     /// Sine of the angle between the lines, signed from the first to the second.
@@ -114,11 +114,11 @@ impl CrossingTolerance {
 /// Every crossing of a construction with what a pencil error (mm) makes of it, in drawing order.
 pub fn crossings(paper: &Construction, pencil_mm: f64) -> Vec<CrossingTolerance> {
     let mut all = Vec::new();
-    for level in Level::ALL {
-        let mu = paper.polygon(level).map_or(paper.diagram.mu, |p| p.mu);
-        all.extend(paper.crossings(level).into_iter().map(|c| {
+    for on in DiagramKind::ALL {
+        let mu = paper.polygon(on).map_or(paper.diagram.mu, |p| p.mu);
+        all.extend(paper.crossings(on).into_iter().map(|c| {
             let moves_mm = pencil_mm / c.sine.abs();
-            CrossingTolerance { level, target: c.target, sine: c.sine, moves_mm, moves: moves_mm * mu }
+            CrossingTolerance { on, target: c.target, sine: c.sine, moves_mm, moves: moves_mm * mu }
         }));
     }
     all
@@ -132,16 +132,16 @@ pub fn drafting(drawn: &Drawn, pencil_mm: f64) -> Drafting {
     let spreads = spreads(drawn, &layout, pencil_mm / radius_in_deviations());
     let tolerances = drawn.values.iter().enumerate().map(|(find, value)| {
         // Where nothing moves there is no polygon, no scale, and nothing to read.
-        if drawn.size_mm(drawn.scene.find[find].what.level()) == [0.0, 0.0] {
+        if drawn.size_mm(drawn.scene.find[find].what.diagram()) == [0.0, 0.0] {
             return None;
         }
-        let spread = spreads.as_ref()?[find]?;
+        let spread = spreads.as_ref()?[find].as_ref()?;
         let value = (*value)?;
         let absolute = spread.total().radius(WITHIN);
         let free = drawn.scene.find[find].what.entry().from_origin;
         let relative = (!free && value.magnitude() > 0.0).then(|| absolute / value.magnitude());
         let parts = spread.0.map(|c| c.radius(WITHIN));
-        let larger = relative.map(|r| larger(&drawn.scene.paper, drawn, &layout, r, parts));
+        let larger = relative.map(|r| larger(&drawn.scene.paper, drawn, &layout, r, &parts));
         absolute.is_finite().then_some(Tolerance { absolute, relative, parts, larger })
     });
     Drafting { pencil_mm, tolerances: tolerances.collect(), crossings: crossings(drawn.construction, pencil_mm) }
@@ -149,7 +149,7 @@ pub fn drafting(drawn: &Drawn, pencil_mm: f64) -> Drafting {
 
 /// Displaces one mark, or only writes down on which drawing each mark is made.
 struct Slip {
-    marks: Vec<Level>,
+    marks: Vec<DiagramKind>,
     count: usize,
     displaced: Option<(usize, Vec2)>,
 }
@@ -157,7 +157,7 @@ struct Slip {
 impl Pencil for Slip {
     const EXACT: bool = false;
 
-    fn mark(&mut self, on: Level, at: Point) -> Point {
+    fn mark(&mut self, on: DiagramKind, at: Point) -> Point {
         let here = self.count;
         self.count += 1;
         match self.displaced {
@@ -187,12 +187,13 @@ fn spreads(drawn: &Drawn, layout: &Layout, deviation_mm: f64) -> Option<Vec<Opti
         return None;
     }
     let mut all: Vec<Option<Spread>> = base.iter().map(|v| v.map(|_| Spread::default())).collect();
-    let steps_mm = Level::ALL.map(|level| {
-        let [w, h] = drawn.size_mm(level);
-        w.max(h) * STEP
-    });
+    let step_mm = |on: DiagramKind| {
+        let [w, h] = drawn.size_mm(on);
+        (on.kind(), w.max(h) * STEP)
+    };
+    let steps_mm: ByKind = DiagramKind::ALL.into_iter().map(step_mm).collect();
     for (mark, on) in first.marks.iter().enumerate() {
-        let h = steps_mm[*on as usize];
+        let h = steps_mm.get(on.kind()).unwrap_or(0.0);
         // In a drawing that is a single point (nothing moves) no mark is made.
         if h == 0.0 {
             continue;
@@ -206,7 +207,7 @@ fn spreads(drawn: &Drawn, layout: &Layout, deviation_mm: f64) -> Option<Vec<Opti
             for (find, spread) in all.iter_mut().enumerate() {
                 if let (Some(spread), Some(a), Some(b)) = (spread, ahead[find], behind[find]) {
                     let change = difference(&drawn.scene.find[find].what, a, b);
-                    spread.0[*on as usize].add(change * (0.5 * deviation_mm / h));
+                    spread.on(*on).add(change * (0.5 * deviation_mm / h));
                 }
             }
         }
@@ -226,13 +227,17 @@ pub(super) fn difference(what: &Asked, a: Value, b: Value) -> Vec2 {
 }
 
 /// Covariances of one answer by the drawing on which the marks were made.
-#[derive(Clone, Copy, Debug, Default)]
-struct Spread([Covariance; 3]);
+#[derive(Clone, Debug, Default)]
+struct Spread(ByKind<Covariance>);
 
 impl Spread {
+    /// That of one drawing.
+    fn on(&mut self, on: DiagramKind) -> &mut Covariance {
+        self.0.entry(on.kind())
+    }
+
     fn total(&self) -> Covariance {
-        let [a, b, c] = self.0;
-        Covariance { xx: a.xx + b.xx + c.xx, xy: a.xy + b.xy + c.xy, yy: a.yy + b.yy + c.yy }
+        self.0.values().fold(Covariance::default(), |a, b| Covariance { xx: a.xx + b.xx, xy: a.xy + b.xy, yy: a.yy + b.yy })
     }
 }
 

@@ -3,8 +3,7 @@
 use super::drafting::Drawn;
 use hodograph_board::construct::Layout;
 use hodograph_board::construct::scale::finer;
-use hodograph_mechanism::mechanism::Level;
-use hodograph_scene::{ByKind, Kind, Paper};
+use hodograph_scene::{ByKind, DiagramKind, Kind, Paper};
 
 /// The relative tolerance that an engineering drawing is expected to give.
 const WANTED: f64 = 0.01;
@@ -46,19 +45,19 @@ impl Larger {
 }
 
 /// The enlargement for a relative tolerance; `parts` says which drawings matter.
-pub(super) fn larger(paper: &Paper, drawn: &Drawn, layout: &Layout, relative: f64, parts: [f64; 3]) -> Larger {
+pub(super) fn larger(paper: &Paper, drawn: &Drawn, layout: &Layout, relative: f64, parts: &ByKind) -> Larger {
     let factor = relative / WANTED;
     let present = layout.scales.clone().with(Kind::Length, Some(layout.mu));
     let mut scales = ByKind::default();
     let mut size_mm = [0.0f64; 2];
-    for (i, level) in Level::ALL.into_iter().enumerate() {
-        let Some(now) = present.get(level.kind()).filter(|_| parts[i] > 0.0) else { continue };
-        let then = if factor > 1.0 { finer(paper.unit(level.kind()), now, factor) } else { now };
-        let on_paper = drawn.size_mm(level).map(|mm| mm * now / then);
+    for on in DiagramKind::ALL {
+        let Some(now) = present.get(on.kind()).filter(|_| parts.get(on.kind()).is_some_and(|part| part > 0.0)) else { continue };
+        let then = if factor > 1.0 { finer(paper.unit(on.kind()), now, factor) } else { now };
+        let on_paper = drawn.size_mm(on).map(|mm| mm * now / then);
         if on_paper[0].max(on_paper[1]) > size_mm[0].max(size_mm[1]) {
             size_mm = on_paper;
         }
-        scales.set(level.kind(), Some(then));
+        scales.set(on.kind(), Some(then));
     }
     Larger { factor, scales, size_mm }
 }

@@ -13,10 +13,9 @@ use hodograph_base::number::decimal::Certain;
 use hodograph_board::construct::pencil::Exact;
 use hodograph_board::construct::{Action, Construction, Edge, Layout, Mark, Polygon, by_hand, scale};
 use hodograph_board::plan::VertexId;
-use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::motion::Moved;
 use hodograph_mechanism::position;
-use hodograph_scene::{Book, Kind, Scene};
+use hodograph_scene::{Book, DiagramKind, Kind, Scene};
 use std::collections::BTreeMap;
 
 /// Which number of a step.
@@ -48,13 +47,13 @@ impl What {
     }
 }
 
-/// One number of a construction: the level of its polygon, the action (its index there; on the diagram, which counts no
+/// One number of a construction: its diagram, the action (its index there; on the diagram, which counts no
 /// actions, the crossing) or the vertex, and which.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Key {
-    Step(Level, usize, What),
+    Step(DiagramKind, usize, What),
     /// Length of the vector of a vertex in which a laid-off vector ends, in the unit in which it is printed.
-    Vector(Level, VertexId),
+    Vector(DiagramKind, VertexId),
 }
 
 impl Key {
@@ -79,34 +78,34 @@ pub struct Steps {
 /// Less on paper is nothing (mm): a hundred times the rounding of the drawing in `f64`, and a millionth of what a ruler shows.
 const NOTHING_MM: f64 = 1e-9;
 
-/// A given rate is zero below this part of the largest of its level.
+/// A given rate is zero below this part of the largest of its polygon.
 const NOTHING: f64 = 1e-14;
 
 impl Steps {
-    /// A number of an action of a level's polygon; `None` where not even its first digit is certain.
-    pub fn text(&self, level: Level, action: usize, what: What) -> Option<String> {
-        Some(self.number(level, action, what)?.text(what.digits())?.0)
+    /// A number of an action on a diagram; `None` where not even its first digit is certain.
+    pub fn text(&self, on: DiagramKind, action: usize, what: What) -> Option<String> {
+        Some(self.number(on, action, what)?.text(what.digits())?.0)
     }
 
     /// What is told of each crossing of a drawing, in the order of [`Construction::crossings`].
-    pub fn crossings<'a>(&'a self, paper: &Construction, level: Level) -> Vec<impl Fn(What) -> Option<String> + 'a> {
+    pub fn crossings<'a>(&'a self, paper: &Construction, on: DiagramKind) -> Vec<impl Fn(What) -> Option<String> + 'a> {
         let crossed = |(i, a): (usize, &Action)| matches!(a, Action::Cross { .. }).then_some(i);
-        let at: Vec<usize> = match paper.polygon(level) {
+        let at: Vec<usize> = match paper.polygon(on) {
             Some(p) => p.actions.iter().enumerate().filter_map(crossed).collect(),
-            None => (0..paper.crossings(level).len()).collect(),
+            None => (0..paper.crossings(on).len()).collect(),
         };
-        at.into_iter().map(move |i| move |what| self.text(level, i, what)).collect()
+        at.into_iter().map(move |i| move |what| self.text(on, i, what)).collect()
     }
 
     /// The number itself.
-    pub fn number(&self, level: Level, action: usize, what: What) -> Option<&Number> {
-        self.numbers.get(&Key::Step(level, action, what)).map(|n| &n.0)
+    pub fn number(&self, on: DiagramKind, action: usize, what: What) -> Option<&Number> {
+        self.numbers.get(&Key::Step(on, action, what)).map(|n| &n.0)
     }
 
     /// The length of the vector of a vertex in which a laid-off vector ends, in the unit in which such vectors are printed (SI, or that
     /// of the book).
-    pub fn vector(&self, level: Level, v: VertexId) -> Option<&Number> {
-        self.numbers.get(&Key::Vector(level, v)).map(|n| &n.0)
+    pub fn vector(&self, on: DiagramKind, v: VertexId) -> Option<&Number> {
+        self.numbers.get(&Key::Vector(on, v)).map(|n| &n.0)
     }
 
     /// All of them, each with the digits to which it is printed and the rung that gave it, in the order of the drawing.
@@ -174,16 +173,16 @@ fn numbers<N: Certain>(book: &Book, paper: &Construction<N>, pencil_mm: Option<f
     let mut out = Vec::new();
     for (i, c) in paper.diagram.crossed.iter().enumerate() {
         let told = crossing(c.sine, |moved| book.in_chosen(Kind::Length, moved * scale::number(paper.diagram.mu)), pencil_mm);
-        out.extend(told.into_iter().map(|(what, n)| (Key::Step(Level::Position, i, what), n)));
+        out.extend(told.into_iter().map(|(what, n)| (Key::Step(DiagramKind::Plane, i, what), n)));
     }
-    for level in Level::RATES {
-        let Some(p) = paper.polygon(level) else { continue };
-        let vector = |si: N| book.in_chosen(level.kind(), si);
-        let turning = |si: N| book.in_chosen(level.turning(), si);
-        let rates = paper.rates.iter().filter(|r| r.level == level);
+    for on in DiagramKind::POLYGONS {
+        let Some(p) = paper.polygon(on) else { continue };
+        let vector = |si: N| book.in_chosen(on.kind(), si);
+        let turning = |si: N| book.in_chosen(on.turning(), si);
+        let rates = paper.rates.iter().filter(|r| r.on == on);
         let largest = rates.map(|r| r.value.approx().abs()).fold(0.0, f64::max);
         for (i, action) in p.actions.iter().enumerate() {
-            let mut tell = |what, number: Option<Number>| out.push((Key::Step(level, i, what), number));
+            let mut tell = |what, number: Option<Number>| out.push((Key::Step(on, i, what), number));
             match action {
                 Action::LayOff(e) => {
                     tell(What::Length(0), length(span(&p.edges[*e])));
@@ -191,7 +190,7 @@ fn numbers<N: Certain>(book: &Book, paper: &Construction<N>, pencil_mm: Option<f
                     if let Mark::Image(v) = p.edges[*e].to.0 {
                         let nothing = from_pole(p, v).and_then(length).is_some_and(|l| l.zero);
                         let size = from_pole(p, v).and_then(|drawn| some(vector((drawn * scale::number(p.mu)).norm())));
-                        out.push((Key::Vector(level, v), size.map(|n| n.or_zero(nothing))));
+                        out.push((Key::Vector(on, v), size.map(|n| n.or_zero(nothing))));
                     }
                 }
                 Action::Cross { edges, sine, .. } => {

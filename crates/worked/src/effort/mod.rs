@@ -12,6 +12,7 @@ use crate::worked::Worked;
 use hodograph_board::construct::{Action, Mark, Polygon};
 use hodograph_board::plan::Step;
 use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::DiagramKind;
 
 /// What was done at one level of motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -41,6 +42,8 @@ pub struct Work {
     pub velocity: Motion,
     /// Accelerations.
     pub acceleration: Motion,
+    /// Evaluations of the construction: a trial and the drawing.
+    pub drawings: usize,
     /// Questions answered.
     pub answers: usize,
     /// Numbers that the precision ladder vouches for and the answers print: magnitude and direction of a vector, or the one
@@ -61,6 +64,7 @@ impl Work {
                 .count(),
             velocity: motion(worked, Level::Velocity),
             acceleration: motion(worked, Level::Acceleration),
+            drawings: worked.drawings,
             answers: worked.results.len(),
             certified_values: 0,
             labels_placed: 0,
@@ -89,6 +93,7 @@ fn printed(c: &Certified) -> usize {
 }
 
 fn motion(worked: &Worked, level: Level) -> Motion {
+    let on = DiagramKind::of(level);
     let solution = &worked.solution;
     let paper = &worked.construction;
     let groups = worked.mechanism.groups.iter().filter(|g| !g.is_carried());
@@ -97,14 +102,14 @@ fn motion(worked: &Worked, level: Level) -> Motion {
         [] => g.pins.iter().all(|p| solution.reaches_pin(level, *p)),
         _ => g.links.iter().all(|l| solution.reaches(level, *l)),
     });
-    let written = worked.plan.steps(level).iter().flat_map(|g| g.steps(g.drawn(paper.chosen[g.group])));
+    let written = worked.plan.steps(on).iter().flat_map(|g| g.steps(g.drawn(paper.chosen[g.group])));
     let mut done = Motion {
         groups: solved.count(),
         equations_planned: written.filter(|s| matches!(s, Step::Equation { .. })).count(),
         unknowns: solution.size[usize::from(level == Level::Acceleration)],
         ..Motion::default()
     };
-    if let Some(p) = paper.polygon(level) {
+    if let Some(p) = paper.polygon(on) {
         done.vectors = p.edges.len();
         for action in &p.actions {
             match action {

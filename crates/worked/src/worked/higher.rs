@@ -3,7 +3,7 @@
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_board::plan::Plan;
 use hodograph_mechanism::mechanism::{Core, Group, Item, Mechanism};
-use hodograph_scene::Scene;
+use hodograph_scene::{DiagramKind, Scene};
 
 /// The groups without a core that a plan draws.
 pub(super) fn drawn_by_special_points(mechanism: &Mechanism, plan: &Plan) -> Vec<usize> {
@@ -23,7 +23,7 @@ fn contacts(scene: &Scene, mechanism: &Mechanism, group: &Group) -> Vec<Both> {
 
 /// What is said of the groups higher than class III that are called for: by what they are drawn, or that they are not.
 pub(super) fn notes(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Diagnostic> {
-    let planned = |g: usize| plan.undrawable.contains(&g) || plan.velocity.iter().any(|s| s.group == g);
+    let planned = |g: usize| plan.undrawable.contains(&g) || plan.steps(DiagramKind::Velocity).iter().any(|s| s.group == g);
     let groups = mechanism.groups.iter().enumerate().filter(|(g, group)| matches!(group.core, Core::Higher) && planned(*g));
     let note = |(g, group): (usize, &Group)| {
         let names: Vec<_> = group.links.iter().map(|l| scene.link_name(*l)).collect();

@@ -15,7 +15,7 @@ use hodograph_board::plan::{self, Plan};
 use hodograph_mechanism::answer::Value;
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
-use hodograph_scene::{LinkId, PointId, Scene};
+use hodograph_scene::{DiagramKind, LinkId, PointId, Scene};
 
 /// Input of the stages from positions on.
 #[derive(Clone, Copy)]
@@ -33,6 +33,9 @@ pub(super) struct Drawing {
     pub answers: Vec<Option<Answer>>,
 }
 
+/// Evaluations of a construction that is drawn: a trial for its scales, and the drawing.
+const TRIAL_AND_DRAWING: usize = 2;
+
 /// A pose in which everything is decided.
 pub(super) struct Posed {
     /// Positions, as fine as they have to be.
@@ -47,6 +50,8 @@ pub(super) struct Posed {
     pub near: Option<Kept>,
     /// The drawing without the groups that are not drawn.
     pub drawing: Drawing,
+    /// How often a construction was evaluated: twice, but for poses that lose digits or special points.
+    pub drawings: usize,
     /// Remarks on the pose.
     pub notes: Vec<Diagnostic>,
 }
@@ -61,7 +66,9 @@ pub(super) fn pose(given: Given, configuration: Configuration, measured: bool) -
     if !lost.is_empty() {
         let finer = settled_finely(given.scene, given.mechanism, given.demand, posed.configuration.clone());
         if finer != posed.configuration {
+            let before = posed.drawings;
             posed = trial(given, finer)?;
+            posed.drawings += before;
             lost = posed.judge(given);
         }
     }
@@ -86,14 +93,18 @@ fn trial(given: Given, configuration: Configuration) -> Result<Posed, Faults> {
     if let Some(written) = &written {
         solution.taken_for_singular(|words| near_singular(words, written));
     }
-    let drawing = draw(given, &configuration, &singular)?;
-    Ok(Posed { configuration, solution, singular, written, near: None, drawing, notes: Vec::new() })
+    let mut drawings = 0;
+    let drawing = draw(given, &configuration, &singular, &mut drawings)?;
+    Ok(Posed { configuration, solution, singular, written, near: None, drawing, drawings, notes: Vec::new() })
 }
 
-/// The drawing without some groups.
-fn draw(given: Given, configuration: &Configuration, without: &[usize]) -> Result<Drawing, Faults> {
+/// The drawing without some groups; adds to `drawings` how often it was evaluated.
+fn draw(given: Given, configuration: &Configuration, without: &[usize], drawings: &mut usize) -> Result<Drawing, Faults> {
     let Given { scene, mechanism, demand } = given;
-    let constructed = |plan: &Plan| construct::construct(scene, mechanism, configuration, plan, &Boxes::of(&scene.paper, plan));
+    let mut constructed = |plan: &Plan| {
+        *drawings += TRIAL_AND_DRAWING;
+        construct::construct(scene, mechanism, configuration, plan, &Boxes::of(&scene.paper, plan))
+    };
     let mut plan = plan::plan_without(scene, mechanism, demand, without);
     let construction = match constructed(&plan) {
         Ok(construction) => construction,
@@ -119,7 +130,7 @@ impl Drawing {
 
     /// Factor by which rounding is magnified at the worst crossing of a level.
     pub fn magnified(&self, level: Level) -> f64 {
-        self.construction.magnification[usize::from(level == Level::Acceleration)]
+        self.construction.magnified(DiagramKind::of(level))
     }
 }
 
@@ -164,7 +175,7 @@ impl Posed {
             self.notes.extend(self.written.is_none().then(|| near_singular(&words, &near.truth)));
             self.singular.extend(lost);
             self.written = Some(near.truth.clone());
-            self.drawing = draw(given, &self.configuration, &self.singular)?;
+            self.drawing = draw(given, &self.configuration, &self.singular, &mut self.drawings)?;
         }
         self.measure(given);
         Ok(())

@@ -6,7 +6,7 @@ use hodograph_board::construct::{self, Construction};
 use hodograph_mechanism::answer::Value;
 use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::Configuration;
-use hodograph_scene::{Driver, Scene};
+use hodograph_scene::{DiagramKind, Driver, Scene};
 
 /// The sizes of a pose and of its polygons.
 pub(super) struct Sizes {
@@ -33,17 +33,17 @@ impl Sizes {
             let (rate, a) = (d.rate.value.abs(), d.acceleration.as_ref().map_or(0.0, |a| a.value.abs()));
             if d.kind.turns() { rate.max(a.sqrt()) * extent } else { rate.max((a * extent).sqrt()) }
         };
-        let largest = |level| paper.polygon(level).map_or(0.0, construct::Polygon::largest);
-        let speed = scene.drivers.iter().map(driven).fold(largest(Level::Velocity), f64::max);
-        let acceleration = largest(Level::Acceleration);
+        let largest = |on| paper.polygon(on).map_or(0.0, construct::Polygon::largest);
+        let speed = scene.drivers.iter().map(driven).fold(largest(DiagramKind::Velocity), f64::max);
+        let acceleration = largest(DiagramKind::Acceleration);
         let acceleration = if extent > 0.0 { acceleration.max(speed * speed / extent) } else { acceleration };
-        let size = |level, vector: f64| {
-            let rates = paper.rates.iter().filter(|r| r.level == level);
+        let size = |on, vector: f64| {
+            let rates = paper.rates.iter().filter(|r| r.on == on);
             let largest = rates.clone().map(|r| r.value.abs()).fold(0.0, f64::max);
             let arm = rates.filter_map(|r| r.measured).map(|m| m.arm).fold(extent, f64::min);
             Size { vector, turning: if arm > 0.0 { largest.max(vector / arm) } else { largest } }
         };
-        Sizes { extent, velocity: size(Level::Velocity, speed), acceleration: size(Level::Acceleration, acceleration) }
+        Sizes { extent, velocity: size(DiagramKind::Velocity, speed), acceleration: size(DiagramKind::Acceleration, acceleration) }
     }
 
     /// What an answer of a level is measured against.

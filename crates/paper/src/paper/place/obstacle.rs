@@ -220,7 +220,7 @@ mod tests {
                 let mut all = Obstacles::default();
                 for k in 0..bars {
                     let from = Point::new(random(size), random(size));
-                    // Level and upright lines and such without length among them.
+                    // DiagramKind and upright lines and such without length among them.
                     let to = match k % 4 {
                         0 => Point::new(from.x, random(size)),
                         1 => Point::new(random(size), from.y),

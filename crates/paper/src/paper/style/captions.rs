@@ -6,8 +6,7 @@ use crate::paper::words::{Words, words};
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::json::fields::Fields;
 use hodograph_base::json::{Node, Word};
-use hodograph_mechanism::mechanism::Level;
-use hodograph_scene::{Lang, localized};
+use hodograph_scene::{DiagramKind, Lang, localized};
 
 /// Longest caption: a line of A4.
 const LONGEST: usize = 80;
@@ -15,21 +14,21 @@ const LONGEST: usize = 80;
 /// What has a caption or a heading on a sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Captioned {
-    /// The drawing of a level: the kinematic diagram, or a polygon.
-    Drawing(Level),
-    /// The equations of a level of rates.
-    Equations(Level),
+    /// A diagram: the mechanism, or a polygon.
+    Drawing(DiagramKind),
+    /// The equations of a polygon.
+    Equations(DiagramKind),
     /// The results.
     Results,
 }
 
 /// What is captioned, by the words of files.
 const ALL: [(&str, Captioned); 6] = [
-    ("mechanism", Captioned::Drawing(Level::Position)),
-    ("velocity", Captioned::Drawing(Level::Velocity)),
-    ("acceleration", Captioned::Drawing(Level::Acceleration)),
-    ("velocity_equations", Captioned::Equations(Level::Velocity)),
-    ("acceleration_equations", Captioned::Equations(Level::Acceleration)),
+    ("mechanism", Captioned::Drawing(DiagramKind::Plane)),
+    ("velocity", Captioned::Drawing(DiagramKind::Velocity)),
+    ("acceleration", Captioned::Drawing(DiagramKind::Acceleration)),
+    ("velocity_equations", Captioned::Equations(DiagramKind::Velocity)),
+    ("acceleration_equations", Captioned::Equations(DiagramKind::Acceleration)),
     ("results", Captioned::Results),
 ];
 
@@ -62,9 +61,8 @@ impl Captions {
 
 fn usual(words: &'static Words, what: Captioned) -> &'static str {
     match what {
-        Captioned::Drawing(Level::Position) => words.diagram,
-        Captioned::Drawing(level) => words.polygon(level),
-        Captioned::Equations(level) => words.equations(level),
+        Captioned::Drawing(on) => words.drawing(on),
+        Captioned::Equations(on) => words.equations(on),
         Captioned::Results => words.results,
     }
 }

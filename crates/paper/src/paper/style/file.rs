@@ -253,7 +253,7 @@ mod tests {
     use super::super::Captioned;
     use super::*;
     use hodograph_base::diag::Both;
-    use hodograph_mechanism::mechanism::Level;
+    use hodograph_scene::DiagramKind;
     use hodograph_scene::Lang;
 
     #[test]
@@ -261,10 +261,10 @@ mod tests {
         let source = r#"{ "captions": { "velocity": "Plan $v$", "results": { "zh": "结论" } }, "notation": { "vectors": "bold" } }"#;
         let style = read(source.as_bytes()).unwrap();
         let of = |what, lang| style.captions.of(what, lang);
-        assert_eq!(of(Captioned::Drawing(Level::Velocity), Lang::En), "Plan $v$");
-        assert_eq!(of(Captioned::Drawing(Level::Velocity), Lang::Zh), "Plan $v$");
+        assert_eq!(of(Captioned::Drawing(DiagramKind::Velocity), Lang::En), "Plan $v$");
+        assert_eq!(of(Captioned::Drawing(DiagramKind::Velocity), Lang::Zh), "Plan $v$");
         assert_eq!((of(Captioned::Results, Lang::En), of(Captioned::Results, Lang::Zh)), ("Results", "结论"));
-        assert_eq!(of(Captioned::Equations(Level::Acceleration), Lang::En), "Accelerations");
+        assert_eq!(of(Captioned::Equations(DiagramKind::Acceleration), Lang::En), "Accelerations");
         assert_eq!(style.marks.vectors, Some(Vectors::Bold));
         let long = "x".repeat(81);
         let wrong = format!(

@@ -1,0 +1,134 @@
+//! Kinds of diagrams: the one list of what is drawn to a scale of its own, with all that differs from one to the next.
+
+use super::kind::Kind;
+use super::quantity::Level;
+use hodograph_base::diag::{Both, both};
+
+/// A kind of diagram.
+///
+/// A [`Level`] is the order of a derivative; a diagram kind names a drawing. A kind that is added is a line of [`DiagramKind::ALL`] and an entry of each
+/// function below, and the compiler shows every other place that it concerns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum DiagramKind {
+    /// The mechanism in its plane, drawn to μ_l.
+    Plane,
+    /// The velocity polygon.
+    Velocity,
+    /// The acceleration polygon.
+    Acceleration,
+}
+
+impl DiagramKind {
+    /// All kinds, in the order of drawing.
+    pub const ALL: [DiagramKind; 3] = [DiagramKind::Plane, DiagramKind::Velocity, DiagramKind::Acceleration];
+
+    /// Those of vectors that are drawn from a pole, in the order of drawing.
+    pub const POLYGONS: [DiagramKind; 2] = [DiagramKind::Velocity, DiagramKind::Acceleration];
+
+    /// The polygon of the derivatives of an order; the plane for positions.
+    pub const fn of(level: Level) -> DiagramKind {
+        match level {
+            Level::Position => DiagramKind::Plane,
+            Level::Velocity => DiagramKind::Velocity,
+            Level::Acceleration => DiagramKind::Acceleration,
+        }
+    }
+
+    /// The order of derivative of what is drawn.
+    pub const fn level(self) -> Level {
+        match self {
+            DiagramKind::Plane => Level::Position,
+            DiagramKind::Velocity => Level::Velocity,
+            DiagramKind::Acceleration => Level::Acceleration,
+        }
+    }
+
+    /// The kind of quantity that a distance on it stands for.
+    pub const fn kind(self) -> Kind {
+        match self {
+            DiagramKind::Plane => Kind::Length,
+            DiagramKind::Velocity => Kind::Velocity,
+            DiagramKind::Acceleration => Kind::Acceleration,
+        }
+    }
+
+    /// The kind of quantity that the turning of a link is, which is measured on it.
+    pub const fn turning(self) -> Kind {
+        match self {
+            DiagramKind::Plane => Kind::Angle,
+            DiagramKind::Velocity => Kind::Omega,
+            DiagramKind::Acceleration => Kind::Alpha,
+        }
+    }
+
+    /// The symbol of its vectors, which is the subscript of its scale: `l`, `v`, `a`.
+    pub const fn letter(self) -> &'static str {
+        match self {
+            DiagramKind::Plane => "l",
+            DiagramKind::Velocity => "v",
+            DiagramKind::Acceleration => "a",
+        }
+    }
+
+    /// The symbol of the turning of a link, in the label language.
+    pub const fn turning_letter(self) -> &'static str {
+        match self {
+            DiagramKind::Plane => "\\varphi",
+            DiagramKind::Velocity => "\\omega",
+            DiagramKind::Acceleration => "\\alpha",
+        }
+    }
+
+    /// What is added to the letters of its marks: p, b; p′, b′.
+    pub const fn prime(self) -> &'static str {
+        match self {
+            DiagramKind::Plane | DiagramKind::Velocity => "",
+            DiagramKind::Acceleration => "'",
+        }
+    }
+
+    /// Its word in files and arguments, and in classes of items of figures.
+    pub const fn word(self) -> &'static str {
+        match self {
+            DiagramKind::Plane => "mechanism",
+            DiagramKind::Velocity => "velocity",
+            DiagramKind::Acceleration => "acceleration",
+        }
+    }
+
+    /// The word with which ids of its items begin.
+    pub const fn prefix(self) -> &'static str {
+        match self {
+            DiagramKind::Plane => "mechanism",
+            DiagramKind::Velocity => "vel",
+            DiagramKind::Acceleration => "acc",
+        }
+    }
+
+    /// What one of its vectors is called.
+    pub fn vector(self) -> Both {
+        match self {
+            DiagramKind::Plane => both!("length", "长度"),
+            DiagramKind::Velocity => both!("velocity", "速度"),
+            DiagramKind::Acceleration => both!("acceleration", "加速度"),
+        }
+    }
+
+    /// What several of its vectors are called.
+    pub fn vectors(self) -> Both {
+        match self {
+            DiagramKind::Plane => both!("lengths", "长度"),
+            DiagramKind::Velocity => both!("velocities", "速度"),
+            DiagramKind::Acceleration => both!("accelerations", "加速度"),
+        }
+    }
+
+    /// What the drawing is called.
+    pub fn name(self) -> Both {
+        match self {
+            DiagramKind::Plane => both!("kinematic diagram", "机构运动简图"),
+            DiagramKind::Velocity => both!("velocity polygon", "速度多边形"),
+            DiagramKind::Acceleration => both!("acceleration polygon", "加速度多边形"),
+        }
+    }
+}
