@@ -79,14 +79,14 @@
 //! - [`webfont`]: the letters that every page brings with it.
 //! - [`problem`]: every kind of file through one call: read, solve, and what is written of the answers.
 //! - [`cli`]: the only room that prints, reads arguments or touches files.
-//! - Small shared ones: [`geom`], [`trig`], [`digits`], [`diag`], [`json`](hodograph_base::json).
+//! - Small shared ones: [`geom`], [`trig`], [`digits`], [`diag`], [`budget`], [`json`](hodograph_base::json).
 //!
 //! # Crates
 //! The rooms are crates under `crates/`, so that Cargo refuses what the table below forbids, above all that drawing and analysis know one
 //! another, and builds each at the level of optimisation that it needs. The root package hands on all that a user needs; in it stand the rooms that
 //! write documents, and the program.
 //! ```text
-//! base       diag json digits trig number geom cam
+//! base       diag budget json digits trig number geom cam
 //! scene      scene
 //! mechanism  mechanism position stated answer motion
 //! board      plan construct
@@ -105,6 +105,7 @@
 //! Rooms from the bottom up, each with the rooms that it imports. `tests/tidy.rs` compares the table with the imports of all files.
 //! ```text
 //! diag       -
+//! budget     diag
 //! json       diag
 //! digits     -
 //! trig       -
@@ -121,7 +122,7 @@
 //! construct  diag digits number geom scene mechanism position answer plan
 //! analytic   diag geom cam scene mechanism position answer
 //! sweep      diag digits trig number geom cam scene mechanism position stated answer motion analytic
-//! paper      diag json geom scene mechanism plan
+//! paper      diag json geom scene plan
 //! render     diag geom paper
 //! accuracy   diag digits number geom scene mechanism position answer motion plan construct analytic
 //! worked     diag digits geom scene mechanism position stated answer plan construct analytic sweep accuracy
@@ -181,7 +182,7 @@
 #![allow(rustdoc::private_intra_doc_links)]
 
 pub use hodograph_analytic as analytic;
-pub use hodograph_base::{cam, diag, digits, geom, number, trig};
+pub use hodograph_base::{budget, cam, diag, digits, geom, number, trig};
 pub use hodograph_board::{construct, plan};
 pub use hodograph_figure as figure;
 pub use hodograph_mechanism::{answer, mechanism, motion, position, stated};

@@ -1,5 +1,6 @@
 //! Every kind of file through the library's one call.
 
+use hodograph::budget::Budget;
 use hodograph::diag::Severity;
 use hodograph::figure::list::Extras;
 use hodograph::problem::{
@@ -8,6 +9,7 @@ use hodograph::problem::{
 use hodograph::scene::{Lang, Swept};
 use hodograph::worksheet::Sides;
 use std::process::Command;
+use std::time::{Duration, Instant};
 
 mod wide;
 
@@ -170,4 +172,32 @@ fn options_are_checked() {
 fn answers_go_between_threads() {
     fn crosses<T: Send + Sync>(_: &T) {}
     crosses(&solve(&problem("crank-rocker"), &Options::default()).unwrap());
+}
+
+/// Every computation that may take long asks its budget: with a deadline that has passed none comes to its end, on whatever thread it runs; without
+/// one, or with time enough, all do.
+#[test]
+fn a_budget_stops_every_computation() {
+    let past = Budget::default().until(Instant::now());
+    let later = Budget::default().until(Instant::now() + Duration::from_secs(3600));
+    let look = Look::default();
+    let mut tried = 0;
+    for name in ["crank-rocker", "jansen-leg", "cam-offset-roller", "plate-by-law", "path", "body", "pursuit"] {
+        let problem = problem(name);
+        let solved = later.run(|| solve(&problem, &Options::with_figures()).unwrap()).unwrap();
+        let lesson = Lesson { positions: 6, ..Lesson::default() };
+        // Closed formulas and readings take no time worth a budget.
+        let works: [(&str, &dyn Fn()); 4] = [
+            ("solve", &|| drop(solve(&problem, &Options::with_figures()))),
+            ("figures", &|| drop(solved.figures(&Pictures::default(), &look))),
+            ("worksheet", &|| drop(solved.worksheet(Sides::Both, None, &look))),
+            ("lesson", &|| drop(solved.lesson(&lesson, &look))),
+        ];
+        for (what, work) in works {
+            let stopped = past.run(work).err().map(|d| d.code);
+            assert_eq!(stopped, Some("stopped"), "{what} of {name}");
+            tried += 1;
+        }
+    }
+    assert_eq!(tried, 28);
 }

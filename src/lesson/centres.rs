@@ -4,6 +4,7 @@
 //! Decided here: which poses the page holds. The centres are found anew in each ([`crate::centres`]), the drawings are those of
 //! [`crate::figure::centres`], the page is that of [`super::motion`].
 
+use crate::budget::here;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -86,7 +87,8 @@ pub(super) fn lesson(
         let whole = centres.list.iter().zip(&task.found.list).all(|(c, own)| c.place.is_some() || own.place.is_none());
         whole.then_some(Found { frame: Frame { travel: pose.travel, scene, worked, shown: Vec::new(), end: false }, centres })
     };
-    let frames: Vec<Found> = poses.par_iter().filter_map(found).collect();
+    let here = here();
+    let frames: Vec<Found> = poses.par_iter().filter_map(|pose| here.enter(|| found(pose))).collect();
     let from_own = |k: &usize| frames[*k].frame.travel.abs();
     let Some(base) = (0..frames.len()).min_by(|a, b| from_own(a).total_cmp(&from_own(b))) else {
         let words = both!("no position has all its centres", "没有任何位置能求得全部瞬心");
@@ -94,8 +96,8 @@ pub(super) fn lesson(
     };
     let style = Style { small_mm: options.style.small_mm * LARGER, label_mm: options.style.label_mm * LARGER, ..options.style.clone() };
     let sheet = sheet::Options { style, notation: options.notation.clone(), ..sheet::Options::of_language(options.lang) };
-    let views: Vec<Vec<View>> = frames.par_iter().map(|f| views(f, &sheet)).collect();
-    let told: Vec<Value> = frames.par_iter().zip(&views).map(|(f, views)| told(f, views, options)).collect();
+    let views: Vec<Vec<View>> = frames.par_iter().map(|f| here.enter(|| views(f, &sheet))).collect();
+    let told: Vec<Value> = frames.par_iter().zip(&views).map(|(f, views)| here.enter(|| told(f, views, options))).collect();
     let title = [scene.title.en.as_str(), scene.title.zh.as_str()];
     let title = if title == ["", ""] { LANGS.map(|l| figure_words(l).centres) } else { title };
     Page { title, lang: options.lang, words: &WORDS, book: &scene.book, base, still: None }.written(&views, &told)

@@ -3,6 +3,7 @@
 //! Decided here: that all poses fit the paper but those next to a limit, where vectors grow beyond all bounds, and how many
 //! poses the page needs to show those between them true to a hundredth of a millimetre. Which scales they have: [`super::zoom`].
 
+use crate::budget::here;
 use rayon::prelude::*;
 
 use crate::construct::scale::Boxes;
@@ -127,7 +128,8 @@ impl Maker<'_> {
     /// `no-motion` where no pose can be drawn.
     pub fn frames(&self, sweep: &Sweep) -> Result<Frames, Faults> {
         let mut trials: Vec<Trial> = Vec::with_capacity(2 * sweep.poses.len());
-        let worked: Vec<Option<Trial>> = sweep.poses.par_iter().map(|pose| self.trial(pose)).collect();
+        let here = here();
+        let worked: Vec<Option<Trial>> = sweep.poses.par_iter().map(|pose| here.enter(|| self.trial(pose))).collect();
         for (k, trial) in worked.into_iter().enumerate() {
             match trial {
                 Some(trial) => trials.push(trial),
@@ -189,7 +191,8 @@ impl Maker<'_> {
                 let error = self.error(trials, *k, &middle, &papers);
                 (error > BETWEEN_MM).then_some((*k, error, middle))
             };
-            let mut wanted: Vec<(usize, f64, Trial)> = open.par_iter().filter_map(halved).collect();
+            let here = here();
+            let mut wanted: Vec<(usize, f64, Trial)> = open.par_iter().filter_map(|k| here.enter(|| halved(k))).collect();
             // The worst first, where there is room for some only.
             wanted.sort_by(|a, b| b.1.total_cmp(&a.1));
             wanted.truncate(most.saturating_sub(trials.len()));
@@ -286,7 +289,8 @@ impl Maker<'_> {
             let worked = work_placed(&scene, mechanism.clone(), demand.clone(), configuration.clone()).ok()?.value;
             Some((scene, worked))
         };
-        let drawn: Vec<Option<(Scene, Worked)>> = trials.par_iter().map(to_scale).collect();
+        let here = here();
+        let drawn: Vec<Option<(Scene, Worked)>> = trials.par_iter().map(|trial| here.enter(|| to_scale(trial))).collect();
         for (trial, drawn) in trials.into_iter().zip(drawn) {
             let Some((scene, worked)) = drawn else { continue };
             let holds = |on: &DiagramKind| papers.common.holds(&trial.worked, *on);

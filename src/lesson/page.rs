@@ -2,6 +2,7 @@
 //!
 //! Decided here: what stands where. Nothing is fetched: all is in the one file.
 
+use crate::budget::here;
 use serde_json::{Value, json};
 
 use crate::construct::pencil::USUAL_MM;
@@ -68,7 +69,9 @@ pub fn page(scene: &Scene, options: &Options, (mechanism, sweep): (&Mechanism, &
         let marks = marks(frames, notation, &mut formulas);
         (steps, answers, equations, marks, formulas)
     };
-    let (drawings, (steps, answers, equations, marks, mut formulas)) = rayon::join(|| scenery(frames, notation, &options.style), written);
+    let here = here();
+    let (drawings, (steps, answers, equations, marks, mut formulas)) =
+        rayon::join(|| here.enter(|| scenery(frames, notation, &options.style)), || here.enter(written));
     let drawings = drawings?;
     let told: Vec<Vec<Told>> = drawings.iter().map(|d| d.layouts.iter().enumerate().map(|(k, l)| l.track.told(k == 0)).collect()).collect();
     let mut figures = drawings.iter().zip(&told).map(|(d, told)| figure(d, told, frames, options.lang));

@@ -3,6 +3,7 @@
 //! Decided here: what fills a window, which poses it holds, and the order in which labels are placed, each where it stood in the
 //! frame before if it can.
 
+use crate::budget::here;
 use rayon::prelude::*;
 
 use crate::construct::Polygon;
@@ -90,7 +91,8 @@ pub fn scenery(frames: &Frames, notation: &Notation, style: &Style) -> Result<Ve
         }
     }
     // The drawings know nothing of one another.
-    wanted.into_par_iter().map(|shows| Studio::of(frames, notation, style, shows).scenery()).collect()
+    let here = here();
+    wanted.into_par_iter().map(|shows| here.enter(|| Studio::of(frames, notation, style, shows).scenery())).collect()
 }
 
 /// The parts of all frames in which something is drawn.
@@ -137,7 +139,8 @@ impl<'a> Studio<'a> {
         let alone = |mu: f64| with_names(lines(self.frames.base, mu, &self.courses(mu)), label);
         let together = |mu: f64| {
             let courses = self.courses(mu);
-            let boxes = (0..self.frames.list.len()).into_par_iter().map(|k| lines(k, mu, &courses));
+            let here = here();
+            let boxes = (0..self.frames.list.len()).into_par_iter().map(|k| here.enter(|| lines(k, mu, &courses)));
             boxes.reduce_with(Rect::union).map_or(alone(mu), |r| with_names(r, label))
         };
         let times = |box_mm: Rect, [w, h]: [f64; 2]| (size(box_mm)[0] / w).max(size(box_mm)[1] / h).max(1.0);
@@ -196,7 +199,8 @@ impl<'a> Studio<'a> {
         let along = |way: Vec<usize>, mut habits: Habits| -> Vec<(usize, Option<Part>)> {
             way.into_iter().map(|k| (k, part(k, &mut habits))).take_while(|(_, p)| stays(p)).collect()
         };
-        let (on, before) = rayon::join(|| along(ahead, at_base.clone()), || along(back, at_base.clone()));
+        let here = here();
+        let (on, before) = rayon::join(|| here.enter(|| along(ahead, at_base.clone())), || here.enter(|| along(back, at_base.clone())));
         let mut parts: Parts = frames.list.iter().map(|_| None).collect();
         parts[frames.base] = first;
         on.into_iter().chain(before).for_each(|(k, part)| parts[k] = part);

@@ -1,5 +1,6 @@
 //! What is said at each step of the construction, and the answers, in all frames.
 
+use crate::budget::here;
 use serde_json::{Value, json};
 
 use rayon::prelude::*;
@@ -26,7 +27,8 @@ pub const LANGS: [Lang; 2] = [Lang::En, Lang::Zh];
 /// English and Chinese.
 pub fn steps(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let mut steps = Vec::new();
-    let told: Vec<Steps> = frames.list.par_iter().map(|f| certified_steps(&f.scene, &f.worked, None)).collect();
+    let here = here();
+    let told: Vec<Steps> = frames.list.par_iter().map(|f| here.enter(|| certified_steps(&f.scene, &f.worked, None))).collect();
     for on in DiagramKind::POLYGONS {
         let of = |lang| frames.list.iter().zip(&told).map(|(f, t)| told_on(f, t, on, notation, lang)).collect::<Vec<_>>();
         let mut said = LANGS.map(of);
@@ -63,7 +65,8 @@ fn told_on(frame: &Frame, told: &Steps, on: DiagramKind, notation: &Notation, la
 
 /// The answers: for each question its value in all frames, English and Chinese.
 pub fn answers(frames: &Frames, swept: Swept, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
-    let certified: Vec<Vec<Certified>> = frames.list.par_iter().map(|f| certified(f, swept)).collect();
+    let here = here();
+    let certified: Vec<Vec<Certified>> = frames.list.par_iter().map(|f| here.enter(|| certified(f, swept))).collect();
     let finds = frames.list.first().map_or(0, |f| f.scene.find.len());
     (0..finds)
         .map(|i| {

@@ -40,16 +40,14 @@ impl Case {
         })
     }
 
-    /// The size against which a level's vectors are judged: where all of them vanish, what the motion makes of the
-    /// mechanism's size.
+    fn largest(&self, level: Level) -> f64 {
+        self.worked.construction.polygon(DiagramKind::of(level)).map_or(0.0, |p| p.largest())
+    }
+
+    /// The size against which a level's vectors are judged: where all vanish, what the motion makes of the mechanism's size.
     fn scale(&self, level: Level) -> f64 {
-        let w = &self.worked;
-        let largest = |l| w.construction.polygon(DiagramKind::of(l)).map_or(0.0, |p| p.largest());
-        let v = largest(Level::Velocity);
-        match level {
-            Level::Acceleration => largest(level).max(v * v / w.configuration.extent().max(1e-300)),
-            _ => v,
-        }
+        let (v, extent) = (self.largest(Level::Velocity), self.worked.configuration.extent().max(1e-300));
+        if level == Level::Acceleration { self.largest(level).max(v * v / extent) } else { v }
     }
 
     fn well_conditioned(&self) -> bool {
@@ -211,10 +209,9 @@ fn vectors_are_differences_of_positions() {
         let pose = if m.coordinates_only { Pose::Coordinates } else { Pose::of(seed) };
         let c = solve(seed, &m, &style(pose, Ask::Everything, seed));
         let extent = c.worked.configuration.extent();
-        let largest = |l| c.worked.construction.polygon(DiagramKind::of(l)).map_or(0.0, |p| p.largest());
-        let (v, a) = (largest(Level::Velocity), largest(Level::Acceleration));
-        let omega =
-            c.worked.construction.rates.iter().filter(|r| r.on == DiagramKind::Velocity).map(|r| r.value.abs()).fold(v / extent, f64::max);
+        let (v, a) = (c.largest(Level::Velocity), c.largest(Level::Acceleration));
+        let rates = c.worked.construction.rates.iter().filter(|r| r.on == DiagramKind::Velocity);
+        let omega = rates.map(|r| r.value.abs()).fold(v / extent, f64::max);
         // Where a motion is strongly amplified its higher derivatives swamp any difference formula.
         if c.worked.solution.condition > 2e2 || omega > 20.0 {
             continue;
@@ -600,11 +597,9 @@ fn only_what_is_asked_is_done() {
         assert!(paper.diagrams.is_empty() && c.worked.solution.size == [0, 0]);
     });
     each(120, Pose::Coordinates, Ask::Velocities, |_, c| {
-        assert!(
-            c.worked.plan.steps(DiagramKind::Acceleration).is_empty() && c.worked.construction.polygon(DiagramKind::Acceleration).is_none(),
-            "seed {}",
-            c.seed
-        );
+        let (plan, paper) = (&c.worked.plan, &c.worked.construction);
+        let on = DiagramKind::Acceleration;
+        assert!(plan.steps(on).is_empty() && paper.polygon(on).is_none(), "seed {}", c.seed);
         assert_eq!(c.worked.solution.size[1], 0, "seed {}: accelerations solved that nothing asks for", c.seed);
     });
     each(200, Pose::Coordinates, Ask::Everything, |_, c| {

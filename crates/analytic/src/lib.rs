@@ -37,6 +37,7 @@ pub use pose::{Near, Refused, SingularKind, Singularity};
 pub use singular::Why;
 pub use third::third;
 
+use hodograph_base::budget::spend;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::answer::Source;
@@ -98,6 +99,7 @@ struct LinkMotion {
 /// # Errors
 /// `overflow`: numbers out of range.
 pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> Result<Solution, Faults> {
+    spend();
     let mut solution = Solution {
         links: vec![None; scene.links.len()],
         bare: [Vec::new(), Vec::new()],

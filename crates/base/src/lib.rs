@@ -2,7 +2,7 @@
 //!
 //! Rooms: [`number`] (numbers of several precisions behind one trait), [`trig`] (sine and cosine, exact reduction of angles), [`geom`]
 //! (points and vectors of the plane), [`cam`] (disc cams as plain geometry), [`digits`] (counting digits that are true), [`diag`] (what is
-//! told of a fault), [`json`] (JSON whose words know where they stand).
+//! told of a fault), [`json`] (JSON whose words know where they stand), [`budget`] (a limit on the time of a computation).
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -11,6 +11,7 @@
 // The maps name private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
+pub mod budget;
 pub mod cam;
 pub mod diag;
 pub mod digits;

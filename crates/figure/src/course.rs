@@ -2,6 +2,7 @@
 //!
 //! Decided here: that the ground stands still. Not decided here: which side is best in one pose.
 
+use hodograph_base::budget::here;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -16,7 +17,9 @@ use hodograph_paper::paper::style::Style;
 
 /// The course of each pose.
 pub fn courses(poses: &[(&Scene, &Worked)], style: &Style, notation: &Notation) -> Vec<Course> {
-    let alone: Vec<Course> = poses.par_iter().map(|(scene, worked)| Course::of_one(style, scene, worked, notation)).collect();
+    let here = here();
+    let of_one = |(scene, worked): &(&Scene, &Worked)| here.enter(|| Course::of_one(style, scene, worked, notation));
+    let alone: Vec<Course> = poses.par_iter().map(of_one).collect();
     let (mut supports, mut guides) = (BTreeMap::new(), BTreeMap::new());
     for ((scene, _), course) in poses.iter().zip(&alone) {
         for (point, side) in scene.points.iter().zip(&course.supports) {

@@ -18,6 +18,7 @@ mod evolution;
 pub mod timed;
 
 use evolution::{Population, Random, evolve};
+use hodograph_base::budget::here;
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::position::kernel::crossing;
@@ -253,7 +254,8 @@ fn until_sure(size: f64, same: &(dyn Fn(&Fit, &Fit) -> bool + Sync), one: impl F
     let mut hits = 0;
     let waves = (0..RUNS).step_by(WAVE).map(|from| from..(from + WAVE).min(RUNS));
     // A wave is run at once and looked at in order: what comes after the end is not counted, on however many threads.
-    let all = waves.flat_map(|wave| wave.into_par_iter().map(&one).collect::<Vec<_>>());
+    let here = here();
+    let all = waves.flat_map(|wave| wave.into_par_iter().map(|run| here.enter(|| one(run))).collect::<Vec<_>>());
     for (run, (fits, evaluations)) in all.enumerate() {
         out.runs = run + 1;
         out.evaluations += evaluations;

@@ -9,6 +9,7 @@ use super::pieces::{Stop, never};
 use super::station::{Stations, angle_per_value};
 use super::vary::Variation;
 use super::{Ends, Placed, Width, beside, compile, without_program};
+use hodograph_base::budget::here;
 use hodograph_base::diag::Faults;
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::position::{self, Configuration};
@@ -139,10 +140,12 @@ impl Batch<'_> {
             parts.iter_mut().zip(column.chunks_mut(positions)).for_each(|(part, c)| part.push(c));
         }
         let demand = Demand::of(self.scene, self.mechanism);
+        let here = here();
+        let one = |scene: &mut Scene, i: usize, part| here.enter(|| self.one(scene, &demand, from + i as u64, part));
         let missing: Option<Vec<Vec<usize>>> = parts
             .into_par_iter()
             .enumerate()
-            .map_init(|| self.scene.clone(), |scene, (i, part)| (!stop()).then(|| self.one(scene, &demand, from + i as u64, part)))
+            .map_init(|| self.scene.clone(), |scene, (i, part)| (!stop()).then(|| one(scene, i, part)))
             .collect();
         let missing = missing?;
         let gaps: Vec<usize> =

@@ -11,6 +11,7 @@ use super::program::{INPUTS, Program};
 use super::run::{Buffer, CHUNK};
 use super::table::{Column, Table};
 use super::{Placed, Stations, branches, compile};
+use hodograph_base::budget::{here, spend};
 use hodograph_base::diag::{Diagnostic, Faults};
 use rayon::prelude::*;
 use std::cell::RefCell;
@@ -38,7 +39,8 @@ impl<C: DerefMut<Target = [f64]>> Rows<C> {
     pub fn complete(&mut self, general: &General, stations: &Stations, stop: Stop, near: Near) -> bool {
         let open = std::mem::take(&mut self.open);
         let solve = |i: usize| general.solve(stations, i).map(|ways| pick_way(ways, || near(i)));
-        let solved: Option<Vec<_>> = open.par_iter().map(|&i| (!stop()).then(|| solve(i))).collect();
+        let here = here();
+        let solved: Option<Vec<_>> = open.par_iter().map(|&i| (!stop()).then(|| here.enter(|| solve(i)))).collect();
         let Some(solved) = solved else { return false };
         for (i, row) in open.into_iter().zip(solved) {
             match row {
@@ -258,6 +260,7 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
         let mut lost = Vec::new();
         let (first, end) = (number * stretch, n.min((number + 1) * stretch));
         for from in (first..end).step_by(together) {
+            spend();
             let rows = from..end.min(from + together);
             let here = rows.start - first..rows.end - first;
             let answers = if whole && rows.len() == CHUNK {
@@ -287,7 +290,8 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
         REGISTERS.set(buffer);
         lost
     } else {
-        parts.par_iter_mut().enumerate().map_init(|| fused.buffer(), |buffer, part| one_stretch(buffer, part)).collect()
+        let here = here();
+        parts.par_iter_mut().enumerate().map_init(|| fused.buffer(), |buffer, part| here.enter(|| one_stretch(buffer, part))).collect()
     };
     let mut open = Vec::new();
     for (row, sure) in lost.into_iter().flatten() {

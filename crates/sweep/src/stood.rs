@@ -10,6 +10,7 @@ use super::lane::Width;
 use super::pieces::Stop;
 use super::program::Program;
 use super::station::Stations;
+use hodograph_base::budget::here;
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::position::{self, Configuration, Pose};
@@ -45,7 +46,9 @@ impl Stood {
             let mut ways = by_program.unwrap_or_else(|| general.solve(stations, i))?;
             Ok(ways.swap_remove(0))
         };
-        let made: Option<Vec<_>> = (0..stations.len()).into_par_iter().map(|i| (!stop()).then(|| solve(i))).collect();
+        let here = here();
+        let row = |i: usize| (!stop()).then(|| here.enter(|| solve(i)));
+        let made: Option<Vec<_>> = (0..stations.len()).into_par_iter().map(row).collect();
         let width = general.scene().find.iter().flat_map(ask::names).count();
         let mut rows = Rows { columns: vec![vec![f64::NAN; stations.len()]; width], ..Default::default() };
         for (i, row) in made?.into_iter().enumerate() {

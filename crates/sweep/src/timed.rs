@@ -9,6 +9,7 @@ use super::general::General;
 use super::pieces::{Gaps, Pieces, Stop};
 use super::table::Table;
 use super::{Placed, compile::ask, pieces};
+use hodograph_base::budget::here;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::{shortest, significant};
 use hodograph_scene::{Lang, Swept};
@@ -127,7 +128,9 @@ impl Pieces for Times<'_> {
 
     fn piece(&mut self, rows: Range<usize>, stop: Stop) -> Option<Vec<Vec<f64>>> {
         let (first, width) = (rows.start, self.columns().len());
-        let made: Option<Vec<_>> = rows.into_par_iter().map(|i| (!stop()).then(|| self.timed.row(self.times[i]))).collect();
+        let here = here();
+        let row = |i: usize| (!stop()).then(|| here.enter(|| self.timed.row(self.times[i])));
+        let made: Option<Vec<_>> = rows.into_par_iter().map(row).collect();
         let mut columns = vec![Vec::new(); width];
         let mut missing = BTreeMap::new();
         for (i, row) in made?.into_iter().enumerate() {

@@ -9,6 +9,7 @@ use super::general::General;
 use super::pieces::{Gaps, Pieces, Stop, never};
 use super::station::{Stations, position_now};
 use super::{Placed, Width, without_program};
+use hodograph_base::budget::here;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::shortest;
 use hodograph_mechanism::mechanism::Mechanism;
@@ -359,8 +360,9 @@ impl Pieces for Varied<'_> {
             let row = one_row(&placed, &stations)?;
             Ok(std::iter::once(value.si()).chain(row.columns.iter().map(|c| c[0])).collect())
         };
+        let here = here();
         let made: Option<Vec<Result<Vec<f64>, Faults>>> =
-            rows.into_par_iter().map_init(|| self.scene.clone(), |scene, i| (!stop()).then(|| one(scene, i))).collect();
+            rows.into_par_iter().map_init(|| self.scene.clone(), |scene, i| (!stop()).then(|| here.enter(|| one(scene, i)))).collect();
         let made = made?;
         let mut columns = vec![Vec::with_capacity(made.len()); width];
         let mut missing = BTreeMap::new();

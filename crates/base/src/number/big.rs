@@ -4,6 +4,7 @@
 //! one precision, runs the computation in it and gives its memory back at the end. A handle means nothing outside.
 
 use super::Real;
+use crate::budget::spend;
 use dashu_float::round::mode::HalfEven;
 use dashu_float::{Context, FBig};
 use dashu_int::IBig;
@@ -93,6 +94,7 @@ impl Big {
     }
 
     fn binary(self, o: Big, f: impl FnOnce(&Long, &Long, &Context<HalfEven>) -> Option<Long>) -> Big {
+        spend();
         REGION.with_borrow_mut(|r| {
             let (Some(a), Some(b)) = (r.numbers.get(self.0 as usize), r.numbers.get(o.0 as usize)) else { return UNDECIDED };
             match f(a, b, &Context::new(r.bits)) {

@@ -5,7 +5,8 @@
 //! pin in its slot) from the diagram, shapes of links for images from the diagram, ω and α from the polygons.
 
 use super::Construction;
-use super::board::{Board, drawn};
+use super::board::Board;
+use super::layout::{Layout, drawn};
 use super::pencil::Pencil;
 use crate::plan::{Body, By, Plan, SpecialLine, Spot, Term, VertexId};
 use hodograph_base::diag::Faults;
@@ -13,31 +14,7 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_mechanism::mechanism::{ConstraintLine, Mechanism};
 use hodograph_mechanism::position::{Configuration, Path, Pose};
-use hodograph_scene::{ByKind, DiagramKind, GuideId, Normal, PointId, RollingId, Scene, Touch};
-
-/// What has to be chosen before a drawing is made: scales, and which special points are used.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Layout {
-    /// Scale of the mechanism (m/mm).
-    pub mu: f64,
-    /// Scales of the polygons, SI per mm; what has none is not drawn.
-    pub scales: ByKind,
-    /// For each group, the alternative of its steps.
-    pub chosen: Vec<usize>,
-}
-
-impl Layout {
-    /// That of a finished construction.
-    pub fn of(done: &Construction) -> Layout {
-        let scales = done.diagrams.iter().map(|p| (p.on.kind(), p.mu)).collect();
-        Layout { mu: done.diagram.mu, scales, chosen: done.chosen.clone() }
-    }
-
-    /// All drawings `factor` times as large.
-    pub fn enlarged(&self, factor: f64) -> Layout {
-        Layout { mu: self.mu / factor, scales: self.scales.map(|mu| mu / factor), chosen: self.chosen.clone() }
-    }
-}
+use hodograph_scene::{DiagramKind, GuideId, Normal, PointId, RollingId, Scene, Touch};
 
 /// Draws a plan with a pencil, to given scales.
 ///

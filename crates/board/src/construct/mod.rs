@@ -10,15 +10,16 @@ mod board;
 mod checks;
 mod choices;
 mod hand;
+mod layout;
 mod measure;
 pub mod pencil;
 mod readings;
 pub mod scale;
 mod special;
 
-pub use board::construct;
 pub use checks::{Condition, conditions};
-pub use hand::{Layout, by_hand};
+pub use hand::by_hand;
+pub use layout::{Layout, construct};
 pub use readings::{Answer, Measured, Shown, ShownAs, read, read_by_hand};
 
 use crate::plan::{Body, Plan, Term, VertexId};

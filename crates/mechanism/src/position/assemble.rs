@@ -4,6 +4,7 @@ use super::branch::{self, Trial};
 use super::shape::{self, Frame, LinkShape, given_place};
 use super::{Configuration, Path, Pose};
 use crate::mechanism::{Core, Demand, Group, Hold, Leg, Mechanism, Passive, Strut};
+use hodograph_base::budget::spend;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
@@ -136,6 +137,7 @@ impl<'a, N: Real> Assembly<'a, N> {
         let m = self.m;
         let mut failed = vec![false; m.groups.len()];
         for (i, group) in m.groups.iter().enumerate() {
+            spend();
             if demand.groups[i].is_none() {
                 continue;
             }

@@ -9,6 +9,7 @@ use super::equations::{self, Given, Measured, View};
 use super::rolling::{self, Rolled, Seen};
 use super::{Configuration, Path, Pose, Shapes};
 use crate::mechanism::{Form, Group, Item, Mechanism, Node, constraints_of};
+use hodograph_base::budget::spend;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 use nalgebra::{DMatrix, DVector};
@@ -202,6 +203,7 @@ impl<'a> System<'a> {
         let touching = self.touching();
         let mut last = f64::INFINITY;
         for _ in 0..60 {
+            spend();
             let r = self.residuals(&at, drivers);
             if r.len() != x.len() || r.iter().any(|v| !v.is_finite()) {
                 return None;

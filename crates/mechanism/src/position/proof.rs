@@ -9,6 +9,7 @@
 //! R. Krawczyk, *Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken*, Computing 4 (1969); R. E. Moore,
 //! *A test for existence of solutions to nonlinear systems*, SIAM J. Numer. Anal. 14 (1977).
 
+use hodograph_base::budget::spend;
 use hodograph_base::number::Real;
 use nalgebra::DMatrix;
 
@@ -58,6 +59,7 @@ pub(super) fn root<N: Real, S: System<N>>(system: &S, start: S::State, scale: f6
     let mut at = start;
     let mut last = f64::INFINITY;
     for _ in 0..STEPS {
+        spend();
         let step: Vec<N> = newton(&at).into_iter().map(Real::mid).collect();
         let size = step.iter().map(|s| s.approx().abs()).fold(0.0, f64::max);
         if !step.iter().all(|s| s.is_decided()) || size > LONGEST * scale {

@@ -5,6 +5,7 @@
 
 use super::clock::Course;
 use super::step::{Pose, STRAY, foretold, stray};
+use hodograph_base::budget::here;
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
@@ -183,7 +184,9 @@ impl<'a> Follower<'a> {
             // The ends have been found: to halve for them anew would be most of the work.
             let ends = [up.pop().filter(|_| high.is_some()), down.pop().filter(|_| low.is_some())];
             let [top, bottom] = ends;
-            (up, down) = rayon::join(|| self.walk(fine, after, top).0, || self.walk(-fine, before, bottom).0);
+            let here = here();
+            let walk = |step: f64, from, end| here.enter(|| self.walk(step, from, end).0);
+            (up, down) = rayon::join(|| walk(fine, after, top), || walk(-fine, before, bottom));
         }
         let mut poses: Vec<Pose> = down.into_iter().rev().collect();
         poses.push(start);

@@ -1,5 +1,6 @@
 //! The rungs of the precision ladder: balls over `f64`, over double-double, over longer and longer numbers.
 
+use hodograph_base::budget::spend;
 use hodograph_base::number::decimal::Certain;
 use hodograph_base::number::{Ball, Big, Dd, within};
 use hodograph_mechanism::motion::Moved;
@@ -25,6 +26,7 @@ impl Rung {
 
     /// Does the work in this rung's numbers.
     pub fn climb<C: Climb>(self, work: &C) -> C::Found {
+        spend();
         match self {
             Rung::Double => work.with::<Ball<f64>>(),
             Rung::DoubleDouble => work.with::<Ball<Dd>>(),

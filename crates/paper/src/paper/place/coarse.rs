@@ -9,6 +9,7 @@
 //! Information Visualization 6 (2007), with a raster instead of his trellis.
 
 use crate::paper::extent::Rect;
+use hodograph_base::budget::spend;
 
 use super::candidate::{self, Candidate};
 use super::obstacle::Obstacles;
@@ -45,6 +46,7 @@ pub(super) fn place(
     // Names that may be left out take what the others leave.
     let (last, first): (Vec<usize>, Vec<usize>) = (0..requests.len()).partition(|i| requests[*i].optional);
     for i in first.into_iter().chain(last) {
+        spend();
         let wanted = Wanted::new(&requests[i]);
         let stood = match before.get(i).copied().flatten() {
             Some(Habit::At(index)) => Some(index),

@@ -5,6 +5,7 @@ use super::candidate::{self, Candidate};
 use super::cost::Around;
 use super::obstacle::Obstacles;
 use crate::paper::extent::Rect;
+use hodograph_base::budget::spend;
 
 /// Places from near the thing to far off: without a leader line, with one, with a long one, with one in a direction between, with one to any part
 /// of the thing.
@@ -29,6 +30,7 @@ pub(super) struct Offer<'a> {
 impl<'a> Offer<'a> {
     /// Of a label among all that is drawn.
     pub(super) fn new(wanted: &'a Wanted, obstacles: &'a Obstacles, paper: Rect) -> Offer<'a> {
+        spend();
         let around = std::array::from_fn(|_| None);
         let mut offer = Offer { wanted, obstacles, paper, places: Vec::new(), ends: Vec::new(), costs: Vec::new(), around };
         offer.up_to(0);

@@ -4,6 +4,7 @@
 //! kept until the neighbour moves ([`Beside`]); a pair that could not be bettered is not tried again before something around it has moved.
 
 use crate::paper::extent::Rect;
+use hodograph_base::budget::spend;
 
 use super::candidate::{self, Candidate};
 use super::cost::{self, Around};
@@ -189,6 +190,7 @@ pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>], 
     let rounds = if before.is_empty() { ROUNDS_MAX } else { 0 };
     search.settle(rounds);
     loop {
+        spend();
         let content = |i: &usize| search.choices[*i].open || search.total(*i) < LEAVE;
         let others: Vec<usize> = (0..search.choices.len()).filter(|i| !content(i)).collect();
         if others.is_empty() {

@@ -1,0 +1,168 @@
+//! A limit on the time of a computation, and a way to stop it from another thread.
+//!
+//! [`Budget::run`] runs a computation. All long loops of the library call [`spend`]; when the budget is spent, [`spend`] unwinds to
+//! [`Budget::run`], which returns a diagnostic. A computation without a budget is never stopped. Where a program is built with `panic = "abort"`
+//! nothing can be stopped this way.
+
+use crate::diag::{Diagnostic, both};
+use std::cell::RefCell;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+/// When a computation has to end.
+///
+/// ```
+/// use hodograph_base::budget::{Budget, spend};
+/// use std::time::{Duration, Instant};
+/// let budget = Budget::default().until(Instant::now() + Duration::from_millis(5));
+/// let endless = budget.run(|| -> f64 { loop { spend() } });
+/// assert_eq!(endless.unwrap_err().code, "stopped");
+/// assert_eq!(budget.run(|| 2 + 2).unwrap(), 4);
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Budget {
+    deadline: Option<Instant>,
+    cancelled: Option<Arc<AtomicBool>>,
+}
+
+/// Why a computation was stopped: what unwinds from [`spend`] to [`Budget::run`].
+#[derive(Clone, Copy)]
+enum Spent {
+    Time,
+    Cancelled,
+}
+
+thread_local! {
+    /// The budget of what runs on this thread.
+    static HERE: RefCell<Option<Budget>> = const { RefCell::new(None) };
+}
+
+/// Puts the outer budget back, also when the work unwinds.
+struct Outer(Option<Budget>);
+
+impl Drop for Outer {
+    fn drop(&mut self) {
+        HERE.set(self.0.take());
+    }
+}
+
+impl Budget {
+    /// The budget with a deadline.
+    pub fn until(self, deadline: Instant) -> Budget {
+        Budget { deadline: Some(deadline), ..self }
+    }
+
+    /// The budget with a flag: the computation stops soon after it is set.
+    pub fn cancelled_by(self, flag: Arc<AtomicBool>) -> Budget {
+        Budget { cancelled: Some(flag), ..self }
+    }
+
+    /// The result of a computation that ends within the budget.
+    ///
+    /// A budget within another stands for itself.
+    ///
+    /// # Errors
+    /// `stopped` where the deadline passes or the flag is set before the computation ends.
+    pub fn run<T>(&self, work: impl FnOnce() -> T) -> Result<T, Diagnostic> {
+        match catch_unwind(AssertUnwindSafe(|| self.enter(work))) {
+            Ok(value) => Ok(value),
+            Err(thrown) => match thrown.downcast_ref::<Spent>() {
+                Some(spent) => Err(spent.diagnostic()),
+                None => resume_unwind(thrown),
+            },
+        }
+    }
+
+    /// Runs what belongs to the computation on this thread.
+    fn enter<T>(&self, work: impl FnOnce() -> T) -> T {
+        let _outer = Outer(HERE.replace(Some(self.clone())));
+        work()
+    }
+
+    fn spent(&self) -> Option<Spent> {
+        if self.cancelled.as_ref().is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+            return Some(Spent::Cancelled);
+        }
+        self.deadline.filter(|deadline| Instant::now() >= *deadline).map(|_| Spent::Time)
+    }
+}
+
+impl Spent {
+    fn diagnostic(self) -> Diagnostic {
+        let message = match self {
+            Spent::Time => both!("the computation takes longer than its budget of time", "计算超出了限定的时间"),
+            Spent::Cancelled => both!("the computation was cancelled", "计算已被取消"),
+        };
+        Diagnostic::error("stopped", message).help(both!("allow more time, or ask for less", "请放宽时限，或减少所求内容"))
+    }
+}
+
+/// Stops the computation where its budget is spent; costs some nanoseconds.
+pub fn spend() {
+    let spent = HERE.with_borrow(|budget| budget.as_ref().and_then(Budget::spent));
+    if let Some(spent) = spent {
+        resume_unwind(Box::new(spent));
+    }
+}
+
+/// The budget of what runs on this thread, to be carried to others.
+pub fn here() -> Here {
+    Here(HERE.with_borrow(Option::clone))
+}
+
+/// A budget on its way to another thread.
+#[derive(Clone, Debug)]
+pub struct Here(Option<Budget>);
+
+impl Here {
+    /// Runs a part of the computation on the thread of the call.
+    pub fn enter<T>(&self, work: impl FnOnce() -> T) -> T {
+        match &self.0 {
+            Some(budget) => budget.enter(work),
+            None => work(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::Duration;
+
+    #[test]
+    fn a_flag_stops_other_threads() {
+        let flag = Arc::new(AtomicBool::new(false));
+        let budget = Budget::default().cancelled_by(flag.clone());
+        let done = budget.run(|| {
+            let endless = carried(|()| {
+                loop {
+                    spend();
+                }
+            });
+            std::thread::scope(|s| {
+                let other = s.spawn(|| endless(()));
+                flag.store(true, Ordering::Relaxed);
+                other.join().unwrap_or_else(|thrown| resume_unwind(thrown))
+            })
+        });
+        assert_eq!(done.unwrap_err().message.en, "the computation was cancelled");
+    }
+
+    #[test]
+    fn an_inner_budget_stands_for_itself() {
+        let late = Budget::default().until(Instant::now() + Duration::from_secs(3600));
+        let past = Budget::default().until(Instant::now());
+        let inner = late.run(|| past.run(spend).is_err());
+        assert!(inner.unwrap());
+        assert!(past.run(|| late.run(spend).is_ok()).unwrap());
+        spend();
+    }
+
+    #[test]
+    fn other_panics_go_on() {
+        let thrown = catch_unwind(|| Budget::default().run(|| resume_unwind(Box::new(7))));
+        assert_eq!(thrown.unwrap_err().downcast_ref::<i32>(), Some(&7));
+    }
+}
