@@ -4,12 +4,13 @@ use super::codes::quoted;
 use super::{finish, root, words};
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
+use std::sync::LazyLock;
 
 /// Macros that read a file when they are expanded.
 const INCLUDES: [&str; 3] = ["include", "include_bytes", "include_str"];
 
 /// The files that Cargo puts into each package, by the package's folder from the project's root; that of the root package is empty.
-fn packages() -> BTreeMap<String, BTreeSet<String>> {
+static PACKAGES: LazyLock<BTreeMap<String, BTreeSet<String>>> = LazyLock::new(|| {
     let members = ["crates", "."].map(|folder| std::fs::read_dir(root().join(folder)).unwrap().map(|f| f.unwrap().path()));
     let members = members.into_iter().flatten().filter(|folder| folder.join("Cargo.toml").is_file());
     let folders = members.map(|folder| folder.strip_prefix(root()).unwrap().to_str().unwrap().replace('\\', "/"));
@@ -23,7 +24,7 @@ fn packages() -> BTreeMap<String, BTreeSet<String>> {
         (folder, files.lines().map(|f| f.replace('\\', "/")).collect())
     };
     folders.chain([String::new()]).map(of).collect()
-}
+});
 
 /// The path of a file that is named relative to the folder of another; `None` where it leads out of the package.
 fn beside(file: &str, path: &str) -> Option<String> {
@@ -55,10 +56,9 @@ fn faults(file: &str, text: &str, package: &BTreeSet<String>) -> Vec<String> {
 
 #[test]
 fn each_package_holds_what_it_includes() {
-    let packages = packages();
-    assert!(packages.len() > 10 && packages.contains_key("templates"), "{:?}", packages.keys());
+    assert!(PACKAGES.len() > 10 && PACKAGES.contains_key("templates"), "{:?}", PACKAGES.keys());
     let mut all = Vec::new();
-    for (folder, files) in &packages {
+    for (folder, files) in &*PACKAGES {
         let at = root().join(folder);
         for file in files.iter().filter(|f| f.ends_with(".rs")) {
             let text = std::fs::read_to_string(at.join(file)).unwrap();
@@ -71,7 +71,7 @@ fn each_package_holds_what_it_includes() {
 #[test]
 fn what_a_package_lacks_is_told() {
     let package = BTreeSet::from(["src/a/b.rs".to_owned(), "fonts/a.ttf".to_owned()]);
-    let told = |path: &str| faults("src/a/b.rs", &format!("\nconst A: &[u8] = include_bytes!(\n    {path}\n);"), &package).join("");
+    let told = |path: &str| faults("src/a/b.rs", &format!("\nconst A: &[u8] = {}!(\n    {path}\n);", INCLUDES[1]), &package).join("");
     assert_eq!(told("\"../../fonts/a.ttf\""), "");
     assert_eq!(told("\"b.rs\""), "");
     assert_eq!(told("\"../../../fonts/a.ttf\""), "2: ../../../fonts/a.ttf leads out of the package");
@@ -83,10 +83,10 @@ fn what_a_package_lacks_is_told() {
 #[test]
 fn each_package_holds_its_licences() {
     let mut faults = Vec::new();
-    for (folder, files) in packages() {
+    for (folder, files) in &*PACKAGES {
         for name in ["LICENSE-APACHE", "LICENSE-MIT"] {
             let of = |at: &str| std::fs::read(root().join(at).join(name)).ok();
-            if !files.contains(name) || of(&folder) != of("") {
+            if !files.contains(name) || of(folder) != of("") {
                 faults.push(format!("{folder}: copy {name} there"));
             }
         }
