@@ -79,13 +79,15 @@
 //! - [`webfont`]: the letters that every page brings with it.
 //! - [`problem`]: every kind of file through one call: read, solve, and what is written of the answers.
 //! - [`cli`]: the only room that prints, reads arguments or touches files.
+//! - [`templates`](problem::templates): the texts of the files under `templates/`, known by their names.
 //! - Small shared ones: [`geom`], [`trig`], [`digits`], [`diag`], [`budget`], [`json`](hodograph_base::json).
 //!
 //! # Crates
 //! The rooms are crates under `crates/`, so that Cargo refuses what the table below forbids, above all that drawing and analysis know one
 //! another, and builds each at the level of optimisation that it needs. The root package hands on all that a user needs; in it stand the rooms that
-//! write documents, and the program.
+//! write documents, and the program. A package includes files of its own alone: the folder `templates/` is a crate, the fonts are in `crates/paper`.
 //! ```text
+//! templates  templates
 //! base       diag budget json digits trig number geom cam
 //! scene      scene
 //! mechanism  mechanism position stated answer motion
@@ -104,6 +106,7 @@
 //! # Who may import whom
 //! Rooms from the bottom up, each with the rooms that it imports. `tests/tidy.rs` compares the table with the imports of all files.
 //! ```text
+//! templates  -
 //! diag       -
 //! budget     diag
 //! json       diag
@@ -112,7 +115,7 @@
 //! number     trig
 //! geom       number
 //! cam        number geom
-//! scene      diag json digits trig number geom cam
+//! scene      templates diag json digits trig number geom cam
 //! mechanism  diag scene
 //! position   diag digits trig number geom cam scene mechanism
 //! stated     diag digits trig geom cam scene mechanism position
@@ -136,11 +139,11 @@
 //! curvature  diag geom scene mechanism position answer analytic sweep worked centres
 //! inversions diag scene mechanism position sweep worked curvature
 //! search     diag geom position
-//! synthesis  diag json digits number geom scene mechanism position construct sweep search
-//! particle   diag json digits number geom scene construct
+//! synthesis  templates diag json digits number geom scene mechanism position construct sweep search
+//! particle   templates diag json digits number geom scene construct
 //! report     diag digits number geom cam scene mechanism position answer motion plan construct analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions particle synthesis
 //! figure     diag digits geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions particle synthesis report
-//! webfont    -
+//! webfont    paper
 //! worksheet  diag digits geom scene mechanism answer plan construct paper render worked certified centres attempts particle synthesis report figure webfont
 //! lesson     diag digits geom scene mechanism position plan construct sweep paper render worked certified centres particle synthesis report figure webfont
 //! problem    diag json geom scene answer plan paper sweep worked certified attempts particle synthesis report figure worksheet lesson

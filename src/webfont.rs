@@ -4,6 +4,7 @@
 
 use std::sync::LazyLock;
 
+use crate::paper::font::{PAGE_ITALIC, PAGE_UPRIGHT};
 use base64::prelude::{BASE64_STANDARD, Engine};
 
 /// The two faces of the family `Hodograph`, as rules of CSS that carry the fonts; the upright one has the constants by which browsers set formulas.
@@ -15,7 +16,7 @@ pub fn faces() -> &'static str {
                 "@font-face {{ font-family: Hodograph; font-style: {style}; src: url(data:font/woff2;base64,{font}) format(\"woff2\") }}\n"
             )
         };
-        face("normal", include_bytes!("../fonts/page-upright.woff2")) + &face("italic", include_bytes!("../fonts/page-italic.woff2"))
+        face("normal", PAGE_UPRIGHT) + &face("italic", PAGE_ITALIC)
     });
     &FACES
 }

@@ -10,6 +10,8 @@ mod codes;
 mod kinds;
 #[path = "tidy/map.rs"]
 mod map;
+#[path = "tidy/packages.rs"]
+mod packages;
 #[path = "tidy/wording.rs"]
 mod wording;
 
@@ -77,7 +79,7 @@ fn files(folder: &str, endings: &[&str]) -> Vec<(String, String)> {
 
 /// Files of the root package and of all crates under it.
 fn sources(endings: &[&str]) -> Vec<(String, String)> {
-    [files("src", endings), files("crates", endings)].concat()
+    ["src", "crates", "templates"].map(|folder| files(folder, endings)).concat()
 }
 
 /// The libraries' files without their tests and comments: lines keep their numbers. `main.rs` belongs to no room, nor does the `lib.rs` of a crate with
@@ -182,7 +184,7 @@ const CONSTANT: [&str; 7] = ["as", "f64", "f32", "u16", "usize", "from", "e"];
 fn files_are_short_enough_to_be_overseen() {
     let mut faults = Vec::new();
     let mut seen = BTreeSet::new();
-    for folder in ["src", "crates", "tests", "benches"] {
+    for folder in ["src", "crates", "templates", "tests", "benches"] {
         for (file, text) in files(folder, &["rs", "js", "css"]) {
             let lines = text.lines().count();
             match LONG_FILES.iter().find(|(name, _)| *name == file) {

@@ -2,6 +2,9 @@
 
 use super::hodograph;
 use assert_cmd::Command;
+use hodograph::paper::style::{self, Style};
+use hodograph::scene;
+use serde_json::Value;
 use std::path::Path;
 
 /// Every command line in a `sh` block of the README and the guide runs as it stands, in order, in an empty
@@ -48,6 +51,40 @@ fn the_scene_of_the_readme_is_solved() {
     let readme = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
     let scene = readme.split("```json\n").nth(1).unwrap().split("```").next().unwrap().to_string();
     hodograph().args(["solve", "-"]).write_stdin(scene).assert().success();
+}
+
+/// The JSON blocks of the format's description: the first is a whole scene, the others are sections that fit the schema.
+#[test]
+fn the_description_shows_what_can_be_read() {
+    let text = include_str!("../../docs/scene.md");
+    let blocks = text.split("```json\n").skip(1).filter_map(|b| b.split("```").next());
+    // What has no links is no scene; the tests of motions read it.
+    let blocks: Vec<&str> = blocks.filter(|b| !b.starts_with('{') || b.contains("\"links\"")).collect();
+    assert_eq!(scene::read(blocks[0]).unwrap().notes, []);
+    let schema: Value = serde_json::from_str(scene::schema::schema()).unwrap();
+    let validator = jsonschema::validator_for(&schema).unwrap();
+    let base: Value = serde_json::from_str(blocks[0]).unwrap();
+    let sections = blocks[1..].iter().flat_map(|b| if b.contains("[\n") { vec![*b] } else { b.lines().collect() });
+    for section in sections {
+        let part: Value = serde_json::from_str(&format!("{{{section}}}")).unwrap_or_else(|e| panic!("{section}: {e}"));
+        let mut all = base.clone();
+        all.as_object_mut().unwrap().extend(part.as_object().unwrap().clone());
+        let faults: Vec<String> = validator.iter_errors(&all).map(|e| format!("{}: {e}", e.instance_path())).collect();
+        assert!(faults.is_empty(), "{section}: {faults:#?}");
+        // The reader has nothing against its shape either; what it names need not be in the first scene.
+        let said = scene::read(all.to_string()).map_or_else(|faults| faults.list, |read| read.notes);
+        let of_shape = |code: &str| ["duplicate-key", "empty", "too-many", "unknown-key", "wrong-count", "wrong-type"].contains(&code);
+        let faults: Vec<_> = said.iter().filter(|d| of_shape(d.code)).collect();
+        assert!(faults.is_empty(), "{section}: {faults:#?}");
+    }
+}
+
+#[test]
+fn the_style_in_the_guide_is_read() {
+    let guide = include_str!("../../docs/guide.md");
+    let sample = guide.split("```json").skip(1).filter_map(|rest| rest.split("```").next()).find(|s| s.contains("\"base\""));
+    let read = style::read(sample.expect("the guide shows a style").as_bytes()).unwrap();
+    assert_ne!(read, Style::default());
 }
 
 /// Counting asks neither for rates nor for profiles; where the pose is told there are drawings, else links and pairs are listed.

@@ -117,22 +117,22 @@ fn a_font_of_ones_own_sets_the_figures() {
         (std::fs::read(file).unwrap(), text(&run.get_output().stderr))
     };
     let (usual, _) = draw("usual.svg", &[]);
-    let (italic, said) = draw("italic.svg", &["fonts/tinos-italic.ttf"]);
+    let (italic, said) = draw("italic.svg", &["crates/paper/fonts/tinos-italic.ttf"]);
     // The same letters from a file: the same widths and places, under other names.
     assert!(!said.contains("font"), "{said}");
     assert_eq!(text(&usual).matches("<use").count(), text(&italic).matches("<use").count());
     assert!(text(&italic).contains("id=\"gp") && !text(&usual).contains("id=\"gp"));
     // A font that lacks letters leaves them to the bundled ones, and says so.
-    let (signs, said) = draw("signs.svg", &["fonts/song-gb1-cff.otf"]);
+    let (signs, said) = draw("signs.svg", &["crates/paper/fonts/song-gb1-cff.otf"]);
     assert!(text(&signs).contains("id=\"go"), "Chinese words come from it");
     assert!(text(&signs).contains("id=\"gi"), "slanted letters from the bundled italic");
     assert!(!said.contains("error"), "{said}");
-    let (pdf, _) = draw("own.pdf", &["fonts/tinos-italic.ttf", "fonts/tinos-normal.ttf"]);
+    let (pdf, _) = draw("own.pdf", &["crates/paper/fonts/tinos-italic.ttf", "crates/paper/fonts/tinos-normal.ttf"]);
     assert!(pdf.starts_with(b"%PDF-1.7"));
     // A style file names its fonts from where it is; every command that draws takes it, or the font alone.
     std::fs::create_dir(out.path().join("type")).unwrap();
     for (from, to) in [("tinos-italic.ttf", "type/slanted.ttf"), ("tinos-normal.ttf", "type/upright.ttf")] {
-        std::fs::copy(Path::new(env!("CARGO_MANIFEST_DIR")).join("fonts").join(from), out.path().join(to)).unwrap();
+        std::fs::copy(Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/paper/fonts").join(from), out.path().join(to)).unwrap();
     }
     let style = out.path().join("book.json");
     std::fs::write(&style, r#"{ "base": "print", "fonts": ["type/upright.ttf", "type/slanted.ttf"] }"#).unwrap();
@@ -156,7 +156,7 @@ fn a_font_of_ones_own_sets_the_figures() {
         let letters = command[0] != "accuracy";
         let (drawn, _) = run(["--style", style.to_str().unwrap()]);
         assert!(drawn.contains("id=\"go") && drawn.contains("id=\"gp") == letters && !drawn.contains("id=\"gi"), "{command:?}");
-        let (drawn, said) = run(["--font", "fonts/tinos-italic.ttf"]);
+        let (drawn, said) = run(["--font", "crates/paper/fonts/tinos-italic.ttf"]);
         assert!(drawn.contains("id=\"gp") == letters && !said.contains("font"), "{command:?}: {said}");
     }
     std::fs::write(out.path().join("lost.json"), r#"{ "fonts": ["lost.ttf"] }"#).unwrap();
@@ -167,7 +167,7 @@ fn a_font_of_ones_own_sets_the_figures() {
 #[test]
 fn what_is_no_font_is_told() {
     let out = tempfile::tempdir().unwrap();
-    let italic = "fonts/tinos-italic.ttf";
+    let italic = "crates/paper/fonts/tinos-italic.ttf";
     for fonts in [vec!["templates/shaper.json"], vec!["nosuch.ttf"], vec![italic, italic]] {
         let fonts = fonts.iter().flat_map(|f| ["--font", f]);
         let run = hodograph().args(["draw", "templates/shaper.json", "-o"]).arg(out.path()).args(fonts).assert().code(2);

@@ -61,7 +61,7 @@ fn nothing_that_is_read_is_written_over() {
     for name in ["my.json", "q.svg", "q.html", "q.md", "q.csv", "q.pdf"] {
         fs::write(at(name), &scene).unwrap();
     }
-    fs::copy("fonts/tinos-italic.ttf", at("font.svg")).unwrap();
+    fs::copy("crates/paper/fonts/tinos-italic.ttf", at("font.svg")).unwrap();
     symlink("my.json", at("link.json")).unwrap();
     let before = count(folder.path());
     for arguments in [

@@ -19,7 +19,7 @@ use hodograph::worked::{Scope, work};
 use hodograph::worksheet::{self, Sides, pages};
 
 fn tinos() -> Fonts {
-    let file = |name: &str| std::fs::read(format!("{}/fonts/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let file = |name: &str| std::fs::read(format!("{}/crates/paper/fonts/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap();
     let names = ["tinos-normal.ttf", "tinos-italic.ttf"];
     names.iter().fold(Fonts::default(), |fonts, name| fonts.with(name, file(name)).unwrap())
 }

@@ -16,7 +16,7 @@ const OWN: &[(&str, &[&str])] = &[
 ];
 
 /// The word in quotation marks that a text begins with.
-fn quoted(text: &str) -> Option<&str> {
+pub fn quoted(text: &str) -> Option<&str> {
     text.trim_start().strip_prefix('"')?.split('"').next()
 }
 

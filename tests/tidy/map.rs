@@ -21,7 +21,10 @@ fn in_crate(file: &str) -> &str {
 
 /// The crate of a file, by its folder; that of the root package is `.`.
 pub fn crate_of(file: &str) -> &str {
-    file.strip_prefix("crates/").and_then(|f| f.split_once('/')).map_or(".", |(name, _)| name)
+    match file.strip_prefix("crates/").unwrap_or(file).split_once('/') {
+        Some((name, _)) if name != "src" => name,
+        _ => ".",
+    }
 }
 
 /// The room of a file.

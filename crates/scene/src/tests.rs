@@ -341,29 +341,3 @@ fn a_byte_order_mark_moves_no_place() {
     let source = format!("\u{feff}{}", with("ground", "4"));
     assert_eq!(faults(&source), "[4] \"ground\" must be a text, this is a number (write \"4\")\n");
 }
-
-/// The JSON blocks of the format's description: the first is a whole scene, the others are sections that fit the schema.
-#[test]
-fn the_description_shows_what_can_be_read() {
-    let text = include_str!("../../../docs/scene.md");
-    let blocks = text.split("```json\n").skip(1).filter_map(|b| b.split("```").next());
-    // What has no links is no scene; the tests of motions read it.
-    let blocks: Vec<&str> = blocks.filter(|b| !b.starts_with('{') || b.contains("\"links\"")).collect();
-    good(blocks[0]);
-    let schema: serde_json::Value = serde_json::from_str(schema::schema()).unwrap();
-    let validator = jsonschema::validator_for(&schema).unwrap();
-    let base: serde_json::Value = serde_json::from_str(blocks[0]).unwrap();
-    let sections = blocks[1..].iter().flat_map(|b| if b.contains("[\n") { vec![*b] } else { b.lines().collect() });
-    for section in sections {
-        let part: serde_json::Value = serde_json::from_str(&format!("{{{section}}}")).unwrap_or_else(|e| panic!("{section}: {e}"));
-        let mut scene = base.clone();
-        scene.as_object_mut().unwrap().extend(part.as_object().unwrap().clone());
-        let faults: Vec<String> = validator.iter_errors(&scene).map(|e| format!("{}: {e}", e.instance_path())).collect();
-        assert!(faults.is_empty(), "{section}: {faults:#?}");
-        // The decoder has nothing against its shape either.
-        let mut said = hodograph_base::diag::Faults::default();
-        let source = scene.to_string();
-        decode::scene(&json::parse(source.as_bytes(), &mut said).unwrap().1, Default::default(), &mut said);
-        assert_eq!(said.list, [], "{section}");
-    }
-}

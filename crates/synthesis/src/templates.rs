@@ -1,21 +1,11 @@
 //! Templates: a synthesis file for each kind of task, whose parameters can be set.
 
 use hodograph_base::diag::Both;
-
-/// Every template: its name, which is that of its kind, and its text.
-const FILES: &[(&str, &str)] = &[
-    ("function", include_str!("../../../templates/synthesis/function.json")),
-    ("body", include_str!("../../../templates/synthesis/body.json")),
-    ("time-ratio", include_str!("../../../templates/synthesis/time-ratio.json")),
-    ("limits", include_str!("../../../templates/synthesis/limits.json")),
-    ("path", include_str!("../../../templates/synthesis/path.json")),
-    ("cognates", include_str!("../../../templates/synthesis/cognates.json")),
-    ("straight-line", include_str!("../../../templates/synthesis/straight-line.json")),
-];
+use hodograph_templates::TASKS;
 
 /// The names of all templates, in order.
 pub fn names() -> impl Iterator<Item = &'static str> + Clone {
-    FILES.iter().map(|(name, _)| *name)
+    TASKS.iter().map(|(name, _)| *name)
 }
 
 /// The text of a template; `None` for an unknown name.
@@ -25,7 +15,7 @@ pub fn names() -> impl Iterator<Item = &'static str> + Clone {
 /// assert!(hodograph_synthesis::read(text).is_ok());
 /// ```
 pub fn get(name: &str) -> Option<&'static str> {
-    FILES.iter().find(|(n, _)| *n == name).map(|(_, text)| *text)
+    TASKS.iter().find(|(n, _)| *n == name).map(|(_, text)| *text)
 }
 
 /// The title of a template.
@@ -42,7 +32,7 @@ mod tests {
     #[test]
     fn every_kind_has_a_template_that_is_solved_without_defect_and_drawn() {
         for kind in KINDS {
-            let text = get(kind.name).unwrap_or_else(|| panic!("add templates/synthesis/{}.json to FILES", kind.name));
+            let text = get(kind.name).unwrap_or_else(|| panic!("add templates/synthesis/{}.json to the list", kind.name));
             let task = read(text).unwrap_or_else(|f| panic!("{}: {f}", kind.name));
             assert_eq!(task.notes, [], "{}", kind.name);
             let design = solve(&task.value).unwrap_or_else(|f| panic!("{}: {f}", kind.name));
@@ -54,15 +44,6 @@ mod tests {
             }
             let board = construct(&task.value, best, 1e-3).unwrap_or_else(|f| panic!("{}: {f}", kind.name));
             assert!(board.is_some_and(|b| b.steps.len() > 1 && !b.readings.is_empty()), "{}", kind.name);
-        }
-    }
-
-    #[test]
-    fn every_file_is_in_the_list() {
-        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../templates/synthesis");
-        for file in std::fs::read_dir(folder).unwrap() {
-            let name = file.unwrap().file_name().into_string().unwrap();
-            assert!(FILES.iter().any(|(n, _)| format!("{n}.json") == name), "add templates/synthesis/{name} to FILES");
         }
     }
 }

@@ -1,23 +1,16 @@
 //! Templates of motions without a mechanism, whose parameters can be set.
 
 use hodograph_base::diag::Both;
-
-/// Every template: its name and its text.
-const FILES: &[(&str, &str)] = &[
-    ("pursuit", include_str!("../../../../templates/particle/pursuit.json")),
-    ("pursuit-of-a-ship", include_str!("../../../../templates/particle/pursuit-of-a-ship.json")),
-    ("plate-in-space", include_str!("../../../../templates/particle/plate-in-space.json")),
-    ("ring-in-space", include_str!("../../../../templates/particle/ring-in-space.json")),
-];
+use hodograph_templates::MOTIONS;
 
 /// The names of all templates, in order.
 pub fn names() -> impl Iterator<Item = &'static str> + Clone {
-    FILES.iter().map(|(name, _)| *name)
+    MOTIONS.iter().map(|(name, _)| *name)
 }
 
 /// The text of a template; `None` for an unknown name.
 pub fn get(name: &str) -> Option<&'static str> {
-    FILES.iter().find(|(n, _)| *n == name).map(|(_, text)| *text)
+    MOTIONS.iter().find(|(n, _)| *n == name).map(|(_, text)| *text)
 }
 
 /// The title of a template.

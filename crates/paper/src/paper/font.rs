@@ -152,6 +152,11 @@ static BOLD: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Bold));
 static MATH: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Math));
 static SONG: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Song));
 
+/// The upright letters of pages of HTML as WOFF2, with the constants by which browsers set formulas.
+pub const PAGE_UPRIGHT: &[u8] = include_bytes!("../../fonts/page-upright.woff2");
+/// The italic letters of pages of HTML as WOFF2.
+pub const PAGE_ITALIC: &[u8] = include_bytes!("../../fonts/page-italic.woff2");
+
 /// Runs kept: a few sheets' worth, about a megabyte; a batch of thousands of sheets must not grow without bound.
 const MOST_RUNS: usize = 2048;
 /// No letter of a sound font reaches so far (em).
@@ -182,11 +187,11 @@ impl Face {
     /// The font file, for formats that carry their fonts.
     pub fn bytes(&self) -> Bytes {
         let embedded: &'static [u8] = match self {
-            Face::Roman => include_bytes!("../../../../fonts/tinos-normal.ttf"),
-            Face::Italic => include_bytes!("../../../../fonts/tinos-italic.ttf"),
-            Face::Bold => include_bytes!("../../../../fonts/tinos-bold-italic.ttf"),
-            Face::Math => include_bytes!("../../../../fonts/stix-math-sub.ttf"),
-            Face::Song => include_bytes!("../../../../fonts/song-gb1-cff.otf"),
+            Face::Roman => include_bytes!("../../fonts/tinos-normal.ttf"),
+            Face::Italic => include_bytes!("../../fonts/tinos-italic.ttf"),
+            Face::Bold => include_bytes!("../../fonts/tinos-bold-italic.ttf"),
+            Face::Math => include_bytes!("../../fonts/stix-math-sub.ttf"),
+            Face::Song => include_bytes!("../../fonts/song-gb1-cff.otf"),
             Face::Own(own) => return own.bytes(),
         };
         Arc::new(embedded)
