@@ -88,7 +88,7 @@
 //! write documents, and the program. A package includes files of its own alone: the folder `templates/` is a crate, the fonts are in `crates/paper`.
 //! ```text
 //! templates  templates
-//! base       diag budget json digits trig number geom cam
+//! base       diag budget json digits trig number geom cam kind diagram lang notation
 //! scene      scene
 //! mechanism  mechanism position stated answer motion
 //! board      plan construct
@@ -185,7 +185,7 @@
 #![allow(rustdoc::private_intra_doc_links)]
 
 pub use hodograph_analytic as analytic;
-pub use hodograph_base::{budget, cam, diag, digits, geom, number, trig};
+pub use hodograph_base::{budget, cam, diag, diagram, digits, geom, kind, lang, notation, number, trig};
 pub use hodograph_board::{construct, plan};
 pub use hodograph_figure as figure;
 pub use hodograph_mechanism::{answer, mechanism, motion, position, stated};

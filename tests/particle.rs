@@ -2,10 +2,10 @@
 //! the differentiated whole, drawing against analysis, and what is refused.
 
 use hodograph::figure::particle::figures;
+use hodograph::notation::Notation;
 use hodograph::paper::style::Style;
 use hodograph::particle::plate::Part;
 use hodograph::particle::{Asked, Solved, board, read, solve, solve_again, templates};
-use hodograph::plan::notation::Notation;
 use hodograph::report::particle as report;
 use hodograph::scene::Lang;
 use serde_json::Value as Json;

@@ -43,9 +43,9 @@ mod worksheet;
 
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::effort::ways;
+use crate::notation::Notation;
 use crate::paper::font::own::Fonts;
 use crate::paper::style::Style;
-use crate::plan::notation::Notation;
 use crate::problem::{self, Extent, Kind, Look, Problem, Solved, Verdict, Wish};
 use crate::report::{diagnostics, price};
 use crate::scene::{self, Lang, Scene};

@@ -5,7 +5,7 @@ use crate::certified::certify;
 use crate::diag::Warned;
 use crate::effort::Work;
 use crate::figure::sheet;
-use crate::plan::notation::Notation;
+use crate::notation::Notation;
 use crate::plan::text::Writer;
 use crate::problem::Verdict;
 use crate::report::{answers, plan as plan_text, plan_json};

@@ -4,7 +4,7 @@
 use serde_json::{Value, json};
 
 use crate::construct::{Action, Construction, Polygon};
-use crate::plan::notation::Notation;
+use crate::notation::Notation;
 use crate::plan::text::Writer;
 use crate::plan::{Body, By, Term, TermKind, VertexId};
 use crate::scene::{DiagramKind, Lang, LinkId, Scene};

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::construct::{Action, Polygon};
 use crate::figure::tables::{found_by, target};
-use crate::plan::notation::Notation;
+use crate::notation::Notation;
 use crate::plan::text::{Column, Writer};
 use crate::plan::{Step, Term};
 use crate::report::equation::{Written, written};

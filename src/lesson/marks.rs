@@ -7,7 +7,7 @@ use std::collections::hash_map::Entry;
 use serde_json::{Value, json};
 
 use crate::geom::Point;
-use crate::plan::notation::Notation;
+use crate::notation::Notation;
 use crate::plan::text::Writer;
 use crate::plan::{Spot, VertexId};
 use crate::scene::quantity::Meaning;

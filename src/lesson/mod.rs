@@ -30,8 +30,8 @@ pub use reveal::{reveal, reveal_in};
 
 use crate::centres::Task;
 use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::notation::Notation;
 use crate::paper::style::Style;
-use crate::plan::notation::Notation;
 use crate::scene::{Lang, Scene, Swept};
 use crate::worked::{Scope, Worked, work};
 

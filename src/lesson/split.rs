@@ -5,8 +5,8 @@
 
 use crate::figure::polygon::{Share, is_full, is_full_share, shares};
 use crate::geom::Point;
+use crate::notation::Notation;
 use crate::paper::style::Style;
-use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::scene::{DiagramKind, Lang, Scene};
 use crate::worked::Worked;

@@ -7,7 +7,7 @@ use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::fit;
 use crate::figure::list::{self, Entry, Pages, Wanted};
 use crate::lesson;
-use crate::plan::notation::Notation;
+use crate::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::answers::{self, Line};
 use crate::report::{construction, drafting, trains};

@@ -3,8 +3,8 @@
 
 use super::*;
 use hodograph::lesson::motion;
+use hodograph::notation::Notation;
 use hodograph::particle::{self, solve};
-use hodograph::plan::notation::Notation;
 use hodograph::report::particle::lines;
 use serde_json::json;
 

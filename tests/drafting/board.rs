@@ -2,7 +2,7 @@
 
 use hodograph::construct::pencil::Blunt;
 use hodograph::construct::{Layout, by_hand};
-use hodograph::plan::notation::Notation;
+use hodograph::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::plan::{Body, By, Spot, Step, Term, TermKind};
 use hodograph::scene::{self, DiagramKind, Lang, Scene, templates};

@@ -4,9 +4,9 @@
 use super::{corpus, finite, fuzz, root, told, well_formed};
 use hodograph::figure::{particle as motion_figure, synthesis as design_figure};
 use hodograph::lesson::design as design_lesson;
+use hodograph::notation::Notation;
 use hodograph::paper::style::Style;
 use hodograph::particle::{self, board};
-use hodograph::plan::notation::Notation;
 use hodograph::render::svg;
 use hodograph::report::{particle as motion_report, synthesis as design_report};
 use hodograph::scene::Lang;

@@ -2,7 +2,7 @@
 
 use crate::rng::Rng;
 use hodograph::certified::{certify, steps};
-use hodograph::plan::notation::Notation;
+use hodograph::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::report::{answers, construction};
 use hodograph::scene::{self, Lang, Scene};

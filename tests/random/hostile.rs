@@ -4,7 +4,7 @@ use crate::emit::{self, Ask, Pose};
 use crate::properties::{mechanism, seeds, style};
 use crate::rng::Rng;
 use hodograph::certified::{certify, steps};
-use hodograph::plan::notation::Notation;
+use hodograph::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::report::diagnostics::render;
 use hodograph::report::{answers, construction};

@@ -10,7 +10,7 @@ use hodograph::figure::results::named;
 use hodograph::figure::sheet::{Options, sheet};
 use hodograph::geom::Vec2;
 use hodograph::mechanism::joined;
-use hodograph::plan::notation::Notation;
+use hodograph::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::plan::{Spot, VertexId};
 use hodograph::render::svg;

@@ -2,10 +2,10 @@
 
 use hodograph::figure::mechanism::mechanism;
 use hodograph::geom::Point;
+use hodograph::notation::Notation;
 use hodograph::paper::extent::Rect;
 use hodograph::paper::item::{Dash, Item, Shape};
 use hodograph::paper::style::Style;
-use hodograph::plan::notation::Notation;
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
 

@@ -3,9 +3,9 @@
 use crate::wide::every;
 use hodograph::figure::mechanism::mechanism;
 use hodograph::geom::Point;
+use hodograph::notation::Notation;
 use hodograph::paper::item::{Item, Shape};
 use hodograph::paper::style::Style;
-use hodograph::plan::notation::Notation;
 use hodograph::scene::{self, Lang, Scene, templates};
 use hodograph::scene::{driver_position, with_driver_at};
 use hodograph::worked::{Scope, work};

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use hodograph::figure::list::{Entry, Extras, LIST, MECHANISM, USUAL, Wanted};
 use hodograph::figure::sheet::Options;
+use hodograph::notation::Notation;
 use hodograph::paper::item::{Figure, Item};
-use hodograph::plan::notation::Notation;
 use hodograph::scene::{self, DiagramKind, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 

@@ -74,7 +74,7 @@ fn answers_are_as_expected() {
 #[test]
 fn marks_are_told_apart() {
     use hodograph::construct::Mark;
-    use hodograph::plan::notation::Notation;
+    use hodograph::notation::Notation;
     use hodograph::plan::text::Writer;
     use hodograph::plan::{Term, VertexId};
     use hodograph::scene::DiagramKind;

@@ -136,13 +136,15 @@ mod tests {
         let flag = Arc::new(AtomicBool::new(false));
         let budget = Budget::default().cancelled_by(flag.clone());
         let done = budget.run(|| {
-            let endless = carried(|()| {
-                loop {
-                    spend();
-                }
-            });
+            let here = here();
             std::thread::scope(|s| {
-                let other = s.spawn(|| endless(()));
+                let other = s.spawn(|| {
+                    here.enter(|| {
+                        loop {
+                            spend();
+                        }
+                    })
+                });
                 flag.store(true, Ordering::Relaxed);
                 other.join().unwrap_or_else(|thrown| resume_unwind(thrown))
             })

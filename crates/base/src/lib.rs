@@ -2,7 +2,8 @@
 //!
 //! Rooms: [`number`] (numbers of several precisions behind one trait), [`trig`] (sine and cosine, exact reduction of angles), [`geom`]
 //! (points and vectors of the plane), [`cam`] (disc cams as plain geometry), [`digits`] (counting digits that are true), [`diag`] (what is
-//! told of a fault), [`json`] (JSON whose words know where they stand), [`budget`] (a limit on the time of a computation).
+//! told of a fault), [`json`] (JSON whose words know where they stand), [`budget`] (a limit on the time of a
+//! computation), [`kind`] (kinds of quantities), [`diagram`] (kinds of diagrams), [`lang`] (the languages), [`notation`] (marks that differ between textbooks).
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -14,8 +15,12 @@
 pub mod budget;
 pub mod cam;
 pub mod diag;
+pub mod diagram;
 pub mod digits;
 pub mod geom;
 pub mod json;
+pub mod kind;
+pub mod lang;
+pub mod notation;
 pub mod number;
 pub mod trig;

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 use hodograph_base::geom::Vec2;
-use hodograph_board::plan::notation::Notation;
+use hodograph_base::notation::Notation;
 use hodograph_mechanism::position::{Path, Pose};
 use hodograph_scene::{Guide, LinkId, Scene};
 use hodograph_worked::worked::Worked;

@@ -3,7 +3,7 @@
 
 use super::mechanism::{Piece, apart};
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_board::plan::notation::Notation;
+use hodograph_base::notation::Notation;
 use hodograph_mechanism::mechanism::Assur;
 use hodograph_paper::paper::drawing::Part;
 use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, Shape};

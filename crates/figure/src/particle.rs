@@ -8,7 +8,7 @@ mod plate;
 
 use hodograph_base::diag::{Both, Diagnostic};
 use hodograph_base::geom::Point;
-use hodograph_board::plan::notation::Notation;
+use hodograph_base::notation::Notation;
 use hodograph_methods::particle::board::{Arrow, Drawn, Views};
 use hodograph_methods::particle::{Problem, Solved};
 use hodograph_paper::paper::phrase::Phrase;

@@ -2,8 +2,8 @@
 //! and loop equations are apart.
 
 use hodograph_base::digits::inked;
+use hodograph_base::notation::Notation;
 use hodograph_board::construct::ShownAs;
-use hodograph_board::plan::notation::Notation;
 use hodograph_board::plan::text::Writer;
 use hodograph_board::plan::{Body, Rate};
 use hodograph_mechanism::answer::Value;

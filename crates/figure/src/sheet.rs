@@ -4,9 +4,9 @@
 
 use hodograph_base::diag::{Both, Faults, both};
 use hodograph_base::geom::Point;
+use hodograph_base::notation::Notation;
 use hodograph_board::construct::Polygon;
 use hodograph_board::plan::names::name_label;
-use hodograph_board::plan::notation::Notation;
 use hodograph_board::plan::text::Writer;
 use hodograph_paper::paper::phrase::Phrase;
 use hodograph_report::given::Givens;

@@ -1,8 +1,8 @@
 //! Answers, their symbols and scales in the label language: `v_{C} = 0.8556 m/s`, `∠ 30°`, `μ_v = 0.01 (m/s)/mm`.
 
 use hodograph_base::digits::{direction_degrees, inked, shortest, significant};
+use hodograph_base::notation::Notation;
 use hodograph_board::plan::names::{name_label, point_label};
-use hodograph_board::plan::notation::Notation;
 use hodograph_mechanism::answer::Value;
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::words::Words;
@@ -129,5 +129,15 @@ mod tests {
         assert_eq!(number(3.0e-15, 1), "3 \\times 10^{−15}");
         assert_eq!(number(-12.3456, 4), "−12.35");
         assert_eq!(Label::math(number(-1.5e9, 4)).faults(), []);
+    }
+
+    #[test]
+    fn names_of_points_are_labels() {
+        use hodograph_board::plan::names::{name_label, point_label};
+        for name in ["B", "O21", "A'", "A1'", "A'1", "B_1", "B__", "O_'", "''3", "Ω3", "滑块2"] {
+            for label in [point_label(name), format!("v_{{{}}}", name_label(name))] {
+                assert_eq!(Label::math(label.as_str()).faults(), [], "{name}: {label}");
+            }
+        }
     }
 }

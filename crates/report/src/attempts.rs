@@ -5,9 +5,9 @@
 
 use crate::amount::{amount, number, sense as certified_sense, symbol};
 use hodograph_base::digits::{direction_degrees, inked, significant};
+use hodograph_base::notation::Notation;
 use hodograph_board::plan::Step;
 use hodograph_board::plan::names::name_label;
-use hodograph_board::plan::notation::Notation;
 use hodograph_board::plan::text::{Column, Writer};
 use hodograph_mechanism::answer::Value;
 use hodograph_methods::attempts::{Attempt, Row, Shown, Side, Site};

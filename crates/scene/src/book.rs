@@ -4,8 +4,8 @@
 //! either is written. All values of the program stay SI; what is printed goes through [`Book`] once, at the end.
 
 use super::expr::{self, Expr, ExprKind, Op};
-use super::kind::Kind;
-use super::units::{Dim, UNITS, Unit};
+use super::units::{Dim, UNITS, Unit, Wanted};
+use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
 use hodograph_base::trig::radians;
 
@@ -33,7 +33,7 @@ impl BookUnit {
             let mut made = Made { dim: Dim::NUMBER, up: 1.0, down: 1.0, degrees: 0 };
             made.multiply(&expr, 1)?;
             let exact = made.up.max(made.down) < 1e15;
-            let whole = made.dim == kind.wanted().dim() && exact && (0..=1).contains(&made.degrees);
+            let whole = made.dim == Wanted::of(kind).dim() && exact && (0..=1).contains(&made.degrees);
             whole.then(|| BookUnit {
                 name: superscripts(&word),
                 label: labelled(&word),
@@ -83,7 +83,7 @@ impl BookUnit {
 
 /// The units of a kind that consist of a unit of length or angle and seconds, and those with a name of their own.
 fn fitting(kind: Kind) -> Vec<String> {
-    let dim = kind.wanted().dim();
+    let dim = Wanted::of(kind).dim();
     let per = match dim.time {
         0 => "",
         -1 => "/s",

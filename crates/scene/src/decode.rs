@@ -14,7 +14,7 @@ use super::model::Lang;
 use super::raw::*;
 use super::{cams, expr, keys};
 use hodograph_base::diag::{Diagnostic, Faults, Span, both};
-use hodograph_base::json::fields::{Fields, What, list, object, word, wrong};
+use hodograph_base::json::fields::{self, Fields, What, list, object, word, wrong};
 use hodograph_base::json::{Kind, Node, Word};
 
 /// More entries of one kind are refused. A textbook mechanism has a dozen links; the solvers' matrices grow with the square
@@ -212,41 +212,8 @@ fn words(node: Option<&Node>, what: impl Into<What>, faults: &mut Faults) -> Vec
 }
 
 pub(super) fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) -> Option<RawLocalized> {
-    if let Kind::Object(_) = node.kind {
-        let f = Fields::open(node, what, keys::TEXT, faults)?;
-        let mut text = |key: &str| {
-            f.get(key)
-                .and_then(|n| word(n, both!("`{key}` of {what}", "{what} 的 `{key}`"), faults))
-                .and_then(|w| no_longer(w, what, most, faults))
-        };
-        let both = RawLocalized { en: text("en"), zh: text("zh") };
-        if f.get("en").is_none() && f.get("zh").is_none() {
-            faults.push(
-                Diagnostic::error("empty", both!("{what} says nothing", "{what} 没有内容"))
-                    .at(node.span)
-                    .help(both!("give \"en\", \"zh\" or both", "请给出 \"en\" 或 \"zh\"，或两者都给出")),
-            );
-        }
-        return Some(both);
-    }
-    let text = word(node, what, faults).and_then(|w| no_longer(w, what, most, faults));
-    text.map(|text| RawLocalized { en: Some(text.clone()), zh: Some(text) })
-}
-
-/// A text of no more than so many characters.
-fn no_longer(word: Word, what: &str, most: usize, faults: &mut Faults) -> Option<Word> {
-    let count = word.text.chars().count();
-    if count > most {
-        faults.push(
-            Diagnostic::error(
-                "too-long",
-                both!("{what} has {count} characters; at most {most} are allowed", "{what} 有 {count} 个字符，最多允许 {most} 个"),
-            )
-            .at(word.span),
-        );
-        return None;
-    }
-    Some(word)
+    let [en, zh] = fields::localized(node, what, most, faults)?;
+    Some(RawLocalized { en, zh })
 }
 
 fn place(node: &Node, faults: &mut Faults) -> Option<RawPlace> {

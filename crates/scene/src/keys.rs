@@ -30,7 +30,6 @@ pub(super) const SCENE: &[&str] = &[
     "language",
     "notation",
 ];
-pub(super) const TEXT: &[&str] = &["en", "zh"];
 pub(super) const PLACE_XY: &[&str] = &["base", "x", "y"];
 pub(super) const PLACE_POLAR: &[&str] = &["base", "length", "angle"];
 pub(super) const GUIDE: &[&str] = &["pin", "slider", "on", "line", "through", "angle", "offset", "centre", "radius"];

@@ -15,7 +15,6 @@ pub mod book;
 pub mod build;
 pub mod cams;
 mod decode;
-mod diagram;
 mod driver;
 pub mod edit;
 mod elsewhere;
@@ -25,8 +24,6 @@ pub mod expr;
 pub mod folded;
 pub mod front;
 mod keys;
-pub mod kind;
-mod lang;
 mod law;
 mod mistake;
 pub mod model;
@@ -51,10 +48,11 @@ mod written;
 
 pub use again::Source;
 pub use book::Book;
-pub use diagram::DiagramKind;
 pub use driver::{Position, PositionSlot};
 pub use elsewhere::{driver_position, with_driver_at};
-pub use kind::{ByKind, Kind};
+pub use hodograph_base::diagram::DiagramKind;
+pub use hodograph_base::kind::{ByKind, Kind};
+pub use hodograph_base::lang::Lang;
 pub use model::*;
 pub use quantity::{Asked, Axis};
 pub use rolling::{Contours, Flanks, Normal, Relation, Rolling, RollingId, RollingKind, Sizes, Touch};
@@ -63,7 +61,7 @@ pub use write::write;
 pub use written::Told;
 
 use hodograph_base::diag::{Diagnostic, Faults, Severity, Span, Warned, both};
-use hodograph_base::json::{self, Node, Word};
+use hodograph_base::json;
 use raw::Extent;
 
 /// Reads the error of a pencil as `"paper": {"pencil": ...}` would say it, such as `0.1 mm`; in mm.
@@ -80,11 +78,6 @@ pub fn pencil(text: &str) -> Result<f64, Faults> {
     let quantity = raw::RawQuantity { text: text.to_owned(), span: Span::new(0, text.len()), bare: true };
     let read = resolve::pencil(&quantity, text, &mut faults);
     read.filter(|_| !faults.has_errors()).ok_or(faults)
-}
-
-/// Reads a text, or one in each language, of no more than so many characters: English and Chinese, `None` where one is not given.
-pub fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) -> [Option<Word>; 2] {
-    decode::localized(node, what, most, faults).map_or([None, None], |raw| [raw.en, raw.zh])
 }
 
 /// Reads the width of a page, such as `80 mm`; in mm.

@@ -3,7 +3,7 @@
 //! Decided here: only what they are called. Where a scene lets one be made, and what it does to the equations, is decided in
 //! `attempts`, a file for each.
 
-use super::lang::Lang;
+use hodograph_base::lang::Lang;
 
 /// A known mistake.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

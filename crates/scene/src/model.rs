@@ -6,16 +6,16 @@
 
 use super::again::Source;
 use super::book::Book;
-use super::kind::{ByKind, Kind};
 use super::quantity::{Asked, Frame};
 use super::rolling::{Rolling, RollingId};
 use super::statement::Statement;
 use super::units::Unit;
 use hodograph_base::diag::Span;
+use hodograph_base::kind::{ByKind, Kind};
 
 pub use super::cams::{Cam, Follows, Pieces, Turning};
-pub use super::lang::Lang;
 pub use super::mistake::Mistake;
+pub use hodograph_base::lang::Lang;
 pub use hodograph_base::trig::Angle;
 
 /// Index into [`Scene::points`].

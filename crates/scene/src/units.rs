@@ -3,6 +3,7 @@
 use super::expr::Expr;
 use super::front::{self, mentions};
 use hodograph_base::diag::{Both, both};
+use hodograph_base::kind::Kind;
 
 /// Exponents of length, time and plane angle. The angle counts as a dimension of its own, so that `60 deg` is not
 /// taken for a length or a pure number by mistake.
@@ -166,6 +167,20 @@ pub enum Wanted {
 }
 
 impl Wanted {
+    /// What a scene writes for a kind of quantity.
+    pub const fn of(kind: Kind) -> Wanted {
+        match kind {
+            Kind::Length => Wanted::Length,
+            Kind::Angle => Wanted::Angle,
+            Kind::Velocity => Wanted::Velocity,
+            Kind::Acceleration => Wanted::Acceleration,
+            Kind::Omega => Wanted::Omega,
+            Kind::Alpha => Wanted::Alpha,
+            Kind::Time => Wanted::Time,
+            Kind::Number => Wanted::Number,
+        }
+    }
+
     /// The quantities that the `units` table of a scene knows, with their keys.
     pub const TABLE: [(&'static str, Wanted); 6] = [
         ("length", Wanted::Length),

@@ -2,8 +2,8 @@
 
 use super::book::BookUnit;
 use super::expr::{self, Expr, ExprKind};
-use super::kind::Kind;
 use super::model::{Given, Scene};
+use hodograph_base::kind::Kind;
 
 /// A given quantity for a reader.
 #[derive(Clone, Debug, PartialEq)]

@@ -15,7 +15,7 @@ use hodograph_base::digits::shortest;
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene::eval::{NoValue, Value, evaluate};
 use hodograph_scene::expr::{self, Expr, ExprKind};
-use hodograph_scene::units::Dim;
+use hodograph_scene::units::{Dim, Wanted};
 use hodograph_scene::{Angle, Direction, Given, GuidePath, Kind, Place, PositionSlot, Scene, Through, templates};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -169,7 +169,7 @@ impl Variation {
     pub fn unit(&self, value: &Value) -> &'static str {
         // An arc over time is a velocity.
         let dim = if value.dim.length == 1 && value.dim.time < 0 { Dim { angle: 0, ..value.dim } } else { value.dim };
-        Kind::ALL.into_iter().find(|kind| kind.wanted().dim() == dim).map_or("", Kind::si)
+        Kind::ALL.into_iter().find(|kind| Wanted::of(*kind).dim() == dim).map_or("", Kind::si)
     }
 
     /// A value of a parameter as a command line gives it: a bare number takes the unit that the scene writes.

@@ -1,11 +1,11 @@
 //! What a motion without a mechanism gives and what it asks, in words.
 
 use crate::diag::{Both, both};
+use crate::notation::Notation;
 use crate::paper::phrase::Phrase;
 use crate::particle::law::{Turning, Way};
 use crate::particle::plate::Part;
 use crate::particle::{Asked, Kind, Motion, Mutual, Plate, Problem};
-use crate::plan::notation::Notation;
 use crate::report::given::law::printed;
 use crate::report::particle::symbol;
 use crate::scene::Lang;

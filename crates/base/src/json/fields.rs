@@ -171,3 +171,43 @@ pub fn nearest<'a>(got: &str, known: impl Iterator<Item = &'a str>) -> Option<Bo
         .fold(None, |best: Option<(f64, &str)>, (score, k)| if best.is_some_and(|b| b.0 >= score) { best } else { Some((score, k)) });
     near.map(|(_, name)| both!("did you mean `{name}`?", "是否想写 `{name}`？"))
 }
+
+/// A text of no more than so many characters, which serves for both languages, or one for each: `{"en": ..., "zh": ...}`. English and Chinese, `None`
+/// where one is not given.
+pub fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) -> Option<[Option<Word>; 2]> {
+    if let Kind::Object(_) = node.kind {
+        let f = Fields::open(node, what, &["en", "zh"], faults)?;
+        let mut text = |key: &str| {
+            f.get(key)
+                .and_then(|n| word(n, both!("`{key}` of {what}", "{what} 的 `{key}`"), faults))
+                .and_then(|w| no_longer(w, what, most, faults))
+        };
+        let texts = ["en", "zh"].map(&mut text);
+        if f.get("en").is_none() && f.get("zh").is_none() {
+            faults.push(
+                Diagnostic::error("empty", both!("{what} says nothing", "{what} 没有内容"))
+                    .at(node.span)
+                    .help(both!("give \"en\", \"zh\" or both", "请给出 \"en\" 或 \"zh\"，或两者都给出")),
+            );
+        }
+        return Some(texts);
+    }
+    let text = word(node, what, faults).and_then(|w| no_longer(w, what, most, faults));
+    text.map(|text| [Some(text.clone()), Some(text)])
+}
+
+/// A text of no more than so many characters.
+fn no_longer(word: Word, what: &str, most: usize, faults: &mut Faults) -> Option<Word> {
+    let count = word.text.chars().count();
+    if count > most {
+        faults.push(
+            Diagnostic::error(
+                "too-long",
+                both!("{what} has {count} characters; at most {most} are allowed", "{what} 有 {count} 个字符，最多允许 {most} 个"),
+            )
+            .at(word.span),
+        );
+        return None;
+    }
+    Some(word)
+}

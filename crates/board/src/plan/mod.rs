@@ -16,7 +16,6 @@ mod keys;
 mod lines;
 mod locus;
 pub mod names;
-pub mod notation;
 mod reduce;
 mod rest;
 mod step;

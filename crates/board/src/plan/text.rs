@@ -4,9 +4,9 @@
 
 pub use super::names::point_label;
 use super::names::{image_label, image_of, is_image, name_label, numbered, pole_letter, special_name};
-use super::notation::Notation;
 use super::{Body, By, Chain, Plan, Spot, Step, Term, TermKind, VertexId};
 use hodograph_base::diag::{Both, both};
+use hodograph_base::notation::Notation;
 use hodograph_scene::{DiagramKind, GuideId, GuidePath, Lang, Scene};
 
 /// What the texts are written for.

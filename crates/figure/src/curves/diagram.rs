@@ -1,7 +1,7 @@
 //! What a line diagram shows: the answers of a sweep as panels of curves, with their extremes.
 
 use crate::sheet::swept_symbol;
-use hodograph_board::plan::notation::Notation;
+use hodograph_base::notation::Notation;
 use hodograph_report::amount::symbol;
 use hodograph_scene::quantity::Of;
 use hodograph_scene::{Asked, DiagramKind, Kind, Scene, Swept};

@@ -4,7 +4,7 @@
 
 use super::form::Form;
 use super::{Course, Draft};
-use hodograph_board::plan::notation::Notation;
+use hodograph_base::notation::Notation;
 use hodograph_mechanism::mechanism::{Assur, Opened, Passive};
 use hodograph_paper::paper::drawing::Drawing;
 use hodograph_paper::paper::style::Style;

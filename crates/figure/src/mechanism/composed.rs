@@ -1,7 +1,7 @@
 //! The vectors of a composite motion at the moving point: with two parts the parallelogram whose diagonal is the absolute vector.
 
 use hodograph_base::geom::Vec2;
-use hodograph_board::plan::notation::Notation;
+use hodograph_base::notation::Notation;
 use hodograph_paper::paper::drawing::Part;
 use hodograph_paper::paper::item::{Colour, Dash, Shape, Stroke};
 use hodograph_paper::paper::label::Label;

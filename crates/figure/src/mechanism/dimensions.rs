@@ -339,7 +339,7 @@ impl Draft<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use hodograph_board::plan::notation::Notation;
+    use hodograph_base::notation::Notation;
     use hodograph_paper::paper::style::Style;
     use hodograph_scene as scene;
     use hodograph_worked::worked::{Scope, work};

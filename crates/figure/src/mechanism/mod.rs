@@ -25,7 +25,7 @@ mod swings;
 mod wheels;
 
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_board::plan::notation::Notation;
+use hodograph_base::notation::Notation;
 use hodograph_mechanism::mechanism::Opened;
 use hodograph_mechanism::position::Path;
 use hodograph_scene::{Guide, GuideId, GuidePath, LinkId, PointId, Scene, Through};

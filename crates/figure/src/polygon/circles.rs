@@ -111,7 +111,7 @@ impl Draft<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use hodograph_board::plan::notation::Notation;
+    use hodograph_base::notation::Notation;
     use hodograph_board::plan::text::Writer;
     use hodograph_scene::{DiagramKind, Lang, read};
     use hodograph_worked::worked::{Scope, work};

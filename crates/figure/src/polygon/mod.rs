@@ -378,7 +378,7 @@ fn covers((a, b): (Point, Point), p: Point) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use hodograph_board::plan::notation::Notation;
+    use hodograph_base::notation::Notation;
     use hodograph_scene::{DiagramKind, Lang, read, templates};
     use hodograph_worked::worked::{Scope, work};
 

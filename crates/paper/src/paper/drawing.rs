@@ -5,8 +5,8 @@
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
+use hodograph_base::diagram::DiagramKind;
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_scene::DiagramKind;
 
 use super::broken::break_at;
 use super::extent::{Rect, bounds, translate};

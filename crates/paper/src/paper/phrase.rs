@@ -1,7 +1,7 @@
 //! Sentences that mix words and formulas, in one of the two languages.
 
 use crate::paper::label::Label;
-use hodograph_scene::Lang;
+use hodograph_base::lang::Lang;
 
 /// A sentence: words as they stand, formulas in the label language.
 #[derive(Clone, Debug, Default, PartialEq)]

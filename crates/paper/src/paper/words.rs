@@ -1,6 +1,7 @@
 //! All words on figures, in both languages: one table.
 
-use hodograph_scene::{DiagramKind, Lang};
+use hodograph_base::diagram::DiagramKind;
+use hodograph_base::lang::Lang;
 
 /// The words of one language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,13 +8,13 @@
 use super::along::along;
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
 use crate::cams::{Cam, Turning};
-use crate::kind::Kind;
 use crate::model::{Find, GuideId, GuidePath, LinkId, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::cam::{Fault, Follower, Mark, Motion, Side, Touch, in_turn, least_base};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::Vec2;
+use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
 
 /// Of a cam and its follower.

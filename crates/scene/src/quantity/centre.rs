@@ -3,11 +3,11 @@
 //! How it is found by the theorem of three centres is told by `centres`, which computes it in that other way.
 
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
-use crate::kind::Kind;
 use crate::model::{LinkId, OnLink, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::Vec2;
+use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
 
 /// What rounding leaves of a difference of two angular velocities, as a part of the larger one.

@@ -3,11 +3,11 @@
 
 use super::joined::name;
 use super::{Entry, Form, Frame, Known, Level, Meaning, Need, Of, Over, Quantity, RelativePath, Seen, Split, Value, owns, relative_path};
-use crate::kind::Kind;
 use crate::model::{Find, OnLink, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::Point;
+use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
 
 /// A part of the motion of a point that is seen from a frame.

@@ -5,11 +5,11 @@
 //! drawn, and what they are where they are nowhere, is told by `curvature`.
 
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
-use crate::kind::Kind;
 use crate::model::{LinkId, OnLink, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
 
 /// Of a path, or of the pole of a link.

@@ -1,9 +1,9 @@
 //! A line of the table of quantities: what is told of all that share it.
 
 use super::{Frame, Level, Need};
-use crate::kind::Kind;
 use crate::model::{OnLink, PointId};
 use crate::{Lang, LinkId};
+use hodograph_base::kind::Kind;
 
 /// What a value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

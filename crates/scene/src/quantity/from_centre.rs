@@ -1,10 +1,10 @@
 //! `P_13D`, also written `P13D`: the distance of a point from the instantaneous centre of two links, by which speeds divide: v_D = ω₃ · P13D.
 
 use super::{Entry, Form, InstantCentre, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
-use crate::kind::Kind;
 use crate::model::{OnLink, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic};
+use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
 
 /// The distance of a point from an instantaneous centre.

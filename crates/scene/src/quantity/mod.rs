@@ -42,8 +42,9 @@ pub use entry::{Entry, Form, Of, Over};
 pub use frame::owns;
 pub use frame::{Frame, RelativePath, relative_path};
 pub use from_centre::FromCentre;
+pub use hodograph_base::kind::Level;
 pub use joined::{Joined, joined};
-pub use level::{Level, Need, Rate};
+pub use level::{Need, Rate};
 pub use meaning::ratio;
 pub use meaning::{Meaning, Split};
 pub use place::{Axis, Place};
@@ -58,11 +59,11 @@ pub use transmission::Transmission;
 pub use turning::Turning;
 pub use value::{Known, Value};
 
-use super::diagram::DiagramKind;
-use super::kind::Kind;
 use super::model::{Find, OnLink, Scene};
 use super::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_base::diagram::DiagramKind;
+use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
 
 /// A family of quantities.

@@ -2,10 +2,10 @@
 //! along its straight guide, at the instant.
 
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
-use crate::kind::Kind;
 use crate::model::{Find, GuideId, GuidePath, LinkId, OnLink, PointId, Scene, Through};
 use crate::resolve::Question;
 use hodograph_base::diag::{Diagnostic, both};
+use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
 
 /// Where something is.

@@ -1,10 +1,10 @@
 //! `v_E`, `a_E`: velocity and acceleration of a point; `v_B3`: of the point of link 3 that lies at B.
 
 use super::{Entry, Form, Meaning, Of, Quantity, Rate};
-use crate::kind::Kind;
 use crate::model::{OnLink, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::Diagnostic;
+use hodograph_base::kind::Kind;
 
 /// How a point moves.
 #[derive(Clone, Copy, Debug, PartialEq)]

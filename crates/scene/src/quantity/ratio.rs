@@ -2,10 +2,10 @@
 //! (ω₂ − ω₃)/(ω₄ − ω₃), which of a gear train depends on its numbers of teeth alone (Willis).
 
 use super::{Entry, Form, Level, Meaning, Need, Of, Over, Quantity};
-use crate::kind::Kind;
 use crate::model::{LinkId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::kind::Kind;
 
 /// A transmission ratio.
 #[derive(Clone, Copy, Debug, PartialEq)]

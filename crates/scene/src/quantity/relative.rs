@@ -3,10 +3,10 @@
 
 use super::joined::name;
 use super::{Entry, Form, Joined, Meaning, Of, Over, Quantity, Split, joined};
-use crate::kind::Kind;
 use crate::model::{Find, OnLink, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::kind::Kind;
 
 /// How a point moves against another.
 #[derive(Clone, Copy, Debug, PartialEq)]

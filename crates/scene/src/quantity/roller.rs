@@ -3,11 +3,11 @@
 
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
 use crate::cams::{Cam, Follows};
-use crate::kind::Kind;
 use crate::model::{Find, LinkId, OnLink, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::Vec2;
+use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
 
 /// The spin of a roller.

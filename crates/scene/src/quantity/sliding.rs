@@ -4,10 +4,10 @@
 use super::joined::name;
 use super::{Entry, Form, Joined, Level, Meaning, Need, Of, Over, Quantity, Split, joined};
 use crate::cams::Cam;
-use crate::kind::Kind;
 use crate::model::{Find, Guide, OnLink, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::kind::Kind;
 
 /// How a point slides on another link. Both are at one point, or the ends of a cylinder; one may be the pin itself (`vr_BB3`).
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,11 +3,11 @@
 
 use super::along::along;
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
-use crate::kind::Kind;
 use crate::model::{Find, Guide, GuideId, GuidePath, LinkId, OnLink, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::Vec2;
+use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
 
 /// A transmission angle.

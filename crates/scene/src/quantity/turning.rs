@@ -1,10 +1,10 @@
 //! `omega_3`, `alpha_3`: angular velocity and acceleration of a link; `omega_3/2`: against link 2. Counter-clockwise plus.
 
 use super::{Entry, Form, Meaning, Of, Over, Quantity, Rate};
-use crate::kind::Kind;
 use crate::model::{LinkId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Diagnostic, both};
+use hodograph_base::kind::Kind;
 
 /// How a link turns.
 #[derive(Clone, Copy, Debug, PartialEq)]

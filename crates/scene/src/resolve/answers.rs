@@ -2,12 +2,12 @@
 
 use super::*;
 use crate::book::{Book, BookUnit};
-use crate::kind::Kind;
+use hodograph_base::kind::Kind;
 
 pub(super) fn book(raw: &RawScene, faults: &mut Faults) -> Book {
     let mut book = Book::default();
     for (key, unit) in &raw.answers {
-        let kind = Kind::ALL.into_iter().find(|k| k.wanted().key() == Some(key.text.as_str()));
+        let kind = Kind::ALL.into_iter().find(|k| Wanted::of(*k).key() == Some(key.text.as_str()));
         let Some(kind) = kind else {
             let d =
                 Diagnostic::error("unknown-key", both!("`{}` is not a quantity of \"answers\"", "`{}` 不是 \"answers\" 中的量", key.text))
@@ -18,10 +18,12 @@ pub(super) fn book(raw: &RawScene, faults: &mut Faults) -> Book {
         match BookUnit::read(&unit.text, kind) {
             Ok(unit) => book.set(kind, unit),
             Err(fitting) => {
-                let d =
-                    Diagnostic::error("unit", both!("`{}` is not a unit of {}", "`{}` 不是{}的单位", unit.text, kind.wanted().describe()))
-                        .at(unit.span);
-                let min = if kind.wanted().dim().time == 0 {
+                let d = Diagnostic::error(
+                    "unit",
+                    both!("`{}` is not a unit of {}", "`{}` 不是{}的单位", unit.text, Wanted::of(kind).describe()),
+                )
+                .at(unit.span);
+                let min = if Wanted::of(kind).dim().time == 0 {
                     Both::default()
                 } else {
                     both!("; min and h may stand for s", "；s 可换为 min 或 h")

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::book::Book;
-use crate::kind::Kind;
+use hodograph_base::kind::Kind;
 
 /// ISO 216 sheets, upright, in mm.
 const SHEETS: [(&str, [f64; 2]); 5] =

@@ -6,9 +6,9 @@
 use super::*;
 use crate::book::Book;
 use crate::expr::is_name;
-use crate::kind::Kind;
 use crate::statement::{Run, Statement};
 use crate::written::{Told, as_written};
+use hodograph_base::kind::Kind;
 
 pub(super) fn statement(
     raw: &RawScene,
@@ -148,7 +148,7 @@ impl<'a> Reader<'a, '_> {
         let dim = self.values.dim(name)?;
         let text = given.text.trim();
         let number = |value: f64| hodograph_base::digits::inked(&hodograph_base::digits::shortest(value));
-        let Some(kind) = Kind::ALL.into_iter().find(|kind| dim == kind.wanted().dim()) else {
+        let Some(kind) = Kind::ALL.into_iter().find(|kind| dim == Wanted::of(*kind).dim()) else {
             let bare = text.parse::<f64>().is_ok();
             return Some(match (bare, dim == Wanted::ScaleOfLengths.dim()) {
                 (true, _) => hodograph_base::digits::inked(text),

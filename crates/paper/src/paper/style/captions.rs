@@ -4,9 +4,11 @@ use crate::paper::phrase::Phrase;
 use crate::paper::text;
 use crate::paper::words::{Words, words};
 use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_base::diagram::DiagramKind;
 use hodograph_base::json::fields::Fields;
+use hodograph_base::json::fields::localized;
 use hodograph_base::json::{Node, Word};
-use hodograph_scene::{DiagramKind, Lang, localized};
+use hodograph_base::lang::Lang;
 
 /// Longest caption: a line of A4.
 const LONGEST: usize = 80;
@@ -49,7 +51,7 @@ impl Captions {
         let Some(f) = Fields::open(node, "\"captions\"", &keys, faults) else { return };
         for (key, what) in ALL {
             let Some(node) = f.get(key) else { continue };
-            let texts = localized(node, key, LONGEST, faults).map(|word| word.and_then(|w| sound(w, faults)));
+            let texts = localized(node, key, LONGEST, faults).unwrap_or_default().map(|word| word.and_then(|w| sound(w, faults)));
             for (lang, text) in [Lang::En, Lang::Zh].into_iter().zip(texts) {
                 let Some(text) = text else { continue };
                 self.0.retain(|(w, l, _)| (*w, *l) != (what, lang));

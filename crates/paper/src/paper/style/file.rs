@@ -12,7 +12,7 @@ use crate::paper::text;
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::json::fields::{Fields, What, list, suggest, word, wrong};
 use hodograph_base::json::{self, Kind, Node};
-use hodograph_board::plan::notation::Vectors;
+use hodograph_base::notation::Vectors;
 
 /// A length that a style sets: its key, where it is kept, and its bounds in mm.
 type Length = (&'static str, fn(&mut Style) -> &mut f64, [f64; 2]);
@@ -253,8 +253,8 @@ mod tests {
     use super::super::Captioned;
     use super::*;
     use hodograph_base::diag::Both;
-    use hodograph_scene::DiagramKind;
-    use hodograph_scene::Lang;
+    use hodograph_base::diagram::DiagramKind;
+    use hodograph_base::lang::Lang;
 
     #[test]
     fn captions_and_vectors_of_a_style() {

@@ -4,7 +4,7 @@
 use super::arrow::Head;
 use super::font::own::Fonts;
 use super::item::{Colour, Stroke};
-use hodograph_board::plan::notation::{Notation, Vectors};
+use hodograph_base::notation::{Notation, Vectors};
 
 mod captions;
 mod file;

@@ -1,6 +1,6 @@
 //! The languages that the program speaks.
 
-use hodograph_base::diag::Both;
+use crate::diag::Both;
 
 /// A language of the figures and texts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -1,9 +1,9 @@
 //! Notation profiles: marks that differ between textbooks, as data.
 
-use hodograph_scene::Lang;
+use crate::lang::Lang;
 use serde::Deserialize;
 
-/// A notation profile (method.md's table): read from `crates/board/src/plan/notation/*.json`.
+/// A notation profile (method.md's table): read from `crates/base/src/notation/*.json`.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Notation {

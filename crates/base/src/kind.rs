@@ -1,7 +1,5 @@
-//! Kinds of quantities, and one number for each of them.
+//! Kinds of quantities, a value for each of them, and the order of derivative.
 
-use super::quantity::Level;
-use super::units::Wanted;
 use std::collections::BTreeMap;
 
 /// A kind of quantity: what shares a unit.
@@ -104,20 +102,6 @@ impl Kind {
     /// All for whose answers a unit can be chosen.
     pub const ALL: [Kind; 6] = [Kind::Length, Kind::Angle, Kind::Velocity, Kind::Acceleration, Kind::Omega, Kind::Alpha];
 
-    /// What the scene must write for it.
-    pub const fn wanted(self) -> Wanted {
-        match self {
-            Kind::Length => Wanted::Length,
-            Kind::Angle => Wanted::Angle,
-            Kind::Velocity => Wanted::Velocity,
-            Kind::Acceleration => Wanted::Acceleration,
-            Kind::Omega => Wanted::Omega,
-            Kind::Alpha => Wanted::Alpha,
-            Kind::Time => Wanted::Time,
-            Kind::Number => Wanted::Number,
-        }
-    }
-
     /// Its SI unit, for programs and tables.
     pub const fn si(self) -> &'static str {
         match self {
@@ -144,5 +128,43 @@ impl Kind {
     /// Whether it counts turning: its sign is a sense, told in words.
     pub const fn turns(self) -> bool {
         matches!(self, Kind::Omega | Kind::Alpha)
+    }
+}
+
+/// How deep a thing is asked for. Each level needs the ones before it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Level {
+    /// Where it is.
+    #[default]
+    Position,
+    /// How fast.
+    Velocity,
+    /// With which acceleration.
+    Acceleration,
+}
+
+impl Level {
+    /// All of them, each after those that it needs.
+    pub const ALL: [Level; 3] = [Level::Position, Level::Velocity, Level::Acceleration];
+
+    /// Those that have equations and a polygon.
+    pub const RATES: [Level; 2] = [Level::Velocity, Level::Acceleration];
+
+    /// What its vectors are: lengths on the diagram, velocities, accelerations.
+    pub fn kind(self) -> Kind {
+        match self {
+            Level::Position => Kind::Length,
+            Level::Velocity => Kind::Velocity,
+            Level::Acceleration => Kind::Acceleration,
+        }
+    }
+
+    /// What the turning of a link is.
+    pub fn turning(self) -> Kind {
+        match self {
+            Level::Position => Kind::Angle,
+            Level::Velocity => Kind::Omega,
+            Level::Acceleration => Kind::Alpha,
+        }
     }
 }

@@ -1,8 +1,7 @@
 //! Kinds of diagrams: the one list of what is drawn to a scale of its own, with all that differs from one to the next.
 
-use super::kind::Kind;
-use super::quantity::Level;
-use hodograph_base::diag::{Both, both};
+use crate::diag::{Both, both};
+use crate::kind::{Kind, Level};
 
 /// A kind of diagram.
 ///
