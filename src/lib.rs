@@ -80,7 +80,7 @@
 //! - [`problem`]: every kind of file through one call: read, solve, and what is written of the answers.
 //! - [`cli`]: the only room that prints, reads arguments or touches files.
 //! - [`templates`](problem::templates): the texts of the files under `templates/`, known by their names.
-//! - Small shared ones: [`geom`], [`trig`], [`digits`], [`diag`], [`budget`], [`json`](hodograph_base::json).
+//! - Small shared ones: [`geom`], [`trig`], [`digits`], [`diag`], [`budget`], [`json`](hodograph_base::json), [`kind`], [`diagram`], [`lang`], [`notation`].
 //!
 //! # Crates
 //! The rooms are crates under `crates/`, so that Cargo refuses what the table below forbids, above all that drawing and analysis know one
@@ -110,24 +110,28 @@
 //! diag       -
 //! budget     diag
 //! json       diag
+//! lang       diag
+//! kind       -
+//! diagram    diag kind
+//! notation   lang
 //! digits     -
 //! trig       -
-//! number     trig
+//! number     budget trig
 //! geom       number
 //! cam        number geom
-//! scene      templates diag json digits trig number geom cam
+//! scene      templates diag json diagram kind lang digits trig number geom cam
 //! mechanism  diag scene
-//! position   diag digits trig number geom cam scene mechanism
+//! position   diag budget digits trig number geom cam scene mechanism
 //! stated     diag digits trig geom cam scene mechanism position
 //! answer     number geom scene mechanism position
 //! motion     number geom scene mechanism position answer
-//! plan       diag scene mechanism
-//! construct  diag digits number geom scene mechanism position answer plan
-//! analytic   diag geom cam scene mechanism position answer
-//! sweep      diag digits trig number geom cam scene mechanism position stated answer motion analytic
-//! paper      diag json geom scene plan
+//! plan       diag notation scene mechanism
+//! construct  diag budget digits number geom scene mechanism position answer plan
+//! analytic   diag budget geom cam scene mechanism position answer
+//! sweep      diag budget digits trig number geom cam scene mechanism position stated answer motion analytic
+//! paper      diag budget json notation diagram lang geom
 //! render     diag geom paper
-//! accuracy   diag digits number geom scene mechanism position answer motion plan construct analytic
+//! accuracy   diag budget digits number geom scene mechanism position answer motion plan construct analytic
 //! worked     diag digits geom scene mechanism position stated answer plan construct analytic sweep accuracy
 //! certified  diag digits number geom scene mechanism position answer motion plan construct accuracy worked
 //! effort     diag number geom scene mechanism position answer motion plan construct analytic sweep accuracy worked certified
@@ -138,16 +142,16 @@
 //! attempts   diag digits geom scene mechanism position answer plan construct worked
 //! curvature  diag geom scene mechanism position answer analytic sweep worked centres
 //! inversions diag scene mechanism position sweep worked curvature
-//! search     diag geom position
+//! search     diag budget geom position
 //! synthesis  templates diag json digits number geom scene mechanism position construct sweep search
 //! particle   templates diag json digits number geom scene construct
-//! report     diag digits number geom cam scene mechanism position answer motion plan construct analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions particle synthesis
-//! figure     diag digits geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions particle synthesis report
+//! report     diag notation digits number geom cam scene mechanism position answer motion plan construct analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions synthesis particle
+//! figure     diag budget notation digits geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions synthesis particle report
 //! webfont    paper
-//! worksheet  diag digits geom scene mechanism answer plan construct paper render worked certified centres attempts particle synthesis report figure webfont
-//! lesson     diag digits geom scene mechanism position plan construct sweep paper render worked certified centres particle synthesis report figure webfont
-//! problem    diag json geom scene answer plan paper sweep worked certified attempts particle synthesis report figure worksheet lesson
-//! cli        diag json digits geom cam scene mechanism position plan sweep paper render worked certified effort centres composite attempts curvature inversions report figure worksheet lesson problem
+//! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres attempts synthesis particle report figure webfont
+//! lesson     diag budget notation digits geom scene mechanism position plan construct sweep paper render worked certified centres synthesis particle report figure webfont
+//! problem    diag json notation geom scene answer plan sweep paper worked certified attempts synthesis particle report figure worksheet lesson
+//! cli        diag json notation digits geom cam scene mechanism position plan sweep paper render worked certified effort centres composite attempts curvature inversions report figure worksheet lesson problem
 //! ```
 //!
 //! # What grows
