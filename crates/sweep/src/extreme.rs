@@ -136,7 +136,7 @@ pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Lim
     let turns = if turning { program.turns * if range.flipped() { 2 } else { 1 } } else { 1 };
     let seen = if turning { turns_seen(turns) } else { 1 };
     let span = if turning { [range.now, range.now + TAU * seen as f64] } else { range.bounds() };
-    let period = (turning && seen == turns).then_some(span[1] - span[0]);
+    let period = (turning && seen == turns).then_some(TAU * seen as f64);
     let swings = swings(&program, &placed, driver, &found, &range, (span, period));
     let probe = Probe::of(program.clone(), &placed, driver);
     let joints = program.joints.iter().zip(probe.transmission(span[0], span[1]));
