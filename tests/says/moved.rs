@@ -3,7 +3,8 @@
 use hodograph::analytic;
 use hodograph::diag::Faults;
 use hodograph::mechanism::Mechanism;
-use hodograph::scene::{self, Find, Place, Scene, Through};
+use hodograph::position::{Configuration, Path};
+use hodograph::scene::{self, Direction, Find, GuideId, Place, Scene, Through};
 use hodograph::sweep::{Placed, station};
 use serde_json::{Value as Json, json};
 use std::collections::BTreeMap;
@@ -32,11 +33,26 @@ pub fn solved(scene: &Scene, driver: Option<usize>) -> Result<Single, Faults> {
     Ok(Single { answers, condition, value: driver.map_or(0.0, |d| station::position_now(scene, &placed.at, d)) })
 }
 
+/// The links that carry a track or a rack, each with the key of its list and what names it there.
+const CARRYING: [(&str, &str); 2] = [("rolling", "on"), ("gears", "rack")];
+
+/// The racks of a file that have a named contact, each with the centre of its wheel and the contact.
+pub fn touching(json: &Json) -> Vec<[String; 3]> {
+    let named = |pair: &Json| {
+        let all = [&pair["rack"], &pair["centres"][0], &pair["at"]].map(|v| v.as_str().map(str::to_owned));
+        let [Some(rack), Some(centre), Some(at)] = all else { return None };
+        Some([rack, centre, at])
+    };
+    json["gears"].as_array().into_iter().flatten().filter_map(named).collect()
+}
+
 /// A scene of the file's own words that is told to stand elsewhere.
 pub struct Moved<'a> {
     pub json: &'a Json,
     pub plain: &'a Scene,
     pub driver: usize,
+    /// Where everything is.
+    pub at: &'a Configuration,
     /// Where the driver stands.
     pub now: f64,
 }
@@ -52,6 +68,19 @@ impl Moved<'_> {
         let fixed = self.plain.links[self.plain.ground.0].points.iter().any(|q| q.0 == p);
         let written = self.json["points"].get(&self.plain.points[p].name).is_some();
         written && !fixed && matches!(self.plain.points[p].place, Place::At(_))
+    }
+
+    /// Whether the sides of a joint are of lines of its own link.
+    fn is_made_so(&self, joint: &str) -> bool {
+        let mut own = self.plain.sides.iter().filter(|s| self.plain.point_name(s.point) == joint);
+        own.all(|s| self.plain.links.iter().any(|l| [s.point, s.from, s.to].iter().all(|p| l.points.contains(p))))
+    }
+
+    /// The driver that turns the link of a guide whose direction the coordinates of its pin show, as no angle of that driver is told.
+    fn shown_beside(&self, g: GuideId) -> Option<usize> {
+        let (guide, ground) = (&self.plain.guides[g.0], self.plain.ground);
+        let silent = |d: &scene::Driver| d.kind.turned() == Some((guide.on, ground)) && d.kind.angle().is_none();
+        self.plain.drivers.iter().position(silent).filter(|_| guide.pin.is_some_and(|p| self.posed(p.0)))
     }
 
     /// The scene with its driver at `value`, the points at their places and the links turned by so much; `None` where its words cannot say it.
@@ -80,10 +109,15 @@ impl Moved<'_> {
             let name = &plain.points[p].name;
             json["points"][name] = written(*places.get(name)?);
         }
-        // A side tells the assembly of the instant; a motion may carry the joint to the other one, so that its place is told instead.
-        let sides = json.as_object_mut()?.remove("side").unwrap_or_default();
-        for joint in sides.as_object().into_iter().flat_map(|sides| sides.keys()) {
-            json["sketch"][joint] = written(*places.get(joint)?);
+        // A side tells the assembly of the instant; a motion may carry the joint to the other one, so that its place is told instead. Those of
+        // three points of one link say how it is made.
+        if let Some(mut sides) = json.as_object_mut()?.remove("side").and_then(|sides| sides.as_object().cloned()) {
+            sides.retain(|joint, _| self.is_made_so(joint));
+            let joints = self.json["side"].as_object()?.keys().filter(|joint| !sides.contains_key(*joint));
+            for joint in joints {
+                json["sketch"][joint] = written(*places.get(joint)?);
+            }
+            json["side"] = Json::Object(sides);
         }
         if let Some(sketch) = json.get_mut("sketch").and_then(Json::as_object_mut) {
             sketch.iter_mut().filter_map(|(p, at)| Some((at, places.get(p)?))).for_each(|(at, place)| *at = written(*place));
@@ -93,9 +127,34 @@ impl Moved<'_> {
             if matches!(through, Through::At(_)) {
                 return None;
             }
-            if let scene::Direction::Instant(angle) = direction {
-                let by = turned.get(plain.link_name(guide.on))?;
-                json["guides"].get_mut(g)?["angle"] = json!(format!("{:?} rad", angle.value.radians() + by));
+            let turn = || turned.get(plain.link_name(guide.on));
+            let angle = match direction {
+                Direction::Instant(angle) => angle.value.radians() + turn()?,
+                // A slot that its pin shows is told by its angle: the pin may have come to the other side of the pivot.
+                Direction::Own => match (self.shown_beside(GuideId(g)), self.at.guides[g]) {
+                    (Some(d), Some(Path::Line { direction, .. })) => {
+                        direction.angle() + if d == self.driver { value - self.now } else { 0.0 }
+                    }
+                    (None, _) | (_, Some(Path::Arc { .. }) | None) => continue,
+                },
+                Direction::Along(..) | Direction::Slid(_) => continue,
+            };
+            json["guides"].get_mut(g)?["angle"] = json!(format!("{angle:?} rad"));
+        }
+        // So is how a track or a rack lies on its link.
+        for (key, on) in CARRYING {
+            for pair in json.get_mut(key).and_then(Json::as_array_mut).into_iter().flatten() {
+                let (Some(link), Some(angle), None) = (pair[on].as_str(), pair["angle"].as_str(), pair.get("line")) else { continue };
+                if link != plain.link_name(plain.ground) {
+                    pair["angle"] = json!(format!("({angle}) + ({:?} rad)", turned.get(link)?));
+                }
+            }
+        }
+        // Where the load of a rope hangs is told by the coordinates of its pin alone.
+        for load in self.json["ropes"].as_array().into_iter().flatten().filter_map(|rope| rope["load"].as_str()) {
+            for guide in plain.guides.iter().filter(|g| g.slider.is_some_and(|l| plain.link_name(l) == load)) {
+                let name = plain.point_name(guide.pin?);
+                json["points"][name] = written(*places.get(name)?);
             }
         }
         // How a cam behind wheels stands is told for the pose.

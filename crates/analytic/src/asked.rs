@@ -65,7 +65,10 @@ impl Solution {
             Some(Meaning::Turning(l, Some(against))) => Some(Value::Scalar(self.turning(level, l)? - self.turning(level, against)?)),
             Some(Meaning::Ratio(links, arm)) => {
                 let of = |l| self.turning(level, l);
-                ratio([of(links[0])?, of(links[1])?], arm.map_or(Some(0.0), of)?).map(Value::Scalar)
+                let arm = arm.map_or(Some(0.0), of)?;
+                let [turning, moving] = [true, false].map(|turning| self.largest(Level::Velocity, turning));
+                let fastest = if at.extent() > 0.0 { turning.max(moving / at.extent()) } else { turning };
+                ratio([of(links[0])?, of(links[1])?], arm, fastest).map(Value::Scalar)
             }
             // No row is of it: its own formula, with the places of the pose and the vectors and rates of the rows.
             Some(Meaning::Place(_)) | None => evaluate(scene, at, self, what),

@@ -65,7 +65,7 @@ mod tests {
         let units = Wanted::TABLE.map(|(key, _)| key);
         for (place, known) in [
             ("", keys::SCENE),
-            ("/$defs/text/oneOf/1", keys::TEXT),
+            ("/$defs/text/oneOf/1", &["en", "zh"]),
             ("/$defs/place_xy", keys::PLACE_XY),
             ("/$defs/place_polar", keys::PLACE_POLAR),
             ("/$defs/guide", keys::GUIDE),

@@ -98,7 +98,8 @@ pub struct Limits {
     pub transmission: Vec<Transmission>,
     /// The type of a four-bar with its lengths: driver, coupler, output, frame (m).
     pub grashof: Option<(Grashof, [f64; 4])>,
-    /// After how many turns of a driver that turns fully everything stands as it did: one, or what rolls needs more; 0: never.
+    /// After how many turns of a driver that turns fully everything stands as it did: one; more with what rolls, or where a joint meets an odd
+    /// number of change points on a turn; 0: never.
     pub turns: u64,
     /// The turns that were looked through for extremes: those, or one where they are too many.
     pub seen: u64,
@@ -131,9 +132,12 @@ pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Lim
     };
     let range = range(program.clone(), &placed, driver);
     let turning = range.full() && program.angular;
-    let seen = if turning { turns_seen(program.turns) } else { 1 };
+    // After as many turns again every joint is back on its branch.
+    let turns = if turning { program.turns * if range.flipped() { 2 } else { 1 } } else { 1 };
+    let seen = if turning { turns_seen(turns) } else { 1 };
     let span = if turning { [range.now, range.now + TAU * seen as f64] } else { range.bounds() };
-    let swings = swings(&program, &placed, driver, &found, &range, span);
+    let period = (turning && seen == turns).then_some(TAU * seen as f64);
+    let swings = swings(&program, &placed, driver, &found, &range, (span, period));
     let probe = Probe::of(program.clone(), &placed, driver);
     let joints = program.joints.iter().zip(probe.transmission(span[0], span[1]));
     let transmission = joints
@@ -142,7 +146,6 @@ pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Lim
         .map(|(j, (at, angle))| Transmission { links: j.links.clone(), pin: j.pin, angle, driver: at })
         .collect();
     let grashof = grashof(&placed, driver);
-    let turns = if turning { program.turns } else { 1 };
     Ok(Limits { range, swings, transmission, grashof, turns, seen })
 }
 
@@ -238,7 +241,8 @@ fn walked(placed: &Placed, driver: usize, found: &[Output]) -> Limits {
         let column = |level: usize| -> Vec<f64> { samples.iter().map(|s| s.map_or(f64::NAN, |s| s[level])).collect() };
         let lost = samples.iter().enumerate().filter(|(_, s)| s.is_none());
         let missing: BTreeMap<usize, Faults> = lost.map(|(i, _)| (i, Faults::default())).collect();
-        let course = Course { stations: &stations, range: &range, period: walk.period(), joints: &joints };
+        let extent = placed.at.extent();
+        let course = Course { stations: &stations, range: &range, extent, period: walk.period(), joints: &joints };
         swing(*output, [&column(0), &column(1)], &missing, &course, &|x| walk.at(x, *output))
     };
     let swings = found.iter().map(swing_of).collect();
@@ -283,7 +287,14 @@ fn column(rows: &Rows, output: usize, level: usize) -> &[f64] {
     &rows.columns[3 * output + level]
 }
 
-fn swings(program: &Program, placed: &Placed, driver: usize, found: &[Output], range: &Range, [low, high]: [f64; 2]) -> Vec<Swing> {
+fn swings(
+    program: &Program,
+    placed: &Placed,
+    driver: usize,
+    found: &[Output],
+    range: &Range,
+    ([low, high], period): ([f64; 2], Option<f64>),
+) -> Vec<Swing> {
     let per_value = angle_per_value(placed.scene, &placed.at, driver);
     let (parts, stations) = {
         let turns = if program.angular { ((high - low) / TAU - 1e-9).ceil().max(1.0) } else { 1.0 };
@@ -299,8 +310,8 @@ fn swings(program: &Program, placed: &Placed, driver: usize, found: &[Output], r
         let rows = run_program(&part.0, placed, driver, &one, Width::One);
         rows.missing.is_empty().then(|| [0, 1, 2].map(|l| column(&rows, output, l)[0]))
     };
-    let period = program.period().filter(|period| range.full() && (high - low - period).abs() < 1e-9);
-    let course = Course { stations: &stations, range, period, joints: &joints(placed.scene, driver) };
+    let extent = placed.at.extent();
+    let course = Course { stations: &stations, range, extent, period, joints: &joints(placed.scene, driver) };
     let of = |k: usize| [column(&rows, k, 0), column(&rows, k, 1)];
     found.iter().enumerate().map(|(k, output)| swing(*output, of(k), &rows.missing, &course, &|x| at(x, k))).collect()
 }

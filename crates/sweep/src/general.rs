@@ -93,11 +93,14 @@ impl<'a> General<'a> {
     fn row(&self, scene: &Scene, at: &Configuration, solution: &Solution) -> Result<Vec<f64>, Faults> {
         let mut row = Vec::new();
         let mut afresh = None;
+        // A driver stands for the contact of a cam, of which the scene knows the piece of the instant.
+        let led = scene.source.is_some() && (0..scene.drivers.len()).any(|d| scene.is_led(d));
         for f in &scene.find {
-            match numbers(scene, at, solution, f) {
+            let known = if led && f.what.infinite(scene).is_some() { None } else { numbers(scene, at, solution, f) };
+            match known {
                 Some(numbers) => row.extend(numbers?),
-                // What is of the contact of a cam that a driver stands for.
-                None if scene.source.is_some() && (0..scene.drivers.len()).any(|d| scene.is_led(d)) => {
+                // What is of that contact.
+                None if led => {
                     let there = match afresh.take() {
                         Some(there) => there,
                         None => Afresh::of(scene, &|name| at.named(scene, name).map(|p| [p.x, p.y]))?,

@@ -10,7 +10,7 @@ use super::fuse::Fused;
 use super::kernel::{Kernel, Pair, Reg};
 use super::lane::{Dual, Lane};
 use super::led::{ByAngle, Faced, Higher, Lift, LiftRate, Parabola, Phase, Rock, RockRate, Stretch, Wave};
-use super::reading::{Coriolis, Direction, Dot, Length, Part, Quotient, Sum};
+use super::reading::{Coriolis, Direction, Dot, Length, Part, Quotient, Ratio, Sum};
 use super::rows::{Bars, BarsRate, Cross, Distance, DistanceRate, Guided, GuidedRate, Reduced, ReducedRate, SlotRate, Three, TurnOf};
 use super::run::{Runner, operations};
 use super::turns::{Against, Geared, Quarters, Turned, WayAcceleration, WayRate};
@@ -44,6 +44,8 @@ operations! { Op:
     Product,
     /// A quotient of two vectors.
     Quotient,
+    /// A ratio of angular velocities.
+    Ratio,
     /// So far in a direction.
     Along,
     /// Velocity of a point of a link.

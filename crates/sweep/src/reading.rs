@@ -131,6 +131,31 @@ impl Kernel<2, 1> for Sum {
     }
 }
 
+/// A ratio of angular velocities beyond this is one by zero: the bound of [`hodograph_scene::quantity::ratio`].
+const MOST: f64 = 1e13;
+
+/// a / b; NaN where b is no more than rounding beside a.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ratio {
+    /// Dividend.
+    pub a: Reg,
+    /// Divisor.
+    pub b: Reg,
+}
+
+impl Kernel<2, 1> for Ratio {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 2] {
+        [self.a, self.b]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [a, b]: [N; 2]) -> [N; 1] {
+        let ratio = a / b;
+        [(ratio * ratio).past(MOST * MOST, ratio.constant(f64::NAN), ratio)]
+    }
+}
+
 /// a / b as complex numbers: the turn and stretch that takes b to a.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quotient {

@@ -13,6 +13,9 @@ use std::f64::consts::TAU;
 /// A position or rate that is smaller than this part of the largest is zero.
 const ROUNDING: f64 = 1e-12;
 
+/// A slider farther off than so many times the mechanism's size is at infinity, but for rounding.
+const FAR: f64 = 1e9;
+
 /// Zeros of a rate nearer than this part of a step are one: between two samples there is one at most, what is more is rounding.
 const ONE: f64 = 1e-3;
 
@@ -22,6 +25,8 @@ pub(super) struct Course<'a> {
     pub stations: &'a Stations,
     /// How far the driver goes.
     pub range: &'a Range,
+    /// The size of the mechanism (m).
+    pub extent: f64,
     /// That after which the first station comes again, where the stations are all of it.
     pub period: Option<f64>,
     /// The driver's positions at which cams go from one stage or piece to the next, each with the period after which it comes again.
@@ -50,14 +55,18 @@ pub(super) fn swing(
     course: &Course,
     at: &dyn Fn(f64) -> Option<[f64; 3]>,
 ) -> Swing {
-    let there = |i: usize| !missing.contains_key(&i) && s[i].is_finite() && v[i].is_finite();
+    let far = if matches!(output, Output::Sliding(_)) && course.extent > 0.0 { FAR * course.extent } else { f64::INFINITY };
+    let there = |i: usize| !missing.contains_key(&i) && s[i].abs() <= far && v[i].is_finite();
     // Angles run on without jumps.
     let mut position = s.to_vec();
     if matches!(output, Output::Turning(_)) {
-        for i in 1..position.len() {
-            if there(i) && there(i - 1) {
-                position[i] -= libm::rint((position[i] - position[i - 1]) / TAU) * TAU;
+        // Over a row that is missing too, such as that of a change point.
+        let mut last = None;
+        for i in (0..position.len()).filter(|i| there(*i)) {
+            if let Some(last) = last {
+                position[i] -= libm::rint((position[i] - last) / TAU) * TAU;
             }
+            last = Some(position[i]);
         }
     }
     // A position in the same turn as the sample beside it.
@@ -102,6 +111,8 @@ pub(super) fn swing(
         for ((event, end), inward) in range.ends.iter().zip([known.first(), known.last()]).zip([way, -way]) {
             if let (Some(event), Some(&i)) = (event, end) {
                 let there = at_limit(event.value, inward, &|x| Some(near(at(x)?[0], i))).unwrap_or(position[i]);
+                // Where a rate grows beyond all bounds rounding gives it either sign.
+                extremes.retain(|e| (e.driver - event.value).abs() > ONE * course.step());
                 extremes.push(Extreme { driver: event.value, until: None, output: there, at_limit: true });
             }
         }
@@ -114,7 +125,9 @@ pub(super) fn swing(
     let most = extremes.iter().map(|e| e.output).fold(f64::NEG_INFINITY, f64::max);
     // A way that is known on one side only, or on none, has no stroke; nor has one of which more is missing than what is at its ends.
     let whole = (period.is_some() || range.ends.iter().all(Option::is_some)) && known.len() + 4 >= x.len();
-    Swing { output, stroke: (whole && most >= least).then_some(most - least), extremes, time_ratio }
+    // What is beyond its extremes comes back from infinity.
+    let held = known.iter().all(|&i| (least - ONE * (most - least)..=most + ONE * (most - least)).contains(&position[i]));
+    Swing { output, stroke: (whole && held && most >= least).then_some(most - least), extremes, time_ratio }
 }
 
 /// The stretch about a zero of the rate on which the output stands still, if it does; `[before, zero, after]` of it.

@@ -27,7 +27,7 @@ pub use exact::Exact;
 pub use jet::Jet;
 pub use law::Law;
 pub use outline::Segment;
-pub use program::{Jump, Program, Shock, Stage, Way};
+pub use program::{Jump, Program, Shock, Stage, Way, in_turn_of};
 pub use round::round;
 pub use survey::{Fault, Survey, Surveyed, least_base};
 pub use turn::Peak;

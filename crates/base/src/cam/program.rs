@@ -153,10 +153,7 @@ impl Program {
 
     /// The stage in which φ lies, where it begins, and the lift there; at a joint the one of the side.
     pub fn stage(&self, phi: f64, side: Side) -> Option<(usize, f64, f64)> {
-        let turn = in_turn(phi);
-        // The end of the turn is its beginning, seen from before.
-        let turn = if side == Side::Before && turn <= ONE_PLACE { TAU } else { turn };
-        let turn = if side == Side::After && turn >= TAU - ONE_PLACE { 0.0 } else { turn };
+        let turn = in_turn_of(phi, side);
         let (mut at, mut lift) = (0.0, 0.0);
         for (i, stage) in self.stages.iter().enumerate() {
             let end = at + stage.over;
@@ -194,12 +191,22 @@ impl Program {
     }
 }
 
+/// An angle less whole turns. The place where a turn ends and the next begins belongs to the one on its side: an angle beside it is
+/// hardly less than 0, or hardly more than a turn.
+pub fn in_turn_of(phi: f64, side: Side) -> f64 {
+    let turn = in_turn(phi);
+    match side {
+        Side::Before if turn <= ONE_PLACE => turn + TAU,
+        Side::After if turn >= TAU - ONE_PLACE => turn - TAU,
+        Side::Before | Side::After => turn,
+    }
+}
+
 impl Stage {
     /// Which part of a stage that begins at `start` is over at an angle of the cam.
     fn part(&self, start: f64, phi: f64, side: Side) -> f64 {
-        let turn = in_turn(phi);
-        // Seen from before, the start of the turn is its end.
-        let turn = if turn + ONE_PLACE < start || side == Side::Before && turn <= ONE_PLACE { turn + TAU } else { turn };
+        let turn = in_turn_of(phi, side);
+        let turn = if turn + ONE_PLACE < start { turn + TAU } else { turn };
         ((turn - start) / self.over).clamp(0.0, 1.0)
     }
 }
@@ -222,6 +229,19 @@ mod tests {
             stage(Way::Dwell, 60.0),
         ];
         Program { stages }
+    }
+
+    /// Rounding at the place where a turn ends and the next begins is no jump of the lift.
+    #[test]
+    fn a_turn_begins_where_the_last_one_ends() {
+        for phi in [0.0, TAU, -TAU, 3.0 * TAU] {
+            for off in [-1e-12, -1e-15, 0.0, 1e-15, 1e-12] {
+                for side in [Side::Before, Side::After] {
+                    let lift = program().lift(phi + off, side);
+                    assert!(lift.value().abs() < 1e-9, "{phi} {off} {side:?}: {lift:?}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -28,8 +28,18 @@ impl Demand {
             for (need, level) in f.what.needs() {
                 d.add(scene, m, need, level);
             }
+            for l in f.what.places(scene).into_iter().filter(|l| *l != scene.ground) {
+                d.place(scene, m, l);
+            }
         }
         d
+    }
+
+    /// Adds that a link is placed, and everything upstream of it.
+    fn place(&mut self, scene: &Scene, m: &Mechanism, l: LinkId) {
+        for n in nodes_of(scene, m, Need::Turning(l)) {
+            self.mark(m, group_of(m, n), Level::Position);
+        }
     }
 
     /// Adds one need and everything upstream of it.

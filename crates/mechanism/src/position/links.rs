@@ -42,7 +42,7 @@ impl<N: Real> Assembly<'_, N> {
 
     /// A driven link without a stated angle whose guide runs over a pin with given coordinates: the pin shows its angle; so it does of a
     /// link without a line of its own that turns with another. A guide about the pivot itself shows nothing: it looks the same at every
-    /// angle.
+    /// angle; nor does one whose angle is told on a link that never turns.
     pub(super) fn posed_by_runner(&self, link: LinkId, pivot: PointId, driver: Option<usize>) -> Option<(PointId, GuideId)> {
         let shown = match driver.map(|d| &self.scene.drivers[d].kind) {
             Some(kind) => kind.turns() && kind.angle().is_none(),
@@ -52,9 +52,12 @@ impl<N: Real> Assembly<'_, N> {
             return None;
         }
         let about_pivot = |path: &GuidePath| matches!(path, GuidePath::Arc { centre, .. } if *centre == pivot);
+        let told =
+            |path: &GuidePath| self.m.never_turns[link.0] && matches!(path, GuidePath::Line { direction: Direction::Instant(_), .. });
+        let shows = |path: &GuidePath| !about_pivot(path) && !told(path);
         (0..self.scene.guides.len())
             .map(GuideId)
-            .filter(|g| self.scene.guides[g.0].on == link && !about_pivot(&self.scene.guides[g.0].path))
+            .filter(|g| self.scene.guides[g.0].on == link && shows(&self.scene.guides[g.0].path))
             .find_map(|g| self.scene.guides[g.0].pin.filter(|p| given_at(self.scene, *p).is_some()).map(|p| (p, g)))
     }
 

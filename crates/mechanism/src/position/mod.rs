@@ -40,7 +40,7 @@ pub use touch::Touch;
 use crate::mechanism::Mechanism;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
-use hodograph_scene::{Direction, Guide, GuideId, GuidePath, LinkId, PointId, Scene};
+use hodograph_scene::{Direction, Guide, GuideId, GuidePath, LinkId, PointId, Scene, Through};
 
 /// Place and direction of a link: its local frame in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -276,11 +276,11 @@ pub fn laid(
     finish::complete(scene, mechanism, meant.shapes.clone(), (poses, points), meant.closures.clone(), &meant.rolled)
 }
 
-/// The straight guide whose direction is that of a link without a line of its own: one that lies on it at an angle told for the instant, else the
-/// first along which it slides.
+/// The straight guide whose direction is that of a link without a line of its own: one that lies on it at an angle told for the instant and has a
+/// place of its own (one through its pin is placed only where that is asked for), else the first along which it slides.
 pub fn guide_of(scene: &Scene, l: LinkId) -> Option<GuideId> {
     let straight = |told: bool, g: &Guide| match &g.path {
-        GuidePath::Line { direction, .. } => !told || matches!(direction, Direction::Instant(_)),
+        GuidePath::Line { through, direction, .. } => !told || matches!(direction, Direction::Instant(_)) && *through != Through::Pin,
         GuidePath::Arc { .. } => false,
     };
     let first = |is: &dyn Fn(&Guide) -> bool| scene.guides.iter().position(is).map(GuideId);

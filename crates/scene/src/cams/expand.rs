@@ -11,6 +11,7 @@ use super::by_pose::Posed;
 use super::carrier::Lacking;
 use super::place::{self, Carried, OnPivot, Told};
 use super::raw::*;
+use super::reckoned::Reckoned;
 use super::{Cam, Follows, Pieces, Turning};
 use hodograph_base::cam::{Disc, Follower, Motion, Side, Touch};
 use hodograph_base::diag::{Both, Diagnostic, Faults, Span, both};
@@ -259,12 +260,16 @@ impl One<'_> {
         angle.map_or(-1.0, |a| if libm::sin(a.value - guide) < 0.0 { 1.0 } else { -1.0 })
     }
 
+    /// Where the scene puts a point, in the axes of a link; `None` where it says nothing or nothing tells how the link lies.
+    fn told_in(&self, frame: LinkId, point: PointId) -> Option<Vec2> {
+        Reckoned::of(self.bare).seen_from(frame, place::told(self.bare, point)?)
+    }
+
     /// The cam with its follower on the side on which the scene puts the point that touches: where a round end can lie on both sides of the cam in its
     /// guide, on that which is nearer to the coordinates or the sketch of its centre.
     pub(super) fn on_its_side(&self, disc: Disc, phi: f64, (frame, centre): (LinkId, Vec2), point: PointId) -> Disc {
         let (Touch::Point { .. }, Follower::Translating { direction, offset }) = (disc.touch, disc.follower) else { return disc };
-        let told = place::spot(self.bare, point).map(|s| s.at()).or(self.bare.points[point.0].sketch.map(|[x, y]| Vec2::new(x, y)));
-        let Some(told) = told.filter(|_| frame == self.bare.ground) else { return disc };
+        let Some(told) = self.told_in(frame, point) else { return disc };
         let other = Disc { follower: Follower::Translating { direction: -direction, offset: -offset }, ..disc.clone() };
         let off = |d: &Disc| {
             let at = d.follower.point(d.coordinate(phi, Side::After)?).order(0);
@@ -307,7 +312,8 @@ impl One<'_> {
             }
             Carried::Pivot { pivot, spot } => {
                 let arm = place::apart(self.bare, *pivot, point)?;
-                (Some(arm), place::sense(self.bare, *pivot, cam.pivot, point, [spot.at(), cam.spot.at()]))
+                let told = self.told_in(cam.frame, point);
+                (Some(arm), place::sense(self.bare, [*pivot, cam.pivot, point], [spot.at(), cam.spot.at()], told))
             }
         };
         let geometry = place::geometry(carried, cam.spot.at(), arm.as_ref().map_or(0.0, |a| a.value), sense);

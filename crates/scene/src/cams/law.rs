@@ -15,7 +15,7 @@
 use super::super::model::{Given, LinkId, PointId, Scene};
 use super::super::raw::{RawDriver, RawDriverKind, RawPlace, RawQuantity};
 use super::place::{Carried, OnPivot, Spot, direction, distance, outward};
-use hodograph_base::cam::{Disc, Program, Side, Station, Touch, Way};
+use hodograph_base::cam::{Disc, Program, Side, Station, Touch, Way, in_turn_of};
 use hodograph_base::diag::Span;
 use hodograph_base::json::Word;
 
@@ -93,7 +93,8 @@ impl<'a> Texts<'a> {
         // The angle from the start of the law, less whole turns, less the stages before.
         let (start, angle) = (&law.start, &at.cam.angle.text);
         let turned = if law.clockwise { format!("({start})-({angle})") } else { format!("({angle})-({start})") };
-        let turns = libm::floor((phi - hodograph_base::cam::in_turn(phi)) / std::f64::consts::TAU + 0.5);
+        let in_turn = in_turn_of(phi, side);
+        let turns = libm::rint((phi - in_turn) / std::f64::consts::TAU);
         let mut before = String::new();
         let mut lift = String::from("0 ") + unit;
         for (text, stage) in law.stages.iter().zip(&program.stages).take(i) {
@@ -110,7 +111,7 @@ impl<'a> Texts<'a> {
             (Some(gain), Some(motion)) => {
                 let x = t.define("x", format!("({turned}{whole}{before})/({over})"));
                 let sign = if matches!(stage.way, Way::Return(..)) { "-" } else { "" };
-                let in_stage = (hodograph_base::cam::in_turn(phi) - program.joints()[i]) / stage.over;
+                let in_stage = (in_turn - program.joints()[i]) / stage.over;
                 let [s, ds, dds] = motion.text(in_stage.clamp(0.0, 1.0), &x);
                 let gain = format!("{sign}({})", gain.text);
                 t.s = t.define("s", format!("{lift}{}{gain}*({s})", if sign.is_empty() { "+" } else { "" }));

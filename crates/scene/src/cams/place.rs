@@ -196,15 +196,20 @@ fn local(scene: &Scene, p: PointId, at: &dyn Fn(PointId) -> Option<Vec2>, points
     }
 }
 
+/// The coordinates of a point, else its place in the sketch.
+pub(super) fn told(scene: &Scene, p: PointId) -> Option<Vec2> {
+    spot(scene, p).map(|s| s.at()).or(scene.points[p.0].sketch.map(|[x, y]| Vec2::new(x, y)))
+}
+
 /// The sense in which an arm goes out: what the scene says of the side, its sketch, its coordinates; counter-clockwise where it says nothing.
-pub(super) fn sense(scene: &Scene, pivot: PointId, centre: PointId, point: PointId, spots: [Vec2; 2]) -> f64 {
+/// `spots` are the places of pivot and centre, `told` that of the point, all in one link.
+pub(super) fn sense(scene: &Scene, [pivot, centre, point]: [PointId; 3], spots: [Vec2; 2], told: Option<Vec2>) -> f64 {
     let said = scene.sides.iter().find(|s| s.point == point && [(pivot, centre), (centre, pivot)].contains(&(s.from, s.to)));
     if let Some(s) = said {
         return if s.left == (s.from == pivot) { 1.0 } else { -1.0 };
     }
-    let place = spot(scene, point).map(|s| s.at()).or(scene.points[point.0].sketch.map(|[x, y]| Vec2::new(x, y)));
     let [p, o] = spots;
-    match place.map(|b| (o - p).cross(b - p)) {
+    match told.map(|b| (o - p).cross(b - p)) {
         Some(turn) if turn < 0.0 => -1.0,
         Some(_) | None => 1.0,
     }

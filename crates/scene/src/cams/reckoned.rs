@@ -5,7 +5,7 @@
 
 use super::super::model::*;
 use super::expand::One;
-use super::place::{apart, locals};
+use super::place::{apart, locals, told};
 use hodograph_base::cam::{Disc, Follower, Jet, Motion, Segment, Side, Touch};
 use hodograph_base::geom::Vec2;
 
@@ -36,6 +36,15 @@ impl<'a> Reckoned<'a> {
 
     pub fn spot(&self, p: PointId) -> Option<Vec2> {
         self.at[p.0]
+    }
+
+    /// A place of the plane in the axes of a link: origin in its first point, x toward the second; the ground's are those of the plane.
+    pub fn seen_from(&self, link: LinkId, at: Vec2) -> Option<Vec2> {
+        if link == self.scene.ground {
+            return Some(at);
+        }
+        let origin = self.spot(*self.scene.links[link.0].points.first()?)?;
+        Some((at - origin).rotate_by(Vec2::from_angle(-self.direction(link)?)))
     }
 
     /// The direction of a link's first two points; the ground's is the x axis.
@@ -150,7 +159,7 @@ impl One<'_> {
                 Some(_) => {
                     let (pivot, at) = known.pivot(follower, point)?;
                     let arm = apart(self.bare, pivot, point)?.value;
-                    let sense = super::place::sense(self.bare, pivot, t.centre, point, [at, t.origin]);
+                    let sense = super::place::sense(self.bare, [pivot, t.centre, point], [at, t.origin], told(self.bare, point));
                     Follower::Oscillating { pivot: at - t.origin, arm, sense }
                 }
                 None => Follower::Oscillating { pivot: known.spot(point)? - t.origin, arm: 0.0, sense: t.face.0 },

@@ -2,6 +2,7 @@
 //!
 //! How it is found by the theorem of three centres is told by `centres`, which computes it in that other way.
 
+use super::value::{fastest, vanishes};
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
 use crate::model::{LinkId, OnLink, PointId, Scene};
 use crate::resolve::Question;
@@ -9,9 +10,6 @@ use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::Vec2;
 use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
-
-/// What rounding leaves of a difference of two angular velocities, as a part of the larger one.
-const ROUNDING: f64 = 1e-13;
 
 /// The instantaneous centre of two links.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,9 +60,8 @@ impl Quantity for InstantCentre {
             Some((v + (base - known.point(point)?).perp() * omega, omega))
         };
         let ((v, a), (w, b)) = (motion(self.links[0])?, motion(self.links[1])?);
-        // Plain numbers do not tell a difference that is all rounding from none: then the centre is nowhere.
-        let largest = a.approx().abs().max(b.approx().abs());
-        if !N::refines() && (a - b).approx().abs() <= ROUNDING * largest {
+        // Two links that do not turn against one another have their centre nowhere.
+        if vanishes(a - b, fastest(known)) {
             return None;
         }
         let at = base + (v - w).perp() * (N::from_f64(1.0) / (a - b));

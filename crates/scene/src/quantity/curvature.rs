@@ -4,6 +4,7 @@
 //! PJ = a_P/ω², u = i a_P/ω, K = P + a_P/(ω² − iα). `J_2/3` is seen from link 3, by relative velocities and accelerations. How these are
 //! drawn, and what they are where they are nowhere, is told by `curvature`.
 
+use super::value::{fastest, largest, vanishes};
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
 use crate::model::{LinkId, OnLink, PointId, Scene};
 use crate::resolve::Question;
@@ -51,9 +52,6 @@ pub enum OfPole {
 /// Lines of the table.
 const PATHS: [OfPath; 2] = [OfPath::Radius, OfPath::Centre];
 const POLES: [OfPole; 5] = [OfPole::InflectionPole, OfPole::Diameter, OfPole::AccelerationPole, OfPole::PoleVelocity, OfPole::InLink];
-
-/// What rounding leaves of a difference of two numbers, as a part of the larger one.
-const ROUNDING: f64 = 1e-13;
 
 impl Quantity for Curvature {
     const WRITTEN: &'static [Entry] = &[
@@ -168,15 +166,13 @@ impl Quantity for Curvature {
     }
 }
 
-/// Whether plain numbers cannot tell a value from zero.
-fn vanishes<N: Real>(value: N, beside: f64) -> bool {
-    !N::refines() && value.approx().abs() <= ROUNDING * beside
-}
-
 fn path<N: Real, K: Known<N>>(known: &K, p: &OnLink, of: OfPath) -> Option<Value<N>> {
     let (v, a) = (known.vector(Level::Velocity, p)?, known.vector(Level::Acceleration, p)?);
     let (square, turn) = (v.norm2(), v.cross(a));
-    if vanishes(turn, v.norm().approx() * a.norm().approx()) {
+    // Either is known to the rounding of the largest of its kind.
+    let [fast, strong] =
+        [(Level::Velocity, v), (Level::Acceleration, a)].map(|(level, own)| largest(known, level).max(own.norm().approx()));
+    if vanishes(turn, fast * a.norm().approx() + strong * v.norm().approx()) {
         return None;
     }
     match of {
@@ -220,7 +216,7 @@ fn seen<N: Real, K: Known<N>>(known: &K, links: [(LinkId, Option<PointId>); 2], 
     };
     let ((v, omega, a, alpha), (w, frame, b, turns)) = (motion(links[0])?, motion(links[1])?);
     let relative = omega - frame;
-    if vanishes(relative, omega.approx().abs().max(frame.approx().abs())) {
+    if vanishes(relative, fastest(known)) {
         return None;
     }
     let v = v - w;

@@ -2,6 +2,7 @@
 //!
 //! A room that answers by a way of its own (the drawing, the compiled sweep) matches [`Meaning`], not the families of quantities.
 
+use super::value::{fastest, vanishes};
 use super::{Frame, Joined, Known, Level, Place, Seen, Value, joined};
 use crate::model::{GuidePath, LinkId, OnLink, PointId};
 use hodograph_base::number::Real;
@@ -53,21 +54,17 @@ impl Meaning {
             Meaning::Turning(l, None) => known.turning(level, l).map(Value::Scalar),
             Meaning::Ratio(links, arm) => {
                 let of = |l| known.turning(level, l);
-                ratio([of(links[0])?, of(links[1])?], arm.map_or(Some(N::from_f64(0.0)), of)?).map(Value::Scalar)
+                let arm = arm.map_or(Some(N::from_f64(0.0)), of)?;
+                ratio([of(links[0])?, of(links[1])?], arm, fastest(known)).map(Value::Scalar)
             }
             Meaning::Turning(l, Some(against)) => Some(Value::Scalar(known.turning(level, l)? - known.turning(level, against)?)),
         }
     }
 }
 
-/// What rounding leaves of a difference of two angular velocities, as a part of the larger one.
-const ROUNDING: f64 = 1e-13;
-
-/// (ω₁ − ω_h)/(ω₂ − ω_h); `None` where the second does not turn against the arm.
-pub fn ratio<N: Real>([a, b]: [N; 2], arm: N) -> Option<N> {
-    // Plain numbers do not tell a difference that is all rounding from none.
-    let largest = [a, b, arm].map(|w| w.approx().abs()).into_iter().fold(0.0, f64::max);
-    if !N::refines() && (b - arm).approx().abs() <= ROUNDING * largest {
+/// (ω₁ − ω_h)/(ω₂ − ω_h); `None` where the second does not turn against the arm. `fastest` is the largest angular velocity of the mechanism.
+pub fn ratio<N: Real>([a, b]: [N; 2], arm: N, fastest: f64) -> Option<N> {
+    if vanishes(b - arm, [a, b, arm].map(|w| w.approx().abs()).into_iter().fold(fastest, f64::max)) {
         return None;
     }
     let ratio = (a - arm) / (b - arm);

@@ -59,7 +59,7 @@ pub use transmission::Transmission;
 pub use turning::Turning;
 pub use value::{Known, Value};
 
-use super::model::{Find, OnLink, Scene};
+use super::model::{Find, LinkId, OnLink, Scene};
 use super::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::diagram::DiagramKind;
@@ -89,6 +89,11 @@ trait Quantity: Copy + Into<Asked> {
     /// The motions that must be known.
     fn needs(&self) -> Vec<(Need, Level)> {
         self.of().needs(self.entry().level)
+    }
+
+    /// The links that must be placed beside what moves as [`Quantity::needs`] says.
+    fn places(&self, _scene: &Scene) -> Vec<LinkId> {
+        Vec::new()
     }
 
     /// Why it is not defined in this scene.
@@ -162,6 +167,11 @@ macro_rules! families {
             /// The motions that must be known for it, each with its level.
             pub fn needs(&self) -> Vec<(Need, Level)> {
                 match self { $(Asked::$Family(q) => q.needs()),+ }
+            }
+
+            /// The links that must be placed beside what has to move.
+            pub fn places(&self, scene: &Scene) -> Vec<LinkId> {
+                match self { $(Asked::$Family(q) => q.places(scene)),+ }
             }
 
             /// Its value by the formulas of relative motion; `None` where something is not known, or nothing defines it.

@@ -137,6 +137,13 @@ impl Quantity for Place {
         }
     }
 
+    fn places(&self, scene: &Scene) -> Vec<LinkId> {
+        match *self {
+            Place::Along(guide, ..) => vec![scene.guides[guide.0].on],
+            Place::Coordinate(..) | Place::LinkAngle(_) | Place::Distance(..) => Vec::new(),
+        }
+    }
+
     fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
         let Place::Along(guide, ..) = *self else { return None };
         let d = match &scene.guides[guide.0].path {

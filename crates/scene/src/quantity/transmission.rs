@@ -57,6 +57,11 @@ impl Quantity for Transmission {
         vec![(Need::Point(self.at, None), Level::Position)]
     }
 
+    fn places(&self, scene: &Scene) -> Vec<LinkId> {
+        let guides = scene.guides.iter().filter(|g| g.pin == Some(self.at));
+        scene.carriers(self.at).chain(guides.map(|g| g.on)).collect()
+    }
+
     fn no_value(&self, scene: &Scene) -> Both {
         both!("a link at {} has no length", "{} 处的构件长度为零", scene.point_name(self.at))
     }

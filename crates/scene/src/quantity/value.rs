@@ -84,6 +84,30 @@ impl Value {
     }
 }
 
+/// What rounding leaves of a difference, as a part of the largest number of its kind in the mechanism.
+const ROUNDING: f64 = 1e-13;
+
+/// Whether plain numbers do not tell a difference from none, beside what it comes from.
+pub(super) fn vanishes<N: Real>(value: N, beside: f64) -> bool {
+    !N::refines() && value.approx().abs() <= ROUNDING * beside
+}
+
+/// The largest angular velocity that is known, or that of the mechanism's size with the largest velocity: a link that turns by rounding alone
+/// does not turn beside it.
+pub(super) fn fastest<N: Real, K: Known<N>>(known: &K) -> f64 {
+    let turning = (0..known.scene().links.len()).filter_map(|l| known.turning(Level::Velocity, LinkId(l)));
+    let omega = turning.map(|omega| omega.approx().abs()).fold(0.0, f64::max);
+    let mut places = (0..known.scene().points.len()).filter_map(|p| Some(known.point(PointId(p))?.approx()));
+    let size = places.next().map_or(0.0, |first| places.map(|p| p.distance(first)).fold(0.0, f64::max));
+    if size > 0.0 { omega.max(largest(known, Level::Velocity) / size) } else { omega }
+}
+
+/// The largest velocity or acceleration of a point that is known.
+pub(super) fn largest<N: Real, K: Known<N>>(known: &K, level: Level) -> f64 {
+    let points = (0..known.scene().points.len()).map(|p| OnLink { point: PointId(p), link: None });
+    points.filter_map(|p| known.vector(level, &p)).map(|v| v.norm().approx()).fold(0.0, f64::max)
+}
+
 /// What a formula may use: the scene, the places of a pose, and its motion.
 pub trait Known<N> {
     /// The scene.

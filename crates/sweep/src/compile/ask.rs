@@ -5,8 +5,9 @@ use super::{Compiler, NoKernel, Spot};
 use crate::carry::{Arm, Twist};
 use crate::extreme::Output;
 use crate::kernel::{Pair, Reg};
-use crate::reading::{Coriolis, Direction, Dot, Length, Part, Quotient, Sum};
+use crate::reading::{Coriolis, Direction, Dot, Length, Part, Ratio, Sum};
 use hodograph_base::diag::{Diagnostic, both};
+use hodograph_base::geom::Vec2;
 use hodograph_mechanism::mechanism::{Joined, Level, joined};
 use hodograph_scene::quantity::{Meaning, Place, Split};
 use hodograph_scene::{Axis, Find, GuideId, LinkId, OnLink, PointId};
@@ -87,9 +88,8 @@ impl Compiler<'_> {
                     None => [self.turning(links[0], V)?, self.turning(links[1], V)?],
                     Some(arm) => [self.relative_turning(links[0], arm, V)?, self.relative_turning(links[1], arm, V)?],
                 };
-                // Of two vectors along one line the quotient is that of their lengths, with its sign.
-                let ratio = self.emit_pair(V, Quotient { a: Pair { x: a, y: a }, b: Pair { x: b, y: b } });
-                one(self, ratio.x)
+                let ratio = self.emit(V, Ratio { a, b }, 1);
+                one(self, ratio)
             }
             Meaning::Turning(l, None) => {
                 let reg = self.turning(l, level)?;
@@ -160,6 +160,12 @@ impl Compiler<'_> {
         if let [a, b, ..] = self.scene.links[l.0].points[..] {
             return self.line(a, b);
         }
+        // As in a pose: a guide that is told on the link comes before that in which it slides.
+        if let Some(g) = hodograph_mechanism::position::guide_of(self.scene, l)
+            && let Some(direction) = self.direction_in_link(g)
+        {
+            return self.direction_on(self.scene.guides[g.0].on, direction);
+        }
         if let Some(hodograph_mechanism::mechanism::Passive::Block(g)) = self.m.passive[l.0] {
             let guide = &self.scene.guides[g.0];
             return match (self.at.shapes.guides[g.0], guide.pin) {
@@ -177,12 +183,19 @@ impl Compiler<'_> {
         {
             return self.line(a, b);
         }
-        if let Some(g) = hodograph_mechanism::position::guide_of(self.scene, l)
-            && let Some(hodograph_mechanism::position::Path::Line { direction, .. }) = self.at.shapes.guides[g.0]
-        {
-            return self.direction_on(self.scene.guides[g.0].on, direction);
+        self.direction_on(l, Vec2::new(1.0, 0.0))
+    }
+
+    /// The direction of a straight guide in the frame of its link, by the form of the link, else as it lies in the pose.
+    fn direction_in_link(&self, g: GuideId) -> Option<Vec2> {
+        use hodograph_mechanism::position::{Path, Pose};
+        let on = self.scene.guides[g.0].on;
+        let pose = if on == self.scene.ground { Some(Pose::GROUND) } else { self.at.poses[on.0] };
+        match (self.at.shapes.guides[g.0], self.at.guides[g.0]) {
+            (Some(Path::Line { direction, .. }), _) => Some(direction),
+            (None, Some(Path::Line { direction, .. })) => Some(pose?.turn_back(direction)),
+            (Some(Path::Arc { .. }), _) | (None, Some(Path::Arc { .. }) | None) => None,
         }
-        self.direction_on(l, hodograph_base::geom::Vec2::new(1.0, 0.0))
     }
 
     /// 2 ω × v_r, ω that of the link that carries the guide between the two points.
