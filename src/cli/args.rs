@@ -103,7 +103,7 @@ pub enum Command {
         /// That of files of motions without a mechanism
         #[arg(long, conflicts_with = "synthesis")]
         motions: bool,
-        /// That of the answers of `solve --json`
+        /// That of the answers of `solve --json` and `synth --json`
         #[arg(long, conflicts_with_all = ["synthesis", "motions"])]
         solved: bool,
         /// That of faults, warnings and notes with `--errors json`

@@ -331,7 +331,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("explain", "*after", "全部代码的页面：docs/errors.md"),
     ("explain", "code", "信息首行中的代码，如 dead-centre（默认：列出全部代码）"),
     ("explain", "json", "结果为 JSON，含两种语言"),
-    ("schema", "solved", "改为 `solve --json` 结果的 JSON Schema"),
+    ("schema", "solved", "改为 `solve --json`、`synth --json` 结果的 JSON Schema"),
     ("schema", "diagnostics", "改为 `--errors json` 文档的 JSON Schema"),
     ("schema", "synthesis", "改为综合文件格式的 JSON Schema"),
     ("schema", "motions", "改为无机构运动文件格式的 JSON Schema"),
