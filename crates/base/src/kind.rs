@@ -149,22 +149,4 @@ impl Level {
 
     /// Those that have equations and a polygon.
     pub const RATES: [Level; 2] = [Level::Velocity, Level::Acceleration];
-
-    /// What its vectors are: lengths on the diagram, velocities, accelerations.
-    pub fn kind(self) -> Kind {
-        match self {
-            Level::Position => Kind::Length,
-            Level::Velocity => Kind::Velocity,
-            Level::Acceleration => Kind::Acceleration,
-        }
-    }
-
-    /// What the turning of a link is.
-    pub fn turning(self) -> Kind {
-        match self {
-            Level::Position => Kind::Angle,
-            Level::Velocity => Kind::Omega,
-            Level::Acceleration => Kind::Alpha,
-        }
-    }
 }
