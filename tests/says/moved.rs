@@ -150,9 +150,17 @@ impl Moved<'_> {
                 }
             }
         }
-        // Where the load of a rope hangs is told by the coordinates of its pin alone.
-        for load in self.json["ropes"].as_array().into_iter().flatten().filter_map(|rope| rope["load"].as_str()) {
-            for guide in plain.guides.iter().filter(|g| g.slider.is_some_and(|l| plain.link_name(l) == load)) {
+        // Where the load of a rope hangs, or a rack stands that slides, is told by the coordinates of its pin alone.
+        let of = |key: &str, on: &str| {
+            let pairs = self.json[key].as_array().into_iter().flatten();
+            pairs.filter_map(|pair| pair[on].as_str().map(str::to_owned)).collect::<Vec<_>>()
+        };
+        for load in of("ropes", "load").into_iter().chain(of("gears", "rack")) {
+            let driven = plain.drivers[self.driver].kind.guide();
+            for (g, guide) in plain.guides.iter().enumerate().filter(|(_, g)| g.slider.is_some_and(|l| plain.link_name(l) == load)) {
+                if driven == Some(GuideId(g)) {
+                    continue;
+                }
                 let name = plain.point_name(guide.pin?);
                 json["points"][name] = written(*places.get(name)?);
             }

@@ -9,10 +9,12 @@ use super::limit::{SUSPECT, dense};
 use super::pieces::{Gaps, Stop};
 use super::program::{INPUTS, Program};
 use super::run::{Buffer, CHUNK};
+use super::stood::Stood;
 use super::table::{Column, Table};
 use super::{Placed, Stations, branches, compile};
 use hodograph_base::budget::{here, spend};
 use hodograph_base::diag::{Diagnostic, Faults};
+use hodograph_mechanism::position::Configuration;
 use rayon::prelude::*;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -38,9 +40,17 @@ impl<C: DerefMut<Target = [f64]>> Rows<C> {
     /// with what is `near` is meant. Comes to an early end, and says false, when asked to stop.
     pub fn complete(&mut self, general: &General, stations: &Stations, stop: Stop, near: Near) -> bool {
         let open = std::mem::take(&mut self.open);
-        let solve = |i: usize| general.solve(stations, i).map(|ways| pick_way(ways, || near(i)));
+        let laid = Stood::beyond_change_points(general, stations, &open);
+        let solve = |i: usize, at: &Option<Configuration>| {
+            let ways = match at {
+                Some(at) => general.answers(&general.scene_at(stations, i), at),
+                None => general.solve(stations, i),
+            };
+            ways.map(|ways| pick_way(ways, || near(i)))
+        };
         let here = here();
-        let solved: Option<Vec<_>> = open.par_iter().map(|&i| (!stop()).then(|| here.enter(|| solve(i)))).collect();
+        let one = |(&i, at)| (!stop()).then(|| here.enter(|| solve(i, at)));
+        let solved: Option<Vec<_>> = open.par_iter().zip(&laid).map(one).collect();
         let Some(solved) = solved else { return false };
         for (i, row) in open.into_iter().zip(solved) {
             match row {

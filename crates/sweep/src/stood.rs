@@ -2,7 +2,6 @@
 //!
 //! So these rows are on the same branches as those of all other questions, whatever lies on the way to them.
 
-use super::Placed;
 use super::chunks::{Rows, run_parts};
 use super::compile::{self, ask};
 use super::general::General;
@@ -10,6 +9,7 @@ use super::lane::Width;
 use super::pieces::Stop;
 use super::program::Program;
 use super::station::Stations;
+use super::{Placed, branches};
 use hodograph_base::budget::here;
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2};
@@ -58,6 +58,20 @@ impl Stood {
             }
         }
         Some(rows)
+    }
+
+    /// Where everything is at some stations; `None` where closed forms with the closures of the instant put it there, as they do everywhere where
+    /// no joint may have a change point on the way, and where the program has no value.
+    pub fn beyond_change_points(general: &General, stations: &Stations, rows: &[usize]) -> Vec<Option<Configuration>> {
+        let (placed, driver) = (general.placed(), general.driver());
+        let stood = Stood::of(placed, driver).filter(|s| {
+            !rows.is_empty() && general.is_closed_everywhere() && !general.is_read_again() && s.program.suspects().next().is_some()
+        });
+        let Some(stood) = stood else { return vec![None; rows.len()] };
+        let there = stations.pick(rows);
+        let (parts, _) = branches(stood.program.clone(), placed, driver, &there);
+        let found = run_parts(&parts, placed, driver, &there, Width::Widest);
+        (0..rows.len()).map(|k| stood.laid(placed, &found.columns, k)).collect()
     }
 
     /// Where everything is in a row; `None` where the program has no value.
