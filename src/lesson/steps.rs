@@ -41,7 +41,7 @@ pub fn steps(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> V
         let split = frames.split.of(on.kind());
         for n in 0..count {
             let [en, zh] = in_both(|l| said[l].iter().map(|s| s.get(n).cloned()).collect(), formulas);
-            let shows = Shows { on: on, part: split.map(|s| s.part_of(n.checked_sub(1))) };
+            let shows = Shows { on, part: split.map(|s| s.part_of(n.checked_sub(1))) };
             steps.push(json!([shows.key(), n as i64 - 1, en, zh]));
         }
     }

@@ -224,7 +224,7 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
             // A rack of one point has no angle to ask for: it turns with the way from the wheel's centre to the contact.
             for [link, centre, contact] in moved::touching(json) {
                 let way = |table: &Table, row: usize| {
-                    let number = |axis: &str, p: &str| Some(table.column(&format!("{axis}_{p}"))?.values.get(row).copied()?);
+                    let number = |axis: &str, p: &str| table.column(&format!("{axis}_{p}"))?.values.get(row).copied();
                     Some(["x", "y"].map(|axis| Some(number(axis, &contact)? - number(axis, &centre)?)))
                         .and_then(|[x, y]| Some(Vec2::new(x?, y?)))
                 };
