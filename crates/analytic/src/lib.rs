@@ -299,8 +299,8 @@ impl Solution {
     fn homes(&self, scene: &Scene, second: bool) -> Vec<Option<LinkId>> {
         let mut home = vec![None; scene.points.len()];
         // What the ground holds stands still to the last digit.
-        for p in self.links[scene.ground.0].iter().flat_map(|_| &scene.links[scene.ground.0].points) {
-            home[p.0] = Some(scene.ground);
+        if self.links[scene.ground.0].is_some() {
+            scene.links[scene.ground.0].points.iter().for_each(|p| home[p.0] = Some(scene.ground));
         }
         for (l, motion) in self.links.iter().enumerate() {
             if motion.is_some_and(|m| !second || m.second.is_some()) {

@@ -60,13 +60,12 @@ impl Stood {
         Some(rows)
     }
 
-    /// Where everything is at some stations; `None` where closed forms with the closures of the instant put it there, as they do everywhere where
-    /// no joint may have a change point on the way, and where the program has no value.
+    /// The positions at some stations where a joint may have a change point on the way, beyond which the closures of the instant do not hold; `None`
+    /// where they hold, and where the program has no value.
     pub fn beyond_change_points(general: &General, stations: &Stations, rows: &[usize]) -> Vec<Option<Configuration>> {
         let (placed, driver) = (general.placed(), general.driver());
-        let stood = Stood::of(placed, driver).filter(|s| {
-            !rows.is_empty() && general.is_closed_everywhere() && !general.is_read_again() && s.program.suspects().next().is_some()
-        });
+        let asked = !rows.is_empty() && general.is_closed_everywhere() && !general.is_read_again();
+        let stood = if asked { Stood::of(placed, driver).filter(|s| s.program.suspects().next().is_some()) } else { None };
         let Some(stood) = stood else { return vec![None; rows.len()] };
         let there = stations.pick(rows);
         let (parts, _) = branches(stood.program.clone(), placed, driver, &there);
