@@ -3,10 +3,12 @@
 use hodograph::budget::Budget;
 use hodograph::diag::Severity;
 use hodograph::figure::list::Extras;
+use hodograph::mechanism::Mechanism;
 use hodograph::problem::{
     Extent, Kind, Lesson, Look, Options, Pictures, Problem, Verdict, Wish, included, read, read_as, solve, templates,
 };
 use hodograph::scene::{Lang, Swept};
+use hodograph::sweep::{self, Placed, Stations, Width};
 use hodograph::worksheet::Sides;
 use std::process::Command;
 use std::time::{Duration, Instant};
@@ -15,7 +17,7 @@ mod wide;
 
 /// The example of a binding, a project of its own (`tests/svg` builds it): run here on a file of each kind.
 #[path = "../examples/golden-images/examples/answers.rs"]
-#[allow(dead_code)]
+#[expect(dead_code, reason = "its `main` is run by Cargo")]
 mod binding;
 
 fn problem(name: &str) -> Problem {
@@ -193,6 +195,14 @@ fn a_budget_stops_every_computation() {
             ("worksheet", &|| drop(solved.worksheet(Sides::Both, None, &look))),
             ("lesson", &|| drop(solved.lesson(&lesson, &look))),
         ];
+        // The loops below the facade are asked too.
+        if let Problem::Scene(scene) = &problem {
+            let m = Mechanism::new(scene).unwrap().value;
+            let placed = Placed::new(scene, &m).unwrap();
+            let stations = Stations::of_values(vec![0.1, 0.2], 1.0);
+            let swept = past.run(|| sweep::run(&placed, 0, &stations, Width::Widest).map(|_| ()));
+            assert_eq!(swept.err().map(|d| d.code), Some("stopped"), "a sweep of {name}");
+        }
         for (what, work) in works {
             let stopped = past.run(work).err().map(|d| d.code);
             assert_eq!(stopped, Some("stopped"), "{what} of {name}");

@@ -78,7 +78,7 @@ pub fn page(scene: &Scene, options: &Options, (mechanism, sweep): (&Mechanism, &
     let first = figures.next().unwrap_or_default();
     let polygons: String = figures.collect();
     let title = |lang: Lang| match scene.title.get(lang) {
-        "" => figure_words::words(lang).diagram.to_owned(),
+        "" => DiagramKind::Plane.caption(lang).to_owned(),
         title => title.to_owned(),
     };
     let told_drawings: Vec<Value> = drawings.iter().zip(&told).map(|(d, t)| drawing(d, t)).collect();
@@ -188,15 +188,15 @@ fn drawing(d: &Scenery, told: &[Told]) -> Value {
         layout["markup"] = json!(told.markup.replace(" id=\"", " data-id=\""));
     }
     // For the page a polygon has a level, its index among the polygons.
-    let on = DiagramKind::POLYGONS.iter().position(|on| *on == d.shows.on);
-    json!({"key": d.shows.key(), "level": on, "part": d.shows.part, "shown": runs(d.shown.iter().copied()), "layouts": layouts})
+    let level = DiagramKind::POLYGONS.iter().position(|on| *on == d.shows.on);
+    json!({"key": d.shows.key(), "level": level, "part": d.shows.part, "shown": runs(d.shown.iter().copied()), "layouts": layouts})
 }
 
 /// A drawing with its caption, as it is first seen.
 fn figure(d: &Scenery, told: &[Told], frames: &Frames, lang: Lang) -> String {
     let [w, h] = d.size_mm.map(crate::render::number::mm);
     let book = &frames.list[frames.base].scene.book;
-    let caption = |l: Lang| match (figure_words::words(l).drawing(d.shows.on), d.shows.part, l) {
+    let caption = |l: Lang| match (d.shows.on.caption(l), d.shows.part, l) {
         (name, None, _) => name.to_owned(),
         (name, Some(part), Lang::En) => format!("{name} ({})", part + 1),
         (name, Some(part), Lang::Zh) => format!("{name}（{}）", part + 1),

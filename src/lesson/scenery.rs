@@ -36,7 +36,7 @@ const AIR_MM: f64 = 1.0;
 pub struct Shows {
     /// The diagram.
     pub on: DiagramKind,
-    /// Of a polygon that is split, the part.
+    /// The part of a polygon that is split.
     pub part: Option<usize>,
 }
 

@@ -13,7 +13,7 @@ use crate::report::given::Givens;
 use crate::report::statement::paragraphs;
 use crate::scene::quantity::combined::Operation;
 use crate::scene::quantity::{Frame, Meaning, Of};
-use crate::scene::{Asked, Find, Lang, LinkId, OnLink, PointId};
+use crate::scene::{Asked, DiagramKind, Find, Lang, LinkId, OnLink, PointId};
 use crate::worked::Worked;
 
 /// A drawing wider than this stands in the text, not beside it; one that is higher, too, leaves no room for the rest of the problem.
@@ -73,7 +73,7 @@ impl Maker<'_> {
     /// The mechanism as it is given, with the given lengths as dimensions: without what the solution finds on it, and described without answers.
     pub(super) fn given_mechanism(&self) -> Block {
         let mut figure = self.given_drawing().0;
-        figure.desc = self.words().diagram.into();
+        figure.desc = DiagramKind::Plane.caption(self.lang()).into();
         Block::Figure { name: "mechanism", figure: Box::new(figure) }
     }
 

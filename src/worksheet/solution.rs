@@ -155,8 +155,8 @@ impl Maker<'_> {
     }
 
     fn polygon(&self, blocks: &mut Vec<Block>, on: DiagramKind, polygon: &Polygon) {
-        let name = on.name();
-        blocks.push(self.heading(3, &format!("Construction of the {}", name.en), &format!("作{}", name.zh)));
+        let name = on.name(self.lang());
+        blocks.push(self.heading(3, &format!("Construction of the {name}"), &format!("作{name}")));
         blocks.extend(self.figure(on.word(), on));
         let members = sentences(&self.writer(), &self.worked.construction, polygon, self.told);
         blocks.push(Block::List { numbered: true, members });

@@ -66,19 +66,13 @@ impl Budget {
     /// # Errors
     /// `stopped` where the deadline passes or the flag is set before the computation ends.
     pub fn run<T>(&self, work: impl FnOnce() -> T) -> Result<T, Diagnostic> {
-        match catch_unwind(AssertUnwindSafe(|| self.enter(work))) {
+        match catch_unwind(AssertUnwindSafe(|| Here(Some(self.clone())).enter(work))) {
             Ok(value) => Ok(value),
             Err(thrown) => match thrown.downcast_ref::<Spent>() {
                 Some(spent) => Err(spent.diagnostic()),
                 None => resume_unwind(thrown),
             },
         }
-    }
-
-    /// Runs what belongs to the computation on this thread.
-    fn enter<T>(&self, work: impl FnOnce() -> T) -> T {
-        let _outer = Outer(HERE.replace(Some(self.clone())));
-        work()
     }
 
     fn spent(&self) -> Option<Spent> {
@@ -117,12 +111,11 @@ pub fn here() -> Here {
 pub struct Here(Option<Budget>);
 
 impl Here {
-    /// Runs a part of the computation on the thread of the call.
+    /// Runs a part of the computation on the thread of the call. A thread that waits for another computation may take the part over, so that a
+    /// part without a budget puts that one's aside.
     pub fn enter<T>(&self, work: impl FnOnce() -> T) -> T {
-        match &self.0 {
-            Some(budget) => budget.enter(work),
-            None => work(),
-        }
+        let _outer = Outer(HERE.replace(self.0.clone()));
+        work()
     }
 }
 
@@ -160,6 +153,20 @@ mod tests {
         assert!(inner.unwrap());
         assert!(past.run(|| late.run(spend).is_ok()).unwrap());
         spend();
+    }
+
+    #[test]
+    fn a_part_without_a_budget_is_not_stopped_by_that_of_its_thread() {
+        let free = here();
+        let past = Budget::default().until(Instant::now());
+        assert_eq!(
+            past.run(|| free.enter(|| {
+                spend();
+                7
+            }))
+            .unwrap(),
+            7
+        );
     }
 
     #[test]

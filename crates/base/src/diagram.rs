@@ -2,6 +2,7 @@
 
 use crate::diag::{Both, both};
 use crate::kind::{Kind, Level};
+use crate::lang::Lang;
 
 /// A kind of diagram.
 ///
@@ -78,7 +79,7 @@ impl DiagramKind {
         }
     }
 
-    /// What is added to the letters of its marks: p, b; p′, b′.
+    /// The mark behind the letters of its points: p, b; p′, b′.
     pub const fn prime(self) -> &'static str {
         match self {
             DiagramKind::Plane | DiagramKind::Velocity => "",
@@ -104,7 +105,7 @@ impl DiagramKind {
         }
     }
 
-    /// What one of its vectors is called.
+    /// The name of one of its vectors.
     pub fn vector(self) -> Both {
         match self {
             DiagramKind::Plane => both!("length", "长度"),
@@ -113,7 +114,7 @@ impl DiagramKind {
         }
     }
 
-    /// What several of its vectors are called.
+    /// The name of several of its vectors.
     pub fn vectors(self) -> Both {
         match self {
             DiagramKind::Plane => both!("lengths", "长度"),
@@ -122,12 +123,20 @@ impl DiagramKind {
         }
     }
 
-    /// What the drawing is called.
-    pub fn name(self) -> Both {
-        match self {
-            DiagramKind::Plane => both!("kinematic diagram", "机构运动简图"),
-            DiagramKind::Velocity => both!("velocity polygon", "速度多边形"),
-            DiagramKind::Acceleration => both!("acceleration polygon", "加速度多边形"),
+    /// The name of the drawing, as a caption.
+    pub const fn caption(self, lang: Lang) -> &'static str {
+        match (self, lang) {
+            (DiagramKind::Plane, Lang::En) => "Kinematic diagram",
+            (DiagramKind::Velocity, Lang::En) => "Velocity polygon",
+            (DiagramKind::Acceleration, Lang::En) => "Acceleration polygon",
+            (DiagramKind::Plane, Lang::Zh) => "机构运动简图",
+            (DiagramKind::Velocity, Lang::Zh) => "速度多边形",
+            (DiagramKind::Acceleration, Lang::Zh) => "加速度多边形",
         }
+    }
+
+    /// The name of the drawing within a sentence.
+    pub fn name(self, lang: Lang) -> String {
+        self.caption(lang).to_lowercase()
     }
 }

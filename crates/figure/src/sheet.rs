@@ -349,7 +349,7 @@ impl Maker<'_> {
     pub fn figure(&self, items: Vec<Item>, size: [f64; 2]) -> Figure {
         let words = self.words();
         let title = self.scene.title.get(self.options.lang);
-        let title = if title.is_empty() { words.diagram } else { title };
+        let title = if title.is_empty() { DiagramKind::Plane.caption(self.options.lang) } else { title };
         let found = results::sentence(&self.answers());
         let mut figure = Figure {
             width_mm: size[0],

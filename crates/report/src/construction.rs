@@ -32,14 +32,14 @@ pub fn text(w: &Writer, paper: &Construction, steps: &Steps) -> String {
     let mut out = String::new();
     out.push_str(&format!(
         "{}{}{}\n",
-        w.lang.of(&DiagramKind::Plane.name()),
+        DiagramKind::Plane.name(w.lang),
         tr(w.lang, ": ", "："),
         formula(&scale_formula(&w.scene.book, DiagramKind::Plane, paper.diagram.mu))
     ));
     for on in DiagramKind::POLYGONS {
         let Some(p) = paper.polygon(on) else { continue };
         out.push('\n');
-        out.push_str(w.lang.of(&on.name()));
+        out.push_str(&on.name(w.lang));
         out.push('\n');
         for (i, s) in sentences(w, paper, p, steps).iter().enumerate() {
             out.push_str(&format!("{:>3}. {}\n", i + 1, s.plain()));

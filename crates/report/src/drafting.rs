@@ -3,7 +3,7 @@
 use hodograph_base::digits::{shortest, significant};
 use hodograph_board::plan::text::{Writer, vertex_name};
 use hodograph_paper::paper::phrase::{formula, tr};
-use hodograph_scene::{Book, DiagramKind, Find, Kind, Scene};
+use hodograph_scene::{Book, DiagramKind, Find, Kind, Lang, Scene};
 use hodograph_worked::accuracy::{CrossingTolerance, Drafting, Tolerance};
 use hodograph_worked::certified::Steps;
 use hodograph_worked::certified::steps::What;
@@ -111,15 +111,12 @@ fn table<const N: usize>(rows: &[[String; N]]) -> String {
     out
 }
 
-/// The drawings' names for programs, in the order of [`DiagramKind`].
-const DRAWINGS: [&str; 3] = ["diagram", "velocity polygon", "acceleration polygon"];
-
 /// The pencil and the crossings, for programs.
 pub fn json(scene: &Scene, worked: &Worked, d: &Drafting) -> Json {
     let crossing = |c: &CrossingTolerance| {
         json!({
             "point": vertex_name(scene, &worked.plan, c.target),
-            "drawing": DRAWINGS[c.on as usize],
+            "drawing": if c.on == DiagramKind::Plane { "diagram".to_owned() } else { c.on.name(Lang::En) },
             "sine": c.sine,
             "angle_deg": c.angle_deg(),
             "tolerance_mm": c.moves_mm,

@@ -18,7 +18,7 @@ pub enum Written {
     Table(Vec<Column>),
 }
 
-/// How a step of a polygon is written, where it is drawn so; `None` for one that says nothing.
+/// The equation of a step of a polygon as it is drawn; `None` for one that says nothing.
 pub fn written(w: &Writer, paper: &Construction, on: DiagramKind, step: &Step) -> Option<Written> {
     let line = |text: String| Some(Written::Line(Phrase::new(&text)));
     match step {

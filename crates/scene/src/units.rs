@@ -167,7 +167,7 @@ pub enum Wanted {
 }
 
 impl Wanted {
-    /// What a scene writes for a kind of quantity.
+    /// The amount that a scene writes for a kind of quantity.
     pub const fn of(kind: Kind) -> Wanted {
         match kind {
             Kind::Length => Wanted::Length,

@@ -41,15 +41,9 @@ impl<C: DerefMut<Target = [f64]>> Rows<C> {
     pub fn complete(&mut self, general: &General, stations: &Stations, stop: Stop, near: Near) -> bool {
         let open = std::mem::take(&mut self.open);
         let laid = Stood::beyond_change_points(general, stations, &open);
-        let solve = |i: usize, at: &Option<Configuration>| {
-            let ways = match at {
-                Some(at) => general.answers(&general.scene_at(stations, i), at),
-                None => general.solve(stations, i),
-            };
-            ways.map(|ways| pick_way(ways, || near(i)))
-        };
+        let solve = |i: usize, at: Option<&Configuration>| general.ways(stations, i, at).map(|ways| pick_way(ways, || near(i)));
         let here = here();
-        let one = |(&i, at)| (!stop()).then(|| here.enter(|| solve(i, at)));
+        let one = |(&i, at): (&usize, &Option<Configuration>)| (!stop()).then(|| here.enter(|| solve(i, at.as_ref())));
         let solved: Option<Vec<_>> = open.par_iter().zip(&laid).map(one).collect();
         let Some(solved) = solved else { return false };
         for (i, row) in open.into_iter().zip(solved) {

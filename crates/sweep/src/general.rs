@@ -78,6 +78,11 @@ impl<'a> General<'a> {
         self.answers(&scene, &Whole::new(p, self.driver).standing(stations.values[row])?)
     }
 
+    /// One row where everything stands as it does `at`, else by the position solver; one for each way on.
+    pub fn ways(&self, stations: &Stations, row: usize, at: Option<&Configuration>) -> Result<Vec<Vec<f64>>, Faults> {
+        at.map_or_else(|| self.solve(stations, row), |at| self.answers(&self.scene_at(stations, row), at))
+    }
+
     /// The row of a pose, one for each way on.
     ///
     /// # Errors

@@ -69,7 +69,7 @@ impl Range {
         self.ends.iter().all(Option::is_none)
     }
 
-    /// Whether a joint stands on its other branch at the end of a range without ends: it met an odd number of change points.
+    /// True where a joint stands on its other branch at the end of a range without ends: it met an odd number of change points.
     pub(super) fn flipped(&self) -> bool {
         let met = |joint: usize| self.changes.iter().filter(|c| c.joint == Some(joint)).count();
         self.changes.iter().filter_map(|c| c.joint).any(|joint| met(joint) % 2 == 1)

@@ -3,6 +3,7 @@
 use super::kernel::{Kernel, Pair, Reg};
 use super::lane::Lane;
 use hodograph_base::geom::Vec2;
+use hodograph_scene::quantity::ROUNDING;
 
 /// |v|.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -131,8 +132,8 @@ impl Kernel<2, 1> for Sum {
     }
 }
 
-/// A ratio of angular velocities beyond this is one by zero: the bound of [`hodograph_scene::quantity::ratio`].
-const MOST: f64 = 1e13;
+/// The largest ratio of angular velocities: a divisor that is smaller still is zero but for rounding.
+const MOST: f64 = 1.0 / ROUNDING;
 
 /// a / b; NaN where b is no more than rounding beside a.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -42,8 +42,7 @@ impl Stood {
         let placed = general.placed();
         let there = run_parts(parts, placed, general.driver(), stations, Width::Widest);
         let solve = |i: usize| -> Result<Vec<f64>, Faults> {
-            let by_program = self.laid(placed, &there.columns, i).map(|at| general.answers(&general.scene_at(stations, i), &at));
-            let mut ways = by_program.unwrap_or_else(|| general.solve(stations, i))?;
+            let mut ways = general.ways(stations, i, self.laid(placed, &there.columns, i).as_ref())?;
             Ok(ways.swap_remove(0))
         };
         let here = here();

@@ -56,7 +56,7 @@ pub struct Worked {
     pub plan: Plan,
     /// The drawing board.
     pub construction: Construction,
-    /// How often the construction was evaluated: a trial for its scales, and the drawing; more often in a pose that loses digits or special points.
+    /// Evaluations of the construction: a trial for its scales, and the drawing; more often in a pose that loses digits or special points.
     pub drawings: usize,
     /// The loop equations' solution.
     pub solution: Solution,

@@ -171,7 +171,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         }
     }
 
-    /// Whether all vectors of a polygon vanish because no driver moves.
+    /// True for a polygon all of whose vectors vanish because no driver moves.
     pub(super) fn stands(&self, on: DiagramKind) -> bool {
         on == DiagramKind::Velocity && self.plan.rest.is_all()
     }

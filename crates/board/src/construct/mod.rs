@@ -321,7 +321,7 @@ pub struct Construction<N = f64> {
     pub rates: Vec<RateReading<N>>,
     /// For each group, the alternative of its steps that was drawn.
     pub chosen: Vec<usize>,
-    /// How many times rounding is magnified at the worst crossing that a polygon rests on; none where it rests on none.
+    /// The factor by which the worst crossing that a polygon rests on magnifies rounding; none where it rests on none.
     magnification: ByKind,
 }
 
@@ -331,14 +331,14 @@ impl Construction {
         if on == DiagramKind::Plane { Some(self.diagram.mu) } else { self.polygon(on).map(|p| p.mu) }
     }
 
-    /// Whether a polygon is a single point, because nothing moves: it has a pole, and no scale worth telling.
+    /// True for a polygon that is a single point, because nothing moves: it has a pole, and no scale worth telling.
     pub fn is_empty(&self, on: DiagramKind) -> bool {
         self.polygon(on).is_some_and(Polygon::is_empty)
     }
 }
 
 impl<N> Construction<N> {
-    /// How many times rounding is magnified at the worst crossing that a diagram rests on; 1 without crossings.
+    /// The factor by which the worst crossing that a diagram rests on magnifies rounding; 1 without crossings.
     pub fn magnified(&self, on: DiagramKind) -> f64 {
         self.magnification.get(on.kind()).unwrap_or(1.0)
     }

@@ -90,7 +90,7 @@ impl<N: Real> OnPaper<'_, N> {
         self.paper.polygon(on)?.images[self.plan.find_vertex(self.scene, p.point, p.link)?.0]
     }
 
-    /// Whether all points of a question have their images, on the diagram that it is read on.
+    /// True where all points of a question have their images on the diagram that it is read on.
     fn is_drawn(&self, what: &Asked) -> bool {
         what.points(self.scene).iter().all(|p| self.image(what.diagram(), p).is_some())
     }

@@ -8,12 +8,6 @@ use hodograph_base::lang::Lang;
 pub struct Words {
     /// Language tag.
     pub tag: &'static str,
-    /// Caption of the mechanism.
-    pub diagram: &'static str,
-    /// Caption of the velocity polygon.
-    pub velocity_polygon: &'static str,
-    /// Caption of the acceleration polygon.
-    pub acceleration_polygon: &'static str,
     /// Caption of the mechanism with its instantaneous centres.
     pub centres: &'static str,
     /// Caption of the circle diagram.
@@ -104,9 +98,6 @@ pub struct Words {
 
 const EN: Words = Words {
     tag: "en",
-    diagram: "Kinematic diagram",
-    velocity_polygon: "Velocity polygon",
-    acceleration_polygon: "Acceleration polygon",
     centres: "Instantaneous centres",
     circle_diagram: "Circle diagram",
     curvature: "Pole, inflection circle, centres of curvature",
@@ -154,9 +145,6 @@ const EN: Words = Words {
 
 const ZH: Words = Words {
     tag: "zh",
-    diagram: "机构运动简图",
-    velocity_polygon: "速度多边形",
-    acceleration_polygon: "加速度多边形",
     centres: "速度瞬心",
     circle_diagram: "瞬心多边形",
     curvature: "瞬心、拐点圆与曲率中心",
@@ -224,15 +212,6 @@ impl Words {
             self.clockwise
         } else {
             ""
-        }
-    }
-
-    /// Caption of a diagram.
-    pub fn drawing(&self, on: DiagramKind) -> &'static str {
-        match on {
-            DiagramKind::Plane => self.diagram,
-            DiagramKind::Velocity => self.velocity_polygon,
-            DiagramKind::Acceleration => self.acceleration_polygon,
         }
     }
 

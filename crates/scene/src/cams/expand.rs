@@ -260,7 +260,7 @@ impl One<'_> {
         angle.map_or(-1.0, |a| if libm::sin(a.value - guide) < 0.0 { 1.0 } else { -1.0 })
     }
 
-    /// Where the scene puts a point, in the axes of a link; `None` where it says nothing or nothing tells how the link lies.
+    /// The place of a point that the scene tells, in the axes of a link; `None` where it says nothing or nothing tells how the link lies.
     fn told_in(&self, frame: LinkId, point: PointId) -> Option<Vec2> {
         Reckoned::of(self.bare).seen_from(frame, place::told(self.bare, point)?)
     }

@@ -57,7 +57,7 @@ pub use seen::split;
 pub use sliding::Sliding;
 pub use transmission::Transmission;
 pub use turning::Turning;
-pub use value::{Known, Value};
+pub use value::{Known, ROUNDING, Value};
 
 use super::model::{Find, LinkId, OnLink, Scene};
 use super::resolve::Question;

@@ -84,10 +84,10 @@ impl Value {
     }
 }
 
-/// What rounding leaves of a difference, as a part of the largest number of its kind in the mechanism.
-const ROUNDING: f64 = 1e-13;
+/// The part of the largest number of its kind in the mechanism that rounding leaves of a difference.
+pub const ROUNDING: f64 = 1e-13;
 
-/// Whether plain numbers do not tell a difference from none, beside what it comes from.
+/// True for a difference that plain numbers do not tell from none, beside what it comes from.
 pub(super) fn vanishes<N: Real>(value: N, beside: f64) -> bool {
     !N::refines() && value.approx().abs() <= ROUNDING * beside
 }

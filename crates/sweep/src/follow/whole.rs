@@ -220,11 +220,9 @@ pub(crate) fn rows(
     let n = stations.len();
     let mut columns: Vec<Vec<f64>> = scene.find.iter().flat_map(ask::names).map(|_| vec![f64::NAN; n]).collect();
     let mut missing = BTreeMap::new();
-    let driver = course.follow().driver;
     let done = course.states(part, values, stop, &mut |position, state| {
         let i = row(position);
-        let there =
-            |state: &Standing| general.answers(&with_driver_at(scene, driver, stations.place(i, scene, driver)), &state.now.configuration);
+        let there = |state: &Standing| general.ways(stations, i, Some(&state.now.configuration));
         match state.map_err(Clone::clone).and_then(there) {
             Ok(ways) => columns.iter_mut().zip(&ways[0]).for_each(|(c, v)| c[i] = *v),
             Err(why) => drop(missing.insert(i, why)),

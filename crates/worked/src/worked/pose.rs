@@ -50,7 +50,7 @@ pub(super) struct Posed {
     pub near: Option<Kept>,
     /// The drawing without the groups that are not drawn.
     pub drawing: Drawing,
-    /// How often a construction was evaluated: twice, but for poses that lose digits or special points.
+    /// Evaluations of constructions: two, but for poses that lose digits or special points.
     pub drawings: usize,
     /// Remarks on the pose.
     pub notes: Vec<Diagnostic>,

@@ -2,7 +2,7 @@
 
 use crate::paper::phrase::Phrase;
 use crate::paper::text;
-use crate::paper::words::{Words, words};
+use crate::paper::words::words;
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::diagram::DiagramKind;
 use hodograph_base::json::fields::Fields;
@@ -42,7 +42,7 @@ impl Captions {
     /// What is written at a drawing or a list: the style's words, else the usual ones.
     pub fn of(&self, what: Captioned, lang: Lang) -> &str {
         let own = self.0.iter().find(|(w, l, _)| (*w, *l) == (what, lang));
-        own.map_or_else(|| usual(words(lang), what), |(.., text)| text)
+        own.map_or_else(|| usual(lang, what), |(.., text)| text)
     }
 
     /// Reads the section of a style file; a text counts for both languages, `{"en": ..., "zh": ...}` for each its own.
@@ -61,9 +61,10 @@ impl Captions {
     }
 }
 
-fn usual(words: &'static Words, what: Captioned) -> &'static str {
+fn usual(lang: Lang, what: Captioned) -> &'static str {
+    let words = words(lang);
     match what {
-        Captioned::Drawing(on) => words.drawing(on),
+        Captioned::Drawing(on) => on.caption(lang),
         Captioned::Equations(on) => words.equations(on),
         Captioned::Results => words.results,
     }
