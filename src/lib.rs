@@ -112,7 +112,7 @@
 //! json       diag
 //! lang       diag
 //! kind       -
-//! diagram    diag kind
+//! diagram    diag lang kind
 //! notation   lang
 //! digits     -
 //! trig       -
