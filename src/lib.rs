@@ -26,7 +26,7 @@
 //!
 //! # The way through
 //! ```text
-//! scene.json ─▶ Scene ─▶ Mechanism ─┬─▶ Plan ──────────┬─▶ Construction ─┬─▶ Figure ─▶ SVG ─▶ PNG
+//! scene.json ─▶ Scene ─▶ Mechanism ─┬─▶ Plan ──────────┬─▶ Drawing ──────┬─▶ Figure ─▶ SVG ─▶ PNG
 //!   raw text    valid,   links,     │  which equations, │  paper mm,      │  lines, arrows,
 //!               SI       pairs,     │  no numbers       │  ruler steps    │  labels in mm
 //!                        groups     └─▶ Configuration ──┤                 └─▶ Answers ──┐
@@ -48,7 +48,9 @@
 //!   the position solver.
 //! - [`motion`]: velocities and accelerations group by group, in any number; [`number`]: the numbers.
 //! - [`plan`]: the vector equations: legs to loci, images, notation profiles, words and symbols. Holds no numbers.
-//! - [`construct`]: the drawing board: the one door between SI and millimetres ([`construct::scale`]), polygons, readings.
+//! - [`construction`]: what is done with ruler and set squares, as plain data without coordinates, and its evaluation for given places, scales and a
+//!   pencil.
+//! - [`construct`]: the drawing board: a plan written as acts and drawn; the one door between SI and millimetres ([`construct::scale`]), polygons, readings.
 //! - [`analytic`]: constraint rows, Jacobian, conditioning; singular poses by the next orders. Knows neither plan nor paper.
 //! - [`paper`]: what figures are made of: typed items in mm, labels, words of both languages, fonts, placement of labels, styles;
 //!   [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG; GIF and SVG that move; two figures
@@ -91,7 +93,7 @@
 //! base       diag budget json digits trig number geom cam kind diagram lang notation
 //! scene      scene
 //! mechanism  mechanism position stated answer motion
-//! board      plan construct
+//! board      plan construction construct
 //! analytic   analytic
 //! sweep      sweep
 //! paper      paper render
@@ -126,7 +128,8 @@
 //! answer     number geom scene mechanism position
 //! motion     number geom scene mechanism position answer
 //! plan       diag notation scene mechanism
-//! construct  diag budget digits number geom scene mechanism position answer plan
+//! construction budget diagram digits kind number geom
+//! construct  diag digits number geom scene mechanism position answer plan construction
 //! analytic   diag budget geom cam scene mechanism position answer
 //! sweep      diag budget digits trig number geom cam scene mechanism position stated answer motion analytic
 //! paper      diag budget json notation diagram lang geom
@@ -190,7 +193,7 @@
 
 pub use hodograph_analytic as analytic;
 pub use hodograph_base::{budget, cam, diag, diagram, digits, geom, kind, lang, notation, number, trig};
-pub use hodograph_board::{construct, plan};
+pub use hodograph_board::{construct, construction, plan};
 pub use hodograph_figure as figure;
 pub use hodograph_mechanism::{answer, mechanism, motion, position, stated};
 pub use hodograph_methods::{attempts, centres, composite, curvature, gears, inversions, particle, trains};

@@ -5,7 +5,7 @@ mod board;
 
 use hodograph::accuracy::{self, Drawn, drafting, simulate};
 use hodograph::construct::pencil::{Exact, Single};
-use hodograph::construct::{Layout, by_hand};
+use hodograph::construct::{Acts, Layout, by_hand};
 use hodograph::figure::sheet::{Options, sheet};
 use hodograph::paper::item::Shape;
 use hodograph::render::svg;
@@ -28,7 +28,7 @@ fn the_exact_pencil_changes_nothing() {
     for t in templates::list() {
         let (scene, w) = template(t.name);
         let layout = Layout::of(&w.construction);
-        let (again, shown) = by_hand(&scene, &w.mechanism, &w.configuration, &w.plan, &layout, &mut Exact).unwrap();
+        let (again, shown) = by_hand(&w.construction.acts, &scene, &w.configuration, &w.plan, &layout, &mut Exact).unwrap();
         assert_eq!((again.diagrams, again.rates), (w.construction.diagrams, w.construction.rates), "{}", t.name);
         assert_eq!(shown, w.configuration, "{}", t.name);
     }
@@ -70,7 +70,7 @@ fn tolerance_falls_with_the_scale() {
     let now = simulate(&drawn, 0.02, 2000, 5);
     let mut other = w.construction.clone();
     let layout = Layout::of(&other).enlarged(2.0);
-    other = by_hand(&scene, &w.mechanism, &w.configuration, &w.plan, &layout, &mut Exact).unwrap().0;
+    other = other.acts.draw(&scene, &w.configuration, &w.plan, &layout, &mut Exact).unwrap();
     let larger = Drawn { construction: &other, ..drawn.clone() };
     let then = simulate(&larger, 0.02, 2000, 5);
     for (a, b) in now.iter().zip(&then) {
@@ -173,9 +173,10 @@ fn another_special_point_is_proposed_where_it_helps() {
     let [bad] = &w.bad_angles[..] else { panic!("{:?}", w.bad_angles) };
     let special = bad.special.unwrap();
     assert_eq!(special.legs, (0, 2));
-    let mut layout = Layout::of(&w.construction);
-    layout.chosen[special.group] = 1;
-    let (paper, _) = by_hand(&scene, &w.mechanism, &w.configuration, &w.plan, &layout, &mut Exact).unwrap();
+    let mut chosen = w.construction.acts.chosen.clone();
+    chosen[special.group] = 1;
+    let acts = Acts::of(&scene, &w.mechanism, &w.plan, &chosen);
+    let paper = acts.draw(&scene, &w.configuration, &w.plan, &Layout::of(&w.construction), &mut Exact).unwrap();
     let worst = accuracy::crossings(&paper, 0.1).iter().map(accuracy::CrossingTolerance::angle_deg).fold(90.0, f64::min);
     assert!((worst - special.worst_deg).abs() < 1e-9 && worst > 10.0, "{worst}");
 }

@@ -3,7 +3,7 @@
 
 use serde_json::{Value, json};
 
-use crate::construct::{Action, Construction, Polygon};
+use crate::construct::{Action, Drawing, Polygon};
 use crate::notation::Notation;
 use crate::plan::text::Writer;
 use crate::plan::{Body, By, Term, TermKind, VertexId};
@@ -27,7 +27,7 @@ struct Act<'a> {
     w: &'a Writer<'a>,
     on: DiagramKind,
     p: &'a Polygon,
-    paper: &'a Construction,
+    paper: &'a Drawing,
 }
 
 impl Act<'_> {

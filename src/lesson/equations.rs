@@ -48,19 +48,7 @@ pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) 
 
 /// Whether two frames are drawn by the same equations in the same steps.
 fn alike(a: &Frame, b: &Frame) -> bool {
-    let (one, other) = (&a.worked.construction, &b.worked.construction);
-    one.chosen == other.chosen
-        && a.worked.plan == b.worked.plan
-        && DiagramKind::POLYGONS.iter().all(|l| match (one.polygon(*l), other.polygon(*l)) {
-            (Some(p), Some(q)) => {
-                p.actions.len() == q.actions.len() && (0..p.actions.len()).all(|k| drawn(p, k) == drawn(q, k)) && same_kinds(p, q)
-            }
-            (p, q) => p.is_none() && q.is_none(),
-        })
-}
-
-fn same_kinds(p: &Polygon, q: &Polygon) -> bool {
-    p.actions.iter().zip(&q.actions).all(|(a, b)| std::mem::discriminant(a) == std::mem::discriminant(b))
+    a.worked.plan == b.worked.plan && a.worked.construction.acts == b.worked.construction.acts
 }
 
 /// The terms that an action draws.
@@ -99,7 +87,7 @@ impl Book {
         let writers = LANGS.map(|lang| Writer { scene: &frame.scene, plan, notation, lang });
         let mut all: Vec<Solved> = Vec::new();
         for group in plan.steps(on) {
-            for step in group.steps(group.drawn(paper.chosen[group.group])) {
+            for step in group.steps(group.drawn(paper.acts.chosen[group.group])) {
                 let (Some(found), [Some(en), Some(zh)]) = (found_by(polygon, target(step)), writers.map(|w| written(&w, paper, on, step)))
                 else {
                     continue;

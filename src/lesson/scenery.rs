@@ -272,7 +272,7 @@ impl<'a> Studio<'a> {
                     part.items.iter_mut().for_each(|i| i.id = i.id.replacen(whole, &format!("{whole}-{}", own + 1), 1));
                 }
                 back[k] = beyond(part.bounds, middle, size_mm);
-                let mut drawn = frames.list[k].worked.construction.chosen.clone();
+                let mut drawn = frames.list[k].worked.construction.acts.chosen.clone();
                 if self.shows.on != DiagramKind::Plane {
                     drawn.push(plans[k]);
                 }

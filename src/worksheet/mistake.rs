@@ -45,7 +45,7 @@ impl Maker<'_> {
         ));
         let on = attempt.gap.on;
         for group in self.worked.plan.steps(on) {
-            let chosen = group.drawn(self.worked.construction.chosen[group.group]);
+            let chosen = group.drawn(self.worked.construction.acts.chosen[group.group]);
             for step in group.steps(chosen) {
                 self.step(blocks, on, step);
             }

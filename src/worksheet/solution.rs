@@ -142,7 +142,7 @@ impl Maker<'_> {
         let Some(polygon) = self.worked.construction.polygon(on) else { return };
         blocks.push(Block::Heading(2, self.words().equations(on).into()));
         for group in self.worked.plan.steps(on) {
-            let chosen = group.drawn(self.worked.construction.chosen[group.group]);
+            let chosen = group.drawn(self.worked.construction.acts.chosen[group.group]);
             for step in group.steps(chosen).take(group.alternatives.get(chosen).map_or(0, Vec::len)) {
                 self.step(blocks, on, step);
             }

@@ -215,7 +215,8 @@ fn arms_are_as_long_as_their_bodies() {
     for (name, scene, w) in all() {
         let layout = Layout::of(&w.construction);
         for seed in 0..3 {
-            let Ok((drawn, _)) = by_hand(&scene, &w.mechanism, &w.configuration, &w.plan, &layout, &mut Blunt::new(0.5, seed)) else {
+            let Ok((drawn, _)) = by_hand(&w.construction.acts, &scene, &w.configuration, &w.plan, &layout, &mut Blunt::new(0.5, seed))
+            else {
                 continue;
             };
             for rate in &drawn.rates {

@@ -3,12 +3,14 @@
 use crate::diag::{Both, both};
 use crate::kind::{Kind, Level};
 use crate::lang::Lang;
+use serde::{Deserialize, Serialize};
 
 /// A kind of diagram.
 ///
 /// A [`Level`] is the order of a derivative; a diagram kind names a drawing. A kind that is added is a line of [`DiagramKind::ALL`] and an entry of each
 /// function below, and the compiler shows every other place that it concerns.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum DiagramKind {
     /// The mechanism in its plane, drawn to μ_l.
     Plane,

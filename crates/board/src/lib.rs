@@ -1,6 +1,7 @@
 //! The drawing board: relative-motion vector equations, and their construction with ruler and paper.
 //!
-//! Rooms: [`plan`] (the vector equations, without numbers), [`construct`] (polygons in millimetres of paper, and what is read off them).
+//! Rooms: [`plan`] (the vector equations, without numbers), [`construction`] (acts of ruler and set squares, and their evaluation), [`construct`] (a plan
+//! written as acts and drawn in millimetres of paper, and what is read off it).
 //! The crate does not know the loop equations, and they do not know it: that drawing and analysis agree is evidence because of this.
 
 #![forbid(unsafe_code)]
@@ -13,4 +14,5 @@
 #![allow(rustdoc::private_intra_doc_links)]
 
 pub mod construct;
+pub mod construction;
 pub mod plan;

@@ -5,7 +5,7 @@ use hodograph_worked::certified::Steps;
 use std::ops::Range;
 
 use hodograph_base::digits::inked;
-use hodograph_board::construct::{Action, Construction, Polygon};
+use hodograph_board::construct::{Action, Drawing, Polygon};
 use hodograph_board::plan::text::{Column, Writer, vertex_name};
 use hodograph_board::plan::{Chain, Special, SpecialLine, Step, VertexId};
 use hodograph_mechanism::mechanism::ConstraintLine;
@@ -41,7 +41,7 @@ pub struct Tables<'a> {
     /// Names and symbols.
     pub writer: &'a Writer<'a>,
     /// The alternatives that were drawn.
-    pub construction: &'a Construction,
+    pub construction: &'a Drawing,
     /// The certified numbers of its steps.
     pub steps: &'a Steps,
     /// A column's width: longer equations go on in a further table, longer statements in a further line.
@@ -59,7 +59,7 @@ impl Tables<'_> {
         let Some(polygon) = self.construction.polygon(on) else { return Vec::new() };
         let mut parts = Vec::new();
         for group in self.writer.plan.steps(on).iter().filter(|g| wanted(g.group)) {
-            let chosen = group.drawn(self.construction.chosen[group.group]);
+            let chosen = group.drawn(self.construction.acts.chosen[group.group]);
             for step in group.steps(chosen) {
                 let step_class = step_class(polygon, target(step));
                 match step {

@@ -2,7 +2,7 @@
 
 use crate::amount::scale_formula;
 use hodograph_base::digits::{inked, shortest, significant};
-use hodograph_board::construct::{Action, Construction, Mark, Polygon};
+use hodograph_board::construct::{Action, Drawing, Mark, Polygon};
 use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::text::Writer;
 use hodograph_board::plan::{Body, Method, Rate, Step, Term, VertexId};
@@ -14,7 +14,7 @@ use hodograph_worked::certified::steps::What;
 
 /// The sentences of one polygon, one for each action, the pole first. Their numbers are the certified ones of
 /// [`steps`](hodograph_worked::certified::steps()); where those know of a pencil error, how far it moves each crossing.
-pub fn sentences(w: &Writer, paper: &Construction, polygon: &Polygon, steps: &Steps) -> Vec<Phrase> {
+pub fn sentences(w: &Writer, paper: &Drawing, polygon: &Polygon, steps: &Steps) -> Vec<Phrase> {
     let on = polygon.on;
     let (pole, mu) = (w.pole(on), scale_formula(&w.scene.book, on, polygon.mu));
     let mut out = vec![Phrase::new(&match w.lang {
@@ -28,7 +28,7 @@ pub fn sentences(w: &Writer, paper: &Construction, polygon: &Polygon, steps: &St
 }
 
 /// The whole construction as numbered text; why, where a number has fewer digits than its kind.
-pub fn text(w: &Writer, paper: &Construction, steps: &Steps) -> String {
+pub fn text(w: &Writer, paper: &Drawing, steps: &Steps) -> String {
     let mut out = String::new();
     out.push_str(&format!(
         "{}{}{}\n",
@@ -79,7 +79,7 @@ fn symbols(w: &Writer, on: DiagramKind, terms: &[Term]) -> String {
     terms.iter().map(|t| w.symbol(on, t)).collect::<Vec<_>>().join(" + ")
 }
 
-fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps: &Steps) -> String {
+fn sentence(w: &Writer, paper: &Drawing, p: &Polygon, action: usize, steps: &Steps) -> String {
     let on = p.on;
     let tell = |what, rough| amid_words(&told(steps, on, action, what, rough));
     let millimetres = |k, rough: f64| format!("{} mm", tell(What::Length(k), rough));

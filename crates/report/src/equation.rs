@@ -2,7 +2,7 @@
 //!
 //! Decided here: which equations need a table. Worksheets and lessons write what this says.
 
-use hodograph_board::construct::Construction;
+use hodograph_board::construct::Drawing;
 use hodograph_board::plan::text::{Column, Writer};
 use hodograph_board::plan::{Chain, Step, VertexId};
 use hodograph_paper::paper::phrase::{Phrase, tr};
@@ -19,7 +19,7 @@ pub enum Written {
 }
 
 /// The equation of a step of a polygon as it is drawn; `None` for one that says nothing.
-pub fn written(w: &Writer, paper: &Construction, on: DiagramKind, step: &Step) -> Option<Written> {
+pub fn written(w: &Writer, paper: &Drawing, on: DiagramKind, step: &Step) -> Option<Written> {
     let line = |text: String| Some(Written::Line(Phrase::new(&text)));
     match step {
         Step::Equation { target, chains, .. } => equation(w, on, *target, chains),

@@ -191,7 +191,7 @@ impl Reporter<'_> {
             out.push(json!({
                 "group": g.group,
                 "alternatives": alternatives,
-                "drawn": self.worked.map(|d| g.drawn(d.construction.chosen[g.group])),
+                "drawn": self.worked.map(|d| g.drawn(d.construction.acts.chosen[g.group])),
                 "between": g.between.iter().map(|b| self.between(on, b)).collect::<Vec<_>>(),
                 "rates": self.rates(on, g),
                 "further": further,

@@ -23,7 +23,7 @@ use crate::accuracy::Rung;
 use crate::accuracy::{Agreement, BadAngle, Drafting, Drawn, bad_angles, compare, drafting, regular, settled};
 use hodograph_analytic::{Refused, Solution};
 use hodograph_base::diag::{Faults, Warned};
-use hodograph_board::construct::{self, Answer, Construction};
+use hodograph_board::construct::{self, Answer, Drawing};
 use hodograph_board::plan::Plan;
 use hodograph_mechanism::answer::Value;
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Need};
@@ -55,7 +55,7 @@ pub struct Worked {
     /// Equations.
     pub plan: Plan,
     /// The drawing board.
-    pub construction: Construction,
+    pub construction: Drawing,
     /// Evaluations of the construction: a trial for its scales, and the drawing; more often in a pose that loses digits or special points.
     pub drawings: usize,
     /// The loop equations' solution.

@@ -1,36 +1,33 @@
-//! Draws the vectors between two images that a question or an angular rate reads, and decides in which order images, vectors and rates become known.
+//! Writes down the vectors between two images that a question or an angular rate reads, and decides in which order images, vectors and rates become known.
 
-use super::board::{Board, part_mark};
-use super::pencil::Pencil;
-use super::{Action, Edge, Polygon};
+use super::board::Board;
+use crate::construction::{DiagramId, Direction, Line, Op};
 use crate::plan::{Between, Body, By, Rate, Term, TermKind};
-use hodograph_base::diag::Faults;
-use hodograph_base::number::Real;
 use hodograph_scene::DiagramKind;
 
-impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
+impl Board<'_> {
     /// What is drawn between images, as far as they are there, and the turnings measured from what is drawn. What cannot be read yet stays
     /// in `unread`, for a block is measured on points that a later group may bring.
-    pub(super) fn read_off(&mut self, p: &mut Polygon<N>, unread: &mut Vec<(Body, Rate)>, open: &mut Vec<&Between>) -> Result<(), Faults> {
+    pub(super) fn read_off(&mut self, on: DiagramId, unread: &mut Vec<(Body, Rate)>, open: &mut Vec<&Between>) {
         loop {
-            unread.retain(|(body, rate)| !self.turning(p, *body, *rate));
+            unread.retain(|(body, rate)| !self.turning(on, *body, *rate));
             let there = |b: &&Between| {
                 let (of, to) = b.ends();
-                p.images[of.0].is_some() && p.images[to.0].is_some() && self.knows_turnings(b)
+                self.done.image(on, of).is_some() && self.done.image(on, to).is_some() && self.knows_turnings(b)
             };
-            let Some(next) = open.iter().position(there) else { return Ok(()) };
+            let Some(next) = open.iter().position(there) else { return };
             let between = open.remove(next);
             // The alternative of the group that was drawn may show it.
             let terms = between.terms();
-            let each = terms.iter().all(|t| self.plan.vanishes(self.scene, p.on, t) || p.edge_of(&[*t]).is_some());
+            let each = terms.iter().all(|t| self.vanishes(on, t) || self.done.edge_of(on, &[*t]).is_some());
             let shown = match between {
                 // Where nothing moves there are no edges: each vector that would be drawn is told to be nothing.
-                _ if self.stands(p.on) => false,
+                _ if self.stands(on) => false,
                 Between::Join(_) | Between::Perpendicular { .. } => each,
-                Between::LayOff { .. } => each && p.edge_of(&terms).is_some(),
+                Between::LayOff { .. } => each && self.done.edge_of(on, &terms).is_some(),
             };
             if !shown {
-                self.between(p, between)?;
+                self.between(on, between);
             }
         }
     }
@@ -48,62 +45,59 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         };
         known.iter().filter(by_omega).filter_map(body).all(|b| {
             let still = matches!(b, Body::Link(l) if self.m.never_turns[l.0]);
-            still || self.done.rate(DiagramKind::Velocity, b).is_some()
+            still || self.done.turning(DiagramKind::Velocity, b).is_some()
         })
     }
 
     /// Draws a vector, or the parts of one, between two images.
-    fn between(&mut self, p: &mut Polygon<N>, between: &Between) -> Result<(), Faults> {
+    fn between(&mut self, on: DiagramId, between: &Between) {
         let (of, to) = between.ends();
-        let from = (self.mark(to), self.image(p, to));
-        if self.stands(p.on) {
+        let from = self.image(on, to);
+        if self.stands(on) {
             let parts: Vec<Vec<Term>> = match between {
                 Between::Join(t) => vec![vec![*t]],
                 Between::Perpendicular { normal, tangential } => vec![vec![*normal, *tangential]],
                 Between::LayOff { known, rest } => known.iter().map(|t| vec![*t]).chain([rest.clone()]).collect(),
             };
-            let told = parts.into_iter().filter(|terms| !terms.is_empty());
-            p.actions.extend(told.map(|terms| Action::Nothing { terms, at: from.1, target: None }));
-            return Ok(());
+            for terms in parts.into_iter().filter(|terms| !terms.is_empty()) {
+                self.omit(on, &terms, from, None);
+            }
+            return;
         }
-        let end = (self.mark(of), self.image(p, of));
-        let edge = |terms: Vec<Term>, from, to, known| Edge { terms, from, to, known, between: true };
+        let end = self.image(on, of);
         match between {
             Between::Join(t) => {
-                p.edges.push(edge(vec![*t], from, end, false));
-                p.actions.push(Action::Join(p.edges.len() - 1));
+                let joined = self.vector(&[*t], from, end, false, true);
+                self.act(on, [Op::Show(joined)]);
             }
             Between::Perpendicular { normal, tangential } => {
                 // Where a chain has laid aⁿ off from the same image, its end is the foot.
-                if let Some(foot) = p.end_of(&from.0, normal) {
-                    p.edges.push(edge(vec![*tangential], foot, end, false));
-                    p.actions.push(Action::Join(p.edges.len() - 1));
-                    return Ok(());
+                if let Some(foot) = self.done.end_of(on, from, normal) {
+                    let joined = self.vector(&[*tangential], foot, end, false, true);
+                    self.act(on, [Op::Show(joined)]);
+                    return;
                 }
-                let u = self.arm(of, to).unit().ok_or_else(|| Faults::from(self.coincide(of, to)))?;
-                let apart = self.drawn_length(normal);
-                let u = self.pencil.ruler(p.on, u, apart);
-                let foot = self.pencil.mark(p.on, from.1 + u * u.dot(end.1 - from.1));
-                let foot = (part_mark(p, normal), foot);
-                p.edges.push(edge(vec![*normal], from, foot, false));
-                p.edges.push(edge(vec![*tangential], foot, end, false));
-                p.actions.push(Action::Perpendicular { edges: [p.edges.len() - 2, p.edges.len() - 1], direction: u });
+                let along = Direction::of(self.arm(of, to)).unit();
+                let carries = vec![self.done.term(*normal)];
+                let line = self.done.construction.line(Line { on, through: from, along, moved: false, carries });
+                let foot = self.part(on, normal);
+                let normal = self.vector(&[*normal], from, foot, false, true);
+                let tangential = self.vector(&[*tangential], foot, end, false, true);
+                let drop = Op::Foot { from: end, on: line, to: foot };
+                self.act_of(on, (of, to), [Op::Rule(line), drop, Op::Show(normal), Op::Show(tangential)]);
             }
             Between::LayOff { known, rest } => {
                 // What a chain has laid off from the same image stands already.
                 let (mut at, mut open) = (from, &known[..]);
-                while let Some((end, later)) = open.split_first().and_then(|(t, later)| Some((p.end_of(&at.0, t)?, later))) {
+                while let Some((end, later)) = open.split_first().and_then(|(t, later)| Some((self.done.end_of(on, at, t)?, later))) {
                     (at, open) = (end, later);
                 }
-                let first = p.edges.len();
-                let at = self.lay_off(p, at, open, None)?;
-                p.edges[first..].iter_mut().for_each(|e| e.between = true);
+                let at = self.lay_off(on, at, open, None, true);
                 if !rest.is_empty() {
-                    p.edges.push(edge(rest.clone(), at, end, false));
-                    p.actions.push(Action::Join(p.edges.len() - 1));
+                    let joined = self.vector(rest, at, end, false, true);
+                    self.act(on, [Op::Show(joined)]);
                 }
             }
         }
-        Ok(())
     }
 }

@@ -1,7 +1,7 @@
 //! Checks of the drawing by links that only repeat what others fix (virtual constraints): such a link has two pins at a fixed distance, so that along
 //! their line the relative velocity is zero and the relative acceleration is aⁿ alone. No crossing uses it, so it checks the drawing.
 
-use super::{Construction, Polygon};
+use super::{Drawing, Polygon};
 use crate::plan::Plan;
 use hodograph_base::geom::Point;
 use hodograph_mechanism::mechanism::Mechanism;
@@ -22,7 +22,7 @@ pub struct Condition {
 }
 
 /// The conditions of all opened links whose pins have their images on the paper.
-pub fn conditions(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Construction) -> Vec<Condition> {
+pub fn conditions(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Drawing) -> Vec<Condition> {
     let mut out = Vec::new();
     for (index, redundant) in m.redundant.iter().enumerate() {
         let hodograph_mechanism::mechanism::Opened::Link(l) = redundant.opened else { continue };
@@ -35,14 +35,7 @@ pub fn conditions(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan,
     out
 }
 
-fn off_mm(
-    scene: &Scene,
-    at: &Configuration,
-    plan: &Plan,
-    paper: &Construction,
-    (a, b): (PointId, PointId),
-    on: DiagramKind,
-) -> Option<f64> {
+fn off_mm(scene: &Scene, at: &Configuration, plan: &Plan, paper: &Drawing, (a, b): (PointId, PointId), on: DiagramKind) -> Option<f64> {
     let line = at.points[b.0]? - at.points[a.0]?;
     let along = line.unit()?;
     let apart = |polygon: &Polygon| {

@@ -1,37 +1,41 @@
 //! The layout of a drawing, chosen by a trial, and the drawing to it.
 
-use super::Construction;
-use super::board::Board;
+use super::acts::Acts;
 use super::pencil::{Exact, Pencil};
 use super::scale::{self, Boxes};
+use super::{Drawing, choices, drawing};
 use crate::plan::Plan;
 use hodograph_base::diag::Faults;
-use hodograph_base::number::Real;
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{ByKind, DiagramKind, Kind, Scene};
+use std::sync::Arc;
 
-/// The choices before a drawing is made: scales, and which special points are used.
+/// The scales of a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layout {
     /// Scale of the mechanism (m/mm).
     pub mu: f64,
     /// Scales of the polygons, SI per mm; what has none is not drawn.
     pub scales: ByKind,
-    /// For each group, the alternative of its steps.
-    pub chosen: Vec<usize>,
 }
 
 impl Layout {
-    /// The layout of a finished construction.
-    pub fn of(done: &Construction) -> Layout {
-        let scales = done.diagrams.iter().map(|p| (p.on.kind(), p.mu)).collect();
-        Layout { mu: done.diagram.mu, scales, chosen: done.chosen.clone() }
+    /// The layout of a finished drawing.
+    pub fn of(done: &Drawing) -> Layout {
+        Layout { mu: done.diagram.mu, scales: done.diagrams.iter().map(|p| (p.on.kind(), p.mu)).collect() }
     }
 
     /// All drawings `factor` times as large.
     pub fn enlarged(&self, factor: f64) -> Layout {
-        Layout { mu: self.mu / factor, scales: self.scales.map(|mu| mu / factor), chosen: self.chosen.clone() }
+        Layout { mu: self.mu / factor, scales: self.scales.map(|mu| mu / factor) }
+    }
+
+    /// The scales of all diagrams.
+    pub(super) fn all(&self) -> ByKind {
+        let mut all = self.scales.clone();
+        all.set(Kind::Length, Some(self.mu));
+        all
     }
 }
 
@@ -39,58 +43,30 @@ impl Layout {
 ///
 /// # Errors
 /// Two unknown directions that are parallel: a dead centre, with the links and the joint; numbers too large to draw.
-pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, boxes: &Boxes) -> Result<Construction, Faults> {
-    let layout = trial(scene, m, at, plan, boxes, &mut Exact)?;
-    drawn(scene, m, at, plan, &layout, &mut Exact)?.finish()
+pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, boxes: &Boxes) -> Result<Drawing, Faults> {
+    let mu = scale::fitted(&scene.paper, Kind::Length, scale::size(scene, at), boxes.diagram);
+    let chosen = choices::alternatives(scene, m, at, plan, mu)?;
+    let acts = Acts::of(scene, m, plan, &chosen);
+    let layout = trial(scene, at, plan, &acts, mu, boxes, &mut Exact)?;
+    acts.draw(scene, at, plan, &layout, &mut Exact)
 }
 
-/// The layout of a plan: the special points that lie best, and the scales at which each polygon, drawn on a sheet of any size, fits its room.
+/// The layout of a plan: the scales at which each polygon, drawn on a sheet of any size, fits its room.
 fn trial<P: Pencil>(
     scene: &Scene,
-    m: &Mechanism,
     at: &Configuration,
     plan: &Plan,
+    acts: &Arc<Acts>,
+    mu: f64,
     boxes: &Boxes,
     pencil: &mut P,
 ) -> Result<Layout, Faults> {
-    let mu = scale::fitted(&scene.paper, Kind::Length, scale::size(scene, at), boxes.diagram);
-    let mut board = Board::new(scene, m, at, plan, mu, pencil);
-    for g in 0..m.groups.len() {
-        if plan.steps(DiagramKind::Velocity).iter().any(|s| s.group == g && s.alternatives.len() > 1) {
-            board.done.chosen[g] = board.best_alternative(g)?;
-        }
-    }
-    board.set_out();
-    let mut scales = ByKind::default();
-    for on in DiagramKind::POLYGONS.into_iter().filter(|on| on.level() <= plan.level) {
-        let polygon = board.draw(on, board.trial_scale(on))?;
-        scales.set(on.kind(), Some(scale::fitted(&scene.paper, on.kind(), polygon.extent(), boxes.polygon)));
-        board.keep(polygon);
-    }
-    Ok(Layout { mu, scales, chosen: board.done.chosen })
+    let polygons = DiagramKind::POLYGONS.into_iter().filter(|on| on.level() <= plan.level);
+    let large = Layout { mu, scales: polygons.map(|on| (on.kind(), choices::trial_scale(scene, at, on))).collect() };
+    let (drawn, _) = drawing::evaluate(acts, scene, at, plan, &large, pencil)?;
+    let fit = |p: &super::Polygon| (p.on.kind(), scale::fitted(&scene.paper, p.on.kind(), p.extent(), boxes.polygon));
+    Ok(Layout { mu, scales: drawn.diagrams.iter().map(fit).collect() })
 }
-
-/// Everything drawn to a layout; what has no scale in it is not drawn.
-pub(super) fn drawn<'a, N: Real, P: Pencil<N>>(
-    scene: &'a Scene,
-    m: &'a Mechanism,
-    at: &'a Configuration<N>,
-    plan: &'a Plan,
-    layout: &Layout,
-    pencil: &'a mut P,
-) -> Result<Board<'a, N, P>, Faults> {
-    let mut board = Board::new(scene, m, at, plan, layout.mu, pencil);
-    board.done.chosen.clone_from(&layout.chosen);
-    board.set_out();
-    for on in DiagramKind::POLYGONS {
-        if let Some(mu) = layout.scales.get(on.kind()) {
-            let polygon = board.draw(on, mu)?;
-            board.keep(polygon);
-        }
-    }
-    Ok(board)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -125,8 +101,12 @@ mod tests {
             let Ok(at) = configure(&scene, &m, &demand) else { continue };
             let plan = plan::plan(&scene, &m, &demand);
             let (mut before, mut then) = (Counting::default(), Counting::default());
-            let Ok(layout) = trial(&scene, &m, &at.value, &plan, &Boxes::of(&scene.paper, &plan), &mut before) else { continue };
-            let done = drawn(&scene, &m, &at.value, &plan, &layout, &mut then).unwrap().finish().unwrap();
+            let (mu, boxes) =
+                (scale::fitted(&scene.paper, Kind::Length, scale::size(&scene, &at.value), [130.0; 2]), Boxes::of(&scene.paper, &plan));
+            let Ok(chosen) = choices::alternatives(&scene, &m, &at.value, &plan, mu) else { continue };
+            let acts = Acts::of(&scene, &m, &plan, &chosen);
+            let Ok(layout) = trial(&scene, &at.value, &plan, &acts, mu, &boxes, &mut before) else { continue };
+            let done = acts.draw(&scene, &at.value, &plan, &layout, &mut then).unwrap();
             assert_eq!(Layout::of(&done), layout, "{}", template.name);
             assert_eq!(before.0, then.0, "{}", template.name);
             marks += then.0.values().sum::<usize>();

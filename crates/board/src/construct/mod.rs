@@ -1,24 +1,28 @@
 //! The drawing board: ruler and paper, in millimetres.
 //!
-//! Walks a [`Plan`] on the diagram drawn to μ_l and does only what a draughtsman does: takes the pole, lays off known
-//! vectors, draws lines of known direction, crosses them, copies triangles by similarity, measures. What is measured is
-//! multiplied by μ. It never looks at the loop equations. Each of these acts is one of a [`pencil`]: the exact one, or a blunt one
+//! A [`Plan`] is written down as [`Acts`], which are what a draughtsman does: take the pole, lay off known vectors, draw lines of known direction, cross
+//! them, copy triangles by similarity, measure. Their evaluation is a [`Drawing`]: marks in millimetres, which μ turns into answers.
+//! Neither looks at the loop equations. Each mark is made by a [`pencil`]: the exact one, or a blunt one
 //! ([`by_hand`]), which shows what the drawing is worth.
 
+mod acts;
 mod between;
 mod board;
 mod checks;
 mod choices;
-mod hand;
+mod drawing;
+mod givens;
+mod known;
 mod layout;
-mod measure;
-pub mod pencil;
 mod readings;
+mod refusal;
 pub mod scale;
 mod special;
 
+pub use crate::construction::pencil;
+pub use acts::Acts;
 pub use checks::{Condition, conditions};
-pub use hand::by_hand;
+pub use drawing::by_hand;
 pub use layout::{Layout, construct};
 pub use readings::{Answer, Measured, Shown, ShownAs, read, read_by_hand};
 
@@ -26,6 +30,7 @@ use crate::plan::{Body, Plan, Term, VertexId};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::{ByKind, DiagramKind};
+use std::sync::Arc;
 
 /// The mechanism drawn to scale.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,13 +68,13 @@ pub enum Mark {
 
 /// A vector drawn on the board.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Edge<N = f64> {
+pub struct Edge<P = Point> {
     /// Its terms: one, or two that lie in one line and are drawn as one.
     pub terms: Vec<Term>,
     /// Where it starts.
-    pub from: (Mark, Point<N>),
+    pub from: (Mark, P),
     /// Where it ends.
-    pub to: (Mark, Point<N>),
+    pub to: (Mark, P),
     /// Whether its magnitude was known when it was drawn.
     pub known: bool,
     /// Whether it belongs to no equation, but is read off between two images.
@@ -145,7 +150,7 @@ pub enum Action<N = f64> {
         /// Unit direction of the line.
         direction: Vec2<N>,
     },
-    /// An angular rate found (index into [`Construction::rates`]).
+    /// An angular rate found (index into [`Drawing::rates`]).
     Rate(usize),
 }
 
@@ -201,13 +206,13 @@ pub struct Polygon<N = f64> {
     /// Images of the vertices, mm from the pole; fixed vertices lie in the pole.
     pub images: Vec<Option<Point<N>>>,
     /// Vectors drawn.
-    pub edges: Vec<Edge<N>>,
+    pub edges: Vec<Edge<Point<N>>>,
     /// What was done.
     pub actions: Vec<Action<N>>,
 }
 
 /// The marks of a vector, from the first to the second, and whether the drawing shows the opposite one.
-type Vector<N> = ([(Mark, Point<N>); 2], bool);
+type Vector<P> = ([(Mark, P); 2], bool);
 
 impl<N: Copy> Polygon<N> {
     /// The mark of a vertex: its image, the pole for a fixed one.
@@ -215,28 +220,33 @@ impl<N: Copy> Polygon<N> {
         if plan.vertex(v).fixed { Mark::Pole } else { Mark::Image(v) }
     }
 
-    /// Where a term that was drawn from a mark ends.
-    pub fn end_of(&self, from: &Mark, term: &Term) -> Option<(Mark, Point<N>)> {
-        let drawn = |e: &&Edge<N>| e.from.0 == *from && matches!(&e.terms[..], [t] if t.is_same(term) == Some(false));
-        self.edges.iter().find(drawn).map(|e| e.to)
-    }
-
     /// The two marks between which a vector of these terms is drawn, one edge or consecutive ones; and whether the drawing shows the
     /// opposite vector: the marks are exchanged then.
-    pub fn edge_of(&self, terms: &[Term]) -> Option<Vector<N>> {
-        let shows = |e: &Edge<N>, t: &Term| if let [u] = &e.terms[..] { u.is_same(t) } else { None };
-        // What vanishes has no edge: the others are all there is.
-        let drawn: Vec<&Term> = terms.iter().filter(|t| self.edges.iter().any(|e| shows(e, t).is_some())).collect();
-        let (head, rest) = drawn.split_first()?;
-        let row = |reversed: bool| {
-            let is = |e: &&Edge<N>, t: &Term| shows(e, t) == Some(reversed);
-            let after = |before: &Edge<N>, t: &Term| self.edges.iter().find(|e| is(e, t) && e.from.0 == before.to.0);
-            let whole = |first| Some((first, rest.iter().try_fold(first, |before, t| after(before, t))?));
-            self.edges.iter().filter(|e| is(e, head)).find_map(whole)
-        };
-        let marks = |(first, last): (&Edge<N>, &Edge<N>), reversed| if reversed { [last.to, first.from] } else { [first.from, last.to] };
-        [false, true].into_iter().find_map(|reversed| Some((marks(row(reversed)?, reversed), reversed)))
+    pub fn edge_of(&self, terms: &[Term]) -> Option<Vector<Point<N>>> {
+        edge_of(&self.edges, terms)
     }
+}
+
+/// Where a term that is drawn from a mark ends.
+fn end_of<P: Copy>(edges: &[Edge<P>], from: &Mark, term: &Term) -> Option<(Mark, P)> {
+    let drawn = |e: &&Edge<P>| e.from.0 == *from && matches!(&e.terms[..], [t] if t.is_same(term) == Some(false));
+    edges.iter().find(drawn).map(|e| e.to)
+}
+
+/// See [`Polygon::edge_of`].
+fn edge_of<P: Copy>(edges: &[Edge<P>], terms: &[Term]) -> Option<Vector<P>> {
+    let shows = |e: &Edge<P>, t: &Term| if let [u] = &e.terms[..] { u.is_same(t) } else { None };
+    // What vanishes has no edge: the others are all there is.
+    let drawn: Vec<&Term> = terms.iter().filter(|t| edges.iter().any(|e| shows(e, t).is_some())).collect();
+    let (head, rest) = drawn.split_first()?;
+    let row = |reversed: bool| {
+        let is = |e: &&Edge<P>, t: &Term| shows(e, t) == Some(reversed);
+        let after = |before: &Edge<P>, t: &Term| edges.iter().find(|e| is(e, t) && e.from.0 == before.to.0);
+        let whole = |first| Some((first, rest.iter().try_fold(first, |before, t| after(before, t))?));
+        edges.iter().filter(|e| is(e, head)).find_map(whole)
+    };
+    let marks = |(first, last): (&Edge<P>, &Edge<P>), reversed| if reversed { [last.to, first.from] } else { [first.from, last.to] };
+    [false, true].into_iter().find_map(|reversed| Some((marks(row(reversed)?, reversed), reversed)))
 }
 
 impl Polygon {
@@ -311,7 +321,7 @@ pub struct RateMeasured<N = f64> {
 
 /// Everything on the board.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Construction<N = f64> {
+pub struct Drawing<N = f64> {
     /// The mechanism to scale.
     pub diagram: Diagram<N>,
     /// The vector diagrams, each to its own scale, in the order in which they were drawn: the polygon of the velocities if they are
@@ -319,13 +329,13 @@ pub struct Construction<N = f64> {
     pub diagrams: Vec<Polygon<N>>,
     /// Angular rates.
     pub rates: Vec<RateReading<N>>,
-    /// For each group, the alternative of its steps that was drawn.
-    pub chosen: Vec<usize>,
+    /// The acts that were drawn.
+    pub acts: Arc<Acts>,
     /// The factor by which the worst crossing that a polygon rests on magnifies rounding; none where it rests on none.
     magnification: ByKind,
 }
 
-impl Construction {
+impl Drawing {
     /// The scale of the mechanism or of a polygon, SI per mm; `None` where there is no polygon.
     pub fn scale(&self, on: DiagramKind) -> Option<f64> {
         if on == DiagramKind::Plane { Some(self.diagram.mu) } else { self.polygon(on).map(|p| p.mu) }
@@ -337,14 +347,14 @@ impl Construction {
     }
 }
 
-impl<N> Construction<N> {
+impl<N> Drawing<N> {
     /// The factor by which the worst crossing that a diagram rests on magnifies rounding; 1 without crossings.
     pub fn magnified(&self, on: DiagramKind) -> f64 {
         self.magnification.get(on.kind()).unwrap_or(1.0)
     }
 }
 
-impl<N: Real> Construction<N> {
+impl<N: Real> Drawing<N> {
     /// The polygon of a kind, if it is drawn.
     pub fn polygon(&self, on: DiagramKind) -> Option<&Polygon<N>> {
         self.diagrams.iter().find(|p| p.on == on)

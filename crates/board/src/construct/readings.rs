@@ -4,7 +4,7 @@
 //! it was first needed. What a question means is not written here as a formula: where no edge shows it, nothing is measured.
 
 use super::pencil::Pencil;
-use super::{Construction, Mark};
+use super::{Drawing, Mark};
 use crate::plan::{Asking, Plan, Spot, Term, VertexId, asking, body_of};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
@@ -77,7 +77,7 @@ struct OnPaper<'a, N> {
     scene: &'a Scene,
     m: &'a Mechanism,
     plan: &'a Plan,
-    paper: &'a Construction<N>,
+    paper: &'a Drawing<N>,
 }
 
 impl<N: Real> OnPaper<'_, N> {
@@ -140,7 +140,7 @@ fn vanishes(m: &Mechanism, what: &Asked, scene: &Scene) -> bool {
 }
 
 /// The answers from the drawing board; `None` for what was not drawn ([`Plan::undrawable`]).
-pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Construction) -> Vec<Option<Answer>> {
+pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Drawing) -> Vec<Option<Answer>> {
     let source = OnPaper { scene, m, plan, paper };
     scene.find.iter().enumerate().map(|(find, f)| source.answer(at, find, &f.what)).collect()
 }
@@ -224,7 +224,7 @@ pub fn read_by_hand<P: Pencil>(
     m: &Mechanism,
     shown: &Configuration,
     plan: &Plan,
-    paper: &Construction,
+    paper: &Drawing,
     pencil: &mut P,
 ) -> Vec<Option<Value>> {
     let mu = paper.diagram.mu;

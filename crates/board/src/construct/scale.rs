@@ -1,28 +1,11 @@
 //! The one door between SI and millimetres of paper: scales μ from the series 1, 2, 2.5, 5 × 10^k.
 
+pub use crate::construction::scale::number;
+
 use crate::plan::{Plan, Step};
-use hodograph_base::digits::shortest;
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_base::number::Real;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{Cam, DiagramKind, Kind, Paper, Rolling, Scene};
-
-/// A velocity (m/s) or an acceleration (m/s²), by the polygon. Laid-off and measured vectors are millimetres: the two do not mix, and only a
-/// scale μ leads from the one to the other.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Si<N>(pub Vec2<N>);
-
-impl<N: Real> Si<N> {
-    /// What is measured on paper (mm), to a scale.
-    pub fn measured(drawn_mm: Vec2<N>, mu: f64) -> Si<N> {
-        Si(drawn_mm * number(mu))
-    }
-
-    /// As it is laid off on paper (mm), to a scale.
-    pub fn laid_off(self, mu: f64) -> Vec2<N> {
-        self.0 * (N::from_f64(1.0) / number(mu))
-    }
-}
 
 /// Room for each drawing, in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -171,27 +154,6 @@ pub fn coarser(unit: f64, mu: f64, factor: f64) -> f64 {
     choose_in(unit, [mu * factor, 0.0], [1.0, 1.0])
 }
 
-/// A scale in other numbers: the decimal that it is printed as, and no neighbour of it.
-pub fn number<N: Real>(mu: f64) -> N {
-    let error = if N::knows_its_error() { mu.abs() * f64::EPSILON } else { 0.0 };
-    N::from_bounded(mu, error).filter(|_| error == 0.0 || is_nearest_to_its_decimal(mu)).unwrap_or_else(|| N::from_decimal(&shortest(mu)))
-}
-
-/// Whether a scale is the nearest double to a decimal of few digits, told without writing it: n and 10^e are exact, and so their
-/// quotient is rounded correctly.
-fn is_nearest_to_its_decimal(mu: f64) -> bool {
-    let mut power = 1.0;
-    // 10^22 is the largest power of ten that a double holds; `shortest` writes twelve digits.
-    for _ in 0..=22 {
-        let n = libm::rint(mu * power);
-        if n.abs() < 1e12 && n / power == mu {
-            return true;
-        }
-        power *= 10.0;
-    }
-    false
-}
-
 /// step × 10^e as the nearest double to the decimal number (0.002, not 2 × 0.001000…02).
 fn decimal(step: f64, e: i32) -> f64 {
     format!("{step}e{e}").parse().expect("a decimal number parses")
@@ -200,7 +162,6 @@ fn decimal(step: f64, e: i32) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use hodograph_base::number::{Ball, Dd};
     use hodograph_mechanism::mechanism::{Demand, Mechanism};
     use hodograph_mechanism::position::configure;
 
@@ -211,16 +172,6 @@ mod tests {
         assert_eq!(choose([0.1, 0.25], [100.0, 100.0]), 0.0025);
         assert_eq!(choose([0.0, 0.0], [100.0, 100.0]), 1.0);
         assert_eq!(choose([1.0e12, 0.0], [100.0, 100.0]), 1.0e10);
-    }
-
-    #[test]
-    fn a_scale_is_the_decimal_that_is_printed() {
-        for mu in [0.005, 0.02, 2.5e-6, 1.0, 50.0, 1e9, 0.0123] {
-            assert!(is_nearest_to_its_decimal(mu), "{mu}");
-            let (quick, told): (Ball<f64>, Ball<Dd>) = (number(mu), Real::from_decimal(&shortest(mu)));
-            assert!((told - Ball::exact(Dd::from_f64(quick.approx()))).approx().abs() <= quick.radius(), "{mu}");
-        }
-        assert!(![0.1 + 0.2, 1.0 / 3.0, 1e-30, f64::NAN].into_iter().any(is_nearest_to_its_decimal));
     }
 
     #[test]

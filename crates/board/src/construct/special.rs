@@ -1,75 +1,57 @@
 //! Lines on the diagram along which links are held, and the special points where two of them cross.
 
-use super::Crossed;
-use super::board::{Board, Line};
-use super::choices::SPECIAL_LEGS;
-use super::pencil::Pencil;
+use super::board::{Board, path_key, vertex_key};
+use crate::construction::{Base, DiagramId, Direction, Line, LineId, MarkId, Name, Op};
 use crate::plan::{Special, SpecialLine, VertexId};
-use hodograph_base::geom::{Point, Vec2, cross_lines};
-use hodograph_base::number::Real;
-use hodograph_mechanism::mechanism::{ConstraintLine, Core, Leg};
-use hodograph_mechanism::position::Path;
-use hodograph_scene::{DiagramKind, Normal, RollingId, Touch};
+use hodograph_mechanism::mechanism::ConstraintLine;
+use hodograph_scene::{Normal, RollingId, Touch};
 
-impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
-    pub(super) fn special_point(&mut self, v: VertexId, special: &Special) -> Option<Point<N>> {
-        let [(p, u), (q, w)] = [self.special_line(&special.lines[0])?, self.special_line(&special.lines[1])?];
-        let (u, w) = (self.laid(&special.lines[0], u), self.laid(&special.lines[1], w));
-        let c = cross_lines(p, u, q, w);
-        if !c.at.is_finite() {
-            return None;
-        }
-        let alternative = special.legs.and_then(|legs| SPECIAL_LEGS.iter().position(|l| *l == legs));
-        if alternative.is_none_or(|k| self.done.chosen[special.group] == k) {
-            self.done.diagram.crossed.push(Crossed { target: v, sine: c.sine });
-        }
-        Some(self.pencil.mark(DiagramKind::Plane, c.at))
+impl Board<'_> {
+    pub(super) fn special_point(&mut self, on: DiagramId, v: VertexId, special: &Special) -> Option<MarkId> {
+        let lines = [self.special_line(on, &special.lines[0])?, self.special_line(on, &special.lines[1])?];
+        let to = self.mark(on, Name::Image(vertex_key(v)));
+        self.act(on, [Op::Meet { lines, to }]);
+        Some(to)
     }
 
-    /// A line (on paper) along which a link is held.
-    fn special_line(&self, line: &SpecialLine) -> Option<Line<N>> {
-        match *line {
-            SpecialLine::Leg(line) => self.line(line),
+    /// A line along which a link is held.
+    fn special_line(&mut self, on: DiagramId, line: &SpecialLine) -> Option<LineId> {
+        Some(match *line {
+            SpecialLine::Leg(line) => self.constraint_line(on, line),
             SpecialLine::Through { pin, special } => {
-                let p = self.joint(pin)?;
-                Some((p, p - self.done.diagram.spots[special.0]?))
+                let along = Direction::of(Base::Marks(self.done.image(on, special)?, self.joint(pin)));
+                self.held(on, self.joint(pin), along)
             }
-        }
+        })
     }
 
-    /// The line (on paper) on which a leg gives a locus for every point of the core.
-    pub(super) fn constraint_line(&self, leg: &Leg) -> Option<Line<N>> {
-        self.line(leg.line()?)
-    }
-
-    fn line(&self, line: ConstraintLine) -> Option<Line<N>> {
-        let p = self.joint(line.pin())?;
+    /// The line on which a leg gives a locus for every point of the core.
+    pub(super) fn constraint_line(&mut self, on: DiagramId, line: ConstraintLine) -> LineId {
+        let pin = self.joint(line.pin());
         let along = match line {
-            ConstraintLine::Along { far, .. } => p - self.joint(far)?,
-            ConstraintLine::Normal { guide, .. } => match self.at.guide(guide) {
-                Path::Line { direction, .. } => self.turned(guide, direction.perp()),
-                Path::Arc { centre, .. } => self.turned(guide, p - self.paper(centre)),
-            },
-            ConstraintLine::Tangent { pair, .. } => self.contact_normal(pair)?.perp(),
+            ConstraintLine::Along { far, .. } => Direction::of(Base::Marks(self.joint(far), pin)),
+            ConstraintLine::Normal { guide, .. } => Direction::of(Base::Normal(path_key(guide), pin)),
+            ConstraintLine::Tangent { pair, .. } => {
+                let normal = self.contact_normal(pair);
+                Direction { quarters: (normal.quarters + 1) % 4, ..normal }
+            }
         };
-        Some((p, along))
+        self.held(on, pin, along)
     }
 
-    pub(super) fn constraint_lines(&self, group: usize, legs: (usize, usize)) -> Option<(Line<N>, Line<N>)> {
-        let Core::Link { legs: all, .. } = &self.m.groups[group].core else { return None };
-        Some((self.constraint_line(&all[legs.0])?, self.constraint_line(&all[legs.1])?))
+    fn held(&mut self, on: DiagramId, through: MarkId, along: Direction) -> LineId {
+        let line = self.done.construction.line(Line { on, through, along, moved: false, carries: Vec::new() });
+        self.act(on, [Op::Rule(line)]);
+        line
     }
 
     /// The line of centres at a contact, as drawn; of a straight track, and of a strand, its normal.
-    pub(super) fn contact_normal(&self, pair: RollingId) -> Option<Vec2<N>> {
+    pub(super) fn contact_normal(&self, pair: RollingId) -> Direction {
         let pair = &self.scene.rolling[pair.0];
         match pair.touch() {
-            Touch::Point(Normal::Centres([a, b])) => Some(self.joint(b)? - self.joint(a)?),
-            Touch::Point(Normal::Square { guide, .. }) => match self.at.guide(guide) {
-                Path::Line { direction, .. } => Some(self.turned(guide, direction.perp())),
-                Path::Arc { .. } => None,
-            },
-            Touch::Strand { .. } => Some((self.joint(pair.at[1])? - self.joint(pair.at[0])?).perp()),
+            Touch::Point(Normal::Centres([a, b])) => Direction::of(Base::Marks(self.joint(a), self.joint(b))),
+            Touch::Point(Normal::Square { guide, .. }) => Direction::across(Base::Tangent(path_key(guide), None)),
+            Touch::Strand { .. } => Direction::across(Base::Marks(self.joint(pair.at[0]), self.joint(pair.at[1]))),
         }
     }
 }

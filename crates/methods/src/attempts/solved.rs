@@ -3,7 +3,7 @@
 use super::{Shown, Side, Site, by_centre, contact_point, coriolis, image, normal, rolling_point};
 use hodograph_base::geom::{Point, Vec2, cross_lines};
 use hodograph_board::construct::pencil::Exact;
-use hodograph_board::construct::{Layout, Polygon, by_hand, read, scale};
+use hodograph_board::construct::{Acts, Layout, Polygon, read, scale};
 use hodograph_board::plan::{Plan, Special, SpecialLine, Spot, VertexId};
 use hodograph_mechanism::answer::Value;
 use hodograph_mechanism::mechanism::ConstraintLine;
@@ -84,7 +84,8 @@ pub fn solved(scene: &Scene, worked: &Worked, site: Site, said: Option<&Attempte
                 return None;
             }
             let layout = Layout::of(&worked.construction);
-            let (construction, _) = by_hand(scene, &worked.mechanism, at, &wrong, &layout, &mut Exact).ok()?;
+            let acts = Acts::of(scene, &worked.mechanism, &wrong, &worked.construction.acts.chosen);
+            let construction = acts.draw(scene, at, &wrong, &layout, &mut Exact).ok()?;
             let answers = read(scene, &worked.mechanism, at, &wrong, &construction);
             let wrong = Worked { plan: *wrong, construction, ..worked.clone() };
             let answers = answers.into_iter().map(|a| a.map(|a| a.value)).collect();
@@ -123,8 +124,7 @@ fn to_one_scale(right: Stage, wrong: Stage) -> Option<(Stage, Stage)> {
     let scales: ByKind = DiagramKind::POLYGONS.into_iter().filter_map(|on| Some((on.kind(), mu(on)?))).collect();
     let again = |s: Stage| {
         let layout = Layout { scales: scales.clone(), ..Layout::of(&s.worked.construction) };
-        let (construction, _) =
-            by_hand(&s.scene, &s.worked.mechanism, &s.worked.configuration, &s.worked.plan, &layout, &mut Exact).ok()?;
+        let construction = s.worked.construction.acts.draw(&s.scene, &s.worked.configuration, &s.worked.plan, &layout, &mut Exact).ok()?;
         Some(Stage { worked: Worked { construction, ..s.worked }, ..s })
     };
     Some((again(right)?, again(wrong)?))

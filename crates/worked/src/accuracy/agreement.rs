@@ -43,7 +43,7 @@ pub const ROUNDING: f64 = STEPS * f64::EPSILON;
 /// Compares two values of one question.
 ///
 /// `scale` is the largest vector (or rate) of its level; `magnification` is by how much the worst crossing magnifies
-/// rounding there (see [`hodograph_board::construct::Construction::magnified`]).
+/// rounding there (see [`hodograph_board::construct::Drawing::magnified`]).
 pub fn compare(drawn: Value, computed: Value, scale: f64, magnification: f64) -> Agreement {
     let difference = drawn.apart(&computed).unwrap_or(f64::INFINITY);
     // A place is counted from a chosen origin: how near it lies to that says nothing of its error.

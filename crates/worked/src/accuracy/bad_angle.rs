@@ -4,7 +4,7 @@ use super::drafting::{CrossingTolerance, Drawn, Tolerance, crossings, drafting};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::{shortest, significant};
 use hodograph_board::construct::pencil::Exact;
-use hodograph_board::construct::{Action, Construction, Layout, by_hand};
+use hodograph_board::construct::{Action, Acts, Drawing, Layout};
 use hodograph_board::plan::text::{held_by, vertex_name};
 use hodograph_board::plan::{Spot, Step, VertexId};
 use hodograph_mechanism::position::Configuration;
@@ -104,24 +104,24 @@ fn worst(tolerances: &[Option<Tolerance>]) -> f64 {
 }
 
 /// The velocities drawn exactly in a configuration; their lines cross under the same angles as those of the accelerations.
-fn redrawn(drawn: &Drawn, at: &Configuration, layout: &Layout) -> Option<Construction> {
+fn redrawn(drawn: &Drawn, at: &Configuration, layout: &Layout) -> Option<Drawing> {
     let layout = Layout { scales: layout.scales.clone().with(Kind::Acceleration, None), ..layout.clone() };
-    by_hand(drawn.scene, drawn.mechanism, at, drawn.plan, &layout, &mut Exact).ok().map(|(paper, _)| paper)
+    drawn.construction.acts.draw(drawn.scene, at, drawn.plan, &layout, &mut Exact).ok()
 }
 
 fn other_point(drawn: &Drawn, target: VertexId, pencil_mm: f64, present: f64) -> Option<OtherPoint> {
     let layout = Layout::of(drawn.construction);
     let finds = |steps: &[Step], v: VertexId| steps.iter().any(|s| matches!(s, Step::Equation { target, .. } if *target == v));
-    let chosen = |g: usize| layout.chosen[g];
+    let chosen = |g: usize| drawn.construction.acts.chosen[g];
     let steps =
         drawn.plan.steps(DiagramKind::Velocity).iter().find(|s| s.alternatives.get(chosen(s.group)).is_some_and(|a| finds(a, target)))?;
     let group = steps.group;
     let mut best: Option<OtherPoint> = None;
     for (k, alternative) in steps.alternatives.iter().enumerate().filter(|(k, _)| *k != chosen(group)) {
-        let mut other = layout.clone();
-        other.chosen[group] = k;
-        let at = drawn.configuration;
-        let Ok((paper, _)) = by_hand(drawn.scene, drawn.mechanism, at, drawn.plan, &other, &mut Exact) else { continue };
+        let mut other = drawn.construction.acts.chosen.clone();
+        other[group] = k;
+        let acts = Acts::of(drawn.scene, drawn.mechanism, drawn.plan, &other);
+        let Ok(paper) = acts.draw(drawn.scene, drawn.configuration, drawn.plan, &layout, &mut Exact) else { continue };
         let own = crossings(&paper, 0.0).into_iter().filter(|c| finds(alternative, c.target));
         let worst_deg = own.map(|c| c.angle_deg()).fold(90.0, f64::min);
         let legs = alternative.iter().find_map(|s| match s {

@@ -10,7 +10,7 @@ use super::larger::{Larger, larger};
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::pencil::{Pencil, WITHIN, radius_in_deviations};
-use hodograph_board::construct::{Construction, Layout, by_hand, read_by_hand, scale};
+use hodograph_board::construct::{Drawing, Layout, by_hand, read_by_hand, scale};
 use hodograph_board::plan::{Plan, VertexId};
 use hodograph_mechanism::answer::Value;
 use hodograph_mechanism::mechanism::Mechanism;
@@ -29,7 +29,7 @@ pub struct Drawn<'a> {
     /// Equations.
     pub plan: &'a Plan,
     /// The exact drawing.
-    pub construction: &'a Construction,
+    pub construction: &'a Drawing,
     /// The true answers, one for each question; `None` for what is not drawn.
     pub values: Vec<Option<Value>>,
 }
@@ -49,7 +49,7 @@ impl Drawn<'_> {
     /// Two lines that the pencil made parallel.
     pub fn read_with<P: Pencil>(&self, layout: &Layout, pencil: &mut P) -> Result<Vec<Option<Value>>, Faults> {
         let (scene, m, plan) = (self.scene, self.mechanism, self.plan);
-        let (paper, shown) = by_hand(scene, m, self.configuration, plan, layout, pencil)?;
+        let (paper, shown) = by_hand(&self.construction.acts, scene, self.configuration, plan, layout, pencil)?;
         let read = read_by_hand(scene, m, &shown, plan, &paper, pencil);
         Ok(read.into_iter().zip(&self.values).map(|(r, v)| if v.is_some() { r } else { None }).collect())
     }
@@ -112,7 +112,7 @@ impl CrossingTolerance {
 }
 
 /// Every crossing of a construction with what a pencil error (mm) makes of it, in drawing order.
-pub fn crossings(paper: &Construction, pencil_mm: f64) -> Vec<CrossingTolerance> {
+pub fn crossings(paper: &Drawing, pencil_mm: f64) -> Vec<CrossingTolerance> {
     let mut all = Vec::new();
     for on in DiagramKind::ALL {
         let mu = paper.polygon(on).map_or(paper.diagram.mu, |p| p.mu);

@@ -7,11 +7,11 @@
 use super::ladder::{Number, READING_DIGITS, Why};
 use crate::accuracy::{Climb, Rung};
 use crate::worked::Worked;
-use hodograph_base::geom::Vec2;
+use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_base::number::decimal::Certain;
 use hodograph_board::construct::pencil::Exact;
-use hodograph_board::construct::{Action, Construction, Edge, Layout, Mark, Polygon, by_hand, scale};
+use hodograph_board::construct::{Action, Drawing, Edge, Layout, Mark, Polygon, scale};
 use hodograph_board::plan::VertexId;
 use hodograph_mechanism::motion::Moved;
 use hodograph_mechanism::position;
@@ -87,8 +87,8 @@ impl Steps {
         Some(self.number(on, action, what)?.text(what.digits())?.0)
     }
 
-    /// What is told of each crossing of a drawing, in the order of [`Construction::crossings`].
-    pub fn crossings<'a>(&'a self, paper: &Construction, on: DiagramKind) -> Vec<impl Fn(What) -> Option<String> + 'a> {
+    /// What is told of each crossing of a drawing, in the order of [`Drawing::crossings`].
+    pub fn crossings<'a>(&'a self, paper: &Drawing, on: DiagramKind) -> Vec<impl Fn(What) -> Option<String> + 'a> {
         let crossed = |(i, a): (usize, &Action)| matches!(a, Action::Cross { .. }).then_some(i);
         let at: Vec<usize> = match paper.polygon(on) {
             Some(p) => p.actions.iter().enumerate().filter_map(crossed).collect(),
@@ -163,13 +163,13 @@ impl Climb for Redrawn<'_> {
         let Worked { mechanism: m, demand, configuration, plan, construction, .. } = self.worked;
         let at = position::recompute::<N>(self.scene, m, demand, configuration).ok()?;
         let layout = Layout::of(construction);
-        let (paper, _) = by_hand(self.scene, m, &at, plan, &layout, &mut Exact).ok()?;
+        let paper = construction.acts.draw(self.scene, &at, plan, &layout, &mut Exact).ok()?;
         Some(numbers(&self.scene.book, &paper, self.pencil_mm))
     }
 }
 
 /// Everything that the sentences tell of a drawing; `None` for what has no value in its numbers.
-fn numbers<N: Certain>(book: &Book, paper: &Construction<N>, pencil_mm: Option<f64>) -> Vec<(Key, Option<Number>)> {
+fn numbers<N: Certain>(book: &Book, paper: &Drawing<N>, pencil_mm: Option<f64>) -> Vec<(Key, Option<Number>)> {
     let mut out = Vec::new();
     for (i, c) in paper.diagram.crossed.iter().enumerate() {
         let told = crossing(c.sine, |moved| book.in_chosen(Kind::Length, moved * scale::number(paper.diagram.mu)), pencil_mm);
@@ -238,7 +238,7 @@ fn crossing<N: Certain>(sine: N, off: impl Fn(N) -> N, pencil_mm: Option<f64>) -
     told
 }
 
-fn span<N: Real>(e: &Edge<N>) -> Vec2<N> {
+fn span<N: Real>(e: &Edge<Point<N>>) -> Vec2<N> {
     e.to.1 - e.from.1
 }
 

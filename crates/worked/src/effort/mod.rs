@@ -102,7 +102,7 @@ fn motion(worked: &Worked, level: Level) -> Motion {
         [] => g.pins.iter().all(|p| solution.reaches_pin(level, *p)),
         _ => g.links.iter().all(|l| solution.reaches(level, *l)),
     });
-    let written = worked.plan.steps(on).iter().flat_map(|g| g.steps(g.drawn(paper.chosen[g.group])));
+    let written = worked.plan.steps(on).iter().flat_map(|g| g.steps(g.drawn(paper.acts.chosen[g.group])));
     let mut done = Motion {
         groups: solved.count(),
         equations_planned: written.filter(|s| matches!(s, Step::Equation { .. })).count(),

@@ -10,7 +10,7 @@ use crate::accuracy::{Agreement, Kept, Regular, Ways, compare, estimated, groups
 use hodograph_analytic::{self as analytic, Solution};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_board::construct::scale::Boxes;
-use hodograph_board::construct::{self, Answer, Construction};
+use hodograph_board::construct::{self, Answer, Drawing};
 use hodograph_board::plan::{self, Plan};
 use hodograph_mechanism::answer::Value;
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
@@ -26,9 +26,9 @@ pub(super) struct Given<'a> {
 }
 
 /// A drawing with its plan, and the answers that are read off it.
-pub(super) struct Drawing {
+pub(super) struct Sheet {
     pub plan: Plan,
-    pub construction: Construction,
+    pub construction: Drawing,
     /// One for each question that is drawn.
     pub answers: Vec<Option<Answer>>,
 }
@@ -49,7 +49,7 @@ pub(super) struct Posed {
     /// The digits that drawing and loop equations keep, where they were measured.
     pub near: Option<Kept>,
     /// The drawing without the groups that are not drawn.
-    pub drawing: Drawing,
+    pub drawing: Sheet,
     /// Evaluations of constructions: two, but for poses that lose digits or special points.
     pub drawings: usize,
     /// Remarks on the pose.
@@ -99,7 +99,7 @@ fn trial(given: Given, configuration: Configuration) -> Result<Posed, Faults> {
 }
 
 /// The drawing without some groups; adds to `drawings` how often it was evaluated.
-fn draw(given: Given, configuration: &Configuration, without: &[usize], drawings: &mut usize) -> Result<Drawing, Faults> {
+fn draw(given: Given, configuration: &Configuration, without: &[usize], drawings: &mut usize) -> Result<Sheet, Faults> {
     let Given { scene, mechanism, demand } = given;
     let mut constructed = |plan: &Plan| {
         *drawings += TRIAL_AND_DRAWING;
@@ -119,10 +119,10 @@ fn draw(given: Given, configuration: &Configuration, without: &[usize], drawings
         }
     };
     let answers = construct::read(scene, mechanism, configuration, &plan, &construction);
-    Ok(Drawing { plan, construction, answers })
+    Ok(Sheet { plan, construction, answers })
 }
 
-impl Drawing {
+impl Sheet {
     /// The values that were read.
     fn values(&self) -> Vec<Option<Value>> {
         self.answers.iter().map(|a| a.as_ref().map(|a| a.value)).collect()

@@ -2,7 +2,7 @@
 //!
 //! Decided here: what counts as large in a pose. They are found once for a construction, as a sheet may ask for thousands of answers.
 
-use hodograph_board::construct::{self, Construction};
+use hodograph_board::construct::{self, Drawing};
 use hodograph_mechanism::answer::Value;
 use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::Configuration;
@@ -26,7 +26,7 @@ impl Sizes {
     /// Of a vector, the longest one of its polygon, or what the drivers would make at the size of the mechanism where all vectors vanish. Of
     /// an angular rate the largest rate, or what that vector makes on the shortest arm on which a rate was measured (ω of a short link is a
     /// small difference of vectors divided by a small length, and α may vanish where ω² l does not).
-    pub fn of(scene: &Scene, paper: &Construction, at: &Configuration) -> Sizes {
+    pub fn of(scene: &Scene, paper: &Drawing, at: &Configuration) -> Sizes {
         let extent = at.extent();
         // A driver that starts from rest has no speed yet; what it would have after turning by a radian measures it.
         let driven = |d: &Driver| {

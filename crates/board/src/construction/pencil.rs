@@ -4,9 +4,9 @@
 //! length. The [`Exact`] one puts every mark where it is meant and costs nothing; a [`Blunt`] one misses by what a hand
 //! misses; [`Single`] keeps every drawn number in f32.
 
+use hodograph_base::diagram::DiagramKind;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
-use hodograph_scene::DiagramKind;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 

@@ -1,0 +1,123 @@
+//! A plan written down as acts: the construction, and the points, terms and numbers of the scene that its keys stand for.
+
+use super::board::Board;
+use super::{Edge, Mark, edge_of, end_of};
+use crate::construction::{Construction, DiagramId, Key, MarkId, Name, NumberId};
+use crate::plan::{Body, Plan, Term, VertexId};
+use hodograph_mechanism::mechanism::Mechanism;
+use hodograph_scene::{DiagramKind, RollingId, Scene};
+use std::sync::Arc;
+
+/// A plan written down as acts. It holds no coordinates: it is one in all poses that use the same special points.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Acts {
+    /// The acts.
+    pub construction: Construction,
+    /// For each group, the alternative of its steps.
+    pub chosen: Vec<usize>,
+    /// The vectors of each diagram, in the order of the construction.
+    pub(super) edges: Vec<Vec<Edge<MarkId>>>,
+    /// For each diagram the image of each vertex; in the plane its place.
+    pub(super) images: Vec<Vec<Option<MarkId>>>,
+    /// The joints of the diagram.
+    pub(super) joints: Vec<MarkId>,
+    /// The turnings of bodies.
+    pub(super) turnings: Vec<Turning>,
+    /// The terms that keys stand for.
+    terms: Vec<Term>,
+    /// The given numbers that keys stand for.
+    pub(super) givens: Vec<Given>,
+}
+
+/// A number that a scene gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Given {
+    /// The rate of a driver.
+    Rate(usize),
+    /// The acceleration of a driver.
+    Acceleration(usize),
+    /// One of the two sizes of a rolling pair.
+    Size(RollingId, usize),
+}
+
+/// The turning of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Turning {
+    /// The polygon on which it is found.
+    pub on: DiagramKind,
+    /// The body.
+    pub body: Body,
+    /// The number.
+    pub number: NumberId,
+    /// The part measured across an arm, the arm's length, and the line on which it lies: of the first vertex, seen from the second.
+    pub measured: Option<([NumberId; 2], (VertexId, VertexId))>,
+    /// The step.
+    pub step: usize,
+}
+
+impl Acts {
+    /// Writes a plan down, with an alternative for each group.
+    pub fn of(scene: &Scene, m: &Mechanism, plan: &Plan, chosen: &[usize]) -> Arc<Acts> {
+        let mut board = Board::new(scene, m, plan, chosen);
+        board.set_out();
+        for on in DiagramKind::POLYGONS.into_iter().filter(|on| on.level() <= plan.level) {
+            board.draw(on);
+        }
+        Arc::new(Acts { chosen: chosen.to_vec(), ..board.done })
+    }
+
+    /// Begins a diagram.
+    pub(super) fn begin(&mut self, kind: DiagramKind, images: Vec<Option<MarkId>>) -> DiagramId {
+        self.edges.push(Vec::new());
+        self.images.push(images);
+        self.construction.begin(kind)
+    }
+
+    pub(super) fn given(&mut self, given: Given) -> Key {
+        let known = self.givens.iter().position(|g| *g == given);
+        Key::of(known.unwrap_or_else(|| {
+            self.givens.push(given);
+            self.givens.len() - 1
+        }))
+    }
+
+    pub(super) fn term(&mut self, term: Term) -> Key {
+        self.terms.push(term);
+        Key::of(self.terms.len() - 1)
+    }
+
+    pub(super) fn terms(&self, keys: &[Key]) -> Vec<Term> {
+        keys.iter().map(|k| self.terms[k.index()]).collect()
+    }
+
+    pub(super) fn image(&self, on: DiagramId, v: VertexId) -> Option<MarkId> {
+        self.images[on.index()][v.0]
+    }
+
+    /// What a mark of a polygon is called.
+    pub(super) fn mark(&self, id: MarkId) -> Mark {
+        match self.construction.marks[id.index()].name {
+            Name::Pole | Name::Point(_) => Mark::Pole,
+            Name::Image(v) => Mark::Image(VertexId(v.index())),
+            Name::End(t) => Mark::Part(self.terms[t.index()]),
+            Name::Again(t) => Mark::Again(self.terms[t.index()]),
+        }
+    }
+
+    /// Where a term that is drawn from a mark ends.
+    pub(super) fn end_of(&self, on: DiagramId, from: MarkId, term: &Term) -> Option<MarkId> {
+        end_of(&self.edges[on.index()], &self.mark(from), term).map(|(_, id)| id)
+    }
+
+    /// The marks between which a vector of these terms is drawn, and whether the drawing shows the opposite vector.
+    pub(super) fn edge_of(&self, on: DiagramId, terms: &[Term]) -> Option<([MarkId; 2], bool)> {
+        let (marks, reversed) = edge_of(&self.edges[on.index()], terms)?;
+        Some((marks.map(|(_, id)| id), reversed))
+    }
+
+    /// The turning of a body, if it is found.
+    pub(super) fn turning(&self, on: DiagramKind, body: Body) -> Option<&Turning> {
+        // Mostly one that was found last is wanted.
+        self.turnings.iter().rev().find(|t| t.on == on && t.body == body)
+    }
+}

@@ -1,0 +1,235 @@
+//! Draws acts, and gathers what falls where under the names of the plan.
+
+use super::acts::Acts;
+use super::choices::SPECIAL_LEGS;
+use super::givens::Posed;
+use super::layout::Layout;
+use super::pencil::Pencil;
+use super::refusal::{overflow, refusal};
+use super::scale;
+use super::{Action, Crossed, Diagram, Drawing, Edge, Mark, Polygon, RateMeasured, RateReading};
+use crate::construction::{self, Because, DiagramId, Drawn, Givens, Line, LineId, MarkId, Met, Name, Number, Op, Step, VectorId};
+use crate::plan::{Plan, VertexId};
+use hodograph_base::diag::Faults;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_mechanism::position::{Configuration, Pose};
+use hodograph_scene::{ByKind, DiagramKind, Scene};
+use std::sync::Arc;
+
+impl Acts {
+    /// Draws to given scales.
+    ///
+    /// In numbers that know their error, with the exact pencil, every mark has a bound of what rounding does to it.
+    ///
+    /// # Errors
+    /// Two unknown directions that are parallel, which a pencil may make of others; numbers too large to draw.
+    pub fn draw<N: Real, P: Pencil<N>>(
+        self: &Arc<Acts>,
+        scene: &Scene,
+        at: &Configuration<N>,
+        plan: &Plan,
+        layout: &Layout,
+        pencil: &mut P,
+    ) -> Result<Drawing<N>, Faults> {
+        told(evaluate(self, scene, at, plan, layout, pencil)?.0)
+    }
+}
+
+/// A drawing whose numbers can be told.
+fn told<N: Real>(done: Drawing<N>) -> Result<Drawing<N>, Faults> {
+    let finite = |p: &Polygon<N>| p.images.iter().flatten().all(|q| q.is_finite()) && p.mu.is_finite();
+    if done.diagrams.iter().all(finite) && done.rates.iter().all(|r| r.value.is_decided()) {
+        return Ok(done);
+    }
+    Err(overflow().into())
+}
+
+/// The drawing, whether or not its numbers can be told, and where every mark of the construction falls.
+pub(super) fn evaluate<N: Real, P: Pencil<N>>(
+    acts: &Arc<Acts>,
+    scene: &Scene,
+    at: &Configuration<N>,
+    plan: &Plan,
+    layout: &Layout,
+    pencil: &mut P,
+) -> Result<(Drawing<N>, Drawn<N>), Faults> {
+    let posed = Posed::new(scene, at, &acts.givens);
+    let scales = layout.all();
+    let drawn = construction::draw(&acts.construction, &posed, &scales, pencil).map_err(|stop| refusal(acts, scene, plan, &stop))?;
+    let drawing = View { acts, plan, drawn: &drawn, scales: &scales }.drawing(posed.origin());
+    Ok((drawing, drawn))
+}
+
+struct View<'a, N> {
+    acts: &'a Arc<Acts>,
+    plan: &'a Plan,
+    drawn: &'a Drawn<N>,
+    scales: &'a ByKind,
+}
+
+impl<N: Real> View<'_, N> {
+    fn drawing(&self, origin: Point<N>) -> Drawing<N> {
+        let (construction, plane) = (&self.acts.construction, DiagramKind::Plane);
+        let place = |mark: &Option<MarkId>| mark.and_then(|m| self.drawn.marks[m.index()]);
+        let spots = self.acts.images.first().map_or(Vec::new(), |spots| spots.iter().map(place).collect());
+        let mu = self.scales.get(plane.kind()).unwrap_or(1.0);
+        let mut out = Drawing {
+            diagram: Diagram { mu, origin, spots, crossed: self.crossed() },
+            diagrams: Vec::new(),
+            rates: Vec::new(),
+            magnification: ByKind::default(),
+            acts: Arc::clone(self.acts),
+        };
+        for (index, on) in construction.diagrams.iter().enumerate().filter(|(_, on)| **on != plane) {
+            let Some(mu) = self.scales.get(on.kind()) else { continue };
+            let mut polygon = Polygon {
+                on: *on,
+                mu,
+                images: self.acts.images[index].iter().map(place).collect(),
+                edges: Vec::new(),
+                actions: Vec::new(),
+            };
+            let at = |(mark, id): (Mark, MarkId)| Some((mark, self.drawn.marks[id.index()]?));
+            let edge = |e: &Edge<MarkId>| {
+                Some(Edge { terms: e.terms.clone(), from: at(e.from)?, to: at(e.to)?, known: e.known, between: e.between })
+            };
+            polygon.edges = self.acts.edges[index].iter().filter_map(edge).collect();
+            for (k, step) in construction.steps.iter().enumerate().filter(|(_, s)| s.on.index() == index) {
+                let action = self.action(k, step, &mut out.rates);
+                polygon.actions.extend(action);
+            }
+            out.diagrams.push(polygon);
+        }
+        for met in &self.drawn.met {
+            // Velocities go with 1/sine; accelerations with the square of velocities through one more crossing.
+            let s = met.sine.approx().abs();
+            let on = construction.diagrams[construction.marks[met.to.index()].on.index()];
+            if on != plane {
+                let mut magnify = |on: DiagramKind, by: f64| {
+                    let worst = out.magnified(on).max(by);
+                    out.magnification.set(on.kind(), Some(worst));
+                };
+                magnify(DiagramKind::Velocity, met.rounding / s);
+                magnify(DiagramKind::Acceleration, met.rounding * met.rounding / (s * s * s));
+            }
+        }
+        out
+    }
+
+    /// The special points that the alternatives of the groups use.
+    fn crossed(&self) -> Vec<Crossed<N>> {
+        let used = |met: &&Met<N>| {
+            let Name::Image(v) = self.acts.construction.marks[met.to.index()].name else { return false };
+            let Some(special) = self.plan.special(VertexId(v.index())) else { return false };
+            let alternative = special.legs.and_then(|legs| SPECIAL_LEGS.iter().position(|l| *l == legs));
+            self.on(met.to) == DiagramKind::Plane && alternative.is_none_or(|k| self.acts.chosen[special.group] == k)
+        };
+        self.drawn.met.iter().filter(used).map(|met| Crossed { target: self.vertex(met.to), sine: met.sine }).collect()
+    }
+
+    fn on(&self, mark: MarkId) -> DiagramKind {
+        self.acts.construction.diagrams[self.acts.construction.marks[mark.index()].on.index()]
+    }
+
+    /// The vertex whose image a mark is.
+    fn vertex(&self, mark: MarkId) -> VertexId {
+        match self.acts.mark(mark) {
+            Mark::Image(v) => v,
+            Mark::Pole | Mark::Part(_) | Mark::Again(_) => unreachable!("what is found is the image of a vertex"),
+        }
+    }
+
+    fn place(&self, mark: MarkId) -> Point<N> {
+        self.drawn.marks[mark.index()].expect("what is drawn has a place")
+    }
+
+    /// The index of a vector among those of its diagram.
+    fn edge(&self, on: DiagramId, vector: VectorId) -> usize {
+        vector.index() - self.acts.edges[..on.index()].iter().map(Vec::len).sum::<usize>()
+    }
+
+    fn line(&self, line: LineId) -> Vec2<N> {
+        self.drawn.lines[line.index()].expect("what is drawn has a direction").1
+    }
+
+    /// A step under the names of the plan; `None` for one of which nothing is told.
+    fn action(&self, index: usize, step: &Step, rates: &mut Vec<RateReading<N>>) -> Option<Action<N>> {
+        let construction = &self.acts.construction;
+        let ends = step.ends.map(|[a, b]| (VertexId(a.index()), VertexId(b.index())));
+        Some(match construction.ops(step) {
+            [.., Op::Lay { vector, .. }] => Action::LayOff(self.edge(step.on, *vector)),
+            [Op::Rule(line)] => {
+                let Line { through, carries, .. } = &construction.lines[line.index()];
+                Action::Line {
+                    terms: self.acts.terms(carries),
+                    mark: self.acts.mark(*through),
+                    through: self.place(*through),
+                    direction: self.line(*line),
+                }
+            }
+            [Op::Meet { to, .. }, Op::Show(a), Op::Show(b)] => {
+                let met = self.drawn.met.iter().find(|m| m.step == index)?;
+                Action::Cross { target: self.vertex(*to), edges: vec![self.edge(step.on, *a), self.edge(step.on, *b)], sine: met.sine }
+            }
+            [Op::Rule(line), Op::Foot { .. }, Op::Show(a), Op::Show(b)] => {
+                Action::Perpendicular { edges: [*a, *b].map(|v| self.edge(step.on, v)), direction: self.line(*line) }
+            }
+            [Op::Image { to, .. }] => Action::Copy { target: self.vertex(*to), from: ends? },
+            [Op::Same { to, because: Because::Reached, .. }] => Action::Reach(self.vertex(*to)),
+            [Op::Same { to, because: Because::Translates, .. }] => Action::Same { target: self.vertex(*to), from: ends?.0 },
+            [Op::Omit { terms, at, to }] => {
+                Action::Nothing { terms: self.acts.terms(terms), at: self.place(*at), target: to.map(|to| self.vertex(to)) }
+            }
+            [Op::Show(vector)] => Action::Join(self.edge(step.on, *vector)),
+            _ => {
+                let turning = self.acts.turnings.iter().find(|t| t.step == index)?;
+                let number = |id| self.drawn.number(id);
+                let measured = turning.measured.and_then(|([across, arm], line)| {
+                    let Number::Across { from, to, .. } = construction.numbers[across.index()] else { return None };
+                    let marks = [from, to].map(|mark| (self.acts.mark(mark), self.place(mark)));
+                    Some(RateMeasured { length: number(across)?.magnitude(), arm: number(arm)?, line, marks })
+                });
+                rates.push(RateReading { on: turning.on, body: turning.body, value: number(turning.number)?, measured });
+                Action::Rate(rates.len() - 1)
+            }
+        })
+    }
+}
+
+/// Draws with a pencil that misses: the drawing, and the configuration as its diagram shows it, with joints where the pencil put them.
+///
+/// What a draughtsman knows is not drawn but taken as known: the length of a link (two joints of one link), the radius of a slot, the rates of the
+/// drivers, and μ. Everything else comes from paper: directions from the joints where they really lie, lengths that change (a
+/// pin in its slot) from the diagram, shapes of links for images from the diagram, ω and α from the polygons.
+///
+/// # Errors
+/// As [`Acts::draw`].
+pub fn by_hand<N: Real, P: Pencil<N>>(
+    acts: &Arc<Acts>,
+    scene: &Scene,
+    at: &Configuration<N>,
+    plan: &Plan,
+    layout: &Layout,
+    pencil: &mut P,
+) -> Result<(Drawing<N>, Configuration<N>), Faults> {
+    let (done, drawn) = evaluate(acts, scene, at, plan, layout, pencil)?;
+    let mut shown = at.clone();
+    if !P::EXACT {
+        let mu: N = scale::number(layout.mu);
+        for (place, joint) in shown.points.iter_mut().zip(&acts.joints) {
+            *place = drawn.marks[joint.index()].map(|q| done.diagram.origin + q.to_vec2() * mu);
+        }
+        // A link without two joints shows its angle by its guide.
+        for (guide, turn) in scene.guides.iter().zip(&drawn.turns) {
+            for l in [Some(guide.on), guide.slider].into_iter().flatten().filter(|l| *l != scene.ground) {
+                if let (Some(pose), Some(turn)) = (at.poses[l.0], turn)
+                    && scene.links[l.0].points.len() < 2
+                {
+                    shown.poses[l.0] = Some(Pose { axis: pose.axis.rotate_by(*turn), ..pose });
+                }
+            }
+        }
+    }
+    Ok((told(done)?, shown))
+}

@@ -1,0 +1,76 @@
+//! What a scene in a pose gives to a construction.
+
+use super::acts::Given;
+use crate::construction::{Givens, Key, Track};
+use hodograph_base::geom::Point;
+use hodograph_base::number::Real;
+use hodograph_mechanism::position::{Configuration, Path};
+use hodograph_scene::exact::Inputs;
+use hodograph_scene::{GuideId, Scene};
+
+/// A scene in a pose.
+pub(super) struct Posed<'a, N> {
+    scene: &'a Scene,
+    at: &'a Configuration<N>,
+    numbers: &'a [Given],
+    inputs: Inputs<'a, N>,
+    origin: Point<N>,
+    extent: f64,
+}
+
+impl<'a, N: Real> Posed<'a, N> {
+    pub(super) fn new(scene: &'a Scene, at: &'a Configuration<N>, numbers: &'a [Given]) -> Self {
+        let of_ground = scene.links[scene.ground.0].points.iter();
+        let origin = of_ground.chain(scene.links.iter().flat_map(|l| &l.points)).find_map(|p| at.points[p.0]);
+        Posed { scene, at, numbers, inputs: Inputs::of(scene), origin: origin.unwrap_or(Point::origin()), extent: at.extent() }
+    }
+}
+
+impl<N: Real> Givens<N> for Posed<'_, N> {
+    fn place(&self, key: Key) -> Option<Point<N>> {
+        self.at.points[key.index()]
+    }
+
+    fn number(&self, key: Key) -> N {
+        match self.numbers[key.index()] {
+            Given::Rate(driver) => self.inputs.number(&self.scene.drivers[driver].rate),
+            Given::Acceleration(driver) => {
+                self.scene.drivers[driver].acceleration.as_ref().map_or(N::from_f64(0.0), |a| self.inputs.number(a))
+            }
+            Given::Size(pair, which) => self.scene.rolling[pair.0].sizes(&self.inputs)[which],
+        }
+    }
+
+    fn path(&self, key: Key) -> Option<Track<N>> {
+        Some(match self.at.guides[key.index()]? {
+            Path::Line { direction, .. } => Track::Line(direction),
+            Path::Arc { centre, radius } => Track::Arc { centre, radius },
+        })
+    }
+
+    /// From its runner to the farthest joint of the link that carries it, the mechanism's size where there is none; of an arc its radius,
+    /// square to which it runs.
+    fn reach(&self, path: Key) -> f64 {
+        let Some(track) = self.at.guides[path.index()] else { return self.extent };
+        if let Path::Arc { radius, .. } = track {
+            return radius.approx();
+        }
+        let guide = &self.scene.guides[GuideId(path.index()).0];
+        let runner = match (guide.pin, guide.slider) {
+            (Some(p), _) => self.at.points[p.0],
+            (None, Some(s)) => self.at.poses[s.0].map(|pose| pose.origin),
+            (None, None) => None,
+        };
+        let joints = self.scene.links[guide.on.0].points.iter().filter_map(|p| self.at.points[p.0]).map(Point::approx);
+        let farthest = runner.map(Point::approx).map_or(0.0, |r| joints.map(|j| j.distance(r)).fold(0.0, f64::max));
+        if farthest > 0.0 { farthest } else { self.extent }
+    }
+
+    fn origin(&self) -> Point<N> {
+        self.origin
+    }
+
+    fn extent(&self) -> f64 {
+        self.extent
+    }
+}

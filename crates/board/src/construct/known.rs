@@ -1,0 +1,191 @@
+//! What is measured, angular rates and sliding velocities, and the known vectors that are calculated from it and laid off.
+
+use super::acts::{Given, Turning};
+use super::board::{Board, path_key, place_key};
+use crate::construction::{Base, DiagramId, Direction, MarkId, Number, NumberId, Op};
+use crate::plan::{Body, By, Rate, Spot, Term, TermKind, VertexId};
+use hodograph_scene::{DiagramKind, Normal, PointId, RollingId, Touch};
+
+/// A multiple of a vector, and what is read for it before it is laid off.
+type Laid = (Vec<Op>, Direction, NumberId);
+
+impl Board<'_> {
+    /// ω or α of a body from what was read so far.
+    fn rate(&mut self, on: DiagramKind, body: Body) -> NumberId {
+        if let Body::Link(l) = body
+            && self.m.never_turns[l.0]
+        {
+            return self.number(Number::Plain(0));
+        }
+        self.done.turning(on, body).expect("the plan finds an angular rate before it uses it").number
+    }
+
+    /// Finds the turning of a body; needed ones that come earlier in the list are there already. Whether it is known now.
+    pub(super) fn turning(&mut self, on: DiagramId, body: Body, rate: Rate) -> bool {
+        let kind = self.kind(on);
+        if self.done.turning(kind, body).is_some() {
+            return true;
+        }
+        let mut ops = Vec::new();
+        let mut measured = None;
+        let number = match rate {
+            _ if self.stands(on) => self.number(Number::Plain(0)),
+            Rate::Zero => self.number(Number::Plain(0)),
+            Rate::Same(other) => self.rate(kind, Body::Link(other)),
+            Rate::Given { driver, against } => {
+                let own = self.driven(kind, driver);
+                // The driver counts from `against` to its link; a link that is driven "backwards" has the opposite sign.
+                let forward = self.scene.drivers[driver].kind.turned().is_some_and(|(link, _)| Body::Link(link) == body);
+                let own = if forward { own } else { self.number(Number::Negative(own)) };
+                let base = self.rate(kind, Body::Link(against));
+                self.number(Number::Sum(base, own))
+            }
+            Rate::Measured { of, to } => {
+                let Some([from, end]) = self.measured_between(on, body, of, to) else { return false };
+                let arm = self.arm_of(body, of, to);
+                // Carried back to the link: the part square to the arm turns it.
+                let across = self.number(Number::Across { from, to: end, arm });
+                let arm = self.number(Number::Length(arm));
+                let mu = self.number(Number::Scale(on));
+                let size = self.number(Number::Product(across, mu));
+                ops.extend([Op::Number(across), Op::Number(arm)]);
+                measured = Some(([across, arm], (of, to)));
+                self.number(Number::Quotient(size, arm))
+            }
+        };
+        ops.push(Op::Number(number));
+        self.turns(Turning { on: kind, body, number, measured, step: self.done.construction.steps.len() });
+        match measured {
+            Some((_, line)) => self.act_of(on, line, ops),
+            None => self.act(on, ops),
+        }
+        true
+    }
+
+    /// The two marks from whose distance a turning is measured: the images of two points of a link; for accelerations, and for the line of
+    /// a cylinder, the ends of the part square to the arm. `None` as long as they are not there.
+    fn measured_between(&self, on: DiagramId, body: Body, of: VertexId, to: VertexId) -> Option<[MarkId; 2]> {
+        let kind = match (self.kind(on), body) {
+            (DiagramKind::Acceleration, _) => TermKind::Tangential,
+            (_, Body::Cylinder(_)) => TermKind::Relative,
+            (_, Body::Link(_)) => return Some([self.done.image(on, to)?, self.done.image(on, of)?]),
+        };
+        let wanted = Term { kind, of, to, by: By::Turning(body), known: false };
+        self.done.edge_of(on, &[wanted]).map(|(marks, _)| marks)
+    }
+
+    /// A known term, as a multiple of a vector.
+    pub(super) fn known_vector(&mut self, on: DiagramId, term: &Term) -> Laid {
+        let velocity = DiagramKind::Velocity;
+        let laid = |along, times| (Vec::new(), along, times);
+        match (term.kind, term.by) {
+            (TermKind::Relative, By::Turning(body)) => {
+                laid(Direction::across(self.arm_of(body, term.of, term.to)), self.rate(velocity, body))
+            }
+            (TermKind::Normal, By::Turning(body)) => {
+                let omega = self.rate(velocity, body);
+                let squared = self.number(Number::Product(omega, omega));
+                laid(Direction::of(self.arm_of(body, term.of, term.to)), self.number(Number::Negative(squared)))
+            }
+            (TermKind::Tangential, By::Turning(body)) => {
+                laid(Direction::across(self.arm_of(body, term.of, term.to)), self.rate(DiagramKind::Acceleration, body))
+            }
+            (TermKind::Extension, By::Cylinder(d)) => laid(Direction::of(self.arm(term.of, term.to)).unit(), self.driven(self.kind(on), d)),
+            (TermKind::Coriolis, By::Cylinder(d)) => {
+                let (omega, grows) = (self.rate(velocity, Body::Cylinder(d)), self.driven(velocity, d));
+                let twice = self.twice(omega);
+                laid(Direction::across(self.arm(term.of, term.to)).unit(), self.number(Number::Product(twice, grows)))
+            }
+            (TermKind::Slide, By::Guide { driver: Some(d), guide }) => {
+                let given = self.driven(self.kind(on), d);
+                let given = if self.reversed(term) { self.number(Number::Negative(given)) } else { given };
+                laid(Direction::of(self.guide_tangent(guide, term.of)), given)
+            }
+            (TermKind::Coriolis, By::Guide { guide, .. }) => {
+                let omega = self.rate(velocity, Body::Link(self.plan.coriolis_link(self.scene, guide)));
+                self.coriolis(term, omega)
+            }
+            (TermKind::Coriolis, By::Frame { body: Some(body), .. }) => {
+                let omega = self.rate(velocity, body);
+                self.coriolis(term, omega)
+            }
+            (TermKind::SlideNormal, By::Frame { about: Some(centre), .. }) => {
+                let Spot::Point(own) = self.plan.vertex(term.of).spot else { unreachable!("a moving point is a point") };
+                let (own, centre) = (place_key(own), place_key(centre));
+                let v = self.slide_velocity(term);
+                let inward = Base::Places(own, centre);
+                let (squared, apart) = (self.number(Number::Square(Base::Measured(v))), self.number(Number::Square(inward)));
+                let times = self.number(Number::Quotient(squared, apart));
+                (vec![Op::Number(v)], Direction::of(inward), times)
+            }
+            (TermKind::SlideNormal, By::Guide { guide, .. }) => {
+                let Spot::Point(pin) = self.plan.vertex(term.of).spot else { unreachable!("a runner is a point") };
+                let v = self.slide_velocity(term);
+                let (squared, radius) = (self.number(Number::Square(Base::Measured(v))), self.number(Number::Radius(path_key(guide))));
+                let size = self.number(Number::Quotient(squared, radius));
+                let times = if self.reversed(term) { self.number(Number::Negative(size)) } else { size };
+                (vec![Op::Number(v)], Direction::of(Base::Inward(path_key(guide), place_key(pin))), times)
+            }
+            (TermKind::Roll, By::Contact(pair)) => {
+                let links = self.scene.rolling[pair.0].links;
+                let [one, other] = links.map(|l| self.rate(velocity, Body::Link(l)));
+                let way = self.number(Number::Plain(if self.plan.vertex(term.of).on == Some(links[0]) { -1 } else { 1 }));
+                let against = self.number(Number::Difference(other, one));
+                let squared = self.number(Number::Product(against, against));
+                let times = self.number(Number::Product(squared, way));
+                laid(Direction::of(self.contact_radius(pair, term.of)), times)
+            }
+            _ => unreachable!("this kind of term is never known"),
+        }
+    }
+
+    fn twice(&mut self, number: NumberId) -> NumberId {
+        let two = self.number(Number::Plain(2));
+        self.number(Number::Product(two, number))
+    }
+
+    /// 2ω times the sliding velocity turned by a quarter.
+    fn coriolis(&mut self, term: &Term, omega: NumberId) -> Laid {
+        let times = self.twice(omega);
+        let v = self.slide_velocity(term);
+        (vec![Op::Number(v)], Direction::across(Base::Measured(v)), times)
+    }
+
+    /// δn at a contact: δ = ρ₁ρ₂/(ρ₁ + ρ₂), of a straight track ρ of the wheel, n from the first link to the second; the radii as the contact divides the
+    /// line of centres, so that (ρ₁ + ρ₂)n is that line.
+    fn contact_radius(&mut self, pair: RollingId, contact: VertexId) -> Base {
+        match self.scene.rolling[pair.0].touch() {
+            Touch::Point(Normal::Centres([p, q])) => {
+                let [a, b] = [0, 1].map(|i| self.given(Given::Size(pair, i)));
+                let (product, sum) = (self.number(Number::Product(a, b)), self.number(Number::Sum(a, b)));
+                let squared = self.number(Number::Product(sum, sum));
+                let part = self.number(Number::Quotient(product, squared));
+                Base::Part(self.joint(p), self.joint(q), part)
+            }
+            Touch::Point(Normal::Square { centre, .. }) => self.from_vertex(contact, centre),
+            Touch::Strand { .. } => unreachable!("what the ends of a strand differ by across it is never known"),
+        }
+    }
+
+    /// From a vertex to a joint, in metres.
+    fn from_vertex(&self, v: VertexId, to: PointId) -> Base {
+        let from = self.spot(v);
+        Base::Arm { from, to: self.joint(to), known: false }
+    }
+
+    /// The given rate or acceleration of a driver.
+    fn driven(&mut self, on: DiagramKind, driver: usize) -> NumberId {
+        match on {
+            DiagramKind::Acceleration if self.scene.drivers[driver].acceleration.is_none() => self.number(Number::Plain(0)),
+            DiagramKind::Acceleration => self.given(Given::Acceleration(driver)),
+            DiagramKind::Plane | DiagramKind::Velocity => self.given(Given::Rate(driver)),
+        }
+    }
+
+    /// Sliding velocity between the two points of a term, measured on the velocity polygon.
+    fn slide_velocity(&mut self, term: &Term) -> NumberId {
+        let velocities = self.done.construction.diagram(DiagramKind::Velocity).expect("velocities are drawn before accelerations");
+        let [from, to] = [term.to, term.of].map(|v| self.image(velocities, v));
+        self.number(Number::Vector(from, to))
+    }
+}

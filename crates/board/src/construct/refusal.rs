@@ -1,0 +1,71 @@
+//! Why a drawing cannot be made, in the words of the scene.
+
+use super::Mark;
+use super::acts::Acts;
+use crate::construction::{MarkId, Stop, Why};
+use crate::plan::text::{held_by, vertex_name};
+use crate::plan::{By, Plan, Spot, Term, VertexId};
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_scene::{DiagramKind, Scene};
+
+/// The diagnostic for numbers that cannot be drawn.
+pub(super) fn overflow() -> Diagnostic {
+    Diagnostic::error("overflow", both!("the numbers are too large or too small to be drawn", "数值过大或过小，无法作图"))
+}
+
+/// The diagnostic for a construction that stops.
+pub(super) fn refusal(acts: &Acts, scene: &Scene, plan: &Plan, stop: &Stop) -> Diagnostic {
+    let construction = &acts.construction;
+    let step = &construction.steps[stop.step];
+    let found = |mark: MarkId| if let Mark::Image(v) = acts.mark(mark) { Some(v) } else { None };
+    let missing = if let Why::Missing(mark) = stop.why { found(mark) } else { None };
+    match (stop.why, missing, step.ends) {
+        (Why::Parallel(lines, to), ..) => {
+            let open = lines.map(|l| acts.terms(&construction.lines[l.index()].carries));
+            found(to).map_or_else(overflow, |target| dead_centre(scene, plan, construction.diagrams[step.on.index()], target, &open))
+        }
+        (_, Some(v), _) => {
+            let name = vertex_name(scene, plan, v);
+            Diagnostic::error(
+                "dead-centre",
+                both!("the lines that cross in {name} are parallel in this pose", "在该位置，应交于 {name} 的两直线平行"),
+            )
+            .help(both!("choose another pose", "请改变位置"))
+        }
+        (Why::Coincide | Why::Missing(_), None, Some(ends)) => {
+            let [a, b] = ends.map(|k| vertex_name(scene, plan, VertexId(k.index())));
+            Diagnostic::error(
+                "coincident-points",
+                both!("{a} and {b} coincide in this pose: their line has no direction", "{a} 与 {b} 在该位置重合，连线没有方向"),
+            )
+            .help(both!("choose another pose, or other lengths", "请改变位置或长度"))
+        }
+        (Why::Coincide | Why::Missing(_), None, None) => overflow(),
+    }
+}
+
+/// The diagnostic for two lines, each the direction of some terms, that are parallel.
+fn dead_centre(scene: &Scene, plan: &Plan, on: DiagramKind, target: VertexId, open: &[Vec<Term>; 2]) -> Diagnostic {
+    let words: Vec<Both> = open.iter().filter_map(|terms| terms.first()).map(|t| held_by(scene, plan, t)).collect();
+    let at = vertex_name(scene, plan, target);
+    let lie = if open.iter().flatten().all(|t| matches!(t.by, By::Turning(_) | By::Cylinder(_))) {
+        both!("lie in line", "共线")
+    } else {
+        both!("leave the same direction open", "所余方向相同")
+    };
+    let d = Diagnostic::error(
+        "dead-centre",
+        both!(
+            "dead centre: {} {} at {at}, so that its {} is not determined",
+            "死点：{}在 {at} 处{}，{}不能确定",
+            Both::join(&words, " and ", "与"),
+            lie,
+            on.vector()
+        ),
+    )
+    .help(both!("choose another pose, or drive another link", "请改变位置或换原动件"));
+    match plan.vertex(target).spot {
+        Spot::Point(p) => d.at(scene.points[p.0].span),
+        Spot::Special(_) => d,
+    }
+}

@@ -1,0 +1,441 @@
+//! Evaluates a construction: where every mark falls.
+
+use super::pencil::Pencil;
+use super::scale;
+use super::{Base, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Step};
+use hodograph_base::budget::spend;
+use hodograph_base::diagram::DiagramKind;
+use hodograph_base::geom::{Point, Vec2, cross_lines};
+use hodograph_base::kind::ByKind;
+use hodograph_base::number::Real;
+
+/// Scales by the kind of quantity, SI per mm. A diagram that has none is not drawn.
+pub type Scales = ByKind;
+
+/// What is given, in numbers of one kind.
+pub trait Givens<N> {
+    /// A place of the mechanism (m); `None` where it is not known.
+    fn place(&self, key: Key) -> Option<Point<N>>;
+    /// A number, in SI.
+    fn number(&self, key: Key) -> N;
+    /// A path on the mechanism; `None` where it is not known.
+    fn path(&self, key: Key) -> Option<Track<N>>;
+    /// How long a path is drawn (m): its ends are the marks along which a ruler is laid.
+    fn reach(&self, path: Key) -> f64;
+    /// The place (m) that lies in the origin of the mechanism's drawing.
+    fn origin(&self) -> Point<N>;
+    /// The size of the mechanism (m): places are known to a rounding of this.
+    fn extent(&self) -> f64;
+}
+
+/// A path on the mechanism.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Track<N> {
+    /// Straight, in the direction of a unit vector.
+    Line(Vec2<N>),
+    /// Along a circle.
+    Arc {
+        /// Its centre (m).
+        centre: Point<N>,
+        /// Its radius (m).
+        radius: N,
+    },
+}
+
+/// A number that has been measured or calculated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Value<N> {
+    Scalar(N),
+    Vector(Vec2<N>),
+}
+
+/// A crossing that was marked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Met<N = f64> {
+    /// The step.
+    pub step: usize,
+    /// The mark.
+    pub to: MarkId,
+    /// The sine of the angle from the first line to the second.
+    pub sine: N,
+    /// How rounding of places acts on the two directions together.
+    pub rounding: f64,
+}
+
+/// Where everything falls.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn<N = f64> {
+    /// The marks (mm from the origin of their diagram); `None` for those that are not drawn.
+    pub marks: Vec<Option<Point<N>>>,
+    /// The lines: a point, and the direction.
+    pub lines: Vec<Option<(Point<N>, Vec2<N>)>>,
+    /// The crossings, in the order of drawing.
+    pub met: Vec<Met<N>>,
+    /// By how much each given path that was drawn is turned against its true direction, as (cos, sin); none with the exact pencil.
+    pub turns: Vec<Option<Vec2<N>>>,
+    numbers: Vec<Option<Value<N>>>,
+}
+
+/// Where and why a construction stops.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stop {
+    /// The step.
+    pub step: usize,
+    /// Why.
+    pub why: Why,
+}
+
+/// Why a construction stops.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Why {
+    /// Two lines are parallel, so that they do not cross in a mark.
+    Parallel([LineId; 2], MarkId),
+    /// Two places coincide, so that their line has no direction.
+    Coincide,
+    /// A mark of the mechanism that is needed has no place: the lines that cross in it are parallel.
+    Missing(MarkId),
+}
+
+/// Draws a construction.
+///
+/// # Errors
+/// The step at which two lines of a polygon are parallel, or two places coincide.
+pub fn draw<N: Real, P: Pencil<N>>(
+    construction: &Construction,
+    givens: &impl Givens<N>,
+    scales: &Scales,
+    pencil: &mut P,
+) -> Result<Drawn<N>, Stop> {
+    let scale = |kind: &DiagramKind| scales.get(kind.kind());
+    let mu: Vec<Option<N>> = construction.diagrams.iter().map(|k| scale(k).map(scale::number)).collect();
+    let plane = construction.diagram(DiagramKind::Plane).and_then(|d| mu[d.index()]);
+    let drawn = Drawn {
+        marks: vec![None; construction.marks.len()],
+        lines: vec![None; construction.lines.len()],
+        met: Vec::new(),
+        turns: Vec::new(),
+        numbers: vec![None; construction.numbers.len()],
+    };
+    let mu_l = plane.unwrap_or(N::from_f64(1.0));
+    let mm_l = scale(&DiagramKind::Plane).unwrap_or(1.0);
+    let mut board = Board { construction, givens, pencil, drawn, mu, mu_l, per_m: N::from_f64(1.0) / mu_l, mm_l };
+    for (index, step) in construction.steps.iter().enumerate() {
+        spend();
+        if board.mu[step.on.index()].is_some() {
+            board.step(index, step).map_err(|why| Stop { step: index, why })?;
+        }
+    }
+    Ok(board.drawn)
+}
+
+impl<N: Real> Drawn<N> {
+    /// The value of a number, in SI; a part measured across an arm in mm. `None` for what is not measured, or is no scalar.
+    pub fn number(&self, id: NumberId) -> Option<N> {
+        match self.numbers[id.index()]? {
+            Value::Scalar(x) => Some(x),
+            Value::Vector(_) => None,
+        }
+    }
+}
+
+struct Board<'a, N, G, P> {
+    construction: &'a Construction,
+    givens: &'a G,
+    pencil: &'a mut P,
+    drawn: Drawn<N>,
+    /// μ by diagram.
+    mu: Vec<Option<N>>,
+    /// μ of the mechanism, its reciprocal, and the scale as it is printed.
+    mu_l: N,
+    per_m: N,
+    mm_l: f64,
+}
+
+/// A crossing is called parallel when its sine is no larger than what rounding makes of the two directions: each is a
+/// difference of places known to half a unit in the last place of the mechanism's size, divided by its length. Eight
+/// such units keep exact dead centres (sine 0 or a few units) on this side and poses 1e-9 rad away on the other.
+const PARALLEL_UNITS: f64 = 8.0;
+
+impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
+    fn step(&mut self, index: usize, step: &Step) -> Result<(), Why> {
+        let construction = self.construction;
+        for op in construction.ops(step) {
+            match op {
+                Op::Set(to) => self.set(*to),
+                Op::Path(path) => self.path(*path),
+                Op::Lay { vector, along, times } => {
+                    let vector = &construction.vectors[vector.index()];
+                    let from = self.place(vector.from)?;
+                    let laid = self.direction(along)? * self.number(*times)?;
+                    let mu = self.mu(step.on);
+                    self.mark(vector.to, from + laid * (N::from_f64(1.0) / mu));
+                }
+                Op::Rule(line) => self.rule(*line)?,
+                Op::Meet { lines, to } => self.meet(index, *lines, *to)?,
+                Op::Foot { from, on, to } => {
+                    let (from, Some((q, u))) = (self.place(*from)?, self.drawn.lines[on.index()]) else { return Err(Why::Coincide) };
+                    self.mark(*to, q + u * u.dot(from - q));
+                }
+                Op::Image { of: [a, b, c], onto, to } => {
+                    let [ia, ib] = [self.place(onto[0])?, self.place(onto[1])?];
+                    let ratio = self.arm(*a, *c)?.divide_by(self.arm(*a, *b)?);
+                    if !ratio.is_finite() {
+                        return Err(Why::Coincide);
+                    }
+                    self.mark(*to, ia + (ib - ia).rotate_by(ratio));
+                }
+                Op::Same { mark, to, .. } | Op::Omit { at: mark, to: Some(to), .. } => {
+                    self.drawn.marks[to.index()] = Some(self.place(*mark)?);
+                }
+                Op::Number(id) => {
+                    let value = self.value(*id)?;
+                    self.drawn.numbers[id.index()] = Some(value);
+                }
+                Op::Show(_) | Op::Omit { to: None, .. } => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// The kind of the diagram of a mark.
+    fn on(&self, mark: MarkId) -> DiagramKind {
+        self.construction.diagrams[self.construction.marks[mark.index()].on.index()]
+    }
+
+    fn mu(&self, on: DiagramId) -> N {
+        self.mu[on.index()].expect("a diagram that is drawn has a scale")
+    }
+
+    /// Makes a mark that is meant to fall at a place.
+    fn mark(&mut self, to: MarkId, at: Point<N>) {
+        self.drawn.marks[to.index()] = Some(self.pencil.mark(self.on(to), at));
+    }
+
+    fn place(&self, mark: MarkId) -> Result<Point<N>, Why> {
+        self.drawn.marks[mark.index()].ok_or(Why::Missing(mark))
+    }
+
+    /// A place of the mechanism in mm of paper.
+    fn paper(&self, p: Point<N>) -> Point<N> {
+        ((p - self.givens.origin()) * self.per_m).to_point()
+    }
+
+    fn set(&mut self, to: MarkId) {
+        match self.construction.marks[to.index()].name {
+            Name::Point(key) => {
+                if let Some(at) = self.givens.place(key) {
+                    self.mark(to, self.paper(at));
+                }
+            }
+            // Vectors begin where the pencil is set down, wherever that is.
+            Name::Pole | Name::Image(_) | Name::End(_) | Name::Again(_) => self.drawn.marks[to.index()] = Some(Point::origin()),
+        }
+    }
+
+    fn path(&mut self, path: Key) {
+        if P::EXACT {
+            return;
+        }
+        if self.drawn.turns.len() <= path.index() {
+            self.drawn.turns.resize(path.index() + 1, None);
+        }
+        let apart = self.reach_mm(path);
+        self.drawn.turns[path.index()] = Some(self.pencil.ruler(DiagramKind::Plane, Vec2::unit_x(), apart));
+    }
+
+    fn reach_mm(&self, path: Key) -> f64 {
+        self.givens.reach(path) / self.mm_l
+    }
+
+    /// A direction that goes with a given path, as that was drawn.
+    fn turned(&self, path: Key, direction: Vec2<N>) -> Vec2<N> {
+        match self.drawn.turns.get(path.index()) {
+            Some(Some(turn)) if !P::EXACT => direction.rotate_by(*turn),
+            _ => direction,
+        }
+    }
+
+    /// From one mark to another on the mechanism, in metres.
+    fn arm(&self, from: MarkId, to: MarkId) -> Result<Vec2<N>, Why> {
+        Ok((self.place(to)? - self.place(from)?) * self.mu_l)
+    }
+
+    /// The same; the length of a link is not taken from the drawing.
+    fn arm_of(&self, from: MarkId, to: MarkId, known: bool) -> Result<Vec2<N>, Why> {
+        let drawn = self.arm(from, to)?;
+        let given = |m: MarkId| match self.construction.marks[m.index()].name {
+            Name::Point(key) => self.givens.place(key),
+            Name::Pole | Name::Image(_) | Name::End(_) | Name::Again(_) => None,
+        };
+        let length = || Some(given(from)?.distance(given(to)?));
+        Ok(match (drawn.unit(), known && !P::EXACT) {
+            (Some(u), true) => length().map_or(drawn, |l| u * l),
+            _ => drawn,
+        })
+    }
+
+    fn base(&self, base: &Base) -> Result<Vec2<N>, Why> {
+        let given = |key: Key| self.givens.place(key).ok_or(Why::Coincide);
+        let path = |key: Key| self.givens.path(key).ok_or(Why::Coincide);
+        Ok(match *base {
+            Base::Marks(from, to) => self.place(to)? - self.place(from)?,
+            Base::Arm { from, to, known } => self.arm_of(from, to, known)?,
+            Base::Part(from, to, part) => self.arm(from, to)? * self.number(part)?,
+            Base::Places(from, to) => given(to)? - given(from)?,
+            Base::Tangent(key, at) => {
+                let tangent = match path(key)? {
+                    Track::Line(direction) => direction,
+                    Track::Arc { centre, radius } => {
+                        let at = at.map_or(Ok(Point::origin()), given)?;
+                        ((at - centre) * (N::from_f64(1.0) / radius)).perp()
+                    }
+                };
+                self.turned(key, tangent)
+            }
+            Base::Normal(key, at) => {
+                let normal = match path(key)? {
+                    Track::Line(direction) => direction.perp(),
+                    Track::Arc { centre, .. } => self.place(at)? - self.paper(centre),
+                };
+                self.turned(key, normal)
+            }
+            Base::Inward(key, at) => match path(key)? {
+                Track::Line(_) => return Err(Why::Coincide),
+                Track::Arc { centre, radius } => self.turned(key, (centre - given(at)?) * (N::from_f64(1.0) / radius)),
+            },
+            Base::Measured(id) => self.vector(id)?,
+        })
+    }
+
+    fn direction(&self, direction: &Direction) -> Result<Vec2<N>, Why> {
+        let v = self.base(&direction.base)?;
+        let v = match direction.quarters {
+            0 => v,
+            1 => v.perp(),
+            2 => -v,
+            _ => -v.perp(),
+        };
+        if direction.unit { v.unit().ok_or(Why::Coincide) } else { Ok(v) }
+    }
+
+    /// How far apart the two marks lie from which a direction is taken (mm): the joints of an arm, the ends of a path.
+    fn apart(&self, base: &Base) -> Result<f64, Why> {
+        Ok(match base {
+            _ if P::EXACT => 0.0,
+            Base::Marks(..) => self.base(base)?.approx().norm(),
+            Base::Arm { .. } => self.base(base)?.approx().norm() / self.mm_l,
+            Base::Tangent(path, _) | Base::Normal(path, _) | Base::Inward(path, _) => self.reach_mm(*path),
+            Base::Part(..) | Base::Places(..) | Base::Measured(_) => 0.0,
+        })
+    }
+
+    fn rule(&mut self, id: LineId) -> Result<(), Why> {
+        let Line { through, along, moved, .. } = &self.construction.lines[id.index()];
+        let (through, kind) = (*through, self.on(*through));
+        let laid = self.place(through).and_then(|at| Ok((at, self.direction(along)?, self.apart(&along.base)?)));
+        let (at, v, apart) = match laid {
+            Ok(laid) => laid,
+            // What a place of the mechanism needs may be missing: then it is missing too.
+            Err(_) if kind == DiagramKind::Plane => return Ok(()),
+            Err(why) => return Err(why),
+        };
+        let at = if *moved { self.pencil.mark(kind, at) } else { at };
+        let v = match v.unit() {
+            _ if along.unit => self.pencil.ruler(kind, v, apart),
+            Some(u) if !P::EXACT => self.pencil.ruler(kind, u, apart),
+            _ => v,
+        };
+        self.drawn.lines[id.index()] = Some((at, v));
+        Ok(())
+    }
+
+    /// Size of the mechanism over the length from which a direction is taken: how rounding of places acts on it.
+    fn rounding(&self, line: LineId) -> Result<f64, Why> {
+        let base = &self.construction.lines[line.index()].along.base;
+        Ok(match *base {
+            Base::Arm { from, to, .. } => self.givens.extent() / self.arm(from, to)?.approx().norm(),
+            Base::Marks(..)
+            | Base::Part(..)
+            | Base::Places(..)
+            | Base::Tangent(..)
+            | Base::Normal(..)
+            | Base::Inward(..)
+            | Base::Measured(_) => 1.0,
+        })
+    }
+
+    fn meet(&mut self, step: usize, lines: [LineId; 2], to: MarkId) -> Result<(), Why> {
+        let plane = self.on(to) == DiagramKind::Plane;
+        let (Some((p, u)), Some((q, w))) = (self.drawn.lines[lines[0].index()], self.drawn.lines[lines[1].index()]) else {
+            return if plane { Ok(()) } else { Err(Why::Parallel(lines, to)) };
+        };
+        let c = cross_lines(p, u, q, w);
+        let rounding = if plane { 1.0 } else { 1.0 + self.rounding(lines[0])? + self.rounding(lines[1])? };
+        // Numbers that know their error are undecided where the lines may be parallel.
+        let parallel = !plane && !N::knows_its_error() && c.sine.approx().abs() <= PARALLEL_UNITS * f64::EPSILON * rounding;
+        if parallel || !c.at.is_finite() {
+            return if plane { Ok(()) } else { Err(Why::Parallel(lines, to)) };
+        }
+        self.drawn.met.push(Met { step, to, sine: c.sine, rounding });
+        self.mark(to, c.at);
+        Ok(())
+    }
+
+    fn value(&mut self, id: NumberId) -> Result<Value<N>, Why> {
+        Ok(match self.construction.numbers[id.index()] {
+            Number::Vector(from, to) => {
+                let (kind, on) = (self.on(to), self.construction.marks[to.index()].on);
+                let drawn = self.place(to)? - self.place(from)?;
+                Value::Vector(self.pencil.read(kind, drawn) * self.mu(on))
+            }
+            Number::Across { from, to, arm } => {
+                let r = self.base(&arm)?;
+                let l = r.norm();
+                let drawn = self.pencil.read(self.on(to), self.place(to)? - self.place(from)?);
+                Value::Scalar((r * (N::from_f64(1.0) / l)).cross(drawn))
+            }
+            Number::Given(_)
+            | Number::Plain(_)
+            | Number::Length(_)
+            | Number::Square(_)
+            | Number::Radius(_)
+            | Number::Scale(_)
+            | Number::Negative(_)
+            | Number::Sum(..)
+            | Number::Difference(..)
+            | Number::Product(..)
+            | Number::Quotient(..) => Value::Scalar(self.number(id)?),
+        })
+    }
+
+    fn vector(&self, id: NumberId) -> Result<Vec2<N>, Why> {
+        match self.drawn.numbers[id.index()] {
+            Some(Value::Vector(v)) => Ok(v),
+            Some(Value::Scalar(_)) | None => Err(Why::Coincide),
+        }
+    }
+
+    fn number(&self, id: NumberId) -> Result<N, Why> {
+        if let Some(value) = self.drawn.number(id) {
+            return Ok(value);
+        }
+        let of = |id: NumberId| self.number(id);
+        Ok(match self.construction.numbers[id.index()] {
+            Number::Given(key) => self.givens.number(key),
+            Number::Plain(x) => N::from_f64(f64::from(x)),
+            Number::Vector(..) | Number::Across { .. } => return Err(Why::Coincide),
+            Number::Length(base) => self.base(&base)?.norm(),
+            Number::Square(base) => self.base(&base)?.norm2(),
+            Number::Radius(path) => match self.givens.path(path) {
+                Some(Track::Arc { radius, .. }) => radius,
+                Some(Track::Line(_)) | None => return Err(Why::Coincide),
+            },
+            Number::Scale(on) => self.mu(on),
+            Number::Negative(a) => -of(a)?,
+            Number::Sum(a, b) => of(a)? + of(b)?,
+            Number::Difference(a, b) => of(a)? - of(b)?,
+            Number::Product(a, b) => of(a)? * of(b)?,
+            Number::Quotient(a, b) => of(a)? / of(b)?,
+        })
+    }
+}

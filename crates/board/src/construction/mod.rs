@@ -1,0 +1,423 @@
+//! The construction language: the acts of ruler, set squares and compasses, without coordinates.
+//!
+//! A [`Construction`] is the list of all acts, as plain data: no coordinates, no scales, no digits, no words. [`draw()`] evaluates it for given places
+//! and numbers ([`Givens`]), scales and a [`pencil`], and returns where everything falls ([`Drawn`]). Choosing scales, proving
+//! digits and simulating a blunt pencil are evaluations of one construction, in poses, kinds of number and pencils of their own.
+//!
+//! The language knows neither plans nor scenes: what is given, and what a mark or a vector stands for, is a [`Key`] of whoever wrote the
+//! construction.
+//!
+//! Of a crank AB the velocity of B, ω·AB square to AB:
+//! ```
+//! use hodograph_base::{diagram::DiagramKind, geom::Point, kind::Kind};
+//! use hodograph_board::construction::*;
+//! use hodograph_board::construction::pencil::Exact;
+//!
+//! let mut c = Construction::default();
+//! let plane = c.begin(DiagramKind::Plane);
+//! let [a, b] = [0, 1].map(|joint| c.mark(plane, Name::Point(Key(joint))));
+//! c.step(plane, None, [Op::Set(a), Op::Set(b)]);
+//! let polygon = c.begin(DiagramKind::Velocity);
+//! let (pole, image) = (c.mark(polygon, Name::Pole), c.mark(polygon, Name::Image(Key(1))));
+//! c.step(polygon, None, [Op::Set(pole)]);
+//! let omega = c.number(Number::Given(Key(0)));
+//! let v = c.vector(Vector { terms: vec![Key(0)], from: pole, to: image, known: true, between: false });
+//! let along = Direction::across(Base::Arm { from: a, to: b, known: true });
+//! c.step(polygon, Some([Key(1), Key(0)]), [Op::Lay { vector: v, along, times: omega }]);
+//!
+//! /// A at the origin, B 40 mm to its right; ω = 10 rad/s.
+//! struct Crank;
+//! impl Givens<f64> for Crank {
+//!     fn place(&self, key: Key) -> Option<Point> { Some(Point::new([0.0, 0.04][key.index()], 0.0)) }
+//!     fn number(&self, _: Key) -> f64 { 10.0 }
+//!     fn path(&self, _: Key) -> Option<Track<f64>> { None }
+//!     fn reach(&self, _: Key) -> f64 { 0.0 }
+//!     fn origin(&self) -> Point { Point::ORIGIN }
+//!     fn extent(&self) -> f64 { 0.04 }
+//! }
+//! // 1 mm for 1 mm, and 0.01 (m/s)/mm.
+//! let scales = [(Kind::Length, 1e-3), (Kind::Velocity, 0.01)].into_iter().collect();
+//! let drawn = draw(&c, &Crank, &scales, &mut Exact).unwrap();
+//! assert_eq!(drawn.marks[image.index()].map(|q| (q.x.round(), q.y.round())), Some((0.0, 40.0)));
+//! ```
+
+mod draw;
+pub mod pencil;
+pub(crate) mod scale;
+
+pub use draw::{Drawn, Givens, Met, Scales, Stop, Track, Why, draw};
+
+use hodograph_base::diagram::DiagramKind;
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+
+macro_rules! ids {
+    ($($(#[$doc:meta])* $name:ident)*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+        #[serde(transparent)]
+        pub struct $name(pub u32);
+
+        impl $name {
+            /// As an index.
+            pub fn index(self) -> usize {
+                self.0 as usize
+            }
+
+            /// Of an index.
+            ///
+            /// # Panics
+            /// For an index of 2³² or more.
+            pub fn of(index: usize) -> $name {
+                $name(u32::try_from(index).expect("a construction has fewer acts than 2³²"))
+            }
+        }
+    )*};
+}
+
+ids! {
+    /// What the author of a construction calls a place, a number, a path, a point or a term.
+    Key
+    /// Index into [`Construction::diagrams`].
+    DiagramId
+    /// Index into [`Construction::marks`].
+    MarkId
+    /// Index into [`Construction::lines`].
+    LineId
+    /// Index into [`Construction::vectors`].
+    VectorId
+    /// Index into [`Construction::numbers`].
+    NumberId
+}
+
+/// What is done, in the order of doing it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Construction {
+    /// The diagrams, in the order of drawing.
+    pub diagrams: Vec<DiagramKind>,
+    /// The marks on them.
+    pub marks: Vec<Mark>,
+    /// The lines on them.
+    pub lines: Vec<Line>,
+    /// The vectors drawn in them.
+    pub vectors: Vec<Vector>,
+    /// The numbers that are given, measured and calculated.
+    pub numbers: Vec<Number>,
+    /// The acts.
+    pub ops: Vec<Op>,
+    /// The acts by steps, each of which is one sentence.
+    pub steps: Vec<Step>,
+}
+
+/// A point on a diagram.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Mark {
+    /// The diagram.
+    pub on: DiagramId,
+    /// What it is.
+    pub name: Name,
+}
+
+/// What a mark is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Name {
+    /// The pole of a polygon.
+    Pole,
+    /// A given place of the mechanism.
+    Point(Key),
+    /// The image of a point in a polygon; on the mechanism a place that is constructed.
+    Image(Key),
+    /// The end of a term of an equation.
+    End(Key),
+    /// The end of a term that is drawn once more.
+    Again(Key),
+}
+
+/// A straight line.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Line {
+    /// The diagram.
+    pub on: DiagramId,
+    /// A mark that it passes through.
+    pub through: MarkId,
+    /// Its direction.
+    pub along: Direction,
+    /// Whether the ruler is moved to the mark with set squares, so that the line misses the mark by itself.
+    pub moved: bool,
+    /// The terms whose direction it is.
+    pub carries: Vec<Key>,
+}
+
+/// A vector drawn from mark to mark.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Vector {
+    /// Its terms: one, or several along one line that are drawn as one.
+    pub terms: Vec<Key>,
+    /// Where it starts.
+    pub from: MarkId,
+    /// Where it ends.
+    pub to: MarkId,
+    /// Whether its magnitude was known when it was drawn.
+    pub known: bool,
+    /// Whether it belongs to no equation, but is drawn between two images.
+    pub between: bool,
+}
+
+/// A direction, or the vector from which one is taken, turned counter-clockwise by quarters of a full turn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Direction {
+    /// The vector.
+    pub base: Base,
+    /// Quarters of a full turn, 0 to 3.
+    pub quarters: u8,
+    /// Whether only its direction counts.
+    pub unit: bool,
+}
+
+impl Direction {
+    /// The direction of a vector as it is.
+    pub fn of(base: Base) -> Direction {
+        Direction { base, quarters: 0, unit: false }
+    }
+
+    /// The direction of a vector turned by a quarter.
+    pub fn across(base: Base) -> Direction {
+        Direction { quarters: 1, ..Direction::of(base) }
+    }
+
+    /// The unit vector.
+    pub fn unit(self) -> Direction {
+        Direction { unit: true, ..self }
+    }
+}
+
+/// A vector from which a direction is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Base {
+    /// From one mark to another (mm of their diagram).
+    Marks(MarkId, MarkId),
+    /// From one mark of the mechanism to another, in metres.
+    Arm {
+        /// From here.
+        from: MarkId,
+        /// To here.
+        to: MarkId,
+        /// Whether its length is that of a link and so known; else it is what is drawn.
+        known: bool,
+    },
+    /// A part of the distance of two marks of the mechanism, in metres.
+    Part(MarkId, MarkId, NumberId),
+    /// From one given place to another, in metres, as they are and not as they are drawn.
+    Places(Key, Key),
+    /// The unit tangent of a given path, at a given place where it is curved.
+    Tangent(Key, Option<Key>),
+    /// The normal of a given path at a mark.
+    Normal(Key, MarkId),
+    /// The unit vector from a given place on an arc, the second, towards its centre.
+    Inward(Key, Key),
+    /// A measured vector, in SI.
+    Measured(NumberId),
+}
+
+/// A number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Number {
+    /// A given number.
+    Given(Key),
+    /// A factor of a formula.
+    Plain(i32),
+    /// The vector from one mark to another, measured: mm × μ.
+    Vector(MarkId, MarkId),
+    /// The part of the vector from one mark to another that lies across an arm, measured (mm): positive where it turns the arm counter-clockwise.
+    Across {
+        /// From here.
+        from: MarkId,
+        /// To here.
+        to: MarkId,
+        /// The arm.
+        arm: Base,
+    },
+    /// The length of a vector.
+    Length(Base),
+    /// The length of a vector squared.
+    Square(Base),
+    /// The radius of a given path (m).
+    Radius(Key),
+    /// μ of a diagram (SI per mm).
+    Scale(DiagramId),
+    /// −a.
+    Negative(NumberId),
+    /// a + b.
+    Sum(NumberId, NumberId),
+    /// a − b.
+    Difference(NumberId, NumberId),
+    /// a b.
+    Product(NumberId, NumberId),
+    /// a / b.
+    Quotient(NumberId, NumberId),
+}
+
+impl Number {
+    /// Whether it is read off the paper, in an act of its own.
+    pub fn is_measured(&self) -> bool {
+        match self {
+            Number::Vector(..) | Number::Across { .. } => true,
+            Number::Given(_)
+            | Number::Plain(_)
+            | Number::Length(_)
+            | Number::Square(_)
+            | Number::Radius(_)
+            | Number::Scale(_)
+            | Number::Negative(_)
+            | Number::Sum(..)
+            | Number::Difference(..)
+            | Number::Product(..)
+            | Number::Quotient(..) => false,
+        }
+    }
+}
+
+/// One act.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Op {
+    /// Marks a given place of the mechanism, or a pole. A place that is not given leaves no mark.
+    Set(MarkId),
+    /// Draws a given path.
+    Path(Key),
+    /// Lays a known vector off: its direction times a number, to the diagram's scale.
+    Lay {
+        /// The vector.
+        vector: VectorId,
+        /// The vector whose multiple it is.
+        along: Direction,
+        /// The number.
+        times: NumberId,
+    },
+    /// Draws a line of known direction through a mark.
+    Rule(LineId),
+    /// Marks the crossing of two lines. On the mechanism parallel lines leave no mark; in a polygon the construction stops.
+    Meet {
+        /// The lines.
+        lines: [LineId; 2],
+        /// The mark.
+        to: MarkId,
+    },
+    /// Drops the perpendicular from a mark on a line, and marks its foot.
+    Foot {
+        /// The mark.
+        from: MarkId,
+        /// The line.
+        on: LineId,
+        /// The foot.
+        to: MarkId,
+    },
+    /// Copies a triangle of the mechanism by similarity.
+    Image {
+        /// Its corners: the third is copied.
+        of: [MarkId; 3],
+        /// The images of the first two.
+        onto: [MarkId; 2],
+        /// The image of the third.
+        to: MarkId,
+    },
+    /// A mark falls on another.
+    Same {
+        /// The other.
+        mark: MarkId,
+        /// The mark.
+        to: MarkId,
+        /// Why.
+        because: Because,
+    },
+    /// Measures or calculates a number.
+    Number(NumberId),
+    /// Draws a vector between two marks.
+    Show(VectorId),
+    /// Leaves out terms along one line that are 0, and that would start at a mark.
+    Omit {
+        /// The terms.
+        terms: Vec<Key>,
+        /// The mark.
+        at: MarkId,
+        /// The mark that lies there, because the last of them would end in it.
+        to: Option<MarkId>,
+    },
+}
+
+/// Why a mark falls on another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Because {
+    /// Nothing is added to what leads there.
+    Reached,
+    /// The link of both does not turn.
+    Translates,
+}
+
+/// Acts that are one step.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Step {
+    /// The diagram.
+    pub on: DiagramId,
+    /// Its acts.
+    pub ops: Range<u32>,
+    /// The two points from which its direction or its arm is taken.
+    pub ends: Option<[Key; 2]>,
+}
+
+impl Construction {
+    /// The acts of a step.
+    pub fn ops(&self, step: &Step) -> &[Op] {
+        &self.ops[step.ops.start as usize..step.ops.end as usize]
+    }
+
+    /// The diagram of a kind, if it is drawn.
+    pub fn diagram(&self, kind: DiagramKind) -> Option<DiagramId> {
+        self.diagrams.iter().position(|k| *k == kind).map(DiagramId::of)
+    }
+
+    /// Begins a diagram.
+    pub fn begin(&mut self, kind: DiagramKind) -> DiagramId {
+        self.diagrams.push(kind);
+        DiagramId::of(self.diagrams.len() - 1)
+    }
+
+    /// Names a mark; an act puts it on the diagram.
+    pub fn mark(&mut self, on: DiagramId, name: Name) -> MarkId {
+        self.marks.push(Mark { on, name });
+        MarkId::of(self.marks.len() - 1)
+    }
+
+    /// Names a line; an act draws it.
+    pub fn line(&mut self, line: Line) -> LineId {
+        self.lines.push(line);
+        LineId::of(self.lines.len() - 1)
+    }
+
+    /// Names a vector; an act draws it.
+    pub fn vector(&mut self, vector: Vector) -> VectorId {
+        self.vectors.push(vector);
+        VectorId::of(self.vectors.len() - 1)
+    }
+
+    /// Names a number; one that is measured needs an act.
+    pub fn number(&mut self, number: Number) -> NumberId {
+        self.numbers.push(number);
+        NumberId::of(self.numbers.len() - 1)
+    }
+
+    /// Appends a step.
+    ///
+    /// # Panics
+    /// Beyond 2³² acts.
+    pub fn step(&mut self, on: DiagramId, ends: Option<[Key; 2]>, ops: impl IntoIterator<Item = Op>) {
+        let start = self.ops.len();
+        self.ops.extend(ops);
+        let count = |n: usize| u32::try_from(n).expect("a construction has fewer acts than 2³²");
+        self.steps.push(Step { on, ops: count(start)..count(self.ops.len()), ends });
+    }
+}
