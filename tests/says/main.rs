@@ -366,7 +366,10 @@ fn limits_hold(name: &str, swept: &Scene, m: &Mechanism, driver: usize, singles:
         let size = if matches!(s.output, extreme::Output::Turning(_)) { 1.0 } else { extent };
         for (k, e) in s.extremes.iter().enumerate() {
             let again = |o: &extreme::Extreme| {
-                let apart = if turns { Vec2::from_angle(o.driver - e.driver).angle() } else { (o.driver - e.driver) / extent };
+                let apart = match limits.range.full() {
+                    true => Vec2::from_angle(o.driver - e.driver).angle(),
+                    false => (o.driver - e.driver) / if turns { 1.0 } else { extent },
+                };
                 limits.turns == 1 && apart.abs() < 1e-6 && (o.output - e.output).abs() < 1e-6 * size
             };
             if s.extremes[..k].iter().any(again) {

@@ -12,7 +12,7 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::answer::{Source, Value, evaluate};
 use hodograph_mechanism::mechanism::{Joined, Level, joined};
 use hodograph_mechanism::position::{Configuration, Path};
-use hodograph_scene::quantity::{Frame, Meaning, Seen, Split, ratio, split};
+use hodograph_scene::quantity::{Frame, Meaning, Seen, Split, heading, ratio, split};
 use hodograph_scene::{Asked, GuideId, LinkId, OnLink, PointId, Scene};
 use nalgebra::DVector;
 
@@ -157,17 +157,19 @@ impl Solution {
             Frame::Link(l) => Some(self.seen_from(at, l, (place, Vec2::new(1.0, 0.0)), of, Acceleration)?[1]),
             Frame::Point(_) => relative(Acceleration),
         };
+        let fastest = self.largest(Velocity, false);
         let path = || match about {
             Some(k) => Some((at.points[k.0]? - place).perp().unit()),
-            None => Some(relative(Velocity)?.unit()),
+            None => Some(heading(relative(Velocity)?, fastest)),
         };
+        let carried = || Some(split(heading(vector(Velocity, &seat)?, fastest), vector(Acceleration, &seat)?));
         Some(match part {
             Seen::Relative => seen()?,
             Seen::Coriolis => relative(Acceleration)? - seen()?,
             Seen::RelativeNormal => split(path()?, seen()?)[1],
             Seen::RelativeTangential => split(path()?, seen()?)[0],
-            Seen::TransportNormal => split(vector(Velocity, &seat)?.unit(), vector(Acceleration, &seat)?)[1],
-            Seen::TransportTangential => split(vector(Velocity, &seat)?.unit(), vector(Acceleration, &seat)?)[0],
+            Seen::TransportNormal => carried()?[1],
+            Seen::TransportTangential => carried()?[0],
         })
     }
 

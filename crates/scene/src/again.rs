@@ -2,10 +2,11 @@
 //!
 //! One linkage stands for a cam at one instant. What no driver of a whole motion answers is answered by the scene as it is read for each position.
 
+use super::cams::raw::RawCam;
 use super::json::Word;
 use super::raw::{RawDriverKind, RawPlace, RawQuantity, RawScene};
 use super::resolve;
-use super::{Driver, Position, Scene};
+use super::{Cam, Driver, Position, Scene};
 use hodograph_base::diag::{Diagnostic, Faults, Span, both};
 use std::fmt;
 use std::sync::Arc;
@@ -42,10 +43,17 @@ impl Scene {
     /// roughly those whose assembly is to be the same.
     ///
     /// # Errors
-    /// Those of reading; `no-source` for a scene without cams, one that was not read, or one whose file tells how a cam behind wheels stands.
+    /// Those of reading; `no-source` for a scene without cams, one that was not read, or one with a cam behind wheels that stands nowhere.
     pub fn read_again(&self, place: &dyn Fn(&str) -> Option<[f64; 2]>) -> Result<Scene, Faults> {
-        let by_wheels = |(raw, _): &(RawScene, String)| raw.cams.iter().any(|c| c.angle.is_some());
-        if self.source.as_ref().is_some_and(|Source(source)| by_wheels(source)) {
+        // Of a cam behind wheels the file tells the angle at the instant.
+        let angle = |cam: &RawCam| {
+            let own = |c: &&Cam| self.link_name(c.cam) == cam.cam.text && self.link_name(c.follower) == cam.follower.text;
+            let turning = self.cams.iter().find(own)?.disc.as_ref()?;
+            let driver = self.drivers[turning.driver].kind.position()?;
+            Some(turning.from + turning.way * driver.value())
+        };
+        let nowhere = |cam: &RawCam| cam.angle.is_some() && angle(cam).is_none();
+        if self.source.as_ref().is_some_and(|Source(source)| source.0.cams.iter().any(nowhere)) {
             let message = both!("how a cam behind wheels stands is told for one pose", "轮系带动的凸轮，其位置只对一个位置给定");
             return Err(Diagnostic::error("no-source", message).into());
         }
@@ -56,6 +64,9 @@ impl Scene {
                 own.rate = Some(quantity(driver.rate.value, rate, driver.span));
                 own.acceleration = driver.acceleration.as_ref().map(|a| quantity(a.value, acceleration, driver.span));
                 stand(&mut own.kind, driver);
+            }
+            for cam in &mut raw.cams {
+                cam.angle = cam.angle.as_ref().and_then(|told| Some(quantity(angle(cam)?, "rad", told.span)));
             }
             let at = |name: &str, span: Span| place(name).map(|at| at.map(|x| quantity(x, "m", span)));
             for (name, own) in raw.points.iter_mut().filter(|(name, _)| !fixed(&name.text)) {

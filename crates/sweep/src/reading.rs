@@ -135,13 +135,15 @@ impl Kernel<2, 1> for Sum {
 /// The largest ratio of angular velocities: a divisor that is smaller still is zero but for rounding.
 const MOST: f64 = 1.0 / ROUNDING;
 
-/// a / b; NaN where b is no more than rounding beside a.
+/// a / b; NaN where b is no more than rounding beside a, or beside the rates of the drivers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ratio {
     /// Dividend.
     pub a: Reg,
     /// Divisor.
     pub b: Reg,
+    /// The largest rate of a driver (rad/s; of one that slides, over the mechanism's size).
+    pub driven: f64,
 }
 
 impl Kernel<2, 1> for Ratio {
@@ -152,8 +154,10 @@ impl Kernel<2, 1> for Ratio {
 
     #[inline(always)]
     fn eval<N: Lane>(&self, [a, b]: [N; 2]) -> [N; 1] {
-        let ratio = a / b;
-        [(ratio * ratio).past(MOST * MOST, ratio.constant(f64::NAN), ratio)]
+        let (ratio, least) = (a / b, ROUNDING * self.driven);
+        let none = ratio.constant(f64::NAN);
+        let ratio = (ratio * ratio).past(MOST * MOST, none, ratio);
+        [(b * b).past(least * least, ratio, none)]
     }
 }
 

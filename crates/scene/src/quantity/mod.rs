@@ -53,7 +53,7 @@ pub use ratio::Ratio;
 pub use relative::Relative;
 pub use roller::RollerSpin;
 pub use seen::Seen;
-pub use seen::split;
+pub use seen::{heading, split};
 pub use sliding::Sliding;
 pub use transmission::Transmission;
 pub use turning::Turning;

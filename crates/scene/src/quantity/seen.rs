@@ -1,5 +1,6 @@
 //! Motion seen from a frame where no guide gives its parts: a_r = a − a_e − 2 ω_e × v_r, along and square to the relative path.
 
+use super::value::{largest, vanishes};
 use super::{Frame, Known, Level, Value};
 use crate::model::{OnLink, PointId};
 use hodograph_base::geom::Vec2;
@@ -34,15 +35,16 @@ impl Seen {
                 Frame::Point(_) => Vec2 { x: N::from_f64(0.0), y: N::from_f64(0.0) },
             })
         };
+        let fastest = || largest(known, Velocity);
         // Unit vector along the relative path.
         let along = || {
             Some(match about {
                 Some(k) => (known.point(k)? - known.point(of.point)?).perp().unit(),
-                None => relative(Velocity)?.unit(),
+                None => heading(relative(Velocity)?, fastest()),
             })
         };
         let seen = || Some(relative(Acceleration)? - coriolis()?);
-        let transport = || Some((known.vector(Velocity, &seat)?.unit(), known.vector(Acceleration, &seat)?));
+        let transport = || Some((heading(known.vector(Velocity, &seat)?, fastest()), known.vector(Acceleration, &seat)?));
         let [tangential, normal] = match self {
             Seen::Relative => return seen().map(Value::Vector),
             Seen::Coriolis => return coriolis().map(Value::Vector),
@@ -57,6 +59,11 @@ impl Seen {
             Seen::RelativeNormal | Seen::TransportNormal | Seen::Relative | Seen::Coriolis => normal,
         }))
     }
+}
+
+/// The direction of a velocity, beside the largest of the mechanism; `None` for a point at rest, whose velocity is rounding.
+pub fn heading<N: Real>(velocity: Vec2<N>, fastest: f64) -> Option<Vec2<N>> {
+    if vanishes(velocity.norm(), fastest) { None } else { velocity.unit() }
 }
 
 /// The parts of an acceleration along a unit vector and square to it. A point momentarily at rest has no normal part: v²/ρ = 0.

@@ -10,7 +10,7 @@ use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::mechanism::{Joined, Level, joined};
 use hodograph_scene::quantity::{Meaning, Place, Split};
-use hodograph_scene::{Axis, Find, GuideId, LinkId, OnLink, PointId};
+use hodograph_scene::{Axis, Driver, Find, GuideId, LinkId, OnLink, PointId};
 
 const P: Level = Level::Position;
 const V: Level = Level::Velocity;
@@ -88,7 +88,10 @@ impl Compiler<'_> {
                     None => [self.turning(links[0], V)?, self.turning(links[1], V)?],
                     Some(arm) => [self.relative_turning(links[0], arm, V)?, self.relative_turning(links[1], arm, V)?],
                 };
-                let ratio = self.emit(V, Ratio { a, b }, 1);
+                let size = self.at.extent();
+                let rate = |d: &Driver| d.rate.value.abs() / if d.kind.turns() { 1.0 } else { size };
+                let driven = self.scene.drivers.iter().map(rate).filter(|w| w.is_finite()).fold(0.0, f64::max);
+                let ratio = self.emit(V, Ratio { a, b, driven }, 1);
                 one(self, ratio)
             }
             Meaning::Turning(l, None) => {
