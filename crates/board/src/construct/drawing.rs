@@ -169,7 +169,7 @@ impl<N: Real> View<'_, N> {
                 }
             }
             [Op::Meet { to, .. }, Op::Show(a), Op::Show(b)] => {
-                let met = self.drawn.met.iter().find(|m| m.step == index)?;
+                let met = &self.drawn.met[self.drawn.met.binary_search_by_key(&index, |m| m.step).ok()?];
                 Action::Cross { target: self.vertex(*to), edges: vec![self.edge(step.on, *a), self.edge(step.on, *b)], sine: met.sine }
             }
             [Op::Rule(line), Op::Foot { .. }, Op::Show(a), Op::Show(b)] => {
@@ -183,7 +183,7 @@ impl<N: Real> View<'_, N> {
             }
             [Op::Show(vector)] => Action::Join(self.edge(step.on, *vector)),
             _ => {
-                let turning = self.acts.turnings.iter().find(|t| t.step == index)?;
+                let turning = &self.acts.turnings[self.acts.turnings.binary_search_by_key(&index, |t| t.step).ok()?];
                 let number = |id| self.drawn.number(id);
                 let measured = turning.measured.and_then(|([across, arm], line)| {
                     let Number::Across { from, to, .. } = construction.numbers[across.index()] else { return None };

@@ -263,15 +263,15 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
     /// The same; the length of a link is not taken from the drawing.
     fn arm_of(&self, from: MarkId, to: MarkId, known: bool) -> Result<Vec2<N>, Why> {
         let drawn = self.arm(from, to)?;
+        if P::EXACT || !known {
+            return Ok(drawn);
+        }
         let given = |m: MarkId| match self.construction.marks[m.index()].name {
             Name::Point(key) => self.givens.place(key),
             Name::Pole | Name::Image(_) | Name::End(_) | Name::Again(_) => None,
         };
-        let length = || Some(given(from)?.distance(given(to)?));
-        Ok(match (drawn.unit(), known && !P::EXACT) {
-            (Some(u), true) => length().map_or(drawn, |l| u * l),
-            _ => drawn,
-        })
+        let length = given(from).zip(given(to)).map(|(p, q)| p.distance(q));
+        Ok(drawn.unit().zip(length).map_or(drawn, |(u, l)| u * l))
     }
 
     fn base(&self, base: &Base) -> Result<Vec2<N>, Why> {
