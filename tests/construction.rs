@@ -1,7 +1,10 @@
 //! The construction language: a plan written as acts is plain data without coordinates, and all that is drawn is an evaluation of it.
 
-use hodograph::construct::{Acts, Layout, pencil::Exact};
+use hodograph::construct::pencil::{Exact, Pencil};
+use hodograph::construct::{Acts, Layout, by_hand, read};
 use hodograph::construction::{Construction, Op};
+use hodograph::diagram::DiagramKind;
+use hodograph::geom::{Point, Vec2};
 use hodograph::plan;
 use hodograph::scene::{Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
@@ -77,4 +80,54 @@ fn each_act_is_drawn_by_a_template() {
         }
     }
     assert_eq!(seen.len(), 11, "{seen:?}");
+}
+
+/// The exact pencil, but for one of its marks, which falls beside its place.
+struct Stray {
+    mark: usize,
+    made: usize,
+}
+
+impl Pencil for Stray {
+    const EXACT: bool = false;
+
+    fn mark(&mut self, _: DiagramKind, at: Point) -> Point {
+        self.made += 1;
+        if self.made - 1 == self.mark { at + Vec2::new(0.3, 0.2) } else { at }
+    }
+
+    fn ruler(&mut self, _: DiagramKind, u: Vec2, _: f64) -> Vec2 {
+        u
+    }
+}
+
+/// What is said to be measured is read off marks: moving one of them moves the answer, and its length is that between its marks.
+#[test]
+fn what_is_measured_moves_with_its_marks() {
+    let mut moved_answers = 0;
+    for (name, scene, w) in all() {
+        let acts = &w.construction.acts;
+        let layout = Layout::of(&w.construction);
+        let drawn = |mark| {
+            let mut pencil = Stray { mark, made: 0 };
+            let (paper, shown) = by_hand(acts, &scene, &w.configuration, &w.plan, &layout, &mut pencil).ok()?;
+            Some((read(&scene, &w.mechanism, &shown, &w.plan, &paper), pencil.made))
+        };
+        let (exact, marks) = drawn(usize::MAX).unwrap();
+        let mut moved = vec![false; exact.len()];
+        for (answers, _) in (0..marks).filter_map(drawn) {
+            for ((moved, one), other) in moved.iter_mut().zip(&exact).zip(&answers) {
+                *moved |= one.as_ref().map(|a| &a.value) != other.as_ref().map(|a| &a.value);
+            }
+        }
+        for (answer, moved) in exact.iter().zip(moved) {
+            let Some((answer, measured)) = answer.as_ref().and_then(|a| Some((a, a.measured.as_ref()?))) else { continue };
+            // An image that falls on the pole because nothing is added to it is no mark of its own.
+            assert!(moved || measured.length_mm == 0.0, "{name}: {} is measured, and no mark moves it", scene.find[answer.find].text);
+            let [from, to] = measured.marks.map(|(_, at)| at);
+            assert!(measured.arm_m.is_some() || (from.distance(to) - measured.length_mm).abs() < 1e-12, "{name}: {measured:?}");
+            moved_answers += 1;
+        }
+    }
+    assert!(moved_answers > 200, "{moved_answers}");
 }
