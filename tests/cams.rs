@@ -291,3 +291,54 @@ fn a_sweep_says_what_each_pose_says() {
         }
     }
 }
+
+/// A roller on an arm, at 12 mm from a disc of 40 mm about Q, which turns about O at 20 mm.
+fn eccentric(angle: f64, told: &str, find: &[&str]) -> Scene {
+    let text = format!(
+        r#"{{"units": {{"length": "mm"}}, "links": {{"1": ["O", "P"], "2": ["O", "Q"], "3": ["P", "B"]}}, "ground": "1", "points": {{"O": [0, 0], "P": [100, 60]}},
+        "lengths": {{"OQ": 20, "PB": 110}}, "cams": [{{"cam": "2", "follower": "3", "roller": {{"pin": "B", "radius": 12}}, "profile": {{"centre": "Q", "radius": 40}}}}],
+        {told}, "driver": {{"link": "2", "angle": "{angle:?} deg", "omega": "14 rad/s"}}, "find": {find:?}}}"#
+    );
+    scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value
+}
+
+/// The roller's centre (mm): the circle of 52 mm about Q crossed with that of 110 mm about P, left or right of the line PQ.
+fn roller(angle: f64, left: bool) -> hodograph::geom::Vec2 {
+    use hodograph::geom::Vec2;
+    let (p, q) = (Vec2::new(100.0, 60.0), Vec2::from_angle(angle.to_radians()) * 20.0);
+    let (way, d) = (q - p, (q - p).norm());
+    let foot = (110.0f64.powi(2) - 52.0f64.powi(2) + d * d) / (2.0 * d);
+    let height = (110.0f64.powi(2) - foot * foot).sqrt();
+    p + way * (foot / d) + way.perp() * (if left { height / d } else { -height / d })
+}
+
+/// On which side of the cam an arm lies may be told by a sketch, by the line of the pivots, or by that to the centre of the disc; the rise takes the angle
+/// through which the cam turns while the roller goes out.
+#[test]
+fn an_arm_lies_on_its_side_however_that_is_told() {
+    let find = ["Phi_3", "pressure_3", "psi_3", "phi_3"];
+    for left in [true, false] {
+        let out = |k: usize| roller(0.1 * k as f64, left).norm();
+        let by = |better: &dyn Fn(f64, f64) -> bool| (0..3600).fold(0, |b, k| if better(out(k), out(b)) { k } else { b });
+        let (near, far) = (by(&|a, b| a < b), by(&|a, b| a > b));
+        let rise = (0.1 * (far as f64 - near as f64)).rem_euclid(360.0);
+        for angle in [10.0, 100.0, 200.0, 310.0] {
+            let b = roller(angle, left);
+            let side = if left { "left" } else { "right" };
+            let pivots = if hodograph::geom::Vec2::new(-100.0, -60.0).cross(b - hodograph::geom::Vec2::new(100.0, 60.0)) > 0.0 { "left" } else { "right" };
+            let ways = [
+                format!(r#""side": {{"B": "{side} of PQ"}}"#),
+                format!(r#""side": {{"B": "{pivots} of PO"}}"#),
+                format!(r#""sketch": {{"B": [{:?}, {:?}]}}"#, b.x, b.y),
+            ];
+            let told = ways.map(|told| {
+                let worked = work(&eccentric(angle, &told, &find), Scope::Questions).unwrap_or_else(|f| panic!("{told}: {f}")).value;
+                worked.results.iter().map(|r| component(r.value())).collect::<Vec<f64>>()
+            });
+            for other in &told[1..] {
+                assert!(told[0].iter().zip(other).all(|(a, b)| (a - b).abs() < 1e-9), "{angle} {side}: {told:?}");
+            }
+            assert!((told[0][0].to_degrees() - rise).abs() < 0.3, "{angle} {side}: {:?}, not {rise}", told[0]);
+        }
+    }
+}

@@ -228,7 +228,7 @@ fn sweeps_keep_to_that_side() {
 /// Positions of a mechanism whose lengths are not those of the scene: a sweep of any kind is refused by its samples.
 #[test]
 fn sweeps_are_judged_by_samples() {
-    for name in ["crank-rocker", "double-butterfly", "slider-crank", "gear-linkage"] {
+    for name in ["crank-rocker", "double-butterfly", "slider-crank", "gear-linkage", "class-iii-six-bar"] {
         let own = scene::read(scene::templates::get(name).unwrap()).unwrap().value;
         let mechanism = Mechanism::new(&own).unwrap().value;
         let Placed { demand, at, .. } = Placed::new(&own, &mechanism).unwrap();

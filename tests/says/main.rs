@@ -42,8 +42,9 @@ fn part(asked: &str) -> Option<(usize, usize)> {
     k.parse().ok().zip(n.parse().ok()).filter(|(_, n)| *n > 0)
 }
 
-/// Scenes that are always looked at: questions without a value in some rows, beyond a change point.
-const ALWAYS: [&str; 1] = ["third-crank"];
+/// Scenes that are always looked at: questions without a value in some rows, beyond a change point; a ratio of links that turn by rounding; a point of a
+/// frame that is its pole; a cam behind wheels that says how it stands.
+const ALWAYS: [&str; 4] = ["third-crank", "cases/hit-7.17", "problems/scissor-lift", "problems/cam-shaft-behind-ring-gear"];
 
 /// Positions of a driver.
 const POSITIONS: usize = 8;

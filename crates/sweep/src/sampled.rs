@@ -14,9 +14,13 @@ use hodograph_mechanism::stated::{self, Moment};
 /// templates.
 const SAMPLES: usize = 9;
 
+/// Stations through which a group is followed to the positions that are judged, at most: those of a usual sweep. A group is followed from one position
+/// to the next, and what is judged is where that leads.
+const FOLLOWED: usize = 73;
+
 /// Checks that some positions in which the compiled program of a sweep puts the mechanism meet what the scene states. `value` tells the driver's value at
 /// each of `count` stations. Positions that the mechanism does not reach are not judged. Rows that no program makes are proved one by one as they are
-/// made; a program with groups that are followed from position to position is not judged here.
+/// made.
 ///
 /// # Errors
 /// `position-unproven`, one for each statement that is broken.
@@ -25,13 +29,16 @@ pub fn proved(placed: &Placed, driver: usize, count: usize, value: impl Fn(usize
     if count == 0 || general.is_read_again() {
         return Ok(());
     }
-    let Some(stood) = Stood::of(placed, driver) else { return Ok(()) };
-    let samples = SAMPLES.min(count);
-    let chosen = (0..samples).map(|k| value(k * (count - 1) / (samples - 1).max(1)));
+    let Some(stood) = Stood::or_followed(placed, driver) else { return Ok(()) };
+    let through = count.min(if stood.program.tracks.is_empty() { SAMPLES } else { FOLLOWED });
+    let among = |k: usize, few: usize, many: usize| k * (many - 1) / (few - 1).max(1);
+    let chosen = (0..through).map(|k| value(among(k, through, count)));
     let stations = Stations::of_values(chosen.collect(), super::station::angle_per_value(placed.scene, &placed.at, driver));
     let judge =
         |i: usize, at: &Configuration| stated::proved(&general.scene_at(&stations, i), placed.mechanism, at, Moment::Later(&placed.at));
     let (parts, _) = branches(stood.program.clone(), placed, driver, &stations);
     let rows = run_parts(&parts, placed, driver, &stations, Width::One);
-    (0..samples).filter_map(|i| Some((i, stood.laid(placed, &rows.columns, i)?))).try_for_each(|(i, at)| judge(i, &at))
+    let samples = SAMPLES.min(through);
+    let there = (0..samples).map(|k| among(k, samples, through)).filter(|i| !rows.missing.contains_key(i));
+    there.filter_map(|i| Some((i, stood.laid(placed, &rows.columns, i)?))).try_for_each(|(i, at)| judge(i, &at))
 }

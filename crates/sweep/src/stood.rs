@@ -28,12 +28,17 @@ pub(super) struct Stood {
 impl Stood {
     /// The positions of a placed mechanism that is moved by a driver; `None` where a group has no kernel, or is followed.
     pub fn of(placed: &Placed, driver: usize) -> Option<Stood> {
+        Stood::or_followed(placed, driver).filter(|s| s.program.tracks.is_empty())
+    }
+
+    /// The same, though groups may be followed.
+    pub fn or_followed(placed: &Placed, driver: usize) -> Option<Stood> {
         let (scene, m, at) = (placed.scene, placed.mechanism, &placed.at);
         let points: Vec<PointId> =
             (0..scene.points.len()).map(PointId).filter(|p| at.points[p.0].is_some() && m.pins.contains(p)).collect();
         let moves = |l: &LinkId| at.poses[l.0].is_some() && *l != scene.ground && !m.is_passive(*l);
         let links: Vec<LinkId> = (0..scene.links.len()).map(LinkId).filter(moves).collect();
-        let program = compile::places(scene, m, at, driver, &points, &links).ok().filter(|p| p.tracks.is_empty())?;
+        let program = compile::places(scene, m, at, driver, &points, &links).ok()?;
         Some(Stood { program, points, links })
     }
 

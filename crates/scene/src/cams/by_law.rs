@@ -131,7 +131,7 @@ impl One<'_> {
             return self.no_contact(faults);
         }
         let phi = turn * (on.angle.value - start);
-        let disc = self.on_its_side(disc, phi, (on.frame, on.spot.at()), point);
+        let disc = self.on_its_side(disc, phi, (on.frame, on.spot.at()), point, &|q| self.spot_on(&on, q));
         let along = if on.rate * turn < 0.0 { Side::Before } else { Side::After };
         let end_point = point;
         // The mark that tells the direction of a lever with a face is the last point of its link.

@@ -79,7 +79,7 @@ impl One<'_> {
             let turn = if backward { -1.0 } else { 1.0 };
             let disc = Disc { follower, touch, motion: Motion::Profile(segments), sense: turn };
             let phi = turn * on.angle.value;
-            let disc = self.on_its_side(disc, phi, (on.frame, on.spot.at()), point);
+            let disc = self.on_its_side(disc, phi, (on.frame, on.spot.at()), point, &|q| self.spot_on(on, q));
             let Some(found) = disc.touched(phi, Side::After) else { return self.no_contact(faults) };
             touched = found;
             self.joint(&disc, phi, on, faults);

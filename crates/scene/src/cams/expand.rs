@@ -266,20 +266,48 @@ impl One<'_> {
     }
 
     /// The cam with its follower on the side on which the scene puts the point that touches: where a round end can lie on both sides of the cam in its
-    /// guide, on that which is nearer to the coordinates or the sketch of its centre.
-    pub(super) fn on_its_side(&self, disc: Disc, phi: f64, (frame, centre): (LinkId, Vec2), point: PointId) -> Disc {
-        let (Touch::Point { .. }, Follower::Translating { direction, offset }) = (disc.touch, disc.follower) else { return disc };
-        let Some(told) = self.told_in(frame, point) else { return disc };
-        let other = Disc { follower: Follower::Translating { direction: -direction, offset: -offset }, ..disc.clone() };
-        let off = |d: &Disc| {
-            let at = d.follower.point(d.coordinate(phi, Side::After)?).order(0);
-            Some((centre + at - told).norm())
+    /// guide, on that which is nearer to the coordinates or the sketch of its centre; on an arm, on the side of each line that the scene names. `at`
+    /// tells where points are in the pose.
+    pub(super) fn on_its_side(
+        &self,
+        disc: Disc,
+        phi: f64,
+        (frame, centre): (LinkId, Vec2),
+        point: PointId,
+        at: &dyn Fn(PointId) -> Option<Vec2>,
+    ) -> Disc {
+        let other = match (disc.touch, disc.follower) {
+            (Touch::Point { .. }, Follower::Translating { direction, offset }) => {
+                Follower::Translating { direction: -direction, offset: -offset }
+            }
+            (Touch::Point { .. }, Follower::Oscillating { pivot, arm, sense }) => Follower::Oscillating { pivot, arm, sense: -sense },
+            (Touch::Flat { .. }, _) => return disc,
         };
+        let other = Disc { follower: other, ..disc.clone() };
+        let place = |d: &Disc| Some(centre + d.follower.point(d.coordinate(phi, Side::After)?).order(0));
+        if let Follower::Oscillating { .. } = disc.follower {
+            let lies = |d: &Disc, s: &super::super::model::Side| {
+                let ([from, to], b) = ([at(s.from)?, at(s.to)?], place(d)?);
+                Some(((to - from).cross(b - from) > 0.0) == s.left)
+            };
+            let said = self.bare.sides.iter().filter(|s| s.point == point);
+            let told: Vec<_> = said.filter_map(|s| lies(&disc, s).zip(lies(&other, s))).collect();
+            return if told.iter().any(|(own, other)| !own && *other) { other } else { disc };
+        }
+        let Some(told) = self.told_in(frame, point) else { return disc };
+        let off = |d: &Disc| Some((place(d)? - told).norm());
         match (off(&disc), off(&other)) {
             (Some(a), Some(b)) if b < a => other,
             (None, Some(_)) => other,
             (Some(_) | None, _) => disc,
         }
+    }
+
+    /// Where a point of the carrying link, or of the cam, is in the pose, in the axes of the carrying link.
+    pub(super) fn spot_on(&self, on: &OnPivot, point: PointId) -> Option<Vec2> {
+        let of_cam =
+            on.local.iter().find(|(p, _)| *p == point).map(|(_, at)| on.spot.at() + at.rotate_by(Vec2::from_angle(on.angle.value)));
+        of_cam.or_else(|| Some(self.spot_in(on.frame, point)?.at()))
     }
 
     /// Whether a face is known by its pivot alone, or by a line that begins there.

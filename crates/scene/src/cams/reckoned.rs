@@ -170,7 +170,7 @@ impl One<'_> {
             None => Touch::Flat { lever: if slides { 0.0 } else { t.face.1 } },
         };
         let disc = Disc { follower: geometry, touch, motion: Motion::Profile(t.segments.to_vec()), sense: 1.0 };
-        let disc = self.on_its_side(disc, t.angle, (self.bare.ground, t.origin), point);
+        let disc = self.on_its_side(disc, t.angle, (self.bare.ground, t.origin), point, &|q| known.spot(q));
         let (touched, q) = match self.on {
             Some(piece) => (piece, t.segments[piece].coordinate(&disc.follower, &disc.touch, Jet::variable(t.angle))),
             None => (disc.touched(t.angle, Side::After)?, disc.coordinate(t.angle, Side::After)?),
