@@ -325,7 +325,11 @@ fn an_arm_lies_on_its_side_however_that_is_told() {
         for angle in [10.0, 100.0, 200.0, 310.0] {
             let b = roller(angle, left);
             let side = if left { "left" } else { "right" };
-            let pivots = if hodograph::geom::Vec2::new(-100.0, -60.0).cross(b - hodograph::geom::Vec2::new(100.0, 60.0)) > 0.0 { "left" } else { "right" };
+            let pivots = if hodograph::geom::Vec2::new(-100.0, -60.0).cross(b - hodograph::geom::Vec2::new(100.0, 60.0)) > 0.0 {
+                "left"
+            } else {
+                "right"
+            };
             let ways = [
                 format!(r#""side": {{"B": "{side} of PQ"}}"#),
                 format!(r#""side": {{"B": "{pivots} of PO"}}"#),

@@ -6,6 +6,7 @@ use hodograph::figure::list::{Entry, Extras, LIST, MECHANISM, USUAL, Wanted};
 use hodograph::figure::sheet::Options;
 use hodograph::notation::Notation;
 use hodograph::paper::item::{Figure, Item};
+use hodograph::problem::{self, Kind, Look, Pictures, solve};
 use hodograph::scene::{self, DiagramKind, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 
@@ -118,4 +119,44 @@ fn names_that_are_no_ascii_have_ids_of_their_own() {
         assert!(sheet.items.iter().any(|i| i.id == id), "{id} is missing");
     }
     assert!(sheet.vector("v_杆'").is_some());
+}
+
+/// Figures of designs and of motions without a mechanism are named by what they show, too.
+#[test]
+fn designs_and_motions_have_ids_by_meaning() {
+    let mut all = Vec::new();
+    let named = |figure: &Figure| -> BTreeSet<String> { figure.items.iter().filter(|i| is_named_alike(i)).map(|i| i.id.clone()).collect() };
+    for t in problem::templates::all().into_iter().filter(|t| t.kind != Kind::Scene) {
+        let read = problem::read(problem::templates::text(t.name, &[]).unwrap()).unwrap().value;
+        let solved = solve(&read, &problem::Options::with_figures()).unwrap();
+        let pages = |lang| {
+            let pages = solved.figures(&Pictures::default(), &Look { lang: Some(lang), ..Look::default() }).unwrap().value;
+            pages.into_iter().map(|(_, figure)| figure).collect::<Vec<Figure>>()
+        };
+        let (english, chinese) = (pages(Lang::En), pages(Lang::Zh));
+        for (one, other) in english.iter().zip(&chinese) {
+            all.extend(faults(t.name, one));
+            let lines = |id: &String| id.starts_with("sentence-") || id.starts_with("answer") || id.starts_with("step");
+            all.extend(
+                named(one)
+                    .symmetric_difference(&named(other))
+                    .filter(|id| !lines(id))
+                    .map(|id| format!("{}: {id} in one language", t.name)),
+            );
+            all.extend(one.items.iter().filter(|i| i.id.is_empty()).map(|i| format!("{}: {} has no id", t.name, i.class)));
+        }
+    }
+    assert!(all.is_empty(), "{} faults:\n{}", all.len(), all.join("\n"));
+    // v_A of a pursuit, a_e^n of a point of a plate, to their scales.
+    for (name, vectors) in [("pursuit", ["v_A", "a_A"]), ("plate-in-space", ["vr_M", "ak_M"])] {
+        let solved =
+            solve(&problem::read(problem::templates::text(name, &[]).unwrap()).unwrap().value, &problem::Options::with_figures()).unwrap();
+        let pages = solved.figures(&Pictures::default(), &Look::default()).unwrap().value;
+        for vector in vectors {
+            let shown = pages.iter().find_map(|(_, figure)| figure.vector(vector)).unwrap_or_else(|| panic!("{name} shows no {vector}"));
+            let answer = solved.answer(vector, &Look::default());
+            println!("{name} {vector}: {} mm, {} SI, {answer:?}", shown.mm, shown.si);
+            assert!(shown.mm > 1.0 && shown.si > 0.0);
+        }
+    }
 }

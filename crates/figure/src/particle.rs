@@ -21,11 +21,11 @@ use super::arrange::Tree;
 use super::sheet::MARGIN_MM;
 use hodograph_paper::paper::drawing::{Drawing, Part};
 use hodograph_paper::paper::grid::{self, Cell, Row};
-use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, Shape, Stroke};
+use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, Shape, Stroke, distinct};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::lines::wrapped;
 use hodograph_paper::paper::place::LabelRequest;
-use hodograph_paper::paper::shown::question_id;
+use hodograph_paper::paper::shown::Shown;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
 use hodograph_paper::paper::words::words;
@@ -111,7 +111,7 @@ pub fn as_given(problem: &Problem, solved: &Solved, drawn: &Drawn, style: &Style
     let page = [size[0] + 2.0 * MARGIN_MM, size[1] + 2.0 * MARGIN_MM];
     tree.put(&mut parts, Point::new(MARGIN_MM, page[1] - MARGIN_MM));
     let mut items: Vec<Item> = parts.into_iter().flat_map(|p| p.items).collect();
-    items.iter_mut().enumerate().for_each(|(k, item)| item.id = format!("given-{k}"));
+    distinct(&mut items);
     let title = lang.of(&problem.title).to_owned();
     let tag = words(lang).tag.into();
     let mut figure = Figure { width_mm: page[0], height_mm: page[1], desc: title.clone(), title, lang: tag, paper: Colour::WHITE, items };
@@ -176,9 +176,7 @@ impl Maker<'_> {
                 self.style.caption_mm * 1.15,
             ));
         }
-        for (k, item) in items.iter_mut().enumerate() {
-            item.id = format!("particle-{k}");
-        }
+        distinct(&mut items);
         let desc = self.lines().iter().map(|l| l.plain()).collect::<Vec<_>>().join("; ");
         let lang = words(self.lang).tag.into();
         let mut figure = Figure { width_mm: page[0], height_mm: page[1], title, desc, lang, paper: Colour::WHITE, items };
@@ -197,6 +195,10 @@ impl Maker<'_> {
         let part = view.part;
         let (x, y) = (part.bounds.centre().x, part.bounds.min.y - CAPTION_MM);
         let mut items = part.items;
+        // Views of one kind, with the velocities and with the accelerations, are told apart.
+        if let Some((on, _)) = view.scales.last().filter(|(on, _)| *on != DiagramKind::Plane) {
+            items.iter_mut().for_each(|i| i.id = format!("{}-{}", on.prefix(), i.id.trim_start_matches("polygon-")));
+        }
         items.push(self.words("caption", Point::new(x, y), Phrase::new(self.lang.of(&view.caption)).label(), self.style.caption_mm));
         items.push(self.words("scale", Point::new(x, y - SCALE_MM), Label::math(scale), self.style.small_mm));
         Part::of(items)
@@ -213,7 +215,8 @@ impl Maker<'_> {
         Part::of(grid::set(&labels.map(row).collect::<Vec<_>>(), 0.0))
     }
 
-    fn arrow(&self, d: &mut Drawing, a: &Arrow) {
+    /// Draws a vector to a scale (SI per mm); `on_plate` is the point of a plate whose motion it is.
+    fn arrow(&self, d: &mut Drawing, a: &Arrow, mu: f64, on_plate: Option<&str>) {
         let style = self.style;
         let width_mm = if a.whole { style.vector.width_mm } else { style.vector.width_mm * 0.7 };
         if a.from.distance(a.to) <= 0.3 {
@@ -221,14 +224,20 @@ impl Maker<'_> {
         }
         let stroke = Stroke { width_mm, ..style.vector };
         let class = format!("vector {}", step(a.step));
-        let id = question_id(&a.symbol);
-        let owner = d.shape(&id, &class, Shape::Arrow { from: a.from, to: a.to, stroke, head: style.head });
+        let id = a.symbol.replace(['_', '^'], "-").replace('\'', "-seen");
+        let arrow = Shape::Arrow { from: a.from, to: a.to, stroke, head: style.head };
+        let owner = match quantity(&a.symbol, on_plate) {
+            Some(name) => d.vector(&id, &class, arrow, Shown::vector(&name, a.from, a.to, mu)),
+            None => d.shape(&id, &class, arrow),
+        };
         let symbol = report::marked(&a.symbol, &self.notation());
         d.label(&id, &class, LabelRequest::along(Label::math(&symbol), style.label_mm, a.from, a.to, width_mm / 2.0).owned(owner));
     }
 
-    fn line(&self, d: &mut Drawing, name: &str, points: Vec<Point>, stroke: Stroke) {
-        d.shape(name, name, Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None });
+    /// Draws a line, whose class begins with its name.
+    fn line(&self, d: &mut Drawing, class: &str, points: Vec<Point>, stroke: Stroke) {
+        let name = class.split(' ').next().unwrap_or(class);
+        d.shape(name, class, Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None });
     }
 
     fn named(&self, d: &mut Drawing, name: &str, at: Point) {
@@ -237,13 +246,18 @@ impl Maker<'_> {
     }
 
     fn scales(&self, drawn: &Drawn, on: DiagramKind) -> Vec<(DiagramKind, f64)> {
-        let lengths = (DiagramKind::Plane, drawn.mu[0]);
-        match on {
-            DiagramKind::Plane => vec![lengths],
-            DiagramKind::Velocity => vec![lengths, (on, drawn.mu[1])],
-            DiagramKind::Acceleration => vec![lengths, (on, drawn.mu[2])],
-        }
+        let shown = [DiagramKind::Plane, on];
+        shown[usize::from(on == DiagramKind::Plane)..].iter().map(|on| (*on, drawn.scale(*on))).collect()
     }
+}
+
+/// The name of a vector as `find` writes it: `v_A` of a pursuit, `aen_M` of a point of a plate. A projection has none.
+fn quantity(symbol: &str, on_plate: Option<&str>) -> Option<String> {
+    let (letter, part) = symbol.split_once('_').filter(|_| !symbol.contains('\''))?;
+    Some(match on_plate {
+        Some(point) => format!("{letter}{}_{point}", part.replace('^', "")),
+        None => symbol.to_owned(),
+    })
 }
 
 /// The word by which an item says which step brings it, counted from 0.

@@ -9,11 +9,12 @@ use hodograph_base::digits::{inked, shortest, significant};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale::choose;
 use hodograph_paper::paper::extent::{Rect, translate};
-use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, PLACED, Shape, Stroke, tag};
+use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, PLACED, Shape, Stroke, distinct, tag};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::lines::wrapped;
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_paper::paper::place::{LabelRequest, Obstacles, place};
+use hodograph_paper::paper::shown::escaped;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::text;
 use hodograph_paper::paper::words::words;
@@ -144,7 +145,7 @@ pub fn construction(task: &Task, candidate: &Candidate, board: &Board, set: Set)
     let Set { style, lang, whole } = set;
     let window = window(board).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(BEYOND_MM);
     let mut items = Vec::new();
-    let mut wanted: Vec<(LabelRequest, usize)> = Vec::new();
+    let mut wanted: Vec<(LabelRequest, usize, String)> = Vec::new();
     let label = |text: &str| Label::math(text).in_fonts(&style.fonts);
     for (k, step) in board.steps.iter().enumerate() {
         let stroke_of = |weight: Weight| match weight {
@@ -167,6 +168,7 @@ pub fn construction(task: &Task, candidate: &Candidate, board: &Board, set: Set)
                     wanted.push((
                         LabelRequest::along(number, style.small_mm * 0.8, points[at], points[at + points.len() / 6], 0.3).optional(true),
                         k,
+                        format!("label-step-{}", k + 1),
                     ));
                     numbered = true;
                 }
@@ -175,26 +177,43 @@ pub fn construction(task: &Task, candidate: &Candidate, board: &Board, set: Set)
                     Drawn::Circle(..) | Drawn::Arc(..) => points,
                 };
                 let shape = Shape::Polyline { points, closed: false, stroke: Some(stroke_of(*weight)), fill: None };
-                items.push(Item::new(class.clone(), shape));
+                items.push(Item::new(class.clone(), shape).with_id(stroke_id(stroke, *weight)));
             }
         }
         for (name, at) in &step.marks {
             let shape = Shape::Circle { centre: *at, radius_mm: 0.55, stroke: None, fill: Some(Colour::BLACK) };
-            items.push(Item::new(class.clone(), shape));
-            wanted.push((LabelRequest::at_point(label(name), style.small_mm, *at, 0.9), k));
+            let plain = name.replace(['_', '{', '}'], "");
+            items.push(Item::new(class.clone(), shape).with_id(format!("mark-{}", escaped(&plain))));
+            wanted.push((LabelRequest::at_point(label(name), style.small_mm, *at, 0.9), k, format!("label-{}", escaped(&plain))));
         }
     }
     let room = window.grown(6.0);
-    let (requests, brought): (Vec<LabelRequest>, Vec<usize>) = wanted.into_iter().unzip();
+    let (requests, named): (Vec<LabelRequest>, Vec<(usize, String)>) = wanted.into_iter().map(|(r, k, id)| (r, (k, id))).unzip();
     let placed = place(&requests, &Obstacles::of(&items), room);
-    for ((request, at), k) in requests.iter().zip(&placed).zip(brought) {
+    for ((request, at), (k, id)) in requests.iter().zip(&placed).zip(named) {
         let mut labels = at.items(request, PLACED, style.thin);
         tag(&mut labels, &format!("step-{k}"));
+        labels.iter_mut().for_each(|item| item.id.clone_from(&id));
         items.extend(labels);
     }
     let lines = if whole { sentences(candidate, board, set) } else { Vec::new() };
     let part = tr(lang, "construction", "作图");
     page(task, part, items, room, (Some(scale_of(board.mu_l)), lines), set)
+}
+
+/// The id of a stroke: `given-line`, `construction-arc`, `result-circle`.
+fn stroke_id(stroke: &Drawn, weight: Weight) -> String {
+    let weight = match weight {
+        Weight::Given => "given",
+        Weight::Thin => "construction",
+        Weight::Result => "result",
+    };
+    let form = match stroke {
+        Drawn::Line(..) => "line",
+        Drawn::Circle(..) => "circle",
+        Drawn::Arc(..) => "arc",
+    };
+    format!("{weight}-{form}")
 }
 
 /// A scale as a caption.
@@ -271,17 +290,15 @@ fn laid_out(
     }
     let mut y = margin + below - 4.0;
     if let Some(caption) = caption {
-        items.push(words_at("mu_l", Point::new(width_mm / 2.0, y), caption, small, Anchor::Middle));
+        items.push(words_at("mu_l", Point::new(width_mm / 2.0, y), caption, small, Anchor::Middle).with_id("scale"));
         y -= 9.0;
     }
     let left = (width_mm - text_mm) / 2.0;
-    for l in lines {
-        items.push(words_at("step", Point::new(left, y), l, small, Anchor::Start));
+    for (k, l) in lines.into_iter().enumerate() {
+        items.push(words_at("step", Point::new(left, y), l, small, Anchor::Start).with_id(format!("sentence-{}", k + 1)));
         y -= line;
     }
-    for (k, item) in items.iter_mut().enumerate() {
-        item.id = format!("synthesis-{k}");
-    }
+    distinct(&mut items);
     let mut figure = Figure { width_mm, height_mm, desc: title.clone(), title, lang: words(lang).tag.into(), paper: Colour::WHITE, items };
     style.palette.paint(&mut figure);
     (figure, shift)

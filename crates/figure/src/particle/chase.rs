@@ -55,7 +55,11 @@ impl Maker<'_> {
         if let Some([_, p]) = course.last().filter(|_| *meets) {
             self.named(&mut d, "P", *p);
         }
-        Some(View { part: d.finish(), caption: caption(*until, *meets), scales: vec![(DiagramKind::Plane, drawn.mu[0])] })
+        Some(View {
+            part: d.finish(),
+            caption: caption(*until, *meets),
+            scales: vec![(DiagramKind::Plane, drawn.scale(DiagramKind::Plane))],
+        })
     }
 
     /// Pursuer and target at the start, with the way that the target takes.
@@ -70,7 +74,7 @@ impl Maker<'_> {
         self.named(&mut d, &motion.point, a);
         self.named(&mut d, target, b);
         let caption = both!("At the start, $t = 0$, with the path of ${target}$", "$t = 0$ 时的起始位置及 ${target}$ 的轨迹");
-        Some(View { part: d.finish(), caption, scales: vec![(DiagramKind::Plane, drawn.mu[0])] })
+        Some(View { part: d.finish(), caption, scales: vec![(DiagramKind::Plane, drawn.scale(DiagramKind::Plane))] })
     }
 
     /// The two at the instant and the line between them.
@@ -121,8 +125,9 @@ impl Maker<'_> {
         let mut d = Drawing::new("polygon", style.clone());
         let prime = on.prime();
         let pole = format!("{}{prime}", self.notation().pole);
+        let mu = drawn.scale(on);
         for a in arrows {
-            self.arrow(&mut d, a);
+            self.arrow(&mut d, a, mu, None);
         }
         if let (Some(foot), Some(b)) = (foot, arrows.get(1)) {
             let tip_a = arrows[0].to;
@@ -139,9 +144,9 @@ impl Maker<'_> {
         }
         d.draw("pole", "pole", sym::dot(style, Point::ORIGIN));
         d.label_at("pole", "pole", &pole, Point::ORIGIN, style.dot_radius_mm, None);
-        let (caption, mu) = match on {
-            DiagramKind::Acceleration => (both!("Acceleration of the pursuer", "追踪点的加速度"), drawn.mu[2]),
-            DiagramKind::Plane | DiagramKind::Velocity => (both!("Velocities at the instant", "此瞬时的速度"), drawn.mu[1]),
+        let caption = match on {
+            DiagramKind::Acceleration => both!("Acceleration of the pursuer", "追踪点的加速度"),
+            DiagramKind::Plane | DiagramKind::Velocity => both!("Velocities at the instant", "此瞬时的速度"),
         };
         View { part: d.finish(), caption, scales: vec![(on, mu)] }
     }

@@ -26,7 +26,7 @@ impl Maker<'_> {
             return Err(Diagnostic::error("plate", both!("`{}` moves on no plate", "`{}` 不在平板上运动", motion.point)));
         };
         let plate = &self.problem.plates[*k];
-        let (m, mu) = (places[0], drawn.mu[0]);
+        let (m, mu) = (places[0], drawn.scale(DiagramKind::Plane));
         let path = self.path(way, mu)?;
         let ends = || path.iter().copied().chain([m, Point::ORIGIN]).chain(arrows.iter().map(|a| a.to)).chain(self.also[0].iter().copied());
         let most = |f: fn(Point) -> f64| ends().map(f).fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], x| [l.min(x), h.max(x)]);
@@ -41,7 +41,7 @@ impl Maker<'_> {
         d.label("axis", "axis", LabelRequest::at_point(Label::math(plate.axis.letter()), style.label_mm, axis[1], 0.6).owned(owner));
         self.line(&mut d, "path", path, style.outline);
         for a in arrows {
-            self.arrow(&mut d, a);
+            self.arrow(&mut d, a, drawn.scale(on), Some(&motion.point));
         }
         self.named(&mut d, &motion.point, m);
         d.label("link", "link", LabelRequest::at_point(Label::math(&plate.link), style.label_mm, sheet[1] + Vec2::new(-5.0, 5.0), 0.0));
@@ -139,7 +139,7 @@ impl Maker<'_> {
             }
         }
         for a in arrows {
-            self.arrow(&mut d, a);
+            self.arrow(&mut d, a, drawn.scale(on), Some(&motion.point));
         }
         self.named(&mut d, &motion.point, m);
         let caption = match on {

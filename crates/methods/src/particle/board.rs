@@ -18,7 +18,7 @@ use hodograph_base::digits::significant;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::{Big, Jet, Real, within};
 use hodograph_board::construct::scale::fitted;
-use hodograph_scene::{self as scene, front::Law};
+use hodograph_scene::{self as scene, DiagramKind, front::Law};
 
 /// Room of a drawing (mm).
 pub const ROOM_MM: [f64; 2] = [70.0, 60.0];
@@ -57,6 +57,17 @@ pub struct Drawn {
     pub unread: Option<Diagnostic>,
     /// What is drawn.
     pub views: Views,
+}
+
+impl Drawn {
+    /// The scale of a diagram (SI per mm).
+    pub fn scale(&self, on: DiagramKind) -> f64 {
+        match on {
+            DiagramKind::Plane => self.mu[0],
+            DiagramKind::Velocity => self.mu[1],
+            DiagramKind::Acceleration => self.mu[2],
+        }
+    }
 }
 
 /// The views of a drawing; all coordinates in mm.

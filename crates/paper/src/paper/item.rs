@@ -5,6 +5,7 @@
 
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::Point;
+use std::collections::HashSet;
 
 use super::arrow::Head;
 use super::font::own::Fonts;
@@ -364,5 +365,20 @@ impl Item {
 pub fn tag(items: &mut [Item], words: &str) {
     for item in items {
         item.class = format!("{words} {}", item.class).trim_end().to_owned();
+    }
+}
+
+/// Makes ids unique: a second item of an id gets `-2`, a third `-3`. Items without one are named after their class.
+pub fn distinct(items: &mut [Item]) {
+    let mut taken: HashSet<String> = HashSet::new();
+    for item in items {
+        let base = if item.id.is_empty() { item.class.trim().replace([' ', '_'], "-") } else { std::mem::take(&mut item.id) };
+        let mut id = base.clone();
+        let mut count = 1;
+        while !taken.insert(id.clone()) {
+            count += 1;
+            id = format!("{base}-{count}");
+        }
+        item.id = id;
     }
 }
