@@ -162,13 +162,13 @@ impl Board<'_> {
                 let part = self.number(Number::Quotient(product, squared));
                 Base::Part(self.joint(p), self.joint(q), part)
             }
-            Touch::Point(Normal::Square { centre, .. }) => self.from_vertex(contact, centre),
+            Touch::Point(Normal::Square { centre, .. }) => self.arm_from(contact, centre),
             Touch::Strand { .. } => unreachable!("what the ends of a strand differ by across it is never known"),
         }
     }
 
     /// From a vertex to a joint, in metres.
-    fn from_vertex(&self, v: VertexId, to: PointId) -> Base {
+    fn arm_from(&self, v: VertexId, to: PointId) -> Base {
         let from = self.spot(v);
         Base::Arm { from, to: self.joint(to), known: false }
     }
