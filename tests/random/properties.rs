@@ -402,8 +402,7 @@ fn every_edge_keeps_its_word() {
                 // The board draws the edges of an equation chain after chain, first the known ones, then one for each unknown line.
                 let mut rest = polygon.edges.iter().filter(|e| !e.between);
                 for group in plan.steps(DiagramKind::of(level)) {
-                    for step in group.steps(c.worked.construction.acts.chosen[group.group].min(group.alternatives.len().saturating_sub(1)))
-                    {
+                    for step in group.steps(group.drawn(c.worked.construction.acts.chosen[group.group])) {
                         match step {
                             Step::Equation { target, chains, .. } => {
                                 let known: Vec<Vec2> = chains
