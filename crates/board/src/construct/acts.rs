@@ -24,7 +24,7 @@ pub struct Acts {
     /// The turnings of bodies.
     pub(super) turnings: Vec<Turning>,
     /// The terms that keys stand for.
-    terms: Vec<Term>,
+    pub(super) terms: Vec<Term>,
     /// The given numbers that keys stand for.
     pub(super) givens: Vec<Given>,
 }

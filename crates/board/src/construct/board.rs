@@ -2,7 +2,9 @@
 
 use super::acts::{Acts, Given, Turning};
 use super::{Edge, Mark};
-use crate::construction::{Base, Because, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Vector, VectorId};
+use crate::construction::{
+    Base, Because, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Vector, VectorId,
+};
 use crate::plan::{Between, Body, By, Chain, Plan, Rate, Spot, Step, Term, VertexId};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene::{DiagramKind, GuideId, PointId, Scene};
@@ -30,7 +32,8 @@ pub(super) fn vertex_key(v: VertexId) -> Key {
 
 impl<'a> Board<'a> {
     pub(super) fn new(scene: &'a Scene, m: &'a Mechanism, plan: &'a Plan, chosen: &'a [usize]) -> Self {
-        Board { scene, m, plan, chosen, done: Acts::default() }
+        let construction = Construction::with_room(scene.points.len() + plan.vertices.len());
+        Board { scene, m, plan, chosen, done: Acts { construction, ..Acts::default() } }
     }
 
     /// Sets out joints and guides.
@@ -39,11 +42,10 @@ impl<'a> Board<'a> {
         for p in 0..self.scene.points.len() {
             let joint = self.mark(on, Name::Point(Key::of(p)));
             self.done.joints.push(joint);
-            self.act(on, [Op::Set(joint)]);
         }
-        for g in 0..self.scene.guides.len() {
-            self.act(on, [Op::Path(Key::of(g))]);
-        }
+        let guides = (0..self.scene.guides.len()).map(|g| Op::Path(Key::of(g)));
+        let joints = self.done.joints.iter().map(|joint| Op::Set(*joint));
+        self.done.construction.step(on, None, joints.chain(guides));
         on
     }
 

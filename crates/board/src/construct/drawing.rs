@@ -2,13 +2,13 @@
 
 use super::acts::Acts;
 use super::choices::SPECIAL_LEGS;
-use super::givens::Posed;
+use super::givens::{Posed, origin};
 use super::layout::Layout;
 use super::pencil::Pencil;
 use super::refusal::{overflow, refusal};
 use super::scale;
 use super::{Action, Crossed, Diagram, Drawing, Edge, Mark, Polygon, RateMeasured, RateReading};
-use crate::construction::{self, Because, DiagramId, Drawn, Givens, Line, LineId, MarkId, Met, Name, Number, Op, Step, VectorId};
+use crate::construction::{self, Because, DiagramId, Drawn, Line, LineId, MarkId, Met, Name, Number, Op, Step, VectorId};
 use crate::plan::{Plan, VertexId};
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2};
@@ -45,8 +45,21 @@ fn told<N: Real>(done: Drawing<N>) -> Result<Drawing<N>, Faults> {
     Err(overflow().into())
 }
 
+/// Where every mark of the construction falls.
+pub(super) fn fall<N: Real, P: Pencil<N>>(
+    acts: &Acts,
+    scene: &Scene,
+    at: &Configuration<N>,
+    plan: &Plan,
+    layout: &Layout,
+    pencil: &mut P,
+) -> Result<Drawn<N>, Faults> {
+    let posed = Posed::new(scene, at, &acts.givens);
+    Ok(construction::draw(&acts.construction, &posed, &layout.all(), pencil).map_err(|stop| refusal(acts, scene, plan, &stop))?)
+}
+
 /// The drawing, whether or not its numbers can be told, and where every mark of the construction falls.
-pub(super) fn evaluate<N: Real, P: Pencil<N>>(
+fn evaluate<N: Real, P: Pencil<N>>(
     acts: &Arc<Acts>,
     scene: &Scene,
     at: &Configuration<N>,
@@ -54,10 +67,8 @@ pub(super) fn evaluate<N: Real, P: Pencil<N>>(
     layout: &Layout,
     pencil: &mut P,
 ) -> Result<(Drawing<N>, Drawn<N>), Faults> {
-    let posed = Posed::new(scene, at, &acts.givens);
-    let scales = layout.all();
-    let drawn = construction::draw(&acts.construction, &posed, &scales, pencil).map_err(|stop| refusal(acts, scene, plan, &stop))?;
-    let drawing = View { acts, plan, drawn: &drawn, scales: &scales }.drawing(posed.origin());
+    let drawn = fall(acts, scene, at, plan, layout, pencil)?;
+    let drawing = View { acts, plan, drawn: &drawn, scales: &layout.all() }.drawing(origin(scene, at));
     Ok((drawing, drawn))
 }
 

@@ -20,10 +20,15 @@ pub(super) struct Posed<'a, N> {
 
 impl<'a, N: Real> Posed<'a, N> {
     pub(super) fn new(scene: &'a Scene, at: &'a Configuration<N>, numbers: &'a [Given]) -> Self {
-        let of_ground = scene.links[scene.ground.0].points.iter();
-        let origin = of_ground.chain(scene.links.iter().flat_map(|l| &l.points)).find_map(|p| at.points[p.0]);
-        Posed { scene, at, numbers, inputs: Inputs::of(scene), origin: origin.unwrap_or(Point::origin()), extent: at.extent() }
+        Posed { scene, at, numbers, inputs: Inputs::of(scene), origin: origin(scene, at), extent: at.extent() }
     }
+}
+
+/// The place (m) that lies in the origin of the mechanism's drawing: the first joint of the ground that has one, else of any link.
+pub(super) fn origin<N: Real>(scene: &Scene, at: &Configuration<N>) -> Point<N> {
+    let of_ground = scene.links[scene.ground.0].points.iter();
+    let first = of_ground.chain(scene.links.iter().flat_map(|l| &l.points)).find_map(|p| at.points[p.0]);
+    first.unwrap_or(Point::origin())
 }
 
 impl<N: Real> Givens<N> for Posed<'_, N> {

@@ -63,9 +63,14 @@ fn trial<P: Pencil>(
 ) -> Result<Layout, Faults> {
     let polygons = DiagramKind::POLYGONS.into_iter().filter(|on| on.level() <= plan.level);
     let large = Layout { mu, scales: polygons.map(|on| (on.kind(), choices::trial_scale(scene, at, on))).collect() };
-    let (drawn, _) = drawing::evaluate(acts, scene, at, plan, &large, pencil)?;
-    let fit = |p: &super::Polygon| (p.on.kind(), scale::fitted(&scene.paper, p.on.kind(), p.extent(), boxes.polygon));
-    Ok(Layout { mu, scales: drawn.diagrams.iter().map(fit).collect() })
+    let drawn = drawing::fall(acts, scene, at, plan, &large, pencil)?;
+    let fit = |(on, scale): (Kind, f64), diagram: usize| {
+        let marks = acts.construction.marks.iter().zip(&drawn.marks).filter(|(m, _)| m.on.index() == diagram).filter_map(|(_, at)| *at);
+        let extent = scale::extent(marks).map(|mm| mm * scale);
+        (on, scale::fitted(&scene.paper, on, extent, boxes.polygon))
+    };
+    let kinds = acts.construction.diagrams.iter().map(|on| on.kind()).enumerate();
+    Ok(Layout { mu, scales: kinds.filter_map(|(k, on)| Some(fit((on, large.scales.get(on)?), k))).collect() })
 }
 #[cfg(test)]
 mod tests {

@@ -380,6 +380,19 @@ impl Construction {
         self.diagrams.iter().position(|k| *k == kind).map(DiagramId::of)
     }
 
+    /// An empty construction with room for so many points, each with a handful of acts.
+    pub fn with_room(points: usize) -> Construction {
+        Construction {
+            diagrams: Vec::with_capacity(3),
+            marks: Vec::with_capacity(6 * points),
+            lines: Vec::with_capacity(4 * points),
+            vectors: Vec::with_capacity(6 * points),
+            numbers: Vec::with_capacity(12 * points),
+            ops: Vec::with_capacity(20 * points),
+            steps: Vec::with_capacity(12 * points),
+        }
+    }
+
     /// Begins a diagram.
     pub fn begin(&mut self, kind: DiagramKind) -> DiagramId {
         self.diagrams.push(kind);
