@@ -260,26 +260,6 @@ pub enum Number {
     Quotient(NumberId, NumberId),
 }
 
-impl Number {
-    /// Whether it is read off the paper, in an act of its own.
-    pub fn is_measured(&self) -> bool {
-        match self {
-            Number::Vector(..) | Number::Across { .. } => true,
-            Number::Given(_)
-            | Number::Plain(_)
-            | Number::Length(_)
-            | Number::Square(_)
-            | Number::Radius(_)
-            | Number::Scale(_)
-            | Number::Negative(_)
-            | Number::Sum(..)
-            | Number::Difference(..)
-            | Number::Product(..)
-            | Number::Quotient(..) => false,
-        }
-    }
-}
-
 /// One act.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
