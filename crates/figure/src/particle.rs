@@ -195,12 +195,16 @@ impl Maker<'_> {
         let part = view.part;
         let (x, y) = (part.bounds.centre().x, part.bounds.min.y - CAPTION_MM);
         let mut items = part.items;
+        let on = view.scales.last().map_or(DiagramKind::Plane, |(on, _)| *on);
         // Views of one kind, with the velocities and with the accelerations, are told apart.
-        if let Some((on, _)) = view.scales.last().filter(|(on, _)| *on != DiagramKind::Plane) {
+        if on != DiagramKind::Plane {
             items.iter_mut().for_each(|i| i.id = format!("{}-{}", on.prefix(), i.id.trim_start_matches("polygon-")));
         }
-        items.push(self.words("caption", Point::new(x, y), Phrase::new(self.lang.of(&view.caption)).label(), self.style.caption_mm));
-        items.push(self.words("scale", Point::new(x, y - SCALE_MM), Label::math(scale), self.style.small_mm));
+        let caption = Phrase::new(self.lang.of(&view.caption)).label();
+        let below = [("caption", y, caption, self.style.caption_mm), ("scale", y - SCALE_MM, Label::math(scale), self.style.small_mm)];
+        items.extend(
+            below.map(|(what, y, label, size)| self.words(what, Point::new(x, y), label, size).with_id(format!("{what}-{}", on.prefix()))),
+        );
         Part::of(items)
     }
 
@@ -224,7 +228,10 @@ impl Maker<'_> {
         }
         let stroke = Stroke { width_mm, ..style.vector };
         let class = format!("vector {}", step(a.step));
-        let id = a.symbol.replace(['_', '^'], "-").replace('\'', "-seen");
+        let id = match on_plate {
+            Some(_) => a.symbol.replace(['_', '^'], "-").replace('\'', "-seen"),
+            None => a.symbol.replace(['_', '^'], "-"),
+        };
         let arrow = Shape::Arrow { from: a.from, to: a.to, stroke, head: style.head };
         let owner = match quantity(&a.symbol, on_plate) {
             Some(name) => d.vector(&id, &class, arrow, Shown::vector(&name, a.from, a.to, mu)),
@@ -253,11 +260,9 @@ impl Maker<'_> {
 
 /// The name of a vector as `find` writes it: `v_A` of a pursuit, `aen_M` of a point of a plate. A projection has none.
 fn quantity(symbol: &str, on_plate: Option<&str>) -> Option<String> {
+    let Some(point) = on_plate else { return Some(symbol.to_owned()) };
     let (letter, part) = symbol.split_once('_').filter(|_| !symbol.contains('\''))?;
-    Some(match on_plate {
-        Some(point) => format!("{letter}{}_{point}", part.replace('^', "")),
-        None => symbol.to_owned(),
-    })
+    Some(format!("{letter}{}_{point}", part.replace('^', "")))
 }
 
 /// The word by which an item says which step brings it, counted from 0.

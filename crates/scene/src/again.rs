@@ -43,7 +43,7 @@ impl Scene {
     /// roughly those whose assembly is to be the same.
     ///
     /// # Errors
-    /// Those of reading; `no-source` for a scene without cams, one that was not read, or one with a cam behind wheels that stands nowhere.
+    /// Those of reading; `no-source` for a scene without cams, one that was not read, or one with a cam behind wheels whose angle is not known.
     pub fn read_again(&self, place: &dyn Fn(&str) -> Option<[f64; 2]>) -> Result<Scene, Faults> {
         // Of a cam behind wheels the file tells the angle at the instant.
         let angle = |cam: &RawCam| {

@@ -135,7 +135,7 @@ impl Kernel<2, 1> for Sum {
 /// The largest ratio of angular velocities: a divisor that is smaller still is zero but for rounding.
 const MOST: f64 = 1.0 / ROUNDING;
 
-/// a / b; NaN where b is no more than rounding beside a, or beside the rates of the drivers.
+/// a / b; NaN if b is within rounding of zero relative to a or to the drivers' rates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ratio {
     /// Dividend.

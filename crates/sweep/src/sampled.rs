@@ -14,8 +14,7 @@ use hodograph_mechanism::stated::{self, Moment};
 /// templates.
 const SAMPLES: usize = 9;
 
-/// Stations through which a group is followed to the positions that are judged, at most: those of a usual sweep. A group is followed from one position
-/// to the next, and what is judged is where that leads.
+/// The largest number of stations through which a group is followed to the judged positions: about that of a usual sweep.
 const FOLLOWED: usize = 73;
 
 /// Checks that some positions in which the compiled program of a sweep puts the mechanism meet what the scene states. `value` tells the driver's value at
@@ -29,7 +28,7 @@ pub fn proved(placed: &Placed, driver: usize, count: usize, value: impl Fn(usize
     if count == 0 || general.is_read_again() {
         return Ok(());
     }
-    let Some(stood) = Stood::or_followed(placed, driver) else { return Ok(()) };
+    let Some(stood) = Stood::even_followed(placed, driver) else { return Ok(()) };
     let through = count.min(if stood.program.tracks.is_empty() { SAMPLES } else { FOLLOWED });
     let among = |k: usize, few: usize, many: usize| k * (many - 1) / (few - 1).max(1);
     let chosen = (0..through).map(|k| value(among(k, through, count)));

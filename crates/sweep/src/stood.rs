@@ -28,11 +28,11 @@ pub(super) struct Stood {
 impl Stood {
     /// The positions of a placed mechanism that is moved by a driver; `None` where a group has no kernel, or is followed.
     pub fn of(placed: &Placed, driver: usize) -> Option<Stood> {
-        Stood::or_followed(placed, driver).filter(|s| s.program.tracks.is_empty())
+        Stood::even_followed(placed, driver).filter(|s| s.program.tracks.is_empty())
     }
 
-    /// The same, though groups may be followed.
-    pub fn or_followed(placed: &Placed, driver: usize) -> Option<Stood> {
+    /// As [`Stood::of`], including groups that are followed.
+    pub fn even_followed(placed: &Placed, driver: usize) -> Option<Stood> {
         let (scene, m, at) = (placed.scene, placed.mechanism, &placed.at);
         let points: Vec<PointId> =
             (0..scene.points.len()).map(PointId).filter(|p| at.points[p.0].is_some() && m.pins.contains(p)).collect();

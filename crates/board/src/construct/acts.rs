@@ -8,7 +8,7 @@ use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene::{DiagramKind, RollingId, Scene};
 use std::sync::Arc;
 
-/// A plan written down as acts. It holds no coordinates: it is one in all poses that use the same special points.
+/// A plan written as a construction. It holds no coordinates, and is valid in all poses that use the same special points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Acts {
     /// The acts.
@@ -56,7 +56,10 @@ pub(super) struct Turning {
 }
 
 impl Acts {
-    /// Writes a plan down, with an alternative for each group.
+    /// Writes a plan down, with an alternative for each group of the mechanism.
+    ///
+    /// # Panics
+    /// Where `chosen` has fewer entries than the mechanism has groups.
     pub fn of(scene: &Scene, m: &Mechanism, plan: &Plan, chosen: &[usize]) -> Arc<Acts> {
         let mut board = Board::new(scene, m, plan, chosen);
         board.set_out();
@@ -94,7 +97,7 @@ impl Acts {
         self.images[on.index()][v.0]
     }
 
-    /// What a mark of a polygon is called.
+    /// Returns the name of a mark in a polygon.
     pub(super) fn mark(&self, id: MarkId) -> Mark {
         match self.construction.marks[id.index()].name {
             Name::Pole | Name::Point(_) => Mark::Pole,

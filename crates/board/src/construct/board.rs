@@ -6,6 +6,7 @@ use crate::construction::{
     Base, Because, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Vector, VectorId,
 };
 use crate::plan::{Between, Body, By, Chain, Plan, Rate, Spot, Step, Term, VertexId};
+use hodograph_base::budget::spend;
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene::{DiagramKind, GuideId, PointId, Scene};
 
@@ -182,6 +183,7 @@ impl<'a> Board<'a> {
     }
 
     fn step(&mut self, on: DiagramId, step: &Step) {
+        spend();
         match step {
             Step::Equation { target, chains, .. } => self.equation(on, *target, chains),
             // Where nothing moves there is no triangle to copy.

@@ -1,4 +1,4 @@
-//! What is chosen before anything is drawn: which constraint lines of a triad are crossed, and a scale for the trial.
+//! Choices made before drawing: which constraint lines of a triad are crossed, and a scale for the trial.
 
 use super::board::Board;
 use super::givens::Posed;

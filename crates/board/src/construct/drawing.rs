@@ -36,7 +36,7 @@ impl Acts {
     }
 }
 
-/// A drawing whose numbers can be told.
+/// Returns the drawing if all its numbers are finite and decided.
 fn told<N: Real>(done: Drawing<N>) -> Result<Drawing<N>, Faults> {
     let finite = |p: &Polygon<N>| p.images.iter().flatten().all(|q| q.is_finite()) && p.mu.is_finite();
     if done.diagrams.iter().all(finite) && done.rates.iter().all(|r| r.value.is_decided()) {
@@ -45,7 +45,7 @@ fn told<N: Real>(done: Drawing<N>) -> Result<Drawing<N>, Faults> {
     Err(overflow().into())
 }
 
-/// Where every mark of the construction falls.
+/// Evaluates the construction.
 pub(super) fn fall<N: Real, P: Pencil<N>>(
     acts: &Acts,
     scene: &Scene,
@@ -164,7 +164,7 @@ impl<N: Real> View<'_, N> {
         self.drawn.lines[line.index()].expect("what is drawn has a direction").1
     }
 
-    /// A step under the names of the plan; `None` for one of which nothing is told.
+    /// Returns a step as an action of the plan; `None` for a step that is not described.
     fn action(&self, index: usize, step: &Step, rates: &mut Vec<RateReading<N>>) -> Option<Action<N>> {
         let construction = &self.acts.construction;
         let ends = step.ends.map(|[a, b]| (VertexId(a.index()), VertexId(b.index())));
@@ -210,9 +210,9 @@ impl<N: Real> View<'_, N> {
 
 /// Draws with a pencil that misses: the drawing, and the configuration as its diagram shows it, with joints where the pencil put them.
 ///
-/// What a draughtsman knows is not drawn but taken as known: the length of a link (two joints of one link), the radius of a slot, the rates of the
-/// drivers, and μ. Everything else comes from paper: directions from the joints where they really lie, lengths that change (a
-/// pin in its slot) from the diagram, shapes of links for images from the diagram, ω and α from the polygons.
+/// The lengths of links (two joints of one link), the radii of slots, the rates of the drivers and μ are taken as known. Everything else is measured on
+/// the drawing: directions from the joints where they lie, lengths that change (a pin in its slot) and shapes of links for images from the diagram, ω
+/// and α from the polygons.
 ///
 /// # Errors
 /// As [`Acts::draw`].

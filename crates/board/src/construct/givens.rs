@@ -1,12 +1,12 @@
-//! What a scene in a pose gives to a construction.
+//! The givens of a scene in a pose.
 
 use super::acts::Given;
 use crate::construction::{Givens, Key, Track};
 use hodograph_base::geom::Point;
 use hodograph_base::number::Real;
 use hodograph_mechanism::position::{Configuration, Path};
+use hodograph_scene::Scene;
 use hodograph_scene::exact::Inputs;
-use hodograph_scene::{GuideId, Scene};
 
 /// A scene in a pose.
 pub(super) struct Posed<'a, N> {
@@ -53,14 +53,14 @@ impl<N: Real> Givens<N> for Posed<'_, N> {
         })
     }
 
-    /// From its runner to the farthest joint of the link that carries it, the mechanism's size where there is none; of an arc its radius,
-    /// square to which it runs.
+    /// Returns the distance (m) from the runner to the farthest joint of the carrying link, or the mechanism's size if there is none; for an arc, its
+    /// radius.
     fn reach(&self, path: Key) -> f64 {
         let Some(track) = self.at.guides[path.index()] else { return self.extent };
         if let Path::Arc { radius, .. } = track {
             return radius.approx();
         }
-        let guide = &self.scene.guides[GuideId(path.index()).0];
+        let guide = &self.scene.guides[path.index()];
         let runner = match (guide.pin, guide.slider) {
             (Some(p), _) => self.at.points[p.0],
             (None, Some(s)) => self.at.poses[s.0].map(|pose| pose.origin),

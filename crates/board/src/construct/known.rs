@@ -1,4 +1,4 @@
-//! What is measured, angular rates and sliding velocities, and the known vectors that are calculated from it and laid off.
+//! Measured quantities (angular rates, sliding velocities), and the known vectors calculated from them.
 
 use super::acts::{Given, Turning};
 use super::board::{Board, path_key, place_key};

@@ -1,4 +1,4 @@
-//! Why a drawing cannot be made, in the words of the scene.
+//! Diagnostics for drawings that cannot be made.
 
 use super::Mark;
 use super::acts::Acts;

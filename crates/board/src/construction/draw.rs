@@ -20,11 +20,11 @@ pub trait Givens<N> {
     fn number(&self, key: Key) -> N;
     /// A path on the mechanism; `None` where it is not known.
     fn path(&self, key: Key) -> Option<Track<N>>;
-    /// How long a path is drawn (m): its ends are the marks along which a ruler is laid.
+    /// The length (m) over which a path is drawn; the ruler is laid along its ends.
     fn reach(&self, path: Key) -> f64;
     /// The place (m) that lies in the origin of the mechanism's drawing.
     fn origin(&self) -> Point<N>;
-    /// The size of the mechanism (m): places are known to a rounding of this.
+    /// The size of the mechanism (m), to which the rounding of places is relative.
     fn extent(&self) -> f64;
 }
 
@@ -58,11 +58,11 @@ pub struct Met<N = f64> {
     pub to: MarkId,
     /// The sine of the angle from the first line to the second.
     pub sine: N,
-    /// How rounding of places acts on the two directions together.
+    /// The factor by which rounding of places affects the two directions together.
     pub rounding: f64,
 }
 
-/// Where everything falls.
+/// The result of a drawing: the places of marks and lines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn<N = f64> {
     /// The marks (mm from the origin of their diagram); `None` for those that are not drawn.
@@ -71,7 +71,7 @@ pub struct Drawn<N = f64> {
     pub lines: Vec<Option<(Point<N>, Vec2<N>)>>,
     /// The crossings, in the order of drawing.
     pub met: Vec<Met<N>>,
-    /// By how much each given path that was drawn is turned against its true direction, as (cos, sin); none with the exact pencil.
+    /// For each path drawn, its rotation from the true direction as (cos, sin); empty with the exact pencil.
     pub turns: Vec<Option<Vec2<N>>>,
     numbers: Vec<Option<Value<N>>>,
 }
@@ -99,7 +99,10 @@ pub enum Why {
 /// Draws a construction.
 ///
 /// # Errors
-/// The step at which two lines of a polygon are parallel, or two places coincide.
+/// The step at which two lines of a polygon are parallel, or two places coincide or are not given.
+///
+/// # Panics
+/// For ids that refer to nothing, and numbers that refer to the scale of a diagram that has none.
 pub fn draw<N: Real, P: Pencil<N>>(
     construction: &Construction,
     givens: &impl Givens<N>,
@@ -260,7 +263,7 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         Ok((self.place(to)? - self.place(from)?) * self.mu_l)
     }
 
-    /// The same; the length of a link is not taken from the drawing.
+    /// Returns the vector from one mark to another in metres, with the given length where it is known.
     fn arm_of(&self, from: MarkId, to: MarkId, known: bool) -> Result<Vec2<N>, Why> {
         let drawn = self.arm(from, to)?;
         if P::EXACT || !known {
@@ -325,7 +328,8 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
             Base::Marks(..) => self.base(base)?.approx().norm(),
             Base::Arm { .. } => self.base(base)?.approx().norm() / self.mm_l,
             Base::Tangent(path, _) | Base::Normal(path, _) | Base::Inward(path, _) => self.reach_mm(*path),
-            Base::Part(..) | Base::Places(..) | Base::Measured(_) => 0.0,
+            Base::Part(..) | Base::Places(..) => self.base(base)?.approx().norm() / self.mm_l,
+            Base::Measured(_) => return Err(Why::Coincide),
         })
     }
 

@@ -59,12 +59,12 @@ macro_rules! ids {
         pub struct $name(pub u32);
 
         impl $name {
-            /// As an index.
+            /// Returns the id as an index.
             pub fn index(self) -> usize {
                 self.0 as usize
             }
 
-            /// Of an index.
+            /// Makes an id from an index.
             ///
             /// # Panics
             /// For an index of 2³² or more.
@@ -76,7 +76,7 @@ macro_rules! ids {
 }
 
 ids! {
-    /// What the author of a construction calls a place, a number, a path, a point or a term.
+    /// A number by which the author of a construction identifies a place, a given number, a path, a vertex or a term.
     Key
     /// Index into [`Construction::diagrams`].
     DiagramId
@@ -90,7 +90,9 @@ ids! {
     NumberId
 }
 
-/// What is done, in the order of doing it.
+/// A construction: its acts in the order in which they are carried out.
+///
+/// Ids refer to entries of its lists, and an operand of a number comes before it. [`draw()`] panics for ids that refer to nothing.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Construction {
     /// The diagrams, in the order of drawing.
@@ -114,11 +116,11 @@ pub struct Construction {
 pub struct Mark {
     /// The diagram.
     pub on: DiagramId,
-    /// What it is.
+    /// Its meaning.
     pub name: Name,
 }
 
-/// What a mark is.
+/// The meaning of a mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Name {
@@ -143,7 +145,7 @@ pub struct Line {
     pub through: MarkId,
     /// Its direction.
     pub along: Direction,
-    /// Whether the ruler is moved to the mark with set squares, so that the line misses the mark by itself.
+    /// Whether the line is drawn parallel through the mark with set squares, which adds an error of its own.
     pub moved: bool,
     /// The terms whose direction it is.
     pub carries: Vec<Key>,
@@ -164,14 +166,14 @@ pub struct Vector {
     pub between: bool,
 }
 
-/// A direction, or the vector from which one is taken, turned counter-clockwise by quarters of a full turn.
+/// A vector, turned counter-clockwise by a number of quarter turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Direction {
     /// The vector.
     pub base: Base,
-    /// Quarters of a full turn, 0 to 3.
+    /// Quarter turns, 0 to 3.
     pub quarters: u8,
-    /// Whether only its direction counts.
+    /// Whether it is reduced to unit length.
     pub unit: bool,
 }
 
@@ -204,7 +206,7 @@ pub enum Base {
         from: MarkId,
         /// To here.
         to: MarkId,
-        /// Whether its length is that of a link and so known; else it is what is drawn.
+        /// Whether its length is the given distance of the two joints; otherwise it is measured on the drawing.
         known: bool,
     },
     /// A part of the distance of two marks of the mechanism, in metres.
@@ -227,7 +229,7 @@ pub enum Base {
 pub enum Number {
     /// A given number.
     Given(Key),
-    /// A factor of a formula.
+    /// An integer constant.
     Plain(i32),
     /// The vector from one mark to another, measured: mm × μ.
     Vector(MarkId, MarkId),
@@ -317,7 +319,7 @@ pub enum Op {
     Number(NumberId),
     /// Draws a vector between two marks.
     Show(VectorId),
-    /// Leaves out terms along one line that are 0, and that would start at a mark.
+    /// Records that terms along one line are 0 and are not drawn.
     Omit {
         /// The terms.
         terms: Vec<Key>,
@@ -332,20 +334,20 @@ pub enum Op {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Because {
-    /// Nothing is added to what leads there.
+    /// No further vector is added.
     Reached,
-    /// The link of both does not turn.
+    /// The link of both points does not turn.
     Translates,
 }
 
-/// Acts that are one step.
+/// A group of acts that one sentence describes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Step {
     /// The diagram.
     pub on: DiagramId,
     /// Its acts.
     pub ops: Range<u32>,
-    /// The two points from which its direction or its arm is taken.
+    /// The keys of the two vertices that give its direction or its arm.
     pub ends: Option<[Key; 2]>,
 }
 
@@ -360,8 +362,8 @@ impl Construction {
         self.diagrams.iter().position(|k| *k == kind).map(DiagramId::of)
     }
 
-    /// An empty construction with room for so many points, each with a handful of acts.
-    pub fn with_room(points: usize) -> Construction {
+    /// Returns an empty construction with capacity for the given number of points.
+    pub(crate) fn with_room(points: usize) -> Construction {
         Construction {
             diagrams: Vec::with_capacity(3),
             marks: Vec::with_capacity(6 * points),

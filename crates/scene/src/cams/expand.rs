@@ -265,9 +265,9 @@ impl One<'_> {
         Reckoned::of(self.bare).seen_from(frame, place::told(self.bare, point)?)
     }
 
-    /// The cam with its follower on the side on which the scene puts the point that touches: where a round end can lie on both sides of the cam in its
-    /// guide, on that which is nearer to the coordinates or the sketch of its centre; on an arm, on the side of each line that the scene names. `at`
-    /// tells where points are in the pose.
+    /// Returns the cam with its follower on the side that the scene states. In a guide this is the side nearer to the coordinates or the sketch of the
+    /// contact point. On an arm it is the side, given by `side`, of the line in which the two assemblies are mirror images: that of the pivots, and on a
+    /// circular cam that of the arm's pivot and the circle's centre, which the arm never crosses. `at` returns the places of points in the pose.
     pub(super) fn on_its_side(
         &self,
         disc: Disc,
@@ -286,13 +286,19 @@ impl One<'_> {
         let other = Disc { follower: other, ..disc.clone() };
         let place = |d: &Disc| Some(centre + d.follower.point(d.coordinate(phi, Side::After)?).order(0));
         if let Follower::Oscillating { .. } = disc.follower {
-            let lies = |d: &Disc, s: &super::super::model::Side| {
-                let ([from, to], b) = ([at(s.from)?, at(s.to)?], place(d)?);
-                Some(((to - from).cross(b - from) > 0.0) == s.left)
+            // Other profiles have a line of their own for each piece.
+            if !matches!(&disc.motion, Motion::Profile(pieces) if pieces.len() == 1) {
+                return disc;
+            }
+            let (Some(own), Some(mirrored)) = (place(&disc), place(&other)) else { return disc };
+            let swaps = |s: &super::super::model::Side| {
+                let [from, to] = [at(s.from)?, at(s.to)?];
+                let off = |end: Vec2| ((own - end).norm() - (mirrored - end).norm()).abs() <= 1e-9 * (to - from).norm();
+                let left = |b: Vec2| (to - from).cross(b - from) > 0.0;
+                Some(off(from) && off(to) && left(own) != s.left && left(mirrored) == s.left)
             };
-            let said = self.bare.sides.iter().filter(|s| s.point == point);
-            let told: Vec<_> = said.filter_map(|s| lies(&disc, s).zip(lies(&other, s))).collect();
-            return if told.iter().any(|(own, other)| !own && *other) { other } else { disc };
+            let mut said = self.bare.sides.iter().filter(|s| s.point == point);
+            return if said.any(|s| swaps(s) == Some(true)) { other } else { disc };
         }
         let Some(told) = self.told_in(frame, point) else { return disc };
         let off = |d: &Disc| Some((place(d)? - told).norm());

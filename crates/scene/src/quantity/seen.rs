@@ -61,7 +61,7 @@ impl Seen {
     }
 }
 
-/// The direction of a velocity, beside the largest of the mechanism; `None` for a point at rest, whose velocity is rounding.
+/// Returns the direction of a velocity; `None` if it is no larger than rounding beside `fastest`, the largest velocity of the mechanism.
 pub fn heading<N: Real>(velocity: Vec2<N>, fastest: f64) -> Option<Vec2<N>> {
     if vanishes(velocity.norm(), fastest) { None } else { velocity.unit() }
 }
