@@ -129,7 +129,7 @@
 //! motion     number geom scene mechanism position answer
 //! plan       diag notation scene mechanism
 //! construction budget diagram digits kind number geom
-//! construct  diag number geom scene mechanism position answer plan construction
+//! construct  diag budget number geom scene mechanism position answer plan construction
 //! analytic   diag budget geom cam scene mechanism position answer
 //! sweep      diag budget digits trig number geom cam scene mechanism position stated answer motion analytic
 //! paper      diag budget json notation diagram lang geom

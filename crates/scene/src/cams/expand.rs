@@ -286,7 +286,6 @@ impl One<'_> {
         let other = Disc { follower: other, ..disc.clone() };
         let place = |d: &Disc| Some(centre + d.follower.point(d.coordinate(phi, Side::After)?).order(0));
         if let Follower::Oscillating { .. } = disc.follower {
-            // Other profiles have a line of their own for each piece.
             if !matches!(&disc.motion, Motion::Profile(pieces) if pieces.len() == 1) {
                 return disc;
             }
