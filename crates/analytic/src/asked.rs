@@ -157,12 +157,12 @@ impl Solution {
             Frame::Link(l) => Some(self.seen_from(at, l, (place, Vec2::new(1.0, 0.0)), of, Acceleration)?[1]),
             Frame::Point(_) => relative(Acceleration),
         };
-        let fastest = self.largest(Velocity, false);
+        let heading = |v: Vec2| heading(v, self.largest(Velocity, false));
         let path = || match about {
             Some(k) => Some((at.points[k.0]? - place).perp().unit()),
-            None => Some(heading(relative(Velocity)?, fastest)),
+            None => Some(heading(relative(Velocity)?)),
         };
-        let carried = || Some(split(heading(vector(Velocity, &seat)?, fastest), vector(Acceleration, &seat)?));
+        let carried = || Some(split(heading(vector(Velocity, &seat)?), vector(Acceleration, &seat)?));
         Some(match part {
             Seen::Relative => seen()?,
             Seen::Coriolis => relative(Acceleration)? - seen()?,

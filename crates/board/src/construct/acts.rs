@@ -107,7 +107,7 @@ impl Acts {
         }
     }
 
-    /// Where a term that is drawn from a mark ends.
+    /// Returns the mark in which a term ends that is drawn from another mark.
     pub(super) fn end_of(&self, on: DiagramId, from: MarkId, term: &Term) -> Option<MarkId> {
         end_of(&self.edges[on.index()], &self.mark(from), term).map(|(_, id)| id)
     }

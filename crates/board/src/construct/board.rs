@@ -179,7 +179,7 @@ impl<'a> Board<'a> {
         let on = self.done.construction.marks[to.index()].on;
         self.done.edges[on.index()].push(Edge { terms: terms.to_vec(), from: start, to: end, known, between });
         let terms = terms.iter().map(|t| self.done.term(*t)).collect();
-        self.done.construction.vector(Vector { terms, from, to, known, between })
+        self.done.construction.vector(Vector { terms, from, to })
     }
 
     fn step(&mut self, on: DiagramId, step: &Step) {

@@ -227,7 +227,7 @@ impl<N: Copy> Polygon<N> {
     }
 }
 
-/// Where a term that is drawn from a mark ends.
+/// Returns the mark, with its place, in which a term ends that is drawn from another mark.
 fn end_of<P: Copy>(edges: &[Edge<P>], from: &Mark, term: &Term) -> Option<(Mark, P)> {
     let drawn = |e: &&Edge<P>| e.from.0 == *from && matches!(&e.terms[..], [t] if t.is_same(term) == Some(false));
     edges.iter().find(drawn).map(|e| e.to)

@@ -12,7 +12,7 @@ use hodograph_base::number::Real;
 /// Scales by the kind of quantity, SI per mm. A diagram that has none is not drawn.
 pub type Scales = ByKind;
 
-/// What is given, in numbers of one kind.
+/// The givens of a construction, in numbers of one kind.
 pub trait Givens<N> {
     /// A place of the mechanism (m); `None` where it is not known.
     fn place(&self, key: Key) -> Option<Point<N>>;
@@ -76,16 +76,16 @@ pub struct Drawn<N = f64> {
     numbers: Vec<Option<Value<N>>>,
 }
 
-/// Where and why a construction stops.
+/// The step at which a construction stops, and the reason.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
     /// The step.
     pub step: usize,
-    /// Why.
+    /// The reason.
     pub why: Why,
 }
 
-/// Why a construction stops.
+/// The reason for which a construction stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Why {
     /// Two lines are parallel, so that they do not cross in a mark.
@@ -321,7 +321,7 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         if direction.unit { v.unit().ok_or(Why::Coincide) } else { Ok(v) }
     }
 
-    /// How far apart the two marks lie from which a direction is taken (mm): the joints of an arm, the ends of a path.
+    /// The distance (mm) of the two marks from which a direction is taken: the joints of an arm, the ends of a path.
     fn apart(&self, base: &Base) -> Result<f64, Why> {
         Ok(match base {
             _ if P::EXACT => 0.0,

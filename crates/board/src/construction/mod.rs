@@ -7,7 +7,7 @@
 //! The language knows neither plans nor scenes: what is given, and what a mark or a vector stands for, is a [`Key`] of whoever wrote the
 //! construction.
 //!
-//! Of a crank AB the velocity of B, ω·AB square to AB:
+//! The velocity of B of a crank AB, ω·AB square to AB:
 //! ```
 //! use hodograph_base::{diagram::DiagramKind, geom::Point, kind::Kind};
 //! use hodograph_board::construction::*;
@@ -21,7 +21,7 @@
 //! let (pole, image) = (c.mark(polygon, Name::Pole), c.mark(polygon, Name::Image(Key(1))));
 //! c.step(polygon, None, [Op::Set(pole)]);
 //! let omega = c.number(Number::Given(Key(0)));
-//! let v = c.vector(Vector { terms: vec![Key(0)], from: pole, to: image, known: true, between: false });
+//! let v = c.vector(Vector { terms: vec![Key(0)], from: pole, to: image });
 //! let along = Direction::across(Base::Arm { from: a, to: b, known: true });
 //! c.step(polygon, Some([Key(1), Key(0)]), [Op::Lay { vector: v, along, times: omega }]);
 //!
@@ -145,7 +145,7 @@ pub struct Line {
     pub through: MarkId,
     /// Its direction.
     pub along: Direction,
-    /// Whether the line is drawn parallel through the mark with set squares, which adds an error of its own.
+    /// True for a line drawn parallel through the mark with set squares, which adds an error of its own.
     pub moved: bool,
     /// The terms whose direction it is.
     pub carries: Vec<Key>,
@@ -156,14 +156,10 @@ pub struct Line {
 pub struct Vector {
     /// Its terms: one, or several along one line that are drawn as one.
     pub terms: Vec<Key>,
-    /// Where it starts.
+    /// Its tail.
     pub from: MarkId,
-    /// Where it ends.
+    /// Its tip.
     pub to: MarkId,
-    /// Whether its magnitude was known when it was drawn.
-    pub known: bool,
-    /// Whether it belongs to no equation, but is drawn between two images.
-    pub between: bool,
 }
 
 /// A vector, turned counter-clockwise by a number of quarter turns.
@@ -173,7 +169,7 @@ pub struct Direction {
     pub base: Base,
     /// Quarter turns, 0 to 3.
     pub quarters: u8,
-    /// Whether it is reduced to unit length.
+    /// True if it is reduced to unit length.
     pub unit: bool,
 }
 
@@ -206,7 +202,7 @@ pub enum Base {
         from: MarkId,
         /// To here.
         to: MarkId,
-        /// Whether its length is the given distance of the two joints; otherwise it is measured on the drawing.
+        /// True if its length is the given distance of the two joints; otherwise it is measured on the drawing.
         known: bool,
     },
     /// A part of the distance of two marks of the mechanism, in metres.
@@ -312,7 +308,7 @@ pub enum Op {
         mark: MarkId,
         /// The mark.
         to: MarkId,
-        /// Why.
+        /// The reason.
         because: Because,
     },
     /// Measures or calculates a number.
@@ -330,7 +326,7 @@ pub enum Op {
     },
 }
 
-/// Why a mark falls on another.
+/// The reason for which a mark falls on another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Because {

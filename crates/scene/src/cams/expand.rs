@@ -308,7 +308,7 @@ impl One<'_> {
         }
     }
 
-    /// Where a point of the carrying link, or of the cam, is in the pose, in the axes of the carrying link.
+    /// Returns the place of a point of the carrying link, or of the cam, in the pose, in the axes of the carrying link.
     pub(super) fn spot_on(&self, on: &OnPivot, point: PointId) -> Option<Vec2> {
         let of_cam =
             on.local.iter().find(|(p, _)| *p == point).map(|(_, at)| on.spot.at() + at.rotate_by(Vec2::from_angle(on.angle.value)));
