@@ -13,7 +13,7 @@ use crate::report::given::Givens;
 use crate::report::statement::paragraphs;
 use crate::scene::quantity::combined::Operation;
 use crate::scene::quantity::{Frame, Meaning, Of};
-use crate::scene::{Asked, DiagramKind, Find, Lang, LinkId, OnLink, PointId};
+use crate::scene::{Asked, DiagramKind, Find, Kind, Lang, LinkId, OnLink, PointId};
 use crate::worked::Worked;
 
 /// A drawing wider than this stands in the text, not beside it; one that is higher, too, leaves no room for the rest of the problem.
@@ -66,7 +66,7 @@ impl Maker<'_> {
     fn kind(&self, what: &Asked) -> Option<&'static str> {
         match what.of() {
             Of::Point(OnLink { link: None, .. }) | Of::Link(_) => what.entry().several(self.lang()),
-            Of::Point(OnLink { link: Some(_), .. }) | Of::Points(..) | Of::Links(..) | Of::Line(..) | Of::Seen(..) => None,
+            Of::Point(OnLink { link: Some(_), .. }) | Of::Points(..) | Of::Links(..) | Of::Line(..) | Of::Seen(..) | Of::Mechanism => None,
         }
     }
 
@@ -164,6 +164,12 @@ impl Maker<'_> {
                     (false, Lang::Zh) => format!("构件 {} 与构件 {} 的相对瞬心", self.link(a), self.link(b)),
                 }
             }
+            // The table's names say of what they are.
+            (Of::Mechanism, _) => name.to_string(),
+            (Of::Links(a, b), Lang::En) if what.kind() == Kind::Force => {
+                format!("{name}: force of link {} on link {}", self.link(a), self.link(b))
+            }
+            (Of::Links(a, b), Lang::Zh) if what.kind() == Kind::Force => format!("构件 {} 对构件 {} 的{name}", self.link(a), self.link(b)),
             (Of::Links(a, b), Lang::En) => format!("{name} of link {} relative to link {}", self.link(a), self.link(b)),
             (Of::Links(a, b), Lang::Zh) => format!("构件 {} 相对构件 {} 的{name}", self.link(a), self.link(b)),
             (Of::Seen(p, frame), lang) => {

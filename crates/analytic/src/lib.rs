@@ -21,6 +21,7 @@ mod asked;
 mod blocks;
 mod cams;
 mod factor;
+mod forces;
 mod fork;
 mod jet;
 mod pose;
@@ -43,6 +44,7 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::answer::Source;
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Passive};
 use hodograph_mechanism::position::Configuration;
+use hodograph_scene::quantity::Forces;
 use hodograph_scene::{LinkId, PointId, Scene};
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 use pose::Pose;
@@ -73,6 +75,8 @@ pub struct Solution {
     pub notes: Vec<Diagnostic>,
     /// Number of unknowns solved for, at velocity and at acceleration level.
     pub size: [usize; 2],
+    /// Reactions and balancing moments, where they are asked for and determined.
+    forces: Option<Forces>,
 }
 
 /// Motion of a link.
@@ -99,6 +103,15 @@ struct LinkMotion {
 /// # Errors
 /// `overflow`: numbers out of range.
 pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> Result<Solution, Faults> {
+    let mut solution = motion(scene, m, at, demand)?;
+    if demand.wants_forces() {
+        solution.forces = forces::forces(scene, m, at, demand, &solution);
+    }
+    Ok(solution)
+}
+
+/// Velocities and accelerations.
+fn motion(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> Result<Solution, Faults> {
     spend();
     let mut solution = Solution {
         links: vec![None; scene.links.len()],
@@ -113,6 +126,7 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
         near: Vec::new(),
         notes: Vec::new(),
         size: [0; 2],
+        forces: None,
     };
     solution.links[scene.ground.0] = Some(LinkMotion { v: Vec2::ZERO, omega: 0.0, second: Some((Vec2::ZERO, 0.0)) });
     if demand.level == Level::Position {
@@ -176,8 +190,14 @@ impl System {
     /// # Errors
     /// Not as many rows as unknowns.
     fn new(scene: &Scene, at: &Configuration, layout: &rows::Layout) -> Result<System, Faults> {
-        let n = layout.unknowns;
-        let rows = layout.rows(scene, at);
+        System::of_rows(layout.rows(scene, at), layout.unknowns)
+    }
+
+    /// The system of some rows in `n` unknowns.
+    ///
+    /// # Errors
+    /// Not as many rows as unknowns.
+    fn of_rows(rows: Vec<relation::Row>, n: usize) -> Result<System, Faults> {
         if rows.len() != n {
             return Err(
                 Diagnostic::error("not-square", both!("{} equations for {n} unknowns", "{} 个方程，{n} 个未知数", rows.len())).into()
@@ -195,12 +215,7 @@ impl System {
             }
         }
         let lu = jacobian.clone().lu();
-        let (l, u, p) = (lu.l(), lu.u(), lu.p());
-        let solve_transposed = |b: &DVector<f64>| -> Option<DVector<f64>> {
-            let mut y = u.tr_solve_upper_triangular(b).and_then(|y| l.tr_solve_lower_triangular(&y))?;
-            p.inv_permute_rows(&mut y);
-            Some(y)
-        };
+        let solve_transposed = transposed(&lu);
         let condition = one_norm(&jacobian) * inverse_one_norm(&|b| lu.solve(b), &solve_transposed, n);
         Ok(System { rows, factors: Factors::Whole { jacobian, lu }, condition })
     }
@@ -222,9 +237,33 @@ impl System {
         x.iter().all(|v| v.is_finite()).then_some(x)
     }
 
+    /// Solves Jᵀ y = b, refined once.
+    fn solve_transposed(&self, b: &DVector<f64>) -> Option<DVector<f64>> {
+        let y = match &self.factors {
+            Factors::Whole { jacobian, lu } => {
+                let solve = transposed(lu);
+                let y = solve(b)?;
+                let r = b - jacobian.tr_mul(&y);
+                y + solve(&r)?
+            }
+            Factors::Staged(staged) => staged.solve_transposed(b)?,
+        };
+        y.iter().all(|v| v.is_finite()).then_some(y)
+    }
+
     /// The right-hand side of the accelerations at the given rates.
     fn gamma(&self, rates: &DVector<f64>) -> DVector<f64> {
         DVector::from_iterator(self.rows.len(), self.rows.iter().map(|r| r.acceleration(rates)))
+    }
+}
+
+/// y with Jᵀ y = b, from a decomposed J.
+fn transposed(lu: &LU<f64, Dyn, Dyn>) -> impl Fn(&DVector<f64>) -> Option<DVector<f64>> + use<> {
+    let (l, u, p) = (lu.l(), lu.u(), lu.p().clone());
+    move |b| {
+        let mut y = u.tr_solve_upper_triangular(b).and_then(|y| l.tr_solve_lower_triangular(&y))?;
+        p.inv_permute_rows(&mut y);
+        Some(y)
     }
 }
 
@@ -360,6 +399,10 @@ impl Source for Solution {
     fn turning(&self, level: Level, link: LinkId) -> Option<f64> {
         let m = self.links[link.0]?;
         if level == Level::Velocity { Some(m.omega) } else { m.second.map(|s| s.1) }
+    }
+
+    fn forces(&self) -> Option<&Forces> {
+        self.forces.as_ref()
     }
 }
 

@@ -102,7 +102,18 @@ impl Layout {
         Some(DVector::from_vec(out))
     }
 
-    fn body(&self, scene: &Scene, l: LinkId, p: Point) -> Option<Handle> {
+    /// The first unknown of a link.
+    pub fn first_of(&self, l: LinkId) -> Option<usize> {
+        self.index[l.0].map(|i| 3 * i)
+    }
+
+    /// The link by which rows take hold of a pin; `None` of a bare pin.
+    pub fn handle_of(&self, scene: &Scene, p: PointId) -> Option<LinkId> {
+        let bare = self.bare.contains(&p);
+        scene.carriers(p).find(|l| !bare && (*l == scene.ground || self.index[l.0].is_some()))
+    }
+
+    pub(super) fn body(&self, scene: &Scene, l: LinkId, p: Point) -> Option<Handle> {
         if l == scene.ground {
             return Some(Handle { first: None, turns: false, r: Vec2::ZERO });
         }
@@ -136,10 +147,21 @@ impl Layout {
 
     pub fn rows(&self, scene: &Scene, at: &Configuration) -> Vec<Row> {
         let mut rows = Vec::new();
-        self.revolutes(scene, at, &mut rows);
-        let demanded = |item: Item, of: Pair| constraints_of(scene, item).map(move |c| (c.form(), of));
         self.by_laws(scene, at, &mut rows);
-        for g in (0..scene.guides.len()).map(GuideId).filter(|g| self.holds[g.0] && !is_of_law(scene, *g)) {
+        self.of_pairs(scene, at, |g| !is_of_law(scene, g), rows)
+    }
+
+    /// The rows by which links press on each other: a cam that follows a law touches its follower, which the law alone would not say.
+    pub fn rows_of_contacts(&self, scene: &Scene, at: &Configuration) -> Vec<Row> {
+        self.of_pairs(scene, at, |_| true, Vec::new())
+    }
+
+    fn of_pairs(&self, scene: &Scene, at: &Configuration, guides: impl Fn(GuideId) -> bool, by_laws: Vec<Row>) -> Vec<Row> {
+        let mut rows = Vec::new();
+        self.revolutes(scene, at, &mut rows);
+        rows.extend(by_laws);
+        let demanded = |item: Item, of: Pair| constraints_of(scene, item).map(move |c| (c.form(), of));
+        for g in (0..scene.guides.len()).map(GuideId).filter(|g| self.holds[g.0] && guides(*g)) {
             let (turning, places): (Vec<_>, Vec<_>) =
                 demanded(Item::Guide(g), Pair::Guide(g)).partition(|(form, _)| matches!(form, Form::Angles { .. }));
             turning.into_iter().for_each(|(form, of)| self.demand(scene, at, form, of, &mut rows));

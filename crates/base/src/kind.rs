@@ -17,6 +17,12 @@ pub enum Kind {
     Omega,
     /// Angular accelerations.
     Alpha,
+    /// Forces.
+    Force,
+    /// Moments of forces and couples.
+    Moment,
+    /// Powers.
+    Power,
     /// Time.
     Time,
     /// Ratios and counts: numbers without a unit.
@@ -87,7 +93,7 @@ impl<T> FromIterator<(Kind, T)> for ByKind<T> {
 
 impl Kind {
     /// The kinds that are drawn to a scale of their own.
-    pub const DRAWN: [Kind; 3] = [Kind::Length, Kind::Velocity, Kind::Acceleration];
+    pub const DRAWN: [Kind; 4] = [Kind::Length, Kind::Velocity, Kind::Acceleration, Kind::Force];
 
     /// The key of the scale in files, such as `mu_v`; `None` of what is not drawn.
     pub const fn scale_key(self) -> Option<&'static str> {
@@ -95,12 +101,14 @@ impl Kind {
             Kind::Length => Some("mu_l"),
             Kind::Velocity => Some("mu_v"),
             Kind::Acceleration => Some("mu_a"),
-            Kind::Angle | Kind::Omega | Kind::Alpha | Kind::Time | Kind::Number => None,
+            Kind::Force => Some("mu_F"),
+            Kind::Angle | Kind::Omega | Kind::Alpha | Kind::Moment | Kind::Power | Kind::Time | Kind::Number => None,
         }
     }
 
     /// All for whose answers a unit can be chosen.
-    pub const ALL: [Kind; 6] = [Kind::Length, Kind::Angle, Kind::Velocity, Kind::Acceleration, Kind::Omega, Kind::Alpha];
+    pub const ALL: [Kind; 9] =
+        [Kind::Length, Kind::Angle, Kind::Velocity, Kind::Acceleration, Kind::Omega, Kind::Alpha, Kind::Force, Kind::Moment, Kind::Power];
 
     /// Its SI unit, for programs and tables.
     pub const fn si(self) -> &'static str {
@@ -111,15 +119,18 @@ impl Kind {
             Kind::Acceleration => "m/s²",
             Kind::Omega => "rad/s",
             Kind::Alpha => "rad/s²",
+            Kind::Force => "N",
+            Kind::Moment => "N·m",
+            Kind::Power => "W",
             Kind::Time => "s",
             Kind::Number => "",
         }
     }
 
-    /// Which derivative of a place or an angle it is.
+    /// Which derivative of a place or an angle it is; the lowest level for what is none, such as a force.
     pub const fn level(self) -> Level {
         match self {
-            Kind::Length | Kind::Angle | Kind::Time | Kind::Number => Level::Position,
+            Kind::Length | Kind::Angle | Kind::Force | Kind::Moment | Kind::Power | Kind::Time | Kind::Number => Level::Position,
             Kind::Velocity | Kind::Omega => Level::Velocity,
             Kind::Acceleration | Kind::Alpha => Level::Acceleration,
         }
@@ -127,7 +138,12 @@ impl Kind {
 
     /// Whether it counts turning: its sign is a sense, told in words.
     pub const fn turns(self) -> bool {
-        matches!(self, Kind::Omega | Kind::Alpha)
+        matches!(self, Kind::Omega | Kind::Alpha | Kind::Moment)
+    }
+
+    /// Whether it belongs to the forces of a mechanism and not to its motion.
+    pub const fn is_of_forces(self) -> bool {
+        matches!(self, Kind::Force | Kind::Moment | Kind::Power)
     }
 }
 

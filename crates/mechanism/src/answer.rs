@@ -10,7 +10,7 @@ use crate::position::{Configuration, Path};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 pub use hodograph_scene::quantity::Value;
-use hodograph_scene::quantity::{Asked, Known};
+use hodograph_scene::quantity::{Asked, Forces, Known};
 use hodograph_scene::{GuideId, LinkId, OnLink, PointId, Scene};
 
 /// Where vectors and rates are looked up.
@@ -19,6 +19,10 @@ pub trait Source<N = f64> {
     fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2<N>>;
     /// Turning rate.
     fn turning(&self, level: Level, link: LinkId) -> Option<N>;
+    /// Forces, of a source that solves for them.
+    fn forces(&self) -> Option<&Forces<N>> {
+        None
+    }
 }
 
 /// A pose of which only the places are known.
@@ -67,6 +71,10 @@ impl<N: Real, S: Source<N>> Known<N> for Instant<'_, N, S> {
 
     fn turning(&self, level: Level, link: LinkId) -> Option<N> {
         self.motion.turning(level, link)
+    }
+
+    fn forces(&self) -> Option<&Forces<N>> {
+        self.motion.forces()
     }
 }
 

@@ -14,6 +14,7 @@
 #![allow(rustdoc::private_intra_doc_links)]
 
 pub mod answer;
+pub mod force;
 pub mod mechanism;
 pub mod motion;
 pub mod position;

@@ -42,7 +42,12 @@ pub fn symbol(find: &Find, notation: &Notation) -> String {
     // A coordinate is of the point itself, and so is written below as it stands on the diagram.
     let place = matches!((find.what.of(), entry.kind), (Of::Point(_), Kind::Length));
     let sub = if place { point_label(sub.trim()) } else { name_label(&sub) };
-    let letter = entry.letter;
+    // An index of the letter comes before that of the question: F_I and 2 are F_{I2}.
+    let (letter, index) = entry.letter.split_once('_').unwrap_or((entry.letter, ""));
+    let sub = format!("{index}{sub}");
+    if sub.is_empty() {
+        return letter.to_owned();
+    }
     if sup.is_empty() { format!("{letter}_{{{sub}}}") } else { format!("{letter}^{{{sup}}}_{{{sub}}}") }
 }
 

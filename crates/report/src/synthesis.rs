@@ -119,7 +119,18 @@ pub fn value(book: &Book, n: &Number) -> String {
         Some(Kind::Angle) => format!("{}°", significant(if n.value.abs() < 1e-12 { 0.0 } else { n.value.to_degrees() }, 6)),
         // How many there are of something has no decimals.
         None if n.value.fract() == 0.0 && n.value.abs() < 1e15 => format!("{}", n.value),
-        Some(Kind::Velocity | Kind::Acceleration | Kind::Omega | Kind::Alpha | Kind::Time | Kind::Number) | None => significant(n.value, 6),
+        Some(
+            Kind::Velocity
+            | Kind::Acceleration
+            | Kind::Omega
+            | Kind::Alpha
+            | Kind::Force
+            | Kind::Moment
+            | Kind::Power
+            | Kind::Time
+            | Kind::Number,
+        )
+        | None => significant(n.value, 6),
     }
 }
 

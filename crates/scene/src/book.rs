@@ -26,23 +26,23 @@ impl BookUnit {
     /// # Errors
     /// The units that fit, where the text is none of this kind.
     pub fn read(text: &str, kind: Kind) -> Result<BookUnit, Vec<String>> {
+        BookUnit::of_kind(text, kind).ok_or_else(|| fitting(kind))
+    }
+
+    fn of_kind(text: &str, kind: Kind) -> Option<BookUnit> {
         let word: String = text.split_whitespace().collect();
-        let read = || {
-            // Behind a number `r/min` is a unit, and not a parameter over minutes.
-            let expr = expr::parse(&format!("1 {word}"), &[]).ok()?;
-            let mut made = Made { dim: Dim::NUMBER, up: 1.0, down: 1.0, degrees: 0 };
-            made.multiply(&expr, 1)?;
-            let exact = made.up.max(made.down) < 1e15;
-            let whole = made.dim == Wanted::of(kind).dim() && exact && (0..=1).contains(&made.degrees);
-            whole.then(|| BookUnit {
-                name: superscripts(&word),
-                label: labelled(&word),
-                up: made.up,
-                down: made.down,
-                degrees: made.degrees == 1,
-            })
-        };
-        read().ok_or_else(|| fitting(kind))
+        // Behind a number `r/min` is a unit, and not a parameter over minutes.
+        let expr = expr::parse(&format!("1 {word}"), &[]).ok()?;
+        let mut made = Made { dim: Dim::NUMBER, up: 1.0, down: 1.0, degrees: 0 };
+        made.multiply(&expr, 1)?;
+        let whole = made.dim == Wanted::of(kind).dim() && (0..=1).contains(&made.degrees);
+        whole.then(|| BookUnit {
+            name: superscripts(&word),
+            label: labelled(&word),
+            up: made.up,
+            down: made.down,
+            degrees: made.degrees == 1,
+        })
     }
 
     /// A value in this unit; `si` in SI units. In numbers that know their error the result knows it too: ratios of units are
@@ -90,8 +90,14 @@ fn fitting(kind: Kind) -> Vec<String> {
         _ => "/s^2",
     };
     let base = Dim { time: 0, ..dim };
+    let named = |wanted: Wanted| UNITS.iter().filter(move |u| u.dim == wanted.dim()).map(|u| u.name);
     let made = UNITS.iter().filter(|u| u.dim == base && u.name != "°").map(|u| format!("{}{per}", u.name));
-    made.chain(UNITS.iter().filter(|u| dim.time != 0 && u.dim == dim).map(|u| u.name.to_owned())).collect()
+    let moments = named(Wanted::Force).flat_map(|force| named(Wanted::Length).map(move |arm| format!("{force}*{arm}")));
+    let moments = moments.filter(|text| kind == Kind::Moment && BookUnit::of_kind(text, kind).is_some());
+    made.chain(moments)
+        .chain((kind == Kind::Power).then(|| "N*m/s".to_owned()))
+        .chain(UNITS.iter().filter(|u| dim.time != 0 && u.dim == dim).map(|u| u.name.to_owned()))
+        .collect()
 }
 
 /// A product of powers of units.
@@ -122,7 +128,9 @@ impl Made {
         }
         for _ in 0..k.abs() {
             let (up, down) = if k > 0 { (unit.numerator, unit.denominator) } else { (unit.denominator, unit.numerator) };
-            (self.up, self.down) = (self.up * up, self.down * down);
+            // A ratio of whole numbers that are not rounded.
+            let (common, other) = (divisor(self.up, down), divisor(up, self.down));
+            (self.up, self.down) = (exact(self.up / common, up / other)?, exact(self.down / other, down / common)?);
             let common = divisor(self.up, self.down);
             (self.up, self.down) = (self.up / common, self.down / common);
         }
@@ -130,6 +138,12 @@ impl Made {
         self.degrees += if unit.degrees { k } else { 0 };
         Some(())
     }
+}
+
+/// The product of two whole numbers; `None` where it is rounded.
+fn exact(a: f64, b: f64) -> Option<f64> {
+    let product = a * b;
+    (product.is_finite() && libm::fma(a, b, -product) == 0.0).then_some(product)
 }
 
 /// A whole exponent as it is written.
@@ -247,7 +261,9 @@ impl Book {
             (None, Kind::Angle) => "\\degree",
             (None, Kind::Acceleration) => "m/s^2",
             (None, Kind::Alpha) => "rad/s^2",
-            (None, Kind::Length | Kind::Velocity | Kind::Omega | Kind::Time | Kind::Number) => kind.si(),
+            (None, Kind::Length | Kind::Velocity | Kind::Omega | Kind::Force | Kind::Moment | Kind::Power | Kind::Time | Kind::Number) => {
+                kind.si()
+            }
         }
     }
 

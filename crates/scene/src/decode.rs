@@ -5,6 +5,7 @@ mod belts;
 mod composite;
 mod driver;
 mod law;
+mod loads;
 mod motion;
 mod rolling;
 mod ropes;
@@ -117,6 +118,7 @@ pub(super) fn scene(root: &Node, extent: Extent, faults: &mut Faults) -> Option<
     for node in items(f.get("motions"), "\"motions\"", faults) {
         motion::motion(node, &mut raw, faults);
     }
+    loads::loads(&f, &mut raw, faults);
     for (key, node) in entries(f.get("sketch"), "\"sketch\"", faults) {
         raw.sketch.extend(two_quantities(node, both!("sketch of `{}`", "`{}` 的草图位置", key.text), faults).map(|q| (key.clone(), q)));
     }
@@ -296,7 +298,7 @@ fn paper(node: &Node, faults: &mut Faults) -> RawPaper {
         _ => word(n, "\"size\"", faults).map(RawSize::Named),
     });
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
-    RawPaper { size, mu_l: value("mu_l"), mu_v: value("mu_v"), mu_a: value("mu_a"), pencil: value("pencil") }
+    RawPaper { size, mu_l: value("mu_l"), mu_v: value("mu_v"), mu_a: value("mu_a"), mu_f: value("mu_F"), pencil: value("pencil") }
 }
 
 /// The members of one section, as they stand; none where there is no such object.

@@ -102,7 +102,7 @@ pub fn evaluate<N: Real>(expr: &Expr, lookup: &dyn Fn(&str) -> Option<Value<N>>)
     };
     let size = value.number.approx().abs();
     // Twenty: no quantity of kinematics comes near, and the exponents' own arithmetic stays small.
-    if [value.dim.length, value.dim.time, value.dim.angle].iter().any(|k| k.abs() > 20) {
+    if value.dim.exponents().iter().any(|k| k.abs() > 20) {
         return Err(fault(both!("the powers of the units are beyond all measure", "单位的幂次过大")));
     }
     if !size.is_finite() || size > HUGE || (size != 0.0 && size < 1.0 / HUGE) {
@@ -220,10 +220,11 @@ fn call<N: Real>(f: Function, a: Value<N>) -> Result<Value<N>, Both> {
                 return Err(both!("sqrt of the negative value {}", "对负值 {} 开平方", a.number.approx()));
             }
             let d = a.dim;
-            if [d.length, d.time, d.angle].iter().any(|k| k % 2 != 0) {
+            if d.exponents().iter().any(|k| k % 2 != 0) {
                 return Err(both!("sqrt of {}: its unit is no square", "对{}开平方：其单位不是平方", d.describe()));
             }
-            Value { number: a.si().sqrt(), dim: Dim { length: d.length / 2, time: d.time / 2, angle: d.angle / 2 }, degrees: false }
+            let dim = Dim { length: d.length / 2, time: d.time / 2, angle: d.angle / 2, mass: d.mass / 2 };
+            Value { number: a.si().sqrt(), dim, degrees: false }
         }
         Function::Sin => {
             wants(Dim::ANGLE, "sin")?;

@@ -20,6 +20,11 @@ pub(super) const SCENE: &[&str] = &[
     "ropes",
     "driver",
     "motions",
+    "gravity",
+    "masses",
+    "forces",
+    "springs",
+    "balance",
     "sketch",
     "side",
     "find",
@@ -62,7 +67,7 @@ pub(super) const CYLINDER: &[&str] = &["cylinder", "length", "rate", "accelerati
 pub(super) const MOTION: &[&str] = &["point", "on", "line", "centre", "radius", "angle", "s"];
 pub(super) const COMPOSITE: &[&str] = &["point", "on", "frame"];
 pub(super) const ATTEMPT: &[&str] = &["mistake", "pair", "link", "printed", "why"];
-pub(super) const PAPER: &[&str] = &["size", "mu_l", "mu_v", "mu_a", "pencil"];
+pub(super) const PAPER: &[&str] = &["size", "mu_l", "mu_v", "mu_a", "mu_F", "pencil"];
 pub(super) const CAM: &[&str] = &["cam", "follower", "edge", "roller", "arc", "face", "profile", "at", "angle"];
 pub(super) const ROLLER: &[&str] = &["pin", "radius", "link"];
 pub(super) const ARC: &[&str] = &["pin", "radius"];
@@ -70,3 +75,7 @@ pub(super) const FACE: &[&str] = &["through", "line", "angle", "offset", "cam"];
 pub(super) const CAM_PART: &[&str] = &["centre", "radius", "corner"];
 pub(super) const CAM_LAW: &[&str] = &["base", "start", "turns", "law"];
 pub(super) const CAM_STAGE: &[&str] = &["rise", "dwell", "return", "over", "law"];
+pub(super) const MASS: &[&str] = &["m", "weight", "J", "k", "at"];
+pub(super) const FORCE: &[&str] = &["on", "at", "F", "M", "angle", "line", "against"];
+pub(super) const SPRING: &[&str] = &["from", "to", "k", "free"];
+pub(super) const BALANCE: &[&str] = &["link", "at", "angle"];

@@ -25,6 +25,7 @@ pub mod folded;
 pub mod front;
 mod keys;
 mod law;
+pub mod loads;
 mod mistake;
 pub mod model;
 mod names;

@@ -14,6 +14,7 @@ use hodograph_base::diag::Span;
 use hodograph_base::kind::{ByKind, Kind};
 
 pub use super::cams::{Cam, Follows, Pieces, Turning};
+pub use super::loads::{Applied, Balance, Loads, Mass, Size, Spring};
 pub use super::mistake::Mistake;
 pub use hodograph_base::lang::Lang;
 pub use hodograph_base::trig::Angle;
@@ -377,6 +378,8 @@ pub struct Scene {
     pub lengths: Vec<Length>,
     /// Drivers.
     pub drivers: Vec<Driver>,
+    /// Masses, forces, springs.
+    pub loads: Loads,
     /// Sides that choose the assembly.
     pub sides: Vec<Side>,
     /// What is asked.

@@ -171,6 +171,7 @@ pub(super) struct RawPaper {
     pub mu_l: Option<RawQuantity>,
     pub mu_v: Option<RawQuantity>,
     pub mu_a: Option<RawQuantity>,
+    pub mu_f: Option<RawQuantity>,
     pub pencil: Option<RawQuantity>,
 }
 
@@ -192,6 +193,65 @@ pub(super) struct RawAttempt {
     /// Questions with what was printed.
     pub printed: Vec<(Word, RawQuantity)>,
     pub why: Option<RawLocalized>,
+    pub span: Span,
+}
+
+/// The sections of forces.
+#[derive(Clone, Debug, Default)]
+pub(super) struct RawLoads {
+    pub gravity: Option<[RawQuantity; 2]>,
+    pub masses: Vec<RawMass>,
+    pub applied: Vec<RawApplied>,
+    pub springs: Vec<RawSpring>,
+    pub balance: Option<RawBalance>,
+}
+
+/// Mass of a link, told as such or by its weight; its moment of inertia, told as such or by the radius of gyration.
+#[derive(Clone, Debug)]
+pub(super) struct RawMass {
+    pub link: Word,
+    pub m: Option<RawQuantity>,
+    pub weight: Option<RawQuantity>,
+    pub j: Option<RawQuantity>,
+    pub k: Option<RawQuantity>,
+    pub at: Option<Word>,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum RawSizeOfForce {
+    Components([RawQuantity; 2]),
+    Magnitude(RawQuantity),
+}
+
+/// A force or a couple.
+#[derive(Clone, Debug)]
+pub(super) struct RawApplied {
+    pub on: Word,
+    pub at: Option<Word>,
+    pub force: Option<RawSizeOfForce>,
+    pub moment: Option<RawQuantity>,
+    pub angle: Option<RawQuantity>,
+    pub line: Option<Word>,
+    pub against: Option<Word>,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct RawSpring {
+    pub from: Word,
+    pub to: Word,
+    pub k: RawQuantity,
+    pub free: RawQuantity,
+    pub span: Span,
+}
+
+/// The balancing force at a point, or the moment on a link.
+#[derive(Clone, Debug)]
+pub(super) struct RawBalance {
+    pub link: Option<Word>,
+    pub at: Option<Word>,
+    pub angle: Option<RawQuantity>,
     pub span: Span,
 }
 
@@ -258,6 +318,7 @@ pub(super) struct RawScene {
     pub cams: Vec<RawCam>,
     pub rolling: Vec<RawRolling>,
     pub drivers: Vec<RawDriver>,
+    pub loads: RawLoads,
     pub sketch: Vec<(Word, [RawQuantity; 2])>,
     pub sides: Vec<(Word, Word)>,
     /// `None` where the file has no such key: everything is asked.

@@ -5,7 +5,7 @@ use super::front::{self, mentions};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::kind::Kind;
 
-/// Exponents of length, time and plane angle. The angle counts as a dimension of its own, so that `60 deg` is not
+/// Exponents of length, time, plane angle and mass. The angle counts as a dimension of its own, so that `60 deg` is not
 /// taken for a length or a pure number by mistake.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Dim {
@@ -15,6 +15,8 @@ pub struct Dim {
     pub time: i32,
     /// Exponent of the radian.
     pub angle: i32,
+    /// Exponent of the kilogram.
+    pub mass: i32,
 }
 
 impl Dim {
@@ -27,12 +29,27 @@ impl Dim {
     pub const TIME: Dim = Dim::new(0, 1, 0);
 
     const fn new(length: i32, time: i32, angle: i32) -> Dim {
-        Dim { length, time, angle }
+        Dim { length, time, angle, mass: 0 }
+    }
+
+    /// Of a quantity in which the kilogram stands once.
+    const fn of_mass(length: i32, time: i32) -> Dim {
+        Dim { length, time, angle: 0, mass: 1 }
+    }
+
+    /// Its exponents.
+    pub const fn exponents(self) -> [i32; 4] {
+        [self.length, self.time, self.angle, self.mass]
     }
 
     /// The dimension of a product with the `k`-th power of another: `self · other^k`.
     pub const fn times(self, other: Dim, k: i32) -> Dim {
-        Dim::new(self.length + k * other.length, self.time + k * other.time, self.angle + k * other.angle)
+        Dim {
+            length: self.length + k * other.length,
+            time: self.time + k * other.time,
+            angle: self.angle + k * other.angle,
+            mass: self.mass + k * other.mass,
+        }
     }
 
     /// Whether a quantity of this dimension may stand where `wanted` is asked. An arc is a length, `ω·r` a velocity and `v/r` an
@@ -40,12 +57,17 @@ impl Dim {
     pub const fn serves(self, wanted: Dim) -> bool {
         // (m/s)/m, 1/s and rad/s are one rate of turning; a scale in 1/s is none.
         let turning = wanted.angle != 0 && wanted.time != 0;
-        self.length == wanted.length && self.time == wanted.time && (self.angle == wanted.angle || self.length != 0 || turning)
+        let same = self.length == wanted.length && self.time == wanted.time && self.mass == wanted.mass;
+        same && (self.angle == wanted.angle || self.length != 0 || turning)
     }
 
     /// In words: `a length`, `an angle`, `a quantity in m^2/s`.
     pub fn describe(self) -> Both {
         match (self.length, self.time, self.angle) {
+            _ if self.mass != 0 => match Wanted::OF_MASS.into_iter().find(|w| w.dim() == self) {
+                Some(wanted) => wanted.describe(),
+                None => both!("a quantity in {}", "以 {} 为单位的量", self.units()),
+            },
             (0, 0, 0) => both!("a pure number", "纯数"),
             (1, 0, 0) => both!("a length", "长度"),
             (2, 0, 0) => both!("an area", "面积"),
@@ -62,7 +84,7 @@ impl Dim {
     fn units(self) -> String {
         let part = |sign: i32| {
             let mut out = Vec::new();
-            for (name, k) in [("m", self.length), ("rad", self.angle), ("s", self.time)] {
+            for (name, k) in [("kg", self.mass), ("m", self.length), ("rad", self.angle), ("s", self.time)] {
                 match k * sign {
                     1 => out.push(name.to_owned()),
                     k if k > 1 => out.push(format!("{name}^{k}")),
@@ -113,8 +135,12 @@ pub static OF_ARC: [Unit; 2] = [
 const LENGTH: Dim = Dim::new(1, 0, 0);
 const TIME: Dim = Dim::new(0, 1, 0);
 const RATE: Dim = Dim::new(0, -1, 1);
+const MASS: Dim = Dim::of_mass(0, 0);
+const FORCE: Dim = Dim::of_mass(1, -2);
+const POWER: Dim = Dim::of_mass(2, -3);
 
-/// All units. The inch and the foot are the international ones (25.4 mm, 304.8 mm).
+/// All units. The inch and the foot are the international ones (25.4 mm, 304.8 mm), so is the pound (0.453 592 37 kg); a kilogram-force and a
+/// pound-force are their weights where g is 9.806 65 m/s². A slug is 1 lbf·s²/ft, a blob 1 lbf·s²/in.
 pub static UNITS: &[Unit] = &[
     unit("m", LENGTH, 1.0, 1.0),
     unit("cm", LENGTH, 1.0, 100.0),
@@ -129,6 +155,18 @@ pub static UNITS: &[Unit] = &[
     unit("s", TIME, 1.0, 1.0),
     unit("min", TIME, 60.0, 1.0),
     unit("h", TIME, 3600.0, 1.0),
+    unit("kg", MASS, 1.0, 1.0),
+    unit("g", MASS, 1.0, 1000.0),
+    unit("t", MASS, 1000.0, 1.0),
+    unit("lb", MASS, 45_359_237.0, 1e8),
+    unit("slug", MASS, 8_896_443_230_521.0, 609_600_000_000.0),
+    unit("blob", MASS, 8_896_443_230_521.0, 50_800_000_000.0),
+    unit("N", FORCE, 1.0, 1.0),
+    unit("kN", FORCE, 1000.0, 1.0),
+    unit("kgf", FORCE, 980_665.0, 1e5),
+    unit("lbf", FORCE, 8_896_443_230_521.0, 2e12),
+    unit("W", POWER, 1.0, 1.0),
+    unit("kW", POWER, 1000.0, 1.0),
     degrees("rpm", RATE, 6.0),
     // Revolutions per minute as Chinese books write them; only directly behind a number, for `r` may be a parameter.
     degrees("r/min", RATE, 6.0),
@@ -158,12 +196,26 @@ pub enum Wanted {
     Time,
     /// A number without a unit.
     Number,
+    /// N.
+    Force,
+    /// N·m.
+    Moment,
+    /// W.
+    Power,
+    /// kg.
+    Mass,
+    /// kg·m².
+    Inertia,
+    /// N/m.
+    Stiffness,
     /// m per mm of paper.
     ScaleOfLengths,
     /// (m/s) per mm of paper.
     ScaleOfVelocities,
     /// (m/s²) per mm of paper.
     ScaleOfAccelerations,
+    /// N per mm of paper.
+    ScaleOfForces,
 }
 
 impl Wanted {
@@ -178,17 +230,29 @@ impl Wanted {
             Kind::Alpha => Wanted::Alpha,
             Kind::Time => Wanted::Time,
             Kind::Number => Wanted::Number,
+            Kind::Force => Wanted::Force,
+            Kind::Moment => Wanted::Moment,
+            Kind::Power => Wanted::Power,
         }
     }
 
+    /// Those in whose dimension a mass stands.
+    const OF_MASS: [Wanted; 6] = [Wanted::Force, Wanted::Moment, Wanted::Power, Wanted::Mass, Wanted::Inertia, Wanted::Stiffness];
+
     /// The quantities that the `units` table of a scene knows, with their keys.
-    pub const TABLE: [(&'static str, Wanted); 6] = [
+    pub const TABLE: [(&'static str, Wanted); 12] = [
         ("length", Wanted::Length),
         ("angle", Wanted::Angle),
         ("omega", Wanted::Omega),
         ("alpha", Wanted::Alpha),
         ("velocity", Wanted::Velocity),
         ("acceleration", Wanted::Acceleration),
+        ("force", Wanted::Force),
+        ("moment", Wanted::Moment),
+        ("power", Wanted::Power),
+        ("mass", Wanted::Mass),
+        ("inertia", Wanted::Inertia),
+        ("stiffness", Wanted::Stiffness),
     ];
 
     /// Its dimension.
@@ -204,6 +268,12 @@ impl Wanted {
             Wanted::Number | Wanted::ScaleOfLengths => Dim::NUMBER,
             Wanted::ScaleOfVelocities => Dim::new(0, -1, 0),
             Wanted::ScaleOfAccelerations => Dim::new(0, -2, 0),
+            Wanted::Force => FORCE,
+            Wanted::Moment => Dim::of_mass(2, -2),
+            Wanted::Power => POWER,
+            Wanted::Mass => MASS,
+            Wanted::Inertia => Dim::of_mass(2, 0),
+            Wanted::Stiffness | Wanted::ScaleOfForces => Dim::of_mass(0, -2),
         }
     }
 
@@ -221,6 +291,13 @@ impl Wanted {
             Wanted::ScaleOfLengths => both!("a scale of lengths", "长度比例尺"),
             Wanted::ScaleOfVelocities => both!("a scale of velocities", "速度比例尺"),
             Wanted::ScaleOfAccelerations => both!("a scale of accelerations", "加速度比例尺"),
+            Wanted::Force => both!("a force", "力"),
+            Wanted::Moment => both!("a moment", "力矩"),
+            Wanted::Power => both!("a power", "功率"),
+            Wanted::Mass => both!("a mass", "质量"),
+            Wanted::Inertia => both!("a moment of inertia", "转动惯量"),
+            Wanted::Stiffness => both!("a stiffness", "刚度"),
+            Wanted::ScaleOfForces => both!("a scale of forces", "力比例尺"),
         }
     }
 
@@ -252,6 +329,13 @@ impl Wanted {
             Wanted::ScaleOfLengths => "m/mm",
             Wanted::ScaleOfVelocities => "(m/s)/mm",
             Wanted::ScaleOfAccelerations => "(m/s^2)/mm",
+            Wanted::Force => "N",
+            Wanted::Moment => "N*m",
+            Wanted::Power => "W",
+            Wanted::Mass => "kg",
+            Wanted::Inertia => "kg*m^2",
+            Wanted::Stiffness => "N/m",
+            Wanted::ScaleOfForces => "N/mm",
         }
     }
 

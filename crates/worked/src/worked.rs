@@ -25,7 +25,7 @@ use hodograph_analytic::{Refused, Solution};
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_board::construct::{self, Answer, Drawing};
 use hodograph_board::plan::Plan;
-use hodograph_mechanism::answer::Value;
+use hodograph_mechanism::answer::{Source, Value};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Need};
 use hodograph_mechanism::position::redundant::Verdict;
 use hodograph_mechanism::position::{self, Configuration};
@@ -251,9 +251,11 @@ fn stages(
             continue;
         };
         let level = find.what.level();
-        let scale = match level {
-            Level::Position => sizes.extent,
-            _ => sizes.against(level, &computed),
+        let of_forces = solution.forces().and_then(|f| f.size(find.what.kind()));
+        let scale = match (of_forces, level) {
+            (Some(size), _) => size,
+            (None, Level::Position) => sizes.extent,
+            (None, Level::Velocity | Level::Acceleration) => sizes.against(level, &computed),
         };
         let agreement = match (&drawn, level) {
             (_, Level::Position) | (None, _) => None,
@@ -272,6 +274,7 @@ fn stages(
             Value::Vector(_) | Value::Scalar(_) => blur * of.largest(level, matches!(value, Value::Scalar(_))),
         };
         let noise = match (level, agreement) {
+            _ if of_forces.is_some() => blur * scale,
             (Level::Position, _) => 0.0,
             (_, None) if written.is_some() => 0.0,
             (_, Some(a)) => a.noise,

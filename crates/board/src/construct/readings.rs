@@ -245,7 +245,7 @@ pub fn read_by_hand<P: Pencil>(
                     let apart = shown.link_direction(scene, l).map_or(shown.extent(), Vec2::norm) / mu;
                     pencil.ruler(on, Vec2::from_angle(s), apart).angle()
                 }
-                Of::Point(_) | Of::Points(..) | Of::Link(_) | Of::Links(..) | Of::Line(..) | Of::Seen(..) => {
+                Of::Point(_) | Of::Points(..) | Of::Link(_) | Of::Links(..) | Of::Line(..) | Of::Seen(..) | Of::Mechanism => {
                     pencil.read(on, Vec2::new(s / mu, 0.0)).x * mu
                 }
             }),

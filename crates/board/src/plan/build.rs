@@ -370,6 +370,8 @@ impl Builder<'_> {
                     self.source_of_follower(level, l);
                     self.need_rate_at(level, body);
                 }
+                // They are no part of a velocity or acceleration polygon.
+                Need::Forces => {}
             }
         }
         let steps = std::mem::take(&mut self.pending);

@@ -152,7 +152,7 @@ fn link(scene: &Scene, what: &Asked) -> Option<usize> {
     let link = match what.of() {
         Of::Link(l) => Some(l),
         Of::Point(p) => p.link.or_else(|| scene.mover(p.point)),
-        Of::Points(..) | Of::Links(..) | Of::Line(..) | Of::Seen(..) => None,
+        Of::Points(..) | Of::Links(..) | Of::Line(..) | Of::Seen(..) | Of::Mechanism => None,
     };
     link.map(|l| l.0)
 }

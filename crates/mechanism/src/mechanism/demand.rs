@@ -46,11 +46,50 @@ impl Demand {
     pub fn add(&mut self, scene: &Scene, m: &Mechanism, need: Need, level: Level) {
         if !self.needs.contains(&(need, level)) {
             self.needs.push((need, level));
+            if need == Need::Forces {
+                self.loaded(scene, m);
+            }
         }
         self.level = self.level.max(level);
         for n in nodes_of(scene, m, need) {
             self.mark(m, group_of(m, n), level);
         }
+    }
+
+    /// Adds what the loads of a scene need: the places of loaded links, accelerations of what has mass, velocities of what is resisted.
+    fn loaded(&mut self, scene: &Scene, m: &Mechanism) {
+        let loads = &scene.loads;
+        let springs = loads.springs.iter().flat_map(|s| s.ends.map(|(_, link)| link)).filter(|l| *l != scene.ground);
+        let links = loads.masses.iter().map(|m| m.link).chain(loads.applied.iter().map(|a| a.link)).chain(springs);
+        for link in links.chain(loads.balance.as_ref().map(|b| b.link)) {
+            self.place(scene, m, link);
+        }
+        for mass in loads.masses.iter().filter(|_| scene.has_inertia()) {
+            if let (Some(_), Some(s)) = (&mass.m, mass.at) {
+                self.add(scene, m, Need::Point(s, None), Level::Acceleration);
+            }
+            if mass.j.is_some() {
+                self.add(scene, m, Need::Turning(mass.link), Level::Acceleration);
+            }
+        }
+        for applied in loads.applied.iter().filter(|a| a.size.is_against_motion()) {
+            match applied.at {
+                Some(p) => self.add(scene, m, Need::Point(p, Some(applied.link)), Level::Velocity),
+                None => self.add(scene, m, Need::Turning(applied.link), Level::Velocity),
+            }
+        }
+        // A driver's moment is carried by what it drives.
+        for constraint in m.constraints.iter().filter(|c| c.form().driver().is_some()) {
+            let (a, b) = constraint.ends();
+            for node in [a, b] {
+                self.mark(m, group_of(m, node), Level::Position);
+            }
+        }
+    }
+
+    /// Whether forces are asked for.
+    pub fn wants_forces(&self) -> bool {
+        self.needs.iter().any(|(need, _)| *need == Need::Forces)
     }
 
     /// Marks a group and all it rests on.
@@ -96,6 +135,7 @@ pub fn nodes_of(scene: &Scene, m: &Mechanism, need: Need) -> Vec<Node> {
     let link_nodes = |l: LinkId| m.passive_carrier(scene, l).unwrap_or_else(|| vec![Node::Link(l)]);
     match need {
         Need::Turning(l) => link_nodes(l),
+        Need::Forces => Vec::new(),
         Need::Point(p, link) => {
             let mut nodes = match link {
                 Some(l) => link_nodes(l),

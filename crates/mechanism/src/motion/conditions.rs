@@ -7,6 +7,10 @@
 //! Lengths are multiplied by a power of two near 1/(size of the group), so that the choice of pivots depends neither on the
 //! unit nor on what else is placed: scaling a scene by 2^k changes no digit, and neither does asking for more.
 
+mod reactions;
+
+pub(super) use reactions::{Acting, Reaction};
+
 use super::{LinkMotion, Motion};
 use crate::mechanism::{Form, Group, Mechanism, Node, Runner};
 use crate::position::kernel::power_of_two_scale;
@@ -19,8 +23,8 @@ use hodograph_scene::{LinkId, PointId, RollingId, Scene, Touch};
 /// A point of a body: of one whose motion is known, or of an unknown of the group.
 #[derive(Clone, Copy)]
 enum Handle<N> {
-    /// Motion of the point, turning of its body.
-    Known(LinkMotion<N>),
+    /// Motion of the point, turning of its body, and what it is a point of.
+    Known(LinkMotion<N>, Node),
     /// Unknowns (vx, vy, ω) from this index on, and the arm from the body's own point.
     Link(usize, Vec2<N>),
     /// Unknowns (vx, vy).
@@ -31,7 +35,7 @@ impl<N: Real> Handle<N> {
     /// Adds ±k·v to a row; what is known goes to the other side, whose sum is returned.
     fn add(&self, row: &mut [N], k: Vec2<N>) -> N {
         match *self {
-            Handle::Known(m) => return -k.dot(m.v),
+            Handle::Known(m, _) => return -k.dot(m.v),
             Handle::Link(i, arm) => {
                 row[i] = row[i] + k.x;
                 row[i + 1] = row[i + 1] + k.y;
@@ -47,7 +51,7 @@ impl<N: Real> Handle<N> {
 
     fn omega(&self, q: &[N]) -> N {
         match *self {
-            Handle::Known(m) => m.omega,
+            Handle::Known(m, _) => m.omega,
             Handle::Link(i, _) => q[i + 2],
             Handle::Pin(_) => N::from_f64(0.0),
         }
@@ -55,7 +59,7 @@ impl<N: Real> Handle<N> {
 
     fn velocity(&self, q: &[N]) -> Vec2<N> {
         match *self {
-            Handle::Known(m) => m.v,
+            Handle::Known(m, _) => m.v,
             Handle::Link(i, arm) => Vec2::new(q[i], q[i + 1]) + arm.perp() * q[i + 2],
             Handle::Pin(i) => Vec2::new(q[i], q[i + 1]),
         }
@@ -64,7 +68,7 @@ impl<N: Real> Handle<N> {
     /// The part of the acceleration that is not linear in the unknown accelerations.
     fn bias(&self, q: &[N]) -> Vec2<N> {
         match *self {
-            Handle::Known(m) => m.a,
+            Handle::Known(m, _) => m.a,
             Handle::Link(i, arm) => arm * -(q[i + 2] * q[i + 2]),
             Handle::Pin(_) => Vec2::zero(),
         }
@@ -92,7 +96,7 @@ impl<N: Real> Condition<N> {
                 let mut known = *rate;
                 for (body, factor) in bodies {
                     match *body {
-                        Handle::Known(m) => known = known - *factor * m.omega,
+                        Handle::Known(m, _) => known = known - *factor * m.omega,
                         Handle::Link(i, _) => row[i + 2] = row[i + 2] + *factor,
                         Handle::Pin(_) => {}
                     }
@@ -115,7 +119,7 @@ impl<N: Real> Condition<N> {
                 *acceleration - relative.norm2() * *weight - u.dot(p.bias(x) - q.bias(x))
             }
             Condition::Turning { bodies, acceleration, .. } => bodies.iter().fold(*acceleration, |sum, (body, factor)| match body {
-                Handle::Known(m) => sum - *factor * m.alpha,
+                Handle::Known(m, _) => sum - *factor * m.alpha,
                 Handle::Link(..) | Handle::Pin(_) => sum,
             }),
         }
@@ -127,6 +131,8 @@ pub(crate) struct Conditions<N> {
     links: Vec<(LinkId, Point<N>)>,
     pins: Vec<PointId>,
     list: Vec<Condition<N>>,
+    /// For each condition its constraint (index into [`Mechanism::constraints`]).
+    of: Vec<usize>,
     /// Power of two that makes lengths of about one.
     scale: f64,
     unknowns: usize,
@@ -159,12 +165,13 @@ impl<N: Real> Conditions<N> {
         let pins = group.pins.clone();
         let scale = power_of_two_scale(extent(scene, m, at, group));
         let b = Builder { scene, at, known, links: &links, pins: &pins, scale: N::from_f64(scale) };
-        let mut list = Vec::new();
+        let (mut list, mut of) = (Vec::new(), Vec::new());
         for &c in &group.constraints {
             b.push(m.constraints[c].form(), inputs, &mut list);
+            of.resize(list.len(), c);
         }
         let unknowns = 3 * links.len() + 2 * pins.len();
-        Conditions { links, pins, list, scale, unknowns }
+        Conditions { links, pins, list, of, scale, unknowns }
     }
 
     /// Velocities, and accelerations where they are wanted; `None` where a pivot may be zero.
@@ -234,7 +241,7 @@ impl<N: Real> Builder<'_, N> {
         }
         let motion = self.known.links[l.0].expect("what a group rests on is solved");
         let (v, a) = (motion.velocity_at(place), motion.acceleration_at(place));
-        Handle::Known(self.scaled(LinkMotion { at: place, v, a, ..motion }))
+        Handle::Known(self.scaled(LinkMotion { at: place, v, a, ..motion }), Node::Link(l))
     }
 
     fn pin(&self, p: PointId) -> Handle<N> {
@@ -242,7 +249,7 @@ impl<N: Real> Builder<'_, N> {
             return Handle::Pin(3 * self.links.len() + 2 * i);
         }
         let (v, a) = self.known.at_point(p).expect("what a group rests on is solved");
-        Handle::Known(self.scaled(LinkMotion { v, a, ..LinkMotion::rest(self.at.point(p)) }))
+        Handle::Known(self.scaled(LinkMotion { v, a, ..LinkMotion::rest(self.at.point(p)) }), Node::Pin(p))
     }
 
     fn scaled(&self, m: LinkMotion<N>) -> LinkMotion<N> {

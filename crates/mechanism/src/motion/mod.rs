@@ -8,6 +8,7 @@
 //! check of the drawing, group by group in a ladder of numbers is what certifies the printed digits.
 
 pub(crate) mod conditions;
+mod forces;
 
 use crate::answer::Source;
 use crate::mechanism::{Demand, Level, Mechanism, Passive};
@@ -16,6 +17,7 @@ use conditions::Conditions;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::{Ball, Big, Dd, Real};
 use hodograph_scene::exact::Inputs;
+use hodograph_scene::quantity::Forces;
 use hodograph_scene::{LinkId, PointId, Scene};
 
 /// Motion of a link.
@@ -64,6 +66,8 @@ pub struct Motion<N = f64> {
     pub groups: [usize; 2],
     /// Groups (indices into [`Mechanism::groups`]) that have no single solution in the numbers used.
     pub singular: Vec<usize>,
+    /// Reactions and balancing moments, where they are asked for and determined.
+    forces: Option<Forces<N>>,
 }
 
 /// A number in which motions are solved: [`solve`] as a method of it, compiled here once and not in every crate that asks (see [`Placed`]).
@@ -100,6 +104,7 @@ fn solved<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: 
         carriers: (0..scene.points.len()).map(|p| scene.carriers(PointId(p)).collect()).collect(),
         groups: [0, 0],
         singular: Vec::new(),
+        forces: None,
     };
     let mut missing = vec![false; m.groups.len()];
     motion.links[scene.ground.0] = Some(LinkMotion::rest(Point::origin()));
@@ -127,10 +132,26 @@ fn solved<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: 
             motion.links[l.0] = motion.following(scene, at, (l, passive));
         }
     }
+    if demand.wants_forces() {
+        motion.forces = forces::forces(scene, m, at, demand, &motion);
+    }
     motion
 }
 
 impl<N: Real> Motion<N> {
+    /// A pose in which nothing moves.
+    fn at_rest(scene: &Scene, at: &Configuration<N>) -> Motion<N> {
+        Motion {
+            links: vec![Some(LinkMotion::rest(Point::origin())); scene.links.len()],
+            pins: vec![Some((Vec2::zero(), Vec2::zero())); scene.points.len()],
+            points: at.points.clone(),
+            carriers: Vec::new(),
+            groups: [0, 0],
+            singular: Vec::new(),
+            forces: None,
+        }
+    }
+
     /// Velocity and acceleration of a pin, or of a point that only one link carries.
     fn at_point(&self, p: PointId) -> Option<(Vec2<N>, Vec2<N>)> {
         self.pins[p.0].or_else(|| {
@@ -195,5 +216,9 @@ impl<N: Real> Source<N> for Motion<N> {
     fn turning(&self, level: Level, link: LinkId) -> Option<N> {
         let m = self.links[link.0]?;
         Some(if level == Level::Velocity { m.omega } else { m.alpha })
+    }
+
+    fn forces(&self) -> Option<&Forces<N>> {
+        self.forces.as_ref()
     }
 }

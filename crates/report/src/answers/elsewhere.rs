@@ -60,6 +60,7 @@ impl Figures<'_> {
             | Asked::Ratio(_)
             | Asked::RollerSpin(_)
             | Asked::Transmission(_)
+            | Asked::Force(_)
             | Asked::Curvature(_) => None,
         }
     }

@@ -24,6 +24,9 @@ impl Quantity for InstantCentre {
         .at_level(Level::Velocity)];
 
     fn read(question: &Question<'_>) -> Result<Option<InstantCentre>, Diagnostic> {
+        if question.names().is_empty() {
+            return Ok(None);
+        }
         Self::of_links(question, question.two_links()?).map(Some)
     }
 

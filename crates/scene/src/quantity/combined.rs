@@ -77,10 +77,22 @@ operands!(
     Ratio,
     RollerSpin,
     Transmission,
+    Force,
 );
 
-const KINDS: [Kind; 8] =
-    [Kind::Length, Kind::Angle, Kind::Velocity, Kind::Acceleration, Kind::Omega, Kind::Alpha, Kind::Time, Kind::Number];
+const KINDS: [Kind; 11] = [
+    Kind::Length,
+    Kind::Angle,
+    Kind::Velocity,
+    Kind::Acceleration,
+    Kind::Omega,
+    Kind::Alpha,
+    Kind::Time,
+    Kind::Number,
+    Kind::Force,
+    Kind::Moment,
+    Kind::Power,
+];
 const FORMS: [Form; 2] = [Form::Scalar, Form::Vector];
 const LEVELS: [Level; 3] = [Level::Position, Level::Velocity, Level::Acceleration];
 

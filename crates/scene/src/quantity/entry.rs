@@ -58,6 +58,8 @@ pub enum Of {
     Line(PointId, PointId),
     /// A point, seen from a frame.
     Seen(OnLink, Frame),
+    /// The mechanism as a whole.
+    Mechanism,
 }
 
 impl Of {
@@ -72,6 +74,7 @@ impl Of {
             Of::Links(a, b) => vec![(Need::Turning(a), level), (Need::Turning(b), level)],
             Of::Line(a, b) => vec![end(a), end(b)],
             Of::Seen(p, frame) => vec![at(p), at(frame.transport_point(p))],
+            Of::Mechanism => Vec::new(),
         }
     }
 }

@@ -23,4 +23,6 @@ pub enum Need {
     Point(PointId, Option<LinkId>),
     /// The turning of a link.
     Turning(LinkId),
+    /// The forces of the scene: the places of what is loaded, and the motion of what has mass.
+    Forces,
 }

@@ -15,6 +15,7 @@ pub mod combined;
 pub mod composite;
 pub mod curvature;
 mod entry;
+mod force;
 mod frame;
 mod from_centre;
 mod joined;
@@ -39,6 +40,7 @@ pub use combined::{Combined, Operand};
 pub use composite::Composite;
 pub use curvature::{Curvature, OfPath, OfPole};
 pub use entry::{Entry, Form, Of, Over};
+pub use force::{Along, Contact, Force, Forces, Wrench, bar, contacts};
 pub use frame::owns;
 pub use frame::{Frame, RelativePath, relative_path};
 pub use from_centre::FromCentre;
@@ -227,6 +229,8 @@ families! {
     RollerSpin,
     /// `gamma_C`: the transmission angle at a pin.
     Transmission,
+    /// `F_12`, `M_b`, `FI_3`: forces and moments.
+    Force,
     /// `omega_2 + omega_4`, `P13D/P13A`: the sum, the difference or the ratio of two.
     Combined,
 }
@@ -258,10 +262,15 @@ impl Asked {
     }
 }
 
+/// All lines of the table, in the order of the families.
+pub(crate) fn lines() -> impl Iterator<Item = &'static Entry> {
+    TABLES.iter().copied().flatten()
+}
+
 /// The lines of the table, one for each symbol, in the order of the families.
 pub(crate) fn symbols() -> Vec<&'static Entry> {
     let mut out: Vec<&Entry> = Vec::new();
-    for entry in TABLES.iter().copied().flatten() {
+    for entry in lines() {
         if !out.iter().any(|e| e.symbol == entry.symbol) {
             out.push(entry);
         }

@@ -1,6 +1,6 @@
 //! What an answer is, and what a formula may use to find one.
 
-use super::{Form, Level};
+use super::{Forces, Form, Level};
 use crate::model::{GuideId, LinkId, OnLink, PointId, Scene};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
@@ -122,4 +122,6 @@ pub trait Known<N> {
     fn vector(&self, level: Level, p: &OnLink) -> Option<Vec2<N>>;
     /// The angular velocity or acceleration of a link.
     fn turning(&self, level: Level, link: LinkId) -> Option<N>;
+    /// The forces.
+    fn forces(&self) -> Option<&Forces<N>>;
 }

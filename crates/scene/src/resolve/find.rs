@@ -30,7 +30,7 @@ fn of_links(c: &Context, word: &Word, what: Asked) -> Result<Asked, Diagnostic> 
         Of::Points(p, q) => vec![p, q],
         Of::Seen(p, Frame::Point(q)) => vec![p, q],
         Of::Seen(p, Frame::Link(_)) => vec![p],
-        Of::Line(..) | Of::Link(_) | Of::Links(..) => Vec::new(),
+        Of::Line(..) | Of::Link(_) | Of::Links(..) | Of::Mechanism => Vec::new(),
     };
     let Some(contact) = moving.into_iter().find(|p| p.link.is_none() && c.is_contact(p.point)) else { return Ok(what) };
     let name = c.point_name(contact.point);
@@ -90,9 +90,15 @@ fn spelt(symbol: &str) -> &str {
 
 /// Whether a text begins as a question does: a quantity's symbol and `_`.
 pub(crate) fn begins_a_question(text: &str) -> bool {
-    with_underscore(text.trim_start())
-        .split_once('_')
-        .is_some_and(|(symbol, _)| quantity::symbols().iter().any(|e| e.symbol == spelt(symbol)))
+    is_alone(text.trim())
+        || with_underscore(text.trim_start())
+            .split_once('_')
+            .is_some_and(|(symbol, _)| quantity::symbols().iter().any(|e| e.symbol == spelt(symbol)))
+}
+
+/// Whether a symbol is a question without names behind it: the power `P`.
+fn is_alone(symbol: &str) -> bool {
+    quantity::lines().any(|e| e.example == symbol && e.symbol == symbol)
 }
 
 /// A question, or two of them combined.
@@ -125,7 +131,8 @@ fn with_underscore(text: &str) -> Cow<'_, str> {
 fn one(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
     let text = with_underscore(&word.text);
     let fault = |message: Both| Diagnostic::error("find", message).at(word.span);
-    let Some((symbol, rest)) = text.split_once('_') else {
+    let alone = is_alone(&text).then_some((&*text, ""));
+    let Some((symbol, rest)) = text.split_once('_').or(alone) else {
         let d = fault(both!("`{}` is not a quantity that can be asked", "`{}` 不是可求的量", word.text));
         if matches!(word.text.as_str(), "F" | "class") {
             return Err(d.help(both!(
@@ -174,6 +181,19 @@ impl Question<'_> {
     /// What stands behind it.
     pub fn names(&self) -> &str {
         self.names
+    }
+
+    /// A driver by its number, from 0 on.
+    ///
+    /// # Errors
+    /// A scene with fewer drivers.
+    pub fn driver(&self, driver: usize) -> Result<usize, Diagnostic> {
+        let drivers = self.c.raw.drivers.len();
+        if driver < drivers.max(1) {
+            return Ok(driver);
+        }
+        let message = both!("`{}`: the scene has {drivers} drivers", "`{}`：机构只有 {drivers} 个原动件", self.text());
+        Err(self.fault(message).help(both!("count them in the order of the file, from 1 on", "按文件中的次序从 1 数起")))
     }
 
     /// Whether a table has its symbol.

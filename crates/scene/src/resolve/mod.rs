@@ -13,6 +13,7 @@ mod find;
 mod free;
 mod guides;
 mod lengths;
+mod loads;
 mod paper;
 mod places;
 mod rolling;
@@ -228,6 +229,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
             places::pivots(&context, ground, &rolling.lengths, &mut places);
         }
         let drivers = guides.as_ref().map(|g| drivers::drivers(&context, g, &rolling, faults));
+        let loads = ground.map(|_| loads::loads(&context, faults));
         let find = ground.map(|_| find::find(&context, faults));
         if let (Some(drivers), Some(find)) = (&drivers, &find) {
             free::centres(&context, (&mut rolling, drivers, find), &mut places, &lengths, faults);
@@ -254,6 +256,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
             rolling: rolling.rolling,
             lengths,
             drivers: drivers?,
+            loads: loads?,
             sides,
             find: find?,
             composite,

@@ -35,6 +35,7 @@ pub(super) fn paper(raw: &RawScene, values: &Values, book: &Book, faults: &mut F
         scale(Kind::Length, &raw.paper.mu_l, Wanted::ScaleOfLengths),
         scale(Kind::Velocity, &raw.paper.mu_v, Wanted::ScaleOfVelocities),
         scale(Kind::Acceleration, &raw.paper.mu_a, Wanted::ScaleOfAccelerations),
+        scale(Kind::Force, &raw.paper.mu_f, Wanted::ScaleOfForces),
     ];
     Paper {
         size_mm,

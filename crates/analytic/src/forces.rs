@@ -1,0 +1,225 @@
+//! Reactions and balancing moments from all constraint rows at once.
+//!
+//! Where nothing rubs, a pair does no work: the reactions are λ times the coefficients of its rows, and equilibrium of all links is Jᵀ λ = −Q. Each
+//! reaction is read off the rows of its pair.
+//!
+//! # Source
+//! E. J. Haug, *Computer Aided Kinematics and Dynamics of Mechanical Systems*, ch. 6: Lagrange multipliers.
+
+use super::relation::{Handle, Pair, Relation, Row};
+use super::rows::Layout;
+use super::{Solution, System};
+use hodograph_base::geom::Vec2;
+use hodograph_mechanism::force::{Cause, Load, fastest, loads, unit_balance};
+use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::quantity::{Forces, Wrench};
+use hodograph_scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
+use nalgebra::DVector;
+
+/// From this condition number on `f64` tells no digit of a reaction.
+const UNBOUNDED: f64 = 1e13;
+
+/// All rows of a pose with the multipliers of its loads.
+struct Balanced<'a> {
+    scene: &'a Scene,
+    layout: &'a Layout,
+    rows: &'a [Row],
+    lambda: DVector<f64>,
+}
+
+/// The forces of an instant, with the accelerations of `solution`.
+///
+/// `None` where the reactions are unbounded or not determined, and where a motion that a load needs is not known.
+pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, solution: &Solution) -> Option<Forces> {
+    let mut loads = loads(scene, at, solution)?;
+    // Equilibrium of all that is placed, however far its motion is asked for.
+    let still = Demand { groups: demand.groups.iter().map(|g| g.map(|_| Level::Velocity)).collect(), ..demand.clone() };
+    let layout = Layout::new(scene, m, at, &still, Level::Velocity);
+    let rows = layout.rows_of_contacts(scene, at);
+    let system = System::of_rows(rows, layout.unknowns).ok()?;
+    if !(system.condition < UNBOUNDED) {
+        return None;
+    }
+    let balanced = |loads: &[Load]| -> Option<Balanced> {
+        let mut q = DVector::zeros(layout.unknowns);
+        for load in loads {
+            layout.body(scene, load.link, load.place)?.loaded(&mut q, load.wrench, layout.scale);
+        }
+        Some(Balanced { scene, layout: &layout, rows: &system.rows, lambda: system.solve_transposed(&-q)? })
+    };
+    let mut found = balanced(&loads)?;
+    let drivers = found.drivers();
+    let power = scene.drivers.iter().zip(&drivers).map(|(d, x)| x * d.rate.value).sum();
+    let mut balance = None;
+    if let Some(unit) = unit_balance(scene, at) {
+        let (own, by_unit) = (*drivers.first()?, *balanced(&[unit])?.drivers().first()?);
+        let nothing = f64::EPSILON.sqrt() * if scene.drivers[0].kind.turns() { at.extent() } else { 1.0 };
+        if by_unit.abs() <= nothing {
+            return None;
+        }
+        let size = -own / by_unit;
+        loads.push(Load { wrench: Wrench { force: unit.wrench.force * size, couple: unit.wrench.couple * size }, ..unit });
+        found = balanced(&loads)?;
+        balance = Some(size);
+    }
+    let pins = found.pins(at);
+    let guides: Vec<(GuideId, Wrench)> = (0..scene.guides.len()).map(GuideId).filter_map(|g| Some((g, found.guide(g)?))).collect();
+    let all = loads.iter().map(|l| l.wrench.force).chain(pins.iter().map(|p| p.2)).chain(guides.iter().map(|g| g.1.force));
+    let largest = all.map(Vec2::norm).fold(0.0, f64::max);
+    let couples = loads.iter().map(|l| l.wrench.couple).chain(guides.iter().map(|g| g.1.couple)).map(f64::abs);
+    Some(Forces {
+        rolling: (0..scene.rolling.len()).map(RollingId).filter_map(|r| Some((r, found.rolling(r, &guides)?))).collect(),
+        largest_moment: couples.fold(largest * at.extent(), f64::max),
+        drivers: found.drivers(),
+        inertia: loads.iter().filter(|l| l.cause == Cause::Inertia).map(|l| (l.link, l.wrench)).collect(),
+        largest_power: largest * fastest(scene, at),
+        determinate: m.redundant.is_empty(),
+        largest,
+        balance,
+        power,
+        pins,
+        guides,
+    })
+}
+
+impl Handle {
+    /// Adds a load at the point to the loads of the unknowns: a force over the scale of lengths, a couple as it is.
+    fn loaded(&self, q: &mut DVector<f64>, wrench: Wrench, scale: f64) {
+        let Some(i) = self.first else { return };
+        let force = wrench.force * (1.0 / scale);
+        q[i] += force.x;
+        q[i + 1] += force.y;
+        if self.turns {
+            q[i + 2] += wrench.couple + self.r.cross(force);
+        }
+    }
+}
+
+/// What a row does to the first point of its relation, for λ = 1 in a mechanism of size one.
+fn on_first(relation: &Relation) -> Vec2 {
+    match *relation {
+        Relation::Meet { k, .. } | Relation::Along { k, .. } | Relation::Track { k, .. } => k,
+        Relation::Turn { .. } => Vec2::ZERO,
+        Relation::Distance { d, .. } => d * (1.0 / d.norm()),
+        Relation::Line { d, .. } => d.perp() * (1.0 / d.norm2()),
+        Relation::Roll { weights: [u, w], d, .. } => d.perp() * (-(u + w) / d.norm2()),
+    }
+}
+
+impl Balanced<'_> {
+    /// The force (N) of a row on the first point of its relation.
+    fn force(&self, k: usize) -> Vec2 {
+        on_first(&self.rows[k].relation) * (self.lambda[k] * self.layout.scale)
+    }
+
+    fn rows_of(&self, of: Pair) -> impl Iterator<Item = (usize, &Row)> {
+        self.rows.iter().enumerate().filter(move |(_, row)| row.of == of)
+    }
+
+    /// Balancing moment or force of each driver.
+    fn drivers(&self) -> Vec<f64> {
+        let of = |d: usize| {
+            let driven = |(k, row): (usize, &Row)| match (&self.scene.drivers[d].kind, &row.relation) {
+                (DriverKind::Turn { .. }, Relation::Turn { .. }) => Some(self.lambda[k]),
+                (DriverKind::Slide { .. }, Relation::Along { .. }) | (DriverKind::Cylinder { .. }, Relation::Distance { .. }) => {
+                    Some(self.lambda[k] * self.layout.scale)
+                }
+                // Along an arc s = ρψ: the moment over the radius.
+                (DriverKind::Slide { .. }, Relation::Line { d, .. }) => Some(self.lambda[k] * self.layout.scale / d.norm()),
+                _ => None,
+            };
+            self.rows_of(Pair::Driver(d)).find_map(driven).unwrap_or(0.0)
+        };
+        (0..self.scene.drivers.len()).map(of).collect()
+    }
+
+    /// The force on what runs in a guide, and the couple on its slider.
+    fn guide(&self, g: GuideId) -> Option<Wrench> {
+        let slider = self.scene.guides[g.0].slider.and_then(|s| self.layout.first_of(s));
+        let mut rows = self.rows_of(Pair::Guide(g)).peekable();
+        rows.peek()?;
+        Some(rows.fold(Wrench::zero(), |sum, (k, row)| {
+            let turned = match row.relation {
+                Relation::Turn { a, b, .. } if a.first == slider && slider.is_some() => Some((a, 1.0)).filter(|_| b.first != slider),
+                Relation::Turn { b, .. } if b.first == slider && slider.is_some() => Some((b, -1.0)),
+                Relation::Line { body, .. } if body.first == slider && slider.is_some() => Some((body, -1.0)),
+                _ => None,
+            };
+            sum.plus(Wrench { force: self.force(k), couple: turned.map_or(0.0, |(_, sign)| sign * self.lambda[k]) })
+        }))
+    }
+
+    /// The force of the first link of a rolling pair on the second; a guide that holds them in touch carries a part of it.
+    fn rolling(&self, r: RollingId, guides: &[(GuideId, Wrench)]) -> Option<Vec2> {
+        let (k, _) = self.rows_of(Pair::Rolling(r)).next()?;
+        let pair = &self.scene.rolling[r.0];
+        let held = pair.guide().and_then(|g| guides.iter().find(|(own, _)| *own == g)).map_or(Vec2::ZERO, |(_, w)| w.force);
+        (!matches!(pair.touch(), hodograph_scene::Touch::Strand { .. })).then(|| self.force(k) + held)
+    }
+
+    /// Forces that rows put on pins, each with the link on which they act in truth; a row puts them on the first link that carries the pin.
+    fn attached(&self) -> Vec<(PointId, Option<LinkId>, Vec2)> {
+        let mut out = Vec::new();
+        for (k, row) in self.rows.iter().enumerate() {
+            let force = self.force(k);
+            let mut guided = |g: GuideId| {
+                let guide = &self.scene.guides[g.0];
+                out.extend(guide.pin.filter(|_| !matches!(row.relation, Relation::Turn { .. })).map(|p| (p, guide.slider, force)));
+            };
+            match row.of {
+                Pair::Guide(g) => guided(g),
+                Pair::Driver(d) => match &self.scene.drivers[d].kind {
+                    DriverKind::Slide { guide, .. } => guided(*guide),
+                    DriverKind::Cylinder { a, b, links, .. } => {
+                        out.extend([(*b, links.get(1).copied(), force), (*a, links.first().copied(), -force)]);
+                    }
+                    DriverKind::Turn { .. } => {}
+                },
+                Pair::Pin(_) | Pair::Rolling(_) => {}
+            }
+        }
+        out
+    }
+
+    /// The force of each pin on each of its links.
+    fn pins(&self, at: &Configuration) -> Vec<(PointId, LinkId, Vec2)> {
+        let attached = self.attached();
+        let mut out = Vec::new();
+        for p in (0..self.scene.points.len()).map(PointId).filter(|p| at.points[p.0].is_some()) {
+            let part = |l: &LinkId| *l == self.scene.ground || self.layout.first_of(*l).is_some();
+            let carriers: Vec<LinkId> = self.scene.carriers(p).filter(part).collect();
+            let here: Vec<_> = attached.iter().filter(|(own, ..)| *own == p).collect();
+            if carriers.len() + here.len() < 2 {
+                continue;
+            }
+            // The ground has no unknowns: what the others do not give to it is seen from the sum of all.
+            let mut sum = Vec2::ZERO;
+            for l in carriers.iter().filter(|l| **l != self.scene.ground) {
+                let first = self.layout.first_of(*l);
+                let of_row = |(k, row): (usize, &Row)| {
+                    let Relation::Meet { p, q, k: u } = row.relation else { return Vec2::ZERO };
+                    let sign = f64::from(u8::from(p.first == first)) - f64::from(u8::from(q.first == first));
+                    u * (sign * self.lambda[k] * self.layout.scale)
+                };
+                let mut force = self.rows_of(Pair::Pin(p)).fold(Vec2::ZERO, |sum, row| sum + of_row(row));
+                for (_, owner, x) in &here {
+                    if self.layout.handle_of(self.scene, p) == Some(*l) {
+                        force = force + *x;
+                    }
+                    if *owner == Some(*l) {
+                        force = force - *x;
+                    }
+                }
+                sum = sum + force;
+                out.push((p, *l, force));
+            }
+            if carriers.contains(&self.scene.ground) {
+                let unowned = here.iter().filter(|(_, owner, _)| owner.is_none_or(|l| l == self.scene.ground || !part(&l)));
+                let others = unowned.fold(Vec2::ZERO, |sum, (.., x)| sum + *x);
+                out.push((p, self.scene.ground, others - sum));
+            }
+        }
+        out
+    }
+}

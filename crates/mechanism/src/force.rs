@@ -1,0 +1,141 @@
+//! Loads of an instant: given forces and couples, weights, springs, inertia.
+//!
+//! Inertia is F_I = −m a_S at the centre of mass and M_I = −J_S α, with the accelerations of whoever asks: each way of solving has its own.
+
+use crate::answer::Source;
+use crate::mechanism::Level;
+use crate::position::Configuration;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_scene::exact::Inputs;
+use hodograph_scene::quantity::{ROUNDING, Wrench};
+use hodograph_scene::{Angle, Given, LinkId, PointId, Scene, Size};
+
+/// What a load is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    /// An applied force or couple: its index in the scene.
+    Applied(usize),
+    /// The weight of a link.
+    Weight,
+    /// The inertia of a link.
+    Inertia,
+    /// A spring: its index in the scene.
+    Spring(usize),
+    /// The balancing force or moment that the scene names.
+    Balance,
+}
+
+/// A load on a link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Load<N = f64> {
+    /// What it is.
+    pub cause: Cause,
+    /// The link.
+    pub link: LinkId,
+    /// Point of application; `None` for a couple.
+    pub at: Option<PointId>,
+    /// Its place; any for a couple.
+    pub place: Point<N>,
+    /// Force, and couple about the place.
+    pub wrench: Wrench<N>,
+}
+
+/// All loads of an instant, in the order weight, inertia, applied, springs. Inertia takes the accelerations of `motion`.
+///
+/// `None` where a place or a motion that a load needs is not known.
+pub fn loads<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Source<N>) -> Option<Vec<Load<N>>> {
+    let inputs = Inputs::of(scene);
+    let zero = N::from_f64(0.0);
+    let number = |given: &Given| inputs.number(given);
+    let mut out = Vec::new();
+    for mass in &scene.loads.masses {
+        let (Some(m), Some(s), Some(gravity)) = (&mass.m, mass.at, &scene.loads.gravity) else { continue };
+        let g = Vec2::new(number(&gravity[0]), number(&gravity[1]));
+        let wrench = Wrench { force: g * number(m), couple: zero };
+        out.push(Load { cause: Cause::Weight, link: mass.link, at: Some(s), place: at.points[s.0]?, wrench });
+    }
+    for mass in scene.loads.masses.iter().filter(|_| scene.has_inertia()) {
+        let force = match (&mass.m, mass.at) {
+            (Some(m), Some(s)) => motion.vector(Level::Acceleration, s, None)? * -number(m),
+            _ => Vec2::zero(),
+        };
+        let couple = match &mass.j {
+            Some(j) => -(number(j) * motion.turning(Level::Acceleration, mass.link)?),
+            None => zero,
+        };
+        let place = match mass.at {
+            Some(s) => at.points[s.0]?,
+            None => Point::origin(),
+        };
+        out.push(Load { cause: Cause::Inertia, link: mass.link, at: mass.at, place, wrench: Wrench { force, couple } });
+    }
+    for (k, applied) in scene.loads.applied.iter().enumerate() {
+        let place = match applied.at {
+            Some(p) => at.points[p.0]?,
+            None => Point::origin(),
+        };
+        let turned = |angle: &Given<Angle>| {
+            let (sin, cos) = inputs.sin_cos(angle);
+            Vec2::new(cos, sin)
+        };
+        let wrench = match &applied.size {
+            Size::Components([x, y]) => Wrench { force: Vec2::new(number(x), number(y)), couple: zero },
+            Size::Directed { force, line, angle } => {
+                let base = match line {
+                    Some((a, b)) => (at.points[b.0]? - at.points[a.0]?).unit()?,
+                    None => Vec2::unit_x(),
+                };
+                let direction = angle.as_ref().map_or(base, |angle| base.rotate_by(turned(angle)));
+                Wrench { force: direction * number(force), couple: zero }
+            }
+            Size::AgainstMotion(force) => {
+                let v = motion.vector(Level::Velocity, applied.at?, Some(applied.link))?;
+                let still = v.norm().approx() <= ROUNDING * fastest(scene, at);
+                let direction = if still { Vec2::zero() } else { -v.unit()? };
+                Wrench { force: direction * number(force), couple: zero }
+            }
+            Size::Couple(couple) => Wrench { force: Vec2::zero(), couple: number(couple) },
+            Size::AgainstTurning(couple) => {
+                let omega = motion.turning(Level::Velocity, applied.link)?;
+                let still = omega.approx().abs() * at.extent() <= ROUNDING * fastest(scene, at);
+                let sense = if still { 0.0 } else { -omega.approx().signum() };
+                Wrench { force: Vec2::zero(), couple: number(couple) * N::from_f64(sense) }
+            }
+        };
+        out.push(Load { cause: Cause::Applied(k), link: applied.link, at: applied.at, place, wrench });
+    }
+    for (k, spring) in scene.loads.springs.iter().enumerate() {
+        let [(p, a), (q, b)] = spring.ends;
+        let (from, to) = (at.points[p.0]?, at.points[q.0]?);
+        let line = to - from;
+        let pull = line.unit()? * (number(&spring.stiffness) * (line.norm() - number(&spring.free)));
+        for (point, link, place, force) in [(p, a, from, pull), (q, b, to, -pull)] {
+            if link != scene.ground {
+                out.push(Load { cause: Cause::Spring(k), link, at: Some(point), place, wrench: Wrench { force, couple: zero } });
+            }
+        }
+    }
+    Some(out)
+}
+
+/// The balancing force of 1 N or moment of 1 N·m where the scene says that it acts; `None` where it names no place for it.
+pub fn unit_balance<N: Real>(scene: &Scene, at: &Configuration<N>) -> Option<Load<N>> {
+    let balance = scene.loads.balance.as_ref()?;
+    let (zero, one) = (N::from_f64(0.0), N::from_f64(1.0));
+    let (point, place, wrench) = match &balance.force {
+        Some((p, angle)) => {
+            let (sin, cos) = Inputs::of(scene).sin_cos(angle);
+            (Some(*p), at.points[p.0]?, Wrench { force: Vec2::new(cos, sin), couple: zero })
+        }
+        None => (None, Point::origin(), Wrench { force: Vec2::zero(), couple: one }),
+    };
+    Some(Load { cause: Cause::Balance, link: balance.link, at: point, place, wrench })
+}
+
+/// The speed (m/s) beside which a velocity is rounding: that of the drivers at the size of the mechanism.
+pub fn fastest<N: Real>(scene: &Scene, at: &Configuration<N>) -> f64 {
+    let extent = at.extent();
+    let of = |d: &hodograph_scene::Driver| d.rate.value.abs() * if d.kind.turns() { extent } else { 1.0 };
+    scene.drivers.iter().map(of).fold(0.0, f64::max)
+}

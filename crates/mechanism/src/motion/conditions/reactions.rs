@@ -1,0 +1,131 @@
+//! Equilibrium of one group: the transposed system.
+//!
+//! Row i of the system says c_i·q̇ = rate. Where nothing rubs, its pair does no work but by that rate, so that its reaction on the unknown k is
+//! λ_i c_ik, and equilibrium is Cᵀ λ = −Q with the loads Q of the group.
+
+use super::{Condition, Conditions, Handle, Lu, own_point};
+use crate::mechanism::Node;
+use crate::position::Configuration;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_scene::quantity::Wrench;
+use hodograph_scene::{LinkId, PointId, Scene};
+
+/// Forces that act on links and pins.
+#[derive(Clone)]
+pub(in crate::motion) struct Acting<N> {
+    /// Of each link a point of its own, about which its couple counts.
+    base: Vec<Point<N>>,
+    pub links: Vec<Wrench<N>>,
+    pub pins: Vec<Vec2<N>>,
+}
+
+impl<N: Real> Acting<N> {
+    /// Nothing acts.
+    pub fn none(scene: &Scene, at: &Configuration<N>) -> Acting<N> {
+        let base = |l: usize| match LinkId(l) == scene.ground || at.poses[l].is_none() {
+            true => Point::origin(),
+            false => own_point(scene, at, LinkId(l)),
+        };
+        Acting {
+            base: (0..scene.links.len()).map(base).collect(),
+            links: vec![Wrench::zero(); scene.links.len()],
+            pins: vec![Vec2::zero(); scene.points.len()],
+        }
+    }
+
+    /// Adds a force at a place of a link, with its couple about that place.
+    pub fn on_link(&mut self, link: LinkId, place: Point<N>, wrench: Wrench<N>) {
+        let moved = wrench.seen_at(place - self.base[link.0]);
+        self.links[link.0] = self.links[link.0].plus(moved);
+    }
+
+    /// What acts on a link, its couple about a place.
+    pub fn about(&self, link: LinkId, place: Point<N>) -> Wrench<N> {
+        self.links[link.0].seen_at(self.base[link.0] - place)
+    }
+
+    /// Adds a force at a pin.
+    pub fn on_pin(&mut self, pin: PointId, force: Vec2<N>) {
+        self.pins[pin.0] = self.pins[pin.0] + force;
+    }
+}
+
+/// What one condition does: the force (N) on its first point, or the couple on its first body.
+#[derive(Clone, Copy)]
+pub(in crate::motion) enum Reaction<N> {
+    Force(Vec2<N>),
+    /// Of a unit factor.
+    Couple(N),
+}
+
+impl<N: Real> Conditions<N> {
+    /// The constraint of each condition, and its reaction under the loads; what the reactions do upstream is added to `acting`.
+    ///
+    /// `None` where a pivot may be zero: the reactions are unbounded or not determined.
+    pub(in crate::motion) fn reactions(&self, acting: &mut Acting<N>) -> Option<Vec<(usize, Reaction<N>)>> {
+        let (n, zero, scale) = (self.unknowns, N::from_f64(0.0), N::from_f64(self.scale));
+        if self.list.len() != n {
+            return None;
+        }
+        let still = |x: &N| x.approx() == 0.0 && x.radius() == 0.0;
+        let loads = self.loads(acting);
+        let lambda = if loads.iter().all(still) {
+            vec![zero; n]
+        } else {
+            let mut matrix = vec![zero; n * n];
+            let mut row = vec![zero; n];
+            for (i, condition) in self.list.iter().enumerate() {
+                row.fill(zero);
+                condition.row(&mut row);
+                row.iter().enumerate().for_each(|(k, c)| matrix[k * n + i] = *c);
+            }
+            let mut lambda = loads;
+            Lu::of(matrix, n)?.solve(&mut lambda);
+            lambda
+        };
+        let mut out = Vec::with_capacity(n);
+        for ((condition, of), l) in self.list.iter().zip(&self.of).zip(lambda) {
+            let reaction = match condition {
+                Condition::Along { p, q, k: u, .. } | Condition::Distance { p, q, u, .. } => {
+                    let force = *u * (l * scale);
+                    p.passed_on(force, acting);
+                    q.passed_on(-force, acting);
+                    Reaction::Force(force)
+                }
+                Condition::Turning { bodies, .. } => {
+                    for (body, factor) in bodies {
+                        if let Handle::Known(_, Node::Link(link)) = body {
+                            acting.links[link.0].couple = acting.links[link.0].couple + *factor * l;
+                        }
+                    }
+                    Reaction::Couple(l)
+                }
+            };
+            out.push((*of, reaction));
+        }
+        Some(out)
+    }
+
+    /// −Q, in the order of the unknowns: a force over the scale of lengths, a couple about the own point of its link.
+    fn loads(&self, acting: &Acting<N>) -> Vec<N> {
+        let back = N::from_f64(1.0 / self.scale);
+        let of_links = self.links.iter().flat_map(|(l, at)| {
+            let wrench = acting.about(*l, *at);
+            [-(wrench.force.x * back), -(wrench.force.y * back), -wrench.couple]
+        });
+        let of_pins = self.pins.iter().flat_map(|p| [-(acting.pins[p.0].x * back), -(acting.pins[p.0].y * back)]);
+        of_links.chain(of_pins).collect()
+    }
+}
+
+impl<N: Real> Handle<N> {
+    /// Adds a force on the point to what acts upstream.
+    fn passed_on(&self, force: Vec2<N>, acting: &mut Acting<N>) {
+        match *self {
+            Handle::Known(at, Node::Link(link)) => acting.on_link(link, at.at, Wrench { force, ..Wrench::zero() }),
+            Handle::Known(_, Node::Pin(pin)) => acting.on_pin(pin, force),
+            Handle::Link(..) | Handle::Pin(_) => {}
+        }
+    }
+}

@@ -1,0 +1,293 @@
+//! Reactions and balancing moments, group after group in the reverse of the kinematic order, in any number.
+//!
+//! The last group is solved first: its loads are known. What its outer pairs carry acts on the groups that it rests on, and so on to the drivers,
+//! whose moments and forces are the balancing ones. Each group is its kinematic system transposed ([`Conditions::reactions`]).
+//!
+//! A link that only follows (a block, barrel and rod of a cylinder) hands its loads to what it follows, by the same virtual power; its own reactions
+//! are found from its equilibrium afterwards.
+
+use super::Motion;
+use super::conditions::{Acting, Conditions, Reaction};
+use crate::force::{Cause, Load, fastest, loads, unit_balance};
+use crate::mechanism::{Demand, Form, Item, Mechanism, Passive, Runner};
+use crate::position::{Configuration, Path};
+use hodograph_base::geom::Vec2;
+use hodograph_base::number::Real;
+use hodograph_scene::exact::Inputs;
+use hodograph_scene::quantity::{Forces, Wrench};
+use hodograph_scene::{GuideId, LinkId, Normal, PointId, RollingId, Scene, Touch};
+
+/// The mechanism in a pose, and how far it is asked for.
+struct Posed<'a, N> {
+    scene: &'a Scene,
+    m: &'a Mechanism,
+    at: &'a Configuration<N>,
+    demand: &'a Demand,
+    /// All at rest: equilibrium asks no velocity.
+    rest: Motion<N>,
+}
+
+/// The reactions under some loads.
+#[derive(Clone)]
+struct Found<N> {
+    pins: Vec<(PointId, LinkId, Vec2<N>)>,
+    /// Force on what runs in a guide, and couple on a slider about its place.
+    guides: Vec<Option<Wrench<N>>>,
+    rolling: Vec<Option<Vec2<N>>>,
+    drivers: Vec<N>,
+}
+
+/// The forces of an instant; `None` where a group has no equilibrium in the pose (a dead centre), or what a load needs is not known.
+pub(super) fn forces<N: Real>(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration<N>,
+    demand: &Demand,
+    motion: &Motion<N>,
+) -> Option<Forces<N>> {
+    let posed = Posed { scene, m, at, demand, rest: Motion::at_rest(scene, at) };
+    let mut loads = loads(scene, at, motion)?;
+    let mut found = posed.balanced(&loads)?;
+    let rate = Inputs::of(scene);
+    let power = scene.drivers.iter().zip(&found.drivers).fold(N::from_f64(0.0), |sum, (d, x)| sum + *x * rate.number(&d.rate));
+    let mut balance = None;
+    if let Some(unit) = unit_balance(scene, at) {
+        // One driver: its moment is taken over by the load that does the same work.
+        let (own, by_unit) = (*found.drivers.first()?, *posed.balanced(&[unit])?.drivers.first()?);
+        if by_unit.approx().abs() <= by_unit.radius() || by_unit.approx() == 0.0 {
+            return None;
+        }
+        let size = -own / by_unit;
+        let wrench = Wrench { force: unit.wrench.force * size, couple: unit.wrench.couple * size };
+        loads.push(Load { wrench, ..unit });
+        found = posed.balanced(&loads)?;
+        balance = Some(size);
+    }
+    Some(posed.told(&loads, found, balance, power))
+}
+
+impl<N: Real> Posed<'_, N> {
+    /// The reactions under loads.
+    fn balanced(&self, loads: &[Load<N>]) -> Option<Found<N>> {
+        let Posed { scene, m, at, .. } = *self;
+        let zero = N::from_f64(0.0);
+        let mut acting = Acting::none(scene, at);
+        for load in loads {
+            acting.on_link(load.link, load.place, load.wrench);
+        }
+        let own = acting.clone();
+        let mut found = Found {
+            pins: Vec::new(),
+            guides: vec![None; scene.guides.len()],
+            rolling: vec![None; scene.rolling.len()],
+            drivers: vec![zero; scene.drivers.len()],
+        };
+        let passive: Vec<(LinkId, Passive)> = (0..scene.links.len())
+            .map(LinkId)
+            .filter_map(|l| Some((l, m.passive[l.0]?)))
+            .filter(|(l, _)| at.poses[l.0].is_some())
+            .collect();
+        for &(l, kind) in &passive {
+            self.handed_on(l, kind, &own, &mut acting)?;
+        }
+        // What pulls at the pins of cylinders.
+        let mut pulls: Vec<(PointId, Vec2<N>)> = Vec::new();
+        let mut couples: Vec<(GuideId, LinkId, LinkId, N)> = Vec::new();
+        let inputs = Inputs::of(scene);
+        for (g, group) in m.groups.iter().enumerate().rev().filter(|(g, _)| self.demand.groups[*g].is_some()) {
+            let conditions = Conditions::of_group(scene, m, at, &inputs, &m.groups[g], &self.rest);
+            let mut reactions = conditions.reactions(&mut acting)?.into_iter();
+            for _ in 0..group.constraints.len() {
+                let Some((c, first)) = reactions.next() else { break };
+                match (m.constraints[c].form(), first) {
+                    (Form::Meet { pin, link }, Reaction::Force(x)) => {
+                        let y = reactions.next().map(|(_, r)| r);
+                        let Some(Reaction::Force(y)) = y else { continue };
+                        found.pins.push((pin, link, x + y));
+                    }
+                    (Form::OnPath { guide, .. }, Reaction::Force(force)) => {
+                        let w = found.guides[guide.0].get_or_insert(Wrench::zero());
+                        w.force = w.force + force;
+                    }
+                    (Form::AlongPath { runner, guide, driver, .. }, Reaction::Force(force)) => {
+                        let place = self.place(runner, guide)?;
+                        found.drivers[driver] = at.guide(guide).tangent_at(place).dot(force);
+                    }
+                    (Form::Distance { from, to, driver }, Reaction::Force(force)) => {
+                        found.drivers[driver] = (at.points[to.0]? - at.points[from.0]?).unit()?.dot(force);
+                        pulls.extend([(to, force), (from, -force)]);
+                    }
+                    (Form::Angles { driver: Some(d), .. }, Reaction::Couple(couple)) => found.drivers[d] = couple,
+                    (Form::Angles { of, against, driver: None }, Reaction::Couple(couple)) => {
+                        if let Item::Guide(g) = m.constraints[c].item() {
+                            couples.push((g, of, against, couple));
+                        }
+                    }
+                    (Form::Related { pair, .. }, Reaction::Force(force)) => found.rolling[pair.0] = Some(force),
+                    // The moment that a belt or a chain passes on is no force at a place.
+                    (Form::Related { .. }, Reaction::Couple(_)) => {}
+                    (Form::Meet { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. }, Reaction::Couple(_))
+                    | (Form::Angles { .. }, Reaction::Force(_)) => {}
+                }
+            }
+        }
+        self.share(&couples, &mut found);
+        for (g, guide) in scene.guides.iter().enumerate() {
+            // The pin of a slider is pressed on by the slider; the guide presses on the slider.
+            if let (Some(p), Some(s), Some(w)) = (guide.pin, guide.slider, found.guides[g])
+                && m.passive[s.0].is_none()
+                && let Some(pin) = found.pins.iter_mut().find(|(at, l, _)| (*at, *l) == (p, s))
+            {
+                pin.2 = pin.2 - w.force;
+            }
+        }
+        for &(l, kind) in &passive {
+            self.follower(l, kind, &own, &pulls, &mut found)?;
+        }
+        Some(found)
+    }
+
+    /// The place of what runs in a guide.
+    fn place(&self, runner: Runner, guide: GuideId) -> Option<hodograph_base::geom::Point<N>> {
+        match runner {
+            Runner::Pin(p) => self.at.points[p.0],
+            Runner::Link(l) => {
+                let pin = self.scene.links[l.0].points.first().or(self.scene.guides[guide.0].pin.as_ref());
+                pin.and_then(|p| self.at.points[p.0]).or_else(|| self.at.poses[l.0].map(|pose| pose.origin))
+            }
+        }
+    }
+
+    /// The couples of guides on their sliders, from those of the locks: a lock may stand for another pair of the links that turn together, which
+    /// are a tree.
+    fn share(&self, couples: &[(GuideId, LinkId, LinkId, N)], found: &mut Found<N>) {
+        let zero = N::from_f64(0.0);
+        let mut net = vec![zero; self.scene.links.len()];
+        for (_, of, against, couple) in couples {
+            net[of.0] = net[of.0] + *couple;
+            net[against.0] = net[against.0] - *couple;
+        }
+        let mut open: Vec<(GuideId, LinkId, LinkId)> = couples
+            .iter()
+            .filter_map(|(g, ..)| {
+                let guide = &self.scene.guides[g.0];
+                Some((*g, guide.slider?, guide.on))
+            })
+            .collect();
+        while let Some(k) = (0..open.len()).find(|k| {
+            let ends = |l: LinkId| open.iter().filter(|(_, s, o)| *s == l || *o == l).count() == 1;
+            ends(open[*k].1) || ends(open[*k].2)
+        }) {
+            let (g, slider, on) = open[k];
+            let leaf = open.iter().filter(|(_, s, o)| *s == slider || *o == slider).count() == 1;
+            // What acts on the leaf is this guide's couple alone.
+            let couple = if leaf { net[slider.0] } else { -net[on.0] };
+            net[slider.0] = net[slider.0] - couple;
+            net[on.0] = net[on.0] + couple;
+            let w = found.guides[g.0].get_or_insert(Wrench::zero());
+            w.couple = w.couple + couple;
+            open.remove(k);
+        }
+    }
+
+    /// Hands the loads of a link that only follows to what it follows.
+    fn handed_on(&self, l: LinkId, kind: Passive, own: &Acting<N>, acting: &mut Acting<N>) -> Option<()> {
+        match kind {
+            Passive::Block(g) => {
+                let guide = &self.scene.guides[g.0];
+                let pin = guide.pin?;
+                let place = self.at.points[pin.0]?;
+                let load = own.about(l, place);
+                match self.at.guides[g.0]? {
+                    Path::Line { .. } => {
+                        acting.on_pin(pin, load.force);
+                        acting.links[guide.on.0].couple = acting.links[guide.on.0].couple + load.couple;
+                    }
+                    Path::Arc { centre, .. } => {
+                        let f = pair_of(place - centre, load.couple);
+                        acting.on_pin(pin, load.force + f);
+                        acting.on_link(guide.on, centre, Wrench { force: -f, ..Wrench::zero() });
+                    }
+                }
+            }
+            Passive::Cylinder(_) | Passive::Held(..) => {
+                let (a, b) = self.m.line_of(self.scene, l)?;
+                let (p, q) = (self.at.points[a.0]?, self.at.points[b.0]?);
+                let load = own.about(l, p);
+                let f = pair_of(q - p, load.couple);
+                acting.on_pin(a, load.force - f);
+                acting.on_pin(b, f);
+            }
+        }
+        Some(())
+    }
+
+    /// The reactions on a link that only follows.
+    fn follower(&self, l: LinkId, kind: Passive, own: &Acting<N>, pulls: &[(PointId, Vec2<N>)], found: &mut Found<N>) -> Option<()> {
+        match kind {
+            Passive::Block(g) => {
+                let pin = self.scene.guides[g.0].pin?;
+                let place = self.at.points[pin.0]?;
+                let load = own.about(l, place);
+                let wrench = found.guides[g.0].get_or_insert(Wrench::zero());
+                if let Path::Arc { centre, .. } = self.at.guides[g.0]? {
+                    wrench.force = wrench.force + pair_of(place - centre, load.couple);
+                }
+                wrench.couple = -load.couple;
+                let force = -(wrench.force + load.force);
+                found.pins.push((pin, l, force));
+            }
+            Passive::Cylinder(d) => {
+                let [a, _] = self.scene.drivers[d].kind.ends_of(l)?;
+                // All that the parts of the cylinder do at this pin, of which only this one is held there.
+                let mut at_pin = pulls.iter().filter(|(p, _)| *p == a).fold(Vec2::zero(), |sum, (_, f)| sum + *f);
+                for part in self.scene.drivers[d].kind.parts() {
+                    let [p, q] = self.scene.drivers[d].kind.ends_of(*part)?;
+                    let (start, end) = (self.at.points[p.0]?, self.at.points[q.0]?);
+                    let load = own.about(*part, start);
+                    let f = pair_of(end - start, load.couple);
+                    at_pin = at_pin + if *part == l { load.force - f } else { f };
+                }
+                found.pins.push((a, l, -at_pin));
+            }
+            Passive::Held(..) => {}
+        }
+        Some(())
+    }
+
+    fn told(&self, loads: &[Load<N>], found: Found<N>, balance: Option<N>, power: N) -> Forces<N> {
+        let guides: Vec<(GuideId, Wrench<N>)> = found.guides.into_iter().enumerate().filter_map(|(g, w)| Some((GuideId(g), w?))).collect();
+        let forces = loads.iter().map(|l| l.wrench.force).chain(found.pins.iter().map(|p| p.2)).chain(guides.iter().map(|g| g.1.force));
+        let largest = forces.map(|f| f.norm().approx()).fold(0.0, f64::max);
+        let couples = loads.iter().map(|l| l.wrench.couple).chain(guides.iter().map(|g| g.1.couple)).map(|c| c.approx().abs());
+        let largest_moment = couples.fold(largest * self.at.extent(), f64::max);
+        let rolling = found.rolling.into_iter().enumerate().filter_map(|(r, force)| {
+            let pair = RollingId(r);
+            // A guide of its own holds the wheels in touch: the two parts are one force.
+            let apart = self.scene.rolling[r].guide().and_then(|g| guides.iter().find(|(own, _)| *own == g)).map(|(_, w)| w.force);
+            let toward = match self.scene.rolling[r].touch() {
+                Touch::Point(Normal::Centres(_) | Normal::Square { .. }) => apart.unwrap_or(Vec2::zero()),
+                Touch::Strand { .. } => Vec2::zero(),
+            };
+            Some((pair, force? + toward))
+        });
+        Forces {
+            rolling: rolling.collect(),
+            pins: found.pins,
+            guides,
+            drivers: found.drivers,
+            balance,
+            inertia: loads.iter().filter(|l| l.cause == Cause::Inertia).map(|l| (l.link, l.wrench)).collect(),
+            power,
+            largest,
+            largest_moment,
+            largest_power: largest * fastest(self.scene, self.at),
+            determinate: self.m.redundant.is_empty(),
+        }
+    }
+}
+
+/// The force at the end of the line d which, with its opposite at the start, has the moment of a couple: d⊥ C/d².
+fn pair_of<N: Real>(d: Vec2<N>, couple: N) -> Vec2<N> {
+    d.perp() * (couple / d.norm2())
+}

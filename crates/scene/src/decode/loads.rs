@@ -1,0 +1,102 @@
+//! The sections of forces: `gravity`, `masses`, `forces`, `springs`, `balance`.
+
+use super::super::keys;
+use super::super::raw::*;
+use super::{entries, items, place, quantity, two_quantities};
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_base::json::fields::{Fields, word};
+use hodograph_base::json::{Kind, Node, Word};
+
+/// Reads the sections. A centre of mass that is given by a place becomes a point of its link: `S` and the name of the link.
+pub(super) fn loads(f: &Fields, raw: &mut RawScene, faults: &mut Faults) {
+    raw.loads.gravity = f.get("gravity").and_then(|n| two_quantities(n, "\"gravity\"", faults));
+    for (link, node) in entries(f.get("masses"), "\"masses\"", faults) {
+        if let Some(mass) = mass(link, node, raw, faults) {
+            raw.loads.masses.push(mass);
+        }
+    }
+    for node in items(f.get("forces"), "\"forces\"", faults) {
+        raw.loads.applied.extend(force(node, faults));
+    }
+    for node in items(f.get("springs"), "\"springs\"", faults) {
+        raw.loads.springs.extend(spring(node, faults));
+    }
+    raw.loads.balance = f.get("balance").and_then(|n| balance(n, faults));
+}
+
+/// A member that may be absent; `None` where it cannot be read.
+fn optional<T>(f: &Fields, key: &str, faults: &mut Faults, read: impl Fn(&Node, &str, &mut Faults) -> Option<T>) -> Option<Option<T>> {
+    match f.get(key) {
+        Some(node) => read(node, &format!("\"{key}\""), faults).map(Some),
+        None => Some(None),
+    }
+}
+
+fn amount(node: &Node, what: &str, faults: &mut Faults) -> Option<RawQuantity> {
+    quantity(node, Both::same(what), faults)
+}
+
+fn name(node: &Node, what: &str, faults: &mut Faults) -> Option<Word> {
+    word(node, &what.to_owned(), faults)
+}
+
+fn mass(link: &Word, node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Option<RawMass> {
+    let f = Fields::open(node, both!("the mass of link `{}`", "构件 `{}` 的质量", link.text), keys::MASS, faults)?;
+    let (m, weight) = (optional(&f, "m", faults, amount), optional(&f, "weight", faults, amount));
+    let (j, k) = (optional(&f, "J", faults, amount), optional(&f, "k", faults, amount));
+    let at = match f.get("at") {
+        None => Some(None),
+        Some(n @ Node { kind: Kind::Text(_), .. }) => name(n, "\"at\"", faults).map(Some),
+        Some(n) => place(n, faults).map(|place| {
+            let taken = |name: &str| raw.links.iter().any(|l| l.points.iter().any(|p| p.text == name));
+            let name = ["S", "G"].map(|letter| format!("{letter}{}", link.text)).into_iter().find(|n| !taken(n));
+            let point = Word { text: name.unwrap_or_else(|| format!("S,{}", link.text)), span: n.span };
+            raw.links.iter_mut().filter(|l| l.name.text == link.text).for_each(|l| l.points.push(point.clone()));
+            raw.points.push((point.clone(), place));
+            Some(point)
+        }),
+    };
+    let mass = RawMass { link: link.clone(), m: m?, weight: weight?, j: j?, k: k?, at: at?, span: node.span };
+    if let (Some(_), Some(weight)) = (&mass.m, &mass.weight) {
+        let message = both!("link `{}` has a mass and a weight", "构件 `{}` 同时给出质量和重量", link.text);
+        faults.push(Diagnostic::error("given-twice", message).at(weight.span).help(both!("keep one of them", "请只保留其一")));
+    }
+    if let (Some(_), Some(k)) = (&mass.j, &mass.k) {
+        let message = both!("link `{}` has J and a radius of gyration", "构件 `{}` 同时给出 J 和回转半径", link.text);
+        faults.push(Diagnostic::error("given-twice", message).at(k.span).help(both!("keep one of them", "请只保留其一")));
+    }
+    Some(mass)
+}
+
+fn force(node: &Node, faults: &mut Faults) -> Option<RawApplied> {
+    let f = Fields::open(node, both!("a force", "力"), keys::FORCE, faults)?;
+    let on = f.need("on", both!("\"3\", the link on which it acts", "\"3\"（受力构件）"), faults).and_then(|n| name(n, "\"on\"", faults));
+    let at = optional(&f, "at", faults, name);
+    let force = match f.get("F") {
+        None => Some(None),
+        Some(n) => match n.kind {
+            Kind::Array(_) => two_quantities(n, "\"F\"", faults).map(|xy| Some(RawSizeOfForce::Components(xy))),
+            _ => amount(n, "\"F\"", faults).map(|q| Some(RawSizeOfForce::Magnitude(q))),
+        },
+    };
+    let (moment, angle) = (optional(&f, "M", faults, amount), optional(&f, "angle", faults, amount));
+    let (line, against) = (optional(&f, "line", faults, name), optional(&f, "against", faults, name));
+    Some(RawApplied { on: on?, at: at?, force: force?, moment: moment?, angle: angle?, line: line?, against: against?, span: node.span })
+}
+
+fn spring(node: &Node, faults: &mut Faults) -> Option<RawSpring> {
+    let f = Fields::open(node, both!("a spring", "弹簧"), keys::SPRING, faults)?;
+    let mut end =
+        |key: &str| f.need(key, both!("\"B\", a point", "\"B\"（点名）"), faults).and_then(|n| name(n, &format!("\"{key}\""), faults));
+    let (from, to) = (end("from"), end("to"));
+    let k = f.need("k", "\"40 N/m\"", faults).and_then(|n| amount(n, "\"k\"", faults));
+    let free = f.need("free", "\"100 mm\"", faults).and_then(|n| amount(n, "\"free\"", faults));
+    Some(RawSpring { from: from?, to: to?, k: k?, free: free?, span: node.span })
+}
+
+fn balance(node: &Node, faults: &mut Faults) -> Option<RawBalance> {
+    let f = Fields::open(node, "\"balance\"", keys::BALANCE, faults)?;
+    let (link, at) = (optional(&f, "link", faults, name), optional(&f, "at", faults, name));
+    let angle = optional(&f, "angle", faults, amount);
+    Some(RawBalance { link: link?, at: at?, angle: angle?, span: node.span })
+}

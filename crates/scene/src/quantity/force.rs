@@ -1,0 +1,480 @@
+//! `F_12`, `F_B3`, `h_65`, `M_b`, `P`: reactions, balancing moment and force, inertia forces, power.
+//!
+//! F_ij is the force of link i on link j; F_ji = −F_ij. [`Forces`] holds what is known of an instant: the free-body solutions fill it, a question
+//! looks it up.
+
+use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
+use crate::model::{Find, GuideId, GuidePath, LinkId, PointId, Scene};
+use crate::resolve::Question;
+use crate::rolling::{RollingId, Touch};
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::geom::Vec2;
+use hodograph_base::kind::Kind;
+use hodograph_base::number::Real;
+
+/// A force with its couple about a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wrench<N = f64> {
+    /// The force (N).
+    pub force: Vec2<N>,
+    /// The couple (N·m), counter-clockwise plus.
+    pub couple: N,
+}
+
+impl<N: Real> Wrench<N> {
+    /// Nothing.
+    pub fn zero() -> Self {
+        Wrench { force: Vec2::zero(), couple: N::from_f64(0.0) }
+    }
+
+    /// The sum of two about one place.
+    pub fn plus(self, other: Wrench<N>) -> Self {
+        Wrench { force: self.force + other.force, couple: self.couple + other.couple }
+    }
+
+    /// Its negative.
+    pub fn reversed(self) -> Self {
+        Wrench { force: -self.force, couple: -self.couple }
+    }
+
+    /// About another place, from which the present one is seen at `arm`: M + arm × F.
+    pub fn seen_at(self, arm: Vec2<N>) -> Self {
+        Wrench { force: self.force, couple: self.couple + arm.cross(self.force) }
+    }
+}
+
+/// All forces of an instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Forces<N = f64> {
+    /// Force of a pin on a link (N).
+    pub pins: Vec<(PointId, LinkId, Vec2<N>)>,
+    /// Force of the link that carries a guide on what runs in it, its couple about the place of what runs there.
+    pub guides: Vec<(GuideId, Wrench<N>)>,
+    /// Force of the first link of a rolling pair on the second at their contact.
+    pub rolling: Vec<(RollingId, Vec2<N>)>,
+    /// Balancing moment (N·m) or force (N) of each driver, positive in its positive sense.
+    pub drivers: Vec<N>,
+    /// Balancing moment or force where the scene names its place.
+    pub balance: Option<N>,
+    /// Inertia force −m a_S and inertia couple −J α of each link that has them.
+    pub inertia: Vec<(LinkId, Wrench<N>)>,
+    /// Power (W) of the balancing moment or force.
+    pub power: N,
+    /// Largest force among loads and reactions (N): what rounding is measured against.
+    pub largest: f64,
+    /// Largest moment of a force about a point of the mechanism (N·m).
+    pub largest_moment: f64,
+    /// Power (W) of the largest force at the speed of the drivers.
+    pub largest_power: f64,
+    /// Whether reactions are determined: they are not where a link or a pair repeats what the others hold.
+    pub determinate: bool,
+}
+
+impl<N> Forces<N> {
+    /// The size (SI) beside which a quantity of a kind is rounding; `None` of a kind that is none of forces.
+    pub fn size(&self, kind: Kind) -> Option<f64> {
+        match kind {
+            Kind::Force => Some(self.largest),
+            Kind::Moment => Some(self.largest_moment),
+            Kind::Power => Some(self.largest_power),
+            Kind::Length | Kind::Angle | Kind::Velocity | Kind::Acceleration | Kind::Omega | Kind::Alpha | Kind::Time | Kind::Number => {
+                None
+            }
+        }
+    }
+}
+
+/// Where two links press on each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Contact {
+    /// In a pin that joins no others.
+    Pin(PointId),
+    /// In a guide; `true` where the second link carries it.
+    Guide(GuideId, bool),
+    /// Where they roll on each other; `true` where the second link is the first of the pair.
+    Rolling(RollingId, bool),
+}
+
+/// A quantity of forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Force(Which);
+
+/// A part of a reaction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Along {
+    /// All of it.
+    Whole,
+    /// Along the bar from the pin to the next joint of the second link.
+    Normal,
+    /// Square to it.
+    Tangential,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Which {
+    Reaction([LinkId; 2], Along),
+    OfPin(PointId, LinkId),
+    Offset([LinkId; 2]),
+    Couple([LinkId; 2]),
+    Balance { driver: usize, force: bool },
+    InertiaForce(LinkId),
+    InertiaCouple(LinkId),
+    Shaking,
+    Power,
+}
+
+const REACTION: usize = 0;
+const NORMAL: usize = 1;
+const TANGENTIAL: usize = 2;
+const BALANCE_FORCE: usize = 3;
+const OFFSET: usize = 4;
+const MOMENT: usize = 5;
+const INERTIA: usize = 6;
+const INERTIA_COUPLE: usize = 7;
+const POWER: usize = 8;
+const SHAKING: usize = 9;
+
+impl Quantity for Force {
+    const WRITTEN: &'static [Entry] = &[
+        Entry::new("F", "F_12", Kind::Force, Form::Vector, ["reaction", "运动副反力"]),
+        Entry::new("Fn", "Fn_12", Kind::Force, Form::Vector, ["reaction along the link", "沿杆的反力分量"]).printed("F", Over::Sign("n")),
+        Entry::new("Ft", "Ft_12", Kind::Force, Form::Vector, ["reaction square to the link", "垂直于杆的反力分量"])
+            .printed("F", Over::Sign("t")),
+        Entry::new("F", "F_b", Kind::Force, Form::Scalar, ["balancing force", "平衡力"]),
+        Entry::new("h", "h_65", Kind::Length, Form::Scalar, ["distance of the force of a guide from the pin", "导路反力到销中心的距离"]),
+        Entry::new("M", "M_b", Kind::Moment, Form::Scalar, ["balancing moment", "平衡力矩"]),
+        Entry::new("FI", "FI_2", Kind::Force, Form::Vector, ["inertia force", "惯性力"]).printed("F_I", Over::Nothing),
+        Entry::new("MI", "MI_2", Kind::Moment, Form::Scalar, ["inertia couple", "惯性力偶矩"]).printed("M_I", Over::Nothing),
+        Entry::new("P", "P", Kind::Power, Form::Scalar, ["power of the driver", "原动件功率"]),
+        Entry::new("F", "F_sh", Kind::Force, Form::Vector, ["shaking force", "总惯性力"]),
+    ];
+
+    fn read(question: &Question<'_>) -> Result<Option<Force>, Diagnostic> {
+        let names = question.names();
+        let which = match question.symbol() {
+            "P" => match names {
+                "" => Which::Power,
+                _ => return Ok(None),
+            },
+            "F" if names == "sh" => Which::Shaking,
+            "F" => match balanced(names) {
+                Some(driver) => Which::Balance { driver: question.driver(driver)?, force: true },
+                None => match question.two_links() {
+                    Ok(links) => Which::Reaction(links, Along::Whole),
+                    Err(_) => match question.points() {
+                        Ok((at, None)) if at.link.is_some() => {
+                            let link = at.link.unwrap_or(question.ground());
+                            Which::OfPin(at.point, link)
+                        }
+                        _ => return Err(reaction_wanted(question)),
+                    },
+                },
+            },
+            "Fn" => Which::Reaction(question.two_links()?, Along::Normal),
+            "Ft" => Which::Reaction(question.two_links()?, Along::Tangential),
+            "h" => Which::Offset(question.two_links()?),
+            "M" => match balanced(names) {
+                Some(driver) => Which::Balance { driver: question.driver(driver)?, force: false },
+                None => Which::Couple(question.two_links()?),
+            },
+            "FI" => Which::InertiaForce(moving(question)?),
+            "MI" => Which::InertiaCouple(moving(question)?),
+            _ => return Ok(None),
+        };
+        Ok(Some(Force(which)))
+    }
+
+    fn entry(&self) -> &'static Entry {
+        &Self::WRITTEN[match self.0 {
+            Which::Reaction(_, Along::Whole) | Which::OfPin(..) => REACTION,
+            Which::Reaction(_, Along::Normal) => NORMAL,
+            Which::Reaction(_, Along::Tangential) => TANGENTIAL,
+            Which::Balance { force: true, .. } => BALANCE_FORCE,
+            Which::Offset(_) => OFFSET,
+            Which::Balance { force: false, .. } | Which::Couple(_) => MOMENT,
+            Which::InertiaForce(_) => INERTIA,
+            Which::InertiaCouple(_) => INERTIA_COUPLE,
+            Which::Power => POWER,
+            Which::Shaking => SHAKING,
+        }]
+    }
+
+    fn of(&self) -> Of {
+        match self.0 {
+            Which::Reaction([i, j], _) | Which::Offset([i, j]) | Which::Couple([i, j]) => Of::Links(i, j),
+            Which::OfPin(p, link) => Of::Point(crate::model::OnLink { point: p, link: Some(link) }),
+            Which::InertiaForce(l) | Which::InertiaCouple(l) => Of::Link(l),
+            Which::Balance { .. } | Which::Power | Which::Shaking => Of::Mechanism,
+        }
+    }
+
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
+        None
+    }
+
+    fn needs(&self) -> Vec<(Need, Level)> {
+        vec![(Need::Forces, Level::Position)]
+    }
+
+    fn places(&self, scene: &Scene) -> Vec<LinkId> {
+        match self.0 {
+            Which::Reaction(links, _) | Which::Offset(links) | Which::Couple(links) => links.to_vec(),
+            Which::OfPin(p, link) => scene.carriers(p).chain([link]).collect(),
+            Which::InertiaForce(_) | Which::InertiaCouple(_) | Which::Balance { .. } | Which::Power | Which::Shaking => Vec::new(),
+        }
+    }
+
+    fn no_value(&self, _scene: &Scene) -> Both {
+        match self.0 {
+            Which::Offset(_) => {
+                both!("the force of the guide is zero: it has a couple, but no line of action", "导路反力为零：只有力偶，没有作用线")
+            }
+            Which::Reaction(..) | Which::OfPin(..) | Which::Couple(_) => both!(
+                "the reactions are not determined: a link or pair only repeats what the others hold",
+                "反力不确定：有构件或运动副只重复其余的约束"
+            ),
+            Which::Balance { .. } | Which::Power => both!(
+                "the balancing force does no work in this pose: its line passes through the pole of its link, or its point is at rest",
+                "该位置平衡力不做功：其作用线通过所在构件的瞬心，或作用点静止"
+            ),
+            Which::InertiaForce(_) | Which::InertiaCouple(_) | Which::Shaking => {
+                both!("the forces are not determined in this pose", "该位置的力不确定")
+            }
+        }
+    }
+
+    fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
+        let at = |message: Both| Diagnostic::error("find", message).at(find.span);
+        match self.0 {
+            Which::Reaction([i, j], part) => {
+                let [a, b] = [i, j].map(|l| scene.link_name(l));
+                match contacts(scene, i, j)[..] {
+                    [Contact::Pin(p)] if part != Along::Whole => bar(scene, p, j).is_none().then(|| {
+                        at(both!("`{}`: link {b} has no second joint", "`{}`：构件 {b} 没有第二个运动副", find.text))
+                            .help(both!("ask for F_{a}{b}", "请求 F_{a}{b}"))
+                    }),
+                    [_] if part != Along::Whole => Some(
+                        at(both!("`{}`: links {a} and {b} are not joined by a pin", "`{}`：构件 {a} 与 {b} 不是以转动副相连", find.text))
+                            .help(both!("ask for F_{a}{b}", "请求 F_{a}{b}")),
+                    ),
+                    [_] => None,
+                    [_, _, ..] => Some(at(both!(
+                        "`{}`: links {a} and {b} press on each other in several places",
+                        "`{}`：构件 {a} 与 {b} 在多处接触",
+                        find.text
+                    ))),
+                    [] => Some(self.not_joined(scene, find, [i, j])),
+                }
+            }
+            Which::OfPin(p, link) => {
+                let pin = scene.point_name(p);
+                let joined = scene.links[link.0].points.contains(&p) && parties(scene, p) > 1;
+                (!joined).then(|| {
+                    at(both!(
+                        "`{}`: no pin at {pin} acts on link {}",
+                        "`{}`：{pin} 处没有销作用于构件 {}",
+                        find.text,
+                        scene.link_name(link)
+                    ))
+                })
+            }
+            Which::Offset([i, j]) | Which::Couple([i, j]) => {
+                let guided = contacts(scene, i, j).iter().any(|c| matches!(c, Contact::Guide(g, _) if slides(scene, *g)));
+                (!guided).then(|| {
+                    let [a, b] = [i, j].map(|l| scene.link_name(l));
+                    at(both!("`{}`: no straight guide joins links {a} and {b}", "`{}`：构件 {a} 与 {b} 之间没有直线移动副", find.text))
+                })
+            }
+            Which::InertiaForce(l) | Which::InertiaCouple(l) => {
+                let has = scene
+                    .loads
+                    .mass_of(l)
+                    .is_some_and(|m| if matches!(self.0, Which::InertiaForce(_)) { m.m.is_some() } else { m.j.is_some() });
+                (!has).then(|| {
+                    let name = scene.link_name(l);
+                    at(both!("`{}`: link {name} has no mass of this kind", "`{}`：构件 {name} 没有相应的质量", find.text)).help(both!(
+                        "add it to \"masses\": {{\"{name}\": {{\"m\": \"2 kg\", \"J\": \"0.01 kg*m^2\", \"at\": \"S{name}\"}}}}",
+                        "请在 \"masses\" 中写 {{\"{name}\": {{\"m\": \"2 kg\", \"J\": \"0.01 kg*m^2\", \"at\": \"S{name}\"}}}}"
+                    ))
+                })
+            }
+            Which::Balance { driver, force } => {
+                let by_force = match &scene.loads.balance {
+                    Some(balance) => balance.force.is_some(),
+                    None => !scene.drivers.get(driver)?.kind.turns(),
+                };
+                (by_force != force).then(|| {
+                    let [m, f] = ["M_b", "F_b"];
+                    let (asked, right) = if force { (f, m) } else { (m, f) };
+                    at(both!(
+                        "`{}`: the balance is kept by a {}",
+                        "`{}`：平衡由{}保持",
+                        find.text,
+                        if force { both!("moment", "力矩") } else { both!("force", "力") }
+                    ))
+                    .help(both!("ask for {right} instead of {asked}", "请以 {right} 代替 {asked}"))
+                })
+            }
+            Which::Power | Which::Shaking => None,
+        }
+    }
+
+    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+        let (scene, forces) = (known.scene(), known.forces()?);
+        match self.0 {
+            Which::Reaction([i, j], part) => {
+                let contact = *contacts(scene, i, j).first()?;
+                let force = reaction(forces, contact, j)?.force;
+                let along = |p: PointId| (known.point(bar(scene, p, j)?)? - known.point(p)?).unit();
+                let (Contact::Pin(p), true) = (contact, part != Along::Whole) else { return Some(Value::Vector(force)) };
+                let u = along(p)?;
+                let u = if part == Along::Tangential { u.perp() } else { u };
+                Some(Value::Vector(u * u.dot(force)))
+            }
+            Which::OfPin(p, link) => Some(Value::Vector(of_pin(forces, p, link)?)),
+            Which::Offset([i, j]) | Which::Couple([i, j]) => {
+                let guide = contacts(scene, i, j).into_iter().find(|c| matches!(c, Contact::Guide(g, _) if slides(scene, *g)))?;
+                let wrench = reaction(forces, guide, j)?;
+                if matches!(self.0, Which::Couple(_)) {
+                    return Some(Value::Scalar(wrench.couple));
+                }
+                let Contact::Guide(g, _) = guide else { return None };
+                let normal = known.guide(g)?.1.perp().dot(wrench.force);
+                let nothing = !N::refines() && normal.approx().abs() <= super::ROUNDING * forces.largest;
+                (!nothing).then(|| Value::Scalar(wrench.couple / normal))
+            }
+            Which::Balance { driver, .. } => {
+                let of_scene = scene.loads.balance.is_some();
+                Some(Value::Scalar(if of_scene { forces.balance? } else { *forces.drivers.get(driver)? }))
+            }
+            Which::InertiaForce(l) => forces.inertia.iter().find(|(own, _)| *own == l).map(|(_, w)| Value::Vector(w.force)),
+            Which::InertiaCouple(l) => forces.inertia.iter().find(|(own, _)| *own == l).map(|(_, w)| Value::Scalar(w.couple)),
+            Which::Shaking => Some(Value::Vector(forces.inertia.iter().fold(Vec2::zero(), |sum, (_, w)| sum + w.force))),
+            Which::Power => Some(Value::Scalar(forces.power)),
+        }
+    }
+}
+
+impl Force {
+    /// Why two links do not press on each other, with the pin that they share with others.
+    fn not_joined(&self, scene: &Scene, find: &Find, [i, j]: [LinkId; 2]) -> Diagnostic {
+        let [a, b] = [i, j].map(|l| scene.link_name(l));
+        let shared = scene.links[i.0].points.iter().copied().find(|p| scene.links[j.0].points.contains(p));
+        match shared {
+            Some(p) => {
+                let pin = scene.point_name(p);
+                let message = both!(
+                    "`{}` is not one force: pin {pin} joins more links than {a} and {b}",
+                    "`{}` 不是确定的力：销 {pin} 除构件 {a}、{b} 外还连接其他构件",
+                    find.text
+                );
+                Diagnostic::error("shared-pin", message)
+                    .at(find.span)
+                    .help(both!("ask for the force of the pin on a link: F_{pin}{b}", "请求销对构件的力：F_{pin}{b}"))
+            }
+            None => {
+                let message = both!("`{}`: links {a} and {b} are not joined", "`{}`：构件 {a} 与 {b} 不直接相连", find.text);
+                Diagnostic::error("find", message).at(find.span).help(both!(
+                    "name two links that touch, such as F_12, or a pin and a link, such as F_B3",
+                    "请写两个直接相连的构件，如 F_12，或写销与构件，如 F_B3"
+                ))
+            }
+        }
+    }
+}
+
+/// The driver of `b`, `b2`: 0, 1.
+fn balanced(names: &str) -> Option<usize> {
+    match names.strip_prefix('b')? {
+        "" => Some(0),
+        number => number.parse::<usize>().ok()?.checked_sub(1),
+    }
+}
+
+fn moving(question: &Question<'_>) -> Result<LinkId, Diagnostic> {
+    let link = question.link(question.names())?;
+    if question.is_ground(link) {
+        return Err(question.fault(both!("`{}`: the ground does not move", "`{}`：机架不运动", question.text())));
+    }
+    Ok(link)
+}
+
+fn reaction_wanted(question: &Question<'_>) -> Diagnostic {
+    let message = both!("`{}` names neither two links nor a pin and a link", "`{}` 没有写明两个构件，也没有写明销与构件", question.text());
+    question.fault(message).help(both!(
+        "write F_12 (of link 1 on link 2), F_B3 (of pin B on link 3), F_b (balancing force) or F_sh (shaking force)",
+        "请写 F_12（构件 1 对构件 2）、F_B3（销 B 对构件 3）、F_b（平衡力）或 F_sh（总惯性力）"
+    ))
+}
+
+/// Whether a numbered slider runs in a straight guide.
+fn slides(scene: &Scene, g: GuideId) -> bool {
+    let guide = &scene.guides[g.0];
+    guide.slider.is_some() && matches!(guide.path, GuidePath::Line { .. })
+}
+
+/// How many press on a pin: links, bare guides in which it runs, cylinders without numbered parts.
+fn parties(scene: &Scene, p: PointId) -> usize {
+    let slots = scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none()).count();
+    let cylinders = scene.drivers.iter().filter(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p)) && d.kind.parts().is_empty());
+    scene.carriers(p).count() + slots + cylinders.count()
+}
+
+/// Where two links press on each other, with nothing between them.
+pub fn contacts(scene: &Scene, i: LinkId, j: LinkId) -> Vec<Contact> {
+    let mut out = Vec::new();
+    let both_carry = |p: &PointId| scene.links[i.0].points.contains(p) && scene.links[j.0].points.contains(p);
+    let pins = (0..scene.points.len()).map(PointId).filter(both_carry).filter(|p| parties(scene, *p) == 2);
+    out.extend(pins.map(Contact::Pin));
+    for (g, guide) in scene.guides.iter().enumerate() {
+        // A guide that keeps two wheels in touch is a part of their rolling pair.
+        if guide.rolling.is_some() {
+            continue;
+        }
+        let runs = |l: LinkId| match (guide.slider, guide.pin) {
+            (Some(slider), _) => slider == l,
+            (None, Some(p)) => parties(scene, p) == 2 && scene.carriers(p).eq([l]),
+            (None, None) => false,
+        };
+        if guide.on == i && runs(j) {
+            out.push(Contact::Guide(GuideId(g), false));
+        } else if guide.on == j && runs(i) {
+            out.push(Contact::Guide(GuideId(g), true));
+        }
+    }
+    for (r, pair) in scene.rolling.iter().enumerate() {
+        if !matches!(pair.touch(), Touch::Point(_)) {
+            continue;
+        }
+        if pair.links == [i, j] || pair.links == [j, i] {
+            out.push(Contact::Rolling(RollingId(r), pair.links == [j, i]));
+        }
+    }
+    out
+}
+
+/// The force of a contact on the second of its links, with its couple about the place of the contact.
+fn reaction<N: Real>(forces: &Forces<N>, contact: Contact, on: LinkId) -> Option<Wrench<N>> {
+    if !forces.determinate {
+        return None;
+    }
+    let reversed = |w: Wrench<N>, back: bool| if back { w.reversed() } else { w };
+    match contact {
+        Contact::Pin(p) => Some(Wrench { force: of_pin(forces, p, on)?, ..Wrench::zero() }),
+        Contact::Guide(g, back) => forces.guides.iter().find(|(own, _)| *own == g).map(|(_, w)| reversed(*w, back)),
+        Contact::Rolling(r, back) => {
+            let force = forces.rolling.iter().find(|(own, _)| *own == r)?.1;
+            Some(reversed(Wrench { force, ..Wrench::zero() }, back))
+        }
+    }
+}
+
+fn of_pin<N: Real>(forces: &Forces<N>, p: PointId, link: LinkId) -> Option<Vec2<N>> {
+    let found = forces.pins.iter().find(|(at, l, _)| (*at, *l) == (p, link));
+    found.filter(|_| forces.determinate).map(|(.., force)| *force)
+}
+
+/// The next joint of a link beside a pin: where another link or a guide holds it.
+pub fn bar(scene: &Scene, pin: PointId, link: LinkId) -> Option<PointId> {
+    scene.links[link.0].points.iter().copied().find(|p| *p != pin && parties(scene, *p) > 1)
+}

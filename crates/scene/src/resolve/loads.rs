@@ -1,0 +1,286 @@
+//! The sections of forces: masses, applied forces, springs, balance.
+
+use super::*;
+
+pub(super) fn loads(c: &Context, faults: &mut Faults) -> Loads {
+    let raw = &c.raw.loads;
+    let gravity = raw.gravity.as_ref().and_then(|[x, y]| {
+        let (x, y) = (c.values.si(x, Wanted::Acceleration, faults), c.values.si(y, Wanted::Acceleration, faults));
+        Some([x?, y?])
+    });
+    let mut masses: Vec<Mass> = Vec::new();
+    for raw in &raw.masses {
+        masses.extend(mass(c, raw, gravity.as_ref(), faults));
+    }
+    Loads {
+        masses,
+        applied: raw.applied.iter().filter_map(|a| applied(c, a, faults)).collect(),
+        springs: raw.springs.iter().filter_map(|s| spring(c, s, faults)).collect(),
+        balance: raw.balance.as_ref().and_then(|b| balance(c, b, faults)),
+        gravity,
+    }
+}
+
+/// A link that can be loaded: ground takes no load, which a note says.
+fn loaded(c: &Context, word: &Word, faults: &mut Faults) -> Option<LinkId> {
+    let link = note(c.names.link(word), faults)?;
+    if link != c.ground {
+        return Some(link);
+    }
+    let message = both!(
+        "link `{}` is the ground: a load on it moves nothing and is left out",
+        "构件 `{}` 是机架：其上的载荷不影响机构，不予考虑",
+        word.text
+    );
+    faults.push(Diagnostic::note("load-on-ground", message).at(word.span));
+    None
+}
+
+fn positive(given: Given, what: Both, faults: &mut Faults) -> Option<Given> {
+    if given.value >= 0.0 {
+        return Some(given);
+    }
+    let message = both!("{} is {}; it must not be negative", "{}为 {}，不应为负", what, given.text);
+    faults.push(Diagnostic::error("not-positive", message).at(given.span));
+    None
+}
+
+/// An optional quantity; `None` where it has a fault.
+fn optional(c: &Context, raw: Option<&RawQuantity>, wanted: Wanted, faults: &mut Faults) -> Option<Option<Given>> {
+    transpose(raw.map(|q| c.values.si(q, wanted, faults).and_then(|given| positive(given, wanted.describe(), faults))))
+}
+
+/// A quantity that is computed from others of the file.
+fn computed(c: &Context, text: String, span: Span, wanted: Wanted, faults: &mut Faults) -> Option<Given> {
+    c.values.si(&RawQuantity { text, span, bare: true }, wanted, faults)
+}
+
+fn mass(c: &Context, raw: &RawMass, gravity: Option<&[Given; 2]>, faults: &mut Faults) -> Option<Mass> {
+    let link = loaded(c, &raw.link, faults)?;
+    let name = &raw.link.text;
+    let mut m = optional(c, raw.m.as_ref(), Wanted::Mass, faults)?;
+    if let Some(weight) = optional(c, raw.weight.as_ref(), Wanted::Force, faults)? {
+        let Some([x, y]) = gravity else {
+            let message = both!("link `{name}` has a weight, but the scene has no gravity", "构件 `{name}` 给出了重量，但机构文件没有重力");
+            let help = both!("add \"gravity\": [\"0\", \"-9.81 m/s^2\"]", "请加上 \"gravity\": [\"0\", \"-9.81 m/s^2\"]");
+            faults.push(Diagnostic::error("weight-without-gravity", message).at(weight.span).help(help));
+            return None;
+        };
+        let g = match (x.value == 0.0, y.value == 0.0) {
+            (true, false) => format!("abs({})", y.text),
+            (false, true) => format!("abs({})", x.text),
+            (false, false) => format!("sqrt(({})^2 + ({})^2)", x.text, y.text),
+            (true, true) => {
+                let message = both!("link `{name}` has a weight, but gravity is zero", "构件 `{name}` 给出了重量，但重力为零");
+                let help = both!("give its mass \"m\", or another \"gravity\"", "请给出质量 \"m\"，或另给 \"gravity\"");
+                faults.push(Diagnostic::error("weight-without-gravity", message).at(weight.span).help(help));
+                return None;
+            }
+        };
+        m = Some(computed(c, format!("({})/({g})", weight.text), weight.span, Wanted::Mass, faults)?);
+    }
+    let mut j = optional(c, raw.j.as_ref(), Wanted::Inertia, faults)?;
+    if let Some(k) = optional(c, raw.k.as_ref(), Wanted::Length, faults)? {
+        let Some(m) = &m else {
+            let message = both!("link `{name}` has a radius of gyration, but no mass", "构件 `{name}` 给出了回转半径，但没有质量");
+            faults.push(
+                Diagnostic::error("missing", message).at(k.span).help(both!("give \"m\" or \"weight\"", "请给出 \"m\" 或 \"weight\"")),
+            );
+            return None;
+        };
+        j = Some(computed(c, format!("({})*({})^2", m.text, k.text), k.span, Wanted::Inertia, faults)?);
+    }
+    if m.is_none() && j.is_none() {
+        let message = both!("link `{name}` has neither a mass nor a moment of inertia", "构件 `{name}` 既没有质量也没有转动惯量");
+        let help = both!("give \"m\", \"weight\" or \"J\"", "请给出 \"m\"、\"weight\" 或 \"J\"");
+        faults.push(Diagnostic::error("missing", message).at(raw.span).help(help));
+        return None;
+    }
+    let at = match (&raw.at, &c.names.links[link.0].points[..]) {
+        (Some(word), _) => Some(on_link(c, word, link, faults)?),
+        (None, _) if m.as_ref().is_none_or(|m| m.value == 0.0) => None,
+        (None, [one]) => Some(*one),
+        (None, points) => {
+            let message = both!("the centre of mass of link `{name}` is not told", "没有说明构件 `{name}` 的质心位置");
+            let base: String = points.iter().take(2).map(|p| c.point_name(*p)).collect::<Vec<_>>().join(",");
+            let help = both!(
+                "name a point of the link, or give a place in it: \"at\": {{\"base\": \"{base}\", \"x\": \"50 mm\", \"y\": \"0 mm\"}}",
+                "请写构件上的点，或写其在构件上的位置：\"at\": {{\"base\": \"{base}\", \"x\": \"50 mm\", \"y\": \"0 mm\"}}"
+            );
+            faults.push(Diagnostic::error("mass-without-point", message).at(raw.span).help(help));
+            return None;
+        }
+    };
+    Some(Mass { link, m, j, at, span: raw.span })
+}
+
+/// A point that the link carries.
+fn on_link(c: &Context, word: &Word, link: LinkId, faults: &mut Faults) -> Option<PointId> {
+    let point = note(c.names.point(word), faults)?;
+    if c.carries(link, point) {
+        return Some(point);
+    }
+    let message = both!("point `{}` is not on link `{}`", "点 `{}` 不在构件 `{}` 上", word.text, c.link_name(link));
+    faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(link)));
+    None
+}
+
+fn applied(c: &Context, raw: &RawApplied, faults: &mut Faults) -> Option<Applied> {
+    let link = loaded(c, &raw.on, faults)?;
+    let against = match &raw.against {
+        None => false,
+        Some(word) if word.text == "motion" => true,
+        Some(word) => {
+            let message = both!("`{}` is nothing that a force acts against", "`{}` 不是力可以反抗的对象", word.text);
+            faults.push(Diagnostic::error("unknown-word", message).at(word.span).help(both!("write \"motion\"", "请写 \"motion\"")));
+            return None;
+        }
+    };
+    let fault = |message: Both, help: Both, span: Span, faults: &mut Faults| {
+        faults.push(Diagnostic::error("force", message).at(span).help(help));
+    };
+    let size = match (&raw.force, &raw.moment) {
+        (None, None) | (Some(_), Some(_)) => {
+            let message = both!("a load is either a force \"F\" or a couple \"M\"", "载荷或为力 \"F\"，或为力偶 \"M\"");
+            fault(message, both!("give one of them", "请给出其一"), raw.span, faults);
+            return None;
+        }
+        (None, Some(moment)) => {
+            for (key, span) in [
+                ("at", raw.at.as_ref().map(|w| w.span)),
+                ("line", raw.line.as_ref().map(|w| w.span)),
+                ("angle", raw.angle.as_ref().map(|q| q.span)),
+            ] {
+                if let Some(span) = span {
+                    let message =
+                        both!("a couple has no \"{key}\": it acts alike everywhere on its link", "力偶没有 \"{key}\"：它在构件上处处等效");
+                    fault(message, both!("leave it out", "请去掉"), span, faults);
+                    return None;
+                }
+            }
+            let given = c.values.si(moment, Wanted::Moment, faults)?;
+            if against {
+                Size::AgainstTurning(positive(given, both!("a resisting couple", "阻力矩"), faults)?)
+            } else {
+                Size::Couple(given)
+            }
+        }
+        (Some(RawSizeOfForce::Components([x, y])), None) => {
+            if let Some(span) = raw.angle.as_ref().map(|q| q.span).or(raw.line.as_ref().or(raw.against.as_ref()).map(|w| w.span)) {
+                let message = both!("components of a force already tell its direction", "力的分量已经给出方向");
+                fault(message, both!("give its magnitude as \"F\", or leave this out", "请以 \"F\" 给出大小，或去掉此项"), span, faults);
+                return None;
+            }
+            let (x, y) = (c.values.si(x, Wanted::Force, faults), c.values.si(y, Wanted::Force, faults));
+            Size::Components([x?, y?])
+        }
+        (Some(RawSizeOfForce::Magnitude(force)), None) => {
+            let given = c.values.si(force, Wanted::Force, faults)?;
+            let line = transpose(raw.line.as_ref().map(|word| line_of(c, word, faults)))?;
+            let angle = transpose(raw.angle.as_ref().map(|q| c.values.angle(q, faults)))?;
+            match (against, line.is_some() || angle.is_some()) {
+                (true, false) => Size::AgainstMotion(positive(given, both!("a resistance", "阻力"), faults)?),
+                (false, true) => Size::Directed { force: given, line, angle },
+                (true, true) => {
+                    let message = both!("a force against the motion has no direction of its own", "与运动方向相反的力没有另外的方向");
+                    fault(message, both!("leave \"angle\" and \"line\" out", "请去掉 \"angle\" 和 \"line\""), raw.span, faults);
+                    return None;
+                }
+                (false, false) => {
+                    let message = both!("the force on link `{}` has no direction", "构件 `{}` 上的力没有方向", raw.on.text);
+                    let help = both!(
+                        "give \"angle\": \"270 deg\", \"line\": \"BC\" (from B toward C), or \"against\": \"motion\"",
+                        "请给出 \"angle\": \"270 deg\"、\"line\": \"BC\"（由 B 指向 C）或 \"against\": \"motion\""
+                    );
+                    fault(message, help, raw.span, faults);
+                    return None;
+                }
+            }
+        }
+    };
+    let at = match (&raw.force, &raw.at, &c.names.links[link.0].points[..]) {
+        (None, ..) => None,
+        (Some(_), Some(word), _) => Some(on_link(c, word, link, faults)?),
+        (Some(_), None, [one]) => Some(*one),
+        (Some(_), None, _) => {
+            let message = both!("the force on link `{}` has no point of application", "构件 `{}` 上的力没有作用点", raw.on.text);
+            fault(message, both!("give \"at\": {}", "请给出 \"at\"：{}", c.points_of(link)), raw.span, faults);
+            return None;
+        }
+    };
+    Some(Applied { link, at, size, span: raw.span })
+}
+
+/// Two points of one link.
+fn line_of(c: &Context, word: &Word, faults: &mut Faults) -> Option<(PointId, PointId)> {
+    let (a, b) = note(c.names.pair(word), faults)?;
+    if c.common(a, b).is_some() {
+        return Some((a, b));
+    }
+    let message = both!("`{}` is not a line of one link", "`{}` 不是同一构件上的直线", word.text);
+    faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(both!("name two points of a link", "请写同一构件上的两点")));
+    None
+}
+
+/// The link on which a spring acts at a point: the only one that carries it, of several a moving one.
+fn carrier(c: &Context, point: PointId) -> Option<LinkId> {
+    let mut on = (0..c.names.links.len()).map(LinkId).filter(|l| c.carries(*l, point));
+    let first = on.next()?;
+    Some(if first == c.ground { on.next().unwrap_or(first) } else { first })
+}
+
+fn spring(c: &Context, raw: &RawSpring, faults: &mut Faults) -> Option<Spring> {
+    let mut end = |word: &Word| {
+        let point = note(c.names.point(word), faults)?;
+        match carrier(c, point) {
+            Some(link) => Some((point, link)),
+            None => {
+                let message = both!("point `{}` is on no link: no spring can act there", "点 `{}` 不在任何构件上，不能连接弹簧", word.text);
+                faults.push(Diagnostic::error("not-on-link", message).at(word.span));
+                None
+            }
+        }
+    };
+    let (from, to) = (end(&raw.from), end(&raw.to));
+    let stiffness = c.values.si(&raw.k, Wanted::Stiffness, faults).and_then(|k| positive(k, both!("the stiffness", "刚度"), faults));
+    let free = c.values.si(&raw.free, Wanted::Length, faults).and_then(|l| positive(l, both!("the free length", "自由长度"), faults));
+    let ends = [from?, to?];
+    if ends[0].0 == ends[1].0 {
+        let message = both!("both ends of the spring are `{}`", "弹簧两端都是 `{}`", raw.from.text);
+        faults.push(Diagnostic::error("same-point", message).at(raw.span));
+        return None;
+    }
+    Some(Spring { ends, stiffness: stiffness?, free: free?, span: raw.span })
+}
+
+fn balance(c: &Context, raw: &RawBalance, faults: &mut Faults) -> Option<Balance> {
+    let point = transpose(raw.at.as_ref().map(|word| note(c.names.point(word), faults)))?;
+    let angle = transpose(raw.angle.as_ref().map(|q| c.values.angle(q, faults)))?;
+    let link = transpose(raw.link.as_ref().map(|word| note(c.names.link(word), faults)))?;
+    let link = link.or_else(|| point.and_then(|p| carrier(c, p)));
+    let fault = |message: Both, help: Both, faults: &mut Faults| {
+        faults.push(Diagnostic::error("balance", message).at(raw.span).help(help));
+        None
+    };
+    let Some(link) = link.filter(|l| *l != c.ground) else {
+        let message = both!("\"balance\" names no moving link", "\"balance\" 没有写明活动构件");
+        let help = both!(
+            "write {{\"link\": \"1\"}} for a moment, or {{\"at\": \"B\", \"angle\": \"-30 deg\"}} for a force",
+            "力矩写 {{\"link\": \"1\"}}，力写 {{\"at\": \"B\", \"angle\": \"-30 deg\"}}"
+        );
+        return fault(message, help, faults);
+    };
+    match (point, angle) {
+        (None, None) => Some(Balance { link, force: None, span: raw.span }),
+        (Some(point), Some(angle)) if c.carries(link, point) => Some(Balance { link, force: Some((point, angle)), span: raw.span }),
+        (Some(point), Some(_)) => {
+            let message = both!("point `{}` is not on link `{}`", "点 `{}` 不在构件 `{}` 上", c.point_name(point), c.link_name(link));
+            fault(message, c.points_of(link), faults)
+        }
+        (None, Some(_)) | (Some(_), None) => {
+            let message =
+                both!("a balancing force has a point \"at\" and a direction \"angle\"", "平衡力要有作用点 \"at\" 和方向 \"angle\"");
+            fault(message, both!("give both, or neither for a moment", "请两者都给；力矩则都不给"), faults)
+        }
+    }
+}
