@@ -157,7 +157,6 @@ pub static UNITS: &[Unit] = &[
     unit("h", TIME, 3600.0, 1.0),
     unit("kg", MASS, 1.0, 1.0),
     unit("g", MASS, 1.0, 1000.0),
-    unit("t", MASS, 1000.0, 1.0),
     unit("lb", MASS, 45_359_237.0, 1e8),
     unit("slug", MASS, 8_896_443_230_521.0, 609_600_000_000.0),
     unit("blob", MASS, 8_896_443_230_521.0, 50_800_000_000.0),
