@@ -120,7 +120,9 @@ impl<'a> Studio<'a> {
         let full = frames.list.iter().any(|f| polygon_of(f, shows, notation).is_some_and(is_full));
         let mu = match shows.on {
             DiagramKind::Plane => frames.list[frames.base].worked.construction.diagram.mu,
-            on @ (DiagramKind::Velocity | DiagramKind::Acceleration) => frames.zoom.of(on.kind()).map_or(1.0, |z| z.mu),
+            on @ (DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force) => {
+                frames.zoom.of(on.kind()).map_or(1.0, |z| z.mu)
+            }
         };
         Studio { frames, notation, style, shows, full, mu }
     }
@@ -128,7 +130,7 @@ impl<'a> Studio<'a> {
     fn scenery(&self) -> Result<Scenery, Faults> {
         match self.shows.on {
             DiagramKind::Plane => self.mechanism(),
-            on @ (DiagramKind::Velocity | DiagramKind::Acceleration) => self.polygon(on, self.shows.part.unwrap_or(0)),
+            on @ (DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force) => self.polygon(on, self.shows.part.unwrap_or(0)),
         }
     }
 
@@ -235,7 +237,7 @@ impl<'a> Studio<'a> {
                 part.translate(by);
                 Some(part)
             }
-            DiagramKind::Velocity | DiagramKind::Acceleration => {
+            DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => {
                 let (w, p) = polygon_of(frame, self.shows, self.notation)?;
                 let p = p.to_scale(mu);
                 let drawing = match share_of(self.frames, self.shows) {

@@ -18,11 +18,13 @@ pub enum DiagramKind {
     Velocity,
     /// The acceleration polygon.
     Acceleration,
+    /// A force polygon: one for each group and each driver, without a pole.
+    Force,
 }
 
 impl DiagramKind {
     /// All kinds, in the order of drawing.
-    pub const ALL: [DiagramKind; 3] = [DiagramKind::Plane, DiagramKind::Velocity, DiagramKind::Acceleration];
+    pub const ALL: [DiagramKind; 4] = [DiagramKind::Plane, DiagramKind::Velocity, DiagramKind::Acceleration, DiagramKind::Force];
 
     /// Those of vectors that are drawn from a pole, in the order of drawing.
     pub const POLYGONS: [DiagramKind; 2] = [DiagramKind::Velocity, DiagramKind::Acceleration];
@@ -36,10 +38,10 @@ impl DiagramKind {
         }
     }
 
-    /// The order of derivative of what is drawn.
+    /// The order of derivative of what is drawn; the lowest for forces, which are none.
     pub const fn level(self) -> Level {
         match self {
-            DiagramKind::Plane => Level::Position,
+            DiagramKind::Plane | DiagramKind::Force => Level::Position,
             DiagramKind::Velocity => Level::Velocity,
             DiagramKind::Acceleration => Level::Acceleration,
         }
@@ -51,6 +53,7 @@ impl DiagramKind {
             DiagramKind::Plane => Kind::Length,
             DiagramKind::Velocity => Kind::Velocity,
             DiagramKind::Acceleration => Kind::Acceleration,
+            DiagramKind::Force => Kind::Force,
         }
     }
 
@@ -60,6 +63,7 @@ impl DiagramKind {
             DiagramKind::Plane => Kind::Angle,
             DiagramKind::Velocity => Kind::Omega,
             DiagramKind::Acceleration => Kind::Alpha,
+            DiagramKind::Force => Kind::Moment,
         }
     }
 
@@ -69,6 +73,7 @@ impl DiagramKind {
             DiagramKind::Plane => "l",
             DiagramKind::Velocity => "v",
             DiagramKind::Acceleration => "a",
+            DiagramKind::Force => "F",
         }
     }
 
@@ -78,13 +83,14 @@ impl DiagramKind {
             DiagramKind::Plane => "\\varphi",
             DiagramKind::Velocity => "\\omega",
             DiagramKind::Acceleration => "\\alpha",
+            DiagramKind::Force => "M",
         }
     }
 
     /// The mark behind the letters of its points: p, b; p′, b′.
     pub const fn prime(self) -> &'static str {
         match self {
-            DiagramKind::Plane | DiagramKind::Velocity => "",
+            DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => "",
             DiagramKind::Acceleration => "'",
         }
     }
@@ -95,6 +101,7 @@ impl DiagramKind {
             DiagramKind::Plane => "mechanism",
             DiagramKind::Velocity => "velocity",
             DiagramKind::Acceleration => "acceleration",
+            DiagramKind::Force => "force",
         }
     }
 
@@ -104,6 +111,7 @@ impl DiagramKind {
             DiagramKind::Plane => "mechanism",
             DiagramKind::Velocity => "vel",
             DiagramKind::Acceleration => "acc",
+            DiagramKind::Force => "force",
         }
     }
 
@@ -113,6 +121,7 @@ impl DiagramKind {
             DiagramKind::Plane => both!("length", "长度"),
             DiagramKind::Velocity => both!("velocity", "速度"),
             DiagramKind::Acceleration => both!("acceleration", "加速度"),
+            DiagramKind::Force => both!("force", "力"),
         }
     }
 
@@ -122,6 +131,7 @@ impl DiagramKind {
             DiagramKind::Plane => both!("lengths", "长度"),
             DiagramKind::Velocity => both!("velocities", "速度"),
             DiagramKind::Acceleration => both!("accelerations", "加速度"),
+            DiagramKind::Force => both!("forces", "力"),
         }
     }
 
@@ -131,9 +141,11 @@ impl DiagramKind {
             (DiagramKind::Plane, Lang::En) => "Kinematic diagram",
             (DiagramKind::Velocity, Lang::En) => "Velocity polygon",
             (DiagramKind::Acceleration, Lang::En) => "Acceleration polygon",
+            (DiagramKind::Force, Lang::En) => "Force polygon",
             (DiagramKind::Plane, Lang::Zh) => "机构运动简图",
             (DiagramKind::Velocity, Lang::Zh) => "速度多边形",
             (DiagramKind::Acceleration, Lang::Zh) => "加速度多边形",
+            (DiagramKind::Force, Lang::Zh) => "力多边形",
         }
     }
 

@@ -15,4 +15,5 @@
 
 pub mod construct;
 pub mod construction;
+pub mod equilibrium;
 pub mod plan;

@@ -178,7 +178,7 @@ fn vectors(w: &Wanted, s: &Solved, on: DiagramKind, mu: f64) -> Vec<Vector> {
     };
     match on {
         DiagramKind::Acceleration => s.acceleration.iter().map(|(part, v)| vector(*part, *v)).collect(),
-        DiagramKind::Plane | DiagramKind::Velocity => {
+        DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => {
             let parts = [None, Some(Piece::TransportVelocity), Some(Piece::RelativeVelocity)];
             parts.into_iter().zip(s.velocity).map(|(part, v)| vector(part, v)).collect()
         }

@@ -76,7 +76,9 @@ fn repeats(answers: &Answers, repeats: &Checked) -> Vec<String> {
         let mm = format!("{:.2}", c.off_mm);
         match c.on {
             DiagramKind::Acceleration => fill(words.along_acceleration, &[("a", &n), ("w", &v), ("", &line), ("mm", &mm)]),
-            DiagramKind::Velocity | DiagramKind::Plane => fill(words.along_velocity, &[("v", &v), ("", &format!("{a}{b}")), ("mm", &mm)]),
+            DiagramKind::Velocity | DiagramKind::Plane | DiagramKind::Force => {
+                fill(words.along_velocity, &[("v", &v), ("", &format!("{a}{b}")), ("mm", &mm)])
+            }
         }
     });
     let checked: Vec<String> = checked.collect();

@@ -127,6 +127,7 @@ pub fn sheet_in(scene: &Scene, worked: &Worked, options: &Options, width_mm: f64
             DiagramKind::Plane => both!("the mechanism", "机构运动简图"),
             DiagramKind::Velocity => both!("the velocity polygon", "速度多边形"),
             DiagramKind::Acceleration => both!("the acceleration polygon", "加速度多边形"),
+            DiagramKind::Force => both!("the force polygons", "力多边形"),
         }));
         let mut on = levels.iter();
         drawings.retain(|part| on.next() == Some(&DiagramKind::Plane) || fits(part));
@@ -142,7 +143,7 @@ pub fn drawing(scene: &Scene, worked: &Worked, options: &Options, on: DiagramKin
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
     let part = match on {
         DiagramKind::Plane => maker.mechanism(),
-        DiagramKind::Velocity | DiagramKind::Acceleration => maker.polygon(worked.construction.polygon(on)?),
+        DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => maker.polygon(worked.construction.polygon(on)?),
     };
     Some(maker.alone(maker.captioned(part, "", on)))
 }
@@ -252,7 +253,7 @@ impl Maker<'_> {
         let scale = match on {
             DiagramKind::Plane => scale_formula(book, on, paper.diagram.mu),
             _ if paper.is_empty(on) => format!("\\text{{{}}}", self.words().no_vectors),
-            DiagramKind::Velocity | DiagramKind::Acceleration => scale_formula(book, on, mu(on)),
+            DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => scale_formula(book, on, mu(on)),
         };
         (self.name(Captioned::Drawing(on)), scale)
     }

@@ -335,7 +335,7 @@ impl Words<'_> {
         let degrees = inked(&significant(direction_degrees(p.line.angle()), 4));
         let relative = match p.of {
             DiagramKind::Acceleration => symbol(Some(Part::RelativeTangential), p.of, self.notation),
-            DiagramKind::Plane | DiagramKind::Velocity => symbol(Some(Part::RelativeVelocity), p.of, self.notation),
+            DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => symbol(Some(Part::RelativeVelocity), p.of, self.notation),
         };
         let wanted = match (known, p.of) {
             (Known::Transport, DiagramKind::Acceleration) => tr(lang, " for $a_{a}$", "，求 $a_{a}$"),

@@ -79,7 +79,7 @@ pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
         let Some(l) = t.as_ref().filter(|t| t.absolute > 0.0).and_then(|t| t.larger.as_ref()) else { continue };
         let [width, height] = l.size_mm;
         let by = if l.factor > 1.0 { format!("× {}", shortest(l.rounded())) } else { tr(lang, "as it is", "不必").to_string() };
-        let mu = DiagramKind::ALL.map(|on| {
+        let mu = [DiagramKind::Plane, DiagramKind::Velocity, DiagramKind::Acceleration].map(|on| {
             let kind = on.kind();
             l.scales.get(kind).map_or(String::new(), |mu| format!("{} {}", shortest(book.value(kind, mu)), book.scale_name(kind)))
         });
@@ -96,7 +96,7 @@ pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
 fn crossing_name(w: &Writer, c: &CrossingTolerance) -> String {
     match c.on {
         DiagramKind::Plane => vertex_name(w.scene, w.plan, c.target),
-        on @ (DiagramKind::Velocity | DiagramKind::Acceleration) => formula(&w.image(on, c.target)),
+        on @ (DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force) => formula(&w.image(on, c.target)),
     }
 }
 

@@ -127,8 +127,7 @@ const FUNCTIONS: [(&str, Function); 11] = [
 /// Units that a parameter may hide: `h` is the usual letter of a height, and no quantity of a mechanism is given per hour; `g`, `N` and `W` are those
 /// of gravity, a normal force and a weight.
 /// Directly after a number they still are units.
-const HIDEABLE: [&str; 15] =
-    ["h", "min", "in", "ft", "kg", "g", "lb", "slug", "blob", "N", "kN", "kgf", "lbf", "W", "kW"];
+const HIDEABLE: [&str; 15] = ["h", "min", "in", "ft", "kg", "g", "lb", "slug", "blob", "N", "kN", "kgf", "lbf", "W", "kW"];
 
 /// Whether a name means something in every expression (a unit, a function, pi) and cannot name a parameter.
 pub fn is_reserved(name: &str) -> bool {

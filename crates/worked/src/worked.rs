@@ -24,13 +24,14 @@ use crate::accuracy::{Agreement, BadAngle, Drafting, Drawn, bad_angles, compare,
 use hodograph_analytic::{Refused, Solution};
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_board::construct::{self, Answer, Drawing};
+use hodograph_board::equilibrium::Equilibrium;
 use hodograph_board::plan::Plan;
-use hodograph_mechanism::answer::{Source, Value};
+use hodograph_mechanism::answer::{Source, Value, evaluate};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Need};
 use hodograph_mechanism::position::redundant::Verdict;
 use hodograph_mechanism::position::{self, Configuration};
 use hodograph_mechanism::stated::{self, Moment};
-use hodograph_scene::{Find, LinkId, Scene};
+use hodograph_scene::{Asked, Find, LinkId, Scene};
 
 /// How much is wanted beyond the scene's questions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -58,6 +59,8 @@ pub struct Worked {
     pub construction: Drawing,
     /// Evaluations of the construction: a trial for its scales, and the drawing; more often in a pose that loses digits or special points.
     pub drawings: usize,
+    /// Reactions by moments and force polygons, where forces are asked for and can be drawn.
+    pub equilibrium: Option<Equilibrium>,
     /// The loop equations' solution.
     pub solution: Solution,
     /// One result for each question that has an answer in the pose, in the order of the questions.
@@ -200,6 +203,9 @@ pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configur
     stages(scene, mechanism, demand, configuration, false)
 }
 
+/// Room (mm) for the largest force polygon.
+const FORCES_MM: [f64; 2] = [110.0, 110.0];
+
 /// By how much more than a length an acceleration may be off: a length enters it by its square, and by two links.
 const NEARLY: f64 = 64.0;
 
@@ -218,6 +224,11 @@ fn stages(
     let (plan, construction) = (&drawing.plan, &drawing.construction);
     notes.extend(solution.notes.iter().cloned());
     notes.extend(higher::notes(scene, &mechanism, plan));
+    let equilibrium = demand.wants_forces().then(|| {
+        let motion = construct::source(scene, &mechanism, plan, construction);
+        Equilibrium::of(scene, &mechanism, &configuration, &motion, construction.diagram.mu, FORCES_MM)
+    });
+    let equilibrium = equilibrium.flatten();
     let blur = blur_of(&solution);
     let sizes = Sizes::of(scene, construction, &configuration);
     let (mut results, mut unanswered, mut at_infinity) = (Vec::new(), Vec::new(), Vec::new());
@@ -229,7 +240,13 @@ fn stages(
         }
         regular(scene, &mechanism, &asked, &configuration, std::slice::from_ref(find))?.values[0]
     };
+    let of_forces = |i: usize, find: &Find| {
+        let drawn = equilibrium.as_ref().filter(|_| matches!(find.what, Asked::Force(_)))?;
+        let value = evaluate(scene, &configuration, drawn, &find.what)?;
+        value.numbers().0.is_finite().then_some(Answer { find: i, value, measured: None })
+    };
     for (i, (find, drawn)) in scene.find.iter().zip(drawing.answers.iter().cloned()).enumerate() {
+        let drawn = drawn.or_else(|| of_forces(i, find));
         // What is drawn is checked by the loop equations, near a singular pose as elsewhere.
         let computed = match written.as_ref().filter(|_| drawn.is_none()) {
             Some(written) => written.values[i],
@@ -251,13 +268,17 @@ fn stages(
             continue;
         };
         let level = find.what.level();
-        let of_forces = solution.forces().and_then(|f| f.size(find.what.kind()));
-        let scale = match (of_forces, level) {
+        let size = solution.forces().and_then(|f| f.size(find.what.kind()));
+        let scale = match (size, level) {
             (Some(size), _) => size,
             (None, Level::Position) => sizes.extent,
             (None, Level::Velocity | Level::Acceleration) => sizes.against(level, &computed),
         };
         let agreement = match (&drawn, level) {
+            (Some(d), _) if matches!(find.what, Asked::Force(_)) => {
+                let crossings = equilibrium.as_ref().map_or(1.0, Equilibrium::magnified);
+                Some(compare(d.value, computed, scale, magnified(demand.level).max(crossings)))
+            }
             (_, Level::Position) | (None, _) => None,
             (Some(d), _) => {
                 let agreement = compare(d.value, computed, scale, magnified(level));
@@ -274,7 +295,7 @@ fn stages(
             Value::Vector(_) | Value::Scalar(_) => blur * of.largest(level, matches!(value, Value::Scalar(_))),
         };
         let noise = match (level, agreement) {
-            _ if of_forces.is_some() => blur * scale,
+            _ if size.is_some() => blur * scale,
             (Level::Position, _) => 0.0,
             (_, None) if written.is_some() => 0.0,
             (_, Some(a)) => a.noise,
@@ -298,6 +319,7 @@ fn stages(
         plan: drawing.plan,
         construction: drawing.construction,
         drawings,
+        equilibrium,
         solution,
         results,
         unanswered,

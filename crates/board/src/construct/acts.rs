@@ -100,7 +100,7 @@ impl Acts {
     /// Returns the name of a mark in a polygon.
     pub(super) fn mark(&self, id: MarkId) -> Mark {
         match self.construction.marks[id.index()].name {
-            Name::Pole | Name::Point(_) => Mark::Pole,
+            Name::Pole | Name::Point(_) | Name::Vertex(_) => Mark::Pole,
             Name::Image(v) => Mark::Image(VertexId(v.index())),
             Name::End(t) => Mark::Part(self.terms[t.index()]),
             Name::Again(t) => Mark::Again(self.terms[t.index()]),

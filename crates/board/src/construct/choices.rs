@@ -65,7 +65,7 @@ pub(super) fn trial_scale(scene: &Scene, at: &Configuration, on: DiagramKind) ->
     let v = scene.drivers.iter().fold(0.0f64, |v, d| v.max(if d.kind.turns() { d.rate.value.abs() * size } else { d.rate.value.abs() }));
     let s = match on {
         DiagramKind::Acceleration => v * (v / size).max(rate),
-        DiagramKind::Plane | DiagramKind::Velocity => v,
+        DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => v,
     };
     let s = s / 100.0;
     if s.is_normal() { s } else { 1.0 }

@@ -178,7 +178,7 @@ impl Board<'_> {
         match on {
             DiagramKind::Acceleration if self.scene.drivers[driver].acceleration.is_none() => self.number(Number::Plain(0)),
             DiagramKind::Acceleration => self.given(Given::Acceleration(driver)),
-            DiagramKind::Plane | DiagramKind::Velocity => self.given(Given::Rate(driver)),
+            DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => self.given(Given::Rate(driver)),
         }
     }
 

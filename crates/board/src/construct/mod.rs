@@ -24,6 +24,7 @@ pub use acts::Acts;
 pub use checks::{Condition, conditions};
 pub use drawing::by_hand;
 pub use layout::{Layout, construct};
+pub use readings::source;
 pub use readings::{Answer, Measured, Shown, ShownAs, read, read_by_hand};
 
 use crate::plan::{Body, Plan, Term, VertexId};

@@ -4,12 +4,12 @@
 //! it was first needed. What a question means is not written here as a formula: where no edge shows it, nothing is measured.
 
 use super::pencil::Pencil;
-use super::{Drawing, Mark};
+use super::{Drawing, Mark, scale};
 use crate::plan::{Asking, Plan, Spot, Term, VertexId, asking, body_of};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
-use hodograph_mechanism::answer::{Value, place};
-use hodograph_mechanism::mechanism::Mechanism;
+use hodograph_mechanism::answer::{Source, Value, place};
+use hodograph_mechanism::mechanism::{Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::combined::combine;
 use hodograph_scene::quantity::composite::Part;
@@ -118,6 +118,28 @@ impl<N: Real> OnPaper<'_, N> {
             return Some(N::from_f64(0.0));
         }
         self.paper.rate(on, body_of(self.scene, self.m, link))
+    }
+}
+
+/// The vectors and rates of a drawing as a source for formulas: accelerations for inertia, velocities for resistances.
+pub fn source<'a, N: Real>(scene: &'a Scene, m: &'a Mechanism, plan: &'a Plan, paper: &'a Drawing<N>) -> impl Source<N> + 'a {
+    OnPaper { scene, m, plan, paper }
+}
+
+impl<N: Real> Source<N> for OnPaper<'_, N> {
+    fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2<N>> {
+        let diagram = DiagramKind::of(level);
+        let own = on.filter(|l| !self.scene.links[l.0].points.contains(&p));
+        let at = self.image(diagram, &OnLink { point: p, link: own })?;
+        match self.paper.polygon(diagram) {
+            Some(polygon) => Some(at.to_vec2() * scale::number(polygon.mu)),
+            // Nothing moves.
+            None => Some(Vec2::zero()),
+        }
+    }
+
+    fn turning(&self, level: Level, link: LinkId) -> Option<N> {
+        self.turning(DiagramKind::of(level), link)
     }
 }
 

@@ -18,6 +18,10 @@ pub trait Givens<N> {
     fn place(&self, key: Key) -> Option<Point<N>>;
     /// A number, in SI.
     fn number(&self, key: Key) -> N;
+    /// A vector, in SI; `None` where it is not known.
+    fn vector(&self, _key: Key) -> Option<Vec2<N>> {
+        None
+    }
     /// A path on the mechanism; `None` where it is not known.
     fn path(&self, key: Key) -> Option<Track<N>>;
     /// The length (m) over which a path is drawn; the ruler is laid along its ends.
@@ -132,6 +136,14 @@ pub fn draw<N: Real, P: Pencil<N>>(
 }
 
 impl<N: Real> Drawn<N> {
+    /// A measured vector, in SI; `None` for what is not measured, or is no vector.
+    pub fn vector(&self, id: NumberId) -> Option<Vec2<N>> {
+        match self.numbers[id.index()]? {
+            Value::Vector(v) => Some(v),
+            Value::Scalar(_) => None,
+        }
+    }
+
     /// The value of a number, in SI; a part measured across an arm in mm. `None` for what is not measured, or is no scalar.
     pub fn number(&self, id: NumberId) -> Option<N> {
         match self.numbers[id.index()]? {
@@ -231,7 +243,9 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
                 }
             }
             // Vectors begin where the pencil is set down, wherever that is.
-            Name::Pole | Name::Image(_) | Name::End(_) | Name::Again(_) => self.drawn.marks[to.index()] = Some(Point::origin()),
+            Name::Pole | Name::Image(_) | Name::End(_) | Name::Again(_) | Name::Vertex(_) => {
+                self.drawn.marks[to.index()] = Some(Point::origin())
+            }
         }
     }
 
@@ -271,7 +285,7 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         }
         let given = |m: MarkId| match self.construction.marks[m.index()].name {
             Name::Point(key) => self.givens.place(key),
-            Name::Pole | Name::Image(_) | Name::End(_) | Name::Again(_) => None,
+            Name::Pole | Name::Image(_) | Name::End(_) | Name::Again(_) | Name::Vertex(_) => None,
         };
         let length = given(from).zip(given(to)).map(|(p, q)| p.distance(q));
         Ok(drawn.unit().zip(length).map_or(drawn, |(u, l)| u * l))
@@ -307,6 +321,7 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
                 Track::Arc { centre, radius } => self.turned(key, (centre - given(at)?) * (N::from_f64(1.0) / radius)),
             },
             Base::Measured(id) => self.vector(id)?,
+            Base::Given(key) => self.givens.vector(key).ok_or(Why::Coincide)?,
         })
     }
 
@@ -329,7 +344,7 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
             Base::Arm { .. } => self.base(base)?.approx().norm() / self.mm_l,
             Base::Tangent(path, _) | Base::Normal(path, _) | Base::Inward(path, _) => self.reach_mm(*path),
             Base::Part(..) | Base::Places(..) => self.base(base)?.approx().norm() / self.mm_l,
-            Base::Measured(_) => return Err(Why::Coincide),
+            Base::Measured(_) | Base::Given(_) => return Err(Why::Coincide),
         })
     }
 
@@ -364,7 +379,8 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
             | Base::Tangent(..)
             | Base::Normal(..)
             | Base::Inward(..)
-            | Base::Measured(_) => 1.0,
+            | Base::Measured(_)
+            | Base::Given(_) => 1.0,
         })
     }
 
@@ -398,6 +414,21 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
                 let drawn = self.pencil.read(self.on(to), self.place(to)? - self.place(from)?);
                 Value::Scalar((r * (N::from_f64(1.0) / l)).cross(drawn))
             }
+            Number::Along(from, to, direction) => {
+                let u = self.direction(&direction)?.unit().ok_or(Why::Coincide)?;
+                let drawn = self.pencil.read(self.on(to), self.place(to)? - self.place(from)?);
+                Value::Scalar(u.dot(drawn) * self.mu(self.construction.marks[to.index()].on))
+            }
+            Number::Moment { force, at, about } => {
+                let force = self.base(&force)?;
+                let reach = self.place(at)? - self.place(about)?;
+                // The foot of the perpendicular from the mark on the line of action.
+                let arm = match force.unit() {
+                    Some(u) => self.pencil.read(DiagramKind::Plane, reach - u * u.dot(reach)),
+                    None => Vec2::zero(),
+                };
+                Value::Scalar((arm * self.mu_l).cross(force))
+            }
             Number::Given(_)
             | Number::Plain(_)
             | Number::Length(_)
@@ -427,7 +458,7 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         Ok(match self.construction.numbers[id.index()] {
             Number::Given(key) => self.givens.number(key),
             Number::Plain(x) => N::from_f64(f64::from(x)),
-            Number::Vector(..) | Number::Across { .. } => return Err(Why::Coincide),
+            Number::Vector(..) | Number::Across { .. } | Number::Along(..) | Number::Moment { .. } => return Err(Why::Coincide),
             Number::Length(base) => self.base(&base)?.norm(),
             Number::Square(base) => self.base(&base)?.norm2(),
             Number::Radius(path) => match self.givens.path(path) {

@@ -134,6 +134,8 @@ pub enum Name {
     End(Key),
     /// The end of a term that is drawn once more.
     Again(Key),
+    /// A vertex of a force polygon, by its number in the order of the equation. The first is the origin.
+    Vertex(u32),
 }
 
 /// A straight line.
@@ -217,6 +219,8 @@ pub enum Base {
     Inward(Key, Key),
     /// A measured vector, in SI.
     Measured(NumberId),
+    /// A given vector, in SI.
+    Given(Key),
 }
 
 /// A number.
@@ -237,6 +241,17 @@ pub enum Number {
         to: MarkId,
         /// The arm.
         arm: Base,
+    },
+    /// The part of the vector from one mark to another along a direction, measured: mm × μ.
+    Along(MarkId, MarkId, Direction),
+    /// The moment of a force about a mark of the mechanism: its arm is measured, and multiplied with its magnitude. Counter-clockwise plus.
+    Moment {
+        /// The force.
+        force: Base,
+        /// A mark on its line of action.
+        at: MarkId,
+        /// The mark about which it turns.
+        about: MarkId,
     },
     /// The length of a vector.
     Length(Base),

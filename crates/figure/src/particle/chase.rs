@@ -146,7 +146,7 @@ impl Maker<'_> {
         d.label_at("pole", "pole", &pole, Point::ORIGIN, style.dot_radius_mm, None);
         let caption = match on {
             DiagramKind::Acceleration => both!("Acceleration of the pursuer", "追踪点的加速度"),
-            DiagramKind::Plane | DiagramKind::Velocity => both!("Velocities at the instant", "此瞬时的速度"),
+            DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => both!("Velocities at the instant", "此瞬时的速度"),
         };
         View { part: d.finish(), caption, scales: vec![(on, mu)] }
     }

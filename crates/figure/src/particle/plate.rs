@@ -47,7 +47,9 @@ impl Maker<'_> {
         d.label("link", "link", LabelRequest::at_point(Label::math(&plate.link), style.label_mm, sheet[1] + Vec2::new(-5.0, 5.0), 0.0));
         let caption = match on {
             DiagramKind::Plane => both!("View on the plate", "板面视图"),
-            DiagramKind::Velocity | DiagramKind::Acceleration => both!("View on the plate (calculated)", "板面视图（计算所得）"),
+            DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => {
+                both!("View on the plate (calculated)", "板面视图（计算所得）")
+            }
         };
         Ok(View { part: d.finish(), caption, scales: self.scales(drawn, on) })
     }
@@ -144,7 +146,7 @@ impl Maker<'_> {
         self.named(&mut d, &motion.point, m);
         let caption = match on {
             DiagramKind::Plane => both!("View along the axis", "沿轴视图"),
-            DiagramKind::Velocity | DiagramKind::Acceleration => {
+            DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => {
                 both!("View along the axis (calculated; $v'$, $a'$ as they are seen there)", "沿轴视图（计算所得；$v'$、$a'$ 为其投影）")
             }
         };

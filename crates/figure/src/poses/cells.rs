@@ -76,7 +76,7 @@ impl Table<'_> {
                     part.translate((here.origin - first.origin) * (1.0 / first.mu));
                     part
                 }
-                DiagramKind::Velocity | DiagramKind::Acceleration => match self.polygon(row, on) {
+                DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => match self.polygon(row, on) {
                     // An inset would take more room than the pose.
                     Some((w, p)) if self.still => polygon::drawing(style, &w, p, full).finish_after(&mut of_polygon),
                     Some((w, p)) => with_names(polygon::drawing(style, &w, p, full), has_room(p)).finish(),
@@ -122,7 +122,7 @@ impl Table<'_> {
                     let places = moved.moments.iter().chain(moved.moments.first().filter(|_| moved.full));
                     vec![places.filter_map(|m| m.configuration.points[point.0]).map(paper).collect()]
                 }
-                DiagramKind::Velocity | DiagramKind::Acceleration => {
+                DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => {
                     let Some(mu) = self.scales.mu.get(on.kind()) else { continue };
                     let curve: Vec<Option<Vec2>> = moved.moments.iter().map(|m| m.vector(k, on.level())).collect();
                     let paper = |v: &Vec2| (*v * (1.0 / mu)).to_point();

@@ -66,6 +66,8 @@ impl Drawn {
             DiagramKind::Plane => self.mu[0],
             DiagramKind::Velocity => self.mu[1],
             DiagramKind::Acceleration => self.mu[2],
+            // No force is drawn of a motion of points.
+            DiagramKind::Force => 1.0,
         }
     }
 }

@@ -24,6 +24,8 @@ pub struct Words {
     pub velocities: &'static str,
     /// Heading of the acceleration equations.
     pub accelerations: &'static str,
+    /// Heading of the equations of forces.
+    pub forces: &'static str,
     /// Heading of the results.
     pub results: &'static str,
     /// Row of magnitudes.
@@ -106,6 +108,7 @@ const EN: Words = Words {
     composite_acceleration: "Acceleration of the moving point and its parts",
     velocities: "Velocities",
     accelerations: "Accelerations",
+    forces: "Forces",
     results: "Results",
     magnitude: "Magnitude",
     direction: "Direction",
@@ -153,6 +156,7 @@ const ZH: Words = Words {
     composite_acceleration: "动点的加速度及其各分量",
     velocities: "速度分析",
     accelerations: "加速度分析",
+    forces: "力分析",
     results: "结果",
     magnitude: "大小",
     direction: "方向",
@@ -219,6 +223,7 @@ impl Words {
     pub fn equations(&self, on: DiagramKind) -> &'static str {
         match on {
             DiagramKind::Acceleration => self.accelerations,
+            DiagramKind::Force => self.forces,
             DiagramKind::Plane | DiagramKind::Velocity => self.velocities,
         }
     }

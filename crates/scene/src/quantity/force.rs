@@ -414,7 +414,7 @@ fn slides(scene: &Scene, g: GuideId) -> bool {
 }
 
 /// How many press on a pin: links, bare guides in which it runs, cylinders without numbered parts.
-fn parties(scene: &Scene, p: PointId) -> usize {
+pub fn parties(scene: &Scene, p: PointId) -> usize {
     let slots = scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none()).count();
     let cylinders = scene.drivers.iter().filter(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p)) && d.kind.parts().is_empty());
     scene.carriers(p).count() + slots + cylinders.count()

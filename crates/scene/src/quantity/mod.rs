@@ -40,7 +40,7 @@ pub use combined::{Combined, Operand};
 pub use composite::Composite;
 pub use curvature::{Curvature, OfPath, OfPole};
 pub use entry::{Entry, Form, Of, Over};
-pub use force::{Along, Contact, Force, Forces, Wrench, bar, contacts};
+pub use force::{Along, Contact, Force, Forces, Wrench, bar, contacts, parties};
 pub use frame::owns;
 pub use frame::{Frame, RelativePath, relative_path};
 pub use from_centre::FromCentre;
@@ -248,7 +248,7 @@ impl Asked {
 
     /// The diagram on which it is read.
     pub fn diagram(&self) -> DiagramKind {
-        DiagramKind::of(self.level())
+        if self.kind().is_of_forces() { DiagramKind::Force } else { DiagramKind::of(self.level()) }
     }
 
     /// The points of whose motion it is asked, the one from which the other is seen last.

@@ -1,0 +1,212 @@
+//! The joints of a group as forces see them: inside, and outside towards what it rests on.
+
+use super::{Party, another_kind};
+use hodograph_base::diag::{Both, both};
+use hodograph_mechanism::mechanism::Mechanism;
+use hodograph_mechanism::position::{Configuration, Path};
+use hodograph_scene::quantity::parties;
+use hodograph_scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+
+/// A joint by which a group is held from outside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outer {
+    /// A pin: two unknowns.
+    Pin {
+        /// The pin.
+        at: PointId,
+        /// The link of the group.
+        on: LinkId,
+        /// What holds it there.
+        by: Party,
+    },
+    /// A straight guide with a slider: normal force and its place.
+    Slide {
+        /// The guide.
+        guide: GuideId,
+        /// The link of the group.
+        on: LinkId,
+        /// The other link.
+        by: LinkId,
+        /// The point from which the place of the force counts.
+        at: PointId,
+    },
+    /// A pin in a slot: a force square to the slot.
+    Slot {
+        /// The guide.
+        guide: GuideId,
+        /// The pin.
+        at: PointId,
+        /// The link of the group.
+        on: LinkId,
+        /// The other link.
+        by: LinkId,
+    },
+    /// A cylinder without loads of its own: a force along its line.
+    Cylinder {
+        /// The driver.
+        driver: usize,
+        /// The pin on the link of the group.
+        at: PointId,
+        /// The other pin.
+        far: PointId,
+        /// The link of the group.
+        on: LinkId,
+    },
+    /// A driver that turns a link: a moment.
+    Turn {
+        /// The driver.
+        driver: usize,
+        /// The link of the group.
+        on: LinkId,
+        /// The link against which it turns.
+        against: LinkId,
+    },
+    /// A driver that pushes a slider along its guide.
+    Push {
+        /// The driver.
+        driver: usize,
+        /// The guide.
+        guide: GuideId,
+    },
+}
+
+/// The joint between the two links of a dyad.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pair {
+    /// A pin.
+    Pin(PointId),
+    /// A guide with its slider and the link that carries it.
+    Slide {
+        /// The guide.
+        guide: GuideId,
+        /// The slider.
+        slider: LinkId,
+        /// The link that carries the guide.
+        on: LinkId,
+    },
+}
+
+/// What the links of a group are joined by.
+pub(super) struct Joints {
+    pub outer: Vec<Outer>,
+    pub inner: Vec<Pair>,
+}
+
+/// The point from which the place of a guide's force counts: the pin that runs there, or the first point of the slider.
+pub(super) fn reference(scene: &Scene, g: GuideId) -> Option<PointId> {
+    let guide = &scene.guides[g.0];
+    guide.pin.or_else(|| scene.links[guide.slider?.0].points.first().copied())
+}
+
+/// What presses on a link at a pin: the other link, where there are no more; else the pin.
+pub(super) fn party(scene: &Scene, at: PointId, on: LinkId) -> Party {
+    let mut others = scene.carriers(at).filter(|l| *l != on);
+    match (others.next(), others.next(), parties(scene, at)) {
+        (Some(other), None, 2) => Party::Link(other),
+        _ => Party::Pin(at),
+    }
+}
+
+/// The joints of links among themselves and with links that are not yet in equilibrium (`open`).
+///
+/// # Errors
+/// A joint for which there is no method.
+pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[LinkId], open: &[bool]) -> Result<Joints, Both> {
+    let (mut outer, mut inner) = (Vec::new(), Vec::new());
+    let mine = |l: LinkId| links.contains(&l);
+    let upstream = |l: LinkId| open[l.0] && !mine(l);
+    let cylinder = |d: usize| scene.drivers[d].kind.parts();
+    for p in (0..scene.points.len()).map(PointId).filter(|p| at.points[p.0].is_some()) {
+        let here: Vec<LinkId> = scene.carriers(p).filter(|l| mine(*l)).collect();
+        if here.is_empty() || parties(scene, p) < 2 {
+            continue;
+        }
+        let slots: Vec<usize> =
+            (0..scene.guides.len()).filter(|g| scene.guides[*g].pin == Some(p) && scene.guides[*g].slider.is_none()).collect();
+        let rods: Vec<usize> = (0..scene.drivers.len())
+            .filter(|d| scene.drivers[*d].kind.ends().is_some_and(|ends| ends.contains(&p)))
+            .filter(|d| !cylinder(*d).iter().any(|l| mine(*l)))
+            .collect();
+        let rod_links: Vec<LinkId> = rods.iter().flat_map(|d| cylinder(*d)).copied().collect();
+        let held: Vec<LinkId> = scene.carriers(p).filter(|l| upstream(*l) && !rod_links.contains(l)).collect();
+        match (&slots[..], &rods[..], &here[..]) {
+            ([], [], [on]) if !held.is_empty() => outer.push(Outer::Pin { at: p, on: *on, by: party(scene, p, *on) }),
+            ([], [], [..]) if !held.is_empty() => {
+                outer.extend(here.iter().map(|on| Outer::Pin { at: p, on: *on, by: party(scene, p, *on) }));
+            }
+            ([], [], [_]) => {}
+            ([], [], [_, _]) => inner.push(Pair::Pin(p)),
+            // Whether the cylinder still presses unknown: it belongs to the group that it moves.
+            ([], [d], [on]) if held.is_empty() => {
+                let [a, b] = scene.drivers[*d].kind.ends().unwrap_or([p, p]);
+                outer.push(Outer::Cylinder { driver: *d, at: p, far: if a == p { b } else { a }, on: *on });
+            }
+            ([g], [], [on]) if held.is_empty() && parties(scene, p) == 2 => {
+                let by = scene.guides[*g].on;
+                if upstream(by) {
+                    outer.push(Outer::Slot { guide: GuideId(*g), at: p, on: *on, by });
+                } else if mine(by) {
+                    return Err(another_kind());
+                }
+            }
+            _ => return Err(both!("pin {} joins too many for a construction", "销 {} 连接的构件过多，无法作图", scene.point_name(p))),
+        }
+    }
+    for (g, guide) in scene.guides.iter().enumerate() {
+        let id = GuideId(g);
+        if guide.rolling.is_some() || at.guides[g].is_none() || m.passive.len() <= guide.on.0 {
+            continue;
+        }
+        match guide.slider {
+            Some(slider) => {
+                let straight = matches!(at.guides[g], Some(Path::Line { .. }));
+                match (mine(slider), mine(guide.on)) {
+                    (true, true) if straight => inner.push(Pair::Slide { guide: id, slider, on: guide.on }),
+                    (true, false) | (false, true) => {
+                        let (on, by) = if mine(slider) { (slider, guide.on) } else { (guide.on, slider) };
+                        if upstream(by) {
+                            let at = reference(scene, id).filter(|_| straight).ok_or_else(another_kind)?;
+                            outer.push(Outer::Slide { guide: id, on, by, at });
+                        }
+                    }
+                    (true, true) => return Err(another_kind()),
+                    (false, false) => {}
+                }
+            }
+            // The slot is on our link; its pin sits on a link that holds it.
+            None => {
+                let Some(p) = guide.pin.filter(|_| mine(guide.on)) else { continue };
+                let by: Vec<LinkId> = scene.carriers(p).collect();
+                match by[..] {
+                    [by] if upstream(by) && parties(scene, p) == 2 => outer.push(Outer::Slot { guide: id, at: p, on: guide.on, by }),
+                    [by] if !open[by.0] || mine(by) => {}
+                    _ => {
+                        return Err(both!(
+                            "pin {} joins too many for a construction",
+                            "销 {} 连接的构件过多，无法作图",
+                            scene.point_name(p)
+                        ));
+                    }
+                }
+            }
+        }
+    }
+    if scene.rolling.iter().any(|r| r.links.iter().any(|l| mine(*l)) && r.links.iter().any(|l| upstream(*l) || mine(*l))) {
+        return Err(both!("forces between gears and wheels are not drawn", "齿轮、滚轮之间的力不作图"));
+    }
+    for (d, driver) in scene.drivers.iter().enumerate() {
+        match driver.kind {
+            DriverKind::Turn { link, against, .. } if mine(link) => outer.push(Outer::Turn { driver: d, on: link, against }),
+            DriverKind::Turn { link, against, .. } if mine(against) && open[link.0] => return Err(another_kind()),
+            DriverKind::Slide { guide, .. } => {
+                let g = &scene.guides[guide.0];
+                let of_mine = g.slider.is_some_and(mine) || mine(g.on) || g.pin.is_some_and(|p| scene.carriers(p).any(mine));
+                if of_mine {
+                    outer.push(Outer::Push { driver: d, guide });
+                }
+            }
+            DriverKind::Turn { .. } | DriverKind::Cylinder { .. } => {}
+        }
+    }
+    Ok(Joints { outer, inner })
+}

@@ -1,0 +1,420 @@
+//! The methods: for each kind of group its moments and its polygon.
+
+use super::joints::{Joints, Outer, Pair, reference};
+use super::scribe::{Acting, Scribe, reaction, square_to};
+use super::{Gives, Part, Party, Term, another_kind};
+use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId};
+use hodograph_base::diag::Both;
+use hodograph_scene::{GuideId, LinkId, PointId};
+
+/// The direction of a straight guide.
+fn tangent(guide: GuideId) -> Base {
+    Base::Tangent(Key::of(guide.0), None)
+}
+
+/// Square to a straight guide.
+fn normal(guide: GuideId) -> Direction {
+    square_to(tangent(guide))
+}
+
+impl Scribe<'_> {
+    /// Writes the equilibrium of a group by the method of its kind.
+    ///
+    /// # Errors
+    /// A kind for which there is none.
+    pub(super) fn group(&mut self, links: &[LinkId], joints: &Joints) -> Result<(), Both> {
+        match (links, &joints.inner[..], &joints.outer[..]) {
+            ([a, b], [Pair::Pin(c)], [x, y]) => {
+                let on = |link: LinkId| [x, y].into_iter().copied().find(|o| carries(o) == Some(link));
+                let (Some(first), Some(second)) = (on(*a), on(*b)) else { return Err(another_kind()) };
+                let bears = |o: &Outer| matches!(o, Outer::Pin { .. } | Outer::Slide { .. });
+                if !bears(&first) || !bears(&second) {
+                    return Err(another_kind());
+                }
+                self.on_a_pin([*a, *b], *c, [first, second]);
+                Ok(())
+            }
+            ([_, _], [Pair::Slide { guide, slider, on }], [x, y]) => {
+                let of = |link: LinkId| [x, y].into_iter().copied().find(|o| carries(o) == Some(link));
+                match (of(*slider), of(*on)) {
+                    (Some(Outer::Pin { at, .. }), Some(Outer::Pin { at: pivot, .. })) => {
+                        self.sliding([*slider, *on], *guide, [at, pivot]);
+                        Ok(())
+                    }
+                    (Some(pin @ Outer::Pin { .. }), Some(slide @ Outer::Slide { .. })) => {
+                        self.twice_sliding([*slider, *on], *guide, [pin, slide]);
+                        Ok(())
+                    }
+                    (Some(slide @ Outer::Slide { .. }), Some(pin @ Outer::Pin { .. })) => {
+                        self.twice_sliding([*on, *slider], *guide, [pin, slide]);
+                        Ok(())
+                    }
+                    _ => Err(another_kind()),
+                }
+            }
+            ([link], [], [x, y]) => match (*x, *y) {
+                (Outer::Pin { at, .. }, Outer::Turn { driver, against, .. }) => {
+                    self.driven(*link, at, driver, against);
+                    Ok(())
+                }
+                (pin @ Outer::Pin { .. }, touch @ (Outer::Slot { .. } | Outer::Cylinder { .. }))
+                | (touch @ (Outer::Slot { .. } | Outer::Cylinder { .. }), pin @ Outer::Pin { .. }) => {
+                    self.on_a_pivot(*link, pin, touch);
+                    Ok(())
+                }
+                (slide @ Outer::Slide { .. }, touch @ (Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Push { .. }))
+                | (touch @ (Outer::Slot { .. } | Outer::Cylinder { .. }), slide @ Outer::Slide { .. }) => {
+                    self.in_a_guide(*link, slide, touch);
+                    Ok(())
+                }
+                _ => Err(another_kind()),
+            },
+            _ => Err(another_kind()),
+        }
+    }
+
+    /// RRR, RRP, PRP: two links on an inner pin.
+    fn on_a_pin(&mut self, links: [LinkId; 2], inner: PointId, outer: [Outer; 2]) {
+        let held = |o: &Outer| match *o {
+            Outer::Pin { at, .. } => vec![at, inner],
+            _ => vec![inner],
+        };
+        let acting = [0, 1].map(|k| self.all_on(links[k], &held(&outer[k])));
+        let mut ops = Vec::new();
+        let mut moments = Vec::new();
+        // The part square to the bar, where something turns it about the inner pin.
+        let parts = [0, 1].map(|k| {
+            let Outer::Pin { at, .. } = outer[k] else { return None };
+            if acting[k].is_empty() {
+                return None;
+            }
+            let term = reaction(&outer[k], Part::Tangential)?;
+            let mut of = self.moments(&mut ops, &links[k..=k], &acting[k], inner, Gives::Force(term, at));
+            if of.of.is_empty() && of.couples.is_empty() {
+                return None;
+            }
+            let turning = self.balancing(&mut ops, &of);
+            let bar = Base::Arm { from: self.mark(inner), to: self.mark(at), known: false };
+            let length = self.c.number(Number::Length(bar));
+            of.value = self.number(&mut ops, Number::Quotient(turning, length));
+            let part = (term, of.value, bar);
+            moments.push(of);
+            Some(part)
+        });
+        self.on_plane(ops);
+        let mut p = self.polygon();
+        p.moments = moments;
+        let start = p.last;
+        if let Some((term, value, bar)) = parts[0] {
+            self.laid(&mut p, term, square_to(bar), value);
+        }
+        let first = p.last;
+        self.lay_all(&mut p, &acting[0]);
+        let before = p.last;
+        let on_pin = self.pin_loads(inner, links[0]);
+        self.lay_all(&mut p, &on_pin);
+        let after = p.last;
+        self.lay_all(&mut p, &acting[1]);
+        let second = p.last;
+        if let Some((term, value, bar)) = parts[1] {
+            self.laid(&mut p, term, square_to(bar), value);
+        }
+        let end = p.last;
+        let along = |s: &Self, o: &Outer| match *o {
+            Outer::Pin { at, .. } => Direction::of(Base::Arm { from: s.mark(inner), to: s.mark(at), known: false }),
+            Outer::Slide { guide, .. } => normal(guide),
+            Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Turn { .. } | Outer::Push { .. } => Direction::of(Base::Given(Key(0))),
+        };
+        let directions = [along(self, &outer[0]), along(self, &outer[1])];
+        let lines = [self.line(&mut p, start, directions[0]), self.line(&mut p, end, directions[1])];
+        let x = self.meet(&mut p, lines);
+        for (k, ends, whole) in [(0, [x, start], [x, first]), (1, [end, x], [second, x])] {
+            let split = parts[k].is_some();
+            let part = if split { Part::Normal } else { Part::Whole };
+            if let Some(term) = reaction(&outer[k], part) {
+                self.side(&mut p, term, ends, k == 0);
+            }
+            if let (true, Some(term)) = (split, reaction(&outer[k], Part::Whole)) {
+                self.diagonal(&mut p, term, whole);
+            }
+        }
+        self.inner_pin(&mut p, inner, links, [before, x, after]);
+        for (k, whole) in [(0, [x, first]), (1, [second, x])] {
+            match outer[k] {
+                Outer::Pin { at, on, .. } => self.pinned(&mut p, at, on, whole),
+                Outer::Slide { guide, on, by, at } => {
+                    let inner_ends = if k == 0 { [before, x] } else { [x, after] };
+                    let force = self.measured(&mut p, inner_ends[0], inner_ends[1]);
+                    let of = Party::Link(links[1 - k]);
+                    let inside = Acting {
+                        term: Term::Reaction { of, on, part: Part::Whole },
+                        force: Some((Base::Measured(force), inner)),
+                        couple: None,
+                    };
+                    let all: Vec<Acting> = acting[k].iter().copied().chain([inside]).collect();
+                    self.offset(&mut p, (guide, on, by, at), &all, whole);
+                }
+                Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Turn { .. } | Outer::Push { .. } => {}
+            }
+        }
+        let kind = match outer.map(|o| matches!(o, Outer::Pin { .. })) {
+            [true, true] => "RRR",
+            [false, false] => "PRP",
+            _ => "RRP",
+        };
+        self.finish(p, &links, kind);
+    }
+
+    /// The couple of an outer guide about its point, from all else that acts on its link; answers, and the load of the other link.
+    fn offset(
+        &mut self,
+        p: &mut super::scribe::Polygon,
+        (guide, on, by, at): (GuideId, LinkId, LinkId, PointId),
+        acting: &[Acting],
+        ends: [MarkId; 2],
+    ) -> NumberId {
+        let mut moments = self.moments(&mut p.ops, &[on], acting, at, Gives::Offset(guide));
+        let couple = self.balancing(&mut p.ops, &moments);
+        moments.value = couple;
+        p.moments.push(moments);
+        self.guided(p, guide, on, by, at, ends, couple);
+        couple
+    }
+
+    /// RPR: a slider pinned at `at` on a lever pinned at `pivot`.
+    fn sliding(&mut self, links: [LinkId; 2], guide: GuideId, [at, pivot]: [PointId; 2]) {
+        let [slider, lever] = links;
+        let place = reference(self.scene, guide).unwrap_or(at);
+        let acting = [self.all_on(slider, &[at]), self.all_on(lever, &[pivot])];
+        let mut p = self.polygon();
+        let start = p.last;
+        self.lay_all(&mut p, &acting[0]);
+        let loaded = p.last;
+        let of = super::joints::party(self.scene, at, slider);
+        let part = |part| Term::Reaction { of, on: slider, part };
+        let mut all: Vec<Acting> = acting.concat();
+        if loaded != start {
+            // Along the guide nothing else acts on the slider.
+            let loads = self.number(&mut p.ops, Number::Along(start, loaded, Direction::of(tangent(guide))));
+            let along = self.number(&mut p.ops, Number::Negative(loads));
+            self.laid(&mut p, part(Part::Tangential), Direction::of(tangent(guide)).unit(), along);
+            let last = p.last;
+            let force = self.measured(&mut p, loaded, last);
+            all.push(Acting { term: part(Part::Tangential), force: Some((Base::Measured(force), at)), couple: None });
+        }
+        let whole = loaded != start;
+        let term = part(if whole { Part::Normal } else { Part::Whole });
+        let mut moments = self.moments(&mut p.ops, &links, &all, pivot, Gives::Force(term, at));
+        let turning = self.balancing(&mut p.ops, &moments);
+        let arm = self.number(&mut p.ops, Number::Along(self.mark(pivot), self.mark(at), Direction::of(tangent(guide))));
+        let across = self.number(&mut p.ops, Number::Quotient(turning, arm));
+        moments.value = across;
+        p.moments.push(moments);
+        self.laid(&mut p, term, normal(guide), across);
+        let held = p.last;
+        self.lay_all(&mut p, &acting[1]);
+        let end = p.last;
+        let by = super::joints::party(self.scene, pivot, lever);
+        self.side(&mut p, Term::Reaction { of: by, on: lever, part: Part::Whole }, [end, start], false);
+        if whole {
+            self.diagonal(&mut p, part(Part::Whole), [loaded, held]);
+        }
+        for (on, other, ends) in [(slider, lever, [held, start]), (lever, slider, [start, held])] {
+            self.diagonal(&mut p, Term::Reaction { of: Party::Link(other), on, part: Part::Whole }, ends);
+        }
+        self.pinned(&mut p, at, slider, [loaded, held]);
+        self.pinned(&mut p, pivot, lever, [end, start]);
+        self.inner_guide(&mut p, guide, slider, (at, place), &acting[0], [held, start]);
+        self.finish(p, &links, "RPR");
+    }
+
+    /// The couple of an inner guide on a link pinned at `pin`, and its answers; the force counts at `place`. Returns the couple.
+    fn inner_guide(
+        &mut self,
+        p: &mut super::scribe::Polygon,
+        guide: GuideId,
+        on: LinkId,
+        (pin, place): (PointId, PointId),
+        acting: &[Acting],
+        ends: [MarkId; 2],
+    ) -> NumberId {
+        let force = self.measured(p, ends[0], ends[1]);
+        let of = Party::Link(if self.scene.guides[guide.0].slider == Some(on) {
+            self.scene.guides[guide.0].on
+        } else {
+            self.scene.guides[guide.0].slider.unwrap_or(on)
+        });
+        let own = Acting { term: Term::Reaction { of, on, part: Part::Whole }, force: Some((Base::Measured(force), place)), couple: None };
+        let all: Vec<Acting> = acting.iter().copied().chain([own]).collect();
+        let mut moments = self.moments(&mut p.ops, &[on], &all, pin, Gives::Offset(guide));
+        let couple = self.balancing(&mut p.ops, &moments);
+        moments.value = couple;
+        p.moments.push(moments);
+        let of_slider = self.scene.guides[guide.0].slider == Some(on);
+        let answer = if of_slider {
+            (guide, force, Some(couple))
+        } else {
+            let back = self.measured(p, ends[1], ends[0]);
+            let opposite = self.number(&mut p.ops, Number::Negative(couple));
+            (guide, back, Some(opposite))
+        };
+        self.answers.guides.push(answer);
+        couple
+    }
+
+    /// RPP: the first link is pinned and slides on the second, which slides in an outer guide.
+    fn twice_sliding(&mut self, links: [LinkId; 2], guide: GuideId, outer: [Outer; 2]) {
+        let (Outer::Pin { at, .. }, Outer::Slide { guide: outside, on, by, at: counted }) = (outer[0], outer[1]) else { return };
+        let [pinned, sliding] = links;
+        let place = reference(self.scene, guide).unwrap_or(at);
+        let acting = [self.all_on(pinned, &[at]), self.all_on(sliding, &[])];
+        let mut p = self.polygon();
+        let start = p.last;
+        self.lay_all(&mut p, &acting[1]);
+        let end = p.last;
+        let lines = [self.line(&mut p, start, normal(guide)), self.line(&mut p, end, normal(outside))];
+        let x = self.meet(&mut p, lines);
+        self.side(&mut p, Term::Reaction { of: Party::Link(pinned), on: sliding, part: Part::Whole }, [x, start], true);
+        if let Some(term) = reaction(&outer[1], Part::Whole) {
+            self.side(&mut p, term, [end, x], false);
+        }
+        // The pinned link: its loads from the crossing on, and the closing side.
+        p.last = x;
+        let inner = Term::Reaction { of: Party::Link(sliding), on: pinned, part: Part::Whole };
+        self.diagonal(&mut p, inner, [start, x]);
+        self.lay_all(&mut p, &acting[0]);
+        let close = p.last;
+        if let Some(term) = reaction(&outer[0], Part::Whole) {
+            self.side(&mut p, term, [close, start], false);
+        }
+        self.pinned(&mut p, at, pinned, [close, start]);
+        let couple = self.inner_guide(&mut p, guide, pinned, (at, place), &acting[0], [start, x]);
+        let back = self.number(&mut p.ops, Number::Negative(couple));
+        let force = self.measured(&mut p, x, start);
+        let inside = Acting {
+            term: Term::Reaction { of: Party::Link(pinned), on: sliding, part: Part::Whole },
+            force: Some((Base::Measured(force), place)),
+            couple: Some(back),
+        };
+        let all: Vec<Acting> = acting[1].iter().copied().chain([inside]).collect();
+        self.offset(&mut p, (outside, on, by, counted), &all, [end, x]);
+        self.finish(p, &links, "RPP");
+    }
+
+    /// A link on a pivot that a driver turns.
+    fn driven(&mut self, link: LinkId, pivot: PointId, driver: usize, against: LinkId) {
+        let acting = self.all_on(link, &[pivot]);
+        let mut ops = Vec::new();
+        let mut moments = self.moments(&mut ops, &[link], &acting, pivot, Gives::Driver(driver));
+        let balance = self.balancing(&mut ops, &moments);
+        moments.value = balance;
+        self.on_plane(ops);
+        let mut p = self.polygon();
+        p.moments.push(moments);
+        let start = p.last;
+        self.lay_all(&mut p, &acting);
+        let end = p.last;
+        let of = super::joints::party(self.scene, pivot, link);
+        self.side(&mut p, Term::Reaction { of, on: link, part: Part::Whole }, [end, start], false);
+        self.pinned(&mut p, pivot, link, [end, start]);
+        self.answers.drivers.push((driver, balance));
+        p.drivers.push((driver, balance));
+        self.turned(&mut p, against, link, balance);
+        self.finish(p, &[link], "driver");
+    }
+
+    /// The line of action of a joint that presses along one line, and a point of it.
+    fn line_of(&self, touch: &Outer) -> Option<(Base, PointId)> {
+        match *touch {
+            Outer::Slot { guide, at, .. } => Some((Base::Normal(Key::of(guide.0), self.mark(at)), at)),
+            Outer::Cylinder { at, far, .. } => Some((Base::Arm { from: self.mark(far), to: self.mark(at), known: false }, at)),
+            Outer::Push { guide, .. } => Some((tangent(guide), reference(self.scene, guide)?)),
+            Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } => None,
+        }
+    }
+
+    /// A link on a pivot with one line of action.
+    fn on_a_pivot(&mut self, link: LinkId, pin: Outer, touch: Outer) {
+        let (Outer::Pin { at: pivot, .. }, Some((line, at)), Some(term)) = (pin, self.line_of(&touch), reaction(&touch, Part::Whole))
+        else {
+            return;
+        };
+        let acting = self.all_on(link, &[pivot, at]);
+        let mut ops = Vec::new();
+        let mut moments = self.moments(&mut ops, &[link], &acting, pivot, Gives::Force(term, at));
+        let turning = self.balancing(&mut ops, &moments);
+        // The arm of a force along the line.
+        let unit = self.number(&mut ops, Number::Moment { force: line, at: self.mark(at), about: self.mark(pivot) });
+        let length = self.c.number(Number::Length(line));
+        let arm = self.c.number(Number::Quotient(unit, length));
+        let size = self.number(&mut ops, Number::Quotient(turning, arm));
+        moments.value = size;
+        self.on_plane(ops);
+        let mut p = self.polygon();
+        p.moments.push(moments);
+        let start = p.last;
+        self.lay_all(&mut p, &acting);
+        let loaded = p.last;
+        self.laid(&mut p, term, Direction::of(line).unit(), size);
+        let end = p.last;
+        if let Some(term) = reaction(&pin, Part::Whole) {
+            self.side(&mut p, term, [end, start], false);
+        }
+        self.pinned(&mut p, pivot, link, [end, start]);
+        self.touched(&mut p, &touch, [loaded, end]);
+        self.finish(p, &[link], "RH");
+    }
+
+    /// Answers of a joint that presses along one line, and the load of what is on its other side.
+    fn touched(&mut self, p: &mut super::scribe::Polygon, touch: &Outer, ends: [MarkId; 2]) {
+        match *touch {
+            Outer::Slot { guide, at, on, by } => self.slotted(p, guide, on, by, at, ends),
+            Outer::Cylinder { driver, at, far, on } => self.pushed(p, driver, on, [at, far], ends),
+            Outer::Push { driver, guide } => {
+                let size = self.number(&mut p.ops, Number::Along(ends[0], ends[1], Direction::of(tangent(guide))));
+                self.answers.drivers.push((driver, size));
+                p.drivers.push((driver, size));
+            }
+            Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } => {}
+        }
+    }
+
+    /// A link in a guide with one more line of action.
+    fn in_a_guide(&mut self, link: LinkId, slide: Outer, touch: Outer) {
+        let (Outer::Slide { guide, on, by, at: counted }, Some((line, at))) = (slide, self.line_of(&touch)) else { return };
+        let driver = match touch {
+            Outer::Push { driver, .. } => Some(Term::Reaction { of: Party::Driver(driver), on: link, part: Part::Whole }),
+            _ => reaction(&touch, Part::Whole),
+        };
+        let held = if matches!(touch, Outer::Push { .. }) { vec![] } else { vec![at] };
+        let acting = self.all_on(link, &held);
+        let mut p = self.polygon();
+        let start = p.last;
+        self.lay_all(&mut p, &acting);
+        let end = p.last;
+        let lines = [self.line(&mut p, start, normal(guide)), self.line(&mut p, end, Direction::of(line))];
+        let x = self.meet(&mut p, lines);
+        if let Some(term) = reaction(&slide, Part::Whole) {
+            self.side(&mut p, term, [x, start], true);
+        }
+        let mut all = acting.clone();
+        if let Some(term) = driver {
+            self.side(&mut p, term, [end, x], false);
+            let force = self.measured(&mut p, end, x);
+            all.push(Acting { term, force: Some((Base::Measured(force), at)), couple: None });
+        }
+        self.touched(&mut p, &touch, [end, x]);
+        self.offset(&mut p, (guide, on, by, counted), &all, [x, start]);
+        self.finish(p, &[link], if matches!(touch, Outer::Push { .. }) { "driver" } else { "PH" });
+    }
+}
+
+/// The link of the group that an outer joint holds.
+fn carries(outer: &Outer) -> Option<LinkId> {
+    match *outer {
+        Outer::Pin { on, .. } | Outer::Slide { on, .. } | Outer::Slot { on, .. } | Outer::Cylinder { on, .. } | Outer::Turn { on, .. } => {
+            Some(on)
+        }
+        Outer::Push { .. } => None,
+    }
+}

@@ -1,0 +1,327 @@
+//! Forces on the drawing board: the reactions of each group by moments and a force polygon, group after group in the reverse of the kinematic order.
+//!
+//! A dyad's links give the parts of their outer reactions by moments, with arms measured on the mechanism; the polygon of all forces on both links
+//! crosses the other two. The forces on one link stand together in the polygon, so that the inner reaction is a diagonal. What a group does to those
+//! that it rests on is their load. The driver comes last, with the balancing moment.
+//!
+//! Methods: RRR, RRP, RPR, PRP and RPP dyads, a link with a pivot or a slide and one line of action (a pin in a slot, a cylinder), and drivers. A group of
+//! another kind is not drawn, and neither is what rests on its reactions; [`Equilibrium::undrawn`] names it.
+//!
+//! # Source
+//! 孙桓, 陈作模, 葛文杰: 机械原理, ch. 4; R. L. Norton, *Design of Machinery*, ch. 11.
+
+mod joints;
+mod methods;
+mod scribe;
+
+pub use joints::{Outer, Pair};
+
+use crate::construct::scale::fitted;
+use crate::construction::pencil::Exact;
+use crate::construction::{Construction, DiagramId, Drawn, Givens, Key, MarkId, NumberId, Track, VectorId, draw};
+use hodograph_base::diag::{Both, both};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::kind::{ByKind, Kind};
+use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::force::{Cause, Load, fastest, loads};
+use hodograph_mechanism::mechanism::Mechanism;
+use hodograph_mechanism::position::{Configuration, Path};
+use hodograph_scene::quantity::{Forces, Wrench};
+use hodograph_scene::{GuideId, LinkId, PointId, Scene};
+
+/// A force in an equation of equilibrium.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Term {
+    /// A load: its index in [`Equilibrium::loads`].
+    Load(usize),
+    /// A reaction, or a part of it.
+    Reaction {
+        /// What presses.
+        of: Party,
+        /// The link on which it presses.
+        on: LinkId,
+        /// Which part of it.
+        part: Part,
+    },
+}
+
+/// What presses on a link.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Party {
+    /// A link.
+    Link(LinkId),
+    /// A pin that joins more than two links.
+    Pin(PointId),
+    /// A cylinder: its driver.
+    Cylinder(usize),
+    /// A driver that pushes.
+    Driver(usize),
+}
+
+/// A part of a reaction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// All of it.
+    Whole,
+    /// Along the bar; of a slide square to the guide.
+    Normal,
+    /// Square to the bar; of a slide along the guide.
+    Tangential,
+}
+
+/// A force drawn from vertex to vertex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Side {
+    /// The force.
+    pub term: Term,
+    /// The vector.
+    pub vector: VectorId,
+    /// Whether its magnitude is known before the polygon closes.
+    pub known: bool,
+}
+
+/// An equation of moments about a point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moments {
+    /// The links of which it is the equilibrium.
+    pub links: Vec<LinkId>,
+    /// The point.
+    pub about: PointId,
+    /// The forces that turn, each with its point of application and its moment (N·m).
+    pub of: Vec<(Term, PointId, NumberId)>,
+    /// The couples (N·m).
+    pub couples: Vec<(Term, NumberId)>,
+    /// What it gives.
+    pub gives: Gives,
+    /// Its value: a force (N), a couple or moment (N·m).
+    pub value: NumberId,
+}
+
+/// What an equation of moments gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Gives {
+    /// A force on a link, at a point.
+    Force(Term, PointId),
+    /// The couple of a guide on its slider, and so the place of its force.
+    Offset(GuideId),
+    /// The balancing moment of a driver.
+    Driver(usize),
+}
+
+/// The equilibrium of a group.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GroupForces {
+    /// Its links.
+    pub links: Vec<LinkId>,
+    /// What it is: `RRR`, `driver`.
+    pub kind: &'static str,
+    /// Its polygon.
+    pub diagram: DiagramId,
+    /// The vertices in the order of the equation, each once.
+    pub vertices: Vec<MarkId>,
+    /// The sides in the order of the equation.
+    pub sides: Vec<Side>,
+    /// Reactions that are diagonals of the polygon, or whole reactions drawn as parts.
+    pub diagonals: Vec<Side>,
+    /// Moments, in the order of drawing: those before the polygon, then those after it.
+    pub moments: Vec<Moments>,
+    /// Force that presses along a driver's guide or cylinder: the driver and the number (N).
+    pub drivers: Vec<(usize, NumberId)>,
+}
+
+/// A group that is not drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Undrawn {
+    /// Its links.
+    pub links: Vec<LinkId>,
+    /// The reason.
+    pub why: Both,
+}
+
+/// The forces of a scene as they are written for the board, and drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equilibrium {
+    /// The loads, inertia with the accelerations of the polygon.
+    pub loads: Vec<Load>,
+    /// The acts.
+    pub construction: Construction,
+    /// The groups, the last of the mechanism first.
+    pub groups: Vec<GroupForces>,
+    /// Groups that are not drawn.
+    pub undrawn: Vec<Undrawn>,
+    /// The scales of the plane and of the polygons.
+    pub scales: ByKind,
+    /// Where everything falls.
+    pub drawn: Drawn,
+    /// What was found: reactions and balancing moments.
+    pub forces: Forces,
+    /// The marks of the plane by point.
+    pub places: Vec<Option<MarkId>>,
+}
+
+/// The numbers that a construction of forces finds, by what they are.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Answers {
+    pins: Vec<(PointId, LinkId, NumberId)>,
+    guides: Vec<(GuideId, NumberId, Option<NumberId>)>,
+    drivers: Vec<(usize, NumberId)>,
+}
+
+impl Equilibrium {
+    /// Draws the forces of a scene: `motion` has the accelerations and velocities that were read off the polygons, `mu_l` is the scale of the mechanism,
+    /// `room` the size (mm) that the largest polygon may have.
+    ///
+    /// `None` where a load cannot be told, because its motion is not drawn, and where the scene has a balancing force of its own place.
+    pub fn of(
+        scene: &Scene,
+        m: &Mechanism,
+        at: &Configuration,
+        motion: &impl Source<f64>,
+        mu_l: f64,
+        room: [f64; 2],
+    ) -> Option<Equilibrium> {
+        if scene.loads.balance.is_some() || !m.redundant.is_empty() {
+            return None;
+        }
+        let loads = loads(scene, at, motion)?;
+        let written = scribe::written(scene, m, at, &loads);
+        let givens = Posed { scene, at, loads: &loads, extent: at.extent() };
+        // A trial at 1 N/mm tells how large the polygons are.
+        let trial_scales: ByKind = [(Kind::Length, mu_l), (Kind::Force, 1.0)].into_iter().collect();
+        let trial = draw(&written.construction, &givens, &trial_scales, &mut Exact).ok()?;
+        let extent =
+            written.groups.iter().map(|g| extent_of(g, &trial)).fold([0.0, 0.0], |[w, h], [x, y]| [f64::max(w, x), f64::max(h, y)]);
+        let mu = fitted(&scene.paper, Kind::Force, extent, room);
+        let scales: ByKind = [(Kind::Length, mu_l), (Kind::Force, mu)].into_iter().collect();
+        let drawn = draw(&written.construction, &givens, &scales, &mut Exact).ok()?;
+        let forces = read(scene, m, at, &loads, &written.answers, &drawn)?;
+        let scribe::Written { construction, groups, undrawn, places, .. } = written;
+        Some(Equilibrium { loads, construction, groups, undrawn, scales, drawn, forces, places })
+    }
+
+    /// The scale of the polygons (N per mm).
+    pub fn mu(&self) -> f64 {
+        self.scales.get(Kind::Force).unwrap_or(1.0)
+    }
+
+    /// A vector on its paper (mm): tail and tip.
+    pub fn vector_mm(&self, vector: VectorId) -> Option<[Point; 2]> {
+        let v = &self.construction.vectors[vector.index()];
+        Some([self.drawn.marks[v.from.index()]?, self.drawn.marks[v.to.index()]?])
+    }
+
+    /// A vector in N.
+    pub fn force(&self, vector: VectorId) -> Option<Vec2> {
+        let [from, to] = self.vector_mm(vector)?;
+        Some((to - from) * self.mu())
+    }
+
+    /// The largest factor by which a crossing magnifies rounding.
+    pub fn magnified(&self) -> f64 {
+        self.drawn.met.iter().map(|met| met.rounding / (met.sine.abs() * met.sine.abs())).fold(1.0, f64::max)
+    }
+}
+
+impl Source<f64> for Equilibrium {
+    fn vector(&self, _: hodograph_mechanism::mechanism::Level, _: PointId, _: Option<LinkId>) -> Option<Vec2> {
+        None
+    }
+
+    fn turning(&self, _: hodograph_mechanism::mechanism::Level, _: LinkId) -> Option<f64> {
+        None
+    }
+
+    fn forces(&self) -> Option<&Forces> {
+        Some(&self.forces)
+    }
+}
+
+/// Width and height of a polygon.
+fn extent_of(group: &GroupForces, drawn: &Drawn) -> [f64; 2] {
+    crate::construct::scale::extent(group.vertices.iter().filter_map(|v| drawn.marks[v.index()]))
+}
+
+/// The forces that the drawing gives. Reactions of groups that are not drawn are missing.
+fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answers: &Answers, drawn: &Drawn) -> Option<Forces> {
+    let vector = |n: &NumberId| drawn.vector(*n);
+    let pins: Vec<(PointId, LinkId, Vec2)> = answers.pins.iter().filter_map(|(p, l, n)| Some((*p, *l, vector(n)?))).collect();
+    let guides: Vec<(GuideId, Wrench)> = answers
+        .guides
+        .iter()
+        .filter_map(|(g, force, couple)| {
+            let couple = couple.map_or(Some(0.0), |c| drawn.number(c))?;
+            Some((*g, Wrench { force: vector(force)?, couple }))
+        })
+        .collect();
+    let mut drivers = Vec::new();
+    for d in 0..scene.drivers.len() {
+        let Some((_, n)) = answers.drivers.iter().find(|(own, _)| *own == d) else { break };
+        drivers.push(drawn.number(*n)?);
+    }
+    let forces = loads.iter().map(|l| l.wrench.force).chain(pins.iter().map(|p| p.2)).chain(guides.iter().map(|g| g.1.force));
+    let largest = forces.map(Vec2::norm).fold(0.0, f64::max);
+    let couples = loads.iter().map(|l| l.wrench.couple).chain(drivers.iter().copied()).map(f64::abs);
+    let whole = drivers.len() == scene.drivers.len();
+    let power = scene.drivers.iter().zip(&drivers).map(|(d, x)| x * d.rate.value).sum();
+    Some(Forces {
+        largest_moment: couples.fold(largest * at.extent(), f64::max),
+        largest_power: largest * fastest(scene, at),
+        power: if whole { power } else { f64::NAN },
+        inertia: loads.iter().filter(|l| l.cause == Cause::Inertia).map(|l| (l.link, l.wrench)).collect(),
+        rolling: Vec::new(),
+        balance: None,
+        determinate: m.redundant.is_empty(),
+        largest,
+        drivers,
+        guides,
+        pins,
+    })
+}
+
+/// The reason for which a group is not drawn.
+fn another_kind() -> Both {
+    both!("no construction is known for groups of this kind", "此类杆组没有作图方法")
+}
+
+/// The givens of a construction of forces: places, loads, guides.
+struct Posed<'a> {
+    scene: &'a Scene,
+    at: &'a Configuration,
+    loads: &'a [Load],
+    extent: f64,
+}
+
+impl Givens<f64> for Posed<'_> {
+    fn place(&self, key: Key) -> Option<Point> {
+        self.at.points[key.index()]
+    }
+
+    fn number(&self, key: Key) -> f64 {
+        self.loads[key.index()].wrench.couple
+    }
+
+    fn vector(&self, key: Key) -> Option<Vec2> {
+        Some(self.loads.get(key.index())?.wrench.force)
+    }
+
+    fn path(&self, key: Key) -> Option<Track<f64>> {
+        Some(match self.at.guides[key.index()]? {
+            Path::Line { direction, .. } => Track::Line(direction),
+            Path::Arc { centre, radius } => Track::Arc { centre, radius },
+        })
+    }
+
+    fn reach(&self, _: Key) -> f64 {
+        self.extent
+    }
+
+    fn origin(&self) -> Point {
+        let of_ground = self.scene.links[self.scene.ground.0].points.iter();
+        let mut all = of_ground.chain(self.scene.links.iter().flat_map(|l| &l.points));
+        all.find_map(|p| self.at.points[p.0]).unwrap_or(Point::ORIGIN)
+    }
+
+    fn extent(&self) -> f64 {
+        self.extent
+    }
+}

@@ -1,0 +1,381 @@
+//! Writes the construction: what acts on each link, and the acts of polygons and moments.
+
+use super::joints::{Outer, joints, party};
+use super::{Answers, Gives, GroupForces, Moments, Part, Party, Side, Term, Undrawn};
+use crate::construction::{
+    Base, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Vector, VectorId,
+};
+use hodograph_base::diag::both;
+use hodograph_base::diagram::DiagramKind;
+use hodograph_mechanism::force::Load;
+use hodograph_mechanism::mechanism::Mechanism;
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::quantity::{ROUNDING, parties};
+use hodograph_scene::{GuideId, LinkId, PointId, Scene};
+
+/// A construction with its meaning.
+pub(super) struct Written {
+    pub construction: Construction,
+    pub groups: Vec<GroupForces>,
+    pub undrawn: Vec<Undrawn>,
+    pub answers: Answers,
+    pub places: Vec<Option<MarkId>>,
+}
+
+/// What acts on a link: a force at a point, a couple, or both.
+#[derive(Clone, Copy)]
+pub(super) struct Acting {
+    pub term: Term,
+    pub force: Option<(Base, PointId)>,
+    pub couple: Option<NumberId>,
+}
+
+/// A force that a link, already in equilibrium, puts on a pin.
+#[derive(Clone, Copy)]
+struct OnPin {
+    of: LinkId,
+    force: NumberId,
+}
+
+pub(super) struct Scribe<'a> {
+    pub scene: &'a Scene,
+    pub c: Construction,
+    pub places: Vec<Option<MarkId>>,
+    pub acting: Vec<Vec<Acting>>,
+    at_pin: Vec<Vec<OnPin>>,
+    pub answers: Answers,
+    groups: Vec<GroupForces>,
+    one: NumberId,
+    plane: DiagramId,
+}
+
+/// Writes the forces of all groups.
+pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load]) -> Written {
+    let mut c = Construction::default();
+    let plane = c.begin(DiagramKind::Plane);
+    let mark = |p: usize, c: &mut Construction| at.points[p].map(|_| c.mark(plane, Name::Point(Key::of(p))));
+    let places: Vec<Option<MarkId>> = (0..scene.points.len()).map(|p| mark(p, &mut c)).collect();
+    c.step(plane, None, places.iter().flatten().map(|mark| Op::Set(*mark)));
+    let one = c.number(Number::Plain(1));
+    let mut acting: Vec<Vec<Acting>> = vec![Vec::new(); scene.links.len()];
+    let largest = loads.iter().map(|l| l.wrench.force.norm()).fold(0.0, f64::max);
+    let couples = loads.iter().map(|l| l.wrench.couple.abs()).fold(0.0, f64::max);
+    for (k, load) in loads.iter().enumerate() {
+        // A load of zero is left out.
+        let force = load.at.filter(|_| load.wrench.force.norm() > ROUNDING * largest).map(|p| (Base::Given(Key::of(k)), p));
+        let turns = load.wrench.couple.abs() > ROUNDING * couples.max(largest * at.extent());
+        let couple = turns.then(|| c.number(Number::Given(Key::of(k))));
+        if force.is_some() || couple.is_some() {
+            acting[load.link.0].push(Acting { term: Term::Load(k), force, couple });
+        }
+    }
+    let answers = Answers::default();
+    let at_pin = vec![Vec::new(); scene.points.len()];
+    let mut scribe = Scribe { scene, c, places, acting, at_pin, answers, groups: Vec::new(), one, plane };
+    let mut open = vec![true; scene.links.len()];
+    let mut broken = vec![false; scene.links.len()];
+    let mut undrawn = Vec::new();
+    for group in m.assur(scene).iter().rev() {
+        let rod = |l: &LinkId| scene.drivers.iter().any(|d| d.kind.parts().contains(l));
+        let (rods, links): (Vec<LinkId>, Vec<LinkId>) = group.links.iter().copied().filter(|l| at.poses[l.0].is_some()).partition(rod);
+        if links.is_empty() {
+            continue;
+        }
+        let result = if links.iter().any(|l| broken[l.0]) {
+            Err(both!("it carries a group that is not drawn", "它承受未作图杆组的反力"))
+        } else if rods.iter().any(|l| !scribe.acting[l.0].is_empty()) {
+            Err(both!("the cylinder that moves it has loads of its own", "驱动它的液压缸本身受载"))
+        } else {
+            rods.iter().for_each(|l| open[l.0] = false);
+            joints(scene, m, at, &links, &open).and_then(|joints| scribe.group(&links, &joints))
+        };
+        links.iter().chain(&rods).for_each(|l| open[l.0] = false);
+        if let Err(why) = result {
+            for l in (0..scene.links.len()).map(LinkId).filter(|l| open[l.0] && *l != scene.ground) {
+                broken[l.0] |= links.iter().any(|own| touches(scene, *own, l));
+            }
+            undrawn.push(Undrawn { links, why });
+        }
+    }
+    let Scribe { c: construction, groups, answers, places, .. } = scribe;
+    Written { construction, groups, undrawn, answers, places }
+}
+
+/// Whether two links press on each other anywhere.
+fn touches(scene: &Scene, a: LinkId, b: LinkId) -> bool {
+    let pins = scene.links[a.0].points.iter().any(|p| scene.links[b.0].points.contains(p));
+    let on = |l: LinkId, g: &hodograph_scene::Guide| {
+        g.on == l || g.slider == Some(l) || g.pin.is_some_and(|p| scene.links[l.0].points.contains(&p))
+    };
+    let guides = scene.guides.iter().any(|g| on(a, g) && on(b, g));
+    let rods = scene.drivers.iter().filter_map(|d| d.kind.ends()).any(|ends| {
+        let carries = |l: LinkId| ends.iter().any(|p| scene.links[l.0].points.contains(p));
+        carries(a) && carries(b)
+    });
+    let turned =
+        scene.drivers.iter().any(|d| d.kind.turned().is_some_and(|(l, against)| [l, against].contains(&a) && [l, against].contains(&b)));
+    pins || guides || rods || turned || scene.rolling.iter().any(|r| r.links.contains(&a) && r.links.contains(&b))
+}
+
+/// A polygon that is being drawn.
+pub(super) struct Polygon {
+    pub diagram: DiagramId,
+    pub last: MarkId,
+    /// The vertices in the order of laying off.
+    pub vertices: Vec<MarkId>,
+    pub sides: Vec<Side>,
+    pub diagonals: Vec<Side>,
+    pub moments: Vec<Moments>,
+    pub drivers: Vec<(usize, NumberId)>,
+    pub ops: Vec<Op>,
+}
+
+impl Scribe<'_> {
+    pub fn mark(&self, p: PointId) -> MarkId {
+        self.places[p.0].expect("a joint of a placed group is placed")
+    }
+
+    /// Begins a polygon with its first vertex.
+    pub fn polygon(&mut self) -> Polygon {
+        let diagram = self.c.begin(DiagramKind::Force);
+        let first = self.c.mark(diagram, Name::Vertex(0));
+        Polygon {
+            diagram,
+            last: first,
+            vertices: vec![first],
+            sides: Vec::new(),
+            diagonals: Vec::new(),
+            moments: Vec::new(),
+            drivers: Vec::new(),
+            ops: vec![Op::Set(first)],
+        }
+    }
+
+    fn vertex(&mut self, p: &mut Polygon) -> MarkId {
+        let number = u32::try_from(p.vertices.len()).unwrap_or(u32::MAX);
+        let mark = self.c.mark(p.diagram, Name::Vertex(number));
+        p.vertices.push(mark);
+        mark
+    }
+
+    /// Lays a known force off from the last vertex.
+    pub fn lay(&mut self, p: &mut Polygon, term: Term, force: Base) {
+        self.laid(p, term, Direction::of(force), self.one);
+    }
+
+    /// Lays a part of a force off: its direction, a unit vector, times its amount.
+    pub fn laid(&mut self, p: &mut Polygon, term: Term, along: Direction, times: NumberId) {
+        let to = self.vertex(p);
+        let vector = self.c.vector(Vector { terms: Vec::new(), from: p.last, to });
+        p.ops.push(Op::Lay { vector, along, times });
+        p.sides.push(Side { term, vector, known: true });
+        p.last = to;
+    }
+
+    /// Lays all forces of a link off.
+    pub fn lay_all(&mut self, p: &mut Polygon, acting: &[Acting]) {
+        for a in acting {
+            if let Some((force, _)) = a.force {
+                self.lay(p, a.term, force);
+            }
+        }
+    }
+
+    /// A line through a vertex.
+    pub fn line(&mut self, p: &mut Polygon, through: MarkId, along: Direction) -> LineId {
+        let line = self.c.line(Line { on: p.diagram, through, along, moved: false, carries: Vec::new() });
+        p.ops.push(Op::Rule(line));
+        line
+    }
+
+    /// The crossing of two lines, a vertex.
+    pub fn meet(&mut self, p: &mut Polygon, lines: [LineId; 2]) -> MarkId {
+        let to = self.vertex(p);
+        p.ops.push(Op::Meet { lines, to });
+        to
+    }
+
+    /// Draws a force between two vertices.
+    pub fn show(&mut self, p: &mut Polygon, from: MarkId, to: MarkId) -> VectorId {
+        let vector = self.c.vector(Vector { terms: Vec::new(), from, to });
+        p.ops.push(Op::Show(vector));
+        vector
+    }
+
+    /// An unknown side of the polygon, in its place in the equation: first or last.
+    pub fn side(&mut self, p: &mut Polygon, term: Term, [from, to]: [MarkId; 2], first: bool) {
+        let vector = self.show(p, from, to);
+        let side = Side { term, vector, known: false };
+        if first {
+            p.sides.insert(0, side);
+        } else {
+            p.sides.push(side);
+        }
+    }
+
+    /// A reaction that is a diagonal.
+    pub fn diagonal(&mut self, p: &mut Polygon, term: Term, [from, to]: [MarkId; 2]) {
+        let vector = self.show(p, from, to);
+        p.diagonals.push(Side { term, vector, known: false });
+    }
+
+    /// Measures a vector of a polygon.
+    pub fn measured(&mut self, p: &mut Polygon, from: MarkId, to: MarkId) -> NumberId {
+        let id = self.c.number(Number::Vector(from, to));
+        p.ops.push(Op::Number(id));
+        id
+    }
+
+    /// Measures or calculates a number.
+    pub fn number(&mut self, ops: &mut Vec<Op>, number: Number) -> NumberId {
+        let id = self.c.number(number);
+        ops.push(Op::Number(id));
+        id
+    }
+
+    /// The moments of what acts on links about a point.
+    pub fn moments(&mut self, ops: &mut Vec<Op>, links: &[LinkId], acting: &[Acting], about: PointId, gives: Gives) -> Moments {
+        let mut out = Moments { links: links.to_vec(), about, of: Vec::new(), couples: Vec::new(), gives, value: self.one };
+        for a in acting {
+            if let Some((force, at)) = a.force.filter(|(_, at)| *at != about) {
+                let number = Number::Moment { force, at: self.mark(at), about: self.mark(about) };
+                let number = self.number(ops, number);
+                out.of.push((a.term, at, number));
+            }
+            out.couples.extend(a.couple.map(|couple| (a.term, couple)));
+        }
+        out
+    }
+
+    /// The sum of moments, with the sign reversed; zero of none.
+    pub fn balancing(&mut self, ops: &mut Vec<Op>, moments: &Moments) -> NumberId {
+        let all: Vec<NumberId> = moments.of.iter().map(|m| m.2).chain(moments.couples.iter().map(|c| c.1)).collect();
+        let sum = all.into_iter().reduce(|a, b| self.c.number(Number::Sum(a, b))).unwrap_or_else(|| self.c.number(Number::Plain(0)));
+        self.number(ops, Number::Negative(sum))
+    }
+
+    /// The forces that links in equilibrium put on a pin, as loads of one link.
+    pub fn pin_loads(&mut self, at: PointId, on: LinkId) -> Vec<Acting> {
+        let of = |load: &OnPin| Acting {
+            term: Term::Reaction { of: Party::Link(load.of), on, part: Part::Whole },
+            force: Some((Base::Measured(load.force), at)),
+            couple: None,
+        };
+        self.at_pin[at.0].iter().map(of).collect()
+    }
+
+    /// All that acts on a link: its loads, and what presses on pins that no other link holds.
+    pub fn all_on(&mut self, link: LinkId, held: &[PointId]) -> Vec<Acting> {
+        let mut acting = self.acting[link.0].clone();
+        for p in self.scene.links[link.0].points.clone() {
+            if !held.contains(&p) {
+                acting.extend(self.pin_loads(p, link));
+            }
+        }
+        acting
+    }
+
+    /// Puts the force of a pin on a link among the answers, its opposite on what holds the pin, and hands that on.
+    pub fn pinned(&mut self, p: &mut Polygon, at: PointId, on: LinkId, [from, to]: [MarkId; 2]) {
+        let (own, back) = (self.measured(p, from, to), self.measured(p, to, from));
+        self.answers.pins.push((at, on, own));
+        if let Party::Link(other) = party(self.scene, at, on) {
+            self.answers.pins.push((at, other, back));
+        }
+        self.at_pin[at.0].push(OnPin { of: on, force: back });
+    }
+
+    /// The force of an inner pin on both links.
+    pub fn inner_pin(&mut self, p: &mut Polygon, at: PointId, links: [LinkId; 2], [m1, x, m2]: [MarkId; 3]) {
+        for (link, other, ends) in [(links[0], links[1], [m1, x]), (links[1], links[0], [x, m2])] {
+            let id = self.measured(p, ends[0], ends[1]);
+            self.answers.pins.push((at, link, id));
+            let of = if parties(self.scene, at) == 2 { Party::Link(other) } else { Party::Pin(at) };
+            self.diagonal(p, Term::Reaction { of, on: link, part: Part::Whole }, ends);
+        }
+    }
+
+    /// The force and couple of a guide on a link of the group: answers, and the load of the other link.
+    pub fn guided(&mut self, p: &mut Polygon, guide: GuideId, on: LinkId, by: LinkId, at: PointId, ends: [MarkId; 2], couple: NumberId) {
+        let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
+        let opposite = self.number(&mut p.ops, Number::Negative(couple));
+        let of_slider = self.scene.guides[guide.0].slider == Some(on);
+        self.answers.guides.push(if of_slider { (guide, own, Some(couple)) } else { (guide, back, Some(opposite)) });
+        if by != self.scene.ground {
+            let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
+            self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: Some(opposite) });
+        }
+    }
+
+    /// The force of a slot on a link of the group, or of its pin on a slot there.
+    pub fn slotted(&mut self, p: &mut Polygon, guide: GuideId, on: LinkId, by: LinkId, at: PointId, ends: [MarkId; 2]) {
+        let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
+        let runner = if self.scene.guides[guide.0].on == on { back } else { own };
+        self.answers.guides.push((guide, runner, None));
+        if by != self.scene.ground {
+            let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
+            self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
+        }
+    }
+
+    /// The force of a cylinder on a link, and its opposite at the far pin.
+    pub fn pushed(&mut self, p: &mut Polygon, driver: usize, on: LinkId, [at, far]: [PointId; 2], ends: [MarkId; 2]) {
+        let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
+        let kind = &self.scene.drivers[driver].kind;
+        let parts = kind.parts().to_vec();
+        for part in parts {
+            let here = kind.ends_of(part).is_some_and(|[first, _]| first == at);
+            self.answers.pins.push(if here { (at, part, back) } else { (far, part, own) });
+        }
+        if parties(self.scene, at) == 2 {
+            self.answers.pins.push((at, on, own));
+        }
+        // A cylinder pushes its second end away from its first.
+        let [a, b] = kind.ends().unwrap_or([far, at]);
+        let along = Direction::of(Base::Arm { from: self.mark(a), to: self.mark(b), known: false });
+        let [from, to] = if at == b { ends } else { [ends[1], ends[0]] };
+        let size = self.number(&mut p.ops, Number::Along(from, to, along));
+        self.answers.drivers.push((driver, size));
+        p.drivers.push((driver, size));
+        self.at_pin[far.0].push(OnPin { of: on, force: back });
+    }
+
+    /// A couple on a link that a driver's moment makes.
+    pub fn turned(&mut self, p: &mut Polygon, against: LinkId, of: LinkId, moment: NumberId) {
+        if against != self.scene.ground {
+            let opposite = self.number(&mut p.ops, Number::Negative(moment));
+            let term = Term::Reaction { of: Party::Link(of), on: against, part: Part::Whole };
+            self.acting[against.0].push(Acting { term, force: None, couple: Some(opposite) });
+        }
+    }
+
+    /// Appends acts of the plane before the polygon as a step of their own.
+    pub fn on_plane(&mut self, ops: Vec<Op>) {
+        if !ops.is_empty() {
+            self.c.step(self.plane, None, ops);
+        }
+    }
+
+    /// Ends a polygon.
+    pub fn finish(&mut self, p: Polygon, links: &[LinkId], kind: &'static str) {
+        let Polygon { diagram, vertices, sides, diagonals, moments, drivers, ops, .. } = p;
+        self.c.step(diagram, None, ops);
+        self.groups.push(GroupForces { links: links.to_vec(), kind, diagram, vertices, sides, diagonals, moments, drivers });
+    }
+}
+
+/// The part of a reaction that an outer joint puts on its link.
+pub(super) fn reaction(outer: &Outer, part: Part) -> Option<Term> {
+    let (of, on) = match *outer {
+        Outer::Pin { on, by, .. } => (by, on),
+        Outer::Slide { on, by, .. } | Outer::Slot { on, by, .. } => (Party::Link(by), on),
+        Outer::Cylinder { driver, on, .. } => (Party::Cylinder(driver), on),
+        Outer::Turn { .. } | Outer::Push { .. } => return None,
+    };
+    Some(Term::Reaction { of, on, part })
+}
+
+/// A unit vector square to a vector of the plane.
+pub(super) fn square_to(base: Base) -> Direction {
+    Direction::across(base).unit()
+}
