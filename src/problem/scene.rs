@@ -10,6 +10,7 @@ use crate::lesson;
 use crate::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::answers::{self, Line};
+use crate::report::forces::ForceWriter;
 use crate::report::{construction, drafting, trains};
 use crate::scene::{Lang, Scene};
 use crate::sweep::follow::course;
@@ -117,6 +118,9 @@ impl Answered for Mechanism {
         }
         if with_steps {
             out += &format!("\n{}", construction::text(&w, &worked.construction, &steps));
+            if let Some(of) = &worked.equilibrium {
+                out += &format!("\n{}", ForceWriter { scene, notation: &notation, lang, of }.text());
+            }
         }
         out
     }

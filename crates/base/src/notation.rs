@@ -31,6 +31,8 @@ pub struct Notation {
     pub tangential_end: String,
     /// For a sliding part and a point R.
     pub sliding_end: String,
+    /// Index of a reaction before the numbers of its links: F_{R12}. May be empty.
+    pub reaction: String,
     /// Which row of an equation table comes first: `magnitude` or `direction`.
     pub first_row: String,
     /// How vectors are told from their magnitudes in vector equations.
@@ -54,7 +56,7 @@ impl Vectors {
     /// The symbol of a vector, in the label language: its first letter is that of the quantity.
     pub fn write(self, symbol: String) -> String {
         match (self, symbol.chars().next()) {
-            (Vectors::Bold, Some(letter @ 'a'..='z')) => format!("\\bm{{{letter}}}{}", &symbol[1..]),
+            (Vectors::Bold, Some(letter @ ('a'..='z' | 'A'..='Z'))) => format!("\\bm{{{letter}}}{}", &symbol[1..]),
             (Vectors::Plain | Vectors::Bold, _) => symbol,
         }
     }

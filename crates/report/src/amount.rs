@@ -44,7 +44,8 @@ pub fn symbol(find: &Find, notation: &Notation) -> String {
     let sub = if place { point_label(sub.trim()) } else { name_label(&sub) };
     // An index of the letter comes before that of the question: F_I and 2 are F_{I2}.
     let (letter, index) = entry.letter.split_once('_').unwrap_or((entry.letter, ""));
-    let sub = format!("{index}{sub}");
+    let reaction = if matches!(find.what, Asked::Force(f) if f.is_reaction()) { notation.reaction.as_str() } else { "" };
+    let sub = format!("{index}{reaction}{sub}");
     if sub.is_empty() {
         return letter.to_owned();
     }

@@ -26,6 +26,7 @@ pub mod diagnostics;
 pub mod drafting;
 #[doc(hidden)]
 pub mod equation;
+pub mod forces;
 #[doc(hidden)]
 pub mod given;
 #[doc(hidden)]

@@ -97,7 +97,7 @@ impl Scribe<'_> {
             let bar = Base::Arm { from: self.mark(inner), to: self.mark(at), known: false };
             let length = self.c.number(Number::Length(bar));
             of.value = self.number(&mut ops, Number::Quotient(turning, length));
-            let part = (term, of.value, bar);
+            let part = ((term, at), of.value, bar);
             moments.push(of);
             Some(part)
         });
@@ -131,11 +131,12 @@ impl Scribe<'_> {
         for (k, ends, whole) in [(0, [x, start], [x, first]), (1, [end, x], [second, x])] {
             let split = parts[k].is_some();
             let part = if split { Part::Normal } else { Part::Whole };
+            let at = place(&outer[k]).unwrap_or(inner);
             if let Some(term) = reaction(&outer[k], part) {
-                self.side(&mut p, term, ends, k == 0);
+                self.side(&mut p, (term, at), ends, k == 0);
             }
             if let (true, Some(term)) = (split, reaction(&outer[k], Part::Whole)) {
-                self.diagonal(&mut p, term, whole);
+                self.diagonal(&mut p, (term, at), whole);
             }
         }
         self.inner_pin(&mut p, inner, links, [before, x, after]);
@@ -197,7 +198,7 @@ impl Scribe<'_> {
             // Along the guide nothing else acts on the slider.
             let loads = self.number(&mut p.ops, Number::Along(start, loaded, Direction::of(tangent(guide))));
             let along = self.number(&mut p.ops, Number::Negative(loads));
-            self.laid(&mut p, part(Part::Tangential), Direction::of(tangent(guide)).unit(), along);
+            self.laid(&mut p, (part(Part::Tangential), at), Direction::of(tangent(guide)).unit(), along);
             let last = p.last;
             let force = self.measured(&mut p, loaded, last);
             all.push(Acting { term: part(Part::Tangential), force: Some((Base::Measured(force), at)), couple: None });
@@ -210,17 +211,17 @@ impl Scribe<'_> {
         let across = self.number(&mut p.ops, Number::Quotient(turning, arm));
         moments.value = across;
         p.moments.push(moments);
-        self.laid(&mut p, term, normal(guide), across);
+        self.laid(&mut p, (term, at), normal(guide), across);
         let held = p.last;
         self.lay_all(&mut p, &acting[1]);
         let end = p.last;
         let by = super::joints::party(self.scene, pivot, lever);
-        self.side(&mut p, Term::Reaction { of: by, on: lever, part: Part::Whole }, [end, start], false);
+        self.side(&mut p, (Term::Reaction { of: by, on: lever, part: Part::Whole }, pivot), [end, start], false);
         if whole {
-            self.diagonal(&mut p, part(Part::Whole), [loaded, held]);
+            self.diagonal(&mut p, (part(Part::Whole), at), [loaded, held]);
         }
         for (on, other, ends) in [(slider, lever, [held, start]), (lever, slider, [start, held])] {
-            self.diagonal(&mut p, Term::Reaction { of: Party::Link(other), on, part: Part::Whole }, ends);
+            self.diagonal(&mut p, (Term::Reaction { of: Party::Link(other), on, part: Part::Whole }, place), ends);
         }
         self.pinned(&mut p, at, slider, [loaded, held]);
         self.pinned(&mut p, pivot, lever, [end, start]);
@@ -274,18 +275,18 @@ impl Scribe<'_> {
         let end = p.last;
         let lines = [self.line(&mut p, start, normal(guide)), self.line(&mut p, end, normal(outside))];
         let x = self.meet(&mut p, lines);
-        self.side(&mut p, Term::Reaction { of: Party::Link(pinned), on: sliding, part: Part::Whole }, [x, start], true);
+        self.side(&mut p, (Term::Reaction { of: Party::Link(pinned), on: sliding, part: Part::Whole }, place), [x, start], true);
         if let Some(term) = reaction(&outer[1], Part::Whole) {
-            self.side(&mut p, term, [end, x], false);
+            self.side(&mut p, (term, counted), [end, x], false);
         }
         // The pinned link: its loads from the crossing on, and the closing side.
         p.last = x;
         let inner = Term::Reaction { of: Party::Link(sliding), on: pinned, part: Part::Whole };
-        self.diagonal(&mut p, inner, [start, x]);
+        self.diagonal(&mut p, (inner, place), [start, x]);
         self.lay_all(&mut p, &acting[0]);
         let close = p.last;
         if let Some(term) = reaction(&outer[0], Part::Whole) {
-            self.side(&mut p, term, [close, start], false);
+            self.side(&mut p, (term, at), [close, start], false);
         }
         self.pinned(&mut p, at, pinned, [close, start]);
         let couple = self.inner_guide(&mut p, guide, pinned, (at, place), &acting[0], [start, x]);
@@ -315,7 +316,7 @@ impl Scribe<'_> {
         self.lay_all(&mut p, &acting);
         let end = p.last;
         let of = super::joints::party(self.scene, pivot, link);
-        self.side(&mut p, Term::Reaction { of, on: link, part: Part::Whole }, [end, start], false);
+        self.side(&mut p, (Term::Reaction { of, on: link, part: Part::Whole }, pivot), [end, start], false);
         self.pinned(&mut p, pivot, link, [end, start]);
         self.answers.drivers.push((driver, balance));
         p.drivers.push((driver, balance));
@@ -355,10 +356,10 @@ impl Scribe<'_> {
         let start = p.last;
         self.lay_all(&mut p, &acting);
         let loaded = p.last;
-        self.laid(&mut p, term, Direction::of(line).unit(), size);
+        self.laid(&mut p, (term, at), Direction::of(line).unit(), size);
         let end = p.last;
         if let Some(term) = reaction(&pin, Part::Whole) {
-            self.side(&mut p, term, [end, start], false);
+            self.side(&mut p, (term, pivot), [end, start], false);
         }
         self.pinned(&mut p, pivot, link, [end, start]);
         self.touched(&mut p, &touch, [loaded, end]);
@@ -395,11 +396,11 @@ impl Scribe<'_> {
         let lines = [self.line(&mut p, start, normal(guide)), self.line(&mut p, end, Direction::of(line))];
         let x = self.meet(&mut p, lines);
         if let Some(term) = reaction(&slide, Part::Whole) {
-            self.side(&mut p, term, [x, start], true);
+            self.side(&mut p, (term, counted), [x, start], true);
         }
         let mut all = acting.clone();
         if let Some(term) = driver {
-            self.side(&mut p, term, [end, x], false);
+            self.side(&mut p, (term, at), [end, x], false);
             let force = self.measured(&mut p, end, x);
             all.push(Acting { term, force: Some((Base::Measured(force), at)), couple: None });
         }
@@ -416,5 +417,13 @@ fn carries(outer: &Outer) -> Option<LinkId> {
             Some(on)
         }
         Outer::Push { .. } => None,
+    }
+}
+
+/// A point on the line of action of an outer joint's force.
+fn place(outer: &Outer) -> Option<PointId> {
+    match *outer {
+        Outer::Pin { at, .. } | Outer::Slide { at, .. } | Outer::Slot { at, .. } | Outer::Cylinder { at, .. } => Some(at),
+        Outer::Turn { .. } | Outer::Push { .. } => None,
     }
 }

@@ -74,6 +74,8 @@ pub enum Part {
 pub struct Side {
     /// The force.
     pub term: Term,
+    /// A point on its line of action; of a guide that from which the place of its force counts.
+    pub at: PointId,
     /// The vector.
     pub vector: VectorId,
     /// Whether its magnitude is known before the polygon closes.

@@ -159,24 +159,24 @@ impl Scribe<'_> {
     }
 
     /// Lays a known force off from the last vertex.
-    pub fn lay(&mut self, p: &mut Polygon, term: Term, force: Base) {
-        self.laid(p, term, Direction::of(force), self.one);
+    fn lay(&mut self, p: &mut Polygon, (term, at): (Term, PointId), force: Base) {
+        self.laid(p, (term, at), Direction::of(force), self.one);
     }
 
     /// Lays a part of a force off: its direction, a unit vector, times its amount.
-    pub fn laid(&mut self, p: &mut Polygon, term: Term, along: Direction, times: NumberId) {
+    pub fn laid(&mut self, p: &mut Polygon, (term, at): (Term, PointId), along: Direction, times: NumberId) {
         let to = self.vertex(p);
         let vector = self.c.vector(Vector { terms: Vec::new(), from: p.last, to });
         p.ops.push(Op::Lay { vector, along, times });
-        p.sides.push(Side { term, vector, known: true });
+        p.sides.push(Side { term, at, vector, known: true });
         p.last = to;
     }
 
     /// Lays all forces of a link off.
     pub fn lay_all(&mut self, p: &mut Polygon, acting: &[Acting]) {
         for a in acting {
-            if let Some((force, _)) = a.force {
-                self.lay(p, a.term, force);
+            if let Some((force, at)) = a.force {
+                self.lay(p, (a.term, at), force);
             }
         }
     }
@@ -203,9 +203,9 @@ impl Scribe<'_> {
     }
 
     /// An unknown side of the polygon, in its place in the equation: first or last.
-    pub fn side(&mut self, p: &mut Polygon, term: Term, [from, to]: [MarkId; 2], first: bool) {
+    pub fn side(&mut self, p: &mut Polygon, (term, at): (Term, PointId), [from, to]: [MarkId; 2], first: bool) {
         let vector = self.show(p, from, to);
-        let side = Side { term, vector, known: false };
+        let side = Side { term, at, vector, known: false };
         if first {
             p.sides.insert(0, side);
         } else {
@@ -214,9 +214,9 @@ impl Scribe<'_> {
     }
 
     /// A reaction that is a diagonal.
-    pub fn diagonal(&mut self, p: &mut Polygon, term: Term, [from, to]: [MarkId; 2]) {
+    pub fn diagonal(&mut self, p: &mut Polygon, (term, at): (Term, PointId), [from, to]: [MarkId; 2]) {
         let vector = self.show(p, from, to);
-        p.diagonals.push(Side { term, vector, known: false });
+        p.diagonals.push(Side { term, at, vector, known: false });
     }
 
     /// Measures a vector of a polygon.
@@ -291,7 +291,7 @@ impl Scribe<'_> {
             let id = self.measured(p, ends[0], ends[1]);
             self.answers.pins.push((at, link, id));
             let of = if parties(self.scene, at) == 2 { Party::Link(other) } else { Party::Pin(at) };
-            self.diagonal(p, Term::Reaction { of, on: link, part: Part::Whole }, ends);
+            self.diagonal(p, (Term::Reaction { of, on: link, part: Part::Whole }, at), ends);
         }
     }
 

@@ -5,6 +5,7 @@
 
 mod drawings;
 mod equations;
+mod forces;
 mod gears;
 mod kutzbach;
 mod plates;
@@ -45,6 +46,7 @@ pub const LIST: &[&Entry] = &[
     &drawings::MECHANISM,
     &drawings::VELOCITY,
     &drawings::ACCELERATION,
+    &forces::ENTRY,
     &plates::ENTRY,
     &equations::ENTRY,
     &results::ENTRY,

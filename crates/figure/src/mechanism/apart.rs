@@ -67,6 +67,17 @@ pub fn apart<'a>(style: &Style, scene: &Scene, worked: &'a Worked, notation: &No
     parts
 }
 
+/// Some links with their joints, before their labels are placed.
+pub fn links(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, links: &[LinkId]) -> Drawing {
+    let course = Course::of_one(style, scene, worked, notation);
+    let shown: Vec<bool> = (0..scene.links.len()).map(|l| links.contains(&LinkId(l))).collect();
+    let mut draft = Draft::new(style, scene, worked, notation, &course);
+    draft.forms.iter_mut().zip(&shown).filter(|(_, shown)| !**shown).for_each(|(form, _)| *form = None::<Form>);
+    draft.only = Some(Only { links: shown, drivers: vec![false; scene.drivers.len()], pins: Vec::new() });
+    draft.pieces_of_it();
+    draft.d
+}
+
 impl Only {
     /// A group with its blocks, and with the drivers that belong to it.
     fn add(&mut self, scene: &Scene, worked: &Worked, g: &Assur) {

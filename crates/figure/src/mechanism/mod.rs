@@ -38,7 +38,7 @@ use hodograph_paper::paper::item::{Colour, Item, Shape, Stroke};
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
 
-pub use apart::{Piece, apart};
+pub use apart::{Piece, apart, links};
 pub use overlay::{Overlay, Track, overlaid};
 
 /// Two places nearer than this on paper are one: a tenth of a link's width.

@@ -356,6 +356,11 @@ impl Quantity for Force {
 }
 
 impl Force {
+    /// Whether it is a reaction between two links, or of a pin on a link.
+    pub fn is_reaction(&self) -> bool {
+        matches!(self.0, Which::Reaction(..) | Which::OfPin(..))
+    }
+
     /// Why two links do not press on each other, with the pin that they share with others.
     fn not_joined(&self, scene: &Scene, find: &Find, [i, j]: [LinkId; 2]) -> Diagnostic {
         let [a, b] = [i, j].map(|l| scene.link_name(l));

@@ -1,0 +1,145 @@
+//! A group's links apart, with what acts on them and the arms of its moments.
+
+use super::Page;
+use crate::mechanism;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_board::equilibrium::{Gives, GroupForces, Moments, Part as Which, Side, Term};
+use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_paper::paper::item::{Colour, Dash, Item, Shape};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::place::LabelRequest;
+use hodograph_paper::paper::shown::Shown;
+use hodograph_paper::paper::style::Style;
+use hodograph_scene::PointId;
+
+/// Lengths of the arrows of the smallest and of the largest force.
+const ARROW_MM: [f64; 2] = [9.0, 22.0];
+/// Radius of the bent arrow of a couple.
+const COUPLE_MM: f64 = 6.0;
+/// An arm that is shorter has no room for its dimension.
+const SHORTEST_ARM_MM: f64 = 3.0;
+/// Links stand back behind the forces.
+const LINKS: Colour = Colour::grey(150);
+
+impl Page<'_> {
+    pub(super) fn apart(&self, group: &GroupForces) -> Part {
+        let maker = self.maker;
+        let style = Style { link: self.style().link.coloured(LINKS), ..self.style().clone() };
+        let mut d = mechanism::links(&style, maker.scene, maker.worked, &maker.options.notation, &group.links);
+        let largest = group.sides.iter().filter_map(|s| self.of.force(s.vector)).map(Vec2::norm).fold(0.0, f64::max);
+        for moments in group.moments.iter().filter(|m| !matches!(m.gives, Gives::Offset(_))) {
+            self.arms(&mut d, moments);
+        }
+        // Of a reaction in parts both are drawn where they were found.
+        let own = |s: &&Side| match s.term {
+            Term::Load(k) => group.links.contains(&self.of.loads[k].link),
+            Term::Reaction { of, on, .. } => {
+                let inside = matches!(of, hodograph_board::equilibrium::Party::Link(l) if group.links.contains(&l));
+                group.links.contains(&on) && !inside
+            }
+        };
+        for side in group.sides.iter().filter(own) {
+            self.force(&mut d, side, largest);
+        }
+        for (k, load) in self.of.loads.iter().enumerate().filter(|(_, l)| group.links.contains(&l.link) && l.wrench.couple != 0.0) {
+            let centre = load.at.or_else(|| maker.scene.links[load.link.0].points.first().copied());
+            self.couple(&mut d, k, centre, load.wrench.couple);
+        }
+        for m in &group.moments {
+            if let Gives::Driver(driver) = m.gives {
+                let value = self.of.drawn.number(m.value).unwrap_or(0.0);
+                let number = if maker.scene.drivers.len() > 1 { (driver + 1).to_string() } else { String::new() };
+                self.bent(&mut d, &format!("M_b{number}"), &format!("M_{{b{number}}}"), m.about, value);
+            }
+        }
+        d.finish()
+    }
+
+    /// A place of the mechanism on paper.
+    fn place(&self, p: PointId) -> Option<Point> {
+        let worked = self.maker.worked;
+        let diagram = &worked.construction.diagram;
+        Some(((worked.configuration.points[p.0]? - diagram.origin) * (1.0 / diagram.mu)).to_point())
+    }
+
+    /// The place at which a force of a guide acts: beside its point by h.
+    fn on_line(&self, side: &Side) -> Option<Point> {
+        let at = self.place(side.at)?;
+        let scene = self.maker.scene;
+        let Term::Reaction { of: hodograph_board::equilibrium::Party::Link(by), on, .. } = side.term else { return Some(at) };
+        let joins = |g: &hodograph_scene::Guide| g.slider.is_some() && (g.on == by && g.slider == Some(on) || g.on == on && g.slider == Some(by));
+        let Some(guide) = scene.guides.iter().position(joins) else { return Some(at) };
+        let Some((_, w)) = self.of.forces.guides.iter().find(|(g, _)| g.0 == guide) else { return Some(at) };
+        let Some(n) = w.force.unit() else { return Some(at) };
+        // r with r × F = M, along the guide.
+        let offset = n.perp() * -(w.couple / w.force.norm());
+        Some(at + offset * (1.0 / self.maker.worked.construction.diagram.mu))
+    }
+
+    fn force(&self, d: &mut Drawing, side: &Side, largest: f64) {
+        let style = self.style();
+        let (Some(at), Some(force)) = (self.on_line(side), self.of.force(side.vector)) else { return };
+        let (size, Some(u)) = (force.norm(), force.unit()) else { return };
+        if size <= 1e-9 * largest {
+            return;
+        }
+        let length = ARROW_MM[0] + (ARROW_MM[1] - ARROW_MM[0]) * (size / largest).sqrt();
+        let stroke = self.stroke(side.term);
+        let arrow = |from: Point, to: Point| Shape::Arrow { from, to, stroke, head: style.head };
+        // Loads and reactions end at their point, where that is not over the link.
+        let (pressing, pulling) = ([at - u * (length + 1.0), at - u], [at + u, at + u * (length + 1.0)]);
+        let met = |ends: [Point; 2]| d.met_by(&[Item::new("", arrow(ends[0], ends[1]))], 1.0);
+        let [from, to] = if met(pressing) <= met(pulling) { pressing } else { pulling };
+        let key = self.key(side);
+        let shown = Shown { names: vec![self.w.plain(side.term)], length: None };
+        let owner = d.vector(&format!("force-{key}"), "force", arrow(from, to), shown);
+        let request = LabelRequest::along(Label::math(self.w.symbol(side.term)), style.label_mm, from, to, stroke.width_mm / 2.0);
+        d.label(&format!("force-{key}"), "force", request.owned(owner));
+    }
+
+    fn couple(&self, d: &mut Drawing, load: usize, at: Option<PointId>, value: f64) {
+        let symbol = self.w.couple_of(load);
+        let key = symbol.replace(['{', '}', '\\', '^', ','], "");
+        if let Some(at) = at {
+            self.bent(d, &key, &symbol, at, value);
+        }
+    }
+
+    /// A bent arrow about a point, counter-clockwise where the value is positive.
+    fn bent(&self, d: &mut Drawing, key: &str, symbol: &str, about: PointId, value: f64) {
+        let style = self.style();
+        let Some(centre) = self.place(about).filter(|_| value != 0.0) else { return };
+        let [from_rad, to_rad] = if value > 0.0 { [-0.6, 2.4] } else { [3.74, 0.74] };
+        let stroke = hodograph_paper::paper::item::Stroke { width_mm: style.vector.width_mm * 0.8, ..style.vector };
+        let shape = Shape::ArcArrow { centre, radius_mm: COUPLE_MM, from_rad, to_rad, stroke, head: style.head };
+        let owner = d.shape(&format!("couple-{key}"), "couple", shape);
+        let tip = centre + Vec2::from_angle(0.5 * (from_rad + to_rad)) * COUPLE_MM;
+        let request = LabelRequest::at_point(Label::math(symbol), style.label_mm, tip, 0.6);
+        d.label(&format!("couple-{key}"), "couple", request.owned(owner));
+    }
+
+    /// Lines of action with their arms about a point.
+    fn arms(&self, d: &mut Drawing, moments: &Moments) {
+        let style = self.style();
+        let Some(about) = self.place(moments.about) else { return };
+        for (k, (term, at, _)) in moments.of.iter().enumerate() {
+            if matches!(term, Term::Reaction { part: Which::Tangential, .. }) {
+                continue;
+            }
+            let (Some(at), Some(arm), Some(u)) = (self.place(*at), self.w.arm(moments, k), self.w.direction(*term)) else { continue };
+            let foot = at + u * u.dot(about - at);
+            if about.distance(foot) < SHORTEST_ARM_MM || arm <= 0.0 {
+                continue;
+            }
+            let line = style.thin.dashed(Dash::DashDot);
+            let key = self.w.symbol(*term).replace(['{', '}', '\\', '^', ','], "");
+            let past = (foot - at).unit().map_or(foot, |v| foot + v * 3.0);
+            d.shape(&format!("action-{key}"), "action", Shape::Line { from: at, to: past, stroke: line });
+            let shape = Shape::Arrow { from: about, to: foot, stroke: style.thin, head: style.thin_head };
+            let owner = d.shape(&format!("arm-{key}"), "arm", shape);
+            let name = self.w.arm_name(*term);
+            let request = LabelRequest::along(Label::math(name), style.small_mm, about, foot, style.thin.width_mm);
+            d.label(&format!("arm-{key}"), "arm", request.owned(owner));
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! Forces as textbooks draw them: each group's links apart with what acts on them and the arms of its moments, the force polygon, the equations.
+//!
+//! Decided here: what stands in a row, and how loads differ from reactions: weights thin, inertia dashed, applied loads and reactions full. The places are those
+//! of [`Equilibrium`].
+
+mod apart;
+mod polygon;
+
+use crate::arrange::{Tree, put_together};
+use crate::sheet::{Maker, Options};
+use hodograph_board::equilibrium::{Equilibrium, GroupForces, Side, Term};
+use hodograph_mechanism::force::Cause;
+use hodograph_paper::paper::drawing::Part;
+use hodograph_paper::paper::grid::{self, Cell, Row};
+use hodograph_paper::paper::item::{Anchor, Dash, Figure, Item, Stroke};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::lines::wrapped;
+use hodograph_paper::paper::phrase::Phrase;
+use hodograph_paper::paper::style::Style;
+use hodograph_report::amount::scale_formula;
+use hodograph_report::forces::ForceWriter;
+use hodograph_scene::{DiagramKind, Scene};
+use hodograph_worked::certified::certify;
+use hodograph_worked::worked::Worked;
+
+/// Width of the sentences below a group.
+const TEXT_MM: f64 = 190.0;
+
+/// The forces of all groups on one page; `None` where none are drawn.
+pub fn forces(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure> {
+    let of = worked.equilibrium.as_ref().filter(|of| !of.groups.is_empty())?;
+    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+    let page = Page { maker: &maker, w: ForceWriter { scene, notation: &options.notation, lang: options.lang, of }, of };
+    Some(maker.alone(page.all()))
+}
+
+/// The rows of groups as parts of a sheet, with their captions.
+pub(crate) fn rows(maker: &Maker) -> Vec<Part> {
+    let Some(of) = maker.worked.equilibrium.as_ref() else { return Vec::new() };
+    let page = Page { maker, w: ForceWriter { scene: maker.scene, notation: &maker.options.notation, lang: maker.options.lang, of }, of };
+    of.groups.iter().enumerate().map(|(k, group)| page.row(k, group)).collect()
+}
+
+struct Page<'a> {
+    maker: &'a Maker<'a>,
+    w: ForceWriter<'a>,
+    of: &'a Equilibrium,
+}
+
+impl Page<'_> {
+    fn style(&self) -> &Style {
+        &self.maker.options.style
+    }
+
+    fn all(&self) -> Part {
+        let parts: Vec<Part> = self.of.groups.iter().enumerate().map(|(k, group)| self.row(k, group)).collect();
+        put_together(Tree::text_column((0..parts.len()).map(Tree::Leaf).collect()), parts)
+    }
+
+    /// A group: its links apart beside its polygon, what is said of it below.
+    fn row(&self, k: usize, group: &GroupForces) -> Part {
+        let options = self.maker.options;
+        let words = self.w.heading(group);
+        let scale = scale_formula(&self.maker.scene.book, DiagramKind::Force, self.of.mu());
+        let plane = scale_formula(&self.maker.scene.book, DiagramKind::Plane, self.maker.worked.construction.diagram.mu);
+        let links = self.maker.titled(self.apart(group), Phrase::new(&words).label(), &plane, "apart");
+        let caption = DiagramKind::Force.caption(options.lang);
+        let polygon = self.maker.titled(self.polygon(group), Phrase::new(caption).label(), &scale, "polygon");
+        let text = self.text(group);
+        let drawings = put_together(Tree::row(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![links, polygon]);
+        named(put_together(Tree::text_column(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![drawings, text]), k)
+    }
+
+    /// The sentences of a group.
+    fn text(&self, group: &GroupForces) -> Part {
+        let style = self.style();
+        let sentences = self.w.sentences(group);
+        let lines = sentences.iter().flat_map(|s| wrapped(s, TEXT_MM, style.small_mm, &style.fonts));
+        let row = |(k, label): (usize, Label)| Row {
+            cells: vec![Some(Cell {
+                label: label.in_fonts(&style.fonts),
+                size_mm: style.small_mm,
+                anchor: Anchor::Start,
+                class: "remark".into(),
+                id: format!("line-{}", k + 1),
+            })],
+            height_mm: style.small_mm * 1.9,
+        };
+        Part::of(grid::set(&lines.enumerate().map(row).collect::<Vec<_>>(), 0.0))
+    }
+
+    /// The stroke of a force by what it is.
+    fn stroke(&self, term: Term) -> Stroke {
+        let vector = self.style().vector;
+        let thin = Stroke { width_mm: vector.width_mm * 0.7, ..vector };
+        match term {
+            Term::Load(k) => match self.of.loads[k].cause {
+                Cause::Weight => thin,
+                Cause::Inertia => thin.dashed(Dash::Dashed),
+                Cause::Applied(_) | Cause::Spring(_) | Cause::Balance => vector,
+            },
+            Term::Reaction { .. } => vector,
+        }
+    }
+
+    /// The name of a force in ids: letters of its symbol.
+    fn key(&self, side: &Side) -> String {
+        self.w.symbol(side.term).replace(['{', '}', '\\', '^', ','], "")
+    }
+}
+
+/// A part whose items have names of their own.
+fn named(mut part: Part, k: usize) -> Part {
+    let name = |item: &mut Item| {
+        if !item.id.is_empty() {
+            item.id = format!("group-{}-{}", k + 1, item.id);
+        }
+    };
+    part.items.iter_mut().for_each(name);
+    part
+}

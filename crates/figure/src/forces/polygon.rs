@@ -1,0 +1,81 @@
+//! The force polygon of a group.
+
+use super::Page;
+use hodograph_base::geom::Point;
+use hodograph_board::construction::Op;
+use hodograph_board::equilibrium::{GroupForces, Side};
+use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_paper::paper::item::{Dash, Shape, Stroke};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::place::LabelRequest;
+use hodograph_paper::paper::shown::Shown;
+use hodograph_paper::paper::symbols;
+
+/// Shorter than this a force has neither head nor direction for the eye.
+const SHORTEST_MM: f64 = 0.3;
+/// A line of known direction goes on so far beyond the vertex in which it crosses another.
+const BEYOND_MM: f64 = 5.0;
+
+impl Page<'_> {
+    pub(super) fn polygon(&self, group: &GroupForces) -> Part {
+        let style = self.style();
+        let mut d = Drawing::new("force", style.clone());
+        // Lines of known direction, a little longer than what is drawn on them.
+        for line in self.crossed(group) {
+            d.shape("direction", "direction", Shape::Line { from: line[0], to: line[1], stroke: style.thin });
+        }
+        let mut drawn: Vec<[Point; 2]> = Vec::new();
+        for (side, diagonal) in group.sides.iter().map(|s| (s, false)).chain(group.diagonals.iter().map(|s| (s, true))) {
+            self.arrow(&mut d, side, diagonal, &mut drawn);
+        }
+        for (mark, letter) in self.w.letters(group) {
+            let Some(at) = self.of.drawn.marks[mark.index()] else { continue };
+            d.draw(&format!("vertex-{letter}"), "vertex", symbols::dot(style, at));
+            let request = LabelRequest::at_point(Label::math(&letter), style.label_mm, at, style.dot_radius_mm);
+            d.label(&letter, "point", request);
+            d.mark(&letter, Shown::mark(letter.clone()), at);
+        }
+        d.finish()
+    }
+
+    fn arrow(&self, d: &mut Drawing, side: &Side, diagonal: bool, drawn: &mut Vec<[Point; 2]>) {
+        let style = self.style();
+        let Some([from, to]) = self.of.vector_mm(side.vector) else { return };
+        if from.distance(to) <= SHORTEST_MM {
+            return;
+        }
+        // One arrow for two names of one vector; an inner reaction and its opposite have one line.
+        let same = |ends: &[Point; 2]| ends[0].distance(from) < SHORTEST_MM && ends[1].distance(to) < SHORTEST_MM;
+        let opposite = |ends: &[Point; 2]| ends[1].distance(from) < SHORTEST_MM && ends[0].distance(to) < SHORTEST_MM;
+        if drawn.iter().any(|ends| same(ends) || diagonal && opposite(ends)) {
+            return;
+        }
+        drawn.push([from, to]);
+        let whole = self.stroke(side.term);
+        let stroke = if diagonal { Stroke { width_mm: whole.width_mm * 0.7, ..whole }.dashed(Dash::DashDot) } else { whole };
+        let key = self.key(side);
+        let shown = Shown::vector(self.w.plain(side.term), from, to, self.of.mu());
+        let class = if diagonal { "diagonal" } else { "side" };
+        let owner = d.vector(&key, class, Shape::Arrow { from, to, stroke, head: style.head }, shown);
+        let request = LabelRequest::along(Label::math(self.w.symbol(side.term)), style.label_mm, from, to, stroke.width_mm / 2.0);
+        d.label(&key, class, request.owned(owner));
+    }
+
+    /// The lines that cross in a vertex of the group, from the vertex through which they are drawn to beyond the crossing.
+    fn crossed(&self, group: &GroupForces) -> Vec<[Point; 2]> {
+        let c = &self.of.construction;
+        let mut out = Vec::new();
+        for step in c.steps.iter().filter(|s| s.on == group.diagram) {
+            for op in c.ops(step) {
+                let Op::Meet { lines, to } = op else { continue };
+                let Some(at) = self.of.drawn.marks[to.index()] else { continue };
+                for line in lines {
+                    let Some(from) = self.of.drawn.marks[c.lines[line.index()].through.index()] else { continue };
+                    let Some(u) = (at - from).unit() else { continue };
+                    out.push([from - u * BEYOND_MM, at + u * BEYOND_MM]);
+                }
+            }
+        }
+        out
+    }
+}

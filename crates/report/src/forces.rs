@@ -1,0 +1,357 @@
+//! Forces in words: symbols, equations of equilibrium with their tables, moments, what the polygons give.
+
+use hodograph_base::digits::{inked, significant};
+use hodograph_base::geom::Vec2;
+use hodograph_base::notation::Notation;
+use hodograph_board::construction::MarkId;
+use hodograph_board::equilibrium::{Equilibrium, Gives, GroupForces, Moments, Part, Party, Side, Term};
+use hodograph_board::plan::names::{name_label, point_label};
+use hodograph_mechanism::force::Cause;
+use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_scene::{Kind, Lang, LinkId, PointId, Scene, Size};
+
+/// Digits of measured lengths and forces in sentences: one more than a ruler gives.
+const DIGITS: usize = 4;
+
+/// Writes the forces of a scene.
+#[derive(Clone, Copy)]
+pub struct ForceWriter<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Marks.
+    pub notation: &'a Notation,
+    /// Language.
+    pub lang: Lang,
+    /// The drawing.
+    pub of: &'a Equilibrium,
+}
+
+/// A column of an equation's table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ForceColumn {
+    /// The force.
+    pub symbol: String,
+    /// Whether its magnitude is known.
+    pub magnitude: bool,
+}
+
+impl ForceWriter<'_> {
+    /// The symbol of a force, in the label language: `F^{t}_{12}`, `G_{2}`, `F_{I2}`.
+    pub fn symbol(&self, term: Term) -> String {
+        match term {
+            Term::Load(k) => self.load(k),
+            Term::Reaction { of, on, part } => {
+                let link = |l: LinkId| name_label(self.scene.link_name(l));
+                let long = [Some(on), if let Party::Link(l) = of { Some(l) } else { None }];
+                let comma = if long.into_iter().flatten().any(|l| self.scene.link_name(l).chars().count() > 1) { "," } else { "" };
+                let sub = match of {
+                    Party::Link(l) => format!("{}{comma}{}", link(l), link(on)),
+                    Party::Pin(p) => format!("{}{comma}{}", name_label(self.scene.point_name(p)), link(on)),
+                    Party::Cylinder(d) | Party::Driver(d) => {
+                        let number = if self.scene.drivers.len() > 1 { (d + 1).to_string() } else { String::new() };
+                        return format!("F_{{b{number}}}");
+                    }
+                };
+                let sup = match part {
+                    Part::Whole => "",
+                    Part::Normal => "n",
+                    Part::Tangential => &self.notation.tangential,
+                };
+                let sub = format!("{}{sub}", self.notation.reaction);
+                if sup.is_empty() { format!("F_{{{sub}}}") } else { format!("F^{{{sup}}}_{{{sub}}}") }
+            }
+        }
+    }
+
+    /// The symbol of a load; of a load that is a couple alone that of its couple.
+    fn load(&self, k: usize) -> String {
+        let load = &self.of.loads[k];
+        let link = name_label(self.scene.link_name(load.link));
+        let at = |p: PointId| name_label(self.scene.point_name(p));
+        match load.cause {
+            Cause::Weight => format!("G_{{{link}}}"),
+            Cause::Inertia => format!("F_{{I{link}}}"),
+            Cause::Balance => "F_{b}".into(),
+            Cause::Spring(s) => {
+                let [a, b] = self.scene.loads.springs[s].ends.map(|(p, _)| at(p));
+                format!("F_{{{a}{b}}}")
+            }
+            Cause::Applied(a) => {
+                let applied = &self.scene.loads.applied[a];
+                let same = |other: &&hodograph_scene::Applied| other.at == applied.at && other.link == applied.link;
+                let twins = self.scene.loads.applied.iter().filter(same).count();
+                let number = if twins > 1 { format!(",{}", a + 1) } else { String::new() };
+                match (applied.at, &applied.size) {
+                    (Some(_), Size::AgainstMotion(_)) => format!("F_{{r{number}}}"),
+                    (Some(p), _) => format!("F_{{{}{number}}}", at(p)),
+                    (None, _) => format!("M_{{{link}{number}}}"),
+                }
+            }
+        }
+    }
+
+    /// A force as `find` writes it: `F_12`, `Fn_12`.
+    pub fn plain(&self, term: Term) -> String {
+        match term {
+            Term::Load(_) => self.symbol(term).replace(['{', '}', '\\'], ""),
+            Term::Reaction { of, on, part } => {
+                let letter = match part {
+                    Part::Whole => "F",
+                    Part::Normal => "Fn",
+                    Part::Tangential => "Ft",
+                };
+                let on = self.scene.link_name(on);
+                match of {
+                    Party::Link(l) => format!("{letter}_{}{}{on}", self.scene.link_name(l), if self.scene.link_name(l).len() + on.len() > 2 { "," } else { "" }),
+                    Party::Pin(p) => format!("{letter}_{}{on}", self.scene.point_name(p)),
+                    Party::Cylinder(d) | Party::Driver(d) => format!("F_b{}", if d > 0 { (d + 1).to_string() } else { String::new() }),
+                }
+            }
+        }
+    }
+
+    /// The symbol of a load's couple.
+    pub fn couple_of(&self, load: usize) -> String {
+        self.couple(Term::Load(load))
+    }
+
+    /// The name of the arm of a force: `h_{G2}`.
+    pub fn arm_name(&self, term: Term) -> String {
+        format!("h_{{{}}}", self.symbol(term).replace(['{', '}', '_', '^'], "").trim_start_matches('F'))
+    }
+
+    /// The direction of a force wherever it is drawn.
+    pub fn direction(&self, term: Term) -> Option<Vec2> {
+        if let Term::Load(k) = term {
+            return self.of.loads[k].wrench.force.unit();
+        }
+        let Term::Reaction { of, on, part } = term else { return None };
+        let opposite = match of {
+            Party::Link(l) => Some(Term::Reaction { of: Party::Link(on), on: l, part }),
+            Party::Pin(_) | Party::Cylinder(_) | Party::Driver(_) => None,
+        };
+        let find = |t: Term| {
+            let mut sides = self.of.groups.iter().flat_map(|g| g.sides.iter().chain(&g.diagonals));
+            sides.find(|s| s.term == t).and_then(|s| self.of.force(s.vector)?.unit())
+        };
+        find(term).or_else(|| opposite.and_then(find))
+    }
+
+    /// The symbol of the couple of a load or of what presses on a link.
+    fn couple(&self, term: Term) -> String {
+        match term {
+            Term::Load(k) => match self.of.loads[k].cause {
+                Cause::Inertia => format!("M_{{I{}}}", name_label(self.scene.link_name(self.of.loads[k].link))),
+                _ => self.load(k),
+            },
+            Term::Reaction { .. } => self.symbol(term).replacen('F', "M", 1),
+        }
+    }
+
+    /// The equations of a group, each a list of its forces, whose sum is zero.
+    pub fn equations(&self, group: &GroupForces) -> Vec<Vec<Side>> {
+        if group.kind != "RPP" {
+            return vec![group.sides.clone()];
+        }
+        // The crossing is where the first equation begins and ends.
+        let v = |side: &Side| &self.of.construction.vectors[side.vector.index()];
+        let Some(first) = group.sides.first() else { return Vec::new() };
+        let crossing = v(first).from;
+        let end = group.sides.iter().position(|s| v(s).to == crossing).map_or(group.sides.len(), |k| k + 1);
+        let rest = group.diagonals.first().copied().into_iter().chain(group.sides[end..].iter().copied());
+        vec![group.sides[..end].to_vec(), rest.collect()]
+    }
+
+    /// An equation in the label language: `F_{12} + G_{2} + F_{32} = 0`.
+    pub fn equation(&self, sides: &[Side]) -> String {
+        let symbols: Vec<String> = sides.iter().map(|s| self.notation.vectors.write(self.symbol(s.term))).collect();
+        format!("{} = 0", symbols.join(" + "))
+    }
+
+    /// The table of an equation.
+    pub fn columns(&self, sides: &[Side]) -> Vec<ForceColumn> {
+        sides.iter().map(|s| ForceColumn { symbol: self.notation.vectors.write(self.symbol(s.term)), magnitude: s.known }).collect()
+    }
+
+    /// The vertices of a group with their letters, in the order of the equation.
+    pub fn letters(&self, group: &GroupForces) -> Vec<(MarkId, String)> {
+        let mut out: Vec<MarkId> = Vec::new();
+        for side in &group.sides {
+            let v = &self.of.construction.vectors[side.vector.index()];
+            for mark in [v.from, v.to] {
+                if !out.contains(&mark) {
+                    out.push(mark);
+                }
+            }
+        }
+        out.into_iter().enumerate().map(|(k, mark)| (mark, letter(k))).collect()
+    }
+
+    /// The heading of a group: `Links 4, 5 (RRP)`.
+    pub fn heading(&self, group: &GroupForces) -> String {
+        let names: Vec<&str> = group.links.iter().map(|l| self.scene.link_name(*l)).collect();
+        let kind = match (group.kind, self.lang) {
+            ("driver", Lang::En) => "driver",
+            ("driver", Lang::Zh) => "原动件",
+            ("RH", Lang::En) => "pivot and one line of action",
+            ("RH", Lang::Zh) => "转动副与一条作用线",
+            ("PH", Lang::En) => "guide and one line of action",
+            ("PH", Lang::Zh) => "移动副与一条作用线",
+            (kind, _) => kind,
+        };
+        match (self.lang, names.len()) {
+            (Lang::En, 1) => format!("Link {} ({kind})", names[0]),
+            (Lang::En, _) => format!("Links {} ({kind})", names.join(", ")),
+            (Lang::Zh, _) => format!("构件 {}（{kind}）", names.join("、")),
+        }
+    }
+
+    fn amount(&self, kind: Kind, si: f64) -> String {
+        let book = &self.scene.book;
+        book.label(kind, &inked(&significant(book.value(kind, si), DIGITS)))
+    }
+
+    fn number(&self, id: hodograph_board::construction::NumberId) -> f64 {
+        self.of.drawn.number(id).unwrap_or(f64::NAN)
+    }
+
+    /// The magnitude of a force (N).
+    fn size(&self, group: &GroupForces, term: Term) -> Option<f64> {
+        let side = group.sides.iter().chain(&group.diagonals).find(|s| s.term == term)?;
+        self.of.force(side.vector).map(|f| f.norm())
+    }
+
+    /// The arm (m) of a force whose moment is known.
+    pub fn arm(&self, moments: &Moments, k: usize) -> Option<f64> {
+        let (term, _, id) = moments.of.get(k)?;
+        let force = self.strength(*term)?;
+        (force > 0.0).then(|| (self.number(*id) / force).abs())
+    }
+
+    /// The magnitude of a force wherever it is drawn.
+    fn strength(&self, term: Term) -> Option<f64> {
+        if let Term::Load(k) = term {
+            return Some(self.of.loads[k].wrench.force.norm());
+        }
+        let Term::Reaction { of, on, part } = term else { return None };
+        let opposite = match of {
+            Party::Link(l) => Some(Term::Reaction { of: Party::Link(on), on: l, part }),
+            Party::Pin(_) | Party::Cylinder(_) | Party::Driver(_) => None,
+        };
+        let find = |t: Term| self.of.groups.iter().find_map(|g| self.size(g, t));
+        find(term).or_else(|| opposite.and_then(find))
+    }
+
+    /// A sentence of moments: what turns, with arms as measured, and what it gives.
+    pub fn moments(&self, m: &Moments) -> String {
+        let names: Vec<&str> = m.links.iter().map(|l| self.scene.link_name(*l)).collect();
+        let about = point_label(self.scene.point_name(m.about));
+        let mut sum = String::new();
+        let mut add = |sign: f64, text: String| {
+            let sign = match (sign < 0.0, sum.is_empty()) {
+                (true, true) => "−",
+                (true, false) => " − ",
+                (false, true) => "",
+                (false, false) => " + ",
+            };
+            sum += &format!("{sign}{text}");
+        };
+        for (k, (term, ..)) in m.of.iter().enumerate() {
+            let moment = self.number(m.of[k].2);
+            let arm = self.arm(m, k).unwrap_or(0.0);
+            add(moment, format!("{}\\cdot {}", self.symbol(*term), self.amount(Kind::Length, arm)));
+        }
+        for (term, id) in &m.couples {
+            add(self.number(*id), self.couple(*term));
+        }
+        let value = self.number(m.value);
+        let (given, result) = match m.gives {
+            Gives::Force(term, _) => {
+                let symbol = self.symbol(term);
+                (format!("{symbol}\\,l"), format!("|{symbol}| = {}", self.amount(Kind::Force, value.abs())))
+            }
+            Gives::Offset(guide) => {
+                let g = &self.scene.guides[guide.0];
+                let pair = g.slider.map_or_else(String::new, |s| format!("{}{}", self.scene.link_name(g.on), self.scene.link_name(s)));
+                let force = self.of.forces.guides.iter().find(|(own, _)| *own == guide).map_or(0.0, |(_, w)| w.force.norm());
+                let pair = name_label(&pair);
+                let result = match force > 0.0 {
+                    true => format!("h_{{{pair}}} = {}", self.amount(Kind::Length, (value / force).abs())),
+                    false => format!("M_{{{pair}}} = {}", self.amount(Kind::Moment, value)),
+                };
+                (format!("M_{{{pair}}}"), result)
+            }
+            Gives::Driver(d) => {
+                let number = if self.scene.drivers.len() > 1 { (d + 1).to_string() } else { String::new() };
+                let symbol = format!("M_{{b{number}}}");
+                (symbol.clone(), format!("{symbol} = {}", self.amount(Kind::Moment, value)))
+            }
+        };
+        let equation = if sum.is_empty() { format!("{given} = 0") } else { format!("{given} + ({sum}) = 0") };
+        match self.lang {
+            Lang::En => format!("Moments of link{} {} about ${about}$: ${equation}$, hence ${result}$.", if names.len() > 1 { "s" } else { "" }, names.join(", ")),
+            Lang::Zh => format!("构件 {} 对 ${about}$ 取矩：${equation}$，得 ${result}$。", names.join("、")),
+        }
+    }
+
+    /// What the polygon of a group gives: its unknown sides and diagonals, as measured.
+    pub fn measured(&self, group: &GroupForces) -> Vec<String> {
+        let letters = self.letters(group);
+        let name = |mark: MarkId| letters.iter().find(|(m, _)| *m == mark).map_or("", |(_, l)| l.as_str());
+        let unknown = group.sides.iter().filter(|s| !s.known).chain(&group.diagonals);
+        unknown
+            .filter_map(|s| {
+                let v = &self.of.construction.vectors[s.vector.index()];
+                let force = self.of.force(s.vector)?;
+                let (a, b) = (name(v.from), name(v.to));
+                let mm = inked(&significant(force.norm() / self.of.mu(), DIGITS));
+                Some(format!("{} = \\mu_{{F}}\\cdot {a}{b} = {mm}\\,\\text{{mm}}\\cdot\\mu_{{F}} = {}", self.symbol(s.term), self.amount(Kind::Force, force.norm())))
+            })
+            .collect()
+    }
+
+    /// All sentences of a group, in the order of drawing.
+    pub fn sentences(&self, group: &GroupForces) -> Vec<Phrase> {
+        let before = |m: &&Moments| !matches!(m.gives, Gives::Offset(_));
+        let mut out: Vec<String> = group.moments.iter().filter(before).map(|m| self.moments(m)).collect();
+        for sides in self.equations(group) {
+            let unknown: Vec<String> = sides.iter().filter(|s| !s.known).map(|s| format!("${}$", self.symbol(s.term))).collect();
+            let unknown = unknown.join(tr(self.lang, ", ", "、"));
+            out.push(match self.lang {
+                Lang::En => format!("Equilibrium of forces: ${}$; the polygon gives {unknown}.", self.equation(&sides)),
+                Lang::Zh => format!("力平衡：${}$；由力多边形得 {unknown}。", self.equation(&sides)),
+            });
+        }
+        out.extend(self.measured(group).into_iter().map(|m| format!("${m}$")));
+        out.extend(group.moments.iter().filter(|m| !before(m)).map(|m| self.moments(m)));
+        out.iter().map(|s| Phrase::new(s)).collect()
+    }
+
+    /// Everything as plain text, group after group.
+    pub fn text(&self) -> String {
+        let mut out = String::new();
+        let book = &self.scene.book;
+        let mu = format!("{} {}", hodograph_base::digits::shortest(book.value(Kind::Force, self.of.mu())), book.scale_name(Kind::Force));
+        out += &format!("{}: μ_F = {mu}\n", tr(self.lang, "force polygons", "力多边形"));
+        for group in &self.of.groups {
+            out += &format!("  {}\n", self.heading(group));
+            for (k, s) in self.sentences(group).iter().enumerate() {
+                out += &format!("  {:>3}. {}\n", k + 1, s.plain());
+            }
+        }
+        for undrawn in &self.of.undrawn {
+            let names: Vec<&str> = undrawn.links.iter().map(|l| self.scene.link_name(*l)).collect();
+            out += &match self.lang {
+                Lang::En => format!("  Links {} are not drawn: {}\n", names.join(", "), undrawn.why.en),
+                Lang::Zh => format!("  构件 {} 不作图：{}\n", names.join("、"), undrawn.why.zh),
+            };
+        }
+        out
+    }
+}
+
+/// The letter of a vertex: a to z, then with a number.
+fn letter(k: usize) -> String {
+    let base = char::from(b'a' + u8::try_from(k % 26).unwrap_or(0));
+    if k < 26 { base.to_string() } else { format!("{base}_{{{}}}", k / 26) }
+}
