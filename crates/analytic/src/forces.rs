@@ -10,11 +10,11 @@ use super::relation::{Handle, Pair, Relation, Row};
 use super::rows::Layout;
 use super::{Solution, System};
 use hodograph_base::geom::Vec2;
-use hodograph_mechanism::force::{Cause, Load, fastest, loads, unit_balance};
+use hodograph_mechanism::force::{Cause, Load, between_teeth, fastest, loads, unit_balance};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::{Forces, Wrench};
-use hodograph_scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
+use hodograph_scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene, Touch};
 use nalgebra::DVector;
 
 /// From this condition number on `f64` tells no digit of a reaction.
@@ -63,13 +63,19 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
         found = balanced(&loads)?;
         balance = Some(size);
     }
+    let tangential: Vec<(RollingId, Vec2)> = (0..scene.rolling.len()).map(RollingId).filter_map(|r| Some((r, found.tangential(r)?))).collect();
+    let teeth = between_teeth(scene, at, &tangential);
+    if !teeth.is_empty() {
+        let all: Vec<Load> = loads.iter().chain(&teeth).copied().collect();
+        found = balanced(&all)?;
+    }
     let pins = found.pins(at);
     let guides: Vec<(GuideId, Wrench)> = (0..scene.guides.len()).map(GuideId).filter_map(|g| Some((g, found.guide(g)?))).collect();
     let all = loads.iter().map(|l| l.wrench.force).chain(pins.iter().map(|p| p.2)).chain(guides.iter().map(|g| g.1.force));
     let largest = all.map(Vec2::norm).fold(0.0, f64::max);
     let couples = loads.iter().map(|l| l.wrench.couple).chain(guides.iter().map(|g| g.1.couple)).map(f64::abs);
     Some(Forces {
-        rolling: (0..scene.rolling.len()).map(RollingId).filter_map(|r| Some((r, found.rolling(r, &guides)?))).collect(),
+        rolling: (0..scene.rolling.len()).map(RollingId).filter_map(|r| Some((r, found.rolling(r, &guides, &teeth)?))).collect(),
         largest_moment: couples.fold(largest * at.extent(), f64::max),
         drivers: found.drivers(),
         inertia: loads.iter().filter(|l| l.cause == Cause::Inertia).map(|l| (l.link, l.wrench)).collect(),
@@ -150,12 +156,18 @@ impl Balanced<'_> {
         }))
     }
 
-    /// The force of the first link of a rolling pair on the second; a guide that holds them in touch carries a part of it.
-    fn rolling(&self, r: RollingId, guides: &[(GuideId, Wrench)]) -> Option<Vec2> {
+    /// The force of the first link of a rolling pair on the second along their common tangent.
+    fn tangential(&self, r: RollingId) -> Option<Vec2> {
         let (k, _) = self.rows_of(Pair::Rolling(r)).next()?;
+        matches!(self.scene.rolling[r.0].touch(), Touch::Point(_)).then(|| self.force(k))
+    }
+
+    /// All of it; a guide that holds the two in touch carries a part, teeth press them apart.
+    fn rolling(&self, r: RollingId, guides: &[(GuideId, Wrench)], teeth: &[Load]) -> Option<Vec2> {
         let pair = &self.scene.rolling[r.0];
         let held = pair.guide().and_then(|g| guides.iter().find(|(own, _)| *own == g)).map_or(Vec2::ZERO, |(_, w)| w.force);
-        (!matches!(pair.touch(), hodograph_scene::Touch::Strand { .. })).then(|| self.force(k) + held)
+        let apart = teeth.iter().filter(|l| l.cause == Cause::Teeth(r) && l.link == pair.links[1]).map(|l| l.wrench.force);
+        Some(apart.fold(self.tangential(r)? + held, |sum, f| sum + f))
     }
 
     /// Forces that rows put on pins, each with the link on which they act in truth; a row puts them on the first link that carries the pin.

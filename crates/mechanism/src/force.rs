@@ -9,7 +9,7 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::exact::Inputs;
 use hodograph_scene::quantity::{ROUNDING, Wrench};
-use hodograph_scene::{Angle, Given, LinkId, PointId, Scene, Size};
+use hodograph_scene::{Angle, Given, LinkId, PointId, RollingId, Scene, Size, Touch};
 
 /// What a load is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,6 +24,8 @@ pub enum Cause {
     Spring(usize),
     /// The balancing force or moment that the scene names.
     Balance,
+    /// What presses the teeth of a pair apart.
+    Teeth(RollingId),
 }
 
 /// A load on a link.
@@ -131,6 +133,28 @@ pub fn unit_balance<N: Real>(scene: &Scene, at: &Configuration<N>) -> Option<Loa
         None => (None, Point::origin(), Wrench { force: Vec2::zero(), couple: one }),
     };
     Some(Load { cause: Cause::Balance, link: balance.link, at: point, place, wrench })
+}
+
+/// The pressure angle (rad) of gears of which nothing else is said.
+const PRESSURE_ANGLE: f64 = 20.0 * std::f64::consts::PI / 180.0;
+
+/// The forces by which teeth press gears apart, from the forces along the common tangent: |F_t| tan α along the normal, so that the force of the
+/// teeth lies on the line of action. They do no work.
+pub fn between_teeth<N: Real>(scene: &Scene, at: &Configuration<N>, tangential: &[(RollingId, Vec2<N>)]) -> Vec<Load<N>> {
+    let mut out = Vec::new();
+    for (r, force) in tangential {
+        let pair = &scene.rolling[r.0];
+        let (Touch::Point(_), true) = (pair.touch(), pair.kind.is_toothed()) else { continue };
+        let (Some(n), Some(place)) = (at.normal(scene, *r), at.points[pair.at[0].0]) else { continue };
+        let alpha = pair.flanks.as_ref().map_or(PRESSURE_ANGLE, |f| f.pressure_angle);
+        let apart = n * (force.norm() * N::from_f64(libm::tan(alpha)));
+        for (link, force) in [(pair.links[0], -apart), (pair.links[1], apart)] {
+            if link != scene.ground {
+                out.push(Load { cause: Cause::Teeth(*r), link, at: None, place, wrench: Wrench { force, couple: N::from_f64(0.0) } });
+            }
+        }
+    }
+    out
 }
 
 /// The speed (m/s) beside which a velocity is rounding: that of the drivers at the size of the mechanism.

@@ -72,6 +72,7 @@ impl ForceWriter<'_> {
             Cause::Weight => format!("G_{{{link}}}"),
             Cause::Inertia => format!("F_{{I{link}}}"),
             Cause::Balance => "F_{b}".into(),
+            Cause::Teeth(_) => "F_{r}".into(),
             Cause::Spring(s) => {
                 let [a, b] = self.scene.loads.springs[s].ends.map(|(p, _)| at(p));
                 format!("F_{{{a}{b}}}")
@@ -206,9 +207,10 @@ impl ForceWriter<'_> {
         }
     }
 
+    /// An amount with its unit; a length in that of small things.
     fn amount(&self, kind: Kind, si: f64) -> String {
-        let book = &self.scene.book;
-        book.label(kind, &inked(&significant(book.value(kind, si), DIGITS)))
+        let (unit, per_si) = self.scene.book.fine(kind);
+        format!("{}\\,{unit}", inked(&significant(si * per_si, DIGITS)))
     }
 
     fn number(&self, id: hodograph_board::construction::NumberId) -> f64 {
@@ -298,8 +300,12 @@ impl ForceWriter<'_> {
     pub fn measured(&self, group: &GroupForces) -> Vec<String> {
         let letters = self.letters(group);
         let name = |mark: MarkId| letters.iter().find(|(m, _)| *m == mark).map_or("", |(_, l)| l.as_str());
-        let unknown = group.sides.iter().filter(|s| !s.known).chain(&group.diagonals);
-        unknown
+        let unknown: Vec<&Side> = group.sides.iter().filter(|s| !s.known).chain(&group.diagonals).collect();
+        let vector = |s: &Side| &self.of.construction.vectors[s.vector.index()];
+        // Of two opposite reactions one is enough.
+        let told = |k: usize| !unknown[..k].iter().any(|s| (vector(s).from, vector(s).to) == (vector(unknown[k]).to, vector(unknown[k]).from));
+        let kept: Vec<&Side> = (0..unknown.len()).filter(|k| told(*k)).map(|k| unknown[k]).collect();
+        kept.into_iter()
             .filter_map(|s| {
                 let v = &self.of.construction.vectors[s.vector.index()];
                 let force = self.of.force(s.vector)?;
@@ -310,21 +316,32 @@ impl ForceWriter<'_> {
             .collect()
     }
 
+    /// The moments that come before the polygon.
+    pub fn before(&self, group: &GroupForces) -> Vec<Phrase> {
+        let before = |m: &&Moments| !matches!(m.gives, Gives::Offset(_));
+        group.moments.iter().filter(before).map(|m| Phrase::new(&self.moments(m))).collect()
+    }
+
+    /// What the polygon gives, and the moments that tell where forces of guides act.
+    pub fn after(&self, group: &GroupForces) -> Vec<Phrase> {
+        let after = group.moments.iter().filter(|m| matches!(m.gives, Gives::Offset(_))).map(|m| self.moments(m));
+        self.measured(group).into_iter().map(|m| format!("${m}$")).chain(after).map(|s| Phrase::new(&s)).collect()
+    }
+
     /// All sentences of a group, in the order of drawing.
     pub fn sentences(&self, group: &GroupForces) -> Vec<Phrase> {
-        let before = |m: &&Moments| !matches!(m.gives, Gives::Offset(_));
-        let mut out: Vec<String> = group.moments.iter().filter(before).map(|m| self.moments(m)).collect();
+        let mut out = self.before(group);
         for sides in self.equations(group) {
             let unknown: Vec<String> = sides.iter().filter(|s| !s.known).map(|s| format!("${}$", self.symbol(s.term))).collect();
             let unknown = unknown.join(tr(self.lang, ", ", "、"));
-            out.push(match self.lang {
+            let sentence = match self.lang {
                 Lang::En => format!("Equilibrium of forces: ${}$; the polygon gives {unknown}.", self.equation(&sides)),
                 Lang::Zh => format!("力平衡：${}$；由力多边形得 {unknown}。", self.equation(&sides)),
-            });
+            };
+            out.push(Phrase::new(&sentence));
         }
-        out.extend(self.measured(group).into_iter().map(|m| format!("${m}$")));
-        out.extend(group.moments.iter().filter(|m| !before(m)).map(|m| self.moments(m)));
-        out.iter().map(|s| Phrase::new(s)).collect()
+        out.extend(self.after(group));
+        out
     }
 
     /// Everything as plain text, group after group.

@@ -233,7 +233,7 @@ mod tests {
             faults.to_string(),
             "template `crank-rocker` has no parameter `l_ab` (did you mean `l_AB`?)\n\
              parameter `phi_1`: `degs` is not a unit (did you mean `deg`?)\n\
-             parameter `l_AB`: `l_BC` is neither a parameter nor a unit (the units are m, cm, mm, km, in, ft, deg, °, rad, rev, s, min, h, rpm, r/min (\"parameters\" of the scene name values))\n\
+             parameter `l_AB`: `l_BC` is neither a parameter nor a unit (the units are m, cm, mm, km, in, ft, deg, °, rad, rev, s, min, h, kg, g, lb, slug, blob, N, kN, kgf, lbf, W, kW, rpm, r/min (\"parameters\" of the scene name values))\n\
              parameter `omega_1` is set twice, the second time to `2 rad/s`"
         );
         assert_eq!(get("crank-rokcer").unwrap_err().to_string(), "there is no template `crank-rokcer` (did you mean `crank-rocker`?)");

@@ -314,6 +314,30 @@ fn what_is_said_about_bad_scenes() {
         ("units", with("units", r#"{"length": "deg", "speed": "m/s", "omega": "rmp"}"#)),
         ("sketch", with("sketch", r#"{"C": [3, 2]}"#)),
         ("text", with("title", "{}")),
+        (
+            "masses",
+            with("masses", r#"{"1": {}, "2": {"m": "-1 kg", "at": "B"}, "3": {"m": "2 kg"}, "4": {"m": "1 kg"}, "9": {"m": "1 kg"}}"#),
+        ),
+        (
+            "weights",
+            with("masses", r#"{"2": {"weight": "20 N", "at": "B"}, "3": {"m": "1 kg", "weight": "2 N", "at": "C"}, "1": {"k": "1 mm"}}"#),
+        ),
+        (
+            "forces",
+            with(
+                "forces",
+                r#"[{"on": "2"}, {"on": "3", "F": "5 N"}, {"on": "3", "F": "5 mm", "angle": "0 deg", "at": "C"}, {"on": "2", "at": "D", "F": "1 N", "angle": "0 deg"}, {"on": "2", "M": "1 N*m", "at": "B"}, {"on": "3", "at": "C", "F": ["1 N", "2 N"], "angle": "3 deg"}, {"on": "3", "at": "C", "F": "2 N", "against": "wind"}]"#,
+            ),
+        ),
+        (
+            "springs",
+            with(
+                "springs",
+                r#"[{"from": "B", "to": "B", "k": "3 N/m", "free": "1 m"}, {"from": "B", "to": "Q", "k": "-3 N/m", "free": "1 m"}]"#,
+            ),
+        ),
+        ("balance", with("balance", r#"{"at": "B"}"#)),
+        ("reactions", with("find", r#"["F_13", "F_B", "h_12", "M_b3", "F_b", "FI_4"]"#)),
     ];
     let said: String =
         cases.iter().chain(&rolling::bad()).chain(&cams::bad()).map(|(name, source)| format!("{name}:\n{}", faults(source))).collect();

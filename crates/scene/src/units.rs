@@ -10,13 +10,13 @@ use hodograph_base::kind::Kind;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Dim {
     /// Exponent of the metre.
-    pub length: i32,
+    pub length: i8,
     /// Exponent of the second.
-    pub time: i32,
+    pub time: i8,
     /// Exponent of the radian.
-    pub angle: i32,
+    pub angle: i8,
     /// Exponent of the kilogram.
-    pub mass: i32,
+    pub mass: i8,
 }
 
 impl Dim {
@@ -28,27 +28,35 @@ impl Dim {
     /// A time.
     pub const TIME: Dim = Dim::new(0, 1, 0);
 
-    const fn new(length: i32, time: i32, angle: i32) -> Dim {
+    const fn new(length: i8, time: i8, angle: i8) -> Dim {
         Dim { length, time, angle, mass: 0 }
     }
 
     /// Of a quantity in which the kilogram stands once.
-    const fn of_mass(length: i32, time: i32) -> Dim {
+    const fn of_mass(length: i8, time: i8) -> Dim {
         Dim { length, time, angle: 0, mass: 1 }
     }
 
     /// Its exponents.
-    pub const fn exponents(self) -> [i32; 4] {
+    pub const fn exponents(self) -> [i8; 4] {
         [self.length, self.time, self.angle, self.mass]
     }
 
     /// The dimension of a product with the `k`-th power of another: `self · other^k`.
     pub const fn times(self, other: Dim, k: i32) -> Dim {
+        // Beyond what an exponent may be, which is refused, its value does not matter.
+        let k = if k > 100 {
+            100
+        } else if k < -100 {
+            -100
+        } else {
+            k as i8
+        };
         Dim {
-            length: self.length + k * other.length,
-            time: self.time + k * other.time,
-            angle: self.angle + k * other.angle,
-            mass: self.mass + k * other.mass,
+            length: self.length.saturating_add(other.length.saturating_mul(k)),
+            time: self.time.saturating_add(other.time.saturating_mul(k)),
+            angle: self.angle.saturating_add(other.angle.saturating_mul(k)),
+            mass: self.mass.saturating_add(other.mass.saturating_mul(k)),
         }
     }
 
@@ -82,7 +90,7 @@ impl Dim {
     }
 
     fn units(self) -> String {
-        let part = |sign: i32| {
+        let part = |sign: i8| {
             let mut out = Vec::new();
             for (name, k) in [("kg", self.mass), ("m", self.length), ("rad", self.angle), ("s", self.time)] {
                 match k * sign {

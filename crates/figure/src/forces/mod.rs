@@ -28,17 +28,15 @@ const TEXT_MM: f64 = 190.0;
 
 /// The forces of all groups on one page; `None` where none are drawn.
 pub fn forces(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure> {
-    let of = worked.equilibrium.as_ref().filter(|of| !of.groups.is_empty())?;
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
-    let page = Page { maker: &maker, w: ForceWriter { scene, notation: &options.notation, lang: options.lang, of }, of };
-    Some(maker.alone(page.all()))
+    Some(maker.alone(part(&maker)?))
 }
 
-/// The rows of groups as parts of a sheet, with their captions.
-pub(crate) fn rows(maker: &Maker) -> Vec<Part> {
-    let Some(of) = maker.worked.equilibrium.as_ref() else { return Vec::new() };
-    let page = Page { maker, w: ForceWriter { scene: maker.scene, notation: &maker.options.notation, lang: maker.options.lang, of }, of };
-    of.groups.iter().enumerate().map(|(k, group)| page.row(k, group)).collect()
+/// The forces of all groups as a part of a sheet; `None` where none are drawn.
+pub(crate) fn part(maker: &Maker) -> Option<Part> {
+    let of = maker.worked.equilibrium.as_ref().filter(|of| !of.groups.is_empty())?;
+    let w = ForceWriter { scene: maker.scene, notation: &maker.options.notation, lang: maker.options.lang, of };
+    Some(Page { maker, w, of }.all())
 }
 
 struct Page<'a> {
@@ -66,15 +64,45 @@ impl Page<'_> {
         let links = self.maker.titled(self.apart(group), Phrase::new(&words).label(), &plane, "apart");
         let caption = DiagramKind::Force.caption(options.lang);
         let polygon = self.maker.titled(self.polygon(group), Phrase::new(caption).label(), &scale, "polygon");
-        let text = self.text(group);
+        let tables: Vec<Part> = self.w.equations(group).iter().enumerate().map(|(k, sides)| self.table(sides, k)).collect();
+        let (before, after) = (self.text(&self.w.before(group), "moments"), self.text(&self.w.after(group), "results"));
         let drawings = put_together(Tree::row(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![links, polygon]);
-        named(put_together(Tree::text_column(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![drawings, text]), k)
+        let parts: Vec<Part> = [drawings, before].into_iter().chain(tables).chain([after]).filter(|p| !p.items.is_empty()).collect();
+        named(put_together(Tree::text_column((0..parts.len()).map(Tree::Leaf).collect()), parts), k)
     }
 
-    /// The sentences of a group.
-    fn text(&self, group: &GroupForces) -> Part {
+    /// An equation of forces over its table of magnitudes and directions.
+    fn table(&self, sides: &[Side], k: usize) -> Part {
+        let options = self.maker.options;
+        let (style, words) = (self.style(), self.maker.words());
+        let columns = self.w.columns(sides);
+        let cell = |label: Label, id: String| {
+            Some(Cell { label: label.in_fonts(&style.fonts), size_mm: style.small_mm, anchor: Anchor::Middle, class: "equation".into(), id })
+        };
+        let line = |first: Label, of: &dyn Fn(usize) -> String, name: &str| Row {
+            cells: std::iter::once(cell(first, format!("{name}-{}", k + 1)))
+                .chain((0..columns.len()).map(|c| cell(Label::math(of(c)), format!("{name}-{}-{}", k + 1, c + 1))))
+                .collect(),
+            height_mm: style.small_mm * 1.9,
+        };
+        let last = columns.len() - 1;
+        let symbols = |c: usize| match c {
+            c if c == last => format!("{} = 0", columns[c].symbol),
+            c => format!("{} +", columns[c].symbol),
+        };
+        let (known, unknown) = (&options.notation.known, &options.notation.unknown);
+        let magnitude = |c: usize| if columns[c].magnitude { known.clone() } else { unknown.clone() };
+        let rows = [
+            line(Label::text(""), &symbols, "equation"),
+            line(Label::text(words.magnitude), &magnitude, "magnitude"),
+            line(Label::text(words.direction), &|_| known.clone(), "direction"),
+        ];
+        Part::of(grid::set(&rows, 3.0))
+    }
+
+    /// Sentences, one below the other.
+    fn text(&self, sentences: &[Phrase], name: &str) -> Part {
         let style = self.style();
-        let sentences = self.w.sentences(group);
         let lines = sentences.iter().flat_map(|s| wrapped(s, TEXT_MM, style.small_mm, &style.fonts));
         let row = |(k, label): (usize, Label)| Row {
             cells: vec![Some(Cell {
@@ -82,7 +110,7 @@ impl Page<'_> {
                 size_mm: style.small_mm,
                 anchor: Anchor::Start,
                 class: "remark".into(),
-                id: format!("line-{}", k + 1),
+                id: format!("{name}-{}", k + 1),
             })],
             height_mm: style.small_mm * 1.9,
         };
@@ -97,7 +125,7 @@ impl Page<'_> {
             Term::Load(k) => match self.of.loads[k].cause {
                 Cause::Weight => thin,
                 Cause::Inertia => thin.dashed(Dash::Dashed),
-                Cause::Applied(_) | Cause::Spring(_) | Cause::Balance => vector,
+                Cause::Applied(_) | Cause::Spring(_) | Cause::Balance | Cause::Teeth(_) => vector,
             },
             Term::Reaction { .. } => vector,
         }

@@ -8,7 +8,7 @@
 
 use super::Motion;
 use super::conditions::{Acting, Conditions, Reaction};
-use crate::force::{Cause, Load, fastest, loads, unit_balance};
+use crate::force::{Cause, Load, between_teeth, fastest, loads, unit_balance};
 use crate::mechanism::{Demand, Form, Item, Mechanism, Passive, Runner};
 use crate::position::{Configuration, Path};
 use hodograph_base::geom::Vec2;
@@ -37,25 +37,28 @@ struct Found<N> {
     drivers: Vec<N>,
 }
 
-/// The forces of an instant; `None` where a group has no equilibrium in the pose (a dead centre), or what a load needs is not known.
+/// The forces of an instant.
+///
+/// # Errors
+/// The group that has no equilibrium in the pose (a dead centre); none where what a load needs is not known, or the balancing force does no work.
 pub(super) fn forces<N: Real>(
     scene: &Scene,
     m: &Mechanism,
     at: &Configuration<N>,
     demand: &Demand,
     motion: &Motion<N>,
-) -> Option<Forces<N>> {
+) -> Result<Forces<N>, Option<usize>> {
     let posed = Posed { scene, m, at, demand, rest: Motion::at_rest(scene, at) };
-    let mut loads = loads(scene, at, motion)?;
+    let mut loads = loads(scene, at, motion).ok_or(None)?;
     let mut found = posed.balanced(&loads)?;
     let rate = Inputs::of(scene);
     let power = scene.drivers.iter().zip(&found.drivers).fold(N::from_f64(0.0), |sum, (d, x)| sum + *x * rate.number(&d.rate));
     let mut balance = None;
     if let Some(unit) = unit_balance(scene, at) {
         // One driver: its moment is taken over by the load that does the same work.
-        let (own, by_unit) = (*found.drivers.first()?, *posed.balanced(&[unit])?.drivers.first()?);
+        let (own, by_unit) = (*found.drivers.first().ok_or(None)?, *posed.balanced(&[unit])?.drivers.first().ok_or(None)?);
         if by_unit.approx().abs() <= by_unit.radius() || by_unit.approx() == 0.0 {
-            return None;
+            return Err(None);
         }
         let size = -own / by_unit;
         let wrench = Wrench { force: unit.wrench.force * size, couple: unit.wrench.couple * size };
@@ -63,12 +66,20 @@ pub(super) fn forces<N: Real>(
         found = posed.balanced(&loads)?;
         balance = Some(size);
     }
-    Some(posed.told(&loads, found, balance, power))
+    let rolling = |found: &Found<N>| -> Vec<(RollingId, Vec2<N>)> {
+        found.rolling.iter().enumerate().filter_map(|(r, force)| Some((RollingId(r), (*force)?))).collect()
+    };
+    let teeth = between_teeth(scene, at, &rolling(&found));
+    if !teeth.is_empty() {
+        let all: Vec<Load<N>> = loads.iter().chain(&teeth).copied().collect();
+        found = posed.balanced(&all)?;
+    }
+    Ok(posed.told(&loads, &teeth, found, balance, power))
 }
 
 impl<N: Real> Posed<'_, N> {
     /// The reactions under loads.
-    fn balanced(&self, loads: &[Load<N>]) -> Option<Found<N>> {
+    fn balanced(&self, loads: &[Load<N>]) -> Result<Found<N>, Option<usize>> {
         let Posed { scene, m, at, .. } = *self;
         let zero = N::from_f64(0.0);
         let mut acting = Acting::none(scene, at);
@@ -88,7 +99,7 @@ impl<N: Real> Posed<'_, N> {
             .filter(|(l, _)| at.poses[l.0].is_some())
             .collect();
         for &(l, kind) in &passive {
-            self.handed_on(l, kind, &own, &mut acting)?;
+            self.handed_on(l, kind, &own, &mut acting).ok_or(None)?;
         }
         // What pulls at the pins of cylinders.
         let mut pulls: Vec<(PointId, Vec2<N>)> = Vec::new();
@@ -96,7 +107,7 @@ impl<N: Real> Posed<'_, N> {
         let inputs = Inputs::of(scene);
         for (g, group) in m.groups.iter().enumerate().rev().filter(|(g, _)| self.demand.groups[*g].is_some()) {
             let conditions = Conditions::of_group(scene, m, at, &inputs, &m.groups[g], &self.rest);
-            let mut reactions = conditions.reactions(&mut acting)?.into_iter();
+            let mut reactions = conditions.reactions(&mut acting).ok_or(Some(g))?.into_iter();
             for _ in 0..group.constraints.len() {
                 let Some((c, first)) = reactions.next() else { break };
                 match (m.constraints[c].form(), first) {
@@ -110,11 +121,12 @@ impl<N: Real> Posed<'_, N> {
                         w.force = w.force + force;
                     }
                     (Form::AlongPath { runner, guide, driver, .. }, Reaction::Force(force)) => {
-                        let place = self.place(runner, guide)?;
+                        let place = self.place(runner, guide).ok_or(None)?;
                         found.drivers[driver] = at.guide(guide).tangent_at(place).dot(force);
                     }
                     (Form::Distance { from, to, driver }, Reaction::Force(force)) => {
-                        found.drivers[driver] = (at.points[to.0]? - at.points[from.0]?).unit()?.dot(force);
+                        let line = at.points[to.0].zip(at.points[from.0]).and_then(|(to, from)| (to - from).unit());
+                        found.drivers[driver] = line.ok_or(None)?.dot(force);
                         pulls.extend([(to, force), (from, -force)]);
                     }
                     (Form::Angles { driver: Some(d), .. }, Reaction::Couple(couple)) => found.drivers[d] = couple,
@@ -142,9 +154,9 @@ impl<N: Real> Posed<'_, N> {
             }
         }
         for &(l, kind) in &passive {
-            self.follower(l, kind, &own, &pulls, &mut found)?;
+            self.follower(l, kind, &own, &pulls, &mut found).ok_or(None)?;
         }
-        Some(found)
+        Ok(found)
     }
 
     /// The place of what runs in a guide.
@@ -255,7 +267,7 @@ impl<N: Real> Posed<'_, N> {
         Some(())
     }
 
-    fn told(&self, loads: &[Load<N>], found: Found<N>, balance: Option<N>, power: N) -> Forces<N> {
+    fn told(&self, loads: &[Load<N>], teeth: &[Load<N>], found: Found<N>, balance: Option<N>, power: N) -> Forces<N> {
         let guides: Vec<(GuideId, Wrench<N>)> = found.guides.into_iter().enumerate().filter_map(|(g, w)| Some((GuideId(g), w?))).collect();
         let forces = loads.iter().map(|l| l.wrench.force).chain(found.pins.iter().map(|p| p.2)).chain(guides.iter().map(|g| g.1.force));
         let largest = forces.map(|f| f.norm().approx()).fold(0.0, f64::max);
@@ -269,7 +281,9 @@ impl<N: Real> Posed<'_, N> {
                 Touch::Point(Normal::Centres(_) | Normal::Square { .. }) => apart.unwrap_or(Vec2::zero()),
                 Touch::Strand { .. } => Vec2::zero(),
             };
-            Some((pair, force? + toward))
+            let second = self.scene.rolling[r].links[1];
+            let apart = teeth.iter().filter(|l| l.cause == Cause::Teeth(pair) && l.link == second).map(|l| l.wrench.force);
+            Some((pair, apart.fold(force? + toward, |sum, f| sum + f)))
         });
         Forces {
             rolling: rolling.collect(),

@@ -68,6 +68,8 @@ pub struct Motion<N = f64> {
     pub singular: Vec<usize>,
     /// Reactions and balancing moments, where they are asked for and determined.
     forces: Option<Forces<N>>,
+    /// The group that has no equilibrium in the pose, where forces are asked for: its reactions are unbounded, or not determined.
+    pub unbalanced: Option<usize>,
 }
 
 /// A number in which motions are solved: [`solve`] as a method of it, compiled here once and not in every crate that asks (see [`Placed`]).
@@ -105,6 +107,7 @@ fn solved<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: 
         groups: [0, 0],
         singular: Vec::new(),
         forces: None,
+        unbalanced: None,
     };
     let mut missing = vec![false; m.groups.len()];
     motion.links[scene.ground.0] = Some(LinkMotion::rest(Point::origin()));
@@ -133,7 +136,10 @@ fn solved<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: 
         }
     }
     if demand.wants_forces() {
-        motion.forces = forces::forces(scene, m, at, demand, &motion);
+        match forces::forces(scene, m, at, demand, &motion) {
+            Ok(forces) => motion.forces = Some(forces),
+            Err(group) => motion.unbalanced = group,
+        }
     }
     motion
 }
@@ -149,6 +155,7 @@ impl<N: Real> Motion<N> {
             groups: [0, 0],
             singular: Vec::new(),
             forces: None,
+            unbalanced: None,
         }
     }
 

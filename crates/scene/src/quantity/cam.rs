@@ -101,6 +101,10 @@ impl Quantity for CamQuantity {
     fn read(question: &Question<'_>) -> Result<Option<CamQuantity>, Diagnostic> {
         let what = ROWS[question.row(Self::WRITTEN)];
         let names = question.names();
+        // `h_65` is of the force of link 6 on link 5.
+        if question.symbol() == "h" && question.link(names).is_err() && question.two_links().is_ok() {
+            return Ok(None);
+        }
         let worded = WORDS
             .iter()
             .find_map(|(of, word, what)| Some((*what, names.strip_prefix(word)?)).filter(|_| *of == ROWS[question.row(Self::WRITTEN)]));

@@ -192,7 +192,7 @@ impl Question<'_> {
         if driver < drivers.max(1) {
             return Ok(driver);
         }
-        let message = both!("`{}`: the scene has {drivers} drivers", "`{}`：机构只有 {drivers} 个原动件", self.text());
+        let message = both!("`{}`: the scene has no driver of this number", "`{}`：没有该序号的原动件", self.text());
         Err(self.fault(message).help(both!("count them in the order of the file, from 1 on", "按文件中的次序从 1 数起")))
     }
 

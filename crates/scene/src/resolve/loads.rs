@@ -132,7 +132,7 @@ fn applied(c: &Context, raw: &RawApplied, faults: &mut Faults) -> Option<Applied
         Some(word) if word.text == "motion" => true,
         Some(word) => {
             let message = both!("`{}` is nothing that a force acts against", "`{}` 不是力可以反抗的对象", word.text);
-            faults.push(Diagnostic::error("unknown-word", message).at(word.span).help(both!("write \"motion\"", "请写 \"motion\"")));
+            faults.push(Diagnostic::error("force", message).at(word.span).help(both!("write \"motion\"", "请写 \"motion\"")));
             return None;
         }
     };
@@ -262,6 +262,10 @@ fn balance(c: &Context, raw: &RawBalance, faults: &mut Faults) -> Option<Balance
         faults.push(Diagnostic::error("balance", message).at(raw.span).help(help));
         None
     };
+    if c.raw.drivers.len() > 1 {
+        let message = both!("with several drivers each has a balancing moment of its own", "有多个原动件时，各有其平衡力矩");
+        return fault(message, both!("leave \"balance\" out", "请去掉 \"balance\""), faults);
+    }
     let Some(link) = link.filter(|l| *l != c.ground) else {
         let message = both!("\"balance\" names no moving link", "\"balance\" 没有写明活动构件");
         let help = both!(
