@@ -167,7 +167,7 @@ impl Maker<'_> {
             // The table's names say of what they are.
             (Of::Mechanism, _) => name.to_string(),
             (Of::Links(a, b), Lang::En) if what.kind() == Kind::Force => {
-                format!("{name}: force of link {} on link {}", self.link(a), self.link(b))
+                format!("{name} of link {} on link {}", self.link(a), self.link(b))
             }
             (Of::Links(a, b), Lang::Zh) if what.kind() == Kind::Force => format!("构件 {} 对构件 {} 的{name}", self.link(a), self.link(b)),
             (Of::Links(a, b), Lang::En) => format!("{name} of link {} relative to link {}", self.link(a), self.link(b)),

@@ -29,6 +29,8 @@ pub const SCENES: &[(&str, &str)] = &[
     ("shaper", include_str!("../shaper.json")),
     ("shaper-centres", include_str!("../shaper-centres.json")),
     ("toggle-press", include_str!("../toggle-press.json")),
+    ("four-bar-forces", include_str!("../four-bar-forces.json")),
+    ("press-forces", include_str!("../press-forces.json")),
     ("watt-six-bar", include_str!("../watt-six-bar.json")),
     ("stephenson-six-bar", include_str!("../stephenson-six-bar.json")),
     ("class-iii-six-bar", include_str!("../class-iii-six-bar.json")),

@@ -69,7 +69,9 @@ pub const DESIGNS: [(&str, &str); 7] = [
 pub const CAM: &str = "cam-offset-roller";
 
 /// Kinds of picture that no other list has: template, the figure's name (`dimensions`: the mechanism with them).
-pub const ASKED: [(&str, &str); 7] = [
+pub const ASKED: [(&str, &str); 9] = [
+    ("press-forces", "forces"),
+    ("four-bar-forces", "forces"),
     ("class-iii-six-bar", "plates"),
     ("planetary-gear", "kutzbach"),
     ("planetary-gear", "gears"),
@@ -80,11 +82,12 @@ pub const ASKED: [(&str, &str); 7] = [
 ];
 
 /// What the gallery shows beside the sheets: title, the command that draws it, the picture.
-pub const SHOWN: [(&str, &str, &str); 32] = [
+pub const SHOWN: [(&str, &str, &str); 33] = [
     ("Dimensions: to draw the mechanism again", "draw --dimensions", "crank-rocker/dimensions.en.png"),
     ("Vectors, positions and the path of a point", "draw --vectors velocity --poses 6 --path S", "offset-slider-crank/overlay.png"),
     ("The groups drawn apart", "mobility -o", "shaper/groups.png"),
     ("Equations with their tables", "draw --figure equations", "crank-rocker/equations.png"),
+    ("Forces: free bodies, force polygons, equations", "draw --figure forces", "press-forces/forces.en.png"),
     ("One step of a construction", "draw --steps", "slotted-lever/step.png"),
     ("Plates: a polygon split by group", "draw --figure plates", "class-iii-six-bar/plates.en.png"),
     ("Insets", "draw", "class-iii-six-bar/inset.png"),

@@ -63,7 +63,8 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
         found = balanced(&loads)?;
         balance = Some(size);
     }
-    let tangential: Vec<(RollingId, Vec2)> = (0..scene.rolling.len()).map(RollingId).filter_map(|r| Some((r, found.tangential(r)?))).collect();
+    let tangential: Vec<(RollingId, Vec2)> =
+        (0..scene.rolling.len()).map(RollingId).filter_map(|r| Some((r, found.tangential(r)?))).collect();
     let teeth = between_teeth(scene, at, &tangential);
     if !teeth.is_empty() {
         let all: Vec<Load> = loads.iter().chain(&teeth).copied().collect();

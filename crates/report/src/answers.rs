@@ -275,11 +275,23 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         // Infinite where singular, which JSON writes as null.
         "condition": worked.solution.condition,
         "singular": worked.solution.singular.iter().map(|s| singularity(scene, s)).collect::<Vec<_>>(),
-        "scales": DiagramKind::ALL.into_iter().filter_map(|on| Some((on.kind().scale_key()?.to_owned(), json!(worked.construction.scale(on))))).collect::<serde_json::Map<_, _>>(),
+        "scales": scales(worked),
         "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
     });
     if let Some(d) = &worked.drafting {
         all["drafting"] = drafting::json(scene, worked, d);
+    }
+    all
+}
+
+/// The scales by their keys; that of forces where they are drawn.
+fn scales(worked: &Worked) -> serde_json::Map<String, Json> {
+    let key = |on: DiagramKind| on.kind().scale_key().map(str::to_owned);
+    let usual = [DiagramKind::Plane, DiagramKind::Velocity, DiagramKind::Acceleration];
+    let mut all: serde_json::Map<String, Json> =
+        usual.into_iter().filter_map(|on| Some((key(on)?, json!(worked.construction.scale(on))))).collect();
+    if let Some(of) = &worked.equilibrium {
+        all.extend(key(DiagramKind::Force).map(|key| (key, json!(of.mu()))));
     }
     all
 }

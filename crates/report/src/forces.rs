@@ -103,7 +103,11 @@ impl ForceWriter<'_> {
                 };
                 let on = self.scene.link_name(on);
                 match of {
-                    Party::Link(l) => format!("{letter}_{}{}{on}", self.scene.link_name(l), if self.scene.link_name(l).len() + on.len() > 2 { "," } else { "" }),
+                    Party::Link(l) => format!(
+                        "{letter}_{}{}{on}",
+                        self.scene.link_name(l),
+                        if self.scene.link_name(l).len() + on.len() > 2 { "," } else { "" }
+                    ),
                     Party::Pin(p) => format!("{letter}_{}{on}", self.scene.point_name(p)),
                     Party::Cylinder(d) | Party::Driver(d) => format!("F_b{}", if d > 0 { (d + 1).to_string() } else { String::new() }),
                 }
@@ -291,7 +295,11 @@ impl ForceWriter<'_> {
         };
         let equation = if sum.is_empty() { format!("{given} = 0") } else { format!("{given} + ({sum}) = 0") };
         match self.lang {
-            Lang::En => format!("Moments of link{} {} about ${about}$: ${equation}$, hence ${result}$.", if names.len() > 1 { "s" } else { "" }, names.join(", ")),
+            Lang::En => format!(
+                "Moments of link{} {} about ${about}$: ${equation}$, hence ${result}$.",
+                if names.len() > 1 { "s" } else { "" },
+                names.join(", ")
+            ),
             Lang::Zh => format!("构件 {} 对 ${about}$ 取矩：${equation}$，得 ${result}$。", names.join("、")),
         }
     }
@@ -303,7 +311,8 @@ impl ForceWriter<'_> {
         let unknown: Vec<&Side> = group.sides.iter().filter(|s| !s.known).chain(&group.diagonals).collect();
         let vector = |s: &Side| &self.of.construction.vectors[s.vector.index()];
         // Of two opposite reactions one is enough.
-        let told = |k: usize| !unknown[..k].iter().any(|s| (vector(s).from, vector(s).to) == (vector(unknown[k]).to, vector(unknown[k]).from));
+        let told =
+            |k: usize| !unknown[..k].iter().any(|s| (vector(s).from, vector(s).to) == (vector(unknown[k]).to, vector(unknown[k]).from));
         let kept: Vec<&Side> = (0..unknown.len()).filter(|k| told(*k)).map(|k| unknown[k]).collect();
         kept.into_iter()
             .filter_map(|s| {
@@ -311,7 +320,11 @@ impl ForceWriter<'_> {
                 let force = self.of.force(s.vector)?;
                 let (a, b) = (name(v.from), name(v.to));
                 let mm = inked(&significant(force.norm() / self.of.mu(), DIGITS));
-                Some(format!("{} = \\mu_{{F}}\\cdot {a}{b} = {mm}\\,\\text{{mm}}\\cdot\\mu_{{F}} = {}", self.symbol(s.term), self.amount(Kind::Force, force.norm())))
+                Some(format!(
+                    "{} = \\mu_{{F}}\\cdot {a}{b} = {mm}\\,\\text{{mm}}\\cdot\\mu_{{F}} = {}",
+                    self.symbol(s.term),
+                    self.amount(Kind::Force, force.norm())
+                ))
             })
             .collect()
     }

@@ -1,9 +1,10 @@
-//! What is given, as a list: lengths, fixed points, guides ([`guide`]), gears and wheels ([`rolling`]), belts and chains ([`belts`]), cams ([`cams`]), drivers, laws of time ([`law`]). Numbers as the scene writes them.
+//! What is given, as a list: lengths, fixed points, guides ([`guide`]), masses and forces ([`loads`]), gears and wheels ([`rolling`]), belts and chains ([`belts`]), cams ([`cams`]), drivers, laws of time ([`law`]). Numbers as the scene writes them.
 
 mod belts;
 mod cams;
 mod guide;
 pub mod law;
+mod loads;
 mod rolling;
 
 use super::amount::{number, scale};
@@ -78,6 +79,7 @@ impl Givens<'_> {
         all.extend(self.scene.rolling.iter().map(|pair| self.rolling(pair)));
         all.extend(self.scene.cams.iter().map(|c| self.cam(c)));
         all.extend((0..self.scene.drivers.len()).filter(|d| !self.scene.is_led(*d)).map(|d| self.driver(d)));
+        all.extend(self.loads());
         all.push(match self.lang() {
             Lang::En => format!("link {} is fixed", self.link(self.scene.ground)),
             Lang::Zh => format!("构件 {} 为机架", self.link(self.scene.ground)),

@@ -37,6 +37,8 @@ pub struct Mass {
     pub link: LinkId,
     /// Mass (kg).
     pub m: Option<Given>,
+    /// Weight (N), where the file gives that instead of the mass.
+    pub weight: Option<Given>,
     /// Moment of inertia about the centre of mass (kg·m²).
     pub j: Option<Given>,
     /// The centre of mass; absent where only a moment of inertia is given.

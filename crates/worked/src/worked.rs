@@ -301,7 +301,9 @@ fn stages(
                 at_infinity.push(centre);
                 continue;
             }
-            let undefined = || NoAnswer::NoValue(unbalanced(scene, &mechanism, &configuration, &demand, find).unwrap_or_else(|| find.what.no_value(scene)));
+            let undefined = || {
+                NoAnswer::NoValue(unbalanced(scene, &mechanism, &configuration, &demand, find).unwrap_or_else(|| find.what.no_value(scene)))
+            };
             unanswered.push(Unanswered { find: i, why: find.what.infinite(scene).map_or_else(undefined, NoAnswer::Infinite) });
             continue;
         };

@@ -67,7 +67,8 @@ impl Page<'_> {
         let at = self.place(side.at)?;
         let scene = self.maker.scene;
         let Term::Reaction { of: hodograph_board::equilibrium::Party::Link(by), on, .. } = side.term else { return Some(at) };
-        let joins = |g: &hodograph_scene::Guide| g.slider.is_some() && (g.on == by && g.slider == Some(on) || g.on == on && g.slider == Some(by));
+        let joins =
+            |g: &hodograph_scene::Guide| g.slider.is_some() && (g.on == by && g.slider == Some(on) || g.on == on && g.slider == Some(by));
         let Some(guide) = scene.guides.iter().position(joins) else { return Some(at) };
         let Some((_, w)) = self.of.forces.guides.iter().find(|(g, _)| g.0 == guide) else { return Some(at) };
         let Some(n) = w.force.unit() else { return Some(at) };

@@ -77,7 +77,13 @@ impl Page<'_> {
         let (style, words) = (self.style(), self.maker.words());
         let columns = self.w.columns(sides);
         let cell = |label: Label, id: String| {
-            Some(Cell { label: label.in_fonts(&style.fonts), size_mm: style.small_mm, anchor: Anchor::Middle, class: "equation".into(), id })
+            Some(Cell {
+                label: label.in_fonts(&style.fonts),
+                size_mm: style.small_mm,
+                anchor: Anchor::Middle,
+                class: "equation".into(),
+                id,
+            })
         };
         let line = |first: Label, of: &dyn Fn(usize) -> String, name: &str| Row {
             cells: std::iter::once(cell(first, format!("{name}-{}", k + 1)))

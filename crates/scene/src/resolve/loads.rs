@@ -59,7 +59,8 @@ fn mass(c: &Context, raw: &RawMass, gravity: Option<&[Given; 2]>, faults: &mut F
     let link = loaded(c, &raw.link, faults)?;
     let name = &raw.link.text;
     let mut m = optional(c, raw.m.as_ref(), Wanted::Mass, faults)?;
-    if let Some(weight) = optional(c, raw.weight.as_ref(), Wanted::Force, faults)? {
+    let weight = optional(c, raw.weight.as_ref(), Wanted::Force, faults)?;
+    if let Some(weight) = &weight {
         let Some([x, y]) = gravity else {
             let message = both!("link `{name}` has a weight, but the scene has no gravity", "构件 `{name}` 给出了重量，但机构文件没有重力");
             let help = both!("add \"gravity\": [\"0\", \"-9.81 m/s^2\"]", "请加上 \"gravity\": [\"0\", \"-9.81 m/s^2\"]");
@@ -111,7 +112,7 @@ fn mass(c: &Context, raw: &RawMass, gravity: Option<&[Given; 2]>, faults: &mut F
             return None;
         }
     };
-    Some(Mass { link, m, j, at, span: raw.span })
+    Some(Mass { link, m, weight, j, at, span: raw.span })
 }
 
 /// A point that the link carries.
