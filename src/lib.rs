@@ -51,6 +51,8 @@
 //! - [`construction`]: what is done with ruler and set squares, as plain data without coordinates, and its evaluation for given places, scales and a
 //!   pencil.
 //! - [`construct`]: the drawing board: a plan written as acts and drawn; the one door between SI and millimetres ([`construct::scale`]), polygons, readings.
+//! - [`force`]: loads of an instant: given forces, weights, springs, inertia.
+//! - [`equilibrium`]: forces on the drawing board: moments and force polygons, group after group.
 //! - [`analytic`]: constraint rows, Jacobian, conditioning; singular poses by the next orders. Knows neither plan nor paper.
 //! - [`paper`]: what figures are made of: typed items in mm, labels, words of both languages, fonts, placement of labels, styles;
 //!   [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG; GIF and SVG that move; two figures
@@ -92,8 +94,8 @@
 //! templates  templates
 //! base       diag budget json digits trig number geom cam kind diagram lang notation
 //! scene      scene
-//! mechanism  mechanism position stated answer motion
-//! board      plan construction construct
+//! mechanism  mechanism position stated answer force motion
+//! board      plan construction construct equilibrium
 //! analytic   analytic
 //! sweep      sweep
 //! paper      paper render
@@ -126,11 +128,13 @@
 //! position   diag budget digits trig number geom cam scene mechanism
 //! stated     diag digits trig geom cam scene mechanism position
 //! answer     number geom scene mechanism position
-//! motion     number geom scene mechanism position answer
+//! force      number geom scene mechanism position answer
+//! motion     number geom scene mechanism position answer force
 //! plan       diag notation scene mechanism
 //! construction budget diagram digits kind number geom
 //! construct  diag budget number geom scene mechanism position answer plan construction
-//! analytic   diag budget geom cam scene mechanism position answer
+//! equilibrium diag diagram geom kind scene mechanism position answer force construct construction
+//! analytic   diag budget geom cam scene mechanism position answer force
 //! sweep      diag budget digits trig number geom cam scene mechanism position stated answer motion analytic
 //! paper      diag budget json notation diagram lang geom
 //! render     diag geom paper
@@ -193,9 +197,9 @@
 
 pub use hodograph_analytic as analytic;
 pub use hodograph_base::{budget, cam, diag, diagram, digits, geom, kind, lang, notation, number, trig};
-pub use hodograph_board::{construct, construction, plan};
+pub use hodograph_board::{construct, construction, equilibrium, plan};
 pub use hodograph_figure as figure;
-pub use hodograph_mechanism::{answer, mechanism, motion, position, stated};
+pub use hodograph_mechanism::{answer, force, mechanism, motion, position, stated};
 pub use hodograph_methods::{attempts, centres, composite, curvature, gears, inversions, particle, trains};
 pub use hodograph_paper::{paper, render};
 pub use hodograph_report as report;

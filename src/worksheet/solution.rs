@@ -4,6 +4,7 @@ use super::speak::Speak;
 use super::{Block, Maker, Table, TableKind};
 use crate::centres::Task;
 use crate::construct::Polygon;
+use crate::figure::forces;
 use crate::figure::sheet::drawing;
 use crate::figure::tables::special_line;
 use crate::mechanism::compound;
@@ -16,6 +17,7 @@ use crate::report::amount::number;
 use crate::report::amount::scale_formula;
 use crate::report::construction::sentences;
 use crate::report::equation::{Written, written};
+use crate::report::forces::ForceWriter;
 use crate::report::math::Math;
 use crate::report::mobility::lower_set;
 use crate::report::plan::group_set;
@@ -25,6 +27,9 @@ use crate::scene::{DiagramKind, Lang};
 const RULER_DIGITS: usize = 4;
 /// Angular rates of a group in one line of formulas: more do not fit beside one another.
 const RATES_IN_A_LINE: usize = 4;
+
+/// Words for the files of groups' forces; further groups are in words alone.
+const FORCES: [&str; 9] = ["forces-1", "forces-2", "forces-3", "forces-4", "forces-5", "forces-6", "forces-7", "forces-8", "forces-9"];
 
 impl Maker<'_> {
     /// `alone`: there is no problem side before it, so that the mechanism is shown here.
@@ -59,6 +64,7 @@ impl Maker<'_> {
         for on in DiagramKind::POLYGONS {
             self.level(blocks, on);
         }
+        self.forces(blocks);
         self.results(blocks, task.as_ref());
     }
 
@@ -67,6 +73,20 @@ impl Maker<'_> {
     }
 
     /// What laws of time give at the instant.
+    /// Each group's moments, force polygon and reactions, the last group first.
+    fn forces(&self, blocks: &mut Vec<Block>) {
+        let Some(of) = self.worked.equilibrium.as_ref().filter(|of| !of.groups.is_empty()) else { return };
+        let w = ForceWriter { scene: self.scene, notation: &self.options.notation, lang: self.lang(), of };
+        blocks.push(self.heading(2, "Forces", "力分析"));
+        for (k, group) in of.groups.iter().enumerate() {
+            blocks.push(Block::Heading(3, w.heading(group)));
+            if let (Some(name), Some(figure)) = (FORCES.get(k), forces::group(self.scene, self.worked, self.options, k)) {
+                blocks.push(Block::Figure { name, figure: Box::new(figure) });
+            }
+            blocks.push(Block::List { numbered: true, members: w.sentences(group) });
+        }
+    }
+
     fn laws(&self, blocks: &mut Vec<Block>) {
         let members = self.givens().laws();
         if !members.is_empty() {

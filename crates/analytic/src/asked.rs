@@ -6,8 +6,7 @@
 //! The first and second derivatives of these coordinates at the solution are v_r, aʳ, aⁿ and aᵗ; the Coriolis part is the whole less these.
 
 use super::Solution;
-use super::relation::{Handle, Pair, Row};
-use super::rows::{along_line, distance, projection};
+use super::relation::{Handle, Pair, Row, along_line, distance, projection};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::answer::{Source, Value, evaluate};
 use hodograph_mechanism::mechanism::{Joined, Level, joined};

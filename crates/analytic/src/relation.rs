@@ -184,6 +184,39 @@ impl Handle {
     }
 }
 
+/// k·(P − Q) = s(t) with k fixed in the body of Q: k·(v_P − v_Q) + ω k⊥·(P − Q) = ṡ.
+pub(super) fn projection(p: Handle, q: Handle, k: Vec2, arm: Vec2, drive: [f64; 2], of: Pair) -> Row {
+    let mut c = Vec::new();
+    p.add(&mut c, k);
+    q.add(&mut c, -k);
+    if let (Some(i), true) = (q.first, q.turns) {
+        c.push((i + 2, k.perp().dot(arm)));
+    }
+    Row { coefficients: c, rate: drive[0], relation: Relation::Along { p, q, k, arm, drive }, of }
+}
+
+/// |P − Q|² = l(t)², halved: d·(v_P − v_Q) = l l̇; divided by l.
+pub(super) fn distance(p: Handle, q: Handle, d: Vec2, drive: [f64; 2], of: Pair) -> Row {
+    let u = d * (1.0 / d.norm());
+    let mut c = Vec::new();
+    p.add(&mut c, u);
+    q.add(&mut c, -u);
+    Row { coefficients: c, rate: drive[0], relation: Relation::Distance { p, q, d, drive }, of }
+}
+
+/// Turning of the line Q→P against which a body is held, or from which its turning differs by what is given:
+/// (ω_body + ψ̇) l² = d × (v_P − v_Q).
+pub(super) fn along_line(body: Handle, p: Handle, q: Handle, d: Vec2, drive: [f64; 2], of: Pair) -> Row {
+    let k = d.perp() * (1.0 / d.norm2());
+    let mut c = Vec::new();
+    p.add(&mut c, k);
+    q.add(&mut c, -k);
+    if let Some(i) = body.first {
+        c.push((i + 2, -1.0));
+    }
+    Row { coefficients: c, rate: drive[0], relation: Relation::Line { body, p, q, d, drive }, of }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

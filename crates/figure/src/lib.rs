@@ -21,7 +21,7 @@ mod curvature;
 pub mod curves;
 mod described;
 pub mod fit;
-mod forces;
+pub mod forces;
 mod gears;
 pub mod groups;
 pub(crate) mod hodograph;

@@ -20,7 +20,7 @@ use super::described::described;
 use super::mechanism::{Overlay, dimensions};
 use super::results::Answers;
 use super::tables::Tables;
-use super::{forces, mechanism, polygon, results};
+use super::{mechanism, polygon, results};
 use hodograph_paper::paper::drawing::Part;
 use hodograph_paper::paper::grid::{self, Cell, Row};
 use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, Shape};
@@ -72,14 +72,7 @@ pub fn sheet(scene: &Scene, worked: &Worked, options: &Options) -> Result<Figure
     let results = results::results(&options.style, &maker.answers());
     let pieces = Pieces { title, drawings, equations, results };
     let (items, size) = arrange(pieces, scene.paper.size_mm, MARGIN_MM)?;
-    // On paper of a fixed size forces have a sheet of their own.
-    match forces::part(&maker).filter(|_| scene.paper.size_mm.is_none()) {
-        Some(forces) => {
-            let whole = put_together(Tree::text_column(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![Part::of(items), forces]);
-            Ok(maker.alone(whole))
-        }
-        None => Ok(maker.figure(items, size)),
-    }
+    Ok(maker.figure(items, size))
 }
 
 /// What may be left out of a sheet where it is too wide.

@@ -2,7 +2,7 @@
 
 use super::pencil::Pencil;
 use super::scale;
-use super::{Base, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Step};
+use super::{Base, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, NumberId, Op, Step};
 use hodograph_base::budget::spend;
 use hodograph_base::diagram::DiagramKind;
 use hodograph_base::geom::{Point, Vec2, cross_lines};
@@ -48,7 +48,7 @@ pub enum Track<N> {
 
 /// A number that has been measured or calculated.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Value<N> {
+pub(super) enum Value<N> {
     Scalar(N),
     Vector(Vec2<N>),
 }
@@ -77,7 +77,7 @@ pub struct Drawn<N = f64> {
     pub met: Vec<Met<N>>,
     /// For each path drawn, its rotation from the true direction as (cos, sin); empty with the exact pencil.
     pub turns: Vec<Option<Vec2<N>>>,
-    numbers: Vec<Option<Value<N>>>,
+    pub(super) numbers: Vec<Option<Value<N>>>,
 }
 
 /// The step at which a construction stops, and the reason.
@@ -153,17 +153,17 @@ impl<N: Real> Drawn<N> {
     }
 }
 
-struct Board<'a, N, G, P> {
-    construction: &'a Construction,
-    givens: &'a G,
-    pencil: &'a mut P,
-    drawn: Drawn<N>,
+pub(super) struct Board<'a, N, G, P> {
+    pub(super) construction: &'a Construction,
+    pub(super) givens: &'a G,
+    pub(super) pencil: &'a mut P,
+    pub(super) drawn: Drawn<N>,
     /// μ by diagram.
-    mu: Vec<Option<N>>,
+    pub(super) mu: Vec<Option<N>>,
     /// μ of the mechanism, its reciprocal, and the scale as it is printed.
-    mu_l: N,
-    per_m: N,
-    mm_l: f64,
+    pub(super) mu_l: N,
+    pub(super) per_m: N,
+    pub(super) mm_l: f64,
 }
 
 /// A crossing is called parallel when its sine is no larger than what rounding makes of the two directions: each is a
@@ -213,11 +213,11 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
     }
 
     /// The kind of the diagram of a mark.
-    fn on(&self, mark: MarkId) -> DiagramKind {
+    pub(super) fn on(&self, mark: MarkId) -> DiagramKind {
         self.construction.diagrams[self.construction.marks[mark.index()].on.index()]
     }
 
-    fn mu(&self, on: DiagramId) -> N {
+    pub(super) fn mu(&self, on: DiagramId) -> N {
         self.mu[on.index()].expect("a diagram that is drawn has a scale")
     }
 
@@ -226,7 +226,7 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         self.drawn.marks[to.index()] = Some(self.pencil.mark(self.on(to), at));
     }
 
-    fn place(&self, mark: MarkId) -> Result<Point<N>, Why> {
+    pub(super) fn place(&self, mark: MarkId) -> Result<Point<N>, Why> {
         self.drawn.marks[mark.index()].ok_or(Why::Missing(mark))
     }
 
@@ -291,7 +291,7 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         Ok(drawn.unit().zip(length).map_or(drawn, |(u, l)| u * l))
     }
 
-    fn base(&self, base: &Base) -> Result<Vec2<N>, Why> {
+    pub(super) fn base(&self, base: &Base) -> Result<Vec2<N>, Why> {
         let given = |key: Key| self.givens.place(key).ok_or(Why::Coincide);
         let path = |key: Key| self.givens.path(key).ok_or(Why::Coincide);
         Ok(match *base {
@@ -325,7 +325,7 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         })
     }
 
-    fn direction(&self, direction: &Direction) -> Result<Vec2<N>, Why> {
+    pub(super) fn direction(&self, direction: &Direction) -> Result<Vec2<N>, Why> {
         let v = self.base(&direction.base)?;
         let v = match direction.quarters {
             0 => v,
@@ -399,78 +399,5 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         self.drawn.met.push(Met { step, to, sine: c.sine, rounding });
         self.mark(to, c.at);
         Ok(())
-    }
-
-    fn value(&mut self, id: NumberId) -> Result<Value<N>, Why> {
-        Ok(match self.construction.numbers[id.index()] {
-            Number::Vector(from, to) => {
-                let (kind, on) = (self.on(to), self.construction.marks[to.index()].on);
-                let drawn = self.place(to)? - self.place(from)?;
-                Value::Vector(self.pencil.read(kind, drawn) * self.mu(on))
-            }
-            Number::Across { from, to, arm } => {
-                let r = self.base(&arm)?;
-                let l = r.norm();
-                let drawn = self.pencil.read(self.on(to), self.place(to)? - self.place(from)?);
-                Value::Scalar((r * (N::from_f64(1.0) / l)).cross(drawn))
-            }
-            Number::Along(from, to, direction) => {
-                let u = self.direction(&direction)?.unit().ok_or(Why::Coincide)?;
-                let drawn = self.pencil.read(self.on(to), self.place(to)? - self.place(from)?);
-                Value::Scalar(u.dot(drawn) * self.mu(self.construction.marks[to.index()].on))
-            }
-            Number::Moment { force, at, about } => {
-                let force = self.base(&force)?;
-                let reach = self.place(at)? - self.place(about)?;
-                // The foot of the perpendicular from the mark on the line of action.
-                let arm = match force.unit() {
-                    Some(u) => self.pencil.read(DiagramKind::Plane, reach - u * u.dot(reach)),
-                    None => Vec2::zero(),
-                };
-                Value::Scalar((arm * self.mu_l).cross(force))
-            }
-            Number::Given(_)
-            | Number::Plain(_)
-            | Number::Length(_)
-            | Number::Square(_)
-            | Number::Radius(_)
-            | Number::Scale(_)
-            | Number::Negative(_)
-            | Number::Sum(..)
-            | Number::Difference(..)
-            | Number::Product(..)
-            | Number::Quotient(..) => Value::Scalar(self.number(id)?),
-        })
-    }
-
-    fn vector(&self, id: NumberId) -> Result<Vec2<N>, Why> {
-        match self.drawn.numbers[id.index()] {
-            Some(Value::Vector(v)) => Ok(v),
-            Some(Value::Scalar(_)) | None => Err(Why::Coincide),
-        }
-    }
-
-    fn number(&self, id: NumberId) -> Result<N, Why> {
-        if let Some(value) = self.drawn.number(id) {
-            return Ok(value);
-        }
-        let of = |id: NumberId| self.number(id);
-        Ok(match self.construction.numbers[id.index()] {
-            Number::Given(key) => self.givens.number(key),
-            Number::Plain(x) => N::from_f64(f64::from(x)),
-            Number::Vector(..) | Number::Across { .. } | Number::Along(..) | Number::Moment { .. } => return Err(Why::Coincide),
-            Number::Length(base) => self.base(&base)?.norm(),
-            Number::Square(base) => self.base(&base)?.norm2(),
-            Number::Radius(path) => match self.givens.path(path) {
-                Some(Track::Arc { radius, .. }) => radius,
-                Some(Track::Line(_)) | None => return Err(Why::Coincide),
-            },
-            Number::Scale(on) => self.mu(on),
-            Number::Negative(a) => -of(a)?,
-            Number::Sum(a, b) => of(a)? + of(b)?,
-            Number::Difference(a, b) => of(a)? - of(b)?,
-            Number::Product(a, b) => of(a)? * of(b)?,
-            Number::Quotient(a, b) => of(a)? / of(b)?,
-        })
     }
 }

@@ -42,6 +42,7 @@
 //! ```
 
 mod draw;
+mod measure;
 pub mod pencil;
 pub(crate) mod scale;
 

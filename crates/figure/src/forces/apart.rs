@@ -8,7 +8,6 @@ use hodograph_paper::paper::drawing::{Drawing, Part};
 use hodograph_paper::paper::item::{Colour, Dash, Item, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
-use hodograph_paper::paper::shown::Shown;
 use hodograph_paper::paper::style::Style;
 use hodograph_scene::PointId;
 
@@ -18,6 +17,8 @@ const ARROW_MM: [f64; 2] = [9.0, 22.0];
 const COUPLE_MM: f64 = 6.0;
 /// An arm that is shorter has no room for its dimension.
 const SHORTEST_ARM_MM: f64 = 3.0;
+/// A force of a guide that acts farther from its pin is drawn there, with its couple.
+const FARTHEST_MM: f64 = 45.0;
 /// Links stand back behind the forces.
 const LINKS: Colour = Colour::grey(150);
 
@@ -49,7 +50,7 @@ impl Page<'_> {
             if let Gives::Driver(driver) = m.gives {
                 let value = self.of.drawn.number(m.value).unwrap_or(0.0);
                 let number = if maker.scene.drivers.len() > 1 { (driver + 1).to_string() } else { String::new() };
-                self.bent(&mut d, &format!("M_b{number}"), &format!("M_{{b{number}}}"), m.about, value);
+                self.bent(&mut d, &format!("M-b{number}"), &format!("M_{{b{number}}}"), m.about, value);
             }
         }
         d.finish()
@@ -62,24 +63,27 @@ impl Page<'_> {
         Some(((worked.configuration.points[p.0]? - diagram.origin) * (1.0 / diagram.mu)).to_point())
     }
 
-    /// The place at which a force of a guide acts: beside its point by h.
-    fn on_line(&self, side: &Side) -> Option<Point> {
+    /// The place at which a force of a guide acts, beside its point by h, or its point and the couple about it where that is too far.
+    fn on_line(&self, side: &Side) -> Option<(Point, f64)> {
         let at = self.place(side.at)?;
+        let at_point = Some((at, 0.0));
         let scene = self.maker.scene;
-        let Term::Reaction { of: hodograph_board::equilibrium::Party::Link(by), on, .. } = side.term else { return Some(at) };
+        let Term::Reaction { of: hodograph_board::equilibrium::Party::Link(by), on, .. } = side.term else { return at_point };
         let joins =
             |g: &hodograph_scene::Guide| g.slider.is_some() && (g.on == by && g.slider == Some(on) || g.on == on && g.slider == Some(by));
-        let Some(guide) = scene.guides.iter().position(joins) else { return Some(at) };
-        let Some((_, w)) = self.of.forces.guides.iter().find(|(g, _)| g.0 == guide) else { return Some(at) };
-        let Some(n) = w.force.unit() else { return Some(at) };
+        let Some(guide) = scene.guides.iter().position(joins) else { return at_point };
+        let Some((_, w)) = self.of.forces.guides.iter().find(|(g, _)| g.0 == guide) else { return at_point };
+        let Some(n) = w.force.unit() else { return at_point };
         // r with r × F = M, along the guide.
         let offset = n.perp() * -(w.couple / w.force.norm());
-        Some(at + offset * (1.0 / self.maker.worked.construction.diagram.mu))
+        let offset_mm = offset * (1.0 / self.maker.worked.construction.diagram.mu);
+        let couple = if scene.guides[guide].slider == Some(on) { w.couple } else { -w.couple };
+        Some(if offset_mm.norm() > FARTHEST_MM { (at, couple) } else { (at + offset_mm, 0.0) })
     }
 
     fn force(&self, d: &mut Drawing, side: &Side, largest: f64) {
         let style = self.style();
-        let (Some(at), Some(force)) = (self.on_line(side), self.of.force(side.vector)) else { return };
+        let (Some((at, couple)), Some(force)) = (self.on_line(side), self.of.force(side.vector)) else { return };
         let (size, Some(u)) = (force.norm(), force.unit()) else { return };
         if size <= 1e-9 * largest {
             return;
@@ -91,18 +95,19 @@ impl Page<'_> {
         let (pressing, pulling) = ([at - u * (length + 1.0), at - u], [at + u, at + u * (length + 1.0)]);
         let met = |ends: [Point; 2]| d.met_by(&[Item::new("", arrow(ends[0], ends[1]))], 1.0);
         let [from, to] = if met(pressing) <= met(pulling) { pressing } else { pulling };
-        let key = self.key(side);
-        let shown = Shown { names: vec![self.w.plain(side.term)], length: None };
-        let owner = d.vector(&format!("force-{key}"), "force", arrow(from, to), shown);
+        let key = self.key(side.term);
+        if couple != 0.0 {
+            self.bent(d, &format!("of-{key}"), &self.w.symbol(side.term).replacen('F', "M", 1), side.at, couple);
+        }
+        let owner = d.shape(&format!("force-{key}"), "force", arrow(from, to));
         let request = LabelRequest::along(Label::math(self.w.symbol(side.term)), style.label_mm, from, to, stroke.width_mm / 2.0);
         d.label(&format!("force-{key}"), "force", request.owned(owner));
     }
 
     fn couple(&self, d: &mut Drawing, load: usize, at: Option<PointId>, value: f64) {
         let symbol = self.w.couple_of(load);
-        let key = symbol.replace(['{', '}', '\\', '^', ','], "");
         if let Some(at) = at {
-            self.bent(d, &key, &symbol, at, value);
+            self.bent(d, &format!("of-{}", self.key(Term::Load(load))), &symbol, at, value);
         }
     }
 
@@ -133,7 +138,7 @@ impl Page<'_> {
                 continue;
             }
             let line = style.thin.dashed(Dash::DashDot);
-            let key = self.w.symbol(*term).replace(['{', '}', '\\', '^', ','], "");
+            let key = self.key(*term);
             let past = (foot - at).unit().map_or(foot, |v| foot + v * 3.0);
             d.shape(&format!("action-{key}"), "action", Shape::Line { from: at, to: past, stroke: line });
             let shape = Shape::Arrow { from: about, to: foot, stroke: style.thin, head: style.thin_head };

@@ -28,15 +28,19 @@ const TEXT_MM: f64 = 190.0;
 
 /// The forces of all groups on one page; `None` where none are drawn.
 pub fn forces(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure> {
+    let of = worked.equilibrium.as_ref().filter(|of| !of.groups.is_empty())?;
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
-    Some(maker.alone(part(&maker)?))
+    let page = Page { maker: &maker, w: ForceWriter { scene, notation: &options.notation, lang: options.lang, of }, of };
+    Some(maker.alone(page.all()))
 }
 
-/// The forces of all groups as a part of a sheet; `None` where none are drawn.
-pub(crate) fn part(maker: &Maker) -> Option<Part> {
-    let of = maker.worked.equilibrium.as_ref().filter(|of| !of.groups.is_empty())?;
-    let w = ForceWriter { scene: maker.scene, notation: &maker.options.notation, lang: maker.options.lang, of };
-    Some(Page { maker, w, of }.all())
+/// The free bodies of a group beside its force polygon, without words below; `None` where there is no such group.
+pub fn group(scene: &Scene, worked: &Worked, options: &Options, k: usize) -> Option<Figure> {
+    let of = worked.equilibrium.as_ref()?;
+    let maker = Maker { scene, worked, options, certified: Vec::new() };
+    let page = Page { maker: &maker, w: ForceWriter { scene, notation: &options.notation, lang: options.lang, of }, of };
+    let part = page.drawings(of.groups.get(k)?);
+    Some(maker.alone(named(part, k)))
 }
 
 struct Page<'a> {
@@ -57,6 +61,15 @@ impl Page<'_> {
 
     /// A group: its links apart beside its polygon, what is said of it below.
     fn row(&self, k: usize, group: &GroupForces) -> Part {
+        let drawings = self.drawings(group);
+        let tables: Vec<Part> = self.w.equations(group).iter().enumerate().map(|(k, sides)| self.table(sides, k)).collect();
+        let (before, after) = (self.text(&self.w.before(group), "moments"), self.text(&self.w.after(group), "results"));
+        let parts: Vec<Part> = [drawings, before].into_iter().chain(tables).chain([after]).filter(|p| !p.items.is_empty()).collect();
+        named(put_together(Tree::text_column((0..parts.len()).map(Tree::Leaf).collect()), parts), k)
+    }
+
+    /// The links apart beside the polygon, with their captions.
+    fn drawings(&self, group: &GroupForces) -> Part {
         let options = self.maker.options;
         let words = self.w.heading(group);
         let scale = scale_formula(&self.maker.scene.book, DiagramKind::Force, self.of.mu());
@@ -64,11 +77,7 @@ impl Page<'_> {
         let links = self.maker.titled(self.apart(group), Phrase::new(&words).label(), &plane, "apart");
         let caption = DiagramKind::Force.caption(options.lang);
         let polygon = self.maker.titled(self.polygon(group), Phrase::new(caption).label(), &scale, "polygon");
-        let tables: Vec<Part> = self.w.equations(group).iter().enumerate().map(|(k, sides)| self.table(sides, k)).collect();
-        let (before, after) = (self.text(&self.w.before(group), "moments"), self.text(&self.w.after(group), "results"));
-        let drawings = put_together(Tree::row(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![links, polygon]);
-        let parts: Vec<Part> = [drawings, before].into_iter().chain(tables).chain([after]).filter(|p| !p.items.is_empty()).collect();
-        named(put_together(Tree::text_column((0..parts.len()).map(Tree::Leaf).collect()), parts), k)
+        put_together(Tree::row(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![links, polygon])
     }
 
     /// An equation of forces over its table of magnitudes and directions.
@@ -137,9 +146,9 @@ impl Page<'_> {
         }
     }
 
-    /// The name of a force in ids: letters of its symbol.
-    fn key(&self, side: &Side) -> String {
-        self.w.symbol(side.term).replace(['{', '}', '\\', '^', ','], "")
+    /// The name of a force in ids, alike in all languages and notations.
+    fn key(&self, term: Term) -> String {
+        self.w.plain(term).replace('_', "-")
     }
 }
 

@@ -53,7 +53,7 @@ impl Page<'_> {
         drawn.push([from, to]);
         let whole = self.stroke(side.term);
         let stroke = if diagonal { Stroke { width_mm: whole.width_mm * 0.7, ..whole }.dashed(Dash::DashDot) } else { whole };
-        let key = self.key(side);
+        let key = self.key(side.term);
         let shown = Shown::vector(self.w.plain(side.term), from, to, self.of.mu());
         let class = if diagonal { "diagonal" } else { "side" };
         let owner = d.vector(&key, class, Shape::Arrow { from, to, stroke, head: style.head }, shown);

@@ -1,21 +1,19 @@
 //! Masses, forces, springs.
 
-use super::{Givens, as_written, number};
+use super::{Givens, as_written, inked};
 use hodograph_board::plan::names::name_label;
 use hodograph_scene::{Given, Lang, Mass, Size};
 
-const DIGITS: usize = 6;
-
 impl Givens<'_> {
-    /// What is given of forces, a line for each kind.
+    /// What is given of forces: a line for each kind.
     pub(super) fn loads(&self) -> Vec<String> {
         let loads = &self.scene.loads;
         let mut all = Vec::new();
         if let Some([x, y]) = &loads.gravity {
             let size = libm::hypot(x.value, y.value);
             let down = x.value == 0.0 && y.value < 0.0;
-            let amount = format!("$g = {}\\,\\text{{m/s}}^2$", number(size, DIGITS));
-            let direction = number(libm::atan2(y.value, x.value).to_degrees(), DIGITS);
+            let amount = format!("$g = {}\\,\\text{{m/s}}^2$", inked(size));
+            let direction = inked(libm::atan2(y.value, x.value).to_degrees());
             all.push(match (self.lang(), down) {
                 (Lang::En, true) => format!("gravity {amount}, downward"),
                 (Lang::Zh, true) => format!("重力加速度 {amount}，方向向下"),
@@ -40,24 +38,27 @@ impl Givens<'_> {
                     (Size::AgainstTurning(m), _, Lang::En) => format!("${}$ on link {link}, against its turning", amount(m, "N·m")),
                     (Size::AgainstTurning(m), _, Lang::Zh) => format!("构件 {link} 上 ${}$，与转向相反", amount(m, "N·m")),
                     (Size::AgainstMotion(f), Some(p), Lang::En) => {
-                        format!("${}$ at ${p}$ of link {link}, against its motion", amount(f, "N"))
+                        format!("${}$ at {p} of link {link}, against its motion", amount(f, "N"))
                     }
-                    (Size::AgainstMotion(f), Some(p), Lang::Zh) => format!("构件 {link} 的 ${p}$ 点 ${}$，与运动方向相反", amount(f, "N")),
+                    (Size::AgainstMotion(f), Some(p), Lang::Zh) => format!("构件 {link} 的 {p} 点 ${}$，与运动方向相反", amount(f, "N")),
                     (Size::Components([x, y]), Some(p), Lang::En) => {
-                        format!("$({}, {})$ at ${p}$ of link {link}", amount(x, "N"), amount(y, "N"))
+                        format!("$({}, {})$ at {p} of link {link}", amount(x, "N"), amount(y, "N"))
                     }
                     (Size::Components([x, y]), Some(p), Lang::Zh) => {
-                        format!("构件 {link} 的 ${p}$ 点 $({}, {})$", amount(x, "N"), amount(y, "N"))
+                        format!("构件 {link} 的 {p} 点 $({}, {})$", amount(x, "N"), amount(y, "N"))
                     }
                     (Size::Directed { force, line, angle }, Some(p), lang) => {
-                        let mut direction = line.map_or_else(String::new, |(a, b)| format!("${}{}$", self.point(a), self.point(b)));
+                        let mut direction = line.map_or_else(String::new, |(a, b)| format!("{}{}", self.point(a), self.point(b)));
                         if let Some(angle) = angle {
-                            direction =
-                                [direction, self.angle(angle)].into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" + ");
+                            direction = [direction, format!("${}$", self.angle(angle))]
+                                .into_iter()
+                                .filter(|s| !s.is_empty())
+                                .collect::<Vec<_>>()
+                                .join(" + ");
                         }
                         match lang {
-                            Lang::En => format!("${}$ at ${p}$ of link {link}, along {direction}", amount(force, "N")),
-                            Lang::Zh => format!("构件 {link} 的 ${p}$ 点 ${}$，方向 {direction}", amount(force, "N")),
+                            Lang::En => format!("${}$ at {p} of link {link}, along {direction}", amount(force, "N")),
+                            Lang::Zh => format!("构件 {link} 的 {p} 点 ${}$，方向 {direction}", amount(force, "N")),
                         }
                     }
                     (Size::AgainstMotion(f) | Size::Directed { force: f, .. }, None, _) => format!("${}$", amount(f, "N")),
@@ -73,7 +74,7 @@ impl Givens<'_> {
             .iter()
             .map(|s| {
                 let [a, b] = s.ends.map(|(p, _)| self.point(p));
-                format!("${a}{b}$: $k = {}$, $l_0 = {}$", self.amount(&s.stiffness, "N/m"), self.length(&s.free))
+                format!("{a}{b}: $k = {}$, $l_0 = {}$", self.amount(&s.stiffness, "N/m"), self.length(&s.free))
             })
             .collect();
         if !springs.is_empty() {
@@ -93,7 +94,7 @@ impl Givens<'_> {
         let at = mass.at.map(|p| self.point(p));
         parts.extend(mass.j.as_ref().map(|j| format!("$J_{{{link}}} = {}$", self.amount(j, "kg·m^2"))));
         if let Some(p) = at {
-            parts.push(self.tr("at ", "质心 ").to_owned() + &format!("${p}$"));
+            parts.push(self.tr("at ", "质心 ").to_owned() + &p);
         }
         parts.join(self.tr(", ", "，"))
     }
@@ -106,7 +107,7 @@ impl Givens<'_> {
         let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '*' | '/' | '^');
         let (digits, unit) = match !digits.is_empty() && !unit.is_empty() && unit.chars().all(plain) {
             true => (as_written(digits), unit.replace('*', "·")),
-            false => (number(given.value, DIGITS), si.to_owned()),
+            false => (inked(given.value), si.to_owned()),
         };
         let upright: Vec<String> = unit
             .split('^')

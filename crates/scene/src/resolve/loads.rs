@@ -84,9 +84,8 @@ fn mass(c: &Context, raw: &RawMass, gravity: Option<&[Given; 2]>, faults: &mut F
     if let Some(k) = optional(c, raw.k.as_ref(), Wanted::Length, faults)? {
         let Some(m) = &m else {
             let message = both!("link `{name}` has a radius of gyration, but no mass", "构件 `{name}` 给出了回转半径，但没有质量");
-            faults.push(
-                Diagnostic::error("missing", message).at(k.span).help(both!("give \"m\" or \"weight\"", "请给出 \"m\" 或 \"weight\"")),
-            );
+            faults
+                .push(Diagnostic::error("force", message).at(k.span).help(both!("give \"m\" or \"weight\"", "请给出 \"m\" 或 \"weight\"")));
             return None;
         };
         j = Some(computed(c, format!("({})*({})^2", m.text, k.text), k.span, Wanted::Inertia, faults)?);
@@ -94,7 +93,7 @@ fn mass(c: &Context, raw: &RawMass, gravity: Option<&[Given; 2]>, faults: &mut F
     if m.is_none() && j.is_none() {
         let message = both!("link `{name}` has neither a mass nor a moment of inertia", "构件 `{name}` 既没有质量也没有转动惯量");
         let help = both!("give \"m\", \"weight\" or \"J\"", "请给出 \"m\"、\"weight\" 或 \"J\"");
-        faults.push(Diagnostic::error("missing", message).at(raw.span).help(help));
+        faults.push(Diagnostic::error("force", message).at(raw.span).help(help));
         return None;
     }
     let at = match (&raw.at, &c.names.links[link.0].points[..]) {
