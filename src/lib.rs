@@ -139,7 +139,7 @@
 //! paper      diag budget json notation diagram lang geom
 //! render     diag geom paper
 //! accuracy   diag budget digits number geom scene mechanism position answer motion plan construct analytic
-//! worked     diag digits geom scene mechanism position stated answer plan construct analytic sweep accuracy
+//! worked     diag digits geom scene mechanism position stated answer force motion plan construct equilibrium analytic sweep accuracy
 //! certified  diag digits number geom scene mechanism position answer motion plan construct accuracy worked
 //! effort     diag number geom scene mechanism position answer motion plan construct analytic sweep accuracy worked certified
 //! gears      geom
@@ -152,8 +152,8 @@
 //! search     diag budget geom position
 //! synthesis  templates diag json digits number geom scene mechanism position construct sweep search
 //! particle   templates diag json digits number geom scene construct
-//! report     diag notation digits number geom cam scene mechanism position answer motion plan construct analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions synthesis particle
-//! figure     diag budget notation digits geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions synthesis particle report
+//! report     diag notation digits number geom cam scene mechanism position answer force motion plan construct construction equilibrium analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions synthesis particle
+//! figure     diag budget notation digits geom cam scene mechanism position answer force plan construct construction equilibrium analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions synthesis particle report
 //! webfont    paper
 //! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres attempts synthesis particle report figure webfont
 //! lesson     diag budget notation digits geom scene mechanism position plan construct sweep paper render worked certified centres synthesis particle report figure webfont

@@ -41,6 +41,7 @@ const PLATFORM_FUNCTIONS_ALLOWED: &[(&str, &str)] = &[
     ("crates/scene/src/exact.rs", "given values in any kind of number"),
     ("crates/base/src/cam/disc.rs", "pressure angles in any kind of number"),
     ("crates/base/src/cam/jet.rs", "sine, cosine and directions with their derivatives in any kind of number"),
+    ("crates/mechanism/src/force.rs", "directions of loads in any kind of number; `sin_cos` of the inputs"),
     ("crates/mechanism/src/position/assemble.rs", "positions in any kind of number; `sin_cos` of the inputs"),
     ("crates/mechanism/src/position/rolling.rs", "phases in any kind of number; `sin_cos` of the inputs"),
     ("crates/mechanism/src/position/coupled/phase.rs", "phases in any kind of number; `sin_cos` of the inputs"),

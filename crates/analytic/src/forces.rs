@@ -38,7 +38,7 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
     let layout = Layout::new(scene, m, at, &still, Level::Velocity);
     let rows = layout.rows_of_contacts(scene, at);
     let system = System::of_rows(rows, layout.unknowns).ok()?;
-    if !(system.condition < UNBOUNDED) {
+    if system.condition.is_nan() || system.condition >= UNBOUNDED {
         return None;
     }
     let balanced = |loads: &[Load]| -> Option<Balanced> {
@@ -151,7 +151,13 @@ impl Balanced<'_> {
                 Relation::Turn { a, b, .. } if a.first == slider && slider.is_some() => Some((a, 1.0)).filter(|_| b.first != slider),
                 Relation::Turn { b, .. } if b.first == slider && slider.is_some() => Some((b, -1.0)),
                 Relation::Line { body, .. } if body.first == slider && slider.is_some() => Some((body, -1.0)),
-                _ => None,
+                Relation::Meet { .. }
+                | Relation::Turn { .. }
+                | Relation::Along { .. }
+                | Relation::Distance { .. }
+                | Relation::Line { .. }
+                | Relation::Roll { .. }
+                | Relation::Track { .. } => None,
             };
             sum.plus(Wrench { force: self.force(k), couple: turned.map_or(0.0, |(_, sign)| sign * self.lambda[k]) })
         }))
@@ -218,13 +224,13 @@ impl Balanced<'_> {
                 let mut force = self.rows_of(Pair::Pin(p)).fold(Vec2::ZERO, |sum, row| sum + of_row(row));
                 for (_, owner, x) in &here {
                     if self.layout.handle_of(self.scene, p) == Some(*l) {
-                        force = force + *x;
+                        force += *x;
                     }
                     if *owner == Some(*l) {
-                        force = force - *x;
+                        force += -*x;
                     }
                 }
-                sum = sum + force;
+                sum += force;
                 out.push((p, *l, force));
             }
             if carriers.contains(&self.scene.ground) {

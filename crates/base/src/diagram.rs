@@ -26,6 +26,9 @@ impl DiagramKind {
     /// All kinds, in the order of drawing.
     pub const ALL: [DiagramKind; 4] = [DiagramKind::Plane, DiagramKind::Velocity, DiagramKind::Acceleration, DiagramKind::Force];
 
+    /// Those of one construction, of the motion of an instant: the plane and the polygons with a pole.
+    pub const OF_MOTION: [DiagramKind; 3] = [DiagramKind::Plane, DiagramKind::Velocity, DiagramKind::Acceleration];
+
     /// Those of vectors that are drawn from a pole, in the order of drawing.
     pub const POLYGONS: [DiagramKind; 2] = [DiagramKind::Velocity, DiagramKind::Acceleration];
 

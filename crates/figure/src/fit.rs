@@ -219,7 +219,7 @@ fn sheet_of(w: &Wanted, part: f64, room: Room) -> Result<Warned<Pages>, [f64; 2]
 fn grown(w: &Wanted, part: f64, room: Room) -> Result<Option<Warned<Pages>>, Faults> {
     let Room::Column(_) = room else { return Ok(None) };
     let mut parts = ByKind::default();
-    for on in DiagramKind::ALL {
+    for on in DiagramKind::OF_MOTION {
         // Upwards to the first that is too wide: crowded names, which take longest to place, are sought seldom.
         for larger in PARTS.into_iter().rev().filter(|p| *p > part) {
             let tried = Smaller::of(w, part, &ByKind::default().with(on.kind(), Some(larger)))?;
@@ -320,7 +320,7 @@ impl Smaller {
         let options = Options { style: w.options.style.reduced(part), ..w.options.clone() };
         if part < 1.0 {
             let board = &w.worked.construction;
-            for on in DiagramKind::ALL {
+            for on in DiagramKind::OF_MOTION {
                 let (kind, paper) = (on.kind(), &scene.paper);
                 let part = others.get(kind).unwrap_or(part);
                 let coarser = |mu| if part < 1.0 { coarser(paper.unit(kind), mu, 1.0 / part) } else { mu };

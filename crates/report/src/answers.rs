@@ -287,9 +287,8 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
 /// The scales by their keys; that of forces where they are drawn.
 fn scales(worked: &Worked) -> serde_json::Map<String, Json> {
     let key = |on: DiagramKind| on.kind().scale_key().map(str::to_owned);
-    let usual = [DiagramKind::Plane, DiagramKind::Velocity, DiagramKind::Acceleration];
-    let mut all: serde_json::Map<String, Json> =
-        usual.into_iter().filter_map(|on| Some((key(on)?, json!(worked.construction.scale(on))))).collect();
+    let usual = DiagramKind::OF_MOTION.into_iter();
+    let mut all: serde_json::Map<String, Json> = usual.filter_map(|on| Some((key(on)?, json!(worked.construction.scale(on))))).collect();
     if let Some(of) = &worked.equilibrium {
         all.extend(key(DiagramKind::Force).map(|key| (key, json!(of.mu()))));
     }

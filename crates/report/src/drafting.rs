@@ -58,7 +58,7 @@ pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
         let head = ["crossing", "angle", "moves by", ""];
         let zh = ["交点", "交角", "偏移", ""];
         let mut rows = vec![[0, 1, 2, 3].map(|i| tr(lang, head[i], zh[i]).to_string())];
-        let certain = DiagramKind::ALL.into_iter().flat_map(|on| steps.crossings(&worked.construction, on));
+        let certain = DiagramKind::OF_MOTION.into_iter().flat_map(|on| steps.crossings(&worked.construction, on));
         rows.extend(d.crossings.iter().zip(certain).map(|(c, certain)| {
             let told = |what, rough: f64| certain(what).unwrap_or_else(|| format!("≈ {}", significant(rough, 1)));
             let [moves, si] = match c.moves_on_paper_mm() {
@@ -79,7 +79,7 @@ pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
         let Some(l) = t.as_ref().filter(|t| t.absolute > 0.0).and_then(|t| t.larger.as_ref()) else { continue };
         let [width, height] = l.size_mm;
         let by = if l.factor > 1.0 { format!("× {}", shortest(l.rounded())) } else { tr(lang, "as it is", "不必").to_string() };
-        let mu = [DiagramKind::Plane, DiagramKind::Velocity, DiagramKind::Acceleration].map(|on| {
+        let mu = DiagramKind::OF_MOTION.map(|on| {
             let kind = on.kind();
             l.scales.get(kind).map_or(String::new(), |mu| format!("{} {}", shortest(book.value(kind, mu)), book.scale_name(kind)))
         });

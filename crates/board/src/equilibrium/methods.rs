@@ -77,7 +77,7 @@ impl Scribe<'_> {
     fn on_a_pin(&mut self, links: [LinkId; 2], inner: PointId, outer: [Outer; 2]) {
         let held = |o: &Outer| match *o {
             Outer::Pin { at, .. } => vec![at, inner],
-            _ => vec![inner],
+            Outer::Slide { .. } | Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Turn { .. } | Outer::Push { .. } => vec![inner],
         };
         let acting = [0, 1].map(|k| self.all_on(links[k], &held(&outer[k])));
         let mut ops = Vec::new();
@@ -143,7 +143,7 @@ impl Scribe<'_> {
         for (k, whole) in [(0, [x, first]), (1, [second, x])] {
             match outer[k] {
                 Outer::Pin { at, on, .. } => self.pinned(&mut p, at, on, whole),
-                Outer::Slide { guide, on, by, at } => {
+                Outer::Slide { on, .. } => {
                     let inner_ends = if k == 0 { [before, x] } else { [x, after] };
                     let force = self.measured(&mut p, inner_ends[0], inner_ends[1]);
                     let of = Party::Link(links[1 - k]);
@@ -153,7 +153,7 @@ impl Scribe<'_> {
                         couple: None,
                     };
                     let all: Vec<Acting> = acting[k].iter().copied().chain([inside]).collect();
-                    self.offset(&mut p, (guide, on, by, at), &all, whole);
+                    self.offset(&mut p, outer[k], &all, whole);
                 }
                 Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Turn { .. } | Outer::Push { .. } => {}
             }
@@ -167,19 +167,13 @@ impl Scribe<'_> {
     }
 
     /// The couple of an outer guide about its point, from all else that acts on its link; answers, and the load of the other link.
-    fn offset(
-        &mut self,
-        p: &mut super::scribe::Polygon,
-        (guide, on, by, at): (GuideId, LinkId, LinkId, PointId),
-        acting: &[Acting],
-        ends: [MarkId; 2],
-    ) -> NumberId {
+    fn offset(&mut self, p: &mut super::scribe::Polygon, slide: Outer, acting: &[Acting], ends: [MarkId; 2]) {
+        let Outer::Slide { guide, on, at, .. } = slide else { return };
         let mut moments = self.moments(&mut p.ops, &[on], acting, at, Gives::Offset(guide));
         let couple = self.balancing(&mut p.ops, &moments);
         moments.value = couple;
         p.moments.push(moments);
-        self.guided(p, guide, on, by, at, ends, couple);
-        couple
+        self.guided(p, slide, ends, couple);
     }
 
     /// RPR: a slider pinned at `at` on a lever pinned at `pivot`.
@@ -265,7 +259,7 @@ impl Scribe<'_> {
 
     /// RPP: the first link is pinned and slides on the second, which slides in an outer guide.
     fn twice_sliding(&mut self, links: [LinkId; 2], guide: GuideId, outer: [Outer; 2]) {
-        let (Outer::Pin { at, .. }, Outer::Slide { guide: outside, on, by, at: counted }) = (outer[0], outer[1]) else { return };
+        let (Outer::Pin { at, .. }, Outer::Slide { guide: outside, at: counted, .. }) = (outer[0], outer[1]) else { return };
         let [pinned, sliding] = links;
         let place = reference(self.scene, guide).unwrap_or(at);
         let acting = [self.all_on(pinned, &[at]), self.all_on(sliding, &[])];
@@ -298,7 +292,7 @@ impl Scribe<'_> {
             couple: Some(back),
         };
         let all: Vec<Acting> = acting[1].iter().copied().chain([inside]).collect();
-        self.offset(&mut p, (outside, on, by, counted), &all, [end, x]);
+        self.offset(&mut p, outer[1], &all, [end, x]);
         self.finish(p, &links, "RPP");
     }
 
@@ -382,10 +376,12 @@ impl Scribe<'_> {
 
     /// A link in a guide with one more line of action.
     fn in_a_guide(&mut self, link: LinkId, slide: Outer, touch: Outer) {
-        let (Outer::Slide { guide, on, by, at: counted }, Some((line, at))) = (slide, self.line_of(&touch)) else { return };
+        let (Outer::Slide { guide, at: counted, .. }, Some((line, at))) = (slide, self.line_of(&touch)) else { return };
         let driver = match touch {
             Outer::Push { driver, .. } => Some(Term::Reaction { of: Party::Driver(driver), on: link, part: Part::Whole }),
-            _ => reaction(&touch, Part::Whole),
+            Outer::Pin { .. } | Outer::Slide { .. } | Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Turn { .. } => {
+                reaction(&touch, Part::Whole)
+            }
         };
         let held = if matches!(touch, Outer::Push { .. }) { vec![] } else { vec![at] };
         let acting = self.all_on(link, &held);
@@ -405,7 +401,7 @@ impl Scribe<'_> {
             all.push(Acting { term, force: Some((Base::Measured(force), at)), couple: None });
         }
         self.touched(&mut p, &touch, [end, x]);
-        self.offset(&mut p, (guide, on, by, counted), &all, [x, start]);
+        self.offset(&mut p, slide, &all, [x, start]);
         self.finish(p, &[link], if matches!(touch, Outer::Push { .. }) { "driver" } else { "PH" });
     }
 }

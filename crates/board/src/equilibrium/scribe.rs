@@ -296,7 +296,8 @@ impl Scribe<'_> {
     }
 
     /// The force and couple of a guide on a link of the group: answers, and the load of the other link.
-    pub fn guided(&mut self, p: &mut Polygon, guide: GuideId, on: LinkId, by: LinkId, at: PointId, ends: [MarkId; 2], couple: NumberId) {
+    pub fn guided(&mut self, p: &mut Polygon, slide: Outer, ends: [MarkId; 2], couple: NumberId) {
+        let Outer::Slide { guide, on, by, at } = slide else { return };
         let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
         let opposite = self.number(&mut p.ops, Number::Negative(couple));
         let of_slider = self.scene.guides[guide.0].slider == Some(on);

@@ -32,7 +32,7 @@ pub(super) struct Column {
 impl Table<'_> {
     /// The columns that the scales allow.
     pub(super) fn columns(&self) -> Vec<Column> {
-        let drawn = DiagramKind::ALL.into_iter().filter(|on| self.scales.mu.get(on.kind()).is_some());
+        let drawn = DiagramKind::OF_MOTION.into_iter().filter(|on| self.scales.mu.get(on.kind()).is_some());
         drawn
             .map(|on| {
                 let parts = self.parts(on);

@@ -118,7 +118,7 @@ impl<N: Real> Posed<'_, N> {
                     }
                     (Form::OnPath { guide, .. }, Reaction::Force(force)) => {
                         let w = found.guides[guide.0].get_or_insert(Wrench::zero());
-                        w.force = w.force + force;
+                        w.force += force;
                     }
                     (Form::AlongPath { runner, guide, driver, .. }, Reaction::Force(force)) => {
                         let place = self.place(runner, guide).ok_or(None)?;
@@ -243,7 +243,7 @@ impl<N: Real> Posed<'_, N> {
                 let load = own.about(l, place);
                 let wrench = found.guides[g.0].get_or_insert(Wrench::zero());
                 if let Path::Arc { centre, .. } = self.at.guides[g.0]? {
-                    wrench.force = wrench.force + pair_of(place - centre, load.couple);
+                    wrench.force += pair_of(place - centre, load.couple);
                 }
                 wrench.couple = -load.couple;
                 let force = -(wrench.force + load.force);
@@ -258,7 +258,7 @@ impl<N: Real> Posed<'_, N> {
                     let (start, end) = (self.at.points[p.0]?, self.at.points[q.0]?);
                     let load = own.about(*part, start);
                     let f = pair_of(end - start, load.couple);
-                    at_pin = at_pin + if *part == l { load.force - f } else { f };
+                    at_pin += if *part == l { load.force - f } else { f };
                 }
                 found.pins.push((a, l, -at_pin));
             }

@@ -114,7 +114,7 @@ impl CrossingTolerance {
 /// Every crossing of a construction with what a pencil error (mm) makes of it, in drawing order.
 pub fn crossings(paper: &Drawing, pencil_mm: f64) -> Vec<CrossingTolerance> {
     let mut all = Vec::new();
-    for on in DiagramKind::ALL {
+    for on in DiagramKind::OF_MOTION {
         let mu = paper.polygon(on).map_or(paper.diagram.mu, |p| p.mu);
         all.extend(paper.crossings(on).into_iter().map(|c| {
             let moves_mm = pencil_mm / c.sine.abs();
@@ -191,7 +191,7 @@ fn spreads(drawn: &Drawn, layout: &Layout, deviation_mm: f64) -> Option<Vec<Opti
         let [w, h] = drawn.size_mm(on);
         (on.kind(), w.max(h) * STEP)
     };
-    let steps_mm: ByKind = DiagramKind::ALL.into_iter().map(step_mm).collect();
+    let steps_mm: ByKind = DiagramKind::OF_MOTION.into_iter().map(step_mm).collect();
     for (mark, on) in first.marks.iter().enumerate() {
         let h = steps_mm.get(on.kind()).unwrap_or(0.0);
         // In a drawing that is a single point (nothing moves) no mark is made.

@@ -50,7 +50,7 @@ pub(super) fn larger(paper: &Paper, drawn: &Drawn, layout: &Layout, relative: f6
     let present = layout.scales.clone().with(Kind::Length, Some(layout.mu));
     let mut scales = ByKind::default();
     let mut size_mm = [0.0f64; 2];
-    for on in DiagramKind::ALL {
+    for on in DiagramKind::OF_MOTION {
         let Some(now) = present.get(on.kind()).filter(|_| parts.get(on.kind()).is_some_and(|part| part > 0.0)) else { continue };
         let then = if factor > 1.0 { finer(paper.unit(on.kind()), now, factor) } else { now };
         let on_paper = drawn.size_mm(on).map(|mm| mm * now / then);

@@ -47,7 +47,7 @@ impl<N: Real> Acting<N> {
 
     /// Adds a force at a pin.
     pub fn on_pin(&mut self, pin: PointId, force: Vec2<N>) {
-        self.pins[pin.0] = self.pins[pin.0] + force;
+        self.pins[pin.0] += force;
     }
 }
 
