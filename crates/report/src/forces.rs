@@ -13,6 +13,9 @@ use hodograph_scene::{Kind, Lang, LinkId, PointId, Scene, Size};
 /// Digits of measured lengths and forces in sentences: one more than a ruler gives.
 const DIGITS: usize = 4;
 
+/// An arm (mm) that is no more than this is rounding.
+const NO_ARM_MM: f64 = 1e-6;
+
 /// Writes the forces of a scene.
 #[derive(Clone, Copy)]
 pub struct ForceWriter<'a> {
@@ -264,7 +267,8 @@ impl ForceWriter<'_> {
         };
         for (k, (term, ..)) in m.of.iter().enumerate() {
             let moment = self.number(m.of[k].2);
-            let arm = self.arm(m, k).unwrap_or(0.0);
+            // A line of action through the point turns nothing, but for rounding.
+            let Some(arm) = self.arm(m, k).filter(|arm| *arm > NO_ARM_MM * 1e-3) else { continue };
             add(moment, format!("{}\\cdot {}", self.symbol(*term), self.amount(Kind::Length, arm)));
         }
         for (term, id) in &m.couples {
