@@ -29,7 +29,7 @@ const KINDS: &[Kinds] = &[
             "crates/mechanism/src/mechanism/pair/",
             "crates/mechanism/src/mechanism/groups.rs",
             "crates/mechanism/src/position/",
-            "crates/mechanism/src/motion/conditions.rs",
+            "crates/mechanism/src/motion/",
             "crates/board/src/plan/reduce.rs",
             "crates/analytic/src/rows.rs",
             "crates/sweep/src/train.rs",

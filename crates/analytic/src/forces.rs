@@ -14,7 +14,7 @@ use hodograph_mechanism::force::{Cause, Load, between_teeth, fastest, loads, uni
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::{Forces, Wrench};
-use hodograph_scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene, Touch};
+use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene, Touch};
 use nalgebra::DVector;
 
 /// From this condition number on `f64` tells no digit of a reaction.
@@ -127,14 +127,21 @@ impl Balanced<'_> {
     /// Balancing moment or force of each driver.
     fn drivers(&self) -> Vec<f64> {
         let of = |d: usize| {
-            let driven = |(k, row): (usize, &Row)| match (&self.scene.drivers[d].kind, &row.relation) {
-                (DriverKind::Turn { .. }, Relation::Turn { .. }) => Some(self.lambda[k]),
-                (DriverKind::Slide { .. }, Relation::Along { .. }) | (DriverKind::Cylinder { .. }, Relation::Distance { .. }) => {
-                    Some(self.lambda[k] * self.layout.scale)
-                }
+            let kind = &self.scene.drivers[d].kind;
+            let (slides, stretches) = (kind.guide().is_some(), kind.ends().is_some());
+            let driven = |(k, row): (usize, &Row)| match row.relation {
+                Relation::Turn { .. } if kind.turns() => Some(self.lambda[k]),
+                Relation::Along { .. } if slides => Some(self.lambda[k] * self.layout.scale),
+                Relation::Distance { .. } if stretches => Some(self.lambda[k] * self.layout.scale),
                 // Along an arc s = ρψ: the moment over the radius.
-                (DriverKind::Slide { .. }, Relation::Line { d, .. }) => Some(self.lambda[k] * self.layout.scale / d.norm()),
-                _ => None,
+                Relation::Line { d, .. } if slides => Some(self.lambda[k] * self.layout.scale / d.norm()),
+                Relation::Meet { .. }
+                | Relation::Turn { .. }
+                | Relation::Along { .. }
+                | Relation::Distance { .. }
+                | Relation::Line { .. }
+                | Relation::Roll { .. }
+                | Relation::Track { .. } => None,
             };
             self.rows_of(Pair::Driver(d)).find_map(driven).unwrap_or(0.0)
         };
@@ -188,13 +195,16 @@ impl Balanced<'_> {
             };
             match row.of {
                 Pair::Guide(g) => guided(g),
-                Pair::Driver(d) => match &self.scene.drivers[d].kind {
-                    DriverKind::Slide { guide, .. } => guided(*guide),
-                    DriverKind::Cylinder { a, b, links, .. } => {
-                        out.extend([(*b, links.get(1).copied(), force), (*a, links.first().copied(), -force)]);
+                Pair::Driver(d) => {
+                    let kind = &self.scene.drivers[d].kind;
+                    if let Some(guide) = kind.guide() {
+                        guided(guide);
                     }
-                    DriverKind::Turn { .. } => {}
-                },
+                    if let Some([a, b]) = kind.ends() {
+                        let part = |k: usize| kind.parts().get(k).copied();
+                        out.extend([(b, part(1), force), (a, part(0), -force)]);
+                    }
+                }
                 Pair::Pin(_) | Pair::Rolling(_) => {}
             }
         }

@@ -131,7 +131,7 @@ pub fn json(scene: &Scene, worked: &Worked, d: &Drafting) -> Json {
 pub fn answer_fields(t: Option<&Tolerance>) -> [(&'static str, Json); 3] {
     let larger = t.and_then(|t| t.larger.as_ref()).map(|l| {
         let mut all = json!({"factor": l.factor});
-        for (kind, key) in Kind::DRAWN.into_iter().filter_map(|kind| Some((kind, kind.scale_key()?))) {
+        for (kind, key) in DiagramKind::OF_MOTION.into_iter().filter_map(|on| Some((on.kind(), on.kind().scale_key()?))) {
             all[key] = l.scales.get(kind).into();
         }
         (all["largest_drawing_mm"], all["paper"]) = (json!(l.size_mm), json!(l.sheet()));

@@ -5,7 +5,7 @@ use hodograph_base::diag::{Both, both};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::quantity::parties;
-use hodograph_scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 
 /// A joint by which a group is held from outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -195,17 +195,18 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
         return Err(both!("forces between gears and wheels are not drawn", "齿轮、滚轮之间的力不作图"));
     }
     for (d, driver) in scene.drivers.iter().enumerate() {
-        match driver.kind {
-            DriverKind::Turn { link, against, .. } if mine(link) => outer.push(Outer::Turn { driver: d, on: link, against }),
-            DriverKind::Turn { link, against, .. } if mine(against) && open[link.0] => return Err(another_kind()),
-            DriverKind::Slide { guide, .. } => {
-                let g = &scene.guides[guide.0];
-                let of_mine = g.slider.is_some_and(mine) || mine(g.on) || g.pin.is_some_and(|p| scene.carriers(p).any(mine));
-                if of_mine {
-                    outer.push(Outer::Push { driver: d, guide });
-                }
+        if let Some((link, against)) = driver.kind.turned() {
+            if mine(link) {
+                outer.push(Outer::Turn { driver: d, on: link, against });
+            } else if mine(against) && open[link.0] {
+                return Err(another_kind());
             }
-            DriverKind::Turn { .. } | DriverKind::Cylinder { .. } => {}
+        }
+        if let Some(guide) = driver.kind.guide() {
+            let g = &scene.guides[guide.0];
+            if g.slider.is_some_and(mine) || mine(g.on) || g.pin.is_some_and(|p| scene.carriers(p).any(mine)) {
+                outer.push(Outer::Push { driver: d, guide });
+            }
         }
     }
     Ok(Joints { outer, inner })
