@@ -103,7 +103,7 @@ impl Handle {
     }
 }
 
-/// What a row does to the first point of its relation, for λ = 1 in a mechanism of size one.
+/// Force of a row on the first point of its relation, for λ = 1 in a mechanism of size one.
 fn on_first(relation: &Relation) -> Vec2 {
     match *relation {
         Relation::Meet { k, .. } | Relation::Along { k, .. } | Relation::Track { k, .. } => k,

@@ -141,7 +141,7 @@ impl Kind {
         matches!(self, Kind::Omega | Kind::Alpha | Kind::Moment)
     }
 
-    /// Whether it belongs to the forces of a mechanism and not to its motion.
+    /// True for a kind that belongs to the forces of a mechanism and not to its motion.
     pub const fn is_of_forces(self) -> bool {
         matches!(self, Kind::Force | Kind::Moment | Kind::Power)
     }

@@ -11,7 +11,7 @@ use hodograph_scene::exact::Inputs;
 use hodograph_scene::quantity::{ROUNDING, Wrench};
 use hodograph_scene::{Angle, Given, LinkId, PointId, RollingId, Scene, Size, Touch};
 
-/// What a load is.
+/// Cause of a load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
     /// An applied force or couple: its index in the scene.
@@ -24,14 +24,14 @@ pub enum Cause {
     Spring(usize),
     /// The balancing force or moment that the scene names.
     Balance,
-    /// What presses the teeth of a pair apart.
+    /// The force that presses the teeth of a pair apart.
     Teeth(RollingId),
 }
 
 /// A load on a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Load<N = f64> {
-    /// What it is.
+    /// Its cause.
     pub cause: Cause,
     /// The link.
     pub link: LinkId,

@@ -34,7 +34,7 @@ pub struct ForceWriter<'a> {
 pub struct ForceColumn {
     /// The force.
     pub symbol: String,
-    /// Whether its magnitude is known.
+    /// True if its magnitude is known.
     pub magnitude: bool,
 }
 
@@ -308,7 +308,7 @@ impl ForceWriter<'_> {
         }
     }
 
-    /// What the polygon of a group gives: its unknown sides and diagonals, as measured.
+    /// Unknown sides and diagonals of a group's polygon, as measured.
     pub fn measured(&self, group: &GroupForces) -> Vec<String> {
         let letters = self.letters(group);
         let name = |mark: MarkId| letters.iter().find(|(m, _)| *m == mark).map_or("", |(_, l)| l.as_str());
@@ -339,7 +339,7 @@ impl ForceWriter<'_> {
         group.moments.iter().filter(before).map(|m| Phrase::new(&self.moments(m))).collect()
     }
 
-    /// What the polygon gives, and the moments that tell where forces of guides act.
+    /// Results of the polygon, and the moments that tell where forces of guides act.
     pub fn after(&self, group: &GroupForces) -> Vec<Phrase> {
         let after = group.moments.iter().filter(|m| matches!(m.gives, Gives::Offset(_))).map(|m| self.moments(m));
         self.measured(group).into_iter().map(|m| format!("${m}$")).chain(after).map(|s| Phrase::new(&s)).collect()

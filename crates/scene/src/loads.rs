@@ -19,7 +19,7 @@ pub struct Loads {
 }
 
 impl Loads {
-    /// Whether nothing acts on the mechanism.
+    /// True if nothing acts on the mechanism.
     pub fn is_empty(&self) -> bool {
         self.masses.is_empty() && self.applied.is_empty() && self.springs.is_empty()
     }
@@ -43,7 +43,7 @@ pub struct Mass {
     pub j: Option<Given>,
     /// The centre of mass; absent where only a moment of inertia is given.
     pub at: Option<PointId>,
-    /// Where it is said.
+    /// Its place in the file.
     pub span: Span,
 }
 
@@ -56,7 +56,7 @@ pub struct Applied {
     pub at: Option<PointId>,
     /// Size and direction.
     pub size: Size,
-    /// Where it is said.
+    /// Its place in the file.
     pub span: Span,
 }
 
@@ -83,7 +83,7 @@ pub enum Size {
 }
 
 impl Size {
-    /// Whether the motion says its direction.
+    /// True if the motion gives its direction.
     pub fn is_against_motion(&self) -> bool {
         matches!(self, Size::AgainstMotion(_) | Size::AgainstTurning(_))
     }
@@ -98,7 +98,7 @@ pub struct Spring {
     pub stiffness: Given,
     /// Free length (m).
     pub free: Given,
-    /// Where it is said.
+    /// Its place in the file.
     pub span: Span,
 }
 
@@ -109,7 +109,7 @@ pub struct Balance {
     pub link: LinkId,
     /// Point of application and direction of a force; `None` for a moment.
     pub force: Option<(PointId, Given<Angle>)>,
-    /// Where it is said.
+    /// Its place in the file.
     pub span: Span,
 }
 

@@ -10,7 +10,7 @@ pub fn schema() -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{keys, templates, units::Wanted};
+    use crate::{Kind, keys, templates, units::Wanted};
     use serde_json::Value;
     use std::collections::BTreeSet;
 
@@ -63,6 +63,7 @@ mod tests {
     fn schema_and_decoder_know_the_same_keys() {
         let schema: Value = serde_json::from_str(schema()).unwrap();
         let units = Wanted::TABLE.map(|(key, _)| key);
+        let printed: Vec<&str> = Kind::ALL.into_iter().filter_map(|kind| Wanted::of(kind).key()).collect();
         for (place, known) in [
             ("", keys::SCENE),
             ("/$defs/text/oneOf/1", &["en", "zh"]),
@@ -88,7 +89,7 @@ mod tests {
             ("/$defs/cam_stage", keys::CAM_STAGE),
             ("/$defs/paper", keys::PAPER),
             ("/properties/units", &units),
-            ("/properties/answers", &units),
+            ("/properties/answers", &printed),
         ] {
             let object = schema.pointer(place).unwrap_or_else(|| panic!("no {place} in the schema"));
             let written: BTreeSet<&str> = object["properties"].as_object().unwrap().keys().map(String::as_str).collect();

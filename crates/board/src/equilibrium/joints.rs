@@ -16,7 +16,7 @@ pub enum Outer {
         at: PointId,
         /// The link of the group.
         on: LinkId,
-        /// What holds it there.
+        /// The party that holds it there.
         by: Party,
     },
     /// A straight guide with a slider: normal force and its place.
@@ -86,7 +86,7 @@ pub enum Pair {
     },
 }
 
-/// What the links of a group are joined by.
+/// Joints of a group's links.
 pub(super) struct Joints {
     pub outer: Vec<Outer>,
     pub inner: Vec<Pair>,
@@ -98,7 +98,7 @@ pub(super) fn reference(scene: &Scene, g: GuideId) -> Option<PointId> {
     guide.pin.or_else(|| scene.links[guide.slider?.0].points.first().copied())
 }
 
-/// What presses on a link at a pin: the other link, where there are no more; else the pin.
+/// Party that presses on a link at a pin: the other link, where there are no more; else the pin.
 pub(super) fn party(scene: &Scene, at: PointId, on: LinkId) -> Party {
     let mut others = scene.carriers(at).filter(|l| *l != on);
     match (others.next(), others.next(), parties(scene, at)) {
@@ -136,7 +136,7 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
             }
             ([], [], [_]) => {}
             ([], [], [_, _]) => inner.push(Pair::Pin(p)),
-            // Whether the cylinder still presses unknown: it belongs to the group that it moves.
+            // A cylinder belongs to the group that it moves.
             ([], [d], [on]) if held.is_empty() => {
                 let [a, b] = scene.drivers[*d].kind.ends().unwrap_or([p, p]);
                 outer.push(Outer::Cylinder { driver: *d, at: p, far: if a == p { b } else { a }, on: *on });

@@ -36,7 +36,7 @@ pub enum Term {
     Load(usize),
     /// A reaction, or a part of it.
     Reaction {
-        /// What presses.
+        /// The party that presses.
         of: Party,
         /// The link on which it presses.
         on: LinkId,
@@ -45,7 +45,7 @@ pub enum Term {
     },
 }
 
-/// What presses on a link.
+/// A party that presses on a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Party {
     /// A link.
@@ -78,7 +78,7 @@ pub struct Side {
     pub at: PointId,
     /// The vector.
     pub vector: VectorId,
-    /// Whether its magnitude is known before the polygon closes.
+    /// True if its magnitude is known before the polygon closes.
     pub known: bool,
 }
 
@@ -93,13 +93,13 @@ pub struct Moments {
     pub of: Vec<(Term, PointId, NumberId)>,
     /// The couples (N·m).
     pub couples: Vec<(Term, NumberId)>,
-    /// What it gives.
+    /// Its result.
     pub gives: Gives,
     /// Its value: a force (N), a couple or moment (N·m).
     pub value: NumberId,
 }
 
-/// What an equation of moments gives.
+/// Result of an equation of moments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Gives {
     /// A force on a link, at a point.
@@ -115,7 +115,7 @@ pub enum Gives {
 pub struct GroupForces {
     /// Its links.
     pub links: Vec<LinkId>,
-    /// What it is: `RRR`, `driver`.
+    /// Its kind: `RRR`, `driver`.
     pub kind: &'static str,
     /// Its polygon.
     pub diagram: DiagramId,
@@ -153,9 +153,9 @@ pub struct Equilibrium {
     pub undrawn: Vec<Undrawn>,
     /// The scales of the plane and of the polygons.
     pub scales: ByKind,
-    /// Where everything falls.
+    /// The places of marks and lines.
     pub drawn: Drawn,
-    /// What was found: reactions and balancing moments.
+    /// Reactions and balancing moments that the drawing gives.
     pub forces: Forces,
     /// The marks of the plane by point.
     pub places: Vec<Option<MarkId>>,
@@ -196,6 +196,10 @@ impl Equilibrium {
         let mu = fitted(&scene.paper, Kind::Force, extent, room);
         let scales: ByKind = [(Kind::Length, mu_l), (Kind::Force, mu)].into_iter().collect();
         let drawn = draw(&written.construction, &givens, &scales, &mut Exact).ok()?;
+        // A division by an arm of zero leaves no drawing.
+        if drawn.marks.iter().flatten().any(|mark| !mark.is_finite()) {
+            return None;
+        }
         let forces = read(scene, m, at, &loads, &written.answers, &drawn)?;
         let scribe::Written { construction, groups, undrawn, places, .. } = written;
         Some(Equilibrium { loads, construction, groups, undrawn, scales, drawn, forces, places })

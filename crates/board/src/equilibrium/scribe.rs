@@ -22,7 +22,7 @@ pub(super) struct Written {
     pub places: Vec<Option<MarkId>>,
 }
 
-/// What acts on a link: a force at a point, a couple, or both.
+/// A load or reaction on a link: a force at a point, a couple, or both.
 #[derive(Clone, Copy)]
 pub(super) struct Acting {
     pub term: Term,
@@ -101,7 +101,7 @@ pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &
     Written { construction, groups, undrawn, answers, places }
 }
 
-/// Whether two links press on each other anywhere.
+/// True if two links press on each other anywhere.
 fn touches(scene: &Scene, a: LinkId, b: LinkId) -> bool {
     let pins = scene.links[a.0].points.iter().any(|p| scene.links[b.0].points.contains(p));
     let on = |l: LinkId, g: &hodograph_scene::Guide| {

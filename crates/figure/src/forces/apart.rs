@@ -31,7 +31,7 @@ impl Page<'_> {
         for moments in group.moments.iter().filter(|m| !matches!(m.gives, Gives::Offset(_))) {
             self.arms(&mut d, moments);
         }
-        // Of a reaction in parts both are drawn where they were found.
+        // Both parts of a reaction are drawn where they were found.
         let own = |s: &&Side| match s.term {
             Term::Load(k) => group.links.contains(&self.of.loads[k].link),
             Term::Reaction { of, on, .. } => {

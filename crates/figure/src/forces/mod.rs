@@ -100,9 +100,8 @@ impl Page<'_> {
                 .collect(),
             height_mm: style.small_mm * 1.9,
         };
-        let last = columns.len() - 1;
         let symbols = |c: usize| match c {
-            c if c == last => format!("{} = 0", columns[c].symbol),
+            c if c + 1 == columns.len() => format!("{} = 0", columns[c].symbol),
             c => format!("{} +", columns[c].symbol),
         };
         let (known, unknown) = (&options.notation.known, &options.notation.unknown);

@@ -87,7 +87,7 @@ impl Demand {
         }
     }
 
-    /// Whether forces are asked for.
+    /// True if forces are asked for.
     pub fn wants_forces(&self) -> bool {
         self.needs.iter().any(|(need, _)| *need == Need::Forces)
     }

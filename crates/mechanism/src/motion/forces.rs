@@ -101,7 +101,7 @@ impl<N: Real> Posed<'_, N> {
         for &(l, kind) in &passive {
             self.handed_on(l, kind, &own, &mut acting).ok_or(None)?;
         }
-        // What pulls at the pins of cylinders.
+        // Forces of cylinders on their pins.
         let mut pulls: Vec<(PointId, Vec2<N>)> = Vec::new();
         let mut couples: Vec<(GuideId, LinkId, LinkId, N)> = Vec::new();
         let inputs = Inputs::of(scene);
@@ -192,7 +192,7 @@ impl<N: Real> Posed<'_, N> {
         }) {
             let (g, slider, on) = open[k];
             let leaf = open.iter().filter(|(_, s, o)| *s == slider || *o == slider).count() == 1;
-            // What acts on the leaf is this guide's couple alone.
+            // Only this guide's couple acts on the leaf.
             let couple = if leaf { net[slider.0] } else { -net[on.0] };
             net[slider.0] = net[slider.0] - couple;
             net[on.0] = net[on.0] + couple;

@@ -5,7 +5,7 @@ use hodograph_board::plan::names::name_label;
 use hodograph_scene::{Given, Lang, Mass, Size};
 
 impl Givens<'_> {
-    /// What is given of forces: a line for each kind.
+    /// Given masses, loads and springs, a line for each.
     pub(super) fn loads(&self) -> Vec<String> {
         let loads = &self.scene.loads;
         let mut all = Vec::new();

@@ -60,7 +60,7 @@ pub struct Forces<N = f64> {
     pub largest_moment: f64,
     /// Power (W) of the largest force at the speed of the drivers.
     pub largest_power: f64,
-    /// Whether reactions are determined: they are not where a link or a pair repeats what the others hold.
+    /// True if reactions are determined: they are not where a link or a pair repeats what the others hold.
     pub determinate: bool,
 }
 

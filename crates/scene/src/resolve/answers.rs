@@ -12,7 +12,11 @@ pub(super) fn book(raw: &RawScene, faults: &mut Faults) -> Book {
             let d =
                 Diagnostic::error("unknown-key", both!("`{}` is not a quantity of \"answers\"", "`{}` 不是 \"answers\" 中的量", key.text))
                     .at(key.span);
-            faults.push(d.help(suggest(&key.text, Wanted::TABLE.iter().map(|(k, _)| *k), both!("the quantities are", "可用的量有"))));
+            faults.push(d.help(suggest(
+                &key.text,
+                Kind::ALL.iter().filter_map(|k| Wanted::of(*k).key()),
+                both!("the quantities are", "可用的量有"),
+            )));
             continue;
         };
         match BookUnit::read(&unit.text, kind) {

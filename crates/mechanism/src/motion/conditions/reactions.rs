@@ -14,7 +14,7 @@ use hodograph_scene::{LinkId, PointId, Scene};
 /// Forces that act on links and pins.
 #[derive(Clone)]
 pub(in crate::motion) struct Acting<N> {
-    /// Of each link a point of its own, about which its couple counts.
+    /// For each link a point of its own, about which its couple counts.
     base: Vec<Point<N>>,
     pub links: Vec<Wrench<N>>,
     pub pins: Vec<Vec2<N>>,
@@ -40,7 +40,7 @@ impl<N: Real> Acting<N> {
         self.links[link.0] = self.links[link.0].plus(moved);
     }
 
-    /// What acts on a link, its couple about a place.
+    /// Sum of the forces on a link, with its couple about a place.
     pub fn about(&self, link: LinkId, place: Point<N>) -> Wrench<N> {
         self.links[link.0].seen_at(self.base[link.0] - place)
     }
@@ -51,11 +51,11 @@ impl<N: Real> Acting<N> {
     }
 }
 
-/// What one condition does: the force (N) on its first point, or the couple on its first body.
+/// Reaction of one condition: the force (N) on its first point, or the couple on its first body.
 #[derive(Clone, Copy)]
 pub(in crate::motion) enum Reaction<N> {
     Force(Vec2<N>),
-    /// Of a unit factor.
+    /// For a factor of one.
     Couple(N),
 }
 
