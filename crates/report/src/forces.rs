@@ -366,7 +366,7 @@ impl ForceWriter<'_> {
         let mut out = String::new();
         let book = &self.scene.book;
         let mu = format!("{} {}", hodograph_base::digits::shortest(book.value(Kind::Force, self.of.mu())), book.scale_name(Kind::Force));
-        out += &format!("{}: μ_F = {mu}\n", tr(self.lang, "force polygons", "力多边形"));
+        out += &format!("{}μ_F = {mu}\n", tr(self.lang, "force polygons: ", "力多边形："));
         for group in &self.of.groups {
             out += &format!("  {}\n", self.heading(group));
             for (k, s) in self.sentences(group).iter().enumerate() {
