@@ -318,7 +318,10 @@ impl Dice {
 /// The scene with its entries in another order; lists whose order has a meaning (points of a link, pieces of a profile, wheels of a belt) keep it.
 fn in_another_order(scene: &Json, dice: &mut Dice) -> Json {
     let Json::Object(keys) = scene else { panic!("a scene is an object") };
+    // A balancing moment has the number of its driver.
+    let numbered = scene["find"].to_string().contains("_b");
     let mixed = |key: &str, value: &Json, dice: &mut Dice| match (key, value) {
+        ("driver", drivers) if numbered => drivers.clone(),
         ("parameters" | "links" | "points" | "lengths" | "side" | "sketch" | "units", Json::Object(entries)) => {
             Json::Object(dice.shuffled(entries.iter().map(|(k, v)| (k.clone(), v.clone())).collect()).into_iter().collect())
         }

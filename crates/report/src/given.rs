@@ -18,6 +18,9 @@ use hodograph_scene::{Angle, Book, DriverKind, Given, Kind, Lang, LinkId, Place,
 /// Digits of a given number that is not written as such but computed by the scene, as in `2*r`.
 const DIGITS: usize = 6;
 
+/// Two coordinates of more letters than this do not fit beside a drawing.
+const LONG: usize = 24;
+
 /// What a scene gives, in words.
 #[derive(Clone, Copy)]
 pub struct Givens<'a> {
@@ -104,7 +107,12 @@ impl Givens<'_> {
         let symbol = point_label(self.name(p));
         Some(match &self.scene.points[p.0].place {
             Place::Unknown => return None,
-            Place::At([x, y]) => format!("${symbol} = ({}, {})$", self.length(x), self.length(y)),
+            Place::At([x, y]) => {
+                let (x, y) = (self.length(x), self.length(y));
+                // Coordinates of many digits may be parted by the end of a line.
+                let between = if x.len() + y.len() > LONG { "$ $" } else { " " };
+                format!("${symbol} = ({x},{between}{y})$")
+            }
             Place::InLink { base: (a, b), xy: [x, y] } => {
                 let line = format!("${}{}$", point_label(self.name(*a)), point_label(self.name(*b)));
                 let (a, b) = (self.point(*a), self.point(*b));
