@@ -297,7 +297,7 @@ fn pursuits_of_nearly_equal_speed_are_followed() {
 /// Shape, names and questions are told in one list.
 #[test]
 fn all_faults_of_a_file_are_told_at_once() {
-    let text = r#"{"motions": [{"point": "B", "angle": "0 deg", "s": "4 m"}, {"point": "A", "toward": "C", "speed": "5 kg"}, {"point": "D", "toward": "E", "speed": "5 m/s"}],
+    let text = r#"{"motions": [{"point": "B", "angle": "0 deg", "s": "4 m"}, {"point": "A", "toward": "C", "speed": "5 furlong"}, {"point": "D", "toward": "E", "speed": "5 m/s"}],
         "points": {"A": [0, 0], "B": [0, "3 km"], "D": [1, 0]}, "find": ["v_B", "x_B", "a_A"]}"#;
     let faults = read(text).unwrap_err();
     let codes: Vec<&str> = faults.list.iter().map(|d| d.code).collect();
