@@ -59,7 +59,7 @@ fn balancing_moments_do_the_work_of_the_loads() {
         let name = template.name;
         let text = templates::get(name).unwrap();
         let Ok(plain) = scene::read(text) else { continue };
-        // What has forces of its own has other points without them.
+        // A template with forces of its own lacks points without them.
         if !plain.value.loads.is_empty() {
             continue;
         }

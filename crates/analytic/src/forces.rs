@@ -1,6 +1,6 @@
 //! Reactions and balancing moments from all constraint rows at once.
 //!
-//! Where nothing rubs, a pair does no work: the reactions are λ times the coefficients of its rows, and equilibrium of all links is Jᵀ λ = −Q. Each
+//! Without friction a pair does no work: the reactions are λ times the coefficients of its rows, and equilibrium of all links is Jᵀ λ = −Q. Each
 //! reaction is read off the rows of its pair.
 //!
 //! # Source
@@ -10,7 +10,7 @@ use super::relation::{Handle, Pair, Relation, Row};
 use super::rows::Layout;
 use super::{Solution, System};
 use hodograph_base::geom::Vec2;
-use hodograph_mechanism::force::{Cause, Load, between_teeth, fastest, loads, unit_balance};
+use hodograph_mechanism::force::{Cause, Load, between_teeth, completed, loads, unit_balance};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::{Forces, Wrench};
@@ -72,22 +72,17 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
     }
     let pins = found.pins(at);
     let guides: Vec<(GuideId, Wrench)> = (0..scene.guides.len()).map(GuideId).filter_map(|g| Some((g, found.guide(g)?))).collect();
-    let all = loads.iter().map(|l| l.wrench.force).chain(pins.iter().map(|p| p.2)).chain(guides.iter().map(|g| g.1.force));
-    let largest = all.map(Vec2::norm).fold(0.0, f64::max);
-    let couples = loads.iter().map(|l| l.wrench.couple).chain(guides.iter().map(|g| g.1.couple)).map(f64::abs);
-    Some(Forces {
+    let reactions = Forces {
         rolling: (0..scene.rolling.len()).map(RollingId).filter_map(|r| Some((r, found.rolling(r, &guides, &teeth)?))).collect(),
-        largest_moment: couples.fold(largest * at.extent(), f64::max),
         drivers: found.drivers(),
-        inertia: loads.iter().filter(|l| l.cause == Cause::Inertia).map(|l| (l.link, l.wrench)).collect(),
-        largest_power: largest * fastest(scene, at),
         determinate: m.redundant.is_empty(),
-        largest,
         balance,
         power,
         pins,
         guides,
-    })
+        ..Forces::none()
+    };
+    Some(completed(scene, at, &loads, reactions))
 }
 
 impl Handle {
@@ -129,19 +124,17 @@ impl Balanced<'_> {
         let of = |d: usize| {
             let kind = &self.scene.drivers[d].kind;
             let (slides, stretches) = (kind.guide().is_some(), kind.ends().is_some());
-            let driven = |(k, row): (usize, &Row)| match row.relation {
-                Relation::Turn { .. } if kind.turns() => Some(self.lambda[k]),
-                Relation::Along { .. } if slides => Some(self.lambda[k] * self.layout.scale),
-                Relation::Distance { .. } if stretches => Some(self.lambda[k] * self.layout.scale),
-                // Along an arc s = ρψ: the moment over the radius.
-                Relation::Line { d, .. } if slides => Some(self.lambda[k] * self.layout.scale / d.norm()),
-                Relation::Meet { .. }
-                | Relation::Turn { .. }
-                | Relation::Along { .. }
-                | Relation::Distance { .. }
-                | Relation::Line { .. }
-                | Relation::Roll { .. }
-                | Relation::Track { .. } => None,
+            let driven = |(k, row): (usize, &Row)| {
+                let scale = self.layout.scale;
+                // Of a turning driver the rows are of angles; along an arc s = ρψ, and the moment is over the radius.
+                let unit = match (row.relation, kind.turns()) {
+                    (Relation::Turn { .. }, true) => 1.0,
+                    (Relation::Along { .. }, false) if slides => scale,
+                    (Relation::Distance { .. }, false) if stretches => scale,
+                    (Relation::Line { d, .. }, false) if slides => scale / d.norm(),
+                    (_, true | false) => return None,
+                };
+                Some(self.lambda[k] * unit)
             };
             self.rows_of(Pair::Driver(d)).find_map(driven).unwrap_or(0.0)
         };
@@ -154,19 +147,18 @@ impl Balanced<'_> {
         let mut rows = self.rows_of(Pair::Guide(g)).peekable();
         rows.peek()?;
         Some(rows.fold(Wrench::zero(), |sum, (k, row)| {
+            let is_slider = |h: Handle| slider.is_some() && h.first == slider;
             let turned = match row.relation {
-                Relation::Turn { a, b, .. } if a.first == slider && slider.is_some() => Some((a, 1.0)).filter(|_| b.first != slider),
-                Relation::Turn { b, .. } if b.first == slider && slider.is_some() => Some((b, -1.0)),
-                Relation::Line { body, .. } if body.first == slider && slider.is_some() => Some((body, -1.0)),
+                Relation::Turn { a, b, .. } => f64::from(u8::from(is_slider(a))) - f64::from(u8::from(is_slider(b))),
+                Relation::Line { body, .. } if is_slider(body) => -1.0,
                 Relation::Meet { .. }
-                | Relation::Turn { .. }
                 | Relation::Along { .. }
                 | Relation::Distance { .. }
                 | Relation::Line { .. }
                 | Relation::Roll { .. }
-                | Relation::Track { .. } => None,
+                | Relation::Track { .. } => 0.0,
             };
-            sum.plus(Wrench { force: self.force(k), couple: turned.map_or(0.0, |(_, sign)| sign * self.lambda[k]) })
+            sum.plus(Wrench { force: self.force(k), couple: turned * self.lambda[k] })
         }))
     }
 

@@ -8,7 +8,7 @@ use crate::position::Configuration;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::exact::Inputs;
-use hodograph_scene::quantity::{ROUNDING, Wrench};
+use hodograph_scene::quantity::{Forces, ROUNDING, Wrench};
 use hodograph_scene::{Angle, Given, LinkId, PointId, RollingId, Scene, Size, Touch};
 
 /// Cause of a load.
@@ -157,8 +157,20 @@ pub fn between_teeth<N: Real>(scene: &Scene, at: &Configuration<N>, tangential: 
     out
 }
 
+/// Reactions, completed by what follows from them and the loads: the inertia forces, and the sizes beside which a quantity is rounding.
+pub fn completed<N: Real>(scene: &Scene, at: &Configuration<N>, loads: &[Load<N>], reactions: Forces<N>) -> Forces<N> {
+    let Forces { pins, guides, drivers, .. } = &reactions;
+    let forces = loads.iter().map(|l| l.wrench.force).chain(pins.iter().map(|p| p.2)).chain(guides.iter().map(|g| g.1.force));
+    let largest = forces.map(|f| f.norm().approx()).fold(0.0, f64::max);
+    let turned = scene.drivers.iter().zip(drivers).filter(|(d, _)| d.kind.turns()).map(|(_, moment)| *moment);
+    let couples = loads.iter().map(|l| l.wrench.couple).chain(guides.iter().map(|g| g.1.couple)).chain(turned);
+    let largest_moment = couples.map(|c| c.approx().abs()).fold(largest * at.extent(), f64::max);
+    let inertia = loads.iter().filter(|l| l.cause == Cause::Inertia).map(|l| (l.link, l.wrench)).collect();
+    Forces { inertia, largest, largest_moment, largest_power: largest * fastest(scene, at), ..reactions }
+}
+
 /// The speed (m/s) beside which a velocity is rounding: that of the drivers at the size of the mechanism.
-pub fn fastest<N: Real>(scene: &Scene, at: &Configuration<N>) -> f64 {
+fn fastest<N: Real>(scene: &Scene, at: &Configuration<N>) -> f64 {
     let extent = at.extent();
     let of = |d: &hodograph_scene::Driver| d.rate.value.abs() * if d.kind.turns() { extent } else { 1.0 };
     scene.drivers.iter().map(of).fold(0.0, f64::max)

@@ -150,7 +150,7 @@ impl ForceWriter<'_> {
         match term {
             Term::Load(k) => match self.of.loads[k].cause {
                 Cause::Inertia => format!("M_{{I{}}}", name_label(self.scene.link_name(self.of.loads[k].link))),
-                _ => self.load(k),
+                Cause::Applied(_) | Cause::Weight | Cause::Spring(_) | Cause::Balance | Cause::Teeth(_) => self.load(k),
             },
             Term::Reaction { .. } => self.symbol(term).replacen('F', "M", 1),
         }
@@ -314,7 +314,7 @@ impl ForceWriter<'_> {
         let name = |mark: MarkId| letters.iter().find(|(m, _)| *m == mark).map_or("", |(_, l)| l.as_str());
         let unknown: Vec<&Side> = group.sides.iter().filter(|s| !s.known).chain(&group.diagonals).collect();
         let vector = |s: &Side| &self.of.construction.vectors[s.vector.index()];
-        // Of two opposite reactions one is enough.
+        // One of two opposite reactions is enough.
         let told =
             |k: usize| !unknown[..k].iter().any(|s| (vector(s).from, vector(s).to) == (vector(unknown[k]).to, vector(unknown[k]).from));
         let kept: Vec<&Side> = (0..unknown.len()).filter(|k| told(*k)).map(|k| unknown[k]).collect();

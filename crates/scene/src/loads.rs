@@ -114,7 +114,7 @@ pub struct Balance {
 }
 
 impl Scene {
-    /// Whether links have inertia forces: something has mass, and a driver moves.
+    /// True if links have inertia forces: something has mass, and a driver moves.
     pub fn has_inertia(&self) -> bool {
         let moves = |d: &super::model::Driver| d.rate.value != 0.0 || d.acceleration.as_ref().is_some_and(|a| a.value != 0.0);
         !self.loads.masses.is_empty() && self.drivers.iter().any(moves)

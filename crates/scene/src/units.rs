@@ -32,7 +32,7 @@ impl Dim {
         Dim { length, time, angle, mass: 0 }
     }
 
-    /// Of a quantity in which the kilogram stands once.
+    /// The dimension of a quantity in which the kilogram stands once.
     const fn of_mass(length: i8, time: i8) -> Dim {
         Dim { length, time, angle: 0, mass: 1 }
     }

@@ -14,8 +14,6 @@ mod joints;
 mod methods;
 mod scribe;
 
-pub use joints::{Outer, Pair};
-
 use crate::construct::scale::fitted;
 use crate::construction::pencil::Exact;
 use crate::construction::{Construction, DiagramId, Drawn, Givens, Key, MarkId, NumberId, Track, VectorId, draw};
@@ -23,7 +21,7 @@ use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::kind::{ByKind, Kind};
 use hodograph_mechanism::answer::Source;
-use hodograph_mechanism::force::{Cause, Load, fastest, loads};
+use hodograph_mechanism::force::{Load, completed, loads};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::quantity::{Forces, Wrench};
@@ -264,24 +262,11 @@ fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answer
         let Some((_, n)) = answers.drivers.iter().find(|(own, _)| *own == d) else { break };
         drivers.push(drawn.number(*n)?);
     }
-    let forces = loads.iter().map(|l| l.wrench.force).chain(pins.iter().map(|p| p.2)).chain(guides.iter().map(|g| g.1.force));
-    let largest = forces.map(Vec2::norm).fold(0.0, f64::max);
-    let couples = loads.iter().map(|l| l.wrench.couple).chain(drivers.iter().copied()).map(f64::abs);
     let whole = drivers.len() == scene.drivers.len();
-    let power = scene.drivers.iter().zip(&drivers).map(|(d, x)| x * d.rate.value).sum();
-    Some(Forces {
-        largest_moment: couples.fold(largest * at.extent(), f64::max),
-        largest_power: largest * fastest(scene, at),
-        power: if whole { power } else { f64::NAN },
-        inertia: loads.iter().filter(|l| l.cause == Cause::Inertia).map(|l| (l.link, l.wrench)).collect(),
-        rolling: Vec::new(),
-        balance: None,
-        determinate: m.redundant.is_empty(),
-        largest,
-        drivers,
-        guides,
-        pins,
-    })
+    let power: f64 = scene.drivers.iter().zip(&drivers).map(|(d, x)| x * d.rate.value).sum();
+    let power = if whole { power } else { f64::NAN };
+    let reactions = Forces { determinate: m.redundant.is_empty(), pins, guides, drivers, power, ..Forces::none() };
+    Some(completed(scene, at, loads, reactions))
 }
 
 /// The reason for which a group is not drawn.

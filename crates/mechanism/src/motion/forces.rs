@@ -8,7 +8,7 @@
 
 use super::Motion;
 use super::conditions::{Acting, Conditions, Reaction};
-use crate::force::{Cause, Load, between_teeth, fastest, loads, unit_balance};
+use crate::force::{Cause, Load, between_teeth, completed, loads, unit_balance};
 use crate::mechanism::{Demand, Form, Item, Mechanism, Passive, Runner};
 use crate::position::{Configuration, Path};
 use hodograph_base::geom::Vec2;
@@ -269,10 +269,6 @@ impl<N: Real> Posed<'_, N> {
 
     fn told(&self, loads: &[Load<N>], teeth: &[Load<N>], found: Found<N>, balance: Option<N>, power: N) -> Forces<N> {
         let guides: Vec<(GuideId, Wrench<N>)> = found.guides.into_iter().enumerate().filter_map(|(g, w)| Some((GuideId(g), w?))).collect();
-        let forces = loads.iter().map(|l| l.wrench.force).chain(found.pins.iter().map(|p| p.2)).chain(guides.iter().map(|g| g.1.force));
-        let largest = forces.map(|f| f.norm().approx()).fold(0.0, f64::max);
-        let couples = loads.iter().map(|l| l.wrench.couple).chain(guides.iter().map(|g| g.1.couple)).map(|c| c.approx().abs());
-        let largest_moment = couples.fold(largest * self.at.extent(), f64::max);
         let rolling = found.rolling.into_iter().enumerate().filter_map(|(r, force)| {
             let pair = RollingId(r);
             // A guide of its own holds the wheels in touch: the two parts are one force.
@@ -285,19 +281,17 @@ impl<N: Real> Posed<'_, N> {
             let apart = teeth.iter().filter(|l| l.cause == Cause::Teeth(pair) && l.link == second).map(|l| l.wrench.force);
             Some((pair, apart.fold(force? + toward, |sum, f| sum + f)))
         });
-        Forces {
+        let reactions = Forces {
             rolling: rolling.collect(),
             pins: found.pins,
-            guides,
             drivers: found.drivers,
-            balance,
-            inertia: loads.iter().filter(|l| l.cause == Cause::Inertia).map(|l| (l.link, l.wrench)).collect(),
-            power,
-            largest,
-            largest_moment,
-            largest_power: largest * fastest(self.scene, self.at),
             determinate: self.m.redundant.is_empty(),
-        }
+            guides,
+            balance,
+            power,
+            ..Forces::none()
+        };
+        completed(self.scene, self.at, loads, reactions)
     }
 }
 

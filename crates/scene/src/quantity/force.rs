@@ -13,14 +13,14 @@ use hodograph_base::geom::Vec2;
 use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
 
-/// Where two links press on each other.
+/// A place where two links press on each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Contact {
     /// In a pin that joins no others.
     Pin(PointId),
     /// In a guide; `true` where the second link carries it.
     Guide(GuideId, bool),
-    /// Where they roll on each other; `true` where the second link is the first of the pair.
+    /// The contact of a rolling pair; `true` where the second link is the first of the pair.
     Rolling(RollingId, bool),
 }
 
@@ -285,12 +285,12 @@ impl Quantity for Force {
 }
 
 impl Force {
-    /// Whether it is a reaction between two links, or of a pin on a link.
+    /// True for a reaction between two links, or of a pin on a link.
     pub fn is_reaction(&self) -> bool {
         matches!(self.0, Which::Reaction(..) | Which::OfPin(..))
     }
 
-    /// Why two links do not press on each other, with the pin that they share with others.
+    /// The fault of asking for the force of two links that do not press on each other, with the pin that they share with others.
     fn not_joined(&self, scene: &Scene, find: &Find, [i, j]: [LinkId; 2]) -> Diagnostic {
         let [a, b] = [i, j].map(|l| scene.link_name(l));
         let shared = scene.links[i.0].points.iter().copied().find(|p| scene.links[j.0].points.contains(p));
@@ -341,20 +341,20 @@ fn reaction_wanted(question: &Question<'_>) -> Diagnostic {
     ))
 }
 
-/// Whether a numbered slider runs in a straight guide.
+/// True if a numbered slider runs in a straight guide.
 fn slides(scene: &Scene, g: GuideId) -> bool {
     let guide = &scene.guides[g.0];
     guide.slider.is_some() && matches!(guide.path, GuidePath::Line { .. })
 }
 
-/// How many press on a pin: links, bare guides in which it runs, cylinders without numbered parts.
+/// The number of parties that press on a pin: links, bare guides in which it runs, cylinders without numbered parts.
 pub fn parties(scene: &Scene, p: PointId) -> usize {
     let slots = scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none()).count();
     let cylinders = scene.drivers.iter().filter(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p)) && d.kind.parts().is_empty());
     scene.carriers(p).count() + slots + cylinders.count()
 }
 
-/// Where two links press on each other, with nothing between them.
+/// The places where two links press on each other, with nothing between them.
 pub fn contacts(scene: &Scene, i: LinkId, j: LinkId) -> Vec<Contact> {
     let mut out = Vec::new();
     let both_carry = |p: &PointId| scene.links[i.0].points.contains(p) && scene.links[j.0].points.contains(p);

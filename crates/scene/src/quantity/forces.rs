@@ -64,6 +64,25 @@ pub struct Forces<N = f64> {
     pub determinate: bool,
 }
 
+impl<N: Real> Forces<N> {
+    /// No forces.
+    pub fn none() -> Self {
+        Forces {
+            pins: Vec::new(),
+            guides: Vec::new(),
+            rolling: Vec::new(),
+            drivers: Vec::new(),
+            balance: None,
+            inertia: Vec::new(),
+            power: N::from_f64(0.0),
+            largest: 0.0,
+            largest_moment: 0.0,
+            largest_power: 0.0,
+            determinate: true,
+        }
+    }
+}
+
 impl<N> Forces<N> {
     /// The size (SI) beside which a quantity of a kind is rounding; `None` of a kind that is none of forces.
     pub fn size(&self, kind: Kind) -> Option<f64> {

@@ -96,7 +96,7 @@ pub(crate) fn begins_a_question(text: &str) -> bool {
             .is_some_and(|(symbol, _)| quantity::symbols().iter().any(|e| e.symbol == spelt(symbol)))
 }
 
-/// Whether a symbol is a question without names behind it: the power `P`.
+/// True for a symbol that is a question without names behind it: the power `P`.
 fn is_alone(symbol: &str) -> bool {
     quantity::lines().any(|e| e.example == symbol && e.symbol == symbol)
 }

@@ -1,6 +1,6 @@
 //! Equilibrium of one group: the transposed system.
 //!
-//! Row i of the system says c_i·q̇ = rate. Where nothing rubs, its pair does no work but by that rate, so that its reaction on the unknown k is
+//! Row i of the system says c_i·q̇ = rate. Without friction its pair does no work but by that rate, so that its reaction on the unknown k is
 //! λ_i c_ik, and equilibrium is Cᵀ λ = −Q with the loads Q of the group.
 
 use super::{Condition, Conditions, Handle, Lu, own_point};
