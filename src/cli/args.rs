@@ -371,6 +371,10 @@ pub struct Limits {
     /// Of a four-bar: for which values of each length, the three others held, it has which of Grashof's types
     #[arg(long)]
     pub ranges: bool,
+    /// Moment of inertia of the flywheel on the driver's shaft that keeps this coefficient of speed fluctuation, such as 1/30 or 0.03, with the
+    /// scene's loads
+    #[arg(long, value_name = "DELTA", conflicts_with = "ranges")]
+    pub flywheel: Option<String>,
     /// As JSON, in SI
     #[arg(long)]
     pub json: bool,

@@ -283,6 +283,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("cam", "dpi", "PNG 的分辨率（dpi）"),
     ("limits", "", "原动件的活动范围、极限位置和行程、行程速度变化系数、传动角、格拉斯霍夫类型"),
     ("limits", "ranges", "四杆机构：其余三杆不变时，各杆长在什么范围内属于哪种类型"),
+    ("limits", "flywheel", "在所给载荷下，使运转不均匀系数为此值（如 1/30 或 0.03）的飞轮转动惯量（装在原动件轴上）"),
     ("limits", "json", "结果为 JSON，国际单位制"),
     ("centres", "", "速度瞬心：各瞬心的求法和位置，以及由瞬心求得的速度"),
     ("centres", "*after", "带瞬心多边形的图：hodograph draw SCENE --figure centres -o centres.svg"),

@@ -90,13 +90,73 @@ pub fn limits(a: Limits) -> Run {
         } else {
             files::print(&report::ranges::text(&input.scene, &all, lang))?;
         }
-    } else if a.json {
-        files::print(&format!("{:#}\n", report::json(&input.scene, driver, &limits)))?;
     } else {
-        files::print(&report::text(&input.scene, driver, &limits, lang))?;
+        let energy = balanced(&input, driver, a.flywheel.as_deref())?;
+        if a.json {
+            let mut json = report::json(&input.scene, driver, &limits);
+            json["energy"] = energy.map(|e| e.json()).into();
+            files::print(&format!("{json:#}\n"))?;
+        } else {
+            files::print(&report::text(&input.scene, driver, &limits, lang))?;
+            if let Some(energy) = energy {
+                files::print(&energy.text(&input.scene, driver, &limits, lang))?;
+            }
+        }
     }
     input.file.say_notes();
     Ok(ExitCode::SUCCESS)
+}
+
+/// Mean balancing moment and surplus of energy of a scene with loads, with the flywheel where one is asked for.
+fn balanced(input: &Input, driver: usize, delta: Option<&str>) -> Result<Option<report::balanced::Balanced>, Failure> {
+    let wrong = |message: Both, help: Both| {
+        Failure::argument("--flywheel", delta.unwrap_or_default(), Diagnostic::error("flywheel", message).help(help))
+    };
+    let number = |text: &str| {
+        let mut parts = text.splitn(2, '/').map(|part| part.trim().parse::<f64>().ok());
+        let (above, below) = (parts.next()??, parts.next().map_or(Some(1.0), |x| x)?);
+        Some(above / below).filter(|x| x.is_finite() && (0.0..1.0).contains(x) && *x > 0.0)
+    };
+    let told = match delta {
+        Some(text) => Some(number(text).ok_or_else(|| {
+            let message = both!("`{text}` is no coefficient of speed fluctuation", "`{text}` 不是运转不均匀系数");
+            wrong(message, both!("write a number between 0 and 1, such as 1/30 or 0.03", "请写 0 与 1 之间的数，如 1/30 或 0.03"))
+        })?),
+        None => None,
+    };
+    if input.scene.loads.is_empty() {
+        let message = both!("the scene has no loads: there is nothing for a flywheel to even out", "机构文件没有载荷，不需要飞轮");
+        let help = both!("give \"forces\" or \"masses\"", "请给出 \"forces\" 或 \"masses\"");
+        return if told.is_some() { Err(wrong(message, help)) } else { Ok(None) };
+    }
+    let question = if driver == 0 { "M_b".to_owned() } else { format!("M_b{}", driver + 1) };
+    let asked = scene::read_asking(&input.file.source, &question).and_then(|read| sweep::strokes::with_strokes(read.value));
+    let scene = match asked {
+        Ok(scene) => scene,
+        // A driver that slides has a force, and the rate of another may be missing: the limits stand without.
+        Err(_) if told.is_none() => return Ok(None),
+        Err(faults) => return Err(input.failed(faults)),
+    };
+    let energy = sweep::mechanism(&scene).and_then(|m| sweep::energy::energy(&Placed::new(&scene, &m)?, driver));
+    let energy = match energy {
+        Ok(energy) => energy,
+        Err(_) if told.is_none() => return Ok(None),
+        Err(faults) => return Err(input.failed(faults)),
+    };
+    let rate = scene.drivers[driver].rate.value;
+    match (energy, told) {
+        (Some(_), Some(_)) if rate == 0.0 => {
+            let message = both!("the driver stands still", "原动件静止");
+            Err(wrong(message, both!("give its \"omega\"", "请给出其 \"omega\"")))
+        }
+        (Some(energy), delta) => Ok(Some(report::balanced::Balanced { energy, rate, delta })),
+        (None, None) => Ok(None),
+        (None, Some(_)) => {
+            let message =
+                both!("the driver does not turn fully, or never comes to its first pose again", "原动件不能整周转动，或不再回到原位");
+            Err(wrong(message, both!("a flywheel is for a driver that turns", "飞轮用于整周转动的原动件")))
+        }
+    }
 }
 
 /// The driver that `--over` names; the first where it names none.
@@ -131,6 +191,7 @@ pub fn ask(input: &mut Input, find: Option<&str>) -> Result<(), Failure> {
     input.file.asked = Some(find.to_owned());
     let read = scene::read_asking(&input.file.source, find);
     let Warned { value, notes } = read.map_err(|faults| input.failed(faults))?;
+    let value = sweep::strokes::with_strokes(value).map_err(|faults| input.failed(faults))?;
     (input.scene, input.file.notes) = (value, notes);
     Ok(())
 }

@@ -4,12 +4,12 @@
 
 use crate::answer::Source;
 use crate::mechanism::Level;
-use crate::position::Configuration;
+use crate::position::{Configuration, Path};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::exact::Inputs;
 use hodograph_scene::quantity::{Forces, ROUNDING, Wrench};
-use hodograph_scene::{Angle, Given, LinkId, PointId, RollingId, Scene, Size, Touch};
+use hodograph_scene::{Abscissa, Along, Angle, Course, Given, LinkId, PointId, Position, RollingId, Scene, Size, Touch};
 
 /// Cause of a load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,6 +81,15 @@ pub fn loads<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Source
             let (sin, cos) = inputs.sin_cos(angle);
             Vec2::new(cos, sin)
         };
+        let here = match &applied.course {
+            Some(course) => here(course, scene, at, motion)?,
+            None => Here::Constant,
+        };
+        let number = |given: &Given| match here {
+            Here::Constant => number(given),
+            Here::Outside => zero,
+            Here::Amount(amount) => amount,
+        };
         let wrench = match &applied.size {
             Size::Components([x, y]) => Wrench { force: Vec2::new(number(x), number(y)), couple: zero },
             Size::Directed { force, line, angle } => {
@@ -119,6 +128,97 @@ pub fn loads<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Source
         }
     }
     Some(out)
+}
+
+/// A place so near (of a stroke or a turn) to the end of a course is on it.
+const NEAR: f64 = 1e-10;
+
+/// The stretches of the loads in a pose: for each applied load that of its course, −1 outside of it, and the sense of what it acts against. Between
+/// poses with other stretches some load begins, ends, has a corner or turns round.
+///
+/// `None` where a place or a motion that a load needs is not known.
+pub fn stretches(scene: &Scene, at: &Configuration, motion: &impl Source) -> Option<Vec<i32>> {
+    let mut out = Vec::new();
+    for applied in &scene.loads.applied {
+        out.push(match &applied.course {
+            Some(course) => segment(course, scene, at, motion)?.map_or(-1, |(k, _)| i32::try_from(k).unwrap_or(i32::MAX)),
+            None => 0,
+        });
+        let sense = match &applied.size {
+            // Across a fixed direction that no guide has.
+            Size::AgainstMotion(_) => motion.vector(Level::Velocity, applied.at?, Some(applied.link))?.dot(Vec2::new(1.0, 0.618)),
+            Size::AgainstTurning(_) => motion.turning(Level::Velocity, applied.link)?,
+            Size::Components(_) | Size::Directed { .. } | Size::Couple(_) => 1.0,
+        };
+        out.push(if sense < 0.0 { -1 } else { 1 });
+    }
+    Some(out)
+}
+
+/// The load of a course at an instant.
+enum Here<N> {
+    /// Constant, as it is given.
+    Constant,
+    /// None.
+    Outside,
+    /// So much (N or N·m).
+    Amount(N),
+}
+
+/// The load of a course in a pose; `None` where the ends of its stroke, a place or a velocity are not known.
+fn here<N: Real>(course: &Course, scene: &Scene, at: &Configuration<N>, motion: &impl Source<N>) -> Option<Here<N>> {
+    let Some((k, x)) = segment(course, scene, at, motion)? else { return Some(Here::Outside) };
+    let [before, after] = &course.stations[k..k + 2] else { return None };
+    let (Some(a), Some(b)) = (&before.amount, &after.amount) else { return Some(Here::Constant) };
+    let inputs = Inputs::<N>::of(scene);
+    let place = |x: &Abscissa| match x {
+        Abscissa::Part(x) | Abscissa::Way(x) => inputs.number(x),
+        Abscissa::Angle(a) => inputs.degrees(a),
+    };
+    let (a, b, from, to) = (inputs.number(a), inputs.number(b), place(&before.at), place(&after.at));
+    Some(Here::Amount(a + (b - a) * ((x - from) / (to - from))))
+}
+
+/// The stretch of a course between two stations in which a pose lies, with its place there; `Some(None)` outside.
+fn segment<N: Real>(course: &Course, scene: &Scene, at: &Configuration<N>, motion: &impl Source<N>) -> Option<Option<(usize, N)>> {
+    let inputs = Inputs::<N>::of(scene);
+    let [first, .., last] = &course.stations[..] else { return None };
+    let (x, near) = match &course.along {
+        Along::Stroke { point, guide, ends, .. } => {
+            let [start, end] = ends.as_ref()?;
+            let Path::Line { through, direction } = at.guides[guide.0]? else { return None };
+            let sense = (end.value - start.value).signum();
+            let way = direction * N::from_f64(sense);
+            let speed = motion.vector(Level::Velocity, *point, None)?.dot(way).approx();
+            if speed < -ROUNDING * fastest(scene, at) {
+                return Some(None);
+            }
+            let stroke: N = (inputs.number(end) - inputs.number(start)).magnitude();
+            let gone = (at.points[point.0]? - through).dot(way) - inputs.number(start) * N::from_f64(sense);
+            match first.at {
+                Abscissa::Part(_) => (gone / stroke, NEAR),
+                Abscissa::Way(_) | Abscissa::Angle(_) => (gone, NEAR * stroke.approx()),
+            }
+        }
+        Along::Turn { driver, period } => {
+            let Position::Angle(angle) = scene.drivers[*driver].kind.position()? else { return None };
+            let near = NEAR * 360.0;
+            let x: N = inputs.degrees(angle);
+            let periods = libm::floor((x.approx() - first.at.value() + near) / period.value.degrees());
+            (x - inputs.degrees(period) * N::from_f64(periods), near)
+        }
+    };
+    let place = x.approx();
+    if place < first.at.value() - near || place > last.at.value() + near {
+        return Some(None);
+    }
+    // Where two stations stand at one place the load jumps: the stretch after it.
+    let long = |k: &usize| course.stations[*k].at.value() < course.stations[k + 1].at.value();
+    let k = (0..course.stations.len() - 1)
+        .filter(long)
+        .rfind(|k| course.stations[*k].at.value() <= place)
+        .or_else(|| (0..course.stations.len() - 1).find(long))?;
+    Some(Some((k, x)))
 }
 
 /// The balancing force of 1 N or moment of 1 N·m where the scene says that it acts; `None` where it names no place for it.

@@ -1,5 +1,6 @@
 //! The motion as a whole for people and programs: range of the driver, extremes of the outputs, transmission angles, Grashof.
 
+pub mod balanced;
 pub mod ranges;
 
 use hodograph_base::diag::{Both, both};

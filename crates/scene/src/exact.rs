@@ -159,6 +159,19 @@ impl<'a, N: Real> Inputs<'a, N> {
         .unwrap_or((nothing, nothing))
     }
 
+    /// An angle in degrees.
+    pub fn degrees(&self, given: &Given<Angle>) -> N {
+        let known =
+            |x: f64| N::from_bounded(x, given.radius).or_else(|| given.text.is_empty().then(|| N::from_f64(x).widened(given.radius)));
+        let in_degrees = |radians: N| radians * N::from_f64(180.0) / N::pi();
+        match given.value {
+            Angle::Deg(d) => known(d),
+            Angle::Rad(r) => known(r).map(in_degrees),
+        }
+        .or_else(|| self.read(&given.text).map(|v| in_unit_of(v, true)))
+        .unwrap_or(N::from_f64(f64::NAN))
+    }
+
     /// The same quantities a time `t` (s) after the scene's instant.
     pub fn later(self, t: N) -> Self {
         Inputs { time: Some(t), ..self }

@@ -1,6 +1,6 @@
 //! Forces of a scene: masses and gravity, applied forces and moments, springs, and where the balancing force acts.
 
-use super::model::{Angle, Given, LinkId, PointId, Scene};
+use super::model::{Angle, Given, GuideId, LinkId, PointId, Scene};
 use hodograph_base::diag::Span;
 
 /// Everything that a scene says about forces.
@@ -54,8 +54,10 @@ pub struct Applied {
     pub link: LinkId,
     /// Point of application; `None` for a couple.
     pub at: Option<PointId>,
-    /// Size and direction.
+    /// Size and direction; of a diagram the largest amount.
     pub size: Size,
+    /// The part of the motion over which it acts; `None`: all of it.
+    pub course: Option<Course>,
     /// Its place in the file.
     pub span: Span,
 }
@@ -89,6 +91,70 @@ impl Size {
     }
 }
 
+/// The part of the motion over which a load acts, and its diagram.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Course {
+    /// The motion.
+    pub along: Along,
+    /// The load acts from the first to the last; two at least, in order.
+    pub stations: Vec<Station>,
+    /// Its place in the file.
+    pub span: Span,
+}
+
+/// The motion along which a load is told.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Along {
+    /// The working stroke of a point in a straight guide on ground. On the way back the load does not act.
+    Stroke {
+        /// The point.
+        point: PointId,
+        /// Its guide.
+        guide: GuideId,
+        /// Direction of the working stroke, from the x axis; `None`: the slower one.
+        toward: Option<Given<Angle>>,
+        /// Coordinates along the guide (m) at which the working stroke begins and ends; `None` until the motion has been looked through.
+        ends: Option<[Given; 2]>,
+    },
+    /// The angle of a driven link.
+    Turn {
+        /// Its driver.
+        driver: usize,
+        /// The angle after which the load comes again.
+        period: Given<Angle>,
+    },
+}
+
+/// A station of a course.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Station {
+    /// Its place.
+    pub at: Abscissa,
+    /// Amount of the load there, between stations in proportion; `None` where the load is constant.
+    pub amount: Option<Given>,
+}
+
+/// A place of a course.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Abscissa {
+    /// A part of the stroke, 0 to 1.
+    Part(Given),
+    /// Distance (m) from the beginning of the stroke.
+    Way(Given),
+    /// An angle of the link.
+    Angle(Given<Angle>),
+}
+
+impl Abscissa {
+    /// The part, the distance (m), or the angle (degrees).
+    pub fn value(&self) -> f64 {
+        match self {
+            Abscissa::Part(x) | Abscissa::Way(x) => x.value,
+            Abscissa::Angle(a) => a.value.degrees(),
+        }
+    }
+}
+
 /// A spring between two points: it pulls with k (l − free), and pushes where that is negative.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spring {
@@ -111,6 +177,21 @@ pub struct Balance {
     pub force: Option<(PointId, Given<Angle>)>,
     /// Its place in the file.
     pub span: Span,
+}
+
+impl Applied {
+    /// True if the load depends on velocities: by its direction, or because it acts in one stroke alone.
+    pub fn depends_on_motion(&self) -> bool {
+        self.size.is_against_motion() || self.stroke().is_some()
+    }
+
+    /// The point and guide of the stroke in which it acts.
+    pub fn stroke(&self) -> Option<(PointId, GuideId)> {
+        match self.course.as_ref()?.along {
+            Along::Stroke { point, guide, .. } => Some((point, guide)),
+            Along::Turn { .. } => None,
+        }
+    }
 }
 
 impl Scene {

@@ -234,6 +234,18 @@ pub(super) struct RawApplied {
     pub angle: Option<RawQuantity>,
     pub line: Option<Word>,
     pub against: Option<Word>,
+    pub course: Option<RawCourse>,
+    pub span: Span,
+}
+
+/// The part of a motion over which a load acts, with its amounts there.
+#[derive(Clone, Debug)]
+pub(super) struct RawCourse {
+    pub slide: Option<Word>,
+    pub toward: Option<RawQuantity>,
+    pub turn: Option<Word>,
+    pub period: Option<RawQuantity>,
+    pub stations: Vec<(RawQuantity, Option<RawQuantity>)>,
     pub span: Span,
 }
 

@@ -221,14 +221,23 @@ fn unbalanced(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand,
     ))
 }
 
-/// Remarks on loads: a resistance whose point is at rest has no direction.
+/// Remarks on loads: a resistance whose point is at rest has no direction; a load over a part of the motion does not act elsewhere.
 fn of_loads(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Diagnostic> {
     let resting = |load: &Load| match load.cause {
-        Cause::Applied(k) if load.wrench == Wrench::zero() => Some(&scene.loads.applied[k]).filter(|a| a.size.is_against_motion()),
+        Cause::Applied(k) if load.wrench == Wrench::zero() => {
+            Some(&scene.loads.applied[k]).filter(|a| a.size.is_against_motion() || a.course.is_some())
+        }
         _ => None,
     };
     let note = |a: &Applied| {
         let link = scene.link_name(a.link);
+        if a.course.is_some() {
+            let message = both!(
+                "the load on link {link} is zero here: the pose lies outside the part of the motion over which it acts, or at its end",
+                "构件 {link} 上的载荷在此位置为零：该位置不在其作用范围之内，或在其端点"
+            );
+            return Diagnostic::note("load-elsewhere", message).at(a.span);
+        }
         let message = both!(
             "the resistance on link {link} is left out: what it acts on is at rest, so that it has no direction",
             "不计构件 {link} 上的阻力：其作用处静止，方向不确定"

@@ -72,6 +72,9 @@ impl Demand {
                 self.add(scene, m, Need::Turning(mass.link), Level::Acceleration);
             }
         }
+        for (point, _) in loads.applied.iter().filter_map(|a| a.stroke()) {
+            self.add(scene, m, Need::Point(point, None), Level::Velocity);
+        }
         for applied in loads.applied.iter().filter(|a| a.size.is_against_motion()) {
             match applied.at {
                 Some(p) => self.add(scene, m, Need::Point(p, Some(applied.link)), Level::Velocity),

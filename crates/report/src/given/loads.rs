@@ -2,7 +2,7 @@
 
 use super::{Givens, as_written, inked};
 use hodograph_board::plan::names::name_label;
-use hodograph_scene::{Given, Lang, Mass, Size};
+use hodograph_scene::{Abscissa, Along, Course, Given, Lang, Mass, Size};
 
 impl Givens<'_> {
     /// Given masses, loads and springs, a line for each.
@@ -31,8 +31,19 @@ impl Givens<'_> {
             .map(|a| {
                 let link = name_label(self.scene.link_name(a.link));
                 let at = a.at.map(|p| self.point(p));
-                let amount = |given: &Given, unit| self.amount(given, unit);
-                match (&a.size, at, self.lang()) {
+                let course = a.course.as_ref().map_or_else(String::new, |c| self.course(c, a.at.is_none()));
+                let graph = a.course.as_ref().is_some_and(|c| c.stations.iter().any(|s| s.amount.is_some()));
+                let amount = |given: &Given, unit| match graph {
+                    true => {
+                        if unit == "N" {
+                            "F".to_owned()
+                        } else {
+                            "M".to_owned()
+                        }
+                    }
+                    false => self.amount(given, unit),
+                };
+                let told = match (&a.size, at, self.lang()) {
                     (Size::Couple(m), _, Lang::En) => format!("${}$ on link {link}", amount(m, "N·m")),
                     (Size::Couple(m), _, Lang::Zh) => format!("构件 {link} 上 ${}$", amount(m, "N·m")),
                     (Size::AgainstTurning(m), _, Lang::En) => format!("${}$ on link {link}, against its turning", amount(m, "N·m")),
@@ -63,7 +74,8 @@ impl Givens<'_> {
                     }
                     (Size::AgainstMotion(f) | Size::Directed { force: f, .. }, None, _) => format!("${}$", amount(f, "N")),
                     (Size::Components([x, y]), None, _) => format!("$({}, {})$", amount(x, "N"), amount(y, "N")),
-                }
+                };
+                told + &course
             })
             .collect();
         if !applied.is_empty() {
@@ -81,6 +93,35 @@ impl Givens<'_> {
             all.push(format!("{}{}", self.tr("springs: ", "弹簧："), springs.join(self.tr("; ", "；"))));
         }
         all
+    }
+
+    /// The part of the motion over which a load acts, with its amounts there.
+    fn course(&self, course: &Course, couple: bool) -> String {
+        let place = |x: &Abscissa| match x {
+            Abscissa::Part(x) => format!("${}$", inked(x.value)),
+            Abscissa::Way(x) => format!("${}$", self.length(x)),
+            Abscissa::Angle(a) => format!("${}$", self.angle(a)),
+        };
+        let ends = course.stations.first().zip(course.stations.last()).map(|(a, b)| [place(&a.at), place(&b.at)]);
+        let Some([from, to]) = ends else { return String::new() };
+        let along = match (&course.along, self.lang()) {
+            (Along::Stroke { point, .. }, Lang::En) => format!("the working stroke of {}", self.point(*point)),
+            (Along::Stroke { point, .. }, Lang::Zh) => format!("{} 的工作行程", self.point(*point)),
+            (Along::Turn { driver, .. }, lang) => {
+                let link = self.scene.drivers[*driver].kind.turned().map_or("", |(l, _)| self.scene.link_name(l));
+                let angle = format!("$\\varphi_{{{}}}$", name_label(link));
+                if lang == Lang::En { format!("the angle {angle}") } else { format!("转角 {angle}") }
+            }
+        };
+        let unit = if couple { "N·m" } else { "N" };
+        let points: Vec<String> =
+            course.stations.iter().filter_map(|s| Some(format!("{}: ${}$", place(&s.at), self.amount(s.amount.as_ref()?, unit)))).collect();
+        match (points.is_empty(), self.lang()) {
+            (true, Lang::En) => format!(", from {from} to {to} of {along}"),
+            (true, Lang::Zh) => format!("，作用于{along} {from} 至 {to}"),
+            (false, Lang::En) => format!(", over {along} ({})", points.join("; ")),
+            (false, Lang::Zh) => format!("，随{along}变化（{}）", points.join("；")),
+        }
     }
 
     fn mass(&self, mass: &Mass) -> String {

@@ -81,7 +81,60 @@ fn force(node: &Node, faults: &mut Faults) -> Option<RawApplied> {
     };
     let (moment, angle) = (optional(&f, "M", faults, amount), optional(&f, "angle", faults, amount));
     let (line, against) = (optional(&f, "line", faults, name), optional(&f, "against", faults, name));
-    Some(RawApplied { on: on?, at: at?, force: force?, moment: moment?, angle: angle?, line: line?, against: against?, span: node.span })
+    let course = match (f.get("over"), f.get("diagram")) {
+        (Some(_), Some(diagram)) => {
+            let message =
+                both!("a load has a diagram or a part of the motion, not both", "载荷或按线图变化，或在一段行程内为常量，不能两者都给");
+            let help = both!("the diagram ends where its points end: leave \"over\" out", "线图的起止点就是作用范围：请去掉 \"over\"");
+            faults.push(Diagnostic::error("given-twice", message).at(diagram.span).help(help));
+            return None;
+        }
+        (Some(over), None) => Some(over_part(over, faults)?),
+        (None, Some(n)) => Some(diagram(n, faults)?),
+        (None, None) => None,
+    };
+    Some(RawApplied {
+        on: on?,
+        at: at?,
+        force: force?,
+        moment: moment?,
+        angle: angle?,
+        line: line?,
+        against: against?,
+        course,
+        span: node.span,
+    })
+}
+
+/// A part of a stroke, or of a turn.
+fn over_part(node: &Node, faults: &mut Faults) -> Option<RawCourse> {
+    let f = Fields::open(node, "\"over\"", keys::OVER, faults)?;
+    let whole = |text: &str| RawQuantity { text: text.to_owned(), span: node.span, bare: true };
+    let ends = match (f.get("stroke"), f.get("angles")) {
+        (None, None) => [whole("0"), whole("1")],
+        (Some(n), _) => two_quantities(n, "\"stroke\"", faults)?,
+        (None, Some(n)) => two_quantities(n, "\"angles\"", faults)?,
+    };
+    course(&f, ends.map(|at| (at, None)).to_vec(), node, faults)
+}
+
+/// Amounts at places of a stroke or at angles.
+fn diagram(node: &Node, faults: &mut Faults) -> Option<RawCourse> {
+    let f = Fields::open(node, "\"diagram\"", keys::DIAGRAM, faults)?;
+    let points = f.need("points", both!("[[0, \"0 N\"], [1, \"400 N\"]]", "[[0, \"0 N\"], [1, \"400 N\"]]"), faults)?;
+    let points = items(Some(points), "\"points\"", faults).iter().map(|n| {
+        let [at, amount] = two_quantities(n, both!("a point of the diagram", "线图上的点"), faults)?;
+        Some((at, Some(amount)))
+    });
+    let points = points.collect::<Option<Vec<_>>>()?;
+    course(&f, points, node, faults)
+}
+
+fn course(f: &Fields, stations: Vec<(RawQuantity, Option<RawQuantity>)>, node: &Node, faults: &mut Faults) -> Option<RawCourse> {
+    let (slide, turn) = (optional(f, "slide", faults, name), optional(f, "turn", faults, name));
+    let toward = optional(f, "toward", faults, amount);
+    let period = if f.get("points").is_some() { optional(f, "period", faults, amount) } else { Some(None) };
+    Some(RawCourse { slide: slide?, toward: toward?, turn: turn?, period: period?, stations, span: node.span })
 }
 
 fn spring(node: &Node, faults: &mut Faults) -> Option<RawSpring> {

@@ -1,8 +1,9 @@
 //! The sections of forces: masses, applied forces, springs, balance.
 
+use super::applied::Moving;
 use super::*;
 
-pub(super) fn loads(c: &Context, faults: &mut Faults) -> Loads {
+pub(super) fn loads(c: &Context, moving: Moving, faults: &mut Faults) -> Loads {
     let raw = &c.raw.loads;
     let gravity = raw.gravity.as_ref().and_then(|[x, y]| {
         let (x, y) = (c.values.si(x, Wanted::Acceleration, faults), c.values.si(y, Wanted::Acceleration, faults));
@@ -14,7 +15,7 @@ pub(super) fn loads(c: &Context, faults: &mut Faults) -> Loads {
     }
     Loads {
         masses,
-        applied: raw.applied.iter().filter_map(|a| applied(c, a, faults)).collect(),
+        applied: raw.applied.iter().filter_map(|a| super::applied::applied(c, moving, a, faults)).collect(),
         springs: raw.springs.iter().filter_map(|s| spring(c, s, faults)).collect(),
         balance: raw.balance.as_ref().and_then(|b| balance(c, b, faults)),
         gravity,
@@ -22,7 +23,7 @@ pub(super) fn loads(c: &Context, faults: &mut Faults) -> Loads {
 }
 
 /// A link that can be loaded: ground takes no load, which a note says.
-fn loaded(c: &Context, word: &Word, faults: &mut Faults) -> Option<LinkId> {
+pub(super) fn loaded(c: &Context, word: &Word, faults: &mut Faults) -> Option<LinkId> {
     let link = note(c.names.link(word), faults)?;
     if link != c.ground {
         return Some(link);
@@ -36,7 +37,7 @@ fn loaded(c: &Context, word: &Word, faults: &mut Faults) -> Option<LinkId> {
     None
 }
 
-fn positive(given: Given, what: Both, faults: &mut Faults) -> Option<Given> {
+pub(super) fn positive(given: Given, what: Both, faults: &mut Faults) -> Option<Given> {
     if given.value >= 0.0 {
         return Some(given);
     }
@@ -115,110 +116,13 @@ fn mass(c: &Context, raw: &RawMass, gravity: Option<&[Given; 2]>, faults: &mut F
 }
 
 /// A point that the link carries.
-fn on_link(c: &Context, word: &Word, link: LinkId, faults: &mut Faults) -> Option<PointId> {
+pub(super) fn on_link(c: &Context, word: &Word, link: LinkId, faults: &mut Faults) -> Option<PointId> {
     let point = note(c.names.point(word), faults)?;
     if c.carries(link, point) {
         return Some(point);
     }
     let message = both!("point `{}` is not on link `{}`", "点 `{}` 不在构件 `{}` 上", word.text, c.link_name(link));
     faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(link)));
-    None
-}
-
-fn applied(c: &Context, raw: &RawApplied, faults: &mut Faults) -> Option<Applied> {
-    let link = loaded(c, &raw.on, faults)?;
-    let against = match &raw.against {
-        None => false,
-        Some(word) if word.text == "motion" => true,
-        Some(word) => {
-            let message = both!("`{}` is nothing that a force acts against", "`{}` 不是力可以反抗的对象", word.text);
-            faults.push(Diagnostic::error("force", message).at(word.span).help(both!("write \"motion\"", "请写 \"motion\"")));
-            return None;
-        }
-    };
-    let fault = |message: Both, help: Both, span: Span, faults: &mut Faults| {
-        faults.push(Diagnostic::error("force", message).at(span).help(help));
-    };
-    let size = match (&raw.force, &raw.moment) {
-        (None, None) | (Some(_), Some(_)) => {
-            let message = both!("a load is either a force \"F\" or a couple \"M\"", "载荷或为力 \"F\"，或为力偶 \"M\"");
-            fault(message, both!("give one of them", "请给出其一"), raw.span, faults);
-            return None;
-        }
-        (None, Some(moment)) => {
-            for (key, span) in [
-                ("at", raw.at.as_ref().map(|w| w.span)),
-                ("line", raw.line.as_ref().map(|w| w.span)),
-                ("angle", raw.angle.as_ref().map(|q| q.span)),
-            ] {
-                if let Some(span) = span {
-                    let message =
-                        both!("a couple has no \"{key}\": it acts alike everywhere on its link", "力偶没有 \"{key}\"：它在构件上处处等效");
-                    fault(message, both!("leave it out", "请去掉"), span, faults);
-                    return None;
-                }
-            }
-            let given = c.values.si(moment, Wanted::Moment, faults)?;
-            if against {
-                Size::AgainstTurning(positive(given, both!("a resisting couple", "阻力矩"), faults)?)
-            } else {
-                Size::Couple(given)
-            }
-        }
-        (Some(RawSizeOfForce::Components([x, y])), None) => {
-            if let Some(span) = raw.angle.as_ref().map(|q| q.span).or(raw.line.as_ref().or(raw.against.as_ref()).map(|w| w.span)) {
-                let message = both!("components of a force already tell its direction", "力的分量已经给出方向");
-                fault(message, both!("give its magnitude as \"F\", or leave this out", "请以 \"F\" 给出大小，或去掉此项"), span, faults);
-                return None;
-            }
-            let (x, y) = (c.values.si(x, Wanted::Force, faults), c.values.si(y, Wanted::Force, faults));
-            Size::Components([x?, y?])
-        }
-        (Some(RawSizeOfForce::Magnitude(force)), None) => {
-            let given = c.values.si(force, Wanted::Force, faults)?;
-            let line = transpose(raw.line.as_ref().map(|word| line_of(c, word, faults)))?;
-            let angle = transpose(raw.angle.as_ref().map(|q| c.values.angle(q, faults)))?;
-            match (against, line.is_some() || angle.is_some()) {
-                (true, false) => Size::AgainstMotion(positive(given, both!("a resistance", "阻力"), faults)?),
-                (false, true) => Size::Directed { force: given, line, angle },
-                (true, true) => {
-                    let message = both!("a force against the motion has no direction of its own", "与运动方向相反的力没有另外的方向");
-                    fault(message, both!("leave \"angle\" and \"line\" out", "请去掉 \"angle\" 和 \"line\""), raw.span, faults);
-                    return None;
-                }
-                (false, false) => {
-                    let message = both!("the force on link `{}` has no direction", "构件 `{}` 上的力没有方向", raw.on.text);
-                    let help = both!(
-                        "give \"angle\": \"270 deg\", \"line\": \"BC\" (from B toward C), or \"against\": \"motion\"",
-                        "请给出 \"angle\": \"270 deg\"、\"line\": \"BC\"（由 B 指向 C）或 \"against\": \"motion\""
-                    );
-                    fault(message, help, raw.span, faults);
-                    return None;
-                }
-            }
-        }
-    };
-    let at = match (&raw.force, &raw.at, &c.names.links[link.0].points[..]) {
-        (None, ..) => None,
-        (Some(_), Some(word), _) => Some(on_link(c, word, link, faults)?),
-        (Some(_), None, [one]) => Some(*one),
-        (Some(_), None, _) => {
-            let message = both!("the force on link `{}` has no point of application", "构件 `{}` 上的力没有作用点", raw.on.text);
-            fault(message, both!("give \"at\": {}", "请给出 \"at\"：{}", c.points_of(link)), raw.span, faults);
-            return None;
-        }
-    };
-    Some(Applied { link, at, size, span: raw.span })
-}
-
-/// Two points of one link.
-fn line_of(c: &Context, word: &Word, faults: &mut Faults) -> Option<(PointId, PointId)> {
-    let (a, b) = note(c.names.pair(word), faults)?;
-    if c.common(a, b).is_some() {
-        return Some((a, b));
-    }
-    let message = both!("`{}` is not a line of one link", "`{}` 不是同一构件上的直线", word.text);
-    faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(both!("name two points of a link", "请写同一构件上的两点")));
     None
 }
 

@@ -4,6 +4,7 @@
 //! broken part is passed over in silence. Whether the given things suffice to fix the mechanism is not decided here.
 
 mod answers;
+mod applied;
 mod attempts;
 mod belts;
 mod composite;
@@ -229,7 +230,8 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
             places::pivots(&context, ground, &rolling.lengths, &mut places);
         }
         let drivers = guides.as_ref().map(|g| drivers::drivers(&context, g, &rolling, faults));
-        let loads = ground.map(|_| loads::loads(&context, faults));
+        let moving = guides.as_ref().zip(drivers.as_ref());
+        let loads = moving.map(|(guides, drivers)| loads::loads(&context, (guides, drivers), faults));
         let find = ground.map(|_| find::find(&context, faults));
         if let (Some(drivers), Some(find)) = (&drivers, &find) {
             free::centres(&context, (&mut rolling, drivers, find), &mut places, &lengths, faults);

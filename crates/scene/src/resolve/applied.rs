@@ -1,0 +1,256 @@
+//! Applied forces and couples, and the part of the motion over which they act.
+
+use super::guides::Numbered;
+use super::loads::{loaded, on_link, positive};
+use super::*;
+
+/// Guides and drivers.
+pub(super) type Moving<'a> = (&'a [Numbered], &'a [Driver]);
+
+/// What a file tells of the size of a load.
+enum Told {
+    Couple(Given),
+    Components([Given; 2]),
+    Magnitude(Given),
+}
+
+fn fault(message: Both, help: Both, span: Span, faults: &mut Faults) {
+    faults.push(Diagnostic::error("force", message).at(span).help(help));
+}
+
+pub(super) fn applied(c: &Context, moving: Moving, raw: &RawApplied, faults: &mut Faults) -> Option<Applied> {
+    let link = loaded(c, &raw.on, faults)?;
+    let against = match &raw.against {
+        None => false,
+        Some(word) if word.text == "motion" => true,
+        Some(word) => {
+            let message = both!("`{}` is nothing that a force acts against", "`{}` 不是力可以反抗的对象", word.text);
+            fault(message, both!("write \"motion\"", "请写 \"motion\""), word.span, faults);
+            return None;
+        }
+    };
+    let course = transpose(raw.course.as_ref().map(|course| self::course(c, moving, raw, course, faults)))?;
+    let size = match (told(c, raw, course.as_ref(), faults)?, against) {
+        (Told::Couple(given), _) => couple(raw, given, against, faults)?,
+        (Told::Components(xy), _) => {
+            if let Some(span) = raw.angle.as_ref().map(|q| q.span).or(raw.line.as_ref().or(raw.against.as_ref()).map(|w| w.span)) {
+                let message = both!("components of a force already tell its direction", "力的分量已经给出方向");
+                fault(message, both!("give its magnitude as \"F\", or leave this out", "请以 \"F\" 给出大小，或去掉此项"), span, faults);
+                return None;
+            }
+            Size::Components(xy)
+        }
+        (Told::Magnitude(given), _) => directed(c, raw, given, against, faults)?,
+    };
+    let at = match (&size, &raw.at, &c.names.links[link.0].points[..]) {
+        (Size::Couple(_) | Size::AgainstTurning(_), ..) => None,
+        (_, Some(word), _) => Some(on_link(c, word, link, faults)?),
+        (_, None, [one]) => Some(*one),
+        (_, None, _) => {
+            let message = both!("the force on link `{}` has no point of application", "构件 `{}` 上的力没有作用点", raw.on.text);
+            fault(message, both!("give \"at\": {}", "请给出 \"at\"：{}", c.points_of(link)), raw.span, faults);
+            return None;
+        }
+    };
+    Some(Applied { link, at, size, course: course.map(|(course, _)| course), span: raw.span })
+}
+
+/// The size of a load: `F`, `M`, or the largest amount of its diagram.
+fn told(c: &Context, raw: &RawApplied, course: Option<&(Course, bool)>, faults: &mut Faults) -> Option<Told> {
+    let amounts = course.map(|(course, _)| course.stations.iter().filter_map(|s| s.amount.as_ref()));
+    let largest = amounts.and_then(|all| all.max_by(|a, b| a.value.abs().total_cmp(&b.value.abs())));
+    match (&raw.force, &raw.moment, largest) {
+        (None, None, Some(largest)) => Some(match course {
+            Some((_, true)) => Told::Couple(largest.clone()),
+            Some((_, false)) | None => Told::Magnitude(largest.clone()),
+        }),
+        (_, _, Some(_)) => {
+            let message = both!("the amounts of a load stand in its diagram", "载荷的大小已由线图给出");
+            fault(message, both!("leave \"F\" or \"M\" out", "请去掉 \"F\" 或 \"M\""), raw.span, faults);
+            None
+        }
+        (None, None, None) | (Some(_), Some(_), None) => {
+            let message = both!("a load is either a force \"F\" or a couple \"M\"", "载荷或为力 \"F\"，或为力偶 \"M\"");
+            fault(message, both!("give one of them", "请给出其一"), raw.span, faults);
+            None
+        }
+        (None, Some(moment), None) => Some(Told::Couple(c.values.si(moment, Wanted::Moment, faults)?)),
+        (Some(RawSizeOfForce::Components([x, y])), None, None) => {
+            let (x, y) = (c.values.si(x, Wanted::Force, faults), c.values.si(y, Wanted::Force, faults));
+            Some(Told::Components([x?, y?]))
+        }
+        (Some(RawSizeOfForce::Magnitude(force)), None, None) => Some(Told::Magnitude(c.values.si(force, Wanted::Force, faults)?)),
+    }
+}
+
+fn couple(raw: &RawApplied, given: Given, against: bool, faults: &mut Faults) -> Option<Size> {
+    for (key, span) in [
+        ("at", raw.at.as_ref().map(|w| w.span)),
+        ("line", raw.line.as_ref().map(|w| w.span)),
+        ("angle", raw.angle.as_ref().map(|q| q.span)),
+    ] {
+        if let Some(span) = span {
+            let message =
+                both!("a couple has no \"{key}\": it acts alike everywhere on its link", "力偶没有 \"{key}\"：它在构件上处处等效");
+            fault(message, both!("leave it out", "请去掉"), span, faults);
+            return None;
+        }
+    }
+    Some(if against {
+        Size::AgainstTurning(positive(given, both!("a resisting couple", "阻力矩"), faults)?)
+    } else {
+        Size::Couple(given)
+    })
+}
+
+/// A force by its magnitude: under an angle or against the motion.
+fn directed(c: &Context, raw: &RawApplied, given: Given, against: bool, faults: &mut Faults) -> Option<Size> {
+    let line = transpose(raw.line.as_ref().map(|word| line_of(c, word, faults)))?;
+    let angle = transpose(raw.angle.as_ref().map(|q| c.values.angle(q, faults)))?;
+    match (against, line.is_some() || angle.is_some()) {
+        (true, false) => Some(Size::AgainstMotion(positive(given, both!("a resistance", "阻力"), faults)?)),
+        (false, true) => Some(Size::Directed { force: given, line, angle }),
+        (true, true) => {
+            let message = both!("a force against the motion has no direction of its own", "与运动方向相反的力没有另外的方向");
+            fault(message, both!("leave \"angle\" and \"line\" out", "请去掉 \"angle\" 和 \"line\""), raw.span, faults);
+            None
+        }
+        (false, false) => {
+            let message = both!("the force on link `{}` has no direction", "构件 `{}` 上的力没有方向", raw.on.text);
+            let help = both!(
+                "give \"angle\": \"270 deg\", \"line\": \"BC\" (from B toward C), or \"against\": \"motion\"",
+                "请给出 \"angle\": \"270 deg\"、\"line\": \"BC\"（由 B 指向 C）或 \"against\": \"motion\""
+            );
+            fault(message, help, raw.span, faults);
+            None
+        }
+    }
+}
+
+/// Two points of one link.
+fn line_of(c: &Context, word: &Word, faults: &mut Faults) -> Option<(PointId, PointId)> {
+    let (a, b) = note(c.names.pair(word), faults)?;
+    if c.common(a, b).is_some() {
+        return Some((a, b));
+    }
+    let message = both!("`{}` is not a line of one link", "`{}` 不是同一构件上的直线", word.text);
+    faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(both!("name two points of a link", "请写同一构件上的两点")));
+    None
+}
+
+/// The part of the motion, and whether its diagram is one of couples.
+fn course(c: &Context, moving: Moving, load: &RawApplied, raw: &RawCourse, faults: &mut Faults) -> Option<(Course, bool)> {
+    let along = along(c, moving, raw, faults)?;
+    let amounts: Vec<&RawQuantity> = raw.stations.iter().filter_map(|(_, amount)| amount.as_ref()).collect();
+    // What has a direction is a force.
+    let is_couple = !amounts.is_empty() && load.at.is_none() && load.angle.is_none() && load.line.is_none() && {
+        let mut tried = Faults::default();
+        amounts.iter().for_each(|q| drop(c.values.si(q, Wanted::Moment, &mut tried)));
+        !tried.has_errors()
+    };
+    let wanted = if is_couple { Wanted::Moment } else { Wanted::Force };
+    let station = |(at, amount): &(RawQuantity, Option<RawQuantity>), faults: &mut Faults| {
+        let at = match &along {
+            Along::Turn { .. } => Abscissa::Angle(c.values.angle(at, faults)?),
+            Along::Stroke { .. } => {
+                let mut tried = Faults::default();
+                match c.values.pure_number(at, &mut tried) {
+                    Some(value) => {
+                        let radius = f64::EPSILON * value.abs();
+                        Abscissa::Part(Given { value, radius, text: at.text.clone(), span: at.span })
+                    }
+                    None => Abscissa::Way(c.values.si(at, Wanted::Length, faults)?),
+                }
+            }
+        };
+        Some(Station { at, amount: transpose(amount.as_ref().map(|q| c.values.si(q, wanted, faults)))? })
+    };
+    let stations: Vec<Station> = raw.stations.iter().map(|s| station(s, faults)).collect::<Option<_>>()?;
+    let places: Vec<f64> = stations.iter().map(|s| s.at.value()).collect();
+    let kinds = stations.windows(2).all(|w| matches!(w[0].at, Abscissa::Part(_)) == matches!(w[1].at, Abscissa::Part(_)));
+    let rising = places.windows(2).all(|w| w[0] <= w[1]) && places.first() < places.last();
+    let inside = |s: &Station| !matches!(&s.at, Abscissa::Part(x) if !(0.0..=1.0).contains(&x.value)) && s.at.value() >= f64::NEG_INFINITY;
+    let turn = match &along {
+        Along::Turn { period, .. } => places.last().zip(places.first()).is_some_and(|(b, a)| b - a > period.value.degrees()),
+        Along::Stroke { .. } => false,
+    };
+    let message = if stations.len() < 2 {
+        both!("a diagram has two points at least", "线图至少要有两点")
+    } else if !kinds {
+        both!("parts of the stroke and lengths stand side by side", "行程分数与长度混用")
+    } else if !rising {
+        both!("the places do not rise: {}", "位置不是递增的：{}", words(&places))
+    } else if !stations.iter().all(inside) {
+        both!("a part of the stroke lies between 0 and 1: {}", "行程分数应在 0 与 1 之间：{}", words(&places))
+    } else if turn {
+        both!("the angles go beyond one period", "角度范围超过一个周期")
+    } else {
+        return Some((Course { along, stations, span: raw.span }, is_couple));
+    };
+    let help = both!(
+        "write places in the order of the working stroke, all as parts from 0 to 1 or all as lengths, or angles within one period",
+        "请按工作行程的先后写位置，或都用 0 到 1 的分数，或都用长度；角度应在一个周期之内"
+    );
+    fault(message, help, raw.span, faults);
+    None
+}
+
+fn words(places: &[f64]) -> String {
+    places.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// The motion along which a load is told.
+fn along(c: &Context, (guides, drivers): Moving, raw: &RawCourse, faults: &mut Faults) -> Option<Along> {
+    match (&raw.slide, &raw.turn) {
+        (Some(word), None) => {
+            let point = note(c.names.point(word), faults)?;
+            let toward = transpose(raw.toward.as_ref().map(|q| c.values.angle(q, faults)))?;
+            let straight = |g: &Guide| g.pin == Some(point) && g.on == c.ground && matches!(g.path, GuidePath::Line { .. });
+            let Some(guide) = guides.iter().position(|(g, _)| straight(g)) else {
+                let message = both!(
+                    "`{}` has no stroke: it is no pin in a straight guide on ground",
+                    "`{}` 没有行程：它不是机架上直线导路中的销",
+                    word.text
+                );
+                fault(
+                    message,
+                    both!(
+                        "name the pin of a slider, or tell the load by an angle: \"turn\": \"1\"",
+                        "请写滑块的销，或按转角给出：\"turn\": \"1\""
+                    ),
+                    word.span,
+                    faults,
+                );
+                return None;
+            };
+            Some(Along::Stroke { point, guide: GuideId(guide), toward, ends: None })
+        }
+        (None, Some(word)) => {
+            let link = note(c.names.link(word), faults)?;
+            let Some(driver) = drivers.iter().position(|d| d.kind.turned() == Some((link, c.ground))) else {
+                let message = both!("link `{}` is no driver that turns on ground", "构件 `{}` 不是相对机架转动的原动件", word.text);
+                fault(message, both!("name a driven link", "请写原动件"), word.span, faults);
+                return None;
+            };
+            let period = match &raw.period {
+                Some(q) => c.values.angle(q, faults)?,
+                None => Given { value: Angle::Deg(360.0), radius: 0.0, text: "360 deg".to_owned(), span: raw.span },
+            };
+            if period.value.degrees() <= 0.0 {
+                let message = both!("the period is {}; it must be positive", "周期为 {}，应为正", period.text);
+                faults.push(Diagnostic::error("not-positive", message).at(period.span));
+                return None;
+            }
+            Some(Along::Turn { driver, period })
+        }
+        (None, None) | (Some(_), Some(_)) => {
+            let message = both!("what the load depends on is either a stroke or an angle", "载荷或随行程变化，或随转角变化");
+            let help = both!(
+                "give \"slide\": \"C\" (the pin of a slider) or \"turn\": \"1\" (a driven link)",
+                "请给出 \"slide\": \"C\"（滑块的销）或 \"turn\": \"1\"（原动件）"
+            );
+            fault(message, help, raw.span, faults);
+            None
+        }
+    }
+}

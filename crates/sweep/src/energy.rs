@@ -1,0 +1,179 @@
+//! Balancing moment over a turn of the driver: its mean, the surplus of energy, the flywheel.
+//!
+//! A constant moment on the driver equal to the mean of the balancing moment M_b does the work of a whole period; the surplus is
+//! E(φ) = ∫ (mean − M_b) dφ. Its greatest difference ΔW is what a flywheel takes up and gives back, J_F = ΔW / (ω² δ).
+//!
+//! Loads that act over a part of a stroke make M_b jump, and diagrams give it corners: these places are located first, and the stretches between
+//! them are integrated by Gauss' rule of eight points.
+//!
+//! # Source
+//! 孙桓, 陈作模, 葛文杰: 机械原理, ch. 7; R. L. Norton, *Design of Machinery*, ch. 11.
+
+use super::Placed;
+use super::extreme::limits;
+use super::follow::whole::Whole;
+use super::general::General;
+use super::station::{Stations, angle_per_value, position_now};
+use hodograph_analytic as analytic;
+use hodograph_base::budget::spend;
+use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::force::stretches;
+use hodograph_mechanism::position;
+use hodograph_scene::with_driver_at;
+use std::f64::consts::TAU;
+
+/// Work of the balancing moment over a period.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Energy {
+    /// Period (rad) of the driver.
+    pub period: f64,
+    /// Mean balancing moment (N·m).
+    pub mean: f64,
+    /// The driver's angle (rad) at which the surplus is least, so that it runs slowest.
+    pub slowest: f64,
+    /// The driver's angle (rad) at which it runs fastest.
+    pub fastest: f64,
+    /// Greatest difference of the surplus, ΔW (J).
+    pub surplus: f64,
+}
+
+impl Energy {
+    /// Moment of inertia (kg·m²) of the flywheel on the driver's shaft that keeps the coefficient of speed fluctuation δ at a mean speed ω (rad/s).
+    pub fn flywheel(&self, omega: f64, delta: f64) -> f64 {
+        self.surplus / (omega * omega * delta)
+    }
+}
+
+/// Stretches in a turn before jumps are located.
+const PANELS: usize = 72;
+
+/// Nodes and weights of Gauss' rule of eight points on −1..1.
+const GAUSS: [(f64, f64); 4] = [
+    (0.183_434_642_495_649_8, 0.362_683_783_378_362),
+    (0.525_532_409_916_329, 0.313_706_645_877_887_3),
+    (0.796_666_477_413_626_7, 0.222_381_034_453_374_48),
+    (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
+];
+
+/// The nodes in a stretch, in order, each with its weight.
+fn nodes(a: f64, b: f64) -> [(f64, f64); 8] {
+    let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
+    std::array::from_fn(|i| {
+        let (k, sign) = if i < 4 { (3 - i, -1.0) } else { (i - 4, 1.0) };
+        (middle + sign * half * GAUSS[k].0, half * GAUSS[k].1)
+    })
+}
+
+/// The balancing moment and the stretches of the loads at a driver's angle.
+struct Moment<'a> {
+    placed: &'a Placed<'a>,
+    driver: usize,
+    per_value: f64,
+}
+
+impl Moment<'_> {
+    fn at(&self, angle: f64) -> Result<(f64, Vec<i32>), Faults> {
+        spend();
+        let p = self.placed;
+        let general = General::new(p, self.driver);
+        let stations = Stations::of_values(vec![angle], self.per_value);
+        let scene = with_driver_at(p.scene, self.driver, stations.place(0, p.scene, self.driver));
+        let at = match general.is_closed_everywhere() {
+            true => position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?,
+            false => Whole::new(p, self.driver).standing(angle)?,
+        };
+        let solution = analytic::solve(&scene, p.mechanism, &at, &p.demand)?;
+        let none = || {
+            let message = both!("the balancing moment has no value at {}°", "{}° 处平衡力矩无值", angle.to_degrees());
+            Diagnostic::error("no-moment", message)
+        };
+        let forces = solution.forces().ok_or_else(none)?;
+        let moment = match forces.balance {
+            Some(_) => forces.power / scene.drivers[self.driver].rate.value,
+            None => *forces.drivers.get(self.driver).ok_or_else(none)?,
+        };
+        let stretches = stretches(&scene, &at, &solution).ok_or_else(none)?;
+        if moment.is_finite() { Ok((moment, stretches)) } else { Err(none().into()) }
+    }
+
+    /// Splits a stretch where loads begin, end or turn round, and appends the parts.
+    fn split(&self, [a, b]: [f64; 2], parts: &mut Vec<[f64; 2]>) -> Result<(), Faults> {
+        let mut from = a;
+        let inside = nodes(a, b);
+        let mut last = (inside[0].0, self.at(inside[0].0)?.1);
+        for (x, _) in &inside[1..] {
+            let here = self.at(*x)?.1;
+            if here != last.1 {
+                let [mut low, mut high] = [last.0, *x];
+                while high - low > 1e-14 * TAU {
+                    let middle = 0.5 * (low + high);
+                    if middle <= low || middle >= high {
+                        break;
+                    }
+                    if self.at(middle)?.1 == last.1 { low = middle } else { high = middle }
+                }
+                parts.push([from, low]);
+                from = high;
+            }
+            last = (*x, here);
+        }
+        parts.push([from, b]);
+        Ok(())
+    }
+
+    /// The integral of M_b.
+    fn work(&self, [a, b]: [f64; 2]) -> Result<f64, Faults> {
+        nodes(a, b).iter().try_fold(0.0, |sum, (x, weight)| Ok(sum + weight * self.at(*x)?.0))
+    }
+}
+
+/// Mean balancing moment and surplus of energy over a period of a driver that turns fully; `None` for one that does not.
+///
+/// # Errors
+/// Those of [`limits`](super::extreme::limits); a position in which the moment has no value.
+pub fn energy(placed: &Placed, driver: usize) -> Result<Option<Energy>, Faults> {
+    let Placed { scene, mechanism, .. } = placed;
+    let all = limits(scene, mechanism, driver)?;
+    if !scene.drivers[driver].kind.turns() || !all.range.full() || all.turns == 0 {
+        return Ok(None);
+    }
+    let moment = Moment { placed, driver, per_value: angle_per_value(scene, &placed.at, driver) };
+    let (start, period) = (position_now(scene, &placed.at, driver), TAU * all.seen as f64);
+    let count = PANELS * all.seen as usize;
+    let edge = |k: usize| start + period * k as f64 / count as f64;
+    let mut parts = Vec::new();
+    for k in 0..count {
+        moment.split([edge(k), edge(k + 1)], &mut parts)?;
+    }
+    let works = parts.iter().map(|part| moment.work(*part)).collect::<Result<Vec<f64>, _>>()?;
+    let mean = works.iter().sum::<f64>() / period;
+    // Surplus at the ends of the parts, and where M_b passes its mean.
+    let mut surplus: Vec<(f64, f64)> = Vec::new();
+    let mut so_far = 0.0;
+    for ([a, b], work) in parts.iter().zip(&works) {
+        surplus.push((*a, so_far));
+        let inside = nodes(*a, *b);
+        let mut last = (inside[0].0, moment.at(inside[0].0)?.0 - mean);
+        for (x, _) in &inside[1..] {
+            let here = moment.at(*x)?.0 - mean;
+            if here * last.1 < 0.0 {
+                let [mut low, mut high] = [last.0, *x];
+                while high - low > 1e-14 * TAU {
+                    let middle = 0.5 * (low + high);
+                    if middle <= low || middle >= high {
+                        break;
+                    }
+                    if (moment.at(middle)?.0 - mean) * last.1 > 0.0 { low = middle } else { high = middle }
+                }
+                let done = moment.work([*a, low])?;
+                surplus.push((low, so_far + mean * (low - a) - done));
+            }
+            last = (*x, here);
+        }
+        so_far += mean * (b - a) - work;
+    }
+    let by = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
+    let (Some(low), Some(high)) = (surplus.iter().min_by(by), surplus.iter().max_by(by)) else { return Ok(None) };
+    Ok(Some(Energy { period, mean, slowest: low.0, fastest: high.0, surplus: high.1 - low.1 }))
+}
