@@ -10,7 +10,7 @@ use super::relation::{Handle, Pair, Relation, Row};
 use super::rows::Layout;
 use super::{Solution, System};
 use hodograph_base::geom::Vec2;
-use hodograph_mechanism::force::{Cause, Load, between_teeth, completed, loads, unit_balance};
+use hodograph_mechanism::force::{Cause, Load, between_teeth, completed, loads, rubbing, settled, unit_balance, with_friction};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::{Forces, Wrench};
@@ -28,11 +28,20 @@ struct Balanced<'a> {
     lambda: DVector<f64>,
 }
 
+/// The reactions under all loads.
+struct Whole<'a> {
+    loads: Vec<Load>,
+    teeth: Vec<Load>,
+    found: Balanced<'a>,
+    balance: Option<f64>,
+    power: f64,
+}
+
 /// The forces of an instant, with the accelerations of `solution`.
 ///
 /// `None` where the reactions are unbounded or not determined, and where a motion that a load needs is not known.
 pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, solution: &Solution) -> Option<Forces> {
-    let mut loads = loads(scene, at, solution)?;
+    let loads = loads(scene, at, solution)?;
     // Equilibrium of all that is placed, however far its motion is asked for.
     let still = Demand { groups: demand.groups.iter().map(|g| g.map(|_| Level::Velocity)).collect(), ..demand.clone() };
     let layout = Layout::new(scene, m, at, &still, Level::Velocity);
@@ -48,36 +57,52 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
         }
         Some(Balanced { scene, layout: &layout, rows: &system.rows, lambda: system.solve_transposed(&-q)? })
     };
-    let mut found = balanced(&loads)?;
-    let drivers = found.drivers();
-    let power = scene.drivers.iter().zip(&drivers).map(|(d, x)| x * d.rate.value).sum();
-    let mut balance = None;
-    if let Some(unit) = unit_balance(scene, at) {
-        let (own, by_unit) = (*drivers.first()?, *balanced(&[unit])?.drivers().first()?);
-        let nothing = f64::EPSILON.sqrt() * if scene.drivers[0].kind.turns() { at.extent() } else { 1.0 };
-        if by_unit.abs() <= nothing {
-            return None;
+    let whole = |mut loads: Vec<Load>| -> Option<Whole> {
+        let mut found = balanced(&loads)?;
+        let drivers = found.drivers();
+        let power = scene.drivers.iter().zip(&drivers).map(|(d, x)| x * d.rate.value).sum();
+        let mut balance = None;
+        if let Some(unit) = unit_balance(scene, at) {
+            let (own, by_unit) = (*drivers.first()?, *balanced(&[unit])?.drivers().first()?);
+            let nothing = f64::EPSILON.sqrt() * if scene.drivers[0].kind.turns() { at.extent() } else { 1.0 };
+            if by_unit.abs() <= nothing {
+                return None;
+            }
+            let size = -own / by_unit;
+            loads.push(Load { wrench: Wrench { force: unit.wrench.force * size, couple: unit.wrench.couple * size }, ..unit });
+            found = balanced(&loads)?;
+            balance = Some(size);
         }
-        let size = -own / by_unit;
-        loads.push(Load { wrench: Wrench { force: unit.wrench.force * size, couple: unit.wrench.couple * size }, ..unit });
-        found = balanced(&loads)?;
-        balance = Some(size);
-    }
-    let tangential: Vec<(RollingId, Vec2)> =
-        (0..scene.rolling.len()).map(RollingId).filter_map(|r| Some((r, found.tangential(r)?))).collect();
-    let teeth = between_teeth(scene, at, &tangential);
-    if !teeth.is_empty() {
-        let all: Vec<Load> = loads.iter().chain(&teeth).copied().collect();
-        found = balanced(&all)?;
-    }
+        let tangential: Vec<(RollingId, Vec2)> =
+            (0..scene.rolling.len()).map(RollingId).filter_map(|r| Some((r, found.tangential(r)?))).collect();
+        let teeth = between_teeth(scene, at, &tangential);
+        if !teeth.is_empty() {
+            let all: Vec<Load> = loads.iter().chain(&teeth).copied().collect();
+            found = balanced(&all)?;
+        }
+        Some(Whole { loads, teeth, found, balance, power })
+    };
+    let guides_of = |found: &Balanced| -> Vec<(GuideId, Wrench)> {
+        (0..scene.guides.len()).map(GuideId).filter_map(|g| Some((g, found.guide(g)?))).collect()
+    };
+    let smooth = whole(loads.clone())?;
+    let (rubs, _) = rubbing(scene, at, solution)?;
+    let (smooth, Whole { loads, teeth, found, balance, power }) = if scene.loads.friction.is_empty() {
+        (None, smooth)
+    } else {
+        let under = |friction: &[Load]| whole(loads.iter().chain(friction).copied().collect()).ok_or(());
+        let read = |w: &Whole| (w.found.pins(at), guides_of(&w.found));
+        (Some(smooth.power), settled(scene, &rubs, under, read).ok()??.0)
+    };
     let pins = found.pins(at);
-    let guides: Vec<(GuideId, Wrench)> = (0..scene.guides.len()).map(GuideId).filter_map(|g| Some((g, found.guide(g)?))).collect();
+    let guides = with_friction(guides_of(&found), &rubs);
     let reactions = Forces {
         rolling: (0..scene.rolling.len()).map(RollingId).filter_map(|r| Some((r, found.rolling(r, &guides, &teeth)?))).collect(),
         drivers: found.drivers(),
         determinate: m.redundant.is_empty(),
         balance,
         power,
+        smooth,
         pins,
         guides,
         ..Forces::none()

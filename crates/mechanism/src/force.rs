@@ -2,6 +2,10 @@
 //!
 //! Inertia is F_I = −m a_S at the centre of mass and M_I = −J_S α, with the accelerations of whoever asks: each way of solving has its own.
 
+mod friction;
+
+pub use friction::{Rubbed, Rubbing, rubbing, settled, with_friction};
+
 use crate::answer::Source;
 use crate::mechanism::Level;
 use crate::position::{Configuration, Path};
@@ -26,6 +30,8 @@ pub enum Cause {
     Balance,
     /// The force that presses the teeth of a pair apart.
     Teeth(RollingId),
+    /// Friction: its index in the scene.
+    Friction(usize),
 }
 
 /// A load on a link.

@@ -8,7 +8,7 @@ use hodograph_board::equilibrium::{Equilibrium, Gives, GroupForces, Moments, Par
 use hodograph_board::plan::names::{name_label, point_label};
 use hodograph_mechanism::force::Cause;
 use hodograph_paper::paper::phrase::{Phrase, tr};
-use hodograph_scene::{Kind, Lang, LinkId, PointId, Scene, Size};
+use hodograph_scene::{Kind, Lang, LinkId, PointId, Rub, Scene, Size};
 
 /// Digits of measured lengths and forces in sentences: one more than a ruler gives.
 const DIGITS: usize = 4;
@@ -55,7 +55,7 @@ impl ForceWriter<'_> {
                         return format!("F_{{b{number}}}");
                     }
                 };
-                let sup = match part {
+                let sup = match self.part(of, on, part) {
                     Part::Whole => "",
                     Part::Normal => "n",
                     Part::Tangential => &self.notation.tangential,
@@ -63,6 +63,26 @@ impl ForceWriter<'_> {
                 let sub = format!("{}{sub}", self.notation.reaction);
                 if sup.is_empty() { format!("F_{{{sub}}}") } else { format!("F^{{{sup}}}_{{{sub}}}") }
             }
+        }
+    }
+
+    /// The part of a reaction: of a guide that rubs the polygon has the normal force.
+    fn part(&self, of: Party, on: LinkId, part: Part) -> Part {
+        let rubs = |by: LinkId| {
+            self.scene.loads.friction.iter().any(|f| match f.at {
+                Rub::Guide { guide, .. } => {
+                    let g = &self.scene.guides[guide.0];
+                    let runs = |l: LinkId| {
+                        g.slider == Some(l) || g.pin.is_some_and(|p| g.slider.is_none() && self.scene.links[l.0].points.contains(&p))
+                    };
+                    g.on == by && runs(on) || g.on == on && runs(by)
+                }
+                Rub::Pin { .. } => false,
+            })
+        };
+        match of {
+            Party::Link(by) if part == Part::Whole && rubs(by) => Part::Normal,
+            Party::Link(_) | Party::Pin(_) | Party::Cylinder(_) | Party::Driver(_) => part,
         }
     }
 
@@ -76,6 +96,10 @@ impl ForceWriter<'_> {
             Cause::Inertia => format!("F_{{I{link}}}"),
             Cause::Balance => "F_{b}".into(),
             Cause::Teeth(_) => "F_{r}".into(),
+            Cause::Friction(k) => match self.scene.loads.friction[k].at {
+                Rub::Pin { point, .. } => format!("M_{{f{}}}", at(point)),
+                Rub::Guide { .. } => format!("F_{{f{link}}}"),
+            },
             Cause::Spring(s) => {
                 let [a, b] = self.scene.loads.springs[s].ends.map(|(p, _)| at(p));
                 format!("F_{{{a}{b}}}")
@@ -99,7 +123,7 @@ impl ForceWriter<'_> {
         match term {
             Term::Load(_) => self.symbol(term).replace(['{', '}', '\\'], ""),
             Term::Reaction { of, on, part } => {
-                let letter = match part {
+                let letter = match self.part(of, on, part) {
                     Part::Whole => "F",
                     Part::Normal => "Fn",
                     Part::Tangential => "Ft",
@@ -150,7 +174,9 @@ impl ForceWriter<'_> {
         match term {
             Term::Load(k) => match self.of.loads[k].cause {
                 Cause::Inertia => format!("M_{{I{}}}", name_label(self.scene.link_name(self.of.loads[k].link))),
-                Cause::Applied(_) | Cause::Weight | Cause::Spring(_) | Cause::Balance | Cause::Teeth(_) => self.load(k),
+                Cause::Applied(_) | Cause::Weight | Cause::Spring(_) | Cause::Balance | Cause::Teeth(_) | Cause::Friction(_) => {
+                    self.load(k)
+                }
             },
             Term::Reaction { .. } => self.symbol(term).replacen('F', "M", 1),
         }

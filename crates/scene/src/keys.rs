@@ -24,6 +24,7 @@ pub(super) const SCENE: &[&str] = &[
     "masses",
     "forces",
     "springs",
+    "friction",
     "balance",
     "sketch",
     "side",
@@ -80,4 +81,5 @@ pub(super) const FORCE: &[&str] = &["on", "at", "F", "M", "angle", "line", "agai
 pub(super) const OVER: &[&str] = &["slide", "toward", "stroke", "turn", "angles"];
 pub(super) const DIAGRAM: &[&str] = &["slide", "toward", "turn", "period", "points"];
 pub(super) const SPRING: &[&str] = &["from", "to", "k", "free"];
+pub(super) const FRICTION: &[&str] = &["pin", "slider", "on", "circle", "radius", "f"];
 pub(super) const BALANCE: &[&str] = &["link", "at", "angle"];

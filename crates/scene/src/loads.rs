@@ -14,6 +14,8 @@ pub struct Loads {
     pub applied: Vec<Applied>,
     /// Springs.
     pub springs: Vec<Spring>,
+    /// Friction in pins and guides.
+    pub friction: Vec<Friction>,
     /// The force or moment that keeps the balance; `None`: one at each driver.
     pub balance: Option<Balance>,
 }
@@ -166,6 +168,34 @@ pub struct Spring {
     pub free: Given,
     /// Its place in the file.
     pub span: Span,
+}
+
+/// Friction in a pair.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Friction {
+    /// The pair and how rough it is.
+    pub at: Rub,
+    /// Its place in the file.
+    pub span: Span,
+}
+
+/// A pair that rubs.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Rub {
+    /// A pin, with the radius (m) of its friction circle.
+    Pin {
+        /// The pin, fast in the first of its links.
+        point: PointId,
+        /// The radius ρ = f r.
+        circle: Given,
+    },
+    /// A straight guide, with its coefficient of friction.
+    Guide {
+        /// The guide.
+        guide: GuideId,
+        /// The coefficient f = tan φ.
+        f: Given,
+    },
 }
 
 /// The force or moment that keeps the balance in place of the driver's.

@@ -203,7 +203,20 @@ pub(super) struct RawLoads {
     pub masses: Vec<RawMass>,
     pub applied: Vec<RawApplied>,
     pub springs: Vec<RawSpring>,
+    pub friction: Vec<RawFriction>,
     pub balance: Option<RawBalance>,
+}
+
+/// Friction in a pin or a guide.
+#[derive(Clone, Debug)]
+pub(super) struct RawFriction {
+    pub pin: Option<Word>,
+    pub slider: Option<Word>,
+    pub on: Option<Word>,
+    pub circle: Option<RawQuantity>,
+    pub radius: Option<RawQuantity>,
+    pub f: Option<RawQuantity>,
+    pub span: Span,
 }
 
 /// Mass of a link, told as such or by its weight; its moment of inertia, told as such or by the radius of gyration.

@@ -21,7 +21,7 @@ use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::kind::{ByKind, Kind};
 use hodograph_mechanism::answer::Source;
-use hodograph_mechanism::force::{Load, completed, loads};
+use hodograph_mechanism::force::{Load, completed, loads, rubbing, settled, with_friction};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::quantity::{Forces, Wrench};
@@ -183,12 +183,27 @@ impl Equilibrium {
         if scene.loads.balance.is_some() || !m.redundant.is_empty() {
             return None;
         }
-        let loads = loads(scene, at, motion)?;
-        let written = scribe::written(scene, m, at, &loads);
-        let givens = Posed { scene, at, loads: &loads, extent: at.extent() };
+        let given = loads(scene, at, motion)?;
         // A trial at 1 N/mm tells how large the polygons are.
         let trial_scales: ByKind = [(Kind::Length, mu_l), (Kind::Force, 1.0)].into_iter().collect();
-        let trial = draw(&written.construction, &givens, &trial_scales, &mut Exact).ok()?;
+        let tried = |loads: Vec<Load>| {
+            let written = scribe::written(scene, m, at, &loads);
+            let givens = Posed { scene, at, loads: &loads, extent: at.extent() };
+            let drawn = draw(&written.construction, &givens, &trial_scales, &mut Exact).ok()?;
+            let forces = read(scene, m, at, &loads, &written.answers, &drawn)?;
+            Some(Tried { loads, written, drawn, forces })
+        };
+        let smooth = tried(given.clone())?;
+        let (rubbing, _) = rubbing(scene, at, motion)?;
+        let (power, Tried { loads, written, drawn: trial, .. }) = if rubbing.is_empty() {
+            ((!scene.loads.friction.is_empty()).then_some(smooth.forces.power), smooth)
+        } else {
+            // Friction from the reactions of one polygon, the next polygon with this friction, until they stand.
+            let under = |friction: &[Load]| tried(given.iter().chain(friction).copied().collect()).ok_or(());
+            let read = |t: &Tried| (t.forces.pins.clone(), t.forces.guides.clone());
+            (Some(smooth.forces.power), settled(scene, &rubbing, under, read).ok()??.0)
+        };
+        let givens = Posed { scene, at, loads: &loads, extent: at.extent() };
         let extent =
             written.groups.iter().map(|g| extent_of(g, &trial)).fold([0.0, 0.0], |[w, h], [x, y]| [f64::max(w, x), f64::max(h, y)]);
         let mu = fitted(&scene.paper, Kind::Force, extent, room);
@@ -199,6 +214,7 @@ impl Equilibrium {
             return None;
         }
         let forces = read(scene, m, at, &loads, &written.answers, &drawn)?;
+        let forces = Forces { guides: with_friction(forces.guides.clone(), &rubbing), smooth: power, ..forces };
         let scribe::Written { construction, groups, undrawn, places, .. } = written;
         Some(Equilibrium { loads, construction, groups, undrawn, scales, drawn, forces, places })
     }
@@ -238,6 +254,14 @@ impl Source<f64> for Equilibrium {
     fn forces(&self) -> Option<&Forces> {
         Some(&self.forces)
     }
+}
+
+/// Polygons at 1 N/mm under some loads.
+struct Tried {
+    loads: Vec<Load>,
+    written: scribe::Written,
+    drawn: Drawn,
+    forces: Forces,
 }
 
 /// Width and height of a polygon.

@@ -139,7 +139,7 @@ impl Page<'_> {
             Term::Load(k) => match self.of.loads[k].cause {
                 Cause::Weight => thin,
                 Cause::Inertia => thin.dashed(Dash::Dashed),
-                Cause::Applied(_) | Cause::Spring(_) | Cause::Balance | Cause::Teeth(_) => vector,
+                Cause::Applied(_) | Cause::Spring(_) | Cause::Balance | Cause::Teeth(_) | Cause::Friction(_) => vector,
             },
             Term::Reaction { .. } => vector,
         }

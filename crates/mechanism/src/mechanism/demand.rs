@@ -2,7 +2,7 @@
 
 use super::{Mechanism, Node};
 use hodograph_scene::quantity::{Level, Need};
-use hodograph_scene::{Find, LinkId, PointId, Scene};
+use hodograph_scene::{Find, LinkId, PointId, Rub, Scene};
 
 /// What the questions call for.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,6 +79,24 @@ impl Demand {
             match applied.at {
                 Some(p) => self.add(scene, m, Need::Point(p, Some(applied.link)), Level::Velocity),
                 None => self.add(scene, m, Need::Turning(applied.link), Level::Velocity),
+            }
+        }
+        for friction in &loads.friction {
+            match friction.at {
+                Rub::Pin { point, .. } => {
+                    for link in scene.carriers(point).filter(|l| *l != scene.ground) {
+                        self.add(scene, m, Need::Turning(link), Level::Velocity);
+                    }
+                }
+                Rub::Guide { guide, .. } => {
+                    let own = &scene.guides[guide.0];
+                    let slider = own.slider.or_else(|| own.pin.and_then(|p| scene.carriers(p).next()));
+                    let point = own.pin.or_else(|| slider.and_then(|s| scene.links[s.0].points.first().copied()));
+                    let links = slider.into_iter().chain([own.on]).filter(|l| *l != scene.ground);
+                    for (link, point) in links.zip(std::iter::repeat(point)) {
+                        point.into_iter().for_each(|p| self.add(scene, m, Need::Point(p, Some(link)), Level::Velocity));
+                    }
+                }
             }
         }
         // A driver's moment is carried by what it drives.

@@ -8,7 +8,7 @@
 
 use super::Motion;
 use super::conditions::{Acting, Conditions, Reaction};
-use crate::force::{Cause, Load, between_teeth, completed, loads, unit_balance};
+use crate::force::{Cause, Load, Rubbing, between_teeth, completed, loads, rubbing, settled, unit_balance, with_friction};
 use crate::mechanism::{Demand, Form, Item, Mechanism, Passive, Runner};
 use crate::position::{Configuration, Path};
 use hodograph_base::geom::Vec2;
@@ -49,35 +49,64 @@ pub(super) fn forces<N: Real>(
     motion: &Motion<N>,
 ) -> Result<Forces<N>, Option<usize>> {
     let posed = Posed { scene, m, at, demand, rest: Motion::at_rest(scene, at) };
-    let mut loads = loads(scene, at, motion).ok_or(None)?;
-    let mut found = posed.balanced(&loads)?;
-    let rate = Inputs::of(scene);
-    let power = scene.drivers.iter().zip(&found.drivers).fold(N::from_f64(0.0), |sum, (d, x)| sum + *x * rate.number(&d.rate));
-    let mut balance = None;
-    if let Some(unit) = unit_balance(scene, at) {
-        // One driver: its moment is taken over by the load that does the same work.
-        let (own, by_unit) = (*found.drivers.first().ok_or(None)?, *posed.balanced(&[unit])?.drivers.first().ok_or(None)?);
-        if by_unit.approx().abs() <= by_unit.radius() || by_unit.approx() == 0.0 {
-            return Err(None);
-        }
-        let size = -own / by_unit;
-        let wrench = Wrench { force: unit.wrench.force * size, couple: unit.wrench.couple * size };
-        loads.push(Load { wrench, ..unit });
-        found = posed.balanced(&loads)?;
-        balance = Some(size);
+    let loads = loads(scene, at, motion).ok_or(None)?;
+    let smooth = posed.whole(&loads)?;
+    if scene.loads.friction.is_empty() {
+        return Ok(posed.told(smooth, &[]));
     }
-    let rolling = |found: &Found<N>| -> Vec<(RollingId, Vec2<N>)> {
-        found.rolling.iter().enumerate().filter_map(|(r, force)| Some((RollingId(r), (*force)?))).collect()
-    };
-    let teeth = between_teeth(scene, at, &rolling(&found));
-    if !teeth.is_empty() {
-        let all: Vec<Load<N>> = loads.iter().chain(&teeth).copied().collect();
-        found = posed.balanced(&all)?;
+    let (rubbing, _) = rubbing(scene, at, motion).ok_or(None)?;
+    let under = |friction: &[Load<N>]| posed.whole(&loads.iter().chain(friction).copied().collect::<Vec<_>>());
+    let (rough, _) = settled(scene, &rubbing, under, |whole| (whole.found.pins.clone(), whole.found.guides()))?.ok_or(None)?;
+    let power = smooth.power;
+    Ok(Forces { smooth: Some(power), ..posed.told(rough, &rubbing) })
+}
+
+/// The reactions under all loads, with the force that keeps the balance.
+struct Whole<N> {
+    loads: Vec<Load<N>>,
+    teeth: Vec<Load<N>>,
+    found: Found<N>,
+    balance: Option<N>,
+    power: N,
+}
+
+impl<N: Real> Found<N> {
+    fn guides(&self) -> Vec<(GuideId, Wrench<N>)> {
+        self.guides.iter().enumerate().filter_map(|(g, w)| Some((GuideId(g), (*w)?))).collect()
     }
-    Ok(posed.told(&loads, &teeth, found, balance, power))
 }
 
 impl<N: Real> Posed<'_, N> {
+    /// The reactions under loads and the balancing force, teeth pressed apart.
+    fn whole(&self, loads: &[Load<N>]) -> Result<Whole<N>, Option<usize>> {
+        let Posed { scene, at, .. } = *self;
+        let mut loads = loads.to_vec();
+        let mut found = self.balanced(&loads)?;
+        let rate = Inputs::of(scene);
+        let power = scene.drivers.iter().zip(&found.drivers).fold(N::from_f64(0.0), |sum, (d, x)| sum + *x * rate.number(&d.rate));
+        let mut balance = None;
+        if let Some(unit) = unit_balance(scene, at) {
+            // One driver: its moment is taken over by the load that does the same work.
+            let (own, by_unit) = (*found.drivers.first().ok_or(None)?, *self.balanced(&[unit])?.drivers.first().ok_or(None)?);
+            if by_unit.approx().abs() <= by_unit.radius() || by_unit.approx() == 0.0 {
+                return Err(None);
+            }
+            let size = -own / by_unit;
+            let wrench = Wrench { force: unit.wrench.force * size, couple: unit.wrench.couple * size };
+            loads.push(Load { wrench, ..unit });
+            found = self.balanced(&loads)?;
+            balance = Some(size);
+        }
+        let rolling: Vec<(RollingId, Vec2<N>)> =
+            found.rolling.iter().enumerate().filter_map(|(r, force)| Some((RollingId(r), (*force)?))).collect();
+        let teeth = between_teeth(scene, at, &rolling);
+        if !teeth.is_empty() {
+            let all: Vec<Load<N>> = loads.iter().chain(&teeth).copied().collect();
+            found = self.balanced(&all)?;
+        }
+        Ok(Whole { loads, teeth, found, balance, power })
+    }
+
     /// The reactions under loads.
     fn balanced(&self, loads: &[Load<N>]) -> Result<Found<N>, Option<usize>> {
         let Posed { scene, m, at, .. } = *self;
@@ -267,8 +296,9 @@ impl<N: Real> Posed<'_, N> {
         Some(())
     }
 
-    fn told(&self, loads: &[Load<N>], teeth: &[Load<N>], found: Found<N>, balance: Option<N>, power: N) -> Forces<N> {
-        let guides: Vec<(GuideId, Wrench<N>)> = found.guides.into_iter().enumerate().filter_map(|(g, w)| Some((GuideId(g), w?))).collect();
+    fn told(&self, whole: Whole<N>, rubbing: &[Rubbing<N>]) -> Forces<N> {
+        let Whole { loads, teeth, found, balance, power } = whole;
+        let guides = with_friction(found.guides(), rubbing);
         let rolling = found.rolling.into_iter().enumerate().filter_map(|(r, force)| {
             let pair = RollingId(r);
             // A guide of its own holds the wheels in touch: the two parts are one force.
@@ -291,7 +321,7 @@ impl<N: Real> Posed<'_, N> {
             power,
             ..Forces::none()
         };
-        completed(self.scene, self.at, loads, reactions)
+        completed(self.scene, self.at, &loads, reactions)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Givens, as_written, inked};
 use hodograph_board::plan::names::name_label;
-use hodograph_scene::{Abscissa, Along, Course, Given, Lang, Mass, Size};
+use hodograph_scene::{Abscissa, Along, Course, Given, Lang, Mass, Rub, Size};
 
 impl Givens<'_> {
     /// Given masses, loads and springs, a line for each.
@@ -92,7 +92,32 @@ impl Givens<'_> {
         if !springs.is_empty() {
             all.push(format!("{}{}", self.tr("springs: ", "弹簧："), springs.join(self.tr("; ", "；"))));
         }
+        let friction: Vec<String> = loads.friction.iter().map(|f| self.friction(&f.at)).collect();
+        if !friction.is_empty() {
+            all.push(format!("{}{}", self.tr("friction: ", "摩擦："), friction.join(self.tr("; ", "；"))));
+        }
         all
+    }
+
+    fn friction(&self, at: &Rub) -> String {
+        match at {
+            Rub::Pin { point, circle } => {
+                let (pin, circle) = (self.point(*point), self.length(circle));
+                match self.lang() {
+                    Lang::En => format!("friction circle $\\rho = {circle}$ at {pin}"),
+                    Lang::Zh => format!("{pin} 处摩擦圆半径 $\\rho = {circle}$"),
+                }
+            }
+            Rub::Guide { guide, f } => {
+                let own = &self.scene.guides[guide.0];
+                let slider = own.slider.map(|s| name_label(self.scene.link_name(s)));
+                let (link, f) = (slider.or_else(|| own.pin.map(|p| self.point(p))).unwrap_or_default(), inked(f.value));
+                match self.lang() {
+                    Lang::En => format!("$f = {f}$ in the guide of {link}"),
+                    Lang::Zh => format!("{link} 的导路 $f = {f}$"),
+                }
+            }
+        }
     }
 
     /// The part of the motion over which a load acts, with its amounts there.

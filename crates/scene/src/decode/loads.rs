@@ -1,4 +1,4 @@
-//! The sections of forces: `gravity`, `masses`, `forces`, `springs`, `balance`.
+//! The sections of forces: `gravity`, `masses`, `forces`, `springs`, `friction`, `balance`.
 
 use super::super::keys;
 use super::super::raw::*;
@@ -20,6 +20,9 @@ pub(super) fn loads(f: &Fields, raw: &mut RawScene, faults: &mut Faults) {
     }
     for node in items(f.get("springs"), "\"springs\"", faults) {
         raw.loads.springs.extend(spring(node, faults));
+    }
+    for node in items(f.get("friction"), "\"friction\"", faults) {
+        raw.loads.friction.extend(friction(node, faults));
     }
     raw.loads.balance = f.get("balance").and_then(|n| balance(n, faults));
 }
@@ -145,6 +148,15 @@ fn spring(node: &Node, faults: &mut Faults) -> Option<RawSpring> {
     let k = f.need("k", "\"40 N/m\"", faults).and_then(|n| amount(n, "\"k\"", faults));
     let free = f.need("free", "\"100 mm\"", faults).and_then(|n| amount(n, "\"free\"", faults));
     Some(RawSpring { from: from?, to: to?, k: k?, free: free?, span: node.span })
+}
+
+fn friction(node: &Node, faults: &mut Faults) -> Option<RawFriction> {
+    let f = Fields::open(node, "\"friction\"", keys::FRICTION, faults)?;
+    let pin = optional(&f, "pin", faults, name);
+    let (slider, on) = (optional(&f, "slider", faults, name), optional(&f, "on", faults, name));
+    let (circle, radius) = (optional(&f, "circle", faults, amount), optional(&f, "radius", faults, amount));
+    let rough = optional(&f, "f", faults, amount);
+    Some(RawFriction { pin: pin?, slider: slider?, on: on?, circle: circle?, radius: radius?, f: rough?, span: node.span })
 }
 
 fn balance(node: &Node, faults: &mut Faults) -> Option<RawBalance> {

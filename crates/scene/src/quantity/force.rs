@@ -50,6 +50,7 @@ enum Which {
     InertiaCouple(LinkId),
     Shaking,
     Power,
+    Efficiency,
 }
 
 const REACTION: usize = 0;
@@ -62,13 +63,27 @@ const INERTIA: usize = 6;
 const INERTIA_COUPLE: usize = 7;
 const POWER: usize = 8;
 const SHAKING: usize = 9;
+const EFFICIENCY: usize = 10;
 
 impl Quantity for Force {
     const WRITTEN: &'static [Entry] = &[
         Entry::new("F", "F_12", Kind::Force, Form::Vector, ["reaction", "运动副反力"]),
-        Entry::new("Fn", "Fn_12", Kind::Force, Form::Vector, ["reaction along the link", "沿杆的反力分量"]).printed("F", Over::Sign("n")),
-        Entry::new("Ft", "Ft_12", Kind::Force, Form::Vector, ["reaction square to the link", "垂直于杆的反力分量"])
-            .printed("F", Over::Sign("t")),
+        Entry::new(
+            "Fn",
+            "Fn_12",
+            Kind::Force,
+            Form::Vector,
+            ["reaction along the link, or square to the guide", "沿杆（或垂直于导路）的反力分量"],
+        )
+        .printed("F", Over::Sign("n")),
+        Entry::new(
+            "Ft",
+            "Ft_12",
+            Kind::Force,
+            Form::Vector,
+            ["reaction square to the link, or along the guide", "垂直于杆（或沿导路）的反力分量"],
+        )
+        .printed("F", Over::Sign("t")),
         Entry::new("F", "F_b", Kind::Force, Form::Scalar, ["balancing force", "平衡力"]),
         Entry::new("h", "h_65", Kind::Length, Form::Scalar, ["distance of the force of a guide from the pin", "导路反力到销中心的距离"]),
         Entry::new("M", "M_b", Kind::Moment, Form::Scalar, ["balancing moment", "平衡力矩"]),
@@ -76,6 +91,7 @@ impl Quantity for Force {
         Entry::new("MI", "MI_2", Kind::Moment, Form::Scalar, ["inertia couple", "惯性力偶矩"]).printed("M_I", Over::Nothing),
         Entry::new("P", "P", Kind::Power, Form::Scalar, ["power of the driver", "原动件功率"]),
         Entry::new("F", "F_sh", Kind::Force, Form::Vector, ["shaking force", "总惯性力"]),
+        Entry::new("eta", "eta", Kind::Number, Form::Scalar, ["efficiency", "机械效率"]),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Force>, Diagnostic> {
@@ -83,6 +99,10 @@ impl Quantity for Force {
         let which = match question.symbol() {
             "P" => match names {
                 "" => Which::Power,
+                _ => return Ok(None),
+            },
+            "eta" => match names {
+                "" => Which::Efficiency,
                 _ => return Ok(None),
             },
             "F" if names == "sh" => Which::Shaking,
@@ -125,6 +145,7 @@ impl Quantity for Force {
             Which::InertiaCouple(_) => INERTIA_COUPLE,
             Which::Power => POWER,
             Which::Shaking => SHAKING,
+            Which::Efficiency => EFFICIENCY,
         }]
     }
 
@@ -133,7 +154,7 @@ impl Quantity for Force {
             Which::Reaction([i, j], _) | Which::Offset([i, j]) | Which::Couple([i, j]) => Of::Links(i, j),
             Which::OfPin(p, link) => Of::Point(crate::model::OnLink { point: p, link: Some(link) }),
             Which::InertiaForce(l) | Which::InertiaCouple(l) => Of::Link(l),
-            Which::Balance { .. } | Which::Power | Which::Shaking => Of::Mechanism,
+            Which::Balance { .. } | Which::Power | Which::Efficiency | Which::Shaking => Of::Mechanism,
         }
     }
 
@@ -149,7 +170,12 @@ impl Quantity for Force {
         match self.0 {
             Which::Reaction(links, _) | Which::Offset(links) | Which::Couple(links) => links.to_vec(),
             Which::OfPin(p, link) => scene.carriers(p).chain([link]).collect(),
-            Which::InertiaForce(_) | Which::InertiaCouple(_) | Which::Balance { .. } | Which::Power | Which::Shaking => Vec::new(),
+            Which::InertiaForce(_)
+            | Which::InertiaCouple(_)
+            | Which::Balance { .. }
+            | Which::Power
+            | Which::Efficiency
+            | Which::Shaking => Vec::new(),
         }
     }
 
@@ -166,6 +192,7 @@ impl Quantity for Force {
                 "the balancing force does no work in this pose: its line passes through the pole of its link, or its point is at rest",
                 "该位置平衡力不做功：其作用线通过所在构件的瞬心，或作用点静止"
             ),
+            Which::Efficiency => both!("the balancing moment does no work here", "该位置平衡力矩不做功"),
             Which::InertiaForce(_) | Which::InertiaCouple(_) | Which::Shaking => {
                 both!("the forces are not determined in this pose", "该位置的力不确定")
             }
@@ -182,9 +209,14 @@ impl Quantity for Force {
                         at(both!("`{}`: link {b} has no second joint", "`{}`：构件 {b} 没有第二个运动副", find.text))
                             .help(both!("ask for F_{a}{b}", "请求 F_{a}{b}"))
                     }),
+                    [Contact::Guide(g, _)] if matches!(scene.guides[g.0].path, GuidePath::Line { .. }) => None,
                     [_] if part != Along::Whole => Some(
-                        at(both!("`{}`: links {a} and {b} are not joined by a pin", "`{}`：构件 {a} 与 {b} 不是以转动副相连", find.text))
-                            .help(both!("ask for F_{a}{b}", "请求 F_{a}{b}")),
+                        at(both!(
+                            "`{}`: links {a} and {b} are joined neither by a pin nor by a straight guide",
+                            "`{}`：构件 {a} 与 {b} 不是以转动副或直线移动副相连",
+                            find.text
+                        ))
+                        .help(both!("ask for F_{a}{b}", "请求 F_{a}{b}")),
                     ),
                     [_] => None,
                     [_, _, ..] => Some(at(both!(
@@ -244,6 +276,13 @@ impl Quantity for Force {
                     .help(both!("ask for {right} instead of {asked}", "请以 {right} 代替 {asked}"))
                 })
             }
+            Which::Efficiency => scene.loads.friction.is_empty().then(|| {
+                let message = both!("`{}`: the scene has no friction", "`{}`：机构文件没有摩擦", find.text);
+                at(message).help(both!(
+                    "give \"friction\": [{{\"pin\": \"B\", \"circle\": \"4 mm\"}}]",
+                    "请给出 \"friction\": [{{\"pin\": \"B\", \"circle\": \"4 mm\"}}]"
+                ))
+            }),
             Which::Power | Which::Shaking => None,
         }
     }
@@ -255,9 +294,14 @@ impl Quantity for Force {
                 let contact = *contacts(scene, i, j).first()?;
                 let force = reaction(forces, contact, j)?.force;
                 let along = |p: PointId| (known.point(bar(scene, p, j)?)? - known.point(p)?).unit();
-                let (Contact::Pin(p), true) = (contact, part != Along::Whole) else { return Some(Value::Vector(force)) };
-                let u = along(p)?;
-                let u = if part == Along::Tangential { u.perp() } else { u };
+                // Of a guide the normal force is square to it.
+                let u = match (contact, part) {
+                    (_, Along::Whole) | (Contact::Rolling(..), _) => return Some(Value::Vector(force)),
+                    (Contact::Pin(p), Along::Normal) => along(p)?,
+                    (Contact::Pin(p), Along::Tangential) => along(p)?.perp(),
+                    (Contact::Guide(g, _), Along::Normal) => known.guide(g)?.1.perp(),
+                    (Contact::Guide(g, _), Along::Tangential) => known.guide(g)?.1,
+                };
                 Some(Value::Vector(u * u.dot(force)))
             }
             Which::OfPin(p, link) => Some(Value::Vector(of_pin(forces, p, link)?)),
@@ -280,6 +324,7 @@ impl Quantity for Force {
             Which::InertiaCouple(l) => forces.inertia.iter().find(|(own, _)| *own == l).map(|(_, w)| Value::Scalar(w.couple)),
             Which::Shaking => Some(Value::Vector(forces.inertia.iter().fold(Vec2::zero(), |sum, (_, w)| sum + w.force))),
             Which::Power => Some(Value::Scalar(forces.power)),
+            Which::Efficiency => Some(Value::Scalar(forces.efficiency().filter(|eta| eta.is_decided())?)),
         }
     }
 }

@@ -54,6 +54,8 @@ pub struct Forces<N = f64> {
     pub inertia: Vec<(LinkId, Wrench<N>)>,
     /// Power (W) of the balancing moment or force.
     pub power: N,
+    /// Power (W) that the load takes without friction; `None` where nothing rubs.
+    pub smooth: Option<N>,
     /// Largest force among loads and reactions (N): what rounding is measured against.
     pub largest: f64,
     /// Largest moment of a force about a point of the mechanism (N·m).
@@ -75,11 +77,20 @@ impl<N: Real> Forces<N> {
             balance: None,
             inertia: Vec::new(),
             power: N::from_f64(0.0),
+            smooth: None,
             largest: 0.0,
             largest_moment: 0.0,
             largest_power: 0.0,
             determinate: true,
         }
+    }
+}
+
+impl<N: Real> Forces<N> {
+    /// Efficiency: M_b0/M_b of a driver that drives, M_b/M_b0 where the load drives. Zero or less: the mechanism locks itself.
+    pub fn efficiency(&self) -> Option<N> {
+        let smooth = self.smooth?;
+        Some(if smooth.approx() < 0.0 { self.power / smooth } else { smooth / self.power })
     }
 }
 

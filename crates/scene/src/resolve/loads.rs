@@ -17,6 +17,7 @@ pub(super) fn loads(c: &Context, moving: Moving, faults: &mut Faults) -> Loads {
         masses,
         applied: raw.applied.iter().filter_map(|a| super::applied::applied(c, moving, a, faults)).collect(),
         springs: raw.springs.iter().filter_map(|s| spring(c, s, faults)).collect(),
+        friction: raw.friction.iter().flat_map(|f| super::friction::friction(c, moving.0, f, faults)).collect(),
         balance: raw.balance.as_ref().and_then(|b| balance(c, b, faults)),
         gravity,
     }
@@ -52,7 +53,7 @@ fn optional(c: &Context, raw: Option<&RawQuantity>, wanted: Wanted, faults: &mut
 }
 
 /// A quantity that is computed from others of the file.
-fn computed(c: &Context, text: String, span: Span, wanted: Wanted, faults: &mut Faults) -> Option<Given> {
+pub(super) fn computed(c: &Context, text: String, span: Span, wanted: Wanted, faults: &mut Faults) -> Option<Given> {
     c.values.si(&RawQuantity { text, span, bare: true }, wanted, faults)
 }
 

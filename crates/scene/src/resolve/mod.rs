@@ -12,6 +12,7 @@ mod declare;
 mod drivers;
 mod find;
 mod free;
+mod friction;
 mod guides;
 mod lengths;
 mod loads;

@@ -1,0 +1,190 @@
+//! Friction in pins and guides: couples and forces that follow from the reactions, which in turn follow from them.
+//!
+//! In a pin the force touches the friction circle of radius ρ, which is the couple ρF against the turning of the two links on each other; in a guide it
+//! leans by the angle of friction, which is the force fN against the sliding. Both senses come from the velocities. The reactions are found without
+//! friction, the friction from them, the reactions again, until they stand: with small circles each pass gains a factor of about l/ρ.
+//!
+//! # Source
+//! 孙桓, 陈作模, 葛文杰: 机械原理, ch. 4 and 5.
+
+use super::{Cause, Load, fastest};
+use crate::answer::Source;
+use crate::mechanism::Level;
+use crate::position::{Configuration, Path};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
+use hodograph_scene::exact::Inputs;
+use hodograph_scene::quantity::{ROUNDING, Wrench};
+use hodograph_scene::{GuideId, LinkId, PointId, Rub, Scene};
+
+/// Two links that rub on each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rubbing<N = f64> {
+    /// Its index in the scene's friction.
+    pub friction: usize,
+    /// The link on which the friction acts, and that on which it acts back.
+    pub links: [LinkId; 2],
+    /// The pair.
+    pub pair: Rubbed,
+    /// The point through which a force of friction acts; `None` for a couple.
+    pub at: Option<PointId>,
+    /// Its place.
+    pub place: Point<N>,
+    /// Friction on the first link for a reaction of 1 N.
+    pub unit: Wrench<N>,
+}
+
+/// A pair that rubs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rubbed {
+    /// A pin.
+    Pin(PointId),
+    /// A guide.
+    Guide(GuideId),
+}
+
+/// The pairs that rub in a pose, and those in which nothing moves, by their index in the scene's friction: their friction has no sense.
+///
+/// `None` where a place or a velocity is not known.
+pub fn rubbing<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Source<N>) -> Option<(Vec<Rubbing<N>>, Vec<usize>)> {
+    let inputs = Inputs::<N>::of(scene);
+    let zero = N::from_f64(0.0);
+    let speed = fastest(scene, at);
+    let (mut out, mut still) = (Vec::new(), Vec::new());
+    for (k, friction) in scene.loads.friction.iter().enumerate() {
+        match &friction.at {
+            Rub::Pin { point, circle } => {
+                let omega = |l: LinkId| if l == scene.ground { Some(zero) } else { motion.turning(Level::Velocity, l) };
+                // The pin is fast in the first of its links.
+                let mut links = scene.carriers(*point);
+                let first = links.next()?;
+                for link in links {
+                    let turning = (omega(link)? - omega(first)?).approx();
+                    if turning.abs() * at.extent() <= ROUNDING * speed {
+                        still.push(k);
+                        continue;
+                    }
+                    let unit = Wrench { force: Vec2::zero(), couple: inputs.number(circle) * N::from_f64(-turning.signum()) };
+                    let place = at.points[point.0]?;
+                    out.push(Rubbing { friction: k, links: [link, first], pair: Rubbed::Pin(*point), at: None, place, unit });
+                }
+            }
+            Rub::Guide { guide, f } => {
+                let own = &scene.guides[guide.0];
+                let slider = own.slider.or_else(|| own.pin.and_then(|p| scene.carriers(p).next()))?;
+                let point = own.pin.or_else(|| scene.links[slider.0].points.first().copied())?;
+                let Path::Line { direction, .. } = at.guides[guide.0]? else { continue };
+                let of = |l: LinkId| if l == scene.ground { Some(Vec2::zero()) } else { motion.vector(Level::Velocity, point, Some(l)) };
+                let sliding = (of(slider)? - of(own.on)?).dot(direction).approx();
+                if sliding.abs() <= ROUNDING * speed {
+                    still.push(k);
+                    continue;
+                }
+                let unit = Wrench { force: direction * (inputs.number(f) * N::from_f64(-sliding.signum())), couple: zero };
+                let place = at.points[point.0]?;
+                out.push(Rubbing { friction: k, links: [slider, own.on], pair: Rubbed::Guide(*guide), at: Some(point), place, unit });
+            }
+        }
+    }
+    Some((out, still))
+}
+
+impl<N: Real> Rubbing<N> {
+    /// The reaction (N) that presses the links on each other.
+    fn pressure(&self, pins: &[(PointId, LinkId, Vec2<N>)], guides: &[(GuideId, Wrench<N>)]) -> Option<N> {
+        match self.pair {
+            Rubbed::Pin(p) => {
+                let of = |l: LinkId| pins.iter().find(|(at, on, _)| (*at, *on) == (p, l)).map(|x| x.2.norm());
+                of(self.links[0]).or_else(|| of(self.links[1]))
+            }
+            Rubbed::Guide(g) => guides.iter().find(|(own, _)| *own == g).map(|(_, w)| w.force.norm()),
+        }
+    }
+
+    /// The friction under a pressure (N) as loads of both links.
+    fn loads(&self, ground: LinkId, pressure: N) -> impl Iterator<Item = Load<N>> {
+        let wrench = Wrench { force: self.unit.force * pressure, couple: self.unit.couple * pressure };
+        let Rubbing { friction, links: [link, other], at, place, .. } = *self;
+        let load = move |link: LinkId, wrench: Wrench<N>| Load { cause: Cause::Friction(friction), link, at, place, wrench };
+        [load(link, wrench), load(other, wrench.reversed())].into_iter().filter(move |l| l.link != ground)
+    }
+}
+
+/// The reactions of guides with the friction that they cause.
+pub fn with_friction<N: Real>(mut guides: Vec<(GuideId, Wrench<N>)>, rubbing: &[Rubbing<N>]) -> Vec<(GuideId, Wrench<N>)> {
+    for (g, wrench) in &mut guides {
+        let own = rubbing.iter().find(|r| r.pair == Rubbed::Guide(*g));
+        let pressure = wrench.force.norm();
+        wrench.force = own.map_or(wrench.force, |r| wrench.force + r.unit.force * pressure);
+    }
+    guides
+}
+
+/// Most passes until the reactions stand.
+const PASSES: usize = 600;
+
+/// Passes that change no reaction by more than this part have settled, if they get no nearer.
+const SETTLED: f64 = 1e-12;
+
+/// Reactions with friction: `solve` gives those under the loads of friction, `pins` and `guides` read them. In numbers that know their error the
+/// result encloses a solution: the passes map a box of pressures into itself (Brouwer).
+///
+/// `Ok(None)` where the passes do not settle: with so much friction no finite reactions balance the loads.
+///
+/// # Errors
+/// Those of `solve`.
+pub fn settled<N: Real, R, E>(
+    scene: &Scene,
+    rubbing: &[Rubbing<N>],
+    mut solve: impl FnMut(&[Load<N>]) -> Result<R, E>,
+    read: impl Fn(&R) -> (Vec<(PointId, LinkId, Vec2<N>)>, Vec<(GuideId, Wrench<N>)>),
+) -> Result<Option<(R, Vec<Load<N>>)>, E> {
+    let pressures = |found: &R| {
+        let (pins, guides) = read(found);
+        rubbing.iter().map(|r| r.pressure(&pins, &guides)).collect::<Option<Vec<N>>>()
+    };
+    let loads = |u: &[N]| rubbing.iter().zip(u).flat_map(|(r, x)| r.loads(scene.ground, *x)).collect::<Vec<_>>();
+    let middles = |u: Vec<N>| u.into_iter().map(Real::mid).collect::<Vec<N>>();
+    let Some(first) = pressures(&solve(&[])?) else { return Ok(None) };
+    let mut u = middles(first);
+    let mut before = f64::INFINITY;
+    let mut settled = false;
+    for _ in 0..PASSES {
+        let Some(next) = pressures(&solve(&loads(&u))?).map(middles) else { return Ok(None) };
+        let size = next.iter().map(|x| x.approx().abs()).fold(f64::MIN_POSITIVE, f64::max);
+        let off = next.iter().zip(&u).map(|(a, b)| (*a - *b).approx().abs() / size).fold(0.0, f64::max);
+        u = next;
+        if !off.is_finite() {
+            return Ok(None);
+        }
+        if off == 0.0 || off <= SETTLED && off >= before {
+            settled = true;
+            break;
+        }
+        before = off;
+    }
+    if !settled && before > SETTLED {
+        return Ok(None);
+    }
+    let all = loads(&u);
+    let found = solve(&all)?;
+    if !N::knows_its_error() {
+        return Ok(Some((found, all)));
+    }
+    let Some(next) = pressures(&found) else { return Ok(None) };
+    let mut by: Vec<f64> = next.iter().zip(&u).map(|(a, b)| 4.0 * ((*a - *b).approx().abs() + a.radius()) + f64::MIN_POSITIVE).collect();
+    for _ in 0..ROUNDS {
+        let all = loads(&u.iter().zip(&by).map(|(x, by)| x.widened(*by)).collect::<Vec<N>>());
+        let found = solve(&all)?;
+        let Some(next) = pressures(&found) else { return Ok(None) };
+        let reach = |(a, b): (&N, &N)| ((*a - *b).approx().abs() + a.radius()) * (1.0 + 1e-9);
+        if next.iter().zip(&u).map(reach).zip(&by).all(|(reach, by)| reach <= *by) {
+            return Ok(Some((found, all)));
+        }
+        by.iter_mut().for_each(|by| *by *= 4.0);
+    }
+    Ok(None)
+}
+
+/// Wider and wider boxes that are tried.
+const ROUNDS: usize = 12;
