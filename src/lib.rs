@@ -135,7 +135,7 @@
 //! construct  diag budget number geom scene mechanism position answer plan construction
 //! equilibrium diag diagram geom kind scene mechanism position answer force construct construction
 //! analytic   diag budget geom cam scene mechanism position answer force
-//! sweep      diag budget digits trig number geom cam scene mechanism position stated answer motion analytic
+//! sweep      diag budget digits trig number geom cam scene mechanism position stated answer force motion analytic
 //! paper      diag budget json notation diagram lang geom
 //! render     diag geom paper
 //! accuracy   diag budget digits number geom scene mechanism position answer motion plan construct analytic

@@ -2,8 +2,12 @@
 
 use hodograph::answer::Value;
 use hodograph::certified::ladder::{Part, certify};
+use hodograph::diag::Warned;
 use hodograph::geom::Vec2;
+use hodograph::mechanism::Mechanism;
 use hodograph::scene::{self, Scene, templates};
+use hodograph::sweep::Placed;
+use hodograph::sweep::energy::{self, Energy};
 use hodograph::worked::{Scope, Worked, work};
 use serde_json::{Value as Json, json};
 
@@ -119,4 +123,119 @@ fn balancing_moments_do_the_work_of_the_loads() {
     println!("{checked} templates, {drawn} balancing moments drawn");
     assert!(checked > 40 && drawn > 20, "{checked} templates, {drawn} drawn");
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+}
+
+/// A slider-crank press of crank 100 mm and rod 400 mm at 200 r/min, with a load on its slider.
+fn press(load: &Json, angle: &str) -> String {
+    json!({
+        "links": {"1": ["O", "B"], "2": ["B", "C"], "3": ["C"], "4": ["O"]}, "ground": "4", "points": {"O": [0, 0]},
+        "lengths": {"OB": "100 mm", "BC": "400 mm"},
+        "guides": [{"pin": "C", "slider": "3", "on": "4", "through": "O", "angle": "0 deg"}],
+        "driver": {"link": "1", "angle": angle, "omega": "200 rpm"}, "sketch": {"C": ["400 mm", 0]}, "forces": [load], "find": ["M_b"]
+    })
+    .to_string()
+}
+
+fn energy(text: &str) -> Energy {
+    let scene = scene::read(text).unwrap().value;
+    let mechanism = Mechanism::new(&scene).unwrap().value;
+    energy::energy(&Placed::new(&scene, &mechanism).unwrap(), 0).unwrap().unwrap()
+}
+
+fn near(found: f64, expected: f64) {
+    assert!((found - expected).abs() <= 1e-10 * expected.abs(), "{found} is not {expected}");
+}
+
+/// `flywheel-press` of docs/cases.md: 20 kN over the last quarter of the outward stroke; the work is that force times the way.
+#[test]
+fn the_flywheel_of_a_press() {
+    let load = json!({"on": "3", "F": "20 kN", "against": "motion", "over": {"slide": "C", "toward": "0 deg", "stroke": [0.75, 1]}});
+    // Wherever the driver stands in the file.
+    for angle in ["-30 deg", "100 deg", "-54.314665287347946 deg"] {
+        let e = energy(&press(&load, angle));
+        near(e.mean, 159.154_943_091_895_34);
+        near(e.surplus, 854.194_667_269_396_4);
+        near(e.flywheel(200.0 * std::f64::consts::PI / 30.0, 1.0 / 30.0), 58.419_909_955_377_98);
+        near((e.fastest.to_degrees() - 360.0).rem_euclid(360.0), 360.0 - 54.314_665_287_347_95);
+        near(e.slowest.to_degrees().rem_euclid(360.0), 360.0 - 3.651_422_941_562_323);
+    }
+}
+
+/// `sunhuan-7-flywheel`: the driving moment of an engine by its diagram of 180°, against a constant resistance.
+#[test]
+fn the_flywheel_of_an_engine() {
+    let text = json!({
+        "links": {"1": ["O", "B"], "4": ["O"]}, "ground": "4", "points": {"O": [0, 0]}, "lengths": {"OB": "100 mm"},
+        "driver": {"link": "1", "angle": "10 deg", "omega": "620 rpm"},
+        "forces": [{"on": "1", "diagram": {"turn": "1", "period": "180 deg",
+            "points": [["0 deg", 0], ["20 deg", "200 N*m"], ["50 deg", "200 N*m"], ["180 deg", 0]]}}],
+        "find": ["M_b"]
+    });
+    let e = energy(&text.to_string());
+    near(e.mean, -350.0 / 3.0);
+    near(e.surplus, 89.084_513_903_877_24);
+    near(e.flywheel(620.0 * std::f64::consts::PI / 30.0, 0.01), 2.113_302_173_165_667);
+    near(e.fastest.to_degrees().rem_euclid(180.0), 104.166_666_666_666_67);
+}
+
+/// A load over a part of a stroke is that force there and none elsewhere, told in parts, in lengths, by a diagram, or by the slower stroke.
+#[test]
+fn loads_act_where_they_are_told_to() {
+    let moment = |load: &Json, angle: &str| {
+        let scene = scene::read(press(load, angle)).unwrap().value;
+        let worked = work(&scene, Scope::Questions).unwrap().value;
+        match answer(&scene, &worked, "M_b") {
+            Some(Value::Scalar(x)) => x,
+            other => panic!("{other:?}"),
+        }
+    };
+    let constant = json!({"on": "3", "F": "20 kN", "against": "motion"});
+    let ways = [
+        json!({"on": "3", "F": "20 kN", "against": "motion", "over": {"slide": "C", "toward": "0 deg", "stroke": [0.75, 1]}}),
+        json!({"on": "3", "F": "20 kN", "against": "motion", "over": {"slide": "C", "toward": "0 deg", "stroke": ["150 mm", "200 mm"]}}),
+        json!({"on": "3", "angle": "180 deg", "diagram": {"slide": "C", "toward": "0 deg", "points": [[0.75, "20 kN"], [1, "20 kN"]]}}),
+    ];
+    for (angle, acts) in
+        [("-30 deg", true), ("-54 deg", true), ("-55 deg", false), ("30 deg", false), ("150 deg", false), ("-170 deg", false)]
+    {
+        let expected = if acts { moment(&constant, angle) } else { 0.0 };
+        for way in &ways {
+            let found = moment(way, angle);
+            assert!((found - expected).abs() <= 1e-9 * 2000.0, "{way} at {angle}: {found}, not {expected}");
+        }
+    }
+    // In proportion between its points.
+    let rising = json!({"on": "3", "angle": "180 deg", "diagram": {"slide": "C", "toward": "0 deg", "points": [[0, 0], [1, "20 kN"]]}});
+    let part = (0.1 * libm::cos(-1.0) + (0.16 - (0.1 * libm::sin(1.0)).powi(2)).sqrt() - 0.3) / 0.2;
+    near(moment(&rising, "-1 rad"), part * moment(&constant, "-1 rad"));
+    // Which of two equal strokes is meant the file has to tell.
+    let untold = json!({"on": "3", "F": "20 kN", "against": "motion", "over": {"slide": "C", "stroke": [0.75, 1]}});
+    let scene = scene::read(press(&untold, "30 deg")).unwrap().value;
+    assert_eq!(work(&scene, Scope::Questions).unwrap_err().list[0].code, "stroke");
+}
+
+/// A wedge under a load: F = Q tan(α + 2φ) up, Q tan(α − 2φ) down, and it locks itself below 2φ.
+#[test]
+fn a_wedge_locks_itself_below_twice_the_angle_of_friction() {
+    let phi = libm::atan(0.12);
+    for (alpha, sense) in [(15.0f64, 1.0f64), (15.0, -1.0), (20.0, 1.0), (20.0, -1.0), (13.0, 1.0), (13.0, -1.0)] {
+        let text = json!({
+            "links": {"1": ["A"], "2": ["B"], "3": ["O"]}, "ground": "3", "points": {"O": [0, 0], "A": [0, 0], "B": [0, 0]},
+            "guides": [{"slider": "1", "pin": "A", "on": "3", "through": "O", "angle": "0 deg"},
+                {"slider": "2", "pin": "B", "on": "3", "through": "O", "angle": "90 deg"},
+                {"pin": "B", "on": "1", "through": "A", "angle": format!("{} deg", 180.0 - alpha)}],
+            "driver": {"slide": "A", "position": "0 mm", "velocity": format!("{} m/s", 0.1 * sense)},
+            "forces": [{"on": "2", "F": [0, "-2000 N"]}], "friction": [{"slider": "1", "f": 0.12}, {"slider": "2", "f": 0.12}],
+            "find": ["F_b", "eta"]
+        });
+        let scene = scene::read(text.to_string()).unwrap().value;
+        let Warned { value: worked, notes } = work(&scene, Scope::Questions).unwrap();
+        let expected = 2000.0 * libm::tan(alpha.to_radians() + 2.0 * sense * phi);
+        let Some(Value::Scalar(force)) = answer(&scene, &worked, "F_b") else { panic!("{alpha}: no force") };
+        near(force, expected);
+        let Some(Value::Scalar(eta)) = answer(&scene, &worked, "eta") else { panic!("{alpha}: no efficiency") };
+        let smooth = 2000.0 * libm::tan(alpha.to_radians());
+        near(eta, if sense > 0.0 { smooth / expected } else { expected / smooth });
+        assert_eq!(notes.iter().any(|d| d.code == "self-locking"), eta <= 0.0, "{alpha}: η = {eta}");
+    }
 }

@@ -11,7 +11,7 @@ use clap::{Args as ClapArgs, Parser, Subcommand};
 pub use diff::Diff;
 pub use motion::{Animate, Moves, Path};
 pub use paths::{Curvature, Inversions};
-pub use reports::{Attempts, Centres, Composite, Readings};
+pub use reports::{Attempts, Centres, Composite, Limits, Readings};
 
 /// Solves planar mechanisms the way they are solved at the drawing board.
 #[derive(Parser, Debug)]
@@ -359,25 +359,6 @@ pub struct Curves {
     /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are several (default of `-o -`: svg)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     pub format: Vec<Format>,
-}
-
-#[derive(ClapArgs, Debug)]
-pub struct Limits {
-    #[command(flatten)]
-    pub common: Common,
-    /// Which driver moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others stand
-    #[arg(long, value_name = "NAME")]
-    pub over: Option<String>,
-    /// Of a four-bar: for which values of each length, the three others held, it has which of Grashof's types
-    #[arg(long)]
-    pub ranges: bool,
-    /// Moment of inertia of the flywheel on the driver's shaft that keeps this coefficient of speed fluctuation, such as 1/30 or 0.03, with the
-    /// scene's loads
-    #[arg(long, value_name = "DELTA", conflicts_with = "ranges")]
-    pub flywheel: Option<String>,
-    /// As JSON, in SI
-    #[arg(long)]
-    pub json: bool,
 }
 
 #[derive(ClapArgs, Debug)]

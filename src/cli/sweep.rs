@@ -130,7 +130,7 @@ fn balanced(input: &Input, driver: usize, delta: Option<&str>) -> Result<Option<
         return if told.is_some() { Err(wrong(message, help)) } else { Ok(None) };
     }
     let question = if driver == 0 { "M_b".to_owned() } else { format!("M_b{}", driver + 1) };
-    let asked = scene::read_asking(&input.file.source, &question).and_then(|read| sweep::strokes::with_strokes(read.value));
+    let asked = scene::read_asking(&input.file.source, &question).map(|read| read.value);
     let scene = match asked {
         Ok(scene) => scene,
         // A driver that slides has a force, and the rate of another may be missing: the limits stand without.
@@ -191,7 +191,6 @@ pub fn ask(input: &mut Input, find: Option<&str>) -> Result<(), Failure> {
     input.file.asked = Some(find.to_owned());
     let read = scene::read_asking(&input.file.source, find);
     let Warned { value, notes } = read.map_err(|faults| input.failed(faults))?;
-    let value = sweep::strokes::with_strokes(value).map_err(|faults| input.failed(faults))?;
     (input.scene, input.file.notes) = (value, notes);
     Ok(())
 }

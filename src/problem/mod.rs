@@ -94,10 +94,7 @@ fn read_kind(source: &[u8], kind: Kind, extent: Extent) -> Result<Warned<Problem
             }
             let read = match extent {
                 Extent::Motion => Problem::of_scene(value),
-                Extent::Pose => {
-                    let scene = crate::sweep::strokes::with_strokes(value.clone()).unwrap_or(value);
-                    Warned { value: Problem::Scene(Box::new(scene)), notes: Vec::new() }
-                }
+                Extent::Pose => Warned { value: Problem::Scene(Box::new(value)), notes: Vec::new() },
             };
             notes.extend(read.notes);
             Ok(Warned { value: read.value, notes })

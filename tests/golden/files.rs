@@ -69,7 +69,10 @@ pub const DESIGNS: [(&str, &str); 7] = [
 pub const CAM: &str = "cam-offset-roller";
 
 /// Kinds of picture that no other list has: template, the figure's name (`dimensions`: the mechanism with them).
-pub const ASKED: [(&str, &str); 9] = [
+pub const ASKED: [(&str, &str); 12] = [
+    ("shaper-forces", "forces"),
+    ("engine-forces", "forces"),
+    ("compressor-friction", "forces"),
     ("press-forces", "forces"),
     ("four-bar-forces", "forces"),
     ("class-iii-six-bar", "plates"),
@@ -82,7 +85,8 @@ pub const ASKED: [(&str, &str); 9] = [
 ];
 
 /// What the gallery shows beside the sheets: title, the command that draws it, the picture.
-pub const SHOWN: [(&str, &str, &str); 33] = [
+pub const SHOWN: [(&str, &str, &str); 34] = [
+    ("Forces with friction: circles and angles", "draw --figure forces", "compressor-friction/forces.en.png"),
     ("Dimensions: to draw the mechanism again", "draw --dimensions", "crank-rocker/dimensions.en.png"),
     ("Vectors, positions and the path of a point", "draw --vectors velocity --poses 6 --path S", "offset-slider-crank/overlay.png"),
     ("The groups drawn apart", "mobility -o", "shaper/groups.png"),

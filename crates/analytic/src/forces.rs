@@ -92,7 +92,7 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
     } else {
         let under = |friction: &[Load]| whole(loads.iter().chain(friction).copied().collect()).ok_or(());
         let read = |w: &Whole| (w.found.pins(at), guides_of(&w.found));
-        (Some(smooth.power), settled(scene, &rubs, under, read).ok()??.0)
+        (Some(smooth.power), settled(scene, &rubs, under, read).ok()??)
     };
     let pins = found.pins(at);
     let guides = with_friction(guides_of(&found), &rubs);

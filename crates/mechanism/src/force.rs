@@ -3,8 +3,10 @@
 //! Inertia is F_I = −m a_S at the centre of mass and M_I = −J_S α, with the accelerations of whoever asks: each way of solving has its own.
 
 mod friction;
+mod strokes;
 
 pub use friction::{Rubbed, Rubbing, rubbing, settled, with_friction};
+pub use strokes::{ends, faults_of_strokes};
 
 use crate::answer::Source;
 use crate::mechanism::Level;
@@ -190,8 +192,8 @@ fn segment<N: Real>(course: &Course, scene: &Scene, at: &Configuration<N>, motio
     let inputs = Inputs::<N>::of(scene);
     let [first, .., last] = &course.stations[..] else { return None };
     let (x, near) = match &course.along {
-        Along::Stroke { point, guide, ends, .. } => {
-            let [start, end] = ends.as_ref()?;
+        Along::Stroke { point, guide, .. } => {
+            let [start, end] = ends(scene, course)?.as_ref().ok()?;
             let Path::Line { through, direction } = at.guides[guide.0]? else { return None };
             let sense = (end.value - start.value).signum();
             let way = direction * N::from_f64(sense);

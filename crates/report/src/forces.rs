@@ -1,5 +1,7 @@
 //! Forces in words: symbols, equations of equilibrium with their tables, moments, what the polygons give.
 
+mod friction;
+
 use hodograph_base::digits::{inked, significant};
 use hodograph_base::geom::Vec2;
 use hodograph_base::notation::Notation;
@@ -63,26 +65,6 @@ impl ForceWriter<'_> {
                 let sub = format!("{}{sub}", self.notation.reaction);
                 if sup.is_empty() { format!("F_{{{sub}}}") } else { format!("F^{{{sup}}}_{{{sub}}}") }
             }
-        }
-    }
-
-    /// The part of a reaction: of a guide that rubs the polygon has the normal force.
-    fn part(&self, of: Party, on: LinkId, part: Part) -> Part {
-        let rubs = |by: LinkId| {
-            self.scene.loads.friction.iter().any(|f| match f.at {
-                Rub::Guide { guide, .. } => {
-                    let g = &self.scene.guides[guide.0];
-                    let runs = |l: LinkId| {
-                        g.slider == Some(l) || g.pin.is_some_and(|p| g.slider.is_none() && self.scene.links[l.0].points.contains(&p))
-                    };
-                    g.on == by && runs(on) || g.on == on && runs(by)
-                }
-                Rub::Pin { .. } => false,
-            })
-        };
-        match of {
-            Party::Link(by) if part == Part::Whole && rubs(by) => Part::Normal,
-            Party::Link(_) | Party::Pin(_) | Party::Cylinder(_) | Party::Driver(_) => part,
         }
     }
 
@@ -362,7 +344,8 @@ impl ForceWriter<'_> {
     /// The moments that come before the polygon.
     pub fn before(&self, group: &GroupForces) -> Vec<Phrase> {
         let before = |m: &&Moments| !matches!(m.gives, Gives::Offset(_));
-        group.moments.iter().filter(before).map(|m| Phrase::new(&self.moments(m))).collect()
+        let friction = self.friction(group).map(|s| Phrase::new(&s));
+        friction.into_iter().chain(group.moments.iter().filter(before).map(|m| Phrase::new(&self.moments(m)))).collect()
     }
 
     /// Results of the polygon, and the moments that tell where forces of guides act.

@@ -6,7 +6,7 @@ use super::cams::raw::RawCam;
 use super::json::Word;
 use super::raw::{RawDriverKind, RawPlace, RawQuantity, RawScene};
 use super::resolve;
-use super::{Along, Cam, Course, Driver, Position, Scene};
+use super::{Cam, Driver, Position, Scene};
 use hodograph_base::diag::{Diagnostic, Faults, Span, both};
 use std::fmt;
 use std::sync::Arc;
@@ -58,7 +58,7 @@ impl Scene {
             return Err(Diagnostic::error("no-source", message).into());
         }
         let fixed = |name: &str| self.links[self.ground.0].points.iter().any(|p| self.point_name(*p) == name);
-        let mut scene = self.reread(|raw| {
+        self.reread(|raw| {
             for (own, driver) in raw.drivers.iter_mut().zip(&self.drivers) {
                 let [rate, acceleration] = if driver.kind.turns() { ["rad/s", "rad/s^2"] } else { ["m/s", "m/s^2"] };
                 own.rate = Some(quantity(driver.rate.value, rate, driver.span));
@@ -79,14 +79,7 @@ impl Scene {
                     *own = xy;
                 }
             }
-        })?;
-        // A stroke is one of the whole motion.
-        for (load, own) in scene.loads.applied.iter_mut().zip(&self.loads.applied) {
-            if let (Some(course), Some(Course { along: along @ Along::Stroke { .. }, .. })) = (&mut load.course, &own.course) {
-                course.along.clone_from(along);
-            }
-        }
-        Ok(scene)
+        })
     }
 
     /// The scene as it is read with other values of some parameters, each an expression.

@@ -1,7 +1,8 @@
 //! Forces of a scene: masses and gravity, applied forces and moments, springs, and where the balancing force acts.
 
 use super::model::{Angle, Given, GuideId, LinkId, PointId, Scene};
-use hodograph_base::diag::Span;
+use hodograph_base::diag::{Diagnostic, Span};
+use std::sync::{Arc, OnceLock};
 
 /// Everything that a scene says about forces.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -115,8 +116,8 @@ pub enum Along {
         guide: GuideId,
         /// Direction of the working stroke, from the x axis; `None`: the slower one.
         toward: Option<Given<Angle>>,
-        /// Coordinates along the guide (m) at which the working stroke begins and ends; `None` until the motion has been looked through.
-        ends: Option<[Given; 2]>,
+        /// Its ends, found where they are first asked for.
+        ends: Ends,
     },
     /// The angle of a driven link.
     Turn {
@@ -125,6 +126,17 @@ pub enum Along {
         /// The angle after which the load comes again.
         period: Given<Angle>,
     },
+}
+
+/// Coordinates along the guide (m) at which a working stroke begins and ends, or the reason for which it has none: found once for a scene and its
+/// copies. All are equal: they follow from the rest of the scene.
+#[derive(Clone, Debug, Default)]
+pub struct Ends(pub Arc<OnceLock<Result<[Given; 2], Diagnostic>>>);
+
+impl PartialEq for Ends {
+    fn eq(&self, _: &Ends) -> bool {
+        true
+    }
 }
 
 /// A station of a course.

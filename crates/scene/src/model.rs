@@ -14,7 +14,7 @@ use hodograph_base::diag::Span;
 use hodograph_base::kind::{ByKind, Kind};
 
 pub use super::cams::{Cam, Follows, Pieces, Turning};
-pub use super::loads::{Abscissa, Along, Applied, Balance, Course, Friction, Loads, Mass, Rub, Size, Spring, Station};
+pub use super::loads::{Abscissa, Along, Applied, Balance, Course, Ends, Friction, Loads, Mass, Rub, Size, Spring, Station};
 pub use super::mistake::Mistake;
 pub use hodograph_base::lang::Lang;
 pub use hodograph_base::trig::Angle;

@@ -336,6 +336,21 @@ fn what_is_said_about_bad_scenes() {
                 r#"[{"from": "B", "to": "B", "k": "3 N/m", "free": "1 m"}, {"from": "B", "to": "Q", "k": "-3 N/m", "free": "1 m"}]"#,
             ),
         ),
+        (
+            "courses",
+            with(
+                "forces",
+                r#"[{"on": "3", "M": "1 N*m", "over": {"slide": "C"}}, {"on": "3", "M": "1 N*m", "over": {}}, {"on": "3", "M": "1 N*m", "over": {"turn": "2"}}, {"on": "3", "M": "1 N*m", "over": {"turn": "1", "angles": ["90 deg", "20 deg"]}, "diagram": {}}, {"on": "3", "M": "1 N*m", "diagram": {"turn": "1", "points": [["0 deg", "1 N*m"], ["20 deg", 0]]}}, {"on": "3", "diagram": {"turn": "1", "points": [["90 deg", "1 N*m"], ["20 deg", 0]]}}, {"on": "3", "diagram": {"turn": "1", "period": "-1 deg", "points": [["90 deg", "1 N*m"]]}}]"#,
+            ),
+        ),
+        (
+            "friction",
+            with(
+                "friction",
+                r#"[{"pin": "B"}, {"pin": "B", "slider": "3", "f": 0.1}, {"pin": "Q", "circle": "3 mm"}, {"slider": "3", "f": 0.1}, {"slider": "3"}, {"pin": "B", "radius": "2 mm", "f": -0.1}]"#,
+            ),
+        ),
+        ("efficiency", with("find", r#"["eta", "eta_2"]"#)),
         ("balance", with("balance", r#"{"at": "B"}"#)),
         ("reactions", with("find", r#"["F_13", "F_B", "h_12", "M_b3", "F_b", "FI_4"]"#)),
     ];

@@ -48,6 +48,9 @@ impl Energy {
 /// Stretches in a turn before jumps are located.
 const PANELS: usize = 72;
 
+/// An angle (rad) is located to this.
+const NARROW: f64 = 1e-14 * TAU;
+
 /// Nodes and weights of Gauss' rule of eight points on −1..1.
 const GAUSS: [(f64, f64); 4] = [
     (0.183_434_642_495_649_8, 0.362_683_783_378_362),
@@ -97,29 +100,35 @@ impl Moment<'_> {
         if moment.is_finite() { Ok((moment, stretches)) } else { Err(none().into()) }
     }
 
-    /// Splits a stretch where loads begin, end or turn round, and appends the parts.
-    fn split(&self, [a, b]: [f64; 2], parts: &mut Vec<[f64; 2]>) -> Result<(), Faults> {
-        let mut from = a;
-        let inside = nodes(a, b);
-        let mut last = (inside[0].0, self.at(inside[0].0)?.1);
-        for (x, _) in &inside[1..] {
-            let here = self.at(*x)?.1;
-            if here != last.1 {
-                let [mut low, mut high] = [last.0, *x];
-                while high - low > 1e-14 * TAU {
-                    let middle = 0.5 * (low + high);
-                    if middle <= low || middle >= high {
-                        break;
-                    }
-                    if self.at(middle)?.1 == last.1 { low = middle } else { high = middle }
-                }
-                parts.push([from, low]);
-                from = high;
+    /// The angles between two at which loads begin, end or turn round; at most one is looked for.
+    fn change(&self, [mut low, mut high]: [f64; 2], before: &[i32]) -> Result<f64, Faults> {
+        while high - low > NARROW {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
             }
-            last = (*x, here);
+            if self.at(middle)?.1 == before { low = middle } else { high = middle }
         }
-        parts.push([from, b]);
-        Ok(())
+        Ok(0.5 * (low + high))
+    }
+
+    /// The stretches of a period in which M_b is smooth, none longer than a panel.
+    fn parts(&self, start: f64, period: f64, count: usize) -> Result<Vec<[f64; 2]>, Faults> {
+        let edge = |k: usize| start + period * k as f64 / count as f64;
+        let mut edges: Vec<f64> = (0..=count).map(edge).collect();
+        let places: Vec<f64> = (0..count).flat_map(|k| nodes(edge(k), edge(k + 1)).map(|n| n.0)).collect();
+        let kinds = places.iter().map(|x| Ok(self.at(*x)?.1)).collect::<Result<Vec<_>, Faults>>()?;
+        for k in 0..places.len() {
+            // After the last place the first comes again.
+            let next = (k + 1) % places.len();
+            let to = places[next] + if next == 0 { period } else { 0.0 };
+            if kinds[next] != kinds[k] {
+                let change = self.change([places[k], to], &kinds[k])?;
+                edges.push(if change > start + period { change - period } else { change });
+            }
+        }
+        edges.sort_by(f64::total_cmp);
+        Ok(edges.windows(2).map(|w| [w[0], w[1]]).filter(|[a, b]| b > a).collect())
     }
 
     /// The integral of M_b.
@@ -141,11 +150,7 @@ pub fn energy(placed: &Placed, driver: usize) -> Result<Option<Energy>, Faults> 
     let moment = Moment { placed, driver, per_value: angle_per_value(scene, &placed.at, driver) };
     let (start, period) = (position_now(scene, &placed.at, driver), TAU * all.seen as f64);
     let count = PANELS * all.seen as usize;
-    let edge = |k: usize| start + period * k as f64 / count as f64;
-    let mut parts = Vec::new();
-    for k in 0..count {
-        moment.split([edge(k), edge(k + 1)], &mut parts)?;
-    }
+    let parts = moment.parts(start, period, count)?;
     let works = parts.iter().map(|part| moment.work(*part)).collect::<Result<Vec<f64>, _>>()?;
     let mean = works.iter().sum::<f64>() / period;
     // Surplus at the ends of the parts, and where M_b passes its mean.
@@ -159,7 +164,7 @@ pub fn energy(placed: &Placed, driver: usize) -> Result<Option<Energy>, Faults> 
             let here = moment.at(*x)?.0 - mean;
             if here * last.1 < 0.0 {
                 let [mut low, mut high] = [last.0, *x];
-                while high - low > 1e-14 * TAU {
+                while high - low > NARROW {
                     let middle = 0.5 * (low + high);
                     if middle <= low || middle >= high {
                         break;

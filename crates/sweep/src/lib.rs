@@ -45,7 +45,6 @@ mod run;
 mod sampled;
 pub mod station;
 mod stood;
-pub mod strokes;
 mod suspect;
 mod swing;
 pub mod table;

@@ -8,7 +8,6 @@ use super::follow::course::over_a_turn;
 use super::general::General;
 use super::pieces::{Gaps, Pieces, Stop, never};
 use super::station::{Stations, position_now};
-use super::strokes::with_strokes;
 use super::{Placed, Width, without_program};
 use hodograph_base::budget::here;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
@@ -254,7 +253,7 @@ impl Variation {
                 false => format!("({:?}) {}", value.si(), self.unit(value)).replace('²', "^2"),
             };
             let texts: Vec<(&str, String)> = self.names().zip(varied.iter().map(written)).collect();
-            let read = with_strokes(scene.read_with(&texts)?)?;
+            let read = scene.read_with(&texts)?;
             *scene = if again == Again::Motion { over_a_turn(&read) } else { read };
             return Ok(());
         }

@@ -9,6 +9,7 @@ mod higher;
 mod joint;
 mod pose;
 mod posed;
+mod remarks;
 mod sizes;
 #[cfg(test)]
 mod tests;
@@ -22,19 +23,17 @@ use self::sizes::Sizes;
 use crate::accuracy::Rung;
 use crate::accuracy::{Agreement, BadAngle, Drafting, Drawn, bad_angles, compare, drafting, regular, settled};
 use hodograph_analytic::{Refused, Solution};
-use hodograph_base::diag::{Both, Diagnostic, Faults, Warned, both};
+use hodograph_base::diag::{Faults, Warned};
 use hodograph_board::construct::{self, Answer, Drawing};
 use hodograph_board::equilibrium::Equilibrium;
 use hodograph_board::plan::Plan;
 use hodograph_mechanism::answer::{Source, Value, evaluate};
-use hodograph_mechanism::force::{Cause, Load, loads};
+use hodograph_mechanism::force::faults_of_strokes;
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Need};
-use hodograph_mechanism::motion;
 use hodograph_mechanism::position::redundant::Verdict;
 use hodograph_mechanism::position::{self, Configuration};
 use hodograph_mechanism::stated::{self, Moment};
-use hodograph_scene::quantity::Wrench;
-use hodograph_scene::{Applied, Asked, Find, LinkId, Scene};
+use hodograph_scene::{Asked, Find, LinkId, Scene};
 
 /// How much is wanted beyond the scene's questions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -161,6 +160,10 @@ fn blur_of(pose: &Solution) -> f64 {
 /// [`Worked::unanswered`].
 pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     joint::goes_on(scene)?;
+    let strokes = faults_of_strokes(scene);
+    if !strokes.is_empty() {
+        return Err(Faults { list: strokes });
+    }
     let Warned { value: mechanism, mut notes } = Mechanism::new(scene)?;
     notes.extend(hodograph_scene::quantity::notes(scene));
     let mut demand = Demand::of(scene, &mechanism);
@@ -206,47 +209,6 @@ pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configur
     stages(scene, mechanism, demand, configuration, false)
 }
 
-/// The reason for which forces have no value: the links of the group whose reactions no finite force balances.
-fn unbalanced(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, find: &Find) -> Option<Both> {
-    if !matches!(find.what, Asked::Force(_)) {
-        return None;
-    }
-    let group = &m.groups[motion::solve::<f64>(scene, m, at, demand).unbalanced?];
-    let names: Vec<&str> = group.links.iter().map(|l| scene.link_name(*l)).collect();
-    let names = Both::names(&names);
-    Some(both!(
-        "the reactions of links {0} are unbounded or not determined: they lie in a dead centre, where no finite force of their joints balances the loads",
-        "构件 {0} 的反力无穷大或不确定：处于死点位置，有限的反力不能平衡载荷",
-        names
-    ))
-}
-
-/// Remarks on loads: a resistance whose point is at rest has no direction; a load over a part of the motion does not act elsewhere.
-fn of_loads(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Diagnostic> {
-    let resting = |load: &Load| match load.cause {
-        Cause::Applied(k) if load.wrench == Wrench::zero() => {
-            Some(&scene.loads.applied[k]).filter(|a| a.size.is_against_motion() || a.course.is_some())
-        }
-        _ => None,
-    };
-    let note = |a: &Applied| {
-        let link = scene.link_name(a.link);
-        if a.course.is_some() {
-            let message = both!(
-                "the load on link {link} is zero here: the pose lies outside the part of the motion over which it acts, or at its end",
-                "构件 {link} 上的载荷在此位置为零：该位置不在其作用范围之内，或在其端点"
-            );
-            return Diagnostic::note("load-elsewhere", message).at(a.span);
-        }
-        let message = both!(
-            "the resistance on link {link} is left out: what it acts on is at rest, so that it has no direction",
-            "不计构件 {link} 上的阻力：其作用处静止，方向不确定"
-        );
-        Diagnostic::note("load-at-rest", message).at(a.span)
-    };
-    loads(scene, at, solution).unwrap_or_default().iter().filter_map(resting).map(note).collect()
-}
-
 /// Room (mm) for the largest force polygon.
 const FORCES_MM: [f64; 2] = [110.0, 110.0];
 
@@ -274,7 +236,7 @@ fn stages(
     });
     let equilibrium = equilibrium.flatten();
     if demand.wants_forces() {
-        notes.extend(of_loads(scene, &configuration, &solution));
+        notes.extend(remarks::of_loads(scene, &configuration, &solution));
     }
     let blur = blur_of(&solution);
     let sizes = Sizes::of(scene, construction, &configuration);
@@ -311,7 +273,9 @@ fn stages(
                 continue;
             }
             let undefined = || {
-                NoAnswer::NoValue(unbalanced(scene, &mechanism, &configuration, &demand, find).unwrap_or_else(|| find.what.no_value(scene)))
+                NoAnswer::NoValue(
+                    remarks::unbalanced(scene, &mechanism, &configuration, &demand, find).unwrap_or_else(|| find.what.no_value(scene)),
+                )
             };
             unanswered.push(Unanswered { find: i, why: find.what.infinite(scene).map_or_else(undefined, NoAnswer::Infinite) });
             continue;

@@ -43,3 +43,21 @@ pub struct Readings {
     #[arg(long)]
     pub json: bool,
 }
+
+#[derive(ClapArgs, Debug)]
+pub struct Limits {
+    #[command(flatten)]
+    pub common: Common,
+    /// Which driver moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others stand
+    #[arg(long, value_name = "NAME")]
+    pub over: Option<String>,
+    /// Of a four-bar: for which values of each length, the three others held, it has which of Grashof's types
+    #[arg(long, conflicts_with = "flywheel")]
+    pub ranges: bool,
+    /// With the scene's loads: the flywheel on the driver's shaft for this coefficient of speed fluctuation, such as 1/30
+    #[arg(long, value_name = "DELTA")]
+    pub flywheel: Option<String>,
+    /// As JSON, in SI
+    #[arg(long)]
+    pub json: bool,
+}

@@ -201,7 +201,7 @@ impl Equilibrium {
             // Friction from the reactions of one polygon, the next polygon with this friction, until they stand.
             let under = |friction: &[Load]| tried(given.iter().chain(friction).copied().collect()).ok_or(());
             let read = |t: &Tried| (t.forces.pins.clone(), t.forces.guides.clone());
-            (Some(smooth.forces.power), settled(scene, &rubbing, under, read).ok()??.0)
+            (Some(smooth.forces.power), settled(scene, &rubbing, under, read).ok()??)
         };
         let givens = Posed { scene, at, loads: &loads, extent: at.extent() };
         let extent =

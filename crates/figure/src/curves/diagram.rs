@@ -84,7 +84,7 @@ impl Diagram {
         let (driver_unit, factor) = scene.book.fine(moves);
         let si: &[f64] = first.map_or(&[], |c| &c.values);
         let places = si.iter().map(|v| v * factor).collect();
-        let mut panels: Vec<((DiagramKind, bool), Panel)> = Vec::new();
+        let mut panels: Vec<((DiagramKind, bool, Kind), Panel)> = Vec::new();
         for find in &scene.find {
             let (order, kind) = (order(&find.what), find.what.kind());
             let (unit, times) = scene.book.fine(kind);
@@ -140,11 +140,11 @@ fn component(symbol: &str, axis: char) -> String {
     }
 }
 
-/// Which panel a quantity belongs to, from the top: diagram by diagram, that of the links below that of the points.
-fn order(what: &Asked) -> (DiagramKind, bool) {
+/// The panel of a quantity, from the top: diagram by diagram, that of the links below that of the points, each kind in its own unit.
+fn order(what: &Asked) -> (DiagramKind, bool, Kind) {
     let kind = what.kind();
     let on = DiagramKind::of(kind.level());
-    (on, kind != on.kind())
+    (on, kind != on.kind(), kind)
 }
 
 /// The link whose motion it is: of a pin's links the first that moves.

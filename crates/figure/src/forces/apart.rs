@@ -4,12 +4,13 @@ use super::Page;
 use crate::mechanism;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::equilibrium::{Gives, GroupForces, Moments, Part as Which, Side, Term};
+use hodograph_mechanism::force::Cause;
 use hodograph_paper::paper::drawing::{Drawing, Part};
 use hodograph_paper::paper::item::{Colour, Dash, Item, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
-use hodograph_scene::PointId;
+use hodograph_scene::{Friction, LinkId, PointId, Rub};
 
 /// Lengths of the arrows of the smallest and of the largest force.
 const ARROW_MM: [f64; 2] = [9.0, 22.0];
@@ -43,6 +44,10 @@ impl Page<'_> {
             self.force(&mut d, side, largest);
         }
         for (k, load) in self.of.loads.iter().enumerate().filter(|(_, l)| group.links.contains(&l.link) && l.wrench.couple != 0.0) {
+            if let Cause::Friction(friction) = load.cause {
+                self.friction(&mut d, group, (k, friction));
+                continue;
+            }
             let centre = load.at.or_else(|| maker.scene.links[load.link.0].points.first().copied());
             self.couple(&mut d, k, centre, load.wrench.couple);
         }
@@ -50,7 +55,9 @@ impl Page<'_> {
             if let Gives::Driver(driver) = m.gives {
                 let value = self.of.drawn.number(m.value).unwrap_or(0.0);
                 let number = if maker.scene.drivers.len() > 1 { (driver + 1).to_string() } else { String::new() };
-                self.bent(&mut d, &format!("M-b{number}"), &format!("M_{{b{number}}}"), m.about, value);
+                let rubs = |f: &Friction| matches!(f.at, Rub::Pin { point, .. } if point == m.about);
+                let radius_mm = COUPLE_MM + if maker.scene.loads.friction.iter().any(rubs) { 3.0 } else { 0.0 };
+                self.bent(&mut d, &format!("M-b{number}"), &format!("M_{{b{number}}}"), (m.about, radius_mm), value);
             }
         }
         d.finish()
@@ -97,7 +104,7 @@ impl Page<'_> {
         let [from, to] = if met(pressing) <= met(pulling) { pressing } else { pulling };
         let key = self.key(side.term);
         if couple != 0.0 {
-            self.bent(d, &format!("of-{key}"), &self.w.symbol(side.term).replacen('F', "M", 1), side.at, couple);
+            self.bent(d, &format!("of-{key}"), &self.w.symbol(side.term).replacen('F', "M", 1), (side.at, COUPLE_MM), couple);
         }
         let owner = d.shape(&format!("force-{key}"), "force", arrow(from, to));
         let request = LabelRequest::along(Label::math(self.w.symbol(side.term)), style.label_mm, from, to, stroke.width_mm / 2.0);
@@ -107,19 +114,36 @@ impl Page<'_> {
     fn couple(&self, d: &mut Drawing, load: usize, at: Option<PointId>, value: f64) {
         let symbol = self.w.couple_of(load);
         if let Some(at) = at {
-            self.bent(d, &format!("of-{}", self.key(Term::Load(load))), &symbol, at, value);
+            self.bent(d, &format!("of-{}", self.key(Term::Load(load))), &symbol, (at, COUPLE_MM), value);
+        }
+    }
+
+    /// The friction circle of a pin, with the couple where the other link is not in the group.
+    fn friction(&self, d: &mut Drawing, group: &GroupForces, (load, friction): (usize, usize)) {
+        let scene = self.maker.scene;
+        let Rub::Pin { point, circle } = &scene.loads.friction[friction].at else { return };
+        let Some(centre) = self.place(*point) else { return };
+        let links: Vec<LinkId> = scene.carriers(*point).filter(|l| group.links.contains(l)).collect();
+        let name = self.maker.scene.point_name(*point);
+        if links.first() == Some(&self.of.loads[load].link) {
+            let radius_mm = circle.value / self.maker.worked.construction.diagram.mu;
+            let stroke = self.style().thin.dashed(Dash::Dashed);
+            d.shape(&format!("friction-{name}"), "friction", Shape::Circle { centre, radius_mm, stroke: Some(stroke), fill: None });
+        }
+        if links.len() == 1 {
+            self.couple(d, load, Some(*point), self.of.loads[load].wrench.couple);
         }
     }
 
     /// A bent arrow about a point, counter-clockwise where the value is positive.
-    fn bent(&self, d: &mut Drawing, key: &str, symbol: &str, about: PointId, value: f64) {
+    fn bent(&self, d: &mut Drawing, key: &str, symbol: &str, (about, radius_mm): (PointId, f64), value: f64) {
         let style = self.style();
         let Some(centre) = self.place(about).filter(|_| value != 0.0) else { return };
         let [from_rad, to_rad] = if value > 0.0 { [-0.6, 2.4] } else { [3.74, 0.74] };
         let stroke = hodograph_paper::paper::item::Stroke { width_mm: style.vector.width_mm * 0.8, ..style.vector };
-        let shape = Shape::ArcArrow { centre, radius_mm: COUPLE_MM, from_rad, to_rad, stroke, head: style.head };
+        let shape = Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke, head: style.head };
         let owner = d.shape(&format!("couple-{key}"), "couple", shape);
-        let tip = centre + Vec2::from_angle(0.5 * (from_rad + to_rad)) * COUPLE_MM;
+        let tip = centre + Vec2::from_angle(0.5 * (from_rad + to_rad)) * radius_mm;
         let request = LabelRequest::at_point(Label::math(symbol), style.label_mm, tip, 0.6);
         d.label(&format!("couple-{key}"), "couple", request.owned(owner));
     }

@@ -14,7 +14,7 @@ use crate::position::{Configuration, Path};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::exact::Inputs;
-use hodograph_scene::quantity::{ROUNDING, Wrench};
+use hodograph_scene::quantity::{Forces, ROUNDING, Wrench};
 use hodograph_scene::{GuideId, LinkId, PointId, Rub, Scene};
 
 /// Two links that rub on each other.
@@ -32,6 +32,8 @@ pub struct Rubbing<N = f64> {
     pub place: Point<N>,
     /// Friction on the first link for a reaction of 1 N.
     pub unit: Wrench<N>,
+    /// Power (W) that it takes for a reaction of 1 N.
+    pub takes: f64,
 }
 
 /// A pair that rubs.
@@ -66,7 +68,15 @@ pub fn rubbing<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Sour
                     }
                     let unit = Wrench { force: Vec2::zero(), couple: inputs.number(circle) * N::from_f64(-turning.signum()) };
                     let place = at.points[point.0]?;
-                    out.push(Rubbing { friction: k, links: [link, first], pair: Rubbed::Pin(*point), at: None, place, unit });
+                    out.push(Rubbing {
+                        friction: k,
+                        links: [link, first],
+                        pair: Rubbed::Pin(*point),
+                        at: None,
+                        place,
+                        unit,
+                        takes: (unit.couple.approx() * turning).abs(),
+                    });
                 }
             }
             Rub::Guide { guide, f } => {
@@ -82,7 +92,15 @@ pub fn rubbing<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Sour
                 }
                 let unit = Wrench { force: direction * (inputs.number(f) * N::from_f64(-sliding.signum())), couple: zero };
                 let place = at.points[point.0]?;
-                out.push(Rubbing { friction: k, links: [slider, own.on], pair: Rubbed::Guide(*guide), at: Some(point), place, unit });
+                out.push(Rubbing {
+                    friction: k,
+                    links: [slider, own.on],
+                    pair: Rubbed::Guide(*guide),
+                    at: Some(point),
+                    place,
+                    unit,
+                    takes: inputs.number(f).approx() * sliding.abs(),
+                });
             }
         }
     }
@@ -99,6 +117,11 @@ impl<N: Real> Rubbing<N> {
             }
             Rubbed::Guide(g) => guides.iter().find(|(own, _)| *own == g).map(|(_, w)| w.force.norm()),
         }
+    }
+
+    /// Power (W) that it takes under the forces of an instant.
+    pub fn power(&self, forces: &Forces<N>) -> f64 {
+        self.pressure(&forces.pins, &forces.guides).map_or(0.0, |pressure| self.takes * pressure.approx())
     }
 
     /// The friction under a pressure (N) as loads of both links.
@@ -120,6 +143,9 @@ pub fn with_friction<N: Real>(mut guides: Vec<(GuideId, Wrench<N>)>, rubbing: &[
     guides
 }
 
+/// Forces of pins on links, and reactions of guides.
+pub type Reactions<N> = (Vec<(PointId, LinkId, Vec2<N>)>, Vec<(GuideId, Wrench<N>)>);
+
 /// Most passes until the reactions stand.
 const PASSES: usize = 600;
 
@@ -137,8 +163,8 @@ pub fn settled<N: Real, R, E>(
     scene: &Scene,
     rubbing: &[Rubbing<N>],
     mut solve: impl FnMut(&[Load<N>]) -> Result<R, E>,
-    read: impl Fn(&R) -> (Vec<(PointId, LinkId, Vec2<N>)>, Vec<(GuideId, Wrench<N>)>),
-) -> Result<Option<(R, Vec<Load<N>>)>, E> {
+    read: impl Fn(&R) -> Reactions<N>,
+) -> Result<Option<R>, E> {
     let pressures = |found: &R| {
         let (pins, guides) = read(found);
         rubbing.iter().map(|r| r.pressure(&pins, &guides)).collect::<Option<Vec<N>>>()
@@ -166,20 +192,19 @@ pub fn settled<N: Real, R, E>(
     if !settled && before > SETTLED {
         return Ok(None);
     }
-    let all = loads(&u);
-    let found = solve(&all)?;
+    let found = solve(&loads(&u))?;
     if !N::knows_its_error() {
-        return Ok(Some((found, all)));
+        return Ok(Some(found));
     }
     let Some(next) = pressures(&found) else { return Ok(None) };
     let mut by: Vec<f64> = next.iter().zip(&u).map(|(a, b)| 4.0 * ((*a - *b).approx().abs() + a.radius()) + f64::MIN_POSITIVE).collect();
     for _ in 0..ROUNDS {
-        let all = loads(&u.iter().zip(&by).map(|(x, by)| x.widened(*by)).collect::<Vec<N>>());
-        let found = solve(&all)?;
+        let wide: Vec<N> = u.iter().zip(&by).map(|(x, by)| x.widened(*by)).collect();
+        let found = solve(&loads(&wide))?;
         let Some(next) = pressures(&found) else { return Ok(None) };
         let reach = |(a, b): (&N, &N)| ((*a - *b).approx().abs() + a.radius()) * (1.0 + 1e-9);
         if next.iter().zip(&u).map(reach).zip(&by).all(|(reach, by)| reach <= *by) {
-            return Ok(Some((found, all)));
+            return Ok(Some(found));
         }
         by.iter_mut().for_each(|by| *by *= 4.0);
     }

@@ -56,7 +56,7 @@ pub(super) fn forces<N: Real>(
     }
     let (rubbing, _) = rubbing(scene, at, motion).ok_or(None)?;
     let under = |friction: &[Load<N>]| posed.whole(&loads.iter().chain(friction).copied().collect::<Vec<_>>());
-    let (rough, _) = settled(scene, &rubbing, under, |whole| (whole.found.pins.clone(), whole.found.guides()))?.ok_or(None)?;
+    let rough = settled(scene, &rubbing, under, |whole| (whole.found.pins.clone(), whole.found.guides()))?.ok_or(None)?;
     let power = smooth.power;
     Ok(Forces { smooth: Some(power), ..posed.told(rough, &rubbing) })
 }

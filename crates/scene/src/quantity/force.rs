@@ -3,26 +3,15 @@
 //! F_ij is the force of link i on link j; F_ji = −F_ij. [`Forces`] holds what is known of an instant: the free-body solutions fill it, a question
 //! looks it up.
 
+use super::contact::{Contact, bar, contacts, parties};
 use super::forces::{Forces, Wrench};
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
 use crate::model::{Find, GuideId, GuidePath, LinkId, PointId, Scene};
 use crate::resolve::Question;
-use crate::rolling::{RollingId, Touch};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::Vec2;
 use hodograph_base::kind::Kind;
 use hodograph_base::number::Real;
-
-/// A place where two links press on each other.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Contact {
-    /// In a pin that joins no others.
-    Pin(PointId),
-    /// In a guide; `true` where the second link carries it.
-    Guide(GuideId, bool),
-    /// The contact of a rolling pair; `true` where the second link is the first of the pair.
-    Rolling(RollingId, bool),
-}
 
 /// A quantity of forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -392,46 +381,6 @@ fn slides(scene: &Scene, g: GuideId) -> bool {
     guide.slider.is_some() && matches!(guide.path, GuidePath::Line { .. })
 }
 
-/// The number of parties that press on a pin: links, bare guides in which it runs, cylinders without numbered parts.
-pub fn parties(scene: &Scene, p: PointId) -> usize {
-    let slots = scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none()).count();
-    let cylinders = scene.drivers.iter().filter(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p)) && d.kind.parts().is_empty());
-    scene.carriers(p).count() + slots + cylinders.count()
-}
-
-/// The places where two links press on each other, with nothing between them.
-pub fn contacts(scene: &Scene, i: LinkId, j: LinkId) -> Vec<Contact> {
-    let mut out = Vec::new();
-    let both_carry = |p: &PointId| scene.links[i.0].points.contains(p) && scene.links[j.0].points.contains(p);
-    let pins = (0..scene.points.len()).map(PointId).filter(both_carry).filter(|p| parties(scene, *p) == 2);
-    out.extend(pins.map(Contact::Pin));
-    for (g, guide) in scene.guides.iter().enumerate() {
-        // A guide that keeps two wheels in touch is a part of their rolling pair.
-        if guide.rolling.is_some() {
-            continue;
-        }
-        let runs = |l: LinkId| match (guide.slider, guide.pin) {
-            (Some(slider), _) => slider == l,
-            (None, Some(p)) => parties(scene, p) == 2 && scene.carriers(p).eq([l]),
-            (None, None) => false,
-        };
-        if guide.on == i && runs(j) {
-            out.push(Contact::Guide(GuideId(g), false));
-        } else if guide.on == j && runs(i) {
-            out.push(Contact::Guide(GuideId(g), true));
-        }
-    }
-    for (r, pair) in scene.rolling.iter().enumerate() {
-        if !matches!(pair.touch(), Touch::Point(_)) {
-            continue;
-        }
-        if pair.links == [i, j] || pair.links == [j, i] {
-            out.push(Contact::Rolling(RollingId(r), pair.links == [j, i]));
-        }
-    }
-    out
-}
-
 /// The force of a contact on the second of its links, with its couple about the place of the contact.
 fn reaction<N: Real>(forces: &Forces<N>, contact: Contact, on: LinkId) -> Option<Wrench<N>> {
     if !forces.determinate {
@@ -451,9 +400,4 @@ fn reaction<N: Real>(forces: &Forces<N>, contact: Contact, on: LinkId) -> Option
 fn of_pin<N: Real>(forces: &Forces<N>, p: PointId, link: LinkId) -> Option<Vec2<N>> {
     let found = forces.pins.iter().find(|(at, l, _)| (*at, *l) == (p, link));
     found.filter(|_| forces.determinate).map(|(.., force)| *force)
-}
-
-/// The next joint of a link beside a pin: where another link or a guide holds it.
-pub fn bar(scene: &Scene, pin: PointId, link: LinkId) -> Option<PointId> {
-    scene.links[link.0].points.iter().copied().find(|p| *p != pin && parties(scene, *p) > 1)
 }

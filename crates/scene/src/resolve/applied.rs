@@ -223,7 +223,7 @@ fn along(c: &Context, (guides, drivers): Moving, raw: &RawCourse, faults: &mut F
                 );
                 return None;
             };
-            Some(Along::Stroke { point, guide: GuideId(guide), toward, ends: None })
+            Some(Along::Stroke { point, guide: GuideId(guide), toward, ends: Ends::default() })
         }
         (None, Some(word)) => {
             let link = note(c.names.link(word), faults)?;

@@ -163,7 +163,12 @@ struct Handed {
     steps: Vec<f64>,
     /// Places so many steps of one driver from the start; `None` where the way ends before.
     known: Mutex<BTreeMap<(usize, i64), Option<Standing>>>,
+    /// Places that were asked for, by the bits of the drivers' ways: each output and each rate of a sweep asks for the same ones.
+    asked: Mutex<BTreeMap<Vec<u64>, Option<Standing>>>,
 }
+
+/// Most places that are kept.
+const KEPT: usize = 4096;
 
 impl Handed {
     /// With that on which its follower hangs.
@@ -184,7 +189,7 @@ impl Handed {
         let step = |d: &hodograph_scene::Driver| if d.kind.turns() { STEP } else { PART * at.extent() };
         let steps = scene.drivers.iter().map(step).collect();
         let start = Standing { piece: pieces.touched, coordinate: hangs.coordinate(scene, &at)?, at, drivers };
-        Some((Handed { cam, variants, start, positions, steps, known: Mutex::default() }, hangs.held()))
+        Some((Handed { cam, variants, start, positions, steps, known: Mutex::default(), asked: Mutex::default() }, hangs.held()))
     }
 
     /// A place so many steps of a driver from the start, each reached from the one before it: the same whatever is asked first.
@@ -217,6 +222,22 @@ impl Handed {
             (Some(_), Some(_)) | (None, _) => self.start.clone(),
         };
         self.advance(from, &to)
+    }
+
+    /// [`Handed::standing`], on either way round, kept.
+    fn stands(&self, gone: &[f64]) -> Option<Standing> {
+        let key: Vec<u64> = gone.iter().map(|x| x.to_bits()).collect();
+        let kept = self.asked.lock().unwrap_or_else(PoisonError::into_inner).get(&key).cloned();
+        if let Some(kept) = kept {
+            return kept;
+        }
+        let found = self.standing(gone).or_else(|| self.standing(&self.other_way_round(gone)?));
+        let mut asked = self.asked.lock().unwrap_or_else(PoisonError::into_inner);
+        if asked.len() >= KEPT {
+            asked.clear();
+        }
+        asked.insert(key, found.clone());
+        found
     }
 
     /// The way to the same place of a driver that turns alone, round the other way; `None` where there is none.
@@ -364,7 +385,7 @@ impl Handed {
         if !gone.iter().all(|by| by.is_finite()) {
             return None;
         }
-        let standing = self.standing(&gone).or_else(|| self.standing(&self.other_way_round(&gone)?))?;
+        let standing = self.stands(&gone)?;
         let (variant, hangs) = self.variants[standing.piece].as_ref()?;
         let mut scene = variant.scene.clone();
         for (driver, [_, rate, acceleration]) in scene.drivers.iter_mut().zip(drivers) {

@@ -12,7 +12,6 @@ use hodograph_mechanism::answer::{Source, Value};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::{self, Configuration, pieces};
 use hodograph_scene::{Cam, Find, Kind, Pieces, Scene};
-use hodograph_sweep::strokes::{lacks_ends, with_strokes};
 
 /// A contact nearer to an end of its piece than this (rad, or a part of a line) is on the joint: what nine digits of a pose can tell.
 const ON_THE_JOINT: f64 = 1e-9;
@@ -54,9 +53,8 @@ impl Moving {
 }
 
 /// The scene as it goes on from its instant: at a joint of two pieces of a cam's profile it touches the piece that follows, and a note tells both
-/// accelerations. Everywhere else it is the scene itself. Loads over a stroke get its ends.
+/// accelerations. Everywhere else it is the scene itself.
 pub fn instant(scene: Scene) -> Warned<Scene> {
-    let scene = with_strokes(scene.clone()).unwrap_or(scene);
     match at_joint(&scene) {
         Some(Joint { next: Some(next), note }) => Warned { value: next, notes: vec![note] },
         Some(Joint { next: None, note }) => Warned { value: scene, notes: vec![note] },
@@ -67,14 +65,8 @@ pub fn instant(scene: Scene) -> Warned<Scene> {
 /// Refuses a scene whose follower leaves the piece that it touches at this very instant.
 ///
 /// # Errors
-/// `joint` and `stroke`: the scene is to be taken by [`instant`] first; those of [`with_strokes`].
+/// `joint`: the scene is to be taken by [`instant`] first.
 pub(super) fn goes_on(scene: &Scene) -> Result<(), Faults> {
-    if scene.loads.applied.iter().any(lacks_ends) {
-        with_strokes(scene.clone())?;
-        let message = both!("the working stroke of a load is not known", "载荷的工作行程尚未确定");
-        let help = both!("take the scene by `worked::instant`, which finds it", "请先用 `worked::instant` 确定工作行程");
-        return Err(Diagnostic::error("stroke", message).help(help).into());
-    }
     let Some(Joint { next: Some(_), note }) = at_joint(scene) else { return Ok(()) };
     let d = Diagnostic { severity: Severity::Error, ..note };
     Err(d.help(both!("take the scene by `worked::instant`, which chooses the piece", "请先用 `worked::instant` 取定所接触的廓线段")).into())

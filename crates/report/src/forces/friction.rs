@@ -1,0 +1,65 @@
+//! Friction in words.
+
+use super::{DIGITS, ForceWriter};
+use hodograph_base::digits::{inked, significant};
+use hodograph_board::equilibrium::{GroupForces, Part, Party};
+use hodograph_mechanism::force::Cause;
+use hodograph_paper::paper::phrase::tr;
+use hodograph_scene::{Kind, Lang, LinkId, Rub};
+
+impl ForceWriter<'_> {
+    /// The part of a reaction: of a guide that rubs the polygon has the normal force.
+    pub(super) fn part(&self, of: Party, on: LinkId, part: Part) -> Part {
+        let rubs = |by: LinkId| {
+            self.scene.loads.friction.iter().any(|f| match f.at {
+                Rub::Guide { guide, .. } => {
+                    let g = &self.scene.guides[guide.0];
+                    let runs = |l: LinkId| {
+                        g.slider == Some(l) || g.pin.is_some_and(|p| g.slider.is_none() && self.scene.links[l.0].points.contains(&p))
+                    };
+                    g.on == by && runs(on) || g.on == on && runs(by)
+                }
+                Rub::Pin { .. } => false,
+            })
+        };
+        match of {
+            Party::Link(by) if part == Part::Whole && rubs(by) => Part::Normal,
+            Party::Link(_) | Party::Pin(_) | Party::Cylinder(_) | Party::Driver(_) => part,
+        }
+    }
+
+    /// Friction on the links of a group, from the reactions of the polygon before.
+    pub(super) fn friction(&self, group: &GroupForces) -> Option<String> {
+        let mut seen = Vec::new();
+        let mut all = Vec::new();
+        for (n, load) in self.of.loads.iter().enumerate().filter(|(_, l)| group.links.contains(&l.link)) {
+            let Cause::Friction(k) = load.cause else { continue };
+            if seen.contains(&k) {
+                continue;
+            }
+            seen.push(k);
+            let symbol = self.load(n);
+            all.push(match &self.scene.loads.friction[k].at {
+                Rub::Pin { circle, .. } => {
+                    let couple = load.wrench.couple.abs();
+                    let (rho, force) = (self.amount(Kind::Length, circle.value), self.amount(Kind::Force, couple / circle.value));
+                    format!("${symbol} = \\rho F = {rho} \\cdot {force} = {}$", self.amount(Kind::Moment, couple))
+                }
+                Rub::Guide { f, .. } => {
+                    let force = load.wrench.force.norm();
+                    let normal = self.amount(Kind::Force, force / f.value);
+                    format!(
+                        "${symbol} = fF^n = {} \\cdot {normal} = {}$",
+                        inked(&significant(f.value, DIGITS)),
+                        self.amount(Kind::Force, force)
+                    )
+                }
+            });
+        }
+        let all = (!all.is_empty()).then(|| all.join(tr(self.lang, "; ", "；")))?;
+        Some(match self.lang {
+            Lang::En => format!("Friction, from polygons that are drawn again until the forces stand: {all}."),
+            Lang::Zh => format!("摩擦（反复作力多边形，直至各力不变）：{all}。"),
+        })
+    }
+}

@@ -1,0 +1,109 @@
+//! Remarks on loads and friction, and the reason for which forces have no value.
+
+use hodograph_analytic::Solution;
+use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::digits::significant;
+use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::force::{Cause, Load, loads, rubbing};
+use hodograph_mechanism::mechanism::{Demand, Mechanism};
+use hodograph_mechanism::motion;
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::quantity::Wrench;
+use hodograph_scene::{Applied, Asked, Find, Loads, Rub, Scene};
+
+/// The reason for which forces have no value: the links of the group whose reactions no finite force balances.
+pub(super) fn unbalanced(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, find: &Find) -> Option<Both> {
+    if !matches!(find.what, Asked::Force(_)) {
+        return None;
+    }
+    let solved = motion::solve::<f64>(scene, m, at, demand);
+    let Some(group) = solved.unbalanced else {
+        let smooth = Scene { loads: Loads { friction: Vec::new(), ..scene.loads.clone() }, ..scene.clone() };
+        let locked = !scene.loads.friction.is_empty() && motion::solve::<f64>(&smooth, m, at, demand).forces().is_some();
+        return (locked && solved.forces().is_none()).then(|| {
+            both!(
+                "the mechanism locks itself: with this friction no finite forces balance the loads",
+                "机构自锁：在所给摩擦下，没有有限的力能平衡载荷"
+            )
+        });
+    };
+    let group = &m.groups[group];
+    let names: Vec<&str> = group.links.iter().map(|l| scene.link_name(*l)).collect();
+    let names = Both::names(&names);
+    Some(both!(
+        "the reactions of links {0} are unbounded or not determined: they lie in a dead centre, where no finite force of their joints balances the loads",
+        "构件 {0} 的反力无穷大或不确定：处于死点位置，有限的反力不能平衡载荷",
+        names
+    ))
+}
+
+/// Remarks on loads: a resistance whose point is at rest has no direction; a load over a part of the motion does not act elsewhere.
+pub(super) fn of_loads(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Diagnostic> {
+    let resting = |load: &Load| match load.cause {
+        Cause::Applied(k) if load.wrench == Wrench::zero() => {
+            Some(&scene.loads.applied[k]).filter(|a| a.size.is_against_motion() || a.course.is_some())
+        }
+        _ => None,
+    };
+    let note = |a: &Applied| {
+        let link = scene.link_name(a.link);
+        if a.course.is_some() {
+            let message = both!(
+                "the load on link {link} is zero here: the pose lies outside the part of the motion over which it acts, or at its end",
+                "构件 {link} 上的载荷在此位置为零：该位置不在其作用范围之内，或在其端点"
+            );
+            return Diagnostic::note("load-elsewhere", message).at(a.span);
+        }
+        let message = both!(
+            "the resistance on link {link} is left out: what it acts on is at rest, so that it has no direction",
+            "不计构件 {link} 上的阻力：其作用处静止，方向不确定"
+        );
+        Diagnostic::note("load-at-rest", message).at(a.span)
+    };
+    let mut notes: Vec<Diagnostic> = loads(scene, at, solution).unwrap_or_default().iter().filter_map(resting).map(note).collect();
+    notes.extend(of_friction(scene, at, solution));
+    notes
+}
+
+/// Remarks on friction: a pair in which nothing moves, and a mechanism that locks itself.
+fn of_friction(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Diagnostic> {
+    let Some((rubbing, mut still)) = rubbing(scene, at, solution).filter(|_| !scene.loads.friction.is_empty()) else { return Vec::new() };
+    still.dedup();
+    let rest = |k: usize| {
+        let message = both!(
+            "no friction counts in {}: its links do not move on each other, so that it has no sense",
+            "{}不计摩擦：两构件没有相对运动，摩擦方向不确定",
+            pair_words(scene, k)
+        );
+        Diagnostic::note("friction-at-rest", message).at(scene.loads.friction[k].span)
+    };
+    let mut notes: Vec<Diagnostic> = still.into_iter().map(rest).collect();
+    let forces = solution.forces();
+    let eta = forces.and_then(|f| f.efficiency());
+    let worst = rubbing.iter().max_by(|a, b| forces.map_or(0.0, |f| a.power(f)).total_cmp(&forces.map_or(0.0, |f| b.power(f))));
+    if let (Some(eta), Some(worst)) = (eta.filter(|eta| *eta <= 0.0), worst) {
+        let message = both!(
+            "the mechanism locks itself: η = {}; most is lost in {}",
+            "机构自锁：η = {}，摩擦损失最大的是{}",
+            significant(eta, 4),
+            pair_words(scene, worst.friction)
+        );
+        notes.push(Diagnostic::note("self-locking", message).at(scene.loads.friction[worst.friction].span));
+    }
+    notes
+}
+
+/// A pair that rubs: `pin B`, `the guide of link 3`.
+fn pair_words(scene: &Scene, friction: usize) -> Both {
+    match scene.loads.friction[friction].at {
+        Rub::Pin { point, .. } => both!("pin {}", "转动副 {} ", scene.point_name(point)),
+        Rub::Guide { guide, .. } => {
+            let own = &scene.guides[guide.0];
+            match (own.slider, own.pin) {
+                (Some(slider), _) => both!("the guide of link {}", "构件 {} 的导路", scene.link_name(slider)),
+                (None, Some(pin)) => both!("the slot of {}", "{} 处的滑槽", scene.point_name(pin)),
+                (None, None) => both!("a guide", "导路"),
+            }
+        }
+    }
+}
