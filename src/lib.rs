@@ -128,7 +128,7 @@
 //! position   diag budget digits trig number geom cam scene mechanism
 //! stated     diag digits trig geom cam scene mechanism position
 //! answer     number geom scene mechanism position
-//! force      number geom scene mechanism position answer
+//! force      diag trig number geom scene mechanism position answer
 //! motion     number geom scene mechanism position answer force
 //! plan       diag notation scene mechanism
 //! construction budget diagram digits kind number geom

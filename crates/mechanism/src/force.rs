@@ -139,7 +139,7 @@ pub fn loads<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Source
 }
 
 /// A place so near (of a stroke or a turn) to the end of a course is on it.
-const NEAR: f64 = 1e-10;
+const NEAR: f64 = 1e-12;
 
 /// The stretches of the loads in a pose: for each applied load that of its course, −1 outside of it, and the sense of what it acts against. Between
 /// poses with other stretches some load begins, ends, has a corner or turns round.

@@ -206,7 +206,9 @@ pub fn read_at_rest(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
 pub fn read_at_any_rate(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
     let told = read_as(source.as_ref(), None, Extent::Motion);
     let Err(faults) = told else { return told };
-    let asks_no_rate = |f: &Find| matches!(f.what.kind(), Kind::Length | Kind::Angle | Kind::Time | Kind::Number);
+    // Friction needs the senses of the velocities.
+    let asks_no_rate =
+        |f: &Find| matches!(f.what.kind(), Kind::Length | Kind::Angle | Kind::Time | Kind::Number) && !matches!(f.what, Asked::Force(_));
     let free = read_as(source.as_ref(), None, Extent::AnyRate).ok().filter(|read| read.value.find.iter().all(asks_no_rate));
     let mut read = free.ok_or(faults)?;
     let message = both!(

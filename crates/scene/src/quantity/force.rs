@@ -80,7 +80,7 @@ impl Quantity for Force {
         Entry::new("MI", "MI_2", Kind::Moment, Form::Scalar, ["inertia couple", "惯性力偶矩"]).printed("M_I", Over::Nothing),
         Entry::new("P", "P", Kind::Power, Form::Scalar, ["power of the driver", "原动件功率"]),
         Entry::new("F", "F_sh", Kind::Force, Form::Vector, ["shaking force", "总惯性力"]),
-        Entry::new("eta", "eta", Kind::Number, Form::Scalar, ["efficiency", "机械效率"]),
+        Entry::new("eta", "eta", Kind::Number, Form::Scalar, ["efficiency", "机械效率"]).printed("\\eta", Over::Nothing),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Force>, Diagnostic> {

@@ -195,8 +195,9 @@ fn course(c: &Context, moving: Moving, load: &RawApplied, raw: &RawCourse, fault
     None
 }
 
-fn words(places: &[f64]) -> String {
-    places.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
+fn words(places: &[f64]) -> Both {
+    let words: Vec<String> = places.iter().map(f64::to_string).collect();
+    Both::names(&words.iter().map(String::as_str).collect::<Vec<_>>())
 }
 
 /// The motion along which a load is told.

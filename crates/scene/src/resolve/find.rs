@@ -84,13 +84,14 @@ fn spelt(symbol: &str) -> &str {
         // Norton's and Uicker's letter.
         "φ" | "theta" | "θ" => "phi",
         "γ" => "gamma",
+        "η" => "eta",
         other => other,
     }
 }
 
 /// Whether a text begins as a question does: a quantity's symbol and `_`.
 pub(crate) fn begins_a_question(text: &str) -> bool {
-    is_alone(text.trim())
+    is_alone(spelt(text.trim()))
         || with_underscore(text.trim_start())
             .split_once('_')
             .is_some_and(|(symbol, _)| quantity::symbols().iter().any(|e| e.symbol == spelt(symbol)))
@@ -131,7 +132,7 @@ fn with_underscore(text: &str) -> Cow<'_, str> {
 fn one(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
     let text = with_underscore(&word.text);
     let fault = |message: Both| Diagnostic::error("find", message).at(word.span);
-    let alone = is_alone(&text).then_some((&*text, ""));
+    let alone = is_alone(spelt(&text)).then_some((&*text, ""));
     let Some((symbol, rest)) = text.split_once('_').or(alone) else {
         let d = fault(both!("`{}` is not a quantity that can be asked", "`{}` 不是可求的量", word.text));
         if matches!(word.text.as_str(), "F" | "class") {
