@@ -151,7 +151,7 @@ impl Balanced<'_> {
             let (slides, stretches) = (kind.guide().is_some(), kind.ends().is_some());
             let driven = |(k, row): (usize, &Row)| {
                 let scale = self.layout.scale;
-                // Of a turning driver the rows are of angles; along an arc s = ρψ, and the moment is over the radius.
+                // A turning driver has rows of angles; along an arc s = ρψ, and the moment is over the radius.
                 let unit = match (row.relation, kind.turns()) {
                     (Relation::Turn { .. }, true) => 1.0,
                     (Relation::Along { .. }, false) if slides => scale,

@@ -220,7 +220,7 @@ fn segment<N: Real>(course: &Course, scene: &Scene, at: &Configuration<N>, motio
     if place < first.at.value() - near || place > last.at.value() + near {
         return Some(None);
     }
-    // Where two stations stand at one place the load jumps: the stretch after it.
+    // The load jumps at a place of two stations: the stretch after it counts.
     let long = |k: &usize| course.stations[*k].at.value() < course.stations[k + 1].at.value();
     let k = (0..course.stations.len() - 1)
         .filter(long)

@@ -100,7 +100,7 @@ impl Moment<'_> {
         if moment.is_finite() { Ok((moment, stretches)) } else { Err(none().into()) }
     }
 
-    /// The angles between two at which loads begin, end or turn round; at most one is looked for.
+    /// The angle between two at which a load begins, ends or turns round; the first has the stretches `before`.
     fn change(&self, [mut low, mut high]: [f64; 2], before: &[i32]) -> Result<f64, Faults> {
         while high - low > NARROW {
             let middle = 0.5 * (low + high);

@@ -45,7 +45,7 @@ pub enum Rubbed {
     Guide(GuideId),
 }
 
-/// The pairs that rub in a pose, and those in which nothing moves, by their index in the scene's friction: their friction has no sense.
+/// The pairs that rub in a pose, and those at rest, by their index in the scene's friction: at rest friction has no sense.
 ///
 /// `None` where a place or a velocity is not known.
 pub fn rubbing<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Source<N>) -> Option<(Vec<Rubbing<N>>, Vec<usize>)> {

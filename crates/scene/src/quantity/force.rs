@@ -283,7 +283,7 @@ impl Quantity for Force {
                 let contact = *contacts(scene, i, j).first()?;
                 let force = reaction(forces, contact, j)?.force;
                 let along = |p: PointId| (known.point(bar(scene, p, j)?)? - known.point(p)?).unit();
-                // Of a guide the normal force is square to it.
+                // The normal force of a guide is square to it.
                 let u = match (contact, part) {
                     (_, Along::Whole) | (Contact::Rolling(..), _) => return Some(Value::Vector(force)),
                     (Contact::Pin(p), Along::Normal) => along(p)?,

@@ -7,7 +7,7 @@ use super::*;
 /// Guides and drivers.
 pub(super) type Moving<'a> = (&'a [Numbered], &'a [Driver]);
 
-/// What a file tells of the size of a load.
+/// The size of a load as a file tells it.
 enum Told {
     Couple(Given),
     Components([Given; 2]),
@@ -138,11 +138,11 @@ fn line_of(c: &Context, word: &Word, faults: &mut Faults) -> Option<(PointId, Po
     None
 }
 
-/// The part of the motion, and whether its diagram is one of couples.
+/// The part of the motion, and true if its diagram is one of couples.
 fn course(c: &Context, moving: Moving, load: &RawApplied, raw: &RawCourse, faults: &mut Faults) -> Option<(Course, bool)> {
     let along = along(c, moving, raw, faults)?;
     let amounts: Vec<&RawQuantity> = raw.stations.iter().filter_map(|(_, amount)| amount.as_ref()).collect();
-    // What has a direction is a force.
+    // A load with a direction is a force.
     let is_couple = !amounts.is_empty() && load.at.is_none() && load.angle.is_none() && load.line.is_none() && {
         let mut tried = Faults::default();
         amounts.iter().for_each(|q| drop(c.values.si(q, Wanted::Moment, &mut tried)));
