@@ -1,11 +1,13 @@
 //! Forces against virtual work: on every template each moving link is loaded, and the drivers' balancing moments and forces must do the opposite work.
 
-use hodograph::answer::Value;
+use hodograph::answer::{Source, Value};
 use hodograph::certified::ladder::{Part, certify};
 use hodograph::diag::Warned;
+use hodograph::force::{is_determined, rubbing};
 use hodograph::geom::Vec2;
 use hodograph::mechanism::Mechanism;
-use hodograph::scene::{self, Scene, templates};
+use hodograph::scene::quantity::contacts;
+use hodograph::scene::{self, GuidePath, LinkId, PointId, Scene, templates};
 use hodograph::sweep::Placed;
 use hodograph::sweep::energy::{self, Energy};
 use hodograph::worked::{Scope, Worked, work};
@@ -56,73 +58,99 @@ fn answer(scene: &Scene, worked: &Worked, find: &str) -> Option<Value> {
     worked.results.iter().find(|r| r.find == i).map(|r| r.computed)
 }
 
-#[test]
-fn balancing_moments_do_the_work_of_the_loads() {
-    let (mut failures, mut checked, mut drawn) = (Vec::new(), 0, 0);
-    for template in templates::list() {
-        let name = template.name;
-        let text = templates::get(name).unwrap();
-        let Ok(plain) = scene::read(text) else { continue };
-        // A template with forces of its own lacks points without them.
-        if !plain.value.loads.is_empty() {
-            continue;
+/// Friction in all pins of two links and all guides of sliders.
+fn friction(scene: &Scene) -> Json {
+    let pins = (0..scene.points.len()).map(PointId).filter(|p| scene.carriers(*p).count() == 2);
+    let pins = pins.map(|p| json!({"pin": scene.point_name(p), "circle": "0.2 mm"}));
+    let mut sliders: Vec<&str> =
+        scene.guides.iter().filter(|g| matches!(g.path, GuidePath::Line { .. })).filter_map(|g| Some(scene.link_name(g.slider?))).collect();
+    sliders.sort_unstable();
+    sliders.dedup();
+    pins.chain(sliders.into_iter().map(|s| json!({"slider": s, "f": 0.02}))).collect()
+}
+
+/// Templates that were checked, and balancing moments that were drawn, with what is wrong.
+#[derive(Default)]
+struct Balance {
+    checked: usize,
+    drawn: usize,
+    failures: Vec<String>,
+}
+
+impl Balance {
+    /// Loads a template, with friction where `rough` says so, and compares the drivers' work with that of the loads and of friction.
+    fn of(&mut self, name: &str, text: &str, plain: &Scene, rough: bool) -> Result<(), String> {
+        let (mut json, loads) = loaded(text, plain);
+        if rough {
+            json["friction"] = friction(plain);
         }
-        let (json, loads) = loaded(text, &plain.value);
-        let scene = match scene::read(json.to_string()) {
-            Ok(read) => read.value,
-            Err(faults) => {
-                failures.push(format!("{name}: {faults}"));
-                continue;
-            }
-        };
-        let worked = match work(&scene, Scope::Questions) {
-            Ok(worked) => worked.value,
-            Err(faults) => {
-                failures.push(format!("{name}: {faults}"));
-                continue;
-            }
-        };
-        let mut work = 0.0;
-        let mut size = 0.0;
+        let scene = scene::read(json.to_string()).map_err(|f| f.to_string())?.value;
+        let worked = work(&scene, Scope::Questions).map_err(|f| f.to_string())?.value;
+        // Friction rests on reactions, which a repeated link or pair, or a belt, leaves open.
+        if rough && !is_determined(&scene, &worked.mechanism) {
+            return Ok(());
+        }
+        let (mut work, mut size) = (0.0, 0.0);
         for l in &loads {
-            let Some(Value::Vector(v)) = answer(&scene, &worked, &format!("v_{}", l.point)) else {
-                failures.push(format!("{name}: v_{} is not answered", l.point));
-                continue;
-            };
+            let find = format!("v_{}", l.point);
+            let Some(Value::Vector(v)) = answer(&scene, &worked, &find) else { return Err(format!("{find} is not answered")) };
             work += v.dot(l.force);
             size += v.norm() * l.force.norm();
         }
         for (d, driver) in scene.drivers.iter().enumerate() {
             let find = &scene.find[scene.find.len() - scene.drivers.len() + d].text;
             let Some(Value::Scalar(balance)) = answer(&scene, &worked, find) else {
-                failures.push(format!("{name}: {find} is not answered: {:?}", worked.unanswered));
-                continue;
+                return Err(format!("{find} is not answered: {:?}", worked.unanswered));
             };
             work += balance * driver.rate.value;
         }
+        let forces = worked.solution.forces().ok_or("no forces")?;
+        let (rubbing, _) = rubbing(&scene, &worked.configuration, &worked.solution).ok_or("no velocities where it rubs")?;
+        work -= rubbing.iter().map(|r| r.power(forces)).sum::<f64>();
         if work.abs() > 1e-9 * size {
-            failures.push(format!("{name}: the power is out of balance by {work} W of {size} W"));
+            return Err(format!("the power is out of balance by {work} W of {size} W"));
         }
-        checked += 1;
+        self.checked += 1;
         for (r, c) in worked.results.iter().zip(certify(&scene, &worked, DIGITS)) {
             let find = &scene.find[r.find];
             if let (Value::Scalar(x), Some(n)) = (r.computed, c.part(Part::Scalar)) {
                 let off = (x - n.enclosure().approx).abs();
                 if off > 1e-9 * r.scale.max(x.abs()) {
-                    failures.push(format!("{name}: {} by the rows {x}, by the ladder {}", find.text, n.enclosure().approx));
+                    let told = n.enclosure().approx;
+                    self.failures.push(format!("{name}, rough {rough}: {} by the rows {x}, by the ladder {told}", find.text));
                 }
             }
             if let Some(a) = r.agreement.filter(|_| find.what.kind().is_of_forces()) {
-                drawn += 1;
+                self.drawn += 1;
                 if !a.holds() {
-                    failures.push(format!("{name}: {} drawing and analysis disagree: {a:?}", find.text));
+                    self.failures.push(format!("{name}, rough {rough}: {} drawing and analysis disagree: {a:?}", find.text));
                 }
             }
         }
+        Ok(())
     }
-    println!("{checked} templates, {drawn} balancing moments drawn");
-    assert!(checked > 40 && drawn > 20, "{checked} templates, {drawn} drawn");
-    assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+}
+
+#[test]
+fn balancing_moments_do_the_work_of_the_loads() {
+    for rough in [false, true] {
+        let mut all = Balance::default();
+        for template in templates::list() {
+            let name = template.name;
+            let text = templates::get(name).unwrap();
+            let Ok(plain) = scene::read(text) else { continue };
+            // A template with forces of its own lacks points without them.
+            if plain.value.loads.is_empty()
+                && let Err(why) = all.of(name, text, &plain.value, rough)
+            {
+                all.failures.push(format!("{name}, rough {rough}: {why}"));
+            }
+        }
+        let Balance { checked, drawn, failures } = all;
+        println!("{checked} templates, {drawn} balancing moments drawn");
+        assert!(rough || checked > 40 && drawn > 20, "{checked} templates, {drawn} drawn");
+        assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+    }
 }
 
 /// A slider-crank press of crank 100 mm and rod 400 mm at 200 r/min, with a load on its slider.
@@ -238,4 +266,48 @@ fn a_wedge_locks_itself_below_twice_the_angle_of_friction() {
         near(eta, if sense > 0.0 { smooth / expected } else { expected / smooth });
         assert_eq!(notes.iter().any(|d| d.code == "self-locking"), eta <= 0.0, "{alpha}: η = {eta}");
     }
+}
+
+/// Every reaction of every loaded template, asked both ways: F_ij = −F_ji, by the rows and by the ladder.
+#[test]
+fn links_press_on_each_other_alike() {
+    let (mut failures, mut checked) = (Vec::new(), 0);
+    for template in templates::list() {
+        let (name, text) = (template.name, templates::get(template.name).unwrap());
+        let Ok(plain) = scene::read(text) else { continue };
+        if !plain.value.loads.is_empty() {
+            continue;
+        }
+        let (mut json, _) = loaded(text, &plain.value);
+        let name_of = |l: usize| plain.value.link_name(LinkId(l));
+        let asked = |i: &str, j: &str| if i.len() + j.len() > 2 { format!("F_{i},{j}") } else { format!("F_{i}{j}") };
+        let mut find = Vec::new();
+        for (i, j) in (0..plain.value.links.len()).flat_map(|i| (0..i).map(move |j| (i, j))) {
+            if let [_] = contacts(&plain.value, LinkId(i), LinkId(j))[..] {
+                find.extend([asked(name_of(i), name_of(j)), asked(name_of(j), name_of(i))]);
+            }
+        }
+        json["find"] = json!(find);
+        let scene = scene::read(json.to_string()).unwrap_or_else(|f| panic!("{name}: {f}"));
+        let worked = work(&scene.value, Scope::Questions).unwrap_or_else(|f| panic!("{name}: {f}"));
+        let told = certify(&scene.value, &worked.value, DIGITS);
+        for pair in find.chunks(2) {
+            let of = |find: &str| {
+                let k = worked.value.results.iter().position(|r| scene.value.find[r.find].text == find)?;
+                let Value::Vector(rows) = worked.value.results[k].computed else { return None };
+                let part = |p| told[k].part(p).map_or(f64::NAN, |n| n.enclosure().approx);
+                Some((rows, Vec2::new(part(Part::X), part(Part::Y)), worked.value.results[k].scale))
+            };
+            let (Some(a), Some(b)) = (of(&pair[0]), of(&pair[1])) else { continue };
+            checked += 1;
+            for (what, off) in [("rows", a.0 + b.0), ("ladder", a.1 + b.1), ("rows and ladder", a.0 - a.1)] {
+                if off.norm() > 1e-8 * a.2 {
+                    failures.push(format!("{name}: {} by {what}: off by {} N of {}", pair[0], off.norm(), a.2));
+                }
+            }
+        }
+    }
+    println!("{checked} reactions");
+    assert!(checked > 150, "{checked} reactions");
+    assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
 }

@@ -10,7 +10,9 @@ use super::relation::{Handle, Pair, Relation, Row};
 use super::rows::Layout;
 use super::{Solution, System};
 use hodograph_base::geom::Vec2;
-use hodograph_mechanism::force::{Cause, Load, between_teeth, completed, loads, rubbing, settled, unit_balance, with_friction};
+use hodograph_mechanism::force::{
+    Cause, Load, between_teeth, completed, is_determined, loads, rubbing, settled, unit_balance, with_friction,
+};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::{Forces, Wrench};
@@ -90,6 +92,10 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
     let (smooth, Whole { loads, teeth, found, balance, power }) = if scene.loads.friction.is_empty() {
         (None, smooth)
     } else {
+        // Friction rests on reactions, which are not determined there.
+        if !is_determined(scene, m) {
+            return None;
+        }
         let under = |friction: &[Load]| whole(loads.iter().chain(friction).copied().collect()).ok_or(());
         let read = |w: &Whole| (w.found.pins(at), guides_of(&w.found));
         (Some(smooth.power), settled(scene, &rubs, under, read).ok()??)
@@ -99,7 +105,7 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
     let reactions = Forces {
         rolling: (0..scene.rolling.len()).map(RollingId).filter_map(|r| Some((r, found.rolling(r, &guides, &teeth)?))).collect(),
         drivers: found.drivers(),
-        determinate: m.redundant.is_empty(),
+        determinate: is_determined(scene, m),
         balance,
         power,
         smooth,

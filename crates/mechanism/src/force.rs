@@ -5,7 +5,7 @@
 mod friction;
 mod strokes;
 
-pub use friction::{Rubbed, Rubbing, rubbing, settled, with_friction};
+pub use friction::{Rubbed, Rubbing, is_determined, rubbing, settled, with_friction};
 pub use strokes::{ends, faults_of_strokes};
 
 use crate::answer::Source;

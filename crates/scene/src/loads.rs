@@ -237,6 +237,17 @@ impl Applied {
 }
 
 impl Scene {
+    /// The link that slides in a guide, and the point of it through which its friction acts: the pin, a point of the slider, else a place where
+    /// something runs or rolls on it.
+    pub fn sliding_at(&self, guide: GuideId) -> Option<(LinkId, PointId)> {
+        let own = &self.guides[guide.0];
+        let slider = own.slider.or_else(|| self.carriers(own.pin?).next())?;
+        let runs = self.guides.iter().filter(|g| g.on == slider).find_map(|g| g.pin);
+        let rolls = self.rolling.iter().find(|r| r.links.contains(&slider)).map(|r| r.at[0]);
+        let point = own.pin.or_else(|| self.links[slider.0].points.first().copied()).or(runs).or(rolls)?;
+        Some((slider, point))
+    }
+
     /// True if links have inertia forces: something has mass, and a driver moves.
     pub fn has_inertia(&self) -> bool {
         let moves = |d: &super::model::Driver| d.rate.value != 0.0 || d.acceleration.as_ref().is_some_and(|a| a.value != 0.0);

@@ -140,7 +140,7 @@ impl Moment<'_> {
 /// Mean balancing moment and surplus of energy over a period of a driver that turns fully; `None` for one that does not.
 ///
 /// # Errors
-/// Those of [`limits`](super::extreme::limits); a position in which the moment has no value.
+/// Those of [`limits`]; a position in which the moment has no value.
 pub fn energy(placed: &Placed, driver: usize) -> Result<Option<Energy>, Faults> {
     let Placed { scene, mechanism, .. } = placed;
     let all = limits(scene, mechanism, driver)?;

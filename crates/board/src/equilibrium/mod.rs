@@ -21,7 +21,7 @@ use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::kind::{ByKind, Kind};
 use hodograph_mechanism::answer::Source;
-use hodograph_mechanism::force::{Load, completed, loads, rubbing, settled, with_friction};
+use hodograph_mechanism::force::{Load, completed, is_determined, loads, rubbing, settled, with_friction};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::quantity::{Forces, Wrench};
@@ -193,6 +193,9 @@ impl Equilibrium {
             let forces = read(scene, m, at, &loads, &written.answers, &drawn)?;
             Some(Tried { loads, written, drawn, forces })
         };
+        if !scene.loads.friction.is_empty() && !is_determined(scene, m) {
+            return None;
+        }
         let smooth = tried(given.clone())?;
         let (rubbing, _) = rubbing(scene, at, motion)?;
         let (power, Tried { loads, written, drawn: trial, .. }) = if rubbing.is_empty() {
@@ -289,7 +292,7 @@ fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answer
     let whole = drivers.len() == scene.drivers.len();
     let power: f64 = scene.drivers.iter().zip(&drivers).map(|(d, x)| x * d.rate.value).sum();
     let power = if whole { power } else { f64::NAN };
-    let reactions = Forces { determinate: m.redundant.is_empty(), pins, guides, drivers, power, ..Forces::none() };
+    let reactions = Forces { determinate: is_determined(scene, m), pins, guides, drivers, power, ..Forces::none() };
     Some(completed(scene, at, loads, reactions))
 }
 

@@ -9,13 +9,13 @@
 
 use super::{Cause, Load, fastest};
 use crate::answer::Source;
-use crate::mechanism::Level;
+use crate::mechanism::{Level, Mechanism};
 use crate::position::{Configuration, Path};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::exact::Inputs;
 use hodograph_scene::quantity::{Forces, ROUNDING, Wrench};
-use hodograph_scene::{GuideId, LinkId, PointId, Rub, Scene};
+use hodograph_scene::{GuideId, LinkId, PointId, Rub, Scene, Touch};
 
 /// Two links that rub on each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,6 +43,11 @@ pub enum Rubbed {
     Pin(PointId),
     /// A guide.
     Guide(GuideId),
+}
+
+/// True if reactions, and so friction, can be told: they are determined, and no belt pulls on its pulleys with a tension that the scene does not tell.
+pub fn is_determined(scene: &Scene, m: &Mechanism) -> bool {
+    m.redundant.is_empty() && scene.rolling.iter().all(|r| matches!(r.touch(), Touch::Point(_)))
 }
 
 /// The pairs that rub in a pose, and those at rest, by their index in the scene's friction: at rest friction has no sense.
@@ -81,8 +86,7 @@ pub fn rubbing<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Sour
             }
             Rub::Guide { guide, f } => {
                 let own = &scene.guides[guide.0];
-                let slider = own.slider.or_else(|| own.pin.and_then(|p| scene.carriers(p).next()))?;
-                let point = own.pin.or_else(|| scene.links[slider.0].points.first().copied())?;
+                let (slider, point) = scene.sliding_at(*guide)?;
                 let Path::Line { direction, .. } = at.guides[guide.0]? else { continue };
                 let of = |l: LinkId| if l == scene.ground { Some(Vec2::zero()) } else { motion.vector(Level::Velocity, point, Some(l)) };
                 let sliding = (of(slider)? - of(own.on)?).dot(direction).approx();
@@ -121,7 +125,9 @@ impl<N: Real> Rubbing<N> {
 
     /// Power (W) that it takes under the forces of an instant.
     pub fn power(&self, forces: &Forces<N>) -> f64 {
-        self.pressure(&forces.pins, &forces.guides).map_or(0.0, |pressure| self.takes * pressure.approx())
+        // The reaction of a guide has its friction within.
+        let within = libm::hypot(1.0, self.unit.force.norm().approx());
+        self.pressure(&forces.pins, &forces.guides).map_or(0.0, |pressure| self.takes * pressure.approx() / within)
     }
 
     /// The friction under a pressure (N) as loads of both links.

@@ -89,12 +89,9 @@ impl Demand {
                     }
                 }
                 Rub::Guide { guide, .. } => {
-                    let own = &scene.guides[guide.0];
-                    let slider = own.slider.or_else(|| own.pin.and_then(|p| scene.carriers(p).next()));
-                    let point = own.pin.or_else(|| slider.and_then(|s| scene.links[s.0].points.first().copied()));
-                    let links = slider.into_iter().chain([own.on]).filter(|l| *l != scene.ground);
-                    for (link, point) in links.zip(std::iter::repeat(point)) {
-                        point.into_iter().for_each(|p| self.add(scene, m, Need::Point(p, Some(link)), Level::Velocity));
+                    let Some((slider, point)) = scene.sliding_at(guide) else { continue };
+                    for link in [slider, scene.guides[guide.0].on].into_iter().filter(|l| *l != scene.ground) {
+                        self.add(scene, m, Need::Point(point, Some(link)), Level::Velocity);
                     }
                 }
             }

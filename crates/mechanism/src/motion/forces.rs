@@ -8,7 +8,7 @@
 
 use super::Motion;
 use super::conditions::{Acting, Conditions, Reaction};
-use crate::force::{Cause, Load, Rubbing, between_teeth, completed, loads, rubbing, settled, unit_balance, with_friction};
+use crate::force::{Cause, Load, Rubbing, between_teeth, completed, is_determined, loads, rubbing, settled, unit_balance, with_friction};
 use crate::mechanism::{Demand, Form, Item, Mechanism, Passive, Runner};
 use crate::position::{Configuration, Path};
 use hodograph_base::geom::Vec2;
@@ -33,6 +33,8 @@ struct Found<N> {
     pins: Vec<(PointId, LinkId, Vec2<N>)>,
     /// Force on what runs in a guide, and couple on a slider about its place.
     guides: Vec<Option<Wrench<N>>>,
+    /// Force by which a driver pushes what runs in a guide.
+    pushes: Vec<Vec2<N>>,
     rolling: Vec<Option<Vec2<N>>>,
     drivers: Vec<N>,
 }
@@ -53,6 +55,9 @@ pub(super) fn forces<N: Real>(
     let smooth = posed.whole(&loads)?;
     if scene.loads.friction.is_empty() {
         return Ok(posed.told(smooth, &[]));
+    }
+    if !is_determined(scene, m) {
+        return Err(None);
     }
     let (rubbing, _) = rubbing(scene, at, motion).ok_or(None)?;
     let under = |friction: &[Load<N>]| posed.whole(&loads.iter().chain(friction).copied().collect::<Vec<_>>());
@@ -119,6 +124,7 @@ impl<N: Real> Posed<'_, N> {
         let mut found = Found {
             pins: Vec::new(),
             guides: vec![None; scene.guides.len()],
+            pushes: vec![Vec2::zero(); scene.guides.len()],
             rolling: vec![None; scene.rolling.len()],
             drivers: vec![zero; scene.drivers.len()],
         };
@@ -152,6 +158,7 @@ impl<N: Real> Posed<'_, N> {
                     (Form::AlongPath { runner, guide, driver, .. }, Reaction::Force(force)) => {
                         let place = self.place(runner, guide).ok_or(None)?;
                         found.drivers[driver] = at.guide(guide).tangent_at(place).dot(force);
+                        found.pushes[guide.0] += force;
                     }
                     (Form::Distance { from, to, driver }, Reaction::Force(force)) => {
                         let line = at.points[to.0].zip(at.points[from.0]).and_then(|(to, from)| (to - from).unit());
@@ -179,7 +186,7 @@ impl<N: Real> Posed<'_, N> {
                 && m.passive[s.0].is_none()
                 && let Some(pin) = found.pins.iter_mut().find(|(at, l, _)| (*at, *l) == (p, s))
             {
-                pin.2 = pin.2 - w.force;
+                pin.2 = pin.2 - w.force - found.pushes[g];
             }
         }
         for &(l, kind) in &passive {
@@ -275,7 +282,7 @@ impl<N: Real> Posed<'_, N> {
                     wrench.force += pair_of(place - centre, load.couple);
                 }
                 wrench.couple = -load.couple;
-                let force = -(wrench.force + load.force);
+                let force = -(wrench.force + load.force + found.pushes[g.0]);
                 found.pins.push((pin, l, force));
             }
             Passive::Cylinder(d) => {
@@ -315,7 +322,7 @@ impl<N: Real> Posed<'_, N> {
             rolling: rolling.collect(),
             pins: found.pins,
             drivers: found.drivers,
-            determinate: self.m.redundant.is_empty(),
+            determinate: is_determined(self.scene, self.m),
             guides,
             balance,
             power,

@@ -14,10 +14,12 @@ pub enum Contact {
     Rolling(RollingId, bool),
 }
 
-/// The number of parties that press on a pin: links, bare guides in which it runs, cylinders without numbered parts.
+/// The number of parties that press on a pin: links, bare guides in which it runs, cylinders of which no numbered part carries it.
 pub fn parties(scene: &Scene, p: PointId) -> usize {
     let slots = scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none()).count();
-    let cylinders = scene.drivers.iter().filter(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p)) && d.kind.parts().is_empty());
+    let carried = |l: &LinkId| scene.links[l.0].points.contains(&p);
+    let cylinders =
+        scene.drivers.iter().filter(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p)) && !d.kind.parts().iter().any(carried));
     scene.carriers(p).count() + slots + cylinders.count()
 }
 

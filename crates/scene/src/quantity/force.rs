@@ -174,8 +174,8 @@ impl Quantity for Force {
                 both!("the force of the guide is zero: it has a couple, but no line of action", "导路反力为零：只有力偶，没有作用线")
             }
             Which::Reaction(..) | Which::OfPin(..) | Which::Couple(_) => both!(
-                "the reactions are not determined: a link or pair only repeats what the others hold",
-                "反力不确定：有构件或运动副只重复其余的约束"
+                "the reactions are not determined: a link or pair only repeats what the others hold, or a belt pulls with a tension that is not told",
+                "反力不确定：有构件或运动副只重复其余的约束，或带的拉力未知"
             ),
             Which::Balance { .. } | Which::Power => both!(
                 "the balancing force does no work in this pose: its line passes through the pole of its link, or its point is at rest",

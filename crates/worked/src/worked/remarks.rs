@@ -4,7 +4,7 @@ use hodograph_analytic::Solution;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::significant;
 use hodograph_mechanism::answer::Source;
-use hodograph_mechanism::force::{Cause, Load, loads, rubbing};
+use hodograph_mechanism::force::{Cause, Load, is_determined, loads, rubbing};
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::motion;
 use hodograph_mechanism::position::Configuration;
@@ -18,8 +18,15 @@ pub(super) fn unbalanced(scene: &Scene, m: &Mechanism, at: &Configuration, deman
     }
     let solved = motion::solve::<f64>(scene, m, at, demand);
     let Some(group) = solved.unbalanced else {
+        if !is_determined(scene, m) && !scene.loads.friction.is_empty() {
+            return Some(both!(
+                "friction rests on the reactions, which are not determined: a link or pair only repeats what the others hold, or a belt pulls with a tension that is not told",
+                "摩擦取决于反力，而反力不确定：有构件或运动副只重复其余的约束，或带的拉力未知"
+            ));
+        }
         let smooth = Scene { loads: Loads { friction: Vec::new(), ..scene.loads.clone() }, ..scene.clone() };
-        let locked = !scene.loads.friction.is_empty() && motion::solve::<f64>(&smooth, m, at, demand).forces().is_some();
+        let told = !scene.loads.friction.is_empty() && rubbing(scene, at, &solved).is_some();
+        let locked = told && motion::solve::<f64>(&smooth, m, at, demand).forces().is_some();
         return (locked && solved.forces().is_none()).then(|| {
             both!(
                 "the mechanism locks itself: with this friction no finite forces balance the loads",
