@@ -10,7 +10,7 @@ use hodograph::certified::ladder::{Part, certify, parts};
 use hodograph::certified::steps;
 use hodograph::effort::truth;
 use hodograph::number::{Ball, Big, Real, within};
-use hodograph::scene::{Kind, Scene, driver_position, read, templates, with_driver_at};
+use hodograph::scene::{Asked, Kind, Scene, driver_position, read, templates, with_driver_at};
 use hodograph::sweep::extreme::ends;
 use hodograph::worked::{Scope, Worked, work};
 
@@ -43,7 +43,7 @@ impl Tally {
             for (i, (r, t)) in worked.results.iter().zip(truth).enumerate() {
                 let find = &scene.find[r.find];
                 // Differences of positions tell no force.
-                if find.what.kind().is_of_forces() {
+                if matches!(find.what, Asked::Force(_)) {
                     continue;
                 }
                 let Some(t) = t else {

@@ -28,7 +28,6 @@ use hodograph_board::construct::{self, Answer, Drawing};
 use hodograph_board::equilibrium::Equilibrium;
 use hodograph_board::plan::Plan;
 use hodograph_mechanism::answer::{Source, Value, evaluate};
-use hodograph_mechanism::force::faults_of_strokes;
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Need};
 use hodograph_mechanism::position::redundant::Verdict;
 use hodograph_mechanism::position::{self, Configuration};
@@ -160,10 +159,6 @@ fn blur_of(pose: &Solution) -> f64 {
 /// [`Worked::unanswered`].
 pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     joint::goes_on(scene)?;
-    let strokes = faults_of_strokes(scene);
-    if !strokes.is_empty() {
-        return Err(Faults { list: strokes });
-    }
     let Warned { value: mechanism, mut notes } = Mechanism::new(scene)?;
     notes.extend(hodograph_scene::quantity::notes(scene));
     let mut demand = Demand::of(scene, &mechanism);

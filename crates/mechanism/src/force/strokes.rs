@@ -150,8 +150,8 @@ fn untold(scene: &Scene, point: PointId, course: &Course) -> Diagnostic {
 fn no_stroke(scene: &Scene, point: PointId, course: &Course) -> Diagnostic {
     let name = scene.point_name(point);
     let message = both!(
-        "{name} has no stroke: it does not go to and fro while the first driver turns fully",
-        "{name} 没有行程：第一个原动件整周转动时它不作往复运动"
+        "{name} has no stroke: the first driver, told by its angle, must turn fully while {name} goes to and fro",
+        "{name} 没有行程：第一个原动件须给出转角并能整周转动，且 {name} 作往复运动"
     );
     let help = both!(
         "tell the load without \"over\" and \"diagram\", or by the angle of a driven link",

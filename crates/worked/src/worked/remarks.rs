@@ -1,10 +1,10 @@
 //! Remarks on loads and friction, and the reason for which forces have no value.
 
 use hodograph_analytic::Solution;
-use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::diag::{Both, Diagnostic, Severity, both};
 use hodograph_base::digits::significant;
 use hodograph_mechanism::answer::Source;
-use hodograph_mechanism::force::{Cause, Load, is_determined, loads, rubbing};
+use hodograph_mechanism::force::{Cause, Load, faults_of_strokes, is_determined, loads, rubbing};
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::motion;
 use hodograph_mechanism::position::Configuration;
@@ -15,6 +15,9 @@ use hodograph_scene::{Applied, Asked, Find, Loads, Rub, Scene};
 pub(super) fn unbalanced(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, find: &Find) -> Option<Both> {
     if !matches!(find.what, Asked::Force(_)) {
         return None;
+    }
+    if let Some(fault) = faults_of_strokes(scene).into_iter().next() {
+        return Some(fault.message);
     }
     let solved = motion::solve::<f64>(scene, m, at, demand);
     let Some(group) = solved.unbalanced else {
@@ -69,6 +72,7 @@ pub(super) fn of_loads(scene: &Scene, at: &Configuration, solution: &Solution) -
     };
     let mut notes: Vec<Diagnostic> = loads(scene, at, solution).unwrap_or_default().iter().filter_map(resting).map(note).collect();
     notes.extend(of_friction(scene, at, solution));
+    notes.extend(faults_of_strokes(scene).into_iter().map(|d| Diagnostic { severity: Severity::Warning, ..d }));
     notes
 }
 
