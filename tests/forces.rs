@@ -10,6 +10,7 @@ use hodograph::scene::quantity::contacts;
 use hodograph::scene::{self, GuidePath, LinkId, PointId, Scene, templates};
 use hodograph::sweep::Placed;
 use hodograph::sweep::energy::{self, Energy};
+use hodograph::sweep::vary::Variation;
 use hodograph::worked::{Scope, Worked, work};
 use serde_json::{Value as Json, json};
 
@@ -311,4 +312,28 @@ fn links_press_on_each_other_alike() {
     println!("{checked} reactions");
     assert!(checked > 150, "{checked} reactions");
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+}
+
+/// A sweep over a parameter says what the file with that value says, also of parameters of loads, friction and strokes.
+#[test]
+fn sweeps_over_parameters_of_loads_are_their_scenes() {
+    let cases = [
+        ("engine-forces", "r", "50 mm"),
+        ("engine-forces", "F_z", "10 kN"),
+        ("compressor-friction", "rho_B", "1 mm"),
+        ("shaper-forces", "l_O2A", "100 mm"),
+    ];
+    for (name, parameter, value) in cases {
+        let text = templates::instantiate(name, &[(parameter, value)]).unwrap();
+        let scene = scene::read(&text).unwrap().value;
+        let worked = work(&scene, Scope::Questions).unwrap().value;
+        let Some(Value::Scalar(expected)) = answer(&scene, &worked, "M_b") else { panic!("{name}: no moment") };
+        let own = scene::read(templates::get(name).unwrap()).unwrap().value;
+        let variation = Variation::new(&own, &[parameter]).unwrap();
+        let mut varied = own.clone();
+        variation.set(&mut varied, &[variation.value(&own, parameter, value).unwrap()]).unwrap();
+        let worked = work(&varied, Scope::Questions).unwrap().value;
+        let Some(Value::Scalar(found)) = answer(&varied, &worked, "M_b") else { panic!("{name}: no moment") };
+        near(found, expected);
+    }
 }

@@ -83,7 +83,7 @@ pub struct Variation {
     fixed: Vec<Option<Value>>,
     /// Indices into [`slots`] of what depends on them.
     dependent: Vec<(usize, Expr)>,
-    /// A scene with cams is read again for other values: its geometry is made where it is read.
+    /// A scene with cams or loads is read again for other values: geometry of cams is made where it is read, and strokes of loads follow from all of it.
     again: Option<Again>,
 }
 
@@ -103,7 +103,11 @@ impl Variation {
     /// A name that is no parameter, or is named twice.
     pub fn new(scene: &Scene, names: &[&str]) -> Result<Variation, Faults> {
         let moves = scene.own_drivers() < scene.drivers.len();
-        let again = scene.source.as_ref().filter(|_| !scene.cams.is_empty()).map(|_| if moves { Again::Motion } else { Again::Instant });
+        let again = scene
+            .source
+            .as_ref()
+            .filter(|_| !scene.cams.is_empty() || !scene.loads.is_empty())
+            .map(|_| if moves { Again::Motion } else { Again::Instant });
         Ok(Variation { again, ..Variation::of(scene, names)? })
     }
 

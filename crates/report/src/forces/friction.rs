@@ -5,6 +5,7 @@ use hodograph_base::digits::{inked, significant};
 use hodograph_board::equilibrium::{GroupForces, Part, Party};
 use hodograph_mechanism::force::Cause;
 use hodograph_paper::paper::phrase::tr;
+use hodograph_scene::quantity::{Contact, contacts};
 use hodograph_scene::{Kind, Lang, LinkId, Rub};
 
 impl ForceWriter<'_> {
@@ -12,13 +13,7 @@ impl ForceWriter<'_> {
     pub(super) fn part(&self, of: Party, on: LinkId, part: Part) -> Part {
         let rubs = |by: LinkId| {
             self.scene.loads.friction.iter().any(|f| match f.at {
-                Rub::Guide { guide, .. } => {
-                    let g = &self.scene.guides[guide.0];
-                    let runs = |l: LinkId| {
-                        g.slider == Some(l) || g.pin.is_some_and(|p| g.slider.is_none() && self.scene.links[l.0].points.contains(&p))
-                    };
-                    g.on == by && runs(on) || g.on == on && runs(by)
-                }
+                Rub::Guide { guide, .. } => contacts(self.scene, by, on).iter().any(|c| matches!(c, Contact::Guide(g, _) if *g == guide)),
                 Rub::Pin { .. } => false,
             })
         };
