@@ -68,6 +68,18 @@ fn nodes(a: f64, b: f64) -> [(f64, f64); 8] {
     })
 }
 
+/// The angle up to which something holds, between one at which it does and one at which it does not.
+fn halved([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> Result<bool, Faults>) -> Result<f64, Faults> {
+    while high - low > NARROW {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        if holds(middle)? { low = middle } else { high = middle }
+    }
+    Ok(0.5 * (low + high))
+}
+
 /// The balancing moment and the stretches of the loads at a driver's angle.
 struct Moment<'a> {
     placed: &'a Placed<'a>,
@@ -100,18 +112,6 @@ impl Moment<'_> {
         if moment.is_finite() { Ok((moment, stretches)) } else { Err(none().into()) }
     }
 
-    /// The angle between two at which a load begins, ends or turns round; the first has the stretches `before`.
-    fn change(&self, [mut low, mut high]: [f64; 2], before: &[i32]) -> Result<f64, Faults> {
-        while high - low > NARROW {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
-                break;
-            }
-            if self.at(middle)?.1 == before { low = middle } else { high = middle }
-        }
-        Ok(0.5 * (low + high))
-    }
-
     /// The stretches of a period in which M_b is smooth, none longer than a panel.
     fn parts(&self, start: f64, period: f64, count: usize) -> Result<Vec<[f64; 2]>, Faults> {
         let edge = |k: usize| start + period * k as f64 / count as f64;
@@ -123,7 +123,7 @@ impl Moment<'_> {
             let next = (k + 1) % places.len();
             let to = places[next] + if next == 0 { period } else { 0.0 };
             if kinds[next] != kinds[k] {
-                let change = self.change([places[k], to], &kinds[k])?;
+                let change = halved([places[k], to], |x| Ok(self.at(x)?.1 == kinds[k]))?;
                 edges.push(if change > start + period { change - period } else { change });
             }
         }
@@ -163,16 +163,9 @@ pub fn energy(placed: &Placed, driver: usize) -> Result<Option<Energy>, Faults> 
         for (x, _) in &inside[1..] {
             let here = moment.at(*x)?.0 - mean;
             if here * last.1 < 0.0 {
-                let [mut low, mut high] = [last.0, *x];
-                while high - low > NARROW {
-                    let middle = 0.5 * (low + high);
-                    if middle <= low || middle >= high {
-                        break;
-                    }
-                    if (moment.at(middle)?.0 - mean) * last.1 > 0.0 { low = middle } else { high = middle }
-                }
-                let done = moment.work([*a, low])?;
-                surplus.push((low, so_far + mean * (low - a) - done));
+                let at = halved([last.0, *x], |x| Ok((moment.at(x)?.0 - mean) * last.1 > 0.0))?;
+                let done = moment.work([*a, at])?;
+                surplus.push((at, so_far + mean * (at - a) - done));
             }
             last = (*x, here);
         }

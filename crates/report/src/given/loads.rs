@@ -33,15 +33,11 @@ impl Givens<'_> {
                 let at = a.at.map(|p| self.point(p));
                 let course = a.course.as_ref().map_or_else(String::new, |c| self.course(c, a.at.is_none()));
                 let graph = a.course.as_ref().is_some_and(|c| c.stations.iter().any(|s| s.amount.is_some()));
-                let amount = |given: &Given, unit| match graph {
-                    true => {
-                        if unit == "N" {
-                            "F".to_owned()
-                        } else {
-                            "M".to_owned()
-                        }
-                    }
-                    false => self.amount(given, unit),
+                // The amounts of a diagram follow.
+                let amount = |given: &Given, unit| match (graph, a.at) {
+                    (true, Some(_)) => "F".to_owned(),
+                    (true, None) => "M".to_owned(),
+                    (false, _) => self.amount(given, unit),
                 };
                 let told = match (&a.size, at, self.lang()) {
                     (Size::Couple(m), _, Lang::En) => format!("${}$ on link {link}", amount(m, "N·m")),

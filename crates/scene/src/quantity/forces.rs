@@ -84,9 +84,7 @@ impl<N: Real> Forces<N> {
             determinate: true,
         }
     }
-}
 
-impl<N: Real> Forces<N> {
     /// Efficiency: M_b0/M_b of a driver that drives, M_b/M_b0 where the load drives. Zero or less: the mechanism locks itself.
     pub fn efficiency(&self) -> Option<N> {
         let smooth = self.smooth?;

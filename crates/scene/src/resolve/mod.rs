@@ -162,7 +162,9 @@ pub(super) fn resolve(raw: &RawScene, source: &str, faults: &mut Faults) -> Opti
 /// The sections of a scene whose cams have been written as other pairs; without cams those of the scene itself.
 fn with_cams(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> {
     if raw.cams.is_empty() {
-        return sections(raw, source, faults);
+        let mut scene = sections(raw, source, faults)?;
+        scene.source = (!scene.loads.is_empty()).then(|| Source::of(raw, source));
+        return Some(scene);
     }
     let settled = rollers::settled(raw, faults);
     let marked = marked::marked(&settled);
