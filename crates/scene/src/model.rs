@@ -400,7 +400,7 @@ pub struct Scene {
     pub length_unit: &'static Unit,
     /// The units in which answers, scales and tables are printed.
     pub book: Book,
-    /// What a scene with cams was read from.
+    /// The file of a scene with cams or loads: other positions and parameters are read from it again.
     pub source: Option<Source>,
 }
 
