@@ -43,58 +43,64 @@ pub struct ForceColumn {
 impl ForceWriter<'_> {
     /// The symbol of a force, in the label language: `F^{t}_{12}`, `G_{2}`, `F_{I2}`.
     pub fn symbol(&self, term: Term) -> String {
-        match term {
-            Term::Load(k) => self.load(k),
-            Term::Reaction { of, on, part } => {
-                let link = |l: LinkId| name_label(self.scene.link_name(l));
-                let long = [Some(on), if let Party::Link(l) = of { Some(l) } else { None }];
-                let comma = if long.into_iter().flatten().any(|l| self.scene.link_name(l).chars().count() > 1) { "," } else { "" };
-                let sub = match of {
-                    Party::Link(l) => format!("{}{comma}{}", link(l), link(on)),
-                    Party::Pin(p) => format!("{}{comma}{}", name_label(self.scene.point_name(p)), link(on)),
-                    Party::Cylinder(d) | Party::Driver(d) => {
-                        let number = if self.scene.drivers.len() > 1 { (d + 1).to_string() } else { String::new() };
-                        return format!("F_{{b{number}}}");
-                    }
-                };
-                let sup = match self.part(of, on, part) {
-                    Part::Whole => "",
-                    Part::Normal => "n",
-                    Part::Tangential => &self.notation.tangential,
-                };
-                let sub = format!("{}{sub}", self.notation.reaction);
-                if sup.is_empty() { format!("F_{{{sub}}}") } else { format!("F^{{{sup}}}_{{{sub}}}") }
-            }
+        match self.marks(term) {
+            (letter, sup, sub) if sup.is_empty() => format!("{letter}_{{{sub}}}"),
+            (letter, sup, sub) => format!("{letter}^{{{sup}}}_{{{sub}}}"),
         }
     }
 
-    /// The symbol of a load; of a load that is a couple alone that of its couple.
-    fn load(&self, k: usize) -> String {
+    /// The letter of a force, its superscript and its subscript.
+    fn marks(&self, term: Term) -> (char, &str, String) {
+        let (of, on, part) = match term {
+            Term::Load(k) => {
+                let (letter, sub) = self.load(k);
+                return (letter, "", sub);
+            }
+            Term::Reaction { of, on, part } => (of, on, part),
+        };
+        let link = |l: LinkId| name_label(self.scene.link_name(l));
+        let long = [Some(on), if let Party::Link(l) = of { Some(l) } else { None }];
+        let comma = if long.into_iter().flatten().any(|l| self.scene.link_name(l).chars().count() > 1) { "," } else { "" };
+        let sub = match of {
+            Party::Link(l) => format!("{}{comma}{}", link(l), link(on)),
+            Party::Pin(p) => format!("{}{comma}{}", name_label(self.scene.point_name(p)), link(on)),
+            Party::Cylinder(d) | Party::Driver(d) => {
+                let number = if self.scene.drivers.len() > 1 { (d + 1).to_string() } else { String::new() };
+                return ('F', "", format!("b{number}"));
+            }
+        };
+        let sup = match self.part(of, on, part) {
+            Part::Whole => "",
+            Part::Normal => "n",
+            Part::Tangential => &self.notation.tangential,
+        };
+        ('F', sup, format!("{}{sub}", self.notation.reaction))
+    }
+
+    /// The letter and the subscript of a load; of a load that is a couple alone those of its couple.
+    fn load(&self, k: usize) -> (char, String) {
         let load = &self.of.loads[k];
         let link = name_label(self.scene.link_name(load.link));
         let at = |p: PointId| name_label(self.scene.point_name(p));
         match load.cause {
-            Cause::Weight => format!("G_{{{link}}}"),
-            Cause::Inertia => format!("F_{{I{link}}}"),
-            Cause::Balance => "F_{b}".into(),
-            Cause::Teeth(_) => "F_{r}".into(),
+            Cause::Weight => ('G', link),
+            Cause::Inertia => ('F', format!("I{link}")),
+            Cause::Balance => ('F', "b".into()),
+            Cause::Teeth(_) => ('F', "r".into()),
             Cause::Friction(k) => match self.scene.loads.friction[k].at {
-                Rub::Pin { point, .. } => format!("M_{{f{}}}", at(point)),
-                Rub::Guide { .. } => format!("F_{{f{link}}}"),
+                Rub::Pin { point, .. } => ('M', format!("f{}", at(point))),
+                Rub::Guide { .. } => ('F', format!("f{link}")),
             },
-            Cause::Spring(s) => {
-                let [a, b] = self.scene.loads.springs[s].ends.map(|(p, _)| at(p));
-                format!("F_{{{a}{b}}}")
-            }
+            Cause::Spring(s) => ('F', self.scene.loads.springs[s].ends.map(|(p, _)| at(p)).concat()),
             Cause::Applied(a) => {
                 let applied = &self.scene.loads.applied[a];
                 let same = |other: &&hodograph_scene::Applied| other.at == applied.at && other.link == applied.link;
                 let twins = self.scene.loads.applied.iter().filter(same).count();
                 let number = if twins > 1 { format!(",{}", a + 1) } else { String::new() };
                 match (applied.at, &applied.size) {
-                    (Some(_), Size::AgainstMotion(_)) => format!("F_{{r{number}}}"),
-                    (Some(p), _) => format!("F_{{{}{number}}}", at(p)),
-                    (None, _) => format!("M_{{{link}{number}}}"),
+                    (Some(_), Size::AgainstMotion(_)) => ('F', format!("r{number}")),
+                    (Some(p), _) => ('F', format!("{}{number}", at(p))),
+                    (None, _) => ('M', format!("{link}{number}")),
                 }
             }
         }
@@ -131,7 +137,9 @@ impl ForceWriter<'_> {
 
     /// The name of the arm of a force: `h_{G2}`.
     pub fn arm_name(&self, term: Term) -> String {
-        format!("h_{{{}}}", self.symbol(term).replace(['{', '}', '_', '^'], "").trim_start_matches('F'))
+        let (letter, sup, sub) = self.marks(term);
+        let letter = if letter == 'F' { String::new() } else { letter.to_string() };
+        format!("h_{{{letter}{sup}{sub}}}")
     }
 
     /// The direction of a force wherever it is drawn.
@@ -157,7 +165,7 @@ impl ForceWriter<'_> {
             Term::Load(k) => match self.of.loads[k].cause {
                 Cause::Inertia => format!("M_{{I{}}}", name_label(self.scene.link_name(self.of.loads[k].link))),
                 Cause::Applied(_) | Cause::Weight | Cause::Spring(_) | Cause::Balance | Cause::Teeth(_) | Cause::Friction(_) => {
-                    self.load(k)
+                    self.symbol(term)
                 }
             },
             Term::Reaction { .. } => self.symbol(term).replacen('F', "M", 1),

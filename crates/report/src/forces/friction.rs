@@ -2,6 +2,7 @@
 
 use super::{DIGITS, ForceWriter};
 use hodograph_base::digits::{inked, significant};
+use hodograph_board::equilibrium::Term;
 use hodograph_board::equilibrium::{GroupForces, Part, Party};
 use hodograph_mechanism::force::Cause;
 use hodograph_paper::paper::phrase::tr;
@@ -33,7 +34,7 @@ impl ForceWriter<'_> {
                 continue;
             }
             seen.push(k);
-            let symbol = self.load(n);
+            let symbol = self.symbol(Term::Load(n));
             all.push(match &self.scene.loads.friction[k].at {
                 Rub::Pin { circle, .. } => {
                     let couple = load.wrench.couple.abs();
