@@ -5,12 +5,12 @@ mod friction;
 use hodograph_base::digits::{inked, significant};
 use hodograph_base::geom::Vec2;
 use hodograph_base::notation::Notation;
-use hodograph_board::construction::MarkId;
-use hodograph_board::equilibrium::{Equilibrium, Gives, GroupForces, Moments, Part, Party, Side, Term};
-use hodograph_board::plan::names::{name_label, point_label};
+use hodograph_board::construction::{MarkId, Name};
+use hodograph_board::equilibrium::{About, Equilibrium, Gives, GroupForces, Moments, Part, Party, Side, Term};
+use hodograph_board::plan::names::{crossing_letter, name_label, point_label};
 use hodograph_mechanism::force::Cause;
 use hodograph_paper::paper::phrase::{Phrase, tr};
-use hodograph_scene::{Kind, Lang, LinkId, PointId, Rub, Scene, Size};
+use hodograph_scene::{DiagramKind, Kind, Lang, LinkId, PointId, Rub, Scene, Size};
 
 /// Digits of measured lengths and forces in sentences: one more than a ruler gives.
 const DIGITS: usize = 4;
@@ -221,6 +221,8 @@ impl ForceWriter<'_> {
             ("RH", Lang::Zh) => "转动副与一条作用线",
             ("PH", Lang::En) => "guide and one line of action",
             ("PH", Lang::Zh) => "移动副与一条作用线",
+            ("III", Lang::En) => "class III",
+            ("III", Lang::Zh) => "Ⅲ级杆组",
             (kind, _) => kind,
         };
         match (self.lang, names.len()) {
@@ -267,10 +269,32 @@ impl ForceWriter<'_> {
         find(term).or_else(|| opposite.and_then(find))
     }
 
+    /// The letter of a crossing of lines of action.
+    pub fn crossing(&self, at: MarkId) -> String {
+        let letter = crossing_letter(self.scene);
+        let c = &self.of.construction;
+        let crossings =
+            c.marks.iter().enumerate().filter(|(_, m)| c.diagrams[m.on.index()] == DiagramKind::Plane && matches!(m.name, Name::Image(_)));
+        let all: Vec<usize> = crossings.map(|(k, _)| k).collect();
+        match all.iter().position(|k| *k == at.index()) {
+            Some(k) if all.len() > 1 => format!("{letter}_{{{}}}", k + 1),
+            _ => letter.to_owned(),
+        }
+    }
+
     /// A sentence of moments: what turns, with arms as measured, and what it gives.
     pub fn moments(&self, m: &Moments) -> String {
         let names: Vec<&str> = m.links.iter().map(|l| self.scene.link_name(*l)).collect();
-        let about = point_label(self.scene.point_name(m.about));
+        let about = match m.about {
+            About::Point(p) => format!("${}$", point_label(self.scene.point_name(p))),
+            About::Crossing { at, of } => {
+                let [a, b] = of.map(|t| self.symbol(t));
+                match self.lang {
+                    Lang::En => format!("${}$, where the lines of ${a}$ and ${b}$ cross", self.crossing(at)),
+                    Lang::Zh => format!("${a}$ 与 ${b}$ 作用线的交点 ${}$ ", self.crossing(at)),
+                }
+            }
+        };
         let mut sum = String::new();
         let mut add = |sign: f64, text: String| {
             let sign = match (sign < 0.0, sum.is_empty()) {
@@ -316,11 +340,11 @@ impl ForceWriter<'_> {
         let equation = if sum.is_empty() { format!("{given} = 0") } else { format!("{given} + ({sum}) = 0") };
         match self.lang {
             Lang::En => format!(
-                "Moments of link{} {} about ${about}$: ${equation}$, hence ${result}$.",
+                "Moments of link{} {} about {about}: ${equation}$, hence ${result}$.",
                 if names.len() > 1 { "s" } else { "" },
                 names.join(", ")
             ),
-            Lang::Zh => format!("构件 {} 对 ${about}$ 取矩：${equation}$，得 ${result}$。", names.join("、")),
+            Lang::Zh => format!("构件 {} 对 {about} 取矩：${equation}$，得 ${result}$。", names.join("、")),
         }
     }
 

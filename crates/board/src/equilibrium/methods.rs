@@ -2,9 +2,10 @@
 
 use super::joints::{Joints, Outer, Pair, reference};
 use super::scribe::{Acting, Scribe, reaction, square_to};
-use super::{Gives, Part, Party, Term, another_kind};
-use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId};
+use super::{About, Gives, Moments, Part, Party, Term, another_kind};
+use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId, Op};
 use hodograph_base::diag::Both;
+use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{GuideId, LinkId, PointId};
 
 /// The direction of a straight guide.
@@ -22,7 +23,7 @@ impl Scribe<'_> {
     ///
     /// # Errors
     /// A kind for which there is none.
-    pub(super) fn group(&mut self, links: &[LinkId], joints: &Joints) -> Result<(), Both> {
+    pub(super) fn group(&mut self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Result<(), Both> {
         match (links, &joints.inner[..], &joints.outer[..]) {
             ([a, b], [Pair::Pin(c)], [x, y]) => {
                 let on = |link: LinkId| [x, y].into_iter().copied().find(|o| carries(o) == Some(link));
@@ -69,7 +70,7 @@ impl Scribe<'_> {
                 }
                 _ => Err(another_kind()),
             },
-            _ => Err(another_kind()),
+            _ => self.on_three_legs(links, joints, at),
         }
     }
 
@@ -89,7 +90,7 @@ impl Scribe<'_> {
                 return None;
             }
             let term = reaction(&outer[k], Part::Tangential)?;
-            let mut of = self.moments(&mut ops, &links[k..=k], &acting[k], inner, Gives::Force(term, at));
+            let mut of = self.moments(&mut ops, &links[k..=k], &acting[k], About::Point(inner), Gives::Force(term, at));
             if of.of.is_empty() && of.couples.is_empty() {
                 return None;
             }
@@ -167,9 +168,9 @@ impl Scribe<'_> {
     }
 
     /// The couple of an outer guide about its point, from all else that acts on its link; answers, and the load of the other link.
-    fn offset(&mut self, p: &mut super::scribe::Polygon, slide: Outer, acting: &[Acting], ends: [MarkId; 2]) {
+    pub(super) fn offset(&mut self, p: &mut super::scribe::Polygon, slide: Outer, acting: &[Acting], ends: [MarkId; 2]) {
         let Outer::Slide { guide, on, at, .. } = slide else { return };
-        let mut moments = self.moments(&mut p.ops, &[on], acting, at, Gives::Offset(guide));
+        let mut moments = self.moments(&mut p.ops, &[on], acting, About::Point(at), Gives::Offset(guide));
         let couple = self.balancing(&mut p.ops, &moments);
         moments.value = couple;
         p.moments.push(moments);
@@ -199,7 +200,7 @@ impl Scribe<'_> {
         }
         let whole = loaded != start;
         let term = part(if whole { Part::Normal } else { Part::Whole });
-        let mut moments = self.moments(&mut p.ops, &links, &all, pivot, Gives::Force(term, at));
+        let mut moments = self.moments(&mut p.ops, &links, &all, About::Point(pivot), Gives::Force(term, at));
         let turning = self.balancing(&mut p.ops, &moments);
         let arm = self.number(&mut p.ops, Number::Along(self.mark(pivot), self.mark(at), Direction::of(tangent(guide))));
         let across = self.number(&mut p.ops, Number::Quotient(turning, arm));
@@ -224,7 +225,7 @@ impl Scribe<'_> {
     }
 
     /// The couple of an inner guide on a link pinned at `pin`, and its answers; the force counts at `place`. Returns the couple.
-    fn inner_guide(
+    pub(super) fn inner_guide(
         &mut self,
         p: &mut super::scribe::Polygon,
         guide: GuideId,
@@ -241,7 +242,7 @@ impl Scribe<'_> {
         });
         let own = Acting { term: Term::Reaction { of, on, part: Part::Whole }, force: Some((Base::Measured(force), place)), couple: None };
         let all: Vec<Acting> = acting.iter().copied().chain([own]).collect();
-        let mut moments = self.moments(&mut p.ops, &[on], &all, pin, Gives::Offset(guide));
+        let mut moments = self.moments(&mut p.ops, &[on], &all, About::Point(pin), Gives::Offset(guide));
         let couple = self.balancing(&mut p.ops, &moments);
         moments.value = couple;
         p.moments.push(moments);
@@ -300,7 +301,7 @@ impl Scribe<'_> {
     fn driven(&mut self, link: LinkId, pivot: PointId, driver: usize, against: LinkId) {
         let acting = self.all_on(link, &[pivot]);
         let mut ops = Vec::new();
-        let mut moments = self.moments(&mut ops, &[link], &acting, pivot, Gives::Driver(driver));
+        let mut moments = self.moments(&mut ops, &[link], &acting, About::Point(pivot), Gives::Driver(driver));
         let balance = self.balancing(&mut ops, &moments);
         moments.value = balance;
         self.on_plane(ops);
@@ -336,13 +337,8 @@ impl Scribe<'_> {
         };
         let acting = self.all_on(link, &[pivot, at]);
         let mut ops = Vec::new();
-        let mut moments = self.moments(&mut ops, &[link], &acting, pivot, Gives::Force(term, at));
-        let turning = self.balancing(&mut ops, &moments);
-        // The arm of a force along the line.
-        let unit = self.number(&mut ops, Number::Moment { force: line, at: self.mark(at), about: self.mark(pivot) });
-        let length = self.c.number(Number::Length(line));
-        let arm = self.c.number(Number::Quotient(unit, length));
-        let size = self.number(&mut ops, Number::Quotient(turning, arm));
+        let mut moments = self.moments(&mut ops, &[link], &acting, About::Point(pivot), Gives::Force(term, at));
+        let size = self.by_arm(&mut ops, &moments, line, self.mark(at), self.mark(pivot));
         moments.value = size;
         self.on_plane(ops);
         let mut p = self.polygon();
@@ -360,8 +356,17 @@ impl Scribe<'_> {
         self.finish(p, &[link], "RH");
     }
 
+    /// The force along a line through a mark that balances moments about another.
+    pub(super) fn by_arm(&mut self, ops: &mut Vec<Op>, moments: &Moments, line: Base, at: MarkId, about: MarkId) -> NumberId {
+        let turning = self.balancing(ops, moments);
+        let unit = self.number(ops, Number::Moment { force: line, at, about });
+        let length = self.c.number(Number::Length(line));
+        let arm = self.c.number(Number::Quotient(unit, length));
+        self.number(ops, Number::Quotient(turning, arm))
+    }
+
     /// Answers of a joint that presses along one line, and the load of what is on its other side.
-    fn touched(&mut self, p: &mut super::scribe::Polygon, touch: &Outer, ends: [MarkId; 2]) {
+    pub(super) fn touched(&mut self, p: &mut super::scribe::Polygon, touch: &Outer, ends: [MarkId; 2]) {
         match *touch {
             Outer::Slot { guide, at, on, by } => self.slotted(p, guide, on, by, at, ends),
             Outer::Cylinder { driver, at, far, on } => self.pushed(p, driver, on, [at, far], ends),
@@ -407,7 +412,7 @@ impl Scribe<'_> {
 }
 
 /// The link of the group that an outer joint holds.
-fn carries(outer: &Outer) -> Option<LinkId> {
+pub(super) fn carries(outer: &Outer) -> Option<LinkId> {
     match *outer {
         Outer::Pin { on, .. } | Outer::Slide { on, .. } | Outer::Slot { on, .. } | Outer::Cylinder { on, .. } | Outer::Turn { on, .. } => {
             Some(on)

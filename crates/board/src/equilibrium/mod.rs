@@ -4,13 +4,14 @@
 //! crosses the other two. The forces on one link stand together in the polygon, so that the inner reaction is a diagonal. What a group does to those
 //! that it rests on is their load. The driver comes last, with the balancing moment.
 //!
-//! Methods: RRR, RRP, RPR, PRP and RPP dyads, a link with a pivot or a slide and one line of action (a pin in a slot, a cylinder), and drivers. A group of
-//! another kind is not drawn, and neither is what rests on its reactions; [`Equilibrium::undrawn`] names it.
+//! Methods: RRR, RRP, RPR, PRP and RPP dyads, a link with a pivot or a slide and one line of action (a pin in a slot, a cylinder), a link on three legs, and
+//! drivers. A group of another kind is not drawn, and neither is what rests on its reactions; [`Equilibrium::undrawn`] names it.
 //!
 //! # Source
 //! 孙桓, 陈作模, 葛文杰: 机械原理, ch. 4; R. L. Norton, *Design of Machinery*, ch. 11.
 
 mod joints;
+mod legs;
 mod methods;
 mod scribe;
 
@@ -80,13 +81,27 @@ pub struct Side {
     pub known: bool,
 }
 
+/// The point about which moments are taken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum About {
+    /// A point of the scene.
+    Point(PointId),
+    /// The crossing of the lines of action of two forces.
+    Crossing {
+        /// The mark on the mechanism.
+        at: MarkId,
+        /// The forces.
+        of: [Term; 2],
+    },
+}
+
 /// An equation of moments about a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moments {
     /// The links of which it is the equilibrium.
     pub links: Vec<LinkId>,
-    /// The point.
-    pub about: PointId,
+    /// The point about which they turn.
+    pub about: About,
     /// The forces that turn, each with its point of application and its moment (N·m).
     pub of: Vec<(Term, PointId, NumberId)>,
     /// The couples (N·m).

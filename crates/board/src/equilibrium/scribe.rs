@@ -1,7 +1,7 @@
 //! Writes the construction: what acts on each link, and the acts of polygons and moments.
 
 use super::joints::{Outer, joints, party};
-use super::{Answers, Gives, GroupForces, Moments, Part, Party, Side, Term, Undrawn};
+use super::{About, Answers, Gives, GroupForces, Moments, Part, Party, Side, Term, Undrawn};
 use crate::construction::{
     Base, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Vector, VectorId,
 };
@@ -45,8 +45,10 @@ pub(super) struct Scribe<'a> {
     at_pin: Vec<Vec<OnPin>>,
     pub answers: Answers,
     groups: Vec<GroupForces>,
-    one: NumberId,
-    plane: DiagramId,
+    pub one: NumberId,
+    pub plane: DiagramId,
+    /// The crossings of lines of action on the mechanism.
+    pub crossings: usize,
 }
 
 /// Writes the forces of all groups.
@@ -71,7 +73,7 @@ pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &
     }
     let answers = Answers::default();
     let at_pin = vec![Vec::new(); scene.points.len()];
-    let mut scribe = Scribe { scene, c, places, acting, at_pin, answers, groups: Vec::new(), one, plane };
+    let mut scribe = Scribe { scene, c, places, acting, at_pin, answers, groups: Vec::new(), one, plane, crossings: 0 };
     let mut open = vec![true; scene.links.len()];
     let mut broken = vec![false; scene.links.len()];
     let mut undrawn = Vec::new();
@@ -87,7 +89,7 @@ pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &
             Err(both!("the cylinder that moves it has loads of its own", "驱动它的液压缸本身受载"))
         } else {
             rods.iter().for_each(|l| open[l.0] = false);
-            joints(scene, m, at, &links, &open).and_then(|joints| scribe.group(&links, &joints))
+            joints(scene, m, at, &links, &open).and_then(|joints| scribe.group(&links, &joints, at))
         };
         links.iter().chain(&rods).for_each(|l| open[l.0] = false);
         if let Err(why) = result {
@@ -234,11 +236,15 @@ impl Scribe<'_> {
     }
 
     /// The moments of what acts on links about a point.
-    pub fn moments(&mut self, ops: &mut Vec<Op>, links: &[LinkId], acting: &[Acting], about: PointId, gives: Gives) -> Moments {
+    pub fn moments(&mut self, ops: &mut Vec<Op>, links: &[LinkId], acting: &[Acting], about: About, gives: Gives) -> Moments {
         let mut out = Moments { links: links.to_vec(), about, of: Vec::new(), couples: Vec::new(), gives, value: self.one };
         for a in acting {
-            if let Some((force, at)) = a.force.filter(|(_, at)| *at != about) {
-                let number = Number::Moment { force, at: self.mark(at), about: self.mark(about) };
+            if let Some((force, at)) = a.force.filter(|(_, at)| About::Point(*at) != about) {
+                let centre = match about {
+                    About::Point(p) => self.mark(p),
+                    About::Crossing { at, .. } => at,
+                };
+                let number = Number::Moment { force, at: self.mark(at), about: centre };
                 let number = self.number(ops, number);
                 out.of.push((a.term, at, number));
             }
@@ -287,12 +293,17 @@ impl Scribe<'_> {
 
     /// The force of an inner pin on both links.
     pub fn inner_pin(&mut self, p: &mut Polygon, at: PointId, links: [LinkId; 2], [m1, x, m2]: [MarkId; 3]) {
-        for (link, other, ends) in [(links[0], links[1], [m1, x]), (links[1], links[0], [x, m2])] {
-            let id = self.measured(p, ends[0], ends[1]);
-            self.answers.pins.push((at, link, id));
-            let of = if parties(self.scene, at) == 2 { Party::Link(other) } else { Party::Pin(at) };
-            self.diagonal(p, (Term::Reaction { of, on: link, part: Part::Whole }, at), ends);
+        for (sides, ends) in [(links, [m1, x]), ([links[1], links[0]], [x, m2])] {
+            self.inner_side(p, at, sides, ends);
         }
+    }
+
+    /// The force of an inner pin on the first of two links.
+    pub fn inner_side(&mut self, p: &mut Polygon, at: PointId, [link, other]: [LinkId; 2], ends: [MarkId; 2]) {
+        let id = self.measured(p, ends[0], ends[1]);
+        self.answers.pins.push((at, link, id));
+        let of = if parties(self.scene, at) == 2 { Party::Link(other) } else { Party::Pin(at) };
+        self.diagonal(p, (Term::Reaction { of, on: link, part: Part::Whole }, at), ends);
     }
 
     /// The force and couple of a guide on a link of the group: answers, and the load of the other link.

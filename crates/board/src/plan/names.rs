@@ -72,11 +72,16 @@ pub(super) fn numbered(scene: &Scene, name: String, link: Option<&str>) -> Strin
     if unclear { format!("{name},{link}") } else { run }
 }
 
-/// Name of a special point (by its place in the plan's list): S, or the next letter that no point of the scene has, in either case and with
-/// or without a number; numbered where several are drawn. The special points of one triad, of which one is drawn, share a name.
-pub fn special_name(scene: &Scene, plan: &Plan, special: usize) -> String {
+/// The letter of points that are constructed on the mechanism: S, or the next one that no point of the scene has, in either case and with or
+/// without a number.
+pub fn crossing_letter(scene: &Scene) -> &'static str {
     let taken = |letter: &str| scene.points.iter().any(|p| Parts::of(&p.name).head.eq_ignore_ascii_case(letter));
-    let letter = ["S", "T", "U", "W", "Z"].into_iter().find(|l| !taken(l)).unwrap_or("S");
+    ["S", "T", "U", "W", "Z"].into_iter().find(|l| !taken(l)).unwrap_or("S")
+}
+
+/// Name of a special point (by its place in the plan's list): [`crossing_letter`], numbered where several are drawn. The special points of one triad, of which one is drawn, share a name.
+pub fn special_name(scene: &Scene, plan: &Plan, special: usize) -> String {
+    let letter = crossing_letter(scene);
     // Of a triad by the group, of a reduction by the link.
     let key = |k: usize| {
         let s = &plan.specials[k];

@@ -3,13 +3,15 @@
 use super::Page;
 use crate::mechanism;
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_board::equilibrium::{Gives, GroupForces, Moments, Part as Which, Side, Term};
+use hodograph_board::construction::{MarkId, Op};
+use hodograph_board::equilibrium::{About, Gives, GroupForces, Moments, Part as Which, Side, Term};
 use hodograph_mechanism::force::Cause;
 use hodograph_paper::paper::drawing::{Drawing, Part};
 use hodograph_paper::paper::item::{Colour, Dash, Item, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
+use hodograph_paper::paper::symbols;
 use hodograph_scene::{Friction, LinkId, PointId, Rub};
 
 /// Lengths of the arrows of the smallest and of the largest force.
@@ -20,6 +22,8 @@ const COUPLE_MM: f64 = 6.0;
 const SHORTEST_ARM_MM: f64 = 3.0;
 /// A force of a guide that acts farther from its pin is drawn there, with its couple.
 const FARTHEST_MM: f64 = 45.0;
+/// A crossing of lines of action farther from the links than this part of their size is told in words only.
+const REACH: f64 = 0.8;
 /// Links stand back behind the forces.
 const LINKS: Colour = Colour::grey(150);
 
@@ -29,8 +33,11 @@ impl Page<'_> {
         let style = Style { link: self.style().link.coloured(LINKS), ..self.style().clone() };
         let mut d = mechanism::links(&style, maker.scene, maker.worked, &maker.options.notation, &group.links);
         let largest = group.sides.iter().filter_map(|s| self.of.force(s.vector)).map(Vec2::norm).fold(0.0, f64::max);
-        for moments in group.moments.iter().filter(|m| !matches!(m.gives, Gives::Offset(_))) {
-            self.arms(&mut d, moments);
+        let before: Vec<&Moments> = group.moments.iter().filter(|m| !matches!(m.gives, Gives::Offset(_))).collect();
+        for (k, moments) in before.iter().enumerate() {
+            // A force has one arm on the drawing: that of its own link.
+            let has_arm = |term: Term| before[..k].iter().any(|m| m.of.iter().any(|(own, ..)| *own == term));
+            self.arms(&mut d, moments, has_arm);
         }
         // Both parts of a reaction are drawn where they were found.
         let own = |s: &&Side| match s.term {
@@ -55,9 +62,11 @@ impl Page<'_> {
             if let Gives::Driver(driver) = m.gives {
                 let value = self.of.drawn.number(m.value).unwrap_or(0.0);
                 let number = if maker.scene.drivers.len() > 1 { (driver + 1).to_string() } else { String::new() };
-                let rubs = |f: &Friction| matches!(f.at, Rub::Pin { point, .. } if point == m.about);
+                let rubs = |f: &Friction| matches!(f.at, Rub::Pin { point, .. } if About::Point(point) == m.about);
                 let radius_mm = COUPLE_MM + if maker.scene.loads.friction.iter().any(rubs) { 3.0 } else { 0.0 };
-                self.bent(&mut d, &format!("M-b{number}"), &format!("M_{{b{number}}}"), (m.about, radius_mm), value);
+                if let About::Point(about) = m.about {
+                    self.bent(&mut d, &format!("M-b{number}"), &format!("M_{{b{number}}}"), (about, radius_mm), value);
+                }
             }
         }
         d.finish()
@@ -148,12 +157,41 @@ impl Page<'_> {
         d.label(&format!("couple-{key}"), "couple", request.owned(owner));
     }
 
-    /// Lines of action with their arms about a point.
-    fn arms(&self, d: &mut Drawing, moments: &Moments) {
+    /// The crossing of two lines of action with the lines; `None` where it is too far away to be drawn.
+    fn crossing(&self, d: &mut Drawing, moments: &Moments, at: MarkId) -> Option<Point> {
         let style = self.style();
-        let Some(about) = self.place(moments.about) else { return };
+        let centre = self.of.drawn.marks[at.index()]?;
+        let c = &self.of.construction;
+        let met = c.ops.iter().find_map(|op| match op {
+            Op::Meet { lines, to } if *to == at => Some(lines),
+            _ => None,
+        })?;
+        let scene = self.maker.scene;
+        let placed = || moments.links.iter().flat_map(|l| &scene.links[l.0].points).filter_map(|p| self.place(*p));
+        let size = placed().flat_map(|p| placed().map(move |q| p.distance(q))).fold(0.0, f64::max);
+        if placed().all(|p| p.distance(centre) > REACH * size) {
+            return None;
+        }
+        for line in met {
+            let from = self.of.drawn.marks[c.lines[line.index()].through.index()]?;
+            d.shape("constraint-line", "construction", Shape::Line { from, to: centre, stroke: style.thin.dashed(Dash::DashDot) });
+        }
+        d.draw("crossing", "special point", symbols::dot(style, centre));
+        let letter = self.w.crossing(at);
+        d.label("crossing", "special letter", LabelRequest::at_point(Label::math(&letter), style.label_mm, centre, style.dot_radius_mm));
+        Some(centre)
+    }
+
+    /// Lines of action with their arms about a point.
+    fn arms(&self, d: &mut Drawing, moments: &Moments, has_arm: impl Fn(Term) -> bool) {
+        let style = self.style();
+        let about = match moments.about {
+            About::Point(p) => self.place(p),
+            About::Crossing { at, .. } => self.crossing(d, moments, at),
+        };
+        let Some(about) = about else { return };
         for (k, (term, at, _)) in moments.of.iter().enumerate() {
-            if matches!(term, Term::Reaction { part: Which::Tangential, .. }) {
+            if matches!(term, Term::Reaction { part: Which::Tangential, .. }) || has_arm(*term) {
                 continue;
             }
             let (Some(at), Some(arm), Some(u)) = (self.place(*at), self.w.arm(moments, k), self.w.direction(*term)) else { continue };

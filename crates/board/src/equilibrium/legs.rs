@@ -1,0 +1,320 @@
+//! A link on three legs: its equilibrium with all its legs in one polygon.
+//!
+//! A leg presses along one line, that of its bar or square to its guide, but for what its own loads add. Moments of the whole group about the
+//! crossing of two such lines give the force along the third; the polygon crosses the other two.
+
+use super::joints::{Joints, Outer, Pair, reference};
+use super::methods::carries;
+use super::scribe::{Acting, Polygon, Scribe, reaction, square_to};
+use super::{About, Gives, Part, Party, Term, another_kind};
+use crate::construction::{Base, Direction, Key, Line, MarkId, Name, Number, NumberId, Op};
+use hodograph_base::diag::{Both, both};
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_mechanism::position::{Configuration, Path};
+use hodograph_scene::{GuideId, LinkId, PointId};
+
+/// A leg of the link.
+#[derive(Clone, Copy)]
+struct Leg {
+    kind: Kind,
+    /// The joint at its far end, or that by which it touches the link.
+    outer: Outer,
+    /// A point on its line of action.
+    at: PointId,
+    /// The direction of the line.
+    line: Base,
+    /// The direction in numbers, by which the lines that cross are chosen.
+    along: Option<Vec2>,
+}
+
+#[derive(Clone, Copy)]
+enum Kind {
+    /// A bar, pinned to the link.
+    Bar { link: LinkId, near: PointId },
+    /// A slider in a guide outside the group, pinned to the link.
+    Block { link: LinkId, near: PointId },
+    /// A pinned block that slides on the link, or in which the link slides.
+    Sleeve { link: LinkId, guide: GuideId },
+    /// A pin in a slot, or a cylinder.
+    Touch,
+}
+
+/// A leg with what acts on it.
+struct Loaded {
+    leg: Leg,
+    loads: Vec<Acting>,
+    /// The force of the far pin square to the bar: its term, its amount, and the bar.
+    across: Option<(Term, NumberId, Base)>,
+    /// The loads of the pin that joins it to the link.
+    on_pin: Vec<Acting>,
+}
+
+/// The vertices between which a leg's forces stand.
+#[derive(Clone, Copy)]
+struct Ends {
+    /// The reaction of its far joint.
+    whole: [MarkId; 2],
+    /// The reaction of the link on it.
+    inner: [MarkId; 2],
+    /// That of the pin on the link.
+    opposite: [MarkId; 2],
+}
+
+impl Leg {
+    fn link(&self) -> Option<LinkId> {
+        match self.kind {
+            Kind::Bar { link, .. } | Kind::Block { link, .. } | Kind::Sleeve { link, .. } => Some(link),
+            Kind::Touch => None,
+        }
+    }
+
+    /// The pin that joins it to the link.
+    fn near(&self) -> Option<PointId> {
+        match self.kind {
+            Kind::Bar { near, .. } | Kind::Block { near, .. } => Some(near),
+            Kind::Sleeve { .. } | Kind::Touch => None,
+        }
+    }
+}
+
+impl Loaded {
+    /// The force along the line.
+    fn axial(&self) -> Option<Term> {
+        reaction(&self.leg.outer, if self.across.is_some() { Part::Normal } else { Part::Whole })
+    }
+}
+
+impl Scribe<'_> {
+    /// Writes the equilibrium of a link on three legs.
+    ///
+    /// # Errors
+    /// A group of another kind.
+    pub(super) fn on_three_legs(&mut self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Result<(), Both> {
+        let (core, legs) = self.legs(links, joints, at).ok_or_else(another_kind)?;
+        for leg in &legs {
+            if let Kind::Sleeve { link, .. } = leg.kind
+                && self.all_on(link, &[leg.at]).iter().any(|a| a.force.is_some())
+            {
+                let name = self.scene.link_name(link);
+                return Err(both!("the sliding block {name} has loads of its own", "滑块 {name} 本身受载"));
+            }
+        }
+        let sine = |[i, j, _]: &[usize; 3]| {
+            let unit = |k: usize| legs[k].along.and_then(Vec2::unit);
+            unit(*i).zip(unit(*j)).map_or(0.0, |(a, b)| a.cross(b).abs())
+        };
+        let orders = [[0, 1, 2], [0, 2, 1], [1, 2, 0]];
+        let [i, j, k] = orders.into_iter().max_by(|a, b| sine(a).total_cmp(&sine(b))).unwrap_or([0, 1, 2]);
+        self.three_legs(links, core, [legs[i], legs[j], legs[k]]);
+        Ok(())
+    }
+
+    /// The link that three legs hold, and the legs.
+    fn legs(&self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Option<(LinkId, [Leg; 3])> {
+        let has = |pair: &Pair, l: LinkId| match *pair {
+            Pair::Pin(p) => self.scene.links[l.0].points.contains(&p),
+            Pair::Slide { slider, on, .. } => slider == l || on == l,
+        };
+        let inner = |l: LinkId| joints.inner.iter().filter(move |p| has(p, l));
+        let outer = |l: LinkId| joints.outer.iter().filter(move |o| carries(o) == Some(l));
+        let touches = |o: &Outer| matches!(o, Outer::Slot { .. } | Outer::Cylinder { .. });
+        let core = links.iter().copied().find(|l| inner(*l).count() + outer(*l).count() == 3 && outer(*l).all(touches))?;
+        let place = |p: PointId| at.points[p.0];
+        let square = |guide: GuideId, p: PointId| {
+            let along = match at.guides[guide.0] {
+                Some(Path::Line { direction, .. }) => Some(direction.perp()),
+                Some(Path::Arc { centre, .. }) => place(p).map(|p: Point| p - centre),
+                None => None,
+            };
+            (Base::Normal(Key::of(guide.0), self.mark(p)), along)
+        };
+        let between = |from: PointId, to: PointId| {
+            let along = place(from).zip(place(to)).map(|(a, b)| b - a);
+            (Base::Arm { from: self.mark(from), to: self.mark(to), known: false }, along)
+        };
+        let mut legs = Vec::new();
+        for pair in inner(core) {
+            let link = links.iter().copied().find(|l| *l != core && has(pair, *l))?;
+            let (mut held, mut joined) = (outer(link), inner(link));
+            let (Some(held), None, Some(_), None) = (held.next(), held.next(), joined.next(), joined.next()) else { return None };
+            let (kind, at, (line, along)) = match (*pair, *held) {
+                (Pair::Pin(near), Outer::Pin { at, .. }) => (Kind::Bar { link, near }, at, between(near, at)),
+                (Pair::Pin(near), Outer::Slide { at, guide, .. }) if at == near => (Kind::Block { link, near }, at, square(guide, near)),
+                (Pair::Slide { guide, .. }, Outer::Pin { at, .. }) => (Kind::Sleeve { link, guide }, at, square(guide, at)),
+                _ => return None,
+            };
+            legs.push(Leg { kind, outer: *held, at, line, along });
+        }
+        for touch in outer(core) {
+            let (at, (line, along)) = match *touch {
+                Outer::Slot { guide, at, .. } => (at, square(guide, at)),
+                Outer::Cylinder { at, far, .. } => (at, between(far, at)),
+                Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } | Outer::Push { .. } => return None,
+            };
+            legs.push(Leg { kind: Kind::Touch, outer: *touch, at, line, along });
+        }
+        (legs.len() == links.len() - 1 + outer(core).count()).then_some(())?;
+        Some((core, legs.try_into().ok()?))
+    }
+
+    fn three_legs(&mut self, links: &[LinkId], core: LinkId, legs: [Leg; 3]) {
+        let held: Vec<PointId> = legs.iter().map(|leg| leg.near().unwrap_or(leg.at)).collect();
+        let own = self.all_on(core, &held);
+        let (mut ops, mut found) = (Vec::new(), Vec::new());
+        let legs = legs.map(|leg| self.loaded(&mut ops, &mut found, leg, core));
+        let size = self.third(&mut ops, &mut found, (links, &own), &legs);
+        self.on_plane(ops);
+        let [one, two, three] = &legs;
+        let mut p = self.polygon();
+        p.moments = found;
+        let start = p.last;
+        self.square(&mut p, one);
+        let first = p.last;
+        self.lay_all(&mut p, &one.loads);
+        let inner_one = p.last;
+        self.lay_all(&mut p, &one.on_pin);
+        let third = p.last;
+        if let Some(term) = three.axial() {
+            self.laid(&mut p, (term, three.leg.at), Direction::of(three.leg.line).unit(), size);
+        }
+        self.square(&mut p, three);
+        let reacted = p.last;
+        self.lay_all(&mut p, &three.loads);
+        let inner_three = p.last;
+        self.lay_all(&mut p, &three.on_pin);
+        let after_three = p.last;
+        self.lay_all(&mut p, &own);
+        let before_two = p.last;
+        self.lay_all(&mut p, &two.on_pin);
+        let inner_two = p.last;
+        self.lay_all(&mut p, &two.loads);
+        let second = p.last;
+        self.square(&mut p, two);
+        let end = p.last;
+        let lines = [self.line(&mut p, start, Direction::of(one.leg.line)), self.line(&mut p, end, Direction::of(two.leg.line))];
+        let x = self.meet(&mut p, lines);
+        for (leg, ends, is_first) in [(one, [x, start], true), (two, [end, x], false)] {
+            if let Some(term) = leg.axial() {
+                self.side(&mut p, (term, leg.leg.at), ends, is_first);
+            }
+        }
+        let ends = [
+            (one, Ends { whole: [x, first], inner: [inner_one, x], opposite: [x, third] }),
+            (two, Ends { whole: [second, x], inner: [x, inner_two], opposite: [before_two, x] }),
+            (three, Ends { whole: [third, reacted], inner: [inner_three, third], opposite: [third, after_three] }),
+        ];
+        for (leg, ends) in ends {
+            self.leg_answers(&mut p, core, leg, ends);
+        }
+        self.finish(p, links, "III");
+    }
+
+    /// What acts on a leg, and the force square to its bar.
+    fn loaded(&mut self, ops: &mut Vec<Op>, found: &mut Vec<super::Moments>, leg: Leg, core: LinkId) -> Loaded {
+        let held: Vec<PointId> = leg.near().into_iter().chain([leg.at]).collect();
+        let loads = leg.link().map_or_else(Vec::new, |link| self.all_on(link, &held));
+        let on_pin = leg.near().map_or_else(Vec::new, |near| self.pin_loads(near, core));
+        let across = match (leg.kind, reaction(&leg.outer, Part::Tangential)) {
+            (Kind::Bar { link, near }, Some(term)) if !loads.is_empty() => {
+                let mut of = self.moments(ops, &[link], &loads, About::Point(near), Gives::Force(term, leg.at));
+                if of.of.is_empty() && of.couples.is_empty() {
+                    None
+                } else {
+                    let turning = self.balancing(ops, &of);
+                    let length = self.c.number(Number::Length(leg.line));
+                    of.value = self.number(ops, Number::Quotient(turning, length));
+                    let value = of.value;
+                    found.push(of);
+                    Some((term, value, leg.line))
+                }
+            }
+            _ => None,
+        };
+        Loaded { leg, loads, across, on_pin }
+    }
+
+    /// The force along the line of the third leg, by moments about the crossing of the other two lines.
+    fn third(
+        &mut self,
+        ops: &mut Vec<Op>,
+        found: &mut Vec<super::Moments>,
+        (links, own): (&[LinkId], &[Acting]),
+        legs: &[Loaded; 3],
+    ) -> NumberId {
+        let [one, two, three] = legs;
+        let lines = [one, two].map(|l| {
+            let line =
+                Line { on: self.plane, through: self.mark(l.leg.at), along: Direction::of(l.leg.line), moved: false, carries: Vec::new() };
+            let line = self.c.line(line);
+            ops.push(Op::Rule(line));
+            line
+        });
+        let number = self.crossings;
+        self.crossings += 1;
+        let crossing = self.c.mark(self.plane, Name::Image(Key::of(number)));
+        ops.push(Op::Meet { lines, to: crossing });
+        // The loads of a block are handed to its pin; its guide takes their couple.
+        let mut all = own.to_vec();
+        for l in legs {
+            let at_pin = |a: &Acting| match l.leg.kind {
+                Kind::Block { near, .. } => Acting { force: a.force.map(|(force, _)| (force, near)), couple: None, ..*a },
+                Kind::Bar { .. } | Kind::Sleeve { .. } | Kind::Touch => *a,
+            };
+            all.extend(l.loads.iter().map(at_pin));
+            all.extend(&l.on_pin);
+        }
+        let (Some(a), Some(b), Some(given)) = (one.axial(), two.axial(), three.axial()) else { return self.one };
+        let about = About::Crossing { at: crossing, of: [a, b] };
+        let mut moments = self.moments(ops, links, &all, about, Gives::Force(given, three.leg.at));
+        for l in legs {
+            if let Some((term, value, bar)) = l.across {
+                // A unit force square to the bar turns by the part of its arm along the bar.
+                let arm = self.number(ops, Number::Along(crossing, self.mark(l.leg.at), Direction::of(bar)));
+                moments.of.push((term, l.leg.at, self.number(ops, Number::Product(value, arm))));
+            }
+        }
+        moments.value = self.by_arm(ops, &moments, three.leg.line, self.mark(three.leg.at), crossing);
+        let size = moments.value;
+        found.push(moments);
+        size
+    }
+
+    /// Lays off the force square to a leg's bar.
+    fn square(&mut self, p: &mut Polygon, leg: &Loaded) {
+        if let Some((term, value, bar)) = leg.across {
+            self.laid(p, (term, leg.leg.at), square_to(bar), value);
+        }
+    }
+
+    /// Reactions of a leg: answers, and loads of what is on its other side.
+    fn leg_answers(&mut self, p: &mut Polygon, core: LinkId, l: &Loaded, ends: Ends) {
+        let leg = &l.leg;
+        if let (true, Some(term)) = (l.across.is_some(), reaction(&leg.outer, Part::Whole)) {
+            self.diagonal(p, (term, leg.at), ends.whole);
+        }
+        if let (Some(near), Some(link)) = (leg.near(), leg.link()) {
+            self.inner_side(p, near, [link, core], ends.inner);
+            self.inner_side(p, near, [core, link], ends.opposite);
+        }
+        match leg.kind {
+            Kind::Bar { link, .. } => self.pinned(p, leg.at, link, ends.whole),
+            Kind::Block { link, near } => {
+                let force = self.measured(p, ends.inner[0], ends.inner[1]);
+                let term = Term::Reaction { of: Party::Link(core), on: link, part: Part::Whole };
+                let inside = Acting { term, force: Some((Base::Measured(force), near)), couple: None };
+                let all: Vec<Acting> = l.loads.iter().copied().chain([inside]).collect();
+                self.offset(p, leg.outer, &all, ends.whole);
+            }
+            Kind::Sleeve { link, guide } => {
+                let place = reference(self.scene, guide).unwrap_or(leg.at);
+                let [from, to] = ends.whole;
+                for (on, other, ends) in [(link, core, [to, from]), (core, link, [from, to])] {
+                    self.diagonal(p, (Term::Reaction { of: Party::Link(other), on, part: Part::Whole }, place), ends);
+                }
+                self.pinned(p, leg.at, link, ends.whole);
+                self.inner_guide(p, guide, link, (leg.at, place), &l.loads, [to, from]);
+            }
+            Kind::Touch => self.touched(p, &leg.outer, ends.whole),
+        }
+    }
+}
