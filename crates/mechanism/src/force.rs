@@ -139,7 +139,7 @@ pub fn loads<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Source
 }
 
 /// A place so near (of a stroke or a turn) to the end of a course is on it.
-const NEAR: f64 = 1e-12;
+pub const NEAR: f64 = 1e-12;
 
 /// The stretches of the loads in a pose: for each applied load that of its course, −1 outside of it, and the sense of what it acts against. Between
 /// poses with other stretches some load begins, ends, has a corner or turns round.
@@ -278,7 +278,7 @@ pub fn completed<N: Real>(scene: &Scene, at: &Configuration<N>, loads: &[Load<N>
 }
 
 /// The speed (m/s) beside which a velocity is rounding: that of the drivers at the size of the mechanism.
-fn fastest<N: Real>(scene: &Scene, at: &Configuration<N>) -> f64 {
+pub fn fastest<N: Real>(scene: &Scene, at: &Configuration<N>) -> f64 {
     let extent = at.extent();
     let of = |d: &hodograph_scene::Driver| d.rate.value.abs() * if d.kind.turns() { extent } else { 1.0 };
     scene.drivers.iter().map(of).fold(0.0, f64::max)

@@ -52,6 +52,7 @@ pub mod timed;
 mod train;
 mod turns;
 pub mod vary;
+mod work;
 pub mod zoom;
 
 use pieces::never;

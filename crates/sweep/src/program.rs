@@ -14,6 +14,7 @@ use super::reading::{Coriolis, Direction, Dot, Length, Part, Quotient, Ratio, Su
 use super::rows::{Bars, BarsRate, Cross, Distance, DistanceRate, Guided, GuidedRate, Reduced, ReducedRate, SlotRate, Three, TurnOf};
 use super::run::{Runner, operations};
 use super::turns::{Against, Geared, Quarters, Turned, WayAcceleration, WayRate};
+use super::work::{Forward, Massive, Ramp, Repeated, Spring, Times};
 use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::{LinkId, PointId};
 use std::ops::Range;
@@ -92,6 +93,18 @@ operations! { Op:
     Coriolis,
     /// Sum of two numbers.
     Sum,
+    /// Power of weight and inertia.
+    Massive,
+    /// Sum with a product.
+    Times,
+    /// Power of a spring.
+    Spring,
+    /// Angle of the driver within a period.
+    Repeated,
+    /// Amount of a load along its course.
+    Ramp,
+    /// A number in one sense of motion.
+    Forward,
     /// The driver's angle in quarter turns.
     Quarters,
     /// A part of the driver's way.

@@ -28,6 +28,35 @@ pub enum Along {
     Tangential,
 }
 
+/// A quantity that follows from motion and loads, without any reaction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ByMotion {
+    /// The power of the drivers.
+    Power,
+    /// The balancing moment or force of a driver.
+    Balance(usize),
+    /// The inertia force of a link.
+    Inertia(LinkId),
+    /// The inertia couple of a link.
+    InertiaCouple(LinkId),
+    /// The sum of all inertia forces.
+    Shaking,
+}
+
+impl Force {
+    /// The quantity, where no reaction enters it.
+    pub fn by_motion(&self) -> Option<ByMotion> {
+        match self.0 {
+            Which::Power => Some(ByMotion::Power),
+            Which::Balance { driver, .. } => Some(ByMotion::Balance(driver)),
+            Which::InertiaForce(l) => Some(ByMotion::Inertia(l)),
+            Which::InertiaCouple(l) => Some(ByMotion::InertiaCouple(l)),
+            Which::Shaking => Some(ByMotion::Shaking),
+            Which::Reaction(..) | Which::OfPin(..) | Which::Offset(_) | Which::Couple(_) | Which::Efficiency => None,
+        }
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Which {
     Reaction([LinkId; 2], Along),

@@ -43,7 +43,7 @@ pub use composite::Composite;
 pub use contact::{Contact, bar, contacts, parties};
 pub use curvature::{Curvature, OfPath, OfPole};
 pub use entry::{Entry, Form, Of, Over};
-pub use force::{Along, Force};
+pub use force::{Along, ByMotion, Force};
 pub use forces::{Forces, Wrench};
 pub use frame::owns;
 pub use frame::{Frame, RelativePath, relative_path};

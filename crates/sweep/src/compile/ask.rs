@@ -10,7 +10,7 @@ use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::mechanism::{Joined, Level, joined};
 use hodograph_scene::quantity::{Meaning, Place, Split};
-use hodograph_scene::{Axis, Driver, Find, GuideId, LinkId, OnLink, PointId};
+use hodograph_scene::{Asked, Axis, Driver, Find, GuideId, LinkId, OnLink, PointId};
 
 const P: Level = Level::Position;
 const V: Level = Level::Velocity;
@@ -20,11 +20,13 @@ impl Compiler<'_> {
     /// The columns of a question: a number one, a vector its two components and its length.
     pub(super) fn answer(&mut self, find: &Find) -> Result<(), NoKernel> {
         let one = |c: &mut Self, reg: Reg| c.columns.push(reg);
-        let vector = |c: &mut Self, level: Level, v: Pair| {
-            let length = c.emit(level, Length { v }, 1);
-            c.columns.extend([v.x, v.y, length]);
-        };
+        let vector = |c: &mut Self, level: Level, v: Pair| c.vector_columns(level, v);
         let level = find.what.level();
+        if let Asked::Force(force) = &find.what
+            && let Some(what) = force.by_motion()
+        {
+            return self.by_motion(what, find);
+        }
         match find.what.meaning(self.scene).ok_or_else(|| no_kernel(find))? {
             Meaning::Place(Place::Coordinate(p, axis)) => {
                 let at = self.point(p, P)?;
@@ -106,6 +108,12 @@ impl Compiler<'_> {
         Ok(())
     }
 
+    /// A vector's two components and its length.
+    pub(super) fn vector_columns(&mut self, level: Level, v: Pair) {
+        let length = self.emit(level, Length { v }, 1);
+        self.columns.extend([v.x, v.y, length]);
+    }
+
     /// Position, rate and acceleration of an output.
     pub(super) fn output(&mut self, output: Output) -> Result<(), NoKernel> {
         let regs = match output {
@@ -136,7 +144,7 @@ impl Compiler<'_> {
         Ok((self.emit(P, Dot { u, v: way }, 1), u, runner))
     }
 
-    fn vector(&mut self, p: &OnLink, level: Level) -> Result<Pair, NoKernel> {
+    pub(super) fn vector(&mut self, p: &OnLink, level: Level) -> Result<Pair, NoKernel> {
         match p.link {
             None => self.point(p.point, level),
             Some(l) => self.carried(p.point, l, level),
@@ -218,7 +226,7 @@ impl Compiler<'_> {
     }
 }
 
-fn no_kernel(find: &Find) -> NoKernel {
+pub(super) fn no_kernel(find: &Find) -> NoKernel {
     Diagnostic::note(
         "no-kernel",
         both!("{} has no compiled form: each position is solved by itself", "{} 不能预编译，逐位置求解（较慢）", find.text),

@@ -3,7 +3,7 @@
 //! Compiled on demand: what is asked for calls for points and turnings at a level, those call for groups at that level,
 //! those for what lies upstream. Lengths, guides and the branch of each closure are those of the instant's configuration: the
 //! branch of a dyad is the sign of its area (or the side of the foot of a guide), a class III group keeps its assembly.
-//! Decided here: what a link is known by, and who asks whom. [`place`] and [`rate`] know the groups ([`triad`] those that are followed, [`rolling`] the trains), [`driver`] the drivers, [`ask`] the questions.
+//! Decided here: what a link is known by, and who asks whom. [`place`] and [`rate`] know the groups ([`triad`] those that are followed, [`rolling`] the trains), [`driver`] the drivers, [`ask`] the questions, [`work`] those of forces.
 //!
 //! A group that has no kernel is named ([`Compiler::without_kernel`]); the caller then follows the whole mechanism by
 //! Newton's method, position by position.
@@ -16,6 +16,7 @@ mod rate;
 mod rolling;
 mod triad;
 mod turn;
+mod work;
 
 use super::carry::{Image, Twist};
 use super::extreme::Output;

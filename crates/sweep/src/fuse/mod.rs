@@ -297,8 +297,8 @@ mod tests {
             let (program, stations) = match t.name {
                 // Their followed links have numbers only once they are followed.
                 "class-iii-six-bar" | "double-butterfly" | "stephenson-six-bar" | "two-slots" => continue,
-                // Forces have no kernels.
-                name if name.contains("forces") || name.contains("friction") => program(name, &["v_C", "a_C"]),
+                // Friction has no kernel.
+                name if name.contains("friction") => program(name, &["v_C", "a_C"]),
                 name => program(name, &[]),
             };
             let wanted = &program.columns[..];
