@@ -24,6 +24,14 @@ const ROUNDS: usize = 301;
 /// Seconds of calls timed together: the clock's own time vanishes in it, and another program seldom takes its turn within it.
 const SAMPLE: f64 = 1e-4;
 
+/// Scenes with loads, and the accelerations on which their balancing moments rest.
+const FORCES: [(&str, &[&str]); 4] = [
+    ("four-bar-forces", &["a_S1", "a_S2", "a_S3", "alpha_2", "alpha_3"]),
+    ("press-forces", &["a_S2", "a_S3", "a_F", "alpha_2", "alpha_3"]),
+    ("shaper-forces", &["a_S4", "a_C", "alpha_4"]),
+    ("engine-forces", &["a_S2", "a_C", "alpha_2"]),
+];
+
 /// A name, what is timed, and the positions of a call.
 type Variant = (String, (Box<dyn FnMut()>, usize));
 
@@ -165,6 +173,11 @@ fn main() {
     variants.extend(meshes.map(|n| (format!("train of {n} meshes, all three"), chunk_of(&train(n), Width::Widest))));
     let trained = variants.len();
     variants.extend(wheels::variants());
+    let wheeled = variants.len();
+    for (name, accelerations) in FORCES {
+        variants.push((format!("forces, {name}: the accelerations"), chunk_of(&asked(name, accelerations), Width::Widest)));
+        variants.push((format!("forces, {name}: M_b"), chunk_of(&asked(name, &["M_b"]), Width::Widest)));
+    }
     let given: Vec<String> = std::env::args().skip(1).collect();
     if let [count, name, ..] = &given[..]
         && count == "count"
@@ -197,8 +210,12 @@ fn main() {
         println!("| {n} | {:.2} |", t / *n as f64);
     }
     println!("\n| cams | ns a position |\n|---|---|");
-    for ((name, _), t) in variants[trained..].iter().zip(&times[trained..]) {
+    for ((name, _), t) in variants[trained..wheeled].iter().zip(&times[trained..wheeled]) {
         println!("| {name} | {t:.1} |");
+    }
+    println!("\n| balancing moment | ns a position | against the accelerations that it rests on |\n|---|---|---|");
+    for ((name, _), t) in FORCES.iter().zip(times[wheeled..].chunks(2)) {
+        println!("| {name} | {:.1} | {:.2} |", t[1], t[1] / t[0]);
     }
     batch();
 }
