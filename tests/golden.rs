@@ -37,6 +37,7 @@ use hodograph::paper::style::Style;
 use hodograph::plan::text::Writer;
 use hodograph::render::{png as raster, svg};
 use hodograph::report::cam::Report;
+use hodograph::report::forces::ForceWriter;
 use hodograph::report::{answers, centres as report_of_centres, construction, drafting, plan, plan_json};
 use hodograph::scene::{self, Angle, DiagramKind, Lang, PointId, Swept, edit, templates};
 use hodograph::sweep::{self, Placed, Stations, Width, extreme};
@@ -114,7 +115,8 @@ fn templates_look_as_accepted() {
         for (lang, suffix) in LANGS {
             let notation = Notation::of_language(lang);
             let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang };
-            check_text(&file(format!("plan.{suffix}.txt")), &plan::text(&scene, &worked.mechanism, &w), &mut failures);
+            let forces = worked.equilibrium.as_ref().map(|of| ForceWriter { scene: &scene, notation: w.notation, lang: w.lang, of });
+            check_text(&file(format!("plan.{suffix}.txt")), &plan::text(&scene, &worked.mechanism, &w, forces.as_ref()), &mut failures);
             check_text(
                 &file(format!("construction.{suffix}.txt")),
                 &construction::text(&w, &worked.construction, &steps(&scene, &worked, None)),

@@ -16,6 +16,7 @@ use hodograph::notation::Notation;
 use hodograph::paper::item::Figure;
 use hodograph::plan::text::Writer;
 use hodograph::render::{pdf, svg};
+use hodograph::report::forces::ForceWriter;
 use hodograph::report::{answers, construction, limits, plan, plan_json};
 use hodograph::scene::{self, DiagramKind, Lang, PointId, Scene, Swept, templates};
 use hodograph::sweep::{self, Placed, Stations, Width, extreme};
@@ -349,7 +350,8 @@ fn everything(text: &str, scene: &Scene, worked: &Worked, failures: &mut Vec<Str
         let options = Options::of_language(lang);
         let w = Writer { scene, plan: &worked.plan, notation: &notation, lang };
         let told = hodograph::certified::steps(scene, worked, None);
-        plan::text(scene, &worked.mechanism, &w);
+        let forces = worked.equilibrium.as_ref().map(|of| ForceWriter { scene, notation: &notation, lang, of });
+        plan::text(scene, &worked.mechanism, &w, forces.as_ref());
         plan_json::json(&worked.mechanism, &worked.demand, &w, None, &[]);
         construction::text(&w, &worked.construction, &told);
         answers::text(scene, worked, &certify(scene, worked, 6), 6, lang);

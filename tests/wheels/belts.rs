@@ -124,7 +124,7 @@ fn no_sliding_of_a_belt_is_sought_between_axes_that_stand() {
     let worked = solved(&standing);
     for (lang, words) in [(Lang::En, "ends of a strand, without slip"), (Lang::Zh, "带（链）段两端的点，不打滑")] {
         let w = Writer { scene: &standing, plan: &worked.plan, notation: &Notation::of_language(lang), lang };
-        let told = report::plan::text(&standing, &worked.mechanism, &w);
+        let told = report::plan::text(&standing, &worked.mechanism, &w, None);
         assert!(told.contains("v_N3 = v_M2") && told.contains(words) && !told.contains("v_N3M2"), "{told}");
     }
 }

@@ -1,16 +1,17 @@
 //! Forces in words: symbols, equations of equilibrium with their tables, moments, what the polygons give.
 
 mod friction;
+mod plan;
 
 use hodograph_base::digits::{inked, significant};
 use hodograph_base::geom::Vec2;
 use hodograph_base::notation::Notation;
 use hodograph_board::construction::{MarkId, Name};
 use hodograph_board::equilibrium::{About, Equilibrium, Gives, GroupForces, Moments, Part, Party, Side, Term};
-use hodograph_board::plan::names::{crossing_letter, name_label, point_label};
+use hodograph_board::plan::names::{crossing_letter, name_label};
 use hodograph_mechanism::force::Cause;
 use hodograph_paper::paper::phrase::{Phrase, tr};
-use hodograph_scene::{DiagramKind, Kind, Lang, LinkId, PointId, Rub, Scene, Size};
+use hodograph_scene::{DiagramKind, GuideId, Kind, Lang, LinkId, PointId, Rub, Scene, Size};
 
 /// Digits of measured lengths and forces in sentences: one more than a ruler gives.
 const DIGITS: usize = 4;
@@ -282,16 +283,28 @@ impl ForceWriter<'_> {
         }
     }
 
+    /// The links that a guide joins, as a subscript.
+    fn pair(&self, guide: GuideId) -> String {
+        let g = &self.scene.guides[guide.0];
+        g.slider.map_or_else(String::new, |s| format!("{}{}", self.scene.link_name(g.on), self.scene.link_name(s)))
+    }
+
+    /// The balancing moment of a driver.
+    fn balance(&self, driver: usize) -> String {
+        let number = if self.scene.drivers.len() > 1 { (driver + 1).to_string() } else { String::new() };
+        format!("M_{{b{number}}}")
+    }
+
     /// A sentence of moments: what turns, with arms as measured, and what it gives.
     pub fn moments(&self, m: &Moments) -> String {
         let names: Vec<&str> = m.links.iter().map(|l| self.scene.link_name(*l)).collect();
         let about = match m.about {
-            About::Point(p) => format!("${}$", point_label(self.scene.point_name(p))),
-            About::Crossing { at, of } => {
-                let [a, b] = of.map(|t| self.symbol(t));
+            About::Point(_) => format!("${}$", self.about(m.about)),
+            About::Crossing { of, .. } => {
+                let ([a, b], point) = (of.map(|t| self.symbol(t)), self.about(m.about));
                 match self.lang {
-                    Lang::En => format!("${}$, where the lines of ${a}$ and ${b}$ cross", self.crossing(at)),
-                    Lang::Zh => format!("${a}$ 与 ${b}$ 作用线的交点 ${}$ ", self.crossing(at)),
+                    Lang::En => format!("${point}$, where the lines of ${a}$ and ${b}$ cross"),
+                    Lang::Zh => format!("${a}$ 与 ${b}$ 作用线的交点 ${point}$ "),
                 }
             }
         };
@@ -321,8 +334,7 @@ impl ForceWriter<'_> {
                 (format!("{symbol}\\,l"), format!("|{symbol}| = {}", self.amount(Kind::Force, value.abs())))
             }
             Gives::Offset(guide) => {
-                let g = &self.scene.guides[guide.0];
-                let pair = g.slider.map_or_else(String::new, |s| format!("{}{}", self.scene.link_name(g.on), self.scene.link_name(s)));
+                let pair = self.pair(guide);
                 let force = self.of.forces.guides.iter().find(|(own, _)| *own == guide).map_or(0.0, |(_, w)| w.force.norm());
                 let pair = name_label(&pair);
                 let result = match force > 0.0 {
@@ -332,8 +344,7 @@ impl ForceWriter<'_> {
                 (format!("M_{{{pair}}}"), result)
             }
             Gives::Driver(d) => {
-                let number = if self.scene.drivers.len() > 1 { (d + 1).to_string() } else { String::new() };
-                let symbol = format!("M_{{b{number}}}");
+                let symbol = self.balance(d);
                 (symbol.clone(), format!("{symbol} = {}", self.amount(Kind::Moment, value)))
             }
         };
@@ -414,6 +425,12 @@ impl ForceWriter<'_> {
                 out += &format!("  {:>3}. {}\n", k + 1, s.plain());
             }
         }
+        out + &self.undrawn()
+    }
+
+    /// The groups that are not drawn, with the reason.
+    fn undrawn(&self) -> String {
+        let mut out = String::new();
         for undrawn in &self.of.undrawn {
             let names: Vec<&str> = undrawn.links.iter().map(|l| self.scene.link_name(*l)).collect();
             out += &match self.lang {

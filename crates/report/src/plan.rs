@@ -1,5 +1,6 @@
 //! The plan as text: groups, effects, equations in solving order.
 
+use crate::forces::ForceWriter;
 use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::text::{Column, Writer};
 use hodograph_board::plan::{Between, Body, Effect, GroupSteps, Method, Rate, Reason, Special, SpecialLine, Step, Term};
@@ -8,8 +9,8 @@ use hodograph_paper::paper::phrase::{Phrase, formula, tr};
 use hodograph_scene::{DiagramKind, Lang, PointId, Scene};
 use unicode_width::UnicodeWidthStr;
 
-/// The whole plan.
-pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
+/// The whole plan; that of forces follows where they are asked for and the pose can be solved.
+pub fn text(scene: &Scene, m: &Mechanism, w: &Writer, forces: Option<&ForceWriter>) -> String {
     let mut out = String::new();
     let mut line = |s: String| {
         out.push_str(s.trim_end());
@@ -66,6 +67,10 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
                 line(format!("  {text}"));
             }
         }
+    }
+    if let Some(forces) = forces {
+        line(String::new());
+        line(forces.plan(equation));
     }
     for g in &w.plan.undrawable {
         let names: Vec<_> = m.groups[*g].links.iter().map(|l| scene.link_name(*l)).collect();
@@ -301,7 +306,7 @@ fn step_lines(w: &Writer, on: DiagramKind, step: &Step, equation: &mut usize) ->
             let columns = w.columns(on, *target, chains);
             match columns[..] {
                 [] => out.push(format!("    {} = 0", formula(&w.summand(on, *target)))),
-                _ => out.extend(table(w, &columns).into_iter().map(|l| format!("    {l}"))),
+                _ => out.extend(table(lang, &columns).into_iter().map(|l| format!("    {l}"))),
             }
             out
         }
@@ -343,8 +348,8 @@ pub(super) fn method_words(method: Method, lang: Lang) -> &'static str {
 }
 
 /// An equation table in aligned characters: symbols, magnitudes, directions.
-fn table(w: &Writer, columns: &[Column]) -> Vec<String> {
-    let heads = ["", tr(w.lang, "magnitude", "大小"), tr(w.lang, "direction", "方向")];
+pub(super) fn table(lang: Lang, columns: &[Column]) -> Vec<String> {
+    let heads = ["", tr(lang, "magnitude", "大小"), tr(lang, "direction", "方向")];
     let head = heads.iter().map(|h| h.width()).max().unwrap_or(0);
     let mut lines: Vec<String> = heads.iter().map(|h| pad(h, head)).collect();
     for c in columns {

@@ -5,6 +5,7 @@
 //! and in the label language, which is a part of TeX's (`tex`).
 
 use super::answers::diagnostic;
+use super::forces::ForceWriter;
 use super::plan::{between_words, effect_words, group_words, method_words, rate_words, reason_words};
 use hodograph_base::diag::Diagnostic;
 use hodograph_board::plan::text::{Column, Writer, vertex_name};
@@ -37,6 +38,8 @@ pub fn json(m: &Mechanism, demand: &Demand, w: &Writer, done: Option<(&Worked, W
         out[on.word()] = json!(r.stage(on, before));
         before += r.equations(on);
     }
+    let drawn = done.and_then(|(worked, _)| worked.equilibrium.as_ref());
+    out["forces"] = json!(drawn.map(|of| ForceWriter { scene: w.scene, notation: w.notation, lang: w.lang, of }.plan_json()));
     out["work"] = json!(done.map(|d| work(&d.1)));
     out["notes"] = json!(notes.iter().map(diagnostic).collect::<Vec<_>>());
     out

@@ -1,0 +1,88 @@
+//! The plan of forces: the groups in the reverse of the solving order, each with its moments and its equation.
+
+use super::ForceWriter;
+use crate::plan::table;
+use hodograph_board::equilibrium::{About, Gives, GroupForces, Moments, Side};
+use hodograph_board::plan::names::{name_label, point_label};
+use hodograph_board::plan::text::Column;
+use hodograph_paper::paper::phrase::{formula, tr};
+use hodograph_scene::{Lang, LinkId};
+use serde_json::{Value as Json, json};
+
+impl ForceWriter<'_> {
+    /// The plan as lines of text, after the `before` equations of velocities and accelerations.
+    pub fn plan(&self, before: usize) -> String {
+        let mut out = format!("{}\n", tr(self.lang, "forces", "力"));
+        let mut number = before;
+        for group in &self.of.groups {
+            out += &format!("  {}\n", self.heading(group));
+            let (after, first): (Vec<&Moments>, Vec<&Moments>) = group.moments.iter().partition(|m| matches!(m.gives, Gives::Offset(_)));
+            let lines = |all: Vec<&Moments>| -> String { all.into_iter().map(|m| format!("  {}\n", self.moments_planned(m))).collect() };
+            out += &lines(first);
+            for sides in self.equations(group) {
+                number += 1;
+                let rows = table(self.lang, &self.planned(&sides));
+                out += &format!("  ({number}) {}\n", tr(self.lang, "equilibrium of forces", "力平衡"));
+                out.extend(rows.iter().map(|row| format!("      {}\n", row.trim_end())));
+            }
+            out += &lines(after);
+        }
+        out + &self.undrawn()
+    }
+
+    /// The plan for programs.
+    pub fn plan_json(&self) -> Json {
+        let names = |links: &[LinkId]| links.iter().map(|l| self.scene.link_name(*l)).collect::<Vec<_>>();
+        let both = |tex: &str| json!({"text": formula(tex), "tex": tex});
+        let moments = |m: &Moments| json!({"links": names(&m.links), "about": both(&self.about(m.about)), "gives": both(&self.given(m))});
+        let side = |s: &Side| json!({"symbol": both(&self.symbol(s.term)), "known": s.known});
+        let group = |g: &GroupForces| {
+            let equations: Vec<Json> = self.equations(g).iter().map(|sides| sides.iter().map(side).collect()).collect();
+            json!({"links": names(&g.links), "kind": g.kind, "moments": g.moments.iter().map(moments).collect::<Vec<_>>(), "equations": equations})
+        };
+        let undrawn =
+            |u: &hodograph_board::equilibrium::Undrawn| json!({"links": names(&u.links), "why": {"en": u.why.en, "zh": u.why.zh}});
+        json!({
+            "groups": self.of.groups.iter().map(group).collect::<Vec<_>>(),
+            "undrawn": self.of.undrawn.iter().map(undrawn).collect::<Vec<_>>(),
+        })
+    }
+
+    fn planned(&self, sides: &[Side]) -> Vec<Column> {
+        let terms = self.columns(sides).into_iter().enumerate().map(|(k, c)| Column {
+            joint: if k == 0 { "" } else { "+" },
+            symbol: c.symbol,
+            magnitude: if c.magnitude { &self.notation.known } else { &self.notation.unknown }.clone(),
+            direction: self.notation.known.clone(),
+            term: None,
+        });
+        let zero = Column { joint: "=", symbol: "0".into(), magnitude: String::new(), direction: String::new(), term: None };
+        terms.chain([zero]).collect()
+    }
+
+    fn moments_planned(&self, m: &Moments) -> String {
+        let names: Vec<&str> = m.links.iter().map(|l| self.scene.link_name(*l)).collect();
+        let (about, given) = (formula(&self.about(m.about)), formula(&self.given(m)));
+        match self.lang {
+            Lang::En => format!("moments of link{} {} about {about}: {given}", if names.len() > 1 { "s" } else { "" }, names.join(", ")),
+            Lang::Zh => format!("构件 {} 对 {about} 取矩：{given}", names.join("、")),
+        }
+    }
+
+    /// The point about which moments are taken, in the label language.
+    pub(super) fn about(&self, about: About) -> String {
+        match about {
+            About::Point(p) => point_label(self.scene.point_name(p)),
+            About::Crossing { at, .. } => self.crossing(at),
+        }
+    }
+
+    /// What moments give, in the label language.
+    fn given(&self, m: &Moments) -> String {
+        match m.gives {
+            Gives::Force(term, _) => self.symbol(term),
+            Gives::Offset(guide) => format!("h_{{{}}}", name_label(&self.pair(guide))),
+            Gives::Driver(d) => self.balance(d),
+        }
+    }
+}
