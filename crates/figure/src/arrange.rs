@@ -16,6 +16,8 @@ pub(super) struct Pieces {
     pub equations: Vec<(Part, Vec<Part>)>,
     /// The results.
     pub results: Part,
+    /// For each group of forces its drawings, and what is written of it.
+    pub forces: Vec<[Part; 2]>,
 }
 
 /// Between drawings, and between drawings and text.
@@ -37,6 +39,7 @@ pub(super) enum Along {
 }
 
 /// A tree of boxes; leaves are parts by index.
+#[derive(Clone)]
 pub(super) enum Tree {
     Leaf(usize),
     /// Air in a column.
@@ -225,6 +228,7 @@ struct Layout {
     drawings: Vec<usize>,
     equations: Vec<Vec<usize>>,
     results: usize,
+    forces: Vec<[usize; 2]>,
 }
 
 impl Layout {
@@ -243,7 +247,8 @@ impl Layout {
             .map(|(heading, lines)| std::iter::once(heading).chain(lines).map(&mut add).collect())
             .collect();
         let results = add(pieces.results);
-        Layout { parts, title, drawings, equations, results }
+        let forces = pieces.forces.into_iter().map(|group| group.map(&mut add)).collect();
+        Layout { parts, title, drawings, equations, results, forces }
     }
 
     /// The parts in their order, in rows: the drawings; the equations of each polygon, or of all in columns side by side; the results. At
@@ -253,6 +258,7 @@ impl Layout {
         let beside = |columns| vec![Tree::text_row(self.text_columns(columns))];
         let rows = |equations: Vec<Tree>, width_mm: f64| {
             let blocks = self.drawings.iter().map(|k| Tree::Leaf(*k)).chain(equations).chain([Tree::Leaf(self.results)]);
+            let blocks = blocks.chain(self.forces.iter().flatten().map(|k| Tree::Leaf(*k)));
             let rows = lines(blocks.collect(), self.drawings.len(), width_mm, &self.parts);
             Tree::column(self.title.map(Tree::Leaf).into_iter().chain(rows).collect())
         };
@@ -301,7 +307,21 @@ impl Layout {
         }
         all.push(vec![Tree::text_row(columns)]);
         let title = self.title;
-        all.into_iter().map(|rest| Tree::column(title.map(Tree::Leaf).into_iter().chain(rest).collect())).collect()
+        let with = |rest: &Vec<Tree>, forces: Vec<Tree>| {
+            Tree::column(title.map(Tree::Leaf).into_iter().chain(rest.iter().cloned()).chain(forces).collect())
+        };
+        all.iter().flat_map(|rest| self.forces_below().into_iter().map(|forces| with(rest, forces))).collect()
+    }
+
+    /// The forces of all groups below the rest: each in a row, or in columns side by side.
+    fn forces_below(&self) -> Vec<Vec<Tree>> {
+        let pair = |[a, b]: [usize; 2]| vec![Tree::Leaf(a), Tree::Leaf(b)];
+        let rows = vec![Tree::column(self.forces.iter().map(|group| Tree::row(pair(*group))).collect())];
+        let columns = |n: usize| {
+            let column = |groups: &[[usize; 2]]| Tree::column(groups.iter().flat_map(|group| pair(*group)).collect());
+            vec![Tree::text_row(self.forces.chunks(self.forces.len().div_ceil(n).max(1)).map(column).collect())]
+        };
+        if self.forces.is_empty() { vec![Vec::new()] } else { vec![rows, columns(2), columns(3)] }
     }
 
     /// All equations in so many columns of about the same height; a column never begins with the last line of a polygon.
@@ -311,11 +331,11 @@ impl Layout {
         let total: f64 = lines.iter().map(height).sum();
         let mut out: Vec<Vec<Tree>> = vec![Vec::new()];
         let mut done = 0.0;
-        for k in &lines {
+        for (n, k) in lines.iter().enumerate() {
             let h = height(k);
             let heading = self.equations.iter().any(|e| e[0] == *k);
-            // A line goes where its middle falls; a heading where the middle of the line after it would.
-            let middle = done + if heading { h + LINE_GAP_MM } else { h / 2.0 };
+            // A line goes where its middle falls; a heading goes with the line after it.
+            let middle = done + if heading { h + lines.get(n + 1).map_or(0.0, height) / 2.0 } else { h / 2.0 };
             let column = ((middle / total * columns as f64) as usize).min(columns - 1);
             if column >= out.len() {
                 out.push(Vec::new());

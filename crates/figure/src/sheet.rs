@@ -20,7 +20,7 @@ use super::described::described;
 use super::mechanism::{Overlay, dimensions};
 use super::results::Answers;
 use super::tables::Tables;
-use super::{mechanism, polygon, results};
+use super::{forces, mechanism, polygon, results};
 use hodograph_paper::paper::drawing::Part;
 use hodograph_paper::paper::grid::{self, Cell, Row};
 use hodograph_paper::paper::item::{Anchor, Colour, Figure, Item, Shape};
@@ -54,6 +54,8 @@ impl Options {
 pub(super) const MARGIN_MM: f64 = 8.0;
 /// The least width of the list of what is given.
 const GIVEN_MM: f64 = 90.0;
+/// Width of the sentences on forces beside their drawings.
+const FORCES_MM: f64 = 110.0;
 /// From a drawing to its caption's baseline.
 const CAPTION_MM: f64 = 8.0;
 /// From the caption's baseline to the scale's.
@@ -70,7 +72,7 @@ pub fn sheet(scene: &Scene, worked: &Worked, options: &Options) -> Result<Figure
     let drawings = maker.drawings(true);
     let equations = maker.equations(&steps(scene, worked, None), None);
     let results = results::results(&options.style, &maker.answers());
-    let pieces = Pieces { title, drawings, equations, results };
+    let pieces = Pieces { title, drawings, equations, results, forces: forces::pieces(&maker, FORCES_MM) };
     let (items, size) = arrange(pieces, scene.paper.size_mm, MARGIN_MM)?;
     Ok(maker.figure(items, size))
 }
@@ -132,7 +134,13 @@ pub fn sheet_in(scene: &Scene, worked: &Worked, options: &Options, width_mm: f64
         let mut on = levels.iter();
         drawings.retain(|part| on.next() == Some(&DiagramKind::Plane) || fits(part));
     }
-    let pieces = Pieces { title, drawings, equations, results };
+    let mut forces = forces::pieces(&maker, FORCES_MM.min(width_mm));
+    let wide = |group: &[Part; 2]| !group.iter().all(fits);
+    if fewer > Fewer::No && forces.iter().any(wide) {
+        forces.clear();
+        out.push(both!("the forces", "受力分析"));
+    }
+    let pieces = Pieces { title, drawings, equations, results, forces };
     let (items, size) = arrange_in(pieces, width_mm);
     (maker.figure(items, size), out)
 }

@@ -43,6 +43,15 @@ pub fn group(scene: &Scene, worked: &Worked, options: &Options, k: usize) -> Opt
     Some(maker.alone(named(part, k)))
 }
 
+/// For each group its drawings and what is written of it, as parts of a sheet.
+pub(crate) fn pieces(maker: &Maker, width_mm: f64) -> Vec<[Part; 2]> {
+    let Some(of) = &maker.worked.equilibrium else { return Vec::new() };
+    let Maker { scene, options, .. } = *maker;
+    let page = Page { maker, w: ForceWriter { scene, notation: &options.notation, lang: options.lang, of }, of };
+    let of_group = |(k, group)| [named(page.drawings(group), k), named(page.words(group, width_mm), k)];
+    of.groups.iter().enumerate().map(of_group).collect()
+}
+
 struct Page<'a> {
     maker: &'a Maker<'a>,
     w: ForceWriter<'a>,
@@ -61,11 +70,17 @@ impl Page<'_> {
 
     /// A group: its links apart beside its polygon, what is said of it below.
     fn row(&self, k: usize, group: &GroupForces) -> Part {
-        let drawings = self.drawings(group);
-        let tables: Vec<Part> = self.w.equations(group).iter().enumerate().map(|(k, sides)| self.table(sides, k)).collect();
-        let (before, after) = (self.text(&self.w.before(group), "moments"), self.text(&self.w.after(group), "results"));
-        let parts: Vec<Part> = [drawings, before].into_iter().chain(tables).chain([after]).filter(|p| !p.items.is_empty()).collect();
+        let parts = vec![self.drawings(group), self.words(group, TEXT_MM)];
         named(put_together(Tree::text_column((0..parts.len()).map(Tree::Leaf).collect()), parts), k)
+    }
+
+    /// Moments, equations and results of a group.
+    fn words(&self, group: &GroupForces, width_mm: f64) -> Part {
+        let tables: Vec<Part> = self.w.equations(group).iter().enumerate().map(|(k, sides)| self.table(sides, k)).collect();
+        let text = |sentences: &[Phrase], name| self.text(sentences, name, width_mm);
+        let (before, after) = (text(&self.w.before(group), "moments"), text(&self.w.after(group), "results"));
+        let parts: Vec<Part> = std::iter::once(before).chain(tables).chain([after]).filter(|p| !p.items.is_empty()).collect();
+        put_together(Tree::text_column((0..parts.len()).map(Tree::Leaf).collect()), parts)
     }
 
     /// The links apart beside the polygon, with their captions.
@@ -115,9 +130,9 @@ impl Page<'_> {
     }
 
     /// Sentences, one below the other.
-    fn text(&self, sentences: &[Phrase], name: &str) -> Part {
+    fn text(&self, sentences: &[Phrase], name: &str, width_mm: f64) -> Part {
         let style = self.style();
-        let lines = sentences.iter().flat_map(|s| wrapped(s, TEXT_MM, style.small_mm, &style.fonts));
+        let lines = sentences.iter().flat_map(|s| wrapped(s, width_mm, style.small_mm, &style.fonts));
         let row = |(k, label): (usize, Label)| Row {
             cells: vec![Some(Cell {
                 label: label.in_fonts(&style.fonts),
