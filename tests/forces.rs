@@ -1,5 +1,10 @@
 //! Forces against virtual work: on every template each moving link is loaded, and the drivers' balancing moments and forces must do the opposite work.
 
+#[path = "forces/drawn.rs"]
+mod drawn;
+#[path = "forces/sweeps.rs"]
+mod sweeps;
+
 use hodograph::answer::{Source, Value};
 use hodograph::certified::ladder::{Part, certify};
 use hodograph::diag::Warned;
@@ -8,9 +13,8 @@ use hodograph::geom::Vec2;
 use hodograph::mechanism::Mechanism;
 use hodograph::scene::quantity::contacts;
 use hodograph::scene::{self, GuidePath, LinkId, PointId, Scene, templates};
+use hodograph::sweep::Placed;
 use hodograph::sweep::energy::{self, Energy};
-use hodograph::sweep::vary::Variation;
-use hodograph::sweep::{self, Placed, station};
 use hodograph::worked::{Scope, Worked, work};
 use serde_json::{Value as Json, json};
 
@@ -311,161 +315,5 @@ fn links_press_on_each_other_alike() {
     }
     println!("{checked} reactions");
     assert!(checked > 150, "{checked} reactions");
-    assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
-}
-
-/// A sweep over a parameter says what the file with that value says, also of parameters of loads, friction and strokes.
-#[test]
-fn sweeps_over_parameters_of_loads_are_their_scenes() {
-    let cases = [
-        ("engine-forces", "r", "50 mm"),
-        ("engine-forces", "F_z", "10 kN"),
-        ("compressor-friction", "rho_B", "1 mm"),
-        ("shaper-forces", "l_O2A", "100 mm"),
-    ];
-    for (name, parameter, value) in cases {
-        let text = templates::instantiate(name, &[(parameter, value)]).unwrap();
-        let scene = scene::read(&text).unwrap().value;
-        let worked = work(&scene, Scope::Questions).unwrap().value;
-        let Some(Value::Scalar(expected)) = answer(&scene, &worked, "M_b") else { panic!("{name}: no moment") };
-        let own = scene::read(templates::get(name).unwrap()).unwrap().value;
-        let variation = Variation::new(&own, &[parameter]).unwrap();
-        let mut varied = own.clone();
-        variation.set(&mut varied, &[variation.value(&own, parameter, value).unwrap()]).unwrap();
-        let worked = work(&varied, Scope::Questions).unwrap().value;
-        let Some(Value::Scalar(found)) = answer(&varied, &worked, "M_b") else { panic!("{name}: no moment") };
-        near(found, expected);
-    }
-}
-
-/// A leg from a pin X of the link 4 to the ground, as parts of a scene: links, guides and a driver. `G` and `H` are the ground's points there.
-fn leg(kind: &str, x: &str, g: &str, link: &str) -> (Json, Json, Json) {
-    let (none, slot) = (json!([]), if x == "Q" { "QV" } else { "RW" });
-    match kind {
-        "bar" => (json!({link: [x, g]}), none.clone(), none),
-        "block" => (json!({link: [x]}), json!([{"slider": link, "on": "1", "pin": x, "angle": "25 deg"}]), none),
-        "sleeve" => (json!({link: [g]}), json!([{"pin": g, "slider": link, "on": "4", "line": slot}]), none),
-        "slot" => (json!({}), json!([{"pin": g, "on": "4", "line": slot}]), none),
-        _ => (json!({}), none, json!([{"cylinder": format!("{x}{g}"), "rate": "0.3 m/s"}])),
-    }
-}
-
-/// A link on three legs of all kinds, loaded everywhere: the drawing gives all reactions, and they are those of the rows.
-#[test]
-fn a_link_on_three_legs_is_drawn() {
-    let kinds = ["bar", "block", "sleeve", "slot", "cylinder"];
-    let mut failures = Vec::new();
-    for (a, b) in kinds.iter().flat_map(|a| kinds.iter().map(move |b| (a, b))) {
-        let (to_q, to_r) = (leg(a, "Q", "G", "5"), leg(b, "R", "H", "6"));
-        let mut links = json!({"1": ["O", "G", "H"], "2": ["O", "A"], "3": ["A", "P"], "4": ["P", "Q", "V", "R", "W", "T"]});
-        for part in [&to_q.0, &to_r.0] {
-            links.as_object_mut().unwrap().extend(part.as_object().unwrap().clone());
-        }
-        let list = |a: &Json, b: &Json| -> Vec<Json> { [a, b].into_iter().flat_map(|l| l.as_array().unwrap().clone()).collect() };
-        let crank = json!([{"link": "2", "omega": "2 rad/s", "alpha": "1 rad/s^2"}]);
-        let drivers = list(&crank, &json!(list(&to_q.2, &to_r.2)));
-        let named: Vec<String> = links.as_object().unwrap().keys().filter(|l| *l != "1").cloned().collect();
-        // A block that slides on the link has couples only.
-        let sleeve = |l: &str| (l == "5" && *a == "sleeve") || (l == "6" && *b == "sleeve");
-        let forces = named.iter().enumerate().flat_map(|(k, l)| {
-            let point = links[l].as_array().unwrap().last().unwrap().clone();
-            let force = json!({"on": l, "at": point, "F": [format!("{} N", 40 + 13 * k), format!("{} N", 17 * k as i32 - 50)]});
-            let couple = json!({"on": l, "M": format!("{} N*m", 7 + 3 * k)});
-            if sleeve(l) { vec![couple] } else { vec![force, couple] }
-        });
-        let mut find = vec!["F_12".to_owned(), "F_23".into(), "F_34".into(), "M_b".into()];
-        for (kind, l) in [(a, "5"), (b, "6")] {
-            find.extend(match *kind {
-                "slot" => vec!["F_14".to_owned()],
-                "cylinder" => vec![],
-                "bar" => vec![format!("F_{l}4"), format!("F_1{l}")],
-                _ => vec![format!("F_{l}4"), format!("F_1{l}"), format!("h_{}{l}", if *kind == "block" { "1" } else { "4" })],
-            });
-        }
-        if (*a, *b) == ("slot", "slot") {
-            find.retain(|f| f != "F_14");
-        }
-        let scene = json!({
-            "links": links, "ground": "1", "driver": drivers, "guides": list(&to_q.1, &to_r.1),
-            "points": {
-                "O": ["0 m", "0 m"], "A": ["1 m", "2 m"], "P": ["4 m", "5 m"], "Q": ["7 m", "4.2 m"], "R": ["6.1 m", "7.3 m"], "T": ["5.5 m", "5.7 m"],
-                "G": ["9 m", "0.3 m"], "H": ["2 m", "10 m"], "V": ["8 m", "2.25 m"], "W": ["4.05 m", "8.65 m"]
-            },
-            "gravity": ["0", "-9.81 m/s^2"], "masses": {"4": {"m": "5 kg", "J": "4 kg*m^2", "at": "T"}, "3": {"m": "2 kg", "J": "1 kg*m^2", "at": "A"}},
-            "forces": forces.collect::<Vec<_>>(), "find": find
-        });
-        let scene = scene::read(scene.to_string()).unwrap_or_else(|f| panic!("{a} {b}: {f}")).value;
-        let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{a} {b}: {f}")).value;
-        for r in &worked.results {
-            let find = &scene.find[r.find].text;
-            match r.agreement {
-                None => failures.push(format!("{a} {b}: {find} is not drawn")),
-                Some(agreement) if !agreement.holds() => failures.push(format!("{a} {b}: {find}: {agreement:?}")),
-                Some(_) => {}
-            }
-        }
-    }
-    assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
-}
-
-/// The balancing moment of a sweep has a compiled form, by the work of the loads. Beside a reaction, which has none, each row is solved by itself: both
-/// say the same.
-#[test]
-fn compiled_balancing_moments_are_those_of_each_position() {
-    let (mut failures, mut compiled) = (Vec::new(), 0);
-    for template in templates::list() {
-        let (name, text) = (template.name, templates::get(template.name).unwrap());
-        let Ok(plain) = scene::read(text) else { continue };
-        let [driver] = &plain.value.drivers[..] else { continue };
-        // It is followed by Newton's method in seconds.
-        if name == "double-butterfly" {
-            continue;
-        }
-        let mut json = if plain.value.loads.is_empty() { loaded(text, &plain.value).0 } else { serde_json::from_str(text).unwrap() };
-        json.as_object_mut().unwrap().remove("friction");
-        if driver.kind.angle().is_some() {
-            let link = plain.value.link_name(driver.kind.turned().unwrap().0);
-            let points =
-                json!([["0 deg", "10 N*m"], ["90 deg", "20 N*m"], ["90 deg", "-5 N*m"], ["200 deg", "7 N*m"], ["360 deg", "10 N*m"]]);
-            let forces = json["forces"].as_array_mut().unwrap();
-            forces.push(json!({"on": link, "diagram": {"turn": link, "points": points}}));
-            forces.push(json!({"on": link, "M": "3 N*m", "against": "motion"}));
-        }
-        let balance = if driver.kind.turns() { "M_b" } else { "F_b" };
-        let name_of = |l: usize| plain.value.link_name(LinkId(l));
-        let pairs = (0..plain.value.links.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
-        let joined = |(i, j): &(usize, usize)| matches!(contacts(&plain.value, LinkId(*i), LinkId(*j))[..], [_]);
-        let Some((i, j)) = pairs.into_iter().find(joined) else { continue };
-        let reaction = format!("F_{},{}", name_of(i), name_of(j));
-        let mut run = |find: Json| {
-            json["find"] = find;
-            let scene = scene::read(json.to_string()).unwrap_or_else(|f| panic!("{name}: {f}")).value;
-            let mechanism = Mechanism::new(&scene).unwrap().value;
-            let placed = Placed::new(&scene, &mechanism).unwrap_or_else(|f| panic!("{name}: {f}"));
-            let now = station::position_now(&scene, &placed.at, 0);
-            let step = if driver.kind.turns() { 0.37 } else { 0.01 * placed.at.extent() };
-            let values = (-4..=4).map(|k| now + step * f64::from(k)).collect();
-            sweep::of_values(&placed, 0, values).unwrap()
-        };
-
-        let fast = run(json!([balance, "P"]));
-        if fast.notes.iter().any(|n| n.code == "no-kernel") {
-            continue;
-        }
-        let slow = run(json!([balance, "P", reaction]));
-        compiled += 1;
-        for k in 1..=2 {
-            let (a, b) = (&fast.columns[k].values, &slow.columns[k].values);
-            let size = a.iter().chain(b).filter(|x| x.is_finite()).fold(0.0, |m: f64, x| m.max(x.abs()));
-            for (row, (a, b)) in a.iter().zip(b).enumerate() {
-                // A reaction that is not determined leaves its row without numbers.
-                if b.is_finite() && !((a - b).abs() <= 1e-9 * size) {
-                    failures.push(format!("{name}: column {k}, row {row}: compiled {a}, solved {b}"));
-                }
-            }
-        }
-    }
-    println!("{compiled} templates");
-    assert!(compiled > 30, "{compiled} templates");
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
 }

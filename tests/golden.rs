@@ -15,8 +15,8 @@ mod wide;
 mod worksheet;
 
 use files::{
-    ASKED, CAM, CENTRES, CURVATURE, CURVES, DESIGNS, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POSES, SHOWN, accept, check_png,
-    check_text, finish, golden, kept,
+    ASKED, CAM, CENTRES, CURVATURE, CURVES, DESIGNS, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POLAR, POSES, SHOWN, accept,
+    check_png, check_text, finish, golden, kept,
 };
 use hodograph::cam::Survey;
 use hodograph::centres;
@@ -309,6 +309,24 @@ fn line_diagrams_look_as_accepted() {
         let found = stroke[0] - stroke[1];
         let nearest = limits.swings.iter().filter_map(|s| s.stroke).map(|m| (m * 1e3 - found).abs()).fold(f64::INFINITY, f64::min);
         assert!(nearest < 1e-6, "stroke {found} mm, {nearest} mm from that of the limits");
+    }
+    finish(&failures);
+}
+
+/// Forces through a turn, drawn from one pole.
+#[test]
+fn polar_diagrams_look_as_accepted() {
+    let mut failures = Vec::new();
+    let scene = scene::read(edit::with_find(templates::get(POLAR).unwrap(), &["F_12", "F_sh"]).unwrap()).unwrap().value;
+    let mechanism = Mechanism::new(&scene).unwrap().value;
+    let placed = Placed::new(&scene, &mechanism).unwrap();
+    let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 360), Width::Widest).unwrap();
+    for (lang, suffix) in LANGS {
+        let notation = Notation::of_language(lang);
+        let figure = curves::polar(&scene, Swept::Driver(0), &table, &Style::default(), &notation, lang).unwrap();
+        let drawn = svg::write(&figure).unwrap();
+        assert!(drawn.notes.is_empty(), "{:?}", drawn.notes);
+        check_png(&golden(POLAR, &format!("polar.{suffix}.png")), &raster::render(&drawn.value, 110.0).unwrap(), &mut failures);
     }
     finish(&failures);
 }

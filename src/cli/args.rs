@@ -353,6 +353,10 @@ pub struct Curves {
     pub range: Range,
     #[command(flatten)]
     pub look: Look,
+    /// The vectors that are asked for, each from one pole, in place of line diagrams: the polar diagram of a bearing's force, the hodograph of
+    /// a velocity
+    #[arg(long)]
+    pub polar: bool,
     /// The file, ending in .svg or .png (all panels over one another) or .pdf (pages of A4), or `-` for standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: String,

@@ -62,15 +62,26 @@ pub fn run(a: Curves) -> Run {
         return Err(input.failed(faults));
     }
     let (lang, notation) = choices(&input.scene, &a.common);
-    let diagram = Diagram::swept(&input.scene, swept, &table, &*swept_at, &style.marks.over(&notation));
-    if diagram.is_empty() {
+    let notation = style.marks.over(&notation);
+    let nothing = |table: Table| {
         let d = Diagnostic::error("no-curve", both!("nothing that is asked has a curve", "所求各量均无曲线可画"));
         let mut faults: Faults = d.help(both!("ask for other quantities with --find", "请用 --find 另选所求的量")).into();
         faults.list.extend(table.notes);
-        return Err(input.failed(faults));
-    }
-    let (one, pages) = (|| curves::figure(&input.scene, &diagram, &style, lang), || curves::pages(&input.scene, &diagram, &style, lang));
-    let Warned { value: names, notes } = files::figure_or_pages(one, pages, &places)?;
+        faults
+    };
+    let Warned { value: names, notes } = if a.polar {
+        let figure = curves::polar(&input.scene, swept, &table, &style, &notation, lang);
+        let Some(figure) = figure else { return Err(input.failed(nothing(table))) };
+        files::figure_or_pages(|| figure.clone(), || vec![figure.clone()], &places)?
+    } else {
+        let diagram = Diagram::swept(&input.scene, swept, &table, &*swept_at, &notation);
+        if diagram.is_empty() {
+            return Err(input.failed(nothing(table)));
+        }
+        let (one, pages) =
+            (|| curves::figure(&input.scene, &diagram, &style, lang), || curves::pages(&input.scene, &diagram, &style, lang));
+        files::figure_or_pages(one, pages, &places)?
+    };
     input.file.notes.extend(notes);
     files::print_names(&names)?;
     input.file.notes.extend(table.notes);

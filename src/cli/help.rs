@@ -256,6 +256,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("batch", "seed", "另一个种子给出另一批随机机构"),
     ("batch", "output", "写入以 .csv、.npy 或 .parquet 结尾的文件，或 `-`（标准输出）；中断后可由此继续"),
     ("curves", "", "线图：位移、速度、加速度随原动件位置的变化，标出极值"),
+    ("curves", "polar", "以所求矢量的矢端曲线图代替线图：轴承反力的极坐标图、速度的矢端曲线"),
     ("curves", "output", "以 .svg、.png（各图上下排列）或 .pdf（A4 页面）结尾的文件，或 `-`（标准输出）"),
     ("path", "", "在机构上画点的轨迹（连杆曲线），及其速度和加速度的矢端曲线"),
     ("path", "*after", "曲线数值的表：hodograph sweep SCENE --find x_E,y_E,v_E,a_E -o curves.csv"),

@@ -34,6 +34,8 @@ pub const SCENES: &[(&str, &str)] = &[
     ("shaper-forces", include_str!("../shaper-forces.json")),
     ("engine-forces", include_str!("../engine-forces.json")),
     ("compressor-friction", include_str!("../compressor-friction.json")),
+    ("toggle-clamp", include_str!("../toggle-clamp.json")),
+    ("loader-forces", include_str!("../loader-forces.json")),
     ("watt-six-bar", include_str!("../watt-six-bar.json")),
     ("stephenson-six-bar", include_str!("../stephenson-six-bar.json")),
     ("class-iii-six-bar", include_str!("../class-iii-six-bar.json")),

@@ -85,7 +85,7 @@ pub const ASKED: [(&str, &str); 12] = [
 ];
 
 /// What the gallery shows beside the sheets: title, the command that draws it, the picture.
-pub const SHOWN: [(&str, &str, &str); 34] = [
+pub const SHOWN: [(&str, &str, &str); 35] = [
     ("Forces with friction: circles and angles", "draw --figure forces", "compressor-friction/forces.en.png"),
     ("Dimensions: to draw the mechanism again", "draw --dimensions", "crank-rocker/dimensions.en.png"),
     ("Vectors, positions and the path of a point", "draw --vectors velocity --poses 6 --path S", "offset-slider-crank/overlay.png"),
@@ -98,6 +98,7 @@ pub const SHOWN: [(&str, &str, &str); 34] = [
     ("Many positions to one set of scales", "draw --poses 12 --path E", "crank-rocker/poses.en.png"),
     ("The path of a point with its hodographs", "path", "crank-rocker/path.en.png"),
     ("Line diagrams of a turn", "curves", "shaper/curves.en.png"),
+    ("Polar diagrams: a bearing's force, the shaking force", "curves --find F_12,F_sh --polar", "engine-forces/polar.en.png"),
     ("Instantaneous centres", "draw --figure centres", "crank-rocker/centres.en.png"),
     ("Curvature: inflection circle, centres of curvature", "draw --figure curvature", "crank-rocker/curvature.en.png"),
     ("Centrodes", "draw --figure centrodes", "crank-rocker/centrodes.en.png"),
@@ -122,6 +123,8 @@ pub const SHOWN: [(&str, &str, &str); 34] = [
     ("The style for a dark room", "draw --style dark", "jansen-leg/dark.png"),
 ];
 
+/// A template with polar diagrams.
+pub const POLAR: &str = "engine-forces";
 /// Worksheets on mobility: a virtual constraint; a compound hinge and higher pairs.
 pub const MOBILITY: [&str; 3] = ["third-crank", "planetary-gear", "three-planets"];
 /// Motions without a mechanism.
@@ -147,6 +150,7 @@ pub fn kept() -> BTreeSet<String> {
     KINDS.iter().for_each(|(t, kind, _)| in_both(t, &[&format!("{kind}.png")]));
     ASKED.iter().for_each(|(t, figure)| in_both(t, &[&format!("{figure}.LANG.png")]));
     CURVES.iter().for_each(|t| in_both(t, &["curves.LANG.png"]));
+    in_both(POLAR, &["polar.LANG.png"]);
     PATHS.iter().for_each(|(t, ..)| in_both(t, &["path.LANG.png"]));
     POSES.iter().for_each(|(t, ..)| in_both(t, &["poses.LANG.png"]));
     CENTRES.iter().for_each(|t| in_both(t, &["centres.LANG.png", "centres.LANG.txt"]));

@@ -280,23 +280,8 @@ impl Maker<'_> {
     }
 
     /// A part with its name and its scales below; `id` tells these labels from those of other parts.
-    pub fn titled(&self, mut part: Part, words: Label, mu: &str, id: &str) -> Part {
-        let x = part.bounds.centre().x;
-        let y = part.bounds.min.y - self.options.style.leading(CAPTION_MM);
-        let text = |at: Point, label: Label, size_mm: f64, what: &str| {
-            let label = label.in_fonts(&self.options.style.fonts);
-            let shape = Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
-            Item::new(what, shape).with_id(format!("{what}-{id}"))
-        };
-        part.items.push(text(Point::new(x, y), words, self.options.style.caption_mm, "caption"));
-        part.items.push(text(
-            Point::new(x, y - self.options.style.leading(SCALE_MM)),
-            Label::math(mu),
-            self.options.style.small_mm,
-            "scale",
-        ));
-        let (placements, left_out) = (part.placements, part.left_out);
-        Part { placements, left_out, ..Part::of(part.items) }
+    pub fn titled(&self, part: Part, words: Label, mu: &str, id: &str) -> Part {
+        titled(&self.options.style, part, words, mu, id)
     }
 
     /// Below a dimensioned drawing, all that is given and not drawn as a dimension.
@@ -372,6 +357,21 @@ impl Maker<'_> {
         self.options.style.palette.paint(&mut figure);
         figure
     }
+}
+
+/// A part with its name and its scales below; `id` tells these labels from those of other parts.
+pub(super) fn titled(style: &Style, mut part: Part, words: Label, mu: &str, id: &str) -> Part {
+    let x = part.bounds.centre().x;
+    let y = part.bounds.min.y - style.leading(CAPTION_MM);
+    let text = |at: Point, label: Label, size_mm: f64, what: &str| {
+        let label = label.in_fonts(&style.fonts);
+        let shape = Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
+        Item::new(what, shape).with_id(format!("{what}-{id}"))
+    };
+    part.items.push(text(Point::new(x, y), words, style.caption_mm, "caption"));
+    part.items.push(text(Point::new(x, y - style.leading(SCALE_MM)), Label::math(mu), style.small_mm, "scale"));
+    let (placements, left_out) = (part.placements, part.left_out);
+    Part { placements, left_out, ..Part::of(part.items) }
 }
 
 /// What goes on from pose to pose in the label language, and what it is: `\varphi_{1}` an angle, `s_{B}` or `l_{BC}` a length, `t` a time.

@@ -2,16 +2,16 @@
 
 mod friction;
 mod plan;
+mod symbols;
 
 use hodograph_base::digits::{inked, significant};
 use hodograph_base::geom::Vec2;
 use hodograph_base::notation::Notation;
-use hodograph_board::construction::{MarkId, Name};
-use hodograph_board::equilibrium::{About, Equilibrium, Gives, GroupForces, Moments, Part, Party, Side, Term};
-use hodograph_board::plan::names::{crossing_letter, name_label};
-use hodograph_mechanism::force::Cause;
+use hodograph_board::construction::MarkId;
+use hodograph_board::equilibrium::{About, Equilibrium, Gives, GroupForces, Moments, Party, Side, Term};
+use hodograph_board::plan::names::name_label;
 use hodograph_paper::paper::phrase::{Phrase, tr};
-use hodograph_scene::{DiagramKind, GuideId, Kind, Lang, LinkId, PointId, Rub, Scene, Size};
+use hodograph_scene::{Kind, Lang, Scene};
 
 /// Digits of measured lengths and forces in sentences: one more than a ruler gives.
 const DIGITS: usize = 4;
@@ -42,107 +42,6 @@ pub struct ForceColumn {
 }
 
 impl ForceWriter<'_> {
-    /// The symbol of a force, in the label language: `F^{t}_{12}`, `G_{2}`, `F_{I2}`.
-    pub fn symbol(&self, term: Term) -> String {
-        match self.marks(term) {
-            (letter, sup, sub) if sup.is_empty() => format!("{letter}_{{{sub}}}"),
-            (letter, sup, sub) => format!("{letter}^{{{sup}}}_{{{sub}}}"),
-        }
-    }
-
-    /// The letter of a force, its superscript and its subscript.
-    fn marks(&self, term: Term) -> (char, &str, String) {
-        let (of, on, part) = match term {
-            Term::Load(k) => {
-                let (letter, sub) = self.load(k);
-                return (letter, "", sub);
-            }
-            Term::Reaction { of, on, part } => (of, on, part),
-        };
-        let link = |l: LinkId| name_label(self.scene.link_name(l));
-        let long = [Some(on), if let Party::Link(l) = of { Some(l) } else { None }];
-        let comma = if long.into_iter().flatten().any(|l| self.scene.link_name(l).chars().count() > 1) { "," } else { "" };
-        let sub = match of {
-            Party::Link(l) => format!("{}{comma}{}", link(l), link(on)),
-            Party::Pin(p) => format!("{}{comma}{}", name_label(self.scene.point_name(p)), link(on)),
-            Party::Cylinder(d) | Party::Driver(d) => {
-                let number = if self.scene.drivers.len() > 1 { (d + 1).to_string() } else { String::new() };
-                return ('F', "", format!("b{number}"));
-            }
-        };
-        let sup = match self.part(of, on, part) {
-            Part::Whole => "",
-            Part::Normal => "n",
-            Part::Tangential => &self.notation.tangential,
-        };
-        ('F', sup, format!("{}{sub}", self.notation.reaction))
-    }
-
-    /// The letter and the subscript of a load; of a load that is a couple alone those of its couple.
-    fn load(&self, k: usize) -> (char, String) {
-        let load = &self.of.loads[k];
-        let link = name_label(self.scene.link_name(load.link));
-        let at = |p: PointId| name_label(self.scene.point_name(p));
-        match load.cause {
-            Cause::Weight => ('G', link),
-            Cause::Inertia => ('F', format!("I{link}")),
-            Cause::Balance => ('F', "b".into()),
-            Cause::Teeth(_) => ('F', "r".into()),
-            Cause::Friction(k) => match self.scene.loads.friction[k].at {
-                Rub::Pin { point, .. } => ('M', format!("f{}", at(point))),
-                Rub::Guide { .. } => ('F', format!("f{link}")),
-            },
-            Cause::Spring(s) => ('F', self.scene.loads.springs[s].ends.map(|(p, _)| at(p)).concat()),
-            Cause::Applied(a) => {
-                let applied = &self.scene.loads.applied[a];
-                let same = |other: &&hodograph_scene::Applied| other.at == applied.at && other.link == applied.link;
-                let twins = self.scene.loads.applied.iter().filter(same).count();
-                let number = if twins > 1 { format!(",{}", a + 1) } else { String::new() };
-                match (applied.at, &applied.size) {
-                    (Some(_), Size::AgainstMotion(_)) => ('F', format!("r{number}")),
-                    (Some(p), _) => ('F', format!("{}{number}", at(p))),
-                    (None, _) => ('M', format!("{link}{number}")),
-                }
-            }
-        }
-    }
-
-    /// A force as `find` writes it: `F_12`, `Fn_12`.
-    pub fn plain(&self, term: Term) -> String {
-        match term {
-            Term::Load(_) => self.symbol(term).replace(['{', '}', '\\'], ""),
-            Term::Reaction { of, on, part } => {
-                let letter = match self.part(of, on, part) {
-                    Part::Whole => "F",
-                    Part::Normal => "Fn",
-                    Part::Tangential => "Ft",
-                };
-                let on = self.scene.link_name(on);
-                match of {
-                    Party::Link(l) => format!(
-                        "{letter}_{}{}{on}",
-                        self.scene.link_name(l),
-                        if self.scene.link_name(l).len() + on.len() > 2 { "," } else { "" }
-                    ),
-                    Party::Pin(p) => format!("{letter}_{}{on}", self.scene.point_name(p)),
-                    Party::Cylinder(d) | Party::Driver(d) => format!("F_b{}", if d > 0 { (d + 1).to_string() } else { String::new() }),
-                }
-            }
-        }
-    }
-
-    /// The symbol of a load's couple.
-    pub fn couple_of(&self, load: usize) -> String {
-        self.couple(Term::Load(load))
-    }
-
-    /// The name of the arm of a force: `h_{G2}`.
-    pub fn arm_name(&self, term: Term) -> String {
-        let (letter, sup, sub) = self.marks(term);
-        let letter = if letter == 'F' { String::new() } else { letter.to_string() };
-        format!("h_{{{letter}{sup}{sub}}}")
-    }
-
     /// The direction of a force wherever it is drawn.
     pub fn direction(&self, term: Term) -> Option<Vec2> {
         if let Term::Load(k) = term {
@@ -158,19 +57,6 @@ impl ForceWriter<'_> {
             sides.find(|s| s.term == t).and_then(|s| self.of.force(s.vector)?.unit())
         };
         find(term).or_else(|| opposite.and_then(find))
-    }
-
-    /// The symbol of the couple of a load or of what presses on a link.
-    fn couple(&self, term: Term) -> String {
-        match term {
-            Term::Load(k) => match self.of.loads[k].cause {
-                Cause::Inertia => format!("M_{{I{}}}", name_label(self.scene.link_name(self.of.loads[k].link))),
-                Cause::Applied(_) | Cause::Weight | Cause::Spring(_) | Cause::Balance | Cause::Teeth(_) | Cause::Friction(_) => {
-                    self.symbol(term)
-                }
-            },
-            Term::Reaction { .. } => self.symbol(term).replacen('F', "M", 1),
-        }
     }
 
     /// The equations of a group, each a list of its forces, whose sum is zero.
@@ -268,31 +154,6 @@ impl ForceWriter<'_> {
         };
         let find = |t: Term| self.of.groups.iter().find_map(|g| self.size(g, t));
         find(term).or_else(|| opposite.and_then(find))
-    }
-
-    /// The letter of a crossing of lines of action.
-    pub fn crossing(&self, at: MarkId) -> String {
-        let letter = crossing_letter(self.scene);
-        let c = &self.of.construction;
-        let crossings =
-            c.marks.iter().enumerate().filter(|(_, m)| c.diagrams[m.on.index()] == DiagramKind::Plane && matches!(m.name, Name::Image(_)));
-        let all: Vec<usize> = crossings.map(|(k, _)| k).collect();
-        match all.iter().position(|k| *k == at.index()) {
-            Some(k) if all.len() > 1 => format!("{letter}_{{{}}}", k + 1),
-            _ => letter.to_owned(),
-        }
-    }
-
-    /// The links that a guide joins, as a subscript.
-    fn pair(&self, guide: GuideId) -> String {
-        let g = &self.scene.guides[guide.0];
-        g.slider.map_or_else(String::new, |s| format!("{}{}", self.scene.link_name(g.on), self.scene.link_name(s)))
-    }
-
-    /// The balancing moment of a driver.
-    fn balance(&self, driver: usize) -> String {
-        let number = if self.scene.drivers.len() > 1 { (driver + 1).to_string() } else { String::new() };
-        format!("M_{{b{number}}}")
     }
 
     /// A sentence of moments: what turns, with arms as measured, and what it gives.

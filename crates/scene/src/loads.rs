@@ -196,8 +196,10 @@ pub struct Friction {
 pub enum Rub {
     /// A pin, with the radius (m) of its friction circle.
     Pin {
-        /// The pin, fast in the first of its links.
+        /// The pin.
         point: PointId,
+        /// The link in which it is fast: on it the others turn.
+        fast: LinkId,
         /// The radius ρ = f r.
         circle: Given,
     },

@@ -347,7 +347,7 @@ fn what_is_said_about_bad_scenes() {
             "friction",
             with(
                 "friction",
-                r#"[{"pin": "B"}, {"pin": "B", "slider": "3", "f": 0.1}, {"pin": "Q", "circle": "3 mm"}, {"slider": "3", "f": 0.1}, {"slider": "3"}, {"pin": "B", "radius": "2 mm", "f": -0.1}]"#,
+                r#"[{"pin": "B"}, {"pin": "B", "slider": "3", "f": 0.1}, {"pin": "Q", "circle": "3 mm"}, {"slider": "3", "f": 0.1}, {"slider": "3"}, {"pin": "B", "radius": "2 mm", "f": -0.1}, {"pin": "B", "on": "4", "circle": "2 mm"}]"#,
             ),
         ),
         ("efficiency", with("find", r#"["eta", "eta_2"]"#)),

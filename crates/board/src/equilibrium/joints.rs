@@ -116,6 +116,7 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
     let mine = |l: LinkId| links.contains(&l);
     let upstream = |l: LinkId| open[l.0] && !mine(l);
     let cylinder = |d: usize| scene.drivers[d].kind.parts();
+    let ends_of = |d: usize| scene.drivers[d].kind.ends();
     for p in (0..scene.points.len()).map(PointId).filter(|p| at.points[p.0].is_some()) {
         let here: Vec<LinkId> = scene.carriers(p).filter(|l| mine(*l)).collect();
         if here.is_empty() || parties(scene, p) < 2 {
@@ -124,8 +125,10 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
         let slots: Vec<usize> =
             (0..scene.guides.len()).filter(|g| scene.guides[*g].pin == Some(p) && scene.guides[*g].slider.is_none()).collect();
         let rods: Vec<usize> = (0..scene.drivers.len())
-            .filter(|d| scene.drivers[*d].kind.ends().is_some_and(|ends| ends.contains(&p)))
+            .filter(|d| ends_of(*d).is_some_and(|ends| ends.contains(&p)))
             .filter(|d| !cylinder(*d).iter().any(|l| mine(*l)))
+            // One that moves a link in equilibrium is a load of its pin.
+            .filter(|d| ends_of(*d).into_iter().flatten().any(|q| q != p && scene.carriers(q).any(|l| mine(l) || upstream(l))))
             .collect();
         let rod_links: Vec<LinkId> = rods.iter().flat_map(|d| cylinder(*d)).copied().collect();
         let held: Vec<LinkId> = scene.carriers(p).filter(|l| upstream(*l) && !rod_links.contains(l)).collect();

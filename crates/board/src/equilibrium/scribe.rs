@@ -30,10 +30,10 @@ pub(super) struct Acting {
     pub couple: Option<NumberId>,
 }
 
-/// A force that a link, already in equilibrium, puts on a pin.
+/// A force on a pin, of a link in equilibrium or of the cylinder that moves one.
 #[derive(Clone, Copy)]
 struct OnPin {
-    of: LinkId,
+    of: Party,
     force: NumberId,
 }
 
@@ -263,7 +263,7 @@ impl Scribe<'_> {
     /// The forces that links in equilibrium put on a pin, as loads of one link.
     pub fn pin_loads(&mut self, at: PointId, on: LinkId) -> Vec<Acting> {
         let of = |load: &OnPin| Acting {
-            term: Term::Reaction { of: Party::Link(load.of), on, part: Part::Whole },
+            term: Term::Reaction { of: load.of, on, part: Part::Whole },
             force: Some((Base::Measured(load.force), at)),
             couple: None,
         };
@@ -288,7 +288,7 @@ impl Scribe<'_> {
         if let Party::Link(other) = party(self.scene, at, on) {
             self.answers.pins.push((at, other, back));
         }
-        self.at_pin[at.0].push(OnPin { of: on, force: back });
+        self.at_pin[at.0].push(OnPin { of: Party::Link(on), force: back });
     }
 
     /// The force of an inner pin on both links.
@@ -349,7 +349,7 @@ impl Scribe<'_> {
         let size = self.number(&mut p.ops, Number::Along(from, to, along));
         self.answers.drivers.push((driver, size));
         p.drivers.push((driver, size));
-        self.at_pin[far.0].push(OnPin { of: on, force: back });
+        self.at_pin[far.0].push(OnPin { of: Party::Cylinder(driver), force: back });
     }
 
     /// A couple on a link that a driver's moment makes.

@@ -4,8 +4,10 @@
 //! Decided here: where panels, names and marks stand. [`diagram`] says what is shown, the [`plot`](super::plot) how a plot looks.
 
 mod diagram;
+mod polar;
 
 pub use diagram::{Curve, Diagram, Panel};
+pub use polar::polar;
 
 use super::plot::{Axis, Plot, over};
 use diagram::DEGREE;

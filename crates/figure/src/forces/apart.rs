@@ -61,11 +61,12 @@ impl Page<'_> {
         for m in &group.moments {
             if let Gives::Driver(driver) = m.gives {
                 let value = self.of.drawn.number(m.value).unwrap_or(0.0);
-                let number = if maker.scene.drivers.len() > 1 { (driver + 1).to_string() } else { String::new() };
                 let rubs = |f: &Friction| matches!(f.at, Rub::Pin { point, .. } if About::Point(point) == m.about);
                 let radius_mm = COUPLE_MM + if maker.scene.loads.friction.iter().any(rubs) { 3.0 } else { 0.0 };
                 if let About::Point(about) = m.about {
-                    self.bent(&mut d, &format!("M-b{number}"), &format!("M_{{b{number}}}"), (about, radius_mm), value);
+                    let symbol = self.w.balance(driver);
+                    let id = symbol.replace(['{', '}'], "").replace('_', "-");
+                    self.bent(&mut d, &id, &symbol, (about, radius_mm), value);
                 }
             }
         }
@@ -130,7 +131,7 @@ impl Page<'_> {
     /// The friction circle of a pin, with the couple where the other link is not in the group.
     fn friction(&self, d: &mut Drawing, group: &GroupForces, (load, friction): (usize, usize)) {
         let scene = self.maker.scene;
-        let Rub::Pin { point, circle } = &scene.loads.friction[friction].at else { return };
+        let Rub::Pin { point, circle, .. } = &scene.loads.friction[friction].at else { return };
         let Some(centre) = self.place(*point) else { return };
         let links: Vec<LinkId> = scene.carriers(*point).filter(|l| group.links.contains(l)).collect();
         let name = self.maker.scene.point_name(*point);

@@ -60,13 +60,10 @@ pub fn rubbing<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Sour
     let (mut out, mut still) = (Vec::new(), Vec::new());
     for (k, friction) in scene.loads.friction.iter().enumerate() {
         match &friction.at {
-            Rub::Pin { point, circle } => {
+            Rub::Pin { point, fast, circle } => {
                 let omega = |l: LinkId| if l == scene.ground { Some(zero) } else { motion.turning(Level::Velocity, l) };
-                // The pin is fast in the first of its links.
-                let mut links = scene.carriers(*point);
-                let first = links.next()?;
-                for link in links {
-                    let turning = (omega(link)? - omega(first)?).approx();
+                for link in scene.carriers(*point).filter(|l| l != fast) {
+                    let turning = (omega(link)? - omega(*fast)?).approx();
                     if turning.abs() * at.extent() <= ROUNDING * speed {
                         still.push(k);
                         continue;
@@ -75,7 +72,7 @@ pub fn rubbing<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Sour
                     let place = at.points[point.0]?;
                     out.push(Rubbing {
                         friction: k,
-                        links: [link, first],
+                        links: [link, *fast],
                         pair: Rubbed::Pin(*point),
                         at: None,
                         place,

@@ -97,11 +97,13 @@ impl Givens<'_> {
 
     fn friction(&self, at: &Rub) -> String {
         match at {
-            Rub::Pin { point, circle } => {
-                let (pin, circle) = (self.point(*point), self.length(circle));
-                match self.lang() {
-                    Lang::En => format!("friction circle $\\rho = {circle}$ at {pin}"),
-                    Lang::Zh => format!("{pin} 处摩擦圆半径 $\\rho = {circle}$"),
+            Rub::Pin { point, fast, circle } => {
+                let (pin, circle, fast) = (self.point(*point), self.length(circle), name_label(self.scene.link_name(*fast)));
+                match (self.lang(), self.scene.carriers(*point).count() > 2) {
+                    (Lang::En, false) => format!("friction circle $\\rho = {circle}$ at {pin}"),
+                    (Lang::En, true) => format!("friction circle $\\rho = {circle}$ at {pin}, whose pin is fast in link {fast}"),
+                    (Lang::Zh, false) => format!("{pin} 处摩擦圆半径 $\\rho = {circle}$"),
+                    (Lang::Zh, true) => format!("{pin} 处摩擦圆半径 $\\rho = {circle}$，销固定在构件 {fast} 上"),
                 }
             }
             Rub::Guide { guide, f } => {

@@ -35,11 +35,30 @@ fn coefficient(c: &Context, raw: &RawQuantity, faults: &mut Faults) -> Option<Gi
 
 fn at_pin(c: &Context, pin: &Word, raw: &RawFriction, faults: &mut Faults) -> Option<Rub> {
     let point = note(c.names.point(pin), faults)?;
-    let links = (0..c.names.links.len()).filter(|l| c.carries(LinkId(*l), point)).count();
-    if links < 2 {
+    let links: Vec<LinkId> = (0..c.names.links.len()).map(LinkId).filter(|l| c.carries(*l, point)).collect();
+    if links.len() < 2 {
         let message = both!("`{}` is no pin that joins two links", "`{}` 不是连接两个构件的销", pin.text);
         return fault(message, both!("name a joint, or the slider of a guide", "请写转动副，或导路的滑块"), pin.span, faults);
     }
+    let on = transpose(raw.on.as_ref().map(|word| note(c.names.link(word), faults).map(|l| (l, word))))?;
+    let fast = match (on, &links[..]) {
+        (Some((link, _)), _) if links.contains(&link) => link,
+        (None, [first, _]) => *first,
+        (on, _) => {
+            let names: Vec<&str> = links.iter().map(|l| c.names.links[l.0].name.as_str()).collect();
+            let message = match on {
+                Some((_, word)) => both!("link `{}` does not carry the pin `{}`", "构件 `{}` 上没有销 `{}`", word.text, pin.text),
+                None => both!(
+                    "`{}` joins {} links: in which of them is the pin fast?",
+                    "`{}` 连接 {} 个构件：销固定在哪个构件上？",
+                    pin.text,
+                    links.len()
+                ),
+            };
+            let help = both!("write \"on\", one of {}", "请写 \"on\"，可取 {}", Both::names(&names));
+            return fault(message, help, on.map_or(pin.span, |(_, word)| word.span), faults);
+        }
+    };
     let circle = match (&raw.circle, &raw.radius, &raw.f) {
         (Some(circle), None, None) => c.values.si(circle, Wanted::Length, faults)?,
         (None, Some(radius), Some(f)) => {
@@ -55,7 +74,7 @@ fn at_pin(c: &Context, pin: &Word, raw: &RawFriction, faults: &mut Faults) -> Op
             return fault(message, help, raw.span, faults);
         }
     };
-    Some(Rub::Pin { point, circle: positive(circle, both!("the radius of a friction circle", "摩擦圆半径"), faults)? })
+    Some(Rub::Pin { point, fast, circle: positive(circle, both!("the radius of a friction circle", "摩擦圆半径"), faults)? })
 }
 
 fn in_guides(c: &Context, guides: &[Numbered], slider: &Word, raw: &RawFriction, faults: &mut Faults) -> Option<Vec<Rub>> {

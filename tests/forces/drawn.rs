@@ -1,0 +1,85 @@
+//! Groups that are drawn, against the rows.
+
+use hodograph::scene::{self, templates};
+use hodograph::worked::{Scope, work};
+use serde_json::{Value as Json, json};
+
+/// A leg from a pin X of the link 4 to the ground, as parts of a scene: links, guides and a driver. `G` and `H` are the ground's points there.
+fn leg(kind: &str, x: &str, g: &str, link: &str) -> (Json, Json, Json) {
+    let (none, slot) = (json!([]), if x == "Q" { "QV" } else { "RW" });
+    match kind {
+        "bar" => (json!({link: [x, g]}), none.clone(), none),
+        "block" => (json!({link: [x]}), json!([{"slider": link, "on": "1", "pin": x, "angle": "25 deg"}]), none),
+        "sleeve" => (json!({link: [g]}), json!([{"pin": g, "slider": link, "on": "4", "line": slot}]), none),
+        "slot" => (json!({}), json!([{"pin": g, "on": "4", "line": slot}]), none),
+        _ => (json!({}), none, json!([{"cylinder": format!("{x}{g}"), "rate": "0.3 m/s"}])),
+    }
+}
+
+/// A link on three legs of all kinds, loaded everywhere: the drawing gives all reactions, and they are those of the rows.
+#[test]
+fn a_link_on_three_legs_is_drawn() {
+    let kinds = ["bar", "block", "sleeve", "slot", "cylinder"];
+    let mut failures = Vec::new();
+    for (a, b) in kinds.iter().flat_map(|a| kinds.iter().map(move |b| (a, b))) {
+        let (to_q, to_r) = (leg(a, "Q", "G", "5"), leg(b, "R", "H", "6"));
+        let mut links = json!({"1": ["O", "G", "H"], "2": ["O", "A"], "3": ["A", "P"], "4": ["P", "Q", "V", "R", "W", "T"]});
+        for part in [&to_q.0, &to_r.0] {
+            links.as_object_mut().unwrap().extend(part.as_object().unwrap().clone());
+        }
+        let list = |a: &Json, b: &Json| -> Vec<Json> { [a, b].into_iter().flat_map(|l| l.as_array().unwrap().clone()).collect() };
+        let crank = json!([{"link": "2", "omega": "2 rad/s", "alpha": "1 rad/s^2"}]);
+        let drivers = list(&crank, &json!(list(&to_q.2, &to_r.2)));
+        let named: Vec<String> = links.as_object().unwrap().keys().filter(|l| *l != "1").cloned().collect();
+        // A block that slides on the link has couples only.
+        let sleeve = |l: &str| (l == "5" && *a == "sleeve") || (l == "6" && *b == "sleeve");
+        let forces = named.iter().enumerate().flat_map(|(k, l)| {
+            let point = links[l].as_array().unwrap().last().unwrap().clone();
+            let force = json!({"on": l, "at": point, "F": [format!("{} N", 40 + 13 * k), format!("{} N", 17 * k as i32 - 50)]});
+            let couple = json!({"on": l, "M": format!("{} N*m", 7 + 3 * k)});
+            if sleeve(l) { vec![couple] } else { vec![force, couple] }
+        });
+        let mut find = vec!["F_12".to_owned(), "F_23".into(), "F_34".into(), "M_b".into()];
+        for (kind, l) in [(a, "5"), (b, "6")] {
+            find.extend(match *kind {
+                "slot" => vec!["F_14".to_owned()],
+                "cylinder" => vec![],
+                "bar" => vec![format!("F_{l}4"), format!("F_1{l}")],
+                _ => vec![format!("F_{l}4"), format!("F_1{l}"), format!("h_{}{l}", if *kind == "block" { "1" } else { "4" })],
+            });
+        }
+        if (*a, *b) == ("slot", "slot") {
+            find.retain(|f| f != "F_14");
+        }
+        let scene = json!({
+            "links": links, "ground": "1", "driver": drivers, "guides": list(&to_q.1, &to_r.1),
+            "points": {
+                "O": ["0 m", "0 m"], "A": ["1 m", "2 m"], "P": ["4 m", "5 m"], "Q": ["7 m", "4.2 m"], "R": ["6.1 m", "7.3 m"], "T": ["5.5 m", "5.7 m"],
+                "G": ["9 m", "0.3 m"], "H": ["2 m", "10 m"], "V": ["8 m", "2.25 m"], "W": ["4.05 m", "8.65 m"]
+            },
+            "gravity": ["0", "-9.81 m/s^2"], "masses": {"4": {"m": "5 kg", "J": "4 kg*m^2", "at": "T"}, "3": {"m": "2 kg", "J": "1 kg*m^2", "at": "A"}},
+            "forces": forces.collect::<Vec<_>>(), "find": find
+        });
+        let scene = scene::read(scene.to_string()).unwrap_or_else(|f| panic!("{a} {b}: {f}")).value;
+        let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{a} {b}: {f}")).value;
+        for r in &worked.results {
+            let find = &scene.find[r.find].text;
+            match r.agreement {
+                None => failures.push(format!("{a} {b}: {find} is not drawn")),
+                Some(agreement) if !agreement.holds() => failures.push(format!("{a} {b}: {find}: {agreement:?}")),
+                Some(_) => {}
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+}
+
+/// On which link a pin rubs is no matter of order: of a pin of several links the file says it.
+#[test]
+fn a_rough_pin_of_three_links_tells_where_it_is_fast() {
+    let mut scene: Json = serde_json::from_str(templates::get("toggle-clamp").unwrap()).unwrap();
+    let pin = scene["friction"].as_array_mut().unwrap().iter_mut().find(|f| f["pin"] == "B").unwrap();
+    pin.as_object_mut().unwrap().remove("on");
+    let faults = scene::read(scene.to_string()).unwrap_err().to_string();
+    assert!(faults.contains("`B` joins 3 links: in which of them is the pin fast? (write \"on\", one of 2, 3, 4)"), "{faults}");
+}
