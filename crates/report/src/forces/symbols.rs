@@ -11,7 +11,7 @@ impl ForceWriter<'_> {
     /// The symbol of a force, in the label language: `F^{t}_{12}`, `G_{2}`, `F_{I2}`.
     pub fn symbol(&self, term: Term) -> String {
         match self.marks(term) {
-            (letter, sup, sub) if sup.is_empty() => format!("{letter}_{{{sub}}}"),
+            (letter, "", sub) => format!("{letter}_{{{sub}}}"),
             (letter, sup, sub) => format!("{letter}^{{{sup}}}_{{{sub}}}"),
         }
     }
