@@ -19,6 +19,11 @@ const DIGITS: usize = 4;
 /// An arm (mm) that is no more than this is rounding.
 const NO_ARM_MM: f64 = 1e-6;
 
+/// Terms of a sum of moments that stand together on a line; of forces twice as many do.
+const TOGETHER: usize = 4;
+/// The end of a formula and the beginning of the next, between which a line may be broken.
+const BREAK: &str = "$ $";
+
 /// Writes the forces of a scene.
 #[derive(Clone, Copy)]
 pub struct ForceWriter<'a> {
@@ -76,7 +81,8 @@ impl ForceWriter<'_> {
     /// An equation in the label language: `F_{12} + G_{2} + F_{32} = 0`.
     pub fn equation(&self, sides: &[Side]) -> String {
         let symbols: Vec<String> = sides.iter().map(|s| self.notation.vectors.write(self.symbol(s.term))).collect();
-        format!("{} = 0", symbols.join(" + "))
+        let lines: Vec<String> = symbols.chunks(2 * TOGETHER).map(|line| line.join(" + ")).collect();
+        format!("{} = 0", lines.join(&format!("{BREAK}+ ")))
     }
 
     /// The table of an equation.
@@ -169,15 +175,21 @@ impl ForceWriter<'_> {
                 }
             }
         };
-        let mut sum = String::new();
+        let (mut sum, mut terms) = (String::new(), 0);
         let mut add = |sign: f64, text: String| {
-            let sign = match (sign < 0.0, sum.is_empty()) {
-                (true, true) => "−",
-                (true, false) => " − ",
-                (false, true) => "",
-                (false, false) => " + ",
+            let sign = match (sign < 0.0, terms) {
+                (true, 0) => "−",
+                (true, _) => "− ",
+                (false, 0) => "",
+                (false, _) => "+ ",
             };
-            sum += &format!("{sign}{text}");
+            let before = match terms % TOGETHER {
+                _ if terms == 0 => "",
+                0 => BREAK,
+                _ => " ",
+            };
+            sum += &format!("{before}{sign}{text}");
+            terms += 1;
         };
         for (k, (term, ..)) in m.of.iter().enumerate() {
             let moment = self.number(m.of[k].2);

@@ -138,7 +138,7 @@ impl Page<'_> {
                 label: label.in_fonts(&style.fonts),
                 size_mm: style.small_mm,
                 anchor: Anchor::Start,
-                class: "remark".into(),
+                class: "note".into(),
                 id: format!("{name}-{}", k + 1),
             })],
             height_mm: style.small_mm * 1.9,
