@@ -131,7 +131,6 @@ fn every_row_is_what_the_single_solution_says() {
             for (c, e) in table.columns[1..].iter().zip(expected) {
                 let off = (c.values[row] - e).abs();
                 let off = if c.unit == "rad" { off.min((off - std::f64::consts::TAU).abs()) } else { off };
-                // Where all drivers stand nothing has a size.
                 let off = if off == 0.0 { 0.0 } else { off / size(&table, c.unit, &scene, extent) / (condition * 1e-3).max(1.0) };
                 if off > worst.0 {
                     worst = (off, format!("{} {} at {value}", t.name, c.name));
