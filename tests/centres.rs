@@ -359,7 +359,7 @@ fn centres_can_be_asked() {
             let question = format!("P_{},{}", names[0], names[1]);
             let Ok(scene) = scene::read_asking(templates::get(t.name).unwrap(), &question) else { continue };
             let scene = scene.value;
-            // Where nothing moves velocities tell no centre.
+            // Velocities of zero tell no centre.
             if scene.drivers.iter().all(|d| d.rate.value == 0.0) {
                 continue;
             }

@@ -120,7 +120,7 @@ impl Renamed {
             pair.map(|(a, b)| format!("{symbol}_{a},{b}"))
         };
         match symbol {
-            // Of the driver, or of the whole mechanism.
+            // The driver's, or the whole mechanism's.
             "M" | "F" if ["b", "sh"].contains(&rest) => text.to_owned(),
             "F" | "Fn" | "Ft" | "h" | "M" => two_links().unwrap_or_else(|| format!("{symbol}_{}", self.on_links(rest))),
             "FI" | "MI" => format!("{symbol}_{}", link(rest)),
@@ -184,7 +184,7 @@ impl Renamed {
             };
             *value = match key.as_str() {
                 "pin" | "through" | "centre" | "track" | "at" | "from" | "to" => self.point(&text),
-                // Of a load.
+                // A load.
                 "against" if text == "motion" => text,
                 "slider" | "on" | "link" | "against" | "ring" | "rack" | "wheel" | "drum" | "load" => self.link(&text),
                 "line" | "against_line" | "cylinder" => self.pair(&text),

@@ -93,7 +93,7 @@ impl Kernel<5, 1> for Spring {
 /// The angle of the driver (degrees), less whole periods so that it is `first` or more.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Repeated {
-    /// Where the driver stands, of [`super::turns::Quarters`].
+    /// The driver's angle, of [`super::turns::Quarters`].
     pub quarters: Pair,
     /// The least angle, less what rounding may make of it.
     pub first: f64,
@@ -147,7 +147,7 @@ impl Kernel<2, 1> for Ramp {
 /// A number where another is at least `from`, else zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Forward {
-    /// What decides.
+    /// The number that is compared.
     pub speed: Reg,
     /// The number.
     pub number: Reg,

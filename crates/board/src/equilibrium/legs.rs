@@ -209,7 +209,7 @@ impl Scribe<'_> {
         self.finish(p, links, "III");
     }
 
-    /// What acts on a leg, and the force square to its bar.
+    /// A leg with its loads, and the force square to its bar.
     fn loaded(&mut self, ops: &mut Vec<Op>, found: &mut Vec<super::Moments>, leg: Leg, core: LinkId) -> Loaded {
         let held: Vec<PointId> = leg.near().into_iter().chain([leg.at]).collect();
         let loads = leg.link().map_or_else(Vec::new, |link| self.all_on(link, &held));

@@ -1,7 +1,7 @@
 //! A group's links apart, with what acts on them and the arms of its moments.
 
 use super::Page;
-use crate::mechanism;
+use crate::mechanism::{self, special::REACH};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construction::{MarkId, Op};
 use hodograph_board::equilibrium::{About, Gives, GroupForces, Moments, Part as Which, Side, Term};
@@ -22,8 +22,6 @@ const COUPLE_MM: f64 = 6.0;
 const SHORTEST_ARM_MM: f64 = 3.0;
 /// A force of a guide that acts farther from its pin is drawn there, with its couple.
 const FARTHEST_MM: f64 = 45.0;
-/// A crossing of lines of action farther from the links than this part of their size is told in words only.
-const REACH: f64 = 0.8;
 /// Links stand back behind the forces.
 const LINKS: Colour = Colour::grey(150);
 

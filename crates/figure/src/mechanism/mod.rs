@@ -19,7 +19,7 @@ mod overlay;
 mod parted;
 mod rates;
 mod slides;
-mod special;
+pub(crate) mod special;
 mod supports;
 mod swings;
 mod wheels;

@@ -10,7 +10,7 @@ use hodograph_scene::DiagramKind;
 
 /// A special point further from the mechanism than this part of its size is only told in words: drawn, it would make the
 /// mechanism small.
-const REACH: f64 = 0.8;
+pub(crate) const REACH: f64 = 0.8;
 
 impl Draft<'_> {
     /// Draws every special point that the construction used, with its two lines.

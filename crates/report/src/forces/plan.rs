@@ -77,7 +77,7 @@ impl ForceWriter<'_> {
         }
     }
 
-    /// What moments give, in the label language.
+    /// The result of moments, in the label language.
     fn given(&self, m: &Moments) -> String {
         match m.gives {
             Gives::Force(term, _) => self.symbol(term),
