@@ -16,8 +16,8 @@ pub(super) struct Pieces {
     pub equations: Vec<(Part, Vec<Part>)>,
     /// The results.
     pub results: Part,
-    /// For each group of forces its drawings, and what is written of it.
-    pub forces: Vec<[Part; 2]>,
+    /// For each group of forces: its links apart, its polygon, the text.
+    pub forces: Vec<[Part; 3]>,
 }
 
 /// Between drawings, and between drawings and text.
@@ -228,7 +228,7 @@ struct Layout {
     drawings: Vec<usize>,
     equations: Vec<Vec<usize>>,
     results: usize,
-    forces: Vec<[usize; 2]>,
+    forces: Vec<[usize; 3]>,
 }
 
 impl Layout {
@@ -306,22 +306,32 @@ impl Layout {
             columns.push(Tree::column(column));
         }
         all.push(vec![Tree::text_row(columns)]);
-        let title = self.title;
-        let with = |rest: &Vec<Tree>, forces: Vec<Tree>| {
-            Tree::column(title.map(Tree::Leaf).into_iter().chain(rest.iter().cloned()).chain(forces).collect())
+        let with = |rest: Vec<Tree>| Tree::column(self.title.map(Tree::Leaf).into_iter().chain(rest).collect());
+        let forces = self.forces();
+        if forces.is_empty() {
+            return all.into_iter().map(with).collect();
+        }
+        let both = |rest: &Vec<Tree>, forces: &Tree| {
+            let beside = Tree::row(vec![Tree::column(rest.clone()), forces.clone()]);
+            let below = rest.iter().cloned().chain([forces.clone()]).collect();
+            [with(vec![beside]), with(below)]
         };
-        all.iter().flat_map(|rest| self.forces_below().into_iter().map(|forces| with(rest, forces))).collect()
+        all.iter().flat_map(|rest| forces.iter().flat_map(|forces| both(rest, forces))).collect()
     }
 
-    /// The forces of all groups below the rest: each in a row, or in columns side by side.
-    fn forces_below(&self) -> Vec<Vec<Tree>> {
-        let pair = |[a, b]: [usize; 2]| vec![Tree::Leaf(a), Tree::Leaf(b)];
-        let rows = vec![Tree::column(self.forces.iter().map(|group| Tree::row(pair(*group))).collect())];
+    /// The forces of all groups: each in a row, or in two rows, in columns side by side.
+    fn forces(&self) -> Vec<Tree> {
+        if self.forces.is_empty() {
+            return Vec::new();
+        }
+        let drawings = |[apart, polygon, _]: [usize; 3]| Tree::row(vec![Tree::Leaf(apart), Tree::Leaf(polygon)]);
+        let pair = |group: &[usize; 3]| [drawings(*group), Tree::Leaf(group[2])];
+        let rows = Tree::column(self.forces.iter().map(|group| Tree::row(group.map(Tree::Leaf).into())).collect());
         let columns = |n: usize| {
-            let column = |groups: &[[usize; 2]]| Tree::column(groups.iter().flat_map(|group| pair(*group)).collect());
-            vec![Tree::text_row(self.forces.chunks(self.forces.len().div_ceil(n).max(1)).map(column).collect())]
+            let column = |groups: &[[usize; 3]]| Tree::column(groups.iter().flat_map(pair).collect());
+            Tree::text_row(self.forces.chunks(self.forces.len().div_ceil(n)).map(column).collect())
         };
-        if self.forces.is_empty() { vec![Vec::new()] } else { vec![rows, columns(2), columns(3)] }
+        vec![rows, columns(1), columns(2), columns(3)]
     }
 
     /// All equations in so many columns of about the same height; a column never begins with the last line of a polygon.

@@ -9,6 +9,7 @@ use hodograph_board::construct::scale::coarser;
 use hodograph_scene::{ByKind, DiagramKind, Scene};
 use hodograph_worked::worked::{Scope, Worked, work};
 
+use super::forces;
 use super::list::{Entry, Extras, Pages, USUAL, Wanted};
 use super::sheet::{Fewer, Options, drawing, sheet_in};
 use hodograph_paper::paper::extent::{bounds, translate};
@@ -228,7 +229,8 @@ fn grown(w: &Wanted, part: f64, room: Room) -> Result<Option<Warned<Pages>>, Fau
             // Lines that are too wide need no names.
             let lines_fit = wanted.worked.construction.polygon(on).is_none_or(|p| fits(p.extent()[0] / p.mu));
             let drawn = || drawing(wanted.scene, wanted.worked, wanted.options, on);
-            if !lines_fit || !drawn().is_none_or(|figure| fits(figure.width_mm - 2.0 * MARGIN_MM)) {
+            let links_fit = || on != DiagramKind::Plane || fits(forces::widest_mm(wanted.scene, wanted.worked, wanted.options));
+            if !lines_fit || !drawn().is_none_or(|figure| fits(figure.width_mm - 2.0 * MARGIN_MM)) || !links_fit() {
                 break;
             }
             parts.set(on.kind(), Some(larger));
@@ -319,12 +321,15 @@ impl Smaller {
         scene.paper.size_mm = None;
         let options = Options { style: w.options.style.reduced(part), ..w.options.clone() };
         if part < 1.0 {
-            let board = &w.worked.construction;
-            for on in DiagramKind::OF_MOTION {
+            let drawn = |on: DiagramKind| match on {
+                DiagramKind::Force => w.worked.equilibrium.as_ref().map(|of| of.mu()),
+                DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Acceleration => w.worked.construction.scale(on),
+            };
+            for on in DiagramKind::ALL {
                 let (kind, paper) = (on.kind(), &scene.paper);
                 let part = others.get(kind).unwrap_or(part);
                 let coarser = |mu| if part < 1.0 { coarser(paper.unit(kind), mu, 1.0 / part) } else { mu };
-                let mu = paper.scales.get(kind).or_else(|| board.scale(on).map(coarser));
+                let mu = paper.scales.get(kind).or_else(|| drawn(on).map(coarser));
                 scene.paper.scales.set(kind, mu);
             }
         }

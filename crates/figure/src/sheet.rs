@@ -54,8 +54,6 @@ impl Options {
 pub(super) const MARGIN_MM: f64 = 8.0;
 /// The least width of the list of what is given.
 const GIVEN_MM: f64 = 90.0;
-/// Width of the sentences on forces beside their drawings.
-const FORCES_MM: f64 = 110.0;
 /// From a drawing to its caption's baseline.
 const CAPTION_MM: f64 = 8.0;
 /// From the caption's baseline to the scale's.
@@ -72,7 +70,7 @@ pub fn sheet(scene: &Scene, worked: &Worked, options: &Options) -> Result<Figure
     let drawings = maker.drawings(true);
     let equations = maker.equations(&steps(scene, worked, None), None);
     let results = results::results(&options.style, &maker.answers());
-    let pieces = Pieces { title, drawings, equations, results, forces: forces::pieces(&maker, FORCES_MM) };
+    let pieces = Pieces { title, drawings, equations, results, forces: forces::pieces(&maker, None) };
     let (items, size) = arrange(pieces, scene.paper.size_mm, MARGIN_MM)?;
     Ok(maker.figure(items, size))
 }
@@ -134,8 +132,8 @@ pub fn sheet_in(scene: &Scene, worked: &Worked, options: &Options, width_mm: f64
         let mut on = levels.iter();
         drawings.retain(|part| on.next() == Some(&DiagramKind::Plane) || fits(part));
     }
-    let mut forces = forces::pieces(&maker, FORCES_MM.min(width_mm));
-    let wide = |group: &[Part; 2]| !group.iter().all(fits);
+    let mut forces = forces::pieces(&maker, Some(width_mm));
+    let wide = |group: &[Part; 3]| !group.iter().all(fits);
     if fewer > Fewer::No && forces.iter().any(wide) {
         forces.clear();
         out.push(both!("the forces", "受力分析"));

@@ -19,8 +19,8 @@ const DIGITS: usize = 4;
 /// An arm (mm) that is no more than this is rounding.
 const NO_ARM_MM: f64 = 1e-6;
 
-/// Terms of a sum of moments that stand together on a line; of forces twice as many do.
-const TOGETHER: usize = 4;
+/// Terms of a sum of moments that stand together on a line; of forces four times as many do.
+const TOGETHER: usize = 2;
 /// The end of a formula and the beginning of the next, between which a line may be broken.
 const BREAK: &str = "$ $";
 
@@ -81,7 +81,7 @@ impl ForceWriter<'_> {
     /// An equation in the label language: `F_{12} + G_{2} + F_{32} = 0`.
     pub fn equation(&self, sides: &[Side]) -> String {
         let symbols: Vec<String> = sides.iter().map(|s| self.notation.vectors.write(self.symbol(s.term))).collect();
-        let lines: Vec<String> = symbols.chunks(2 * TOGETHER).map(|line| line.join(" + ")).collect();
+        let lines: Vec<String> = symbols.chunks(4 * TOGETHER).map(|line| line.join(" + ")).collect();
         format!("{} = 0", lines.join(&format!("{BREAK}+ ")))
     }
 

@@ -18,13 +18,18 @@ use hodograph_paper::paper::lines::wrapped;
 use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::paper::style::Style;
 use hodograph_report::amount::scale_formula;
-use hodograph_report::forces::ForceWriter;
+use hodograph_report::forces::{ForceColumn, ForceWriter};
 use hodograph_scene::{DiagramKind, Scene};
 use hodograph_worked::certified::certify;
 use hodograph_worked::worked::Worked;
+use std::ops::Range;
 
 /// Width of the sentences below a group.
 const TEXT_MM: f64 = 190.0;
+/// Width of the sentences beside the drawings of a sheet.
+const BESIDE_MM: f64 = 110.0;
+/// Between a table and its next lines, beside their gaps.
+const TABLE_AIR_MM: f64 = 0.1;
 
 /// The forces of all groups on one page; `None` where none are drawn.
 pub fn forces(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure> {
@@ -39,17 +44,29 @@ pub fn group(scene: &Scene, worked: &Worked, options: &Options, k: usize) -> Opt
     let of = worked.equilibrium.as_ref()?;
     let maker = Maker { scene, worked, options, certified: Vec::new() };
     let page = Page { maker: &maker, w: ForceWriter { scene, notation: &options.notation, lang: options.lang, of }, of };
-    let part = page.drawings(of.groups.get(k)?);
+    let group = of.groups.get(k)?;
+    let part = beside(page.links_apart(group), page.force_polygon(group));
     Some(maker.alone(named(part, k)))
 }
 
-/// For each group its drawings and what is written of it, as parts of a sheet.
-pub(crate) fn pieces(maker: &Maker, width_mm: f64) -> Vec<[Part; 2]> {
+/// For each group its links apart, its polygon and its text, as parts of a sheet; in a width, tables are broken.
+pub(crate) fn pieces(maker: &Maker, width_mm: Option<f64>) -> Vec<[Part; 3]> {
     let Some(of) = &maker.worked.equilibrium else { return Vec::new() };
     let Maker { scene, options, .. } = *maker;
     let page = Page { maker, w: ForceWriter { scene, notation: &options.notation, lang: options.lang, of }, of };
-    let of_group = |(k, group)| [named(page.drawings(group), k), named(page.words(group, width_mm), k)];
-    of.groups.iter().enumerate().map(of_group).collect()
+    let parts = |group| [page.links_apart(group), page.force_polygon(group), page.words(group, BESIDE_MM, width_mm)];
+    of.groups.iter().enumerate().map(|(k, group)| parts(group).map(|part| named(part, k))).collect()
+}
+
+/// The width (mm) of the widest group of links that are drawn apart.
+pub(crate) fn widest_mm(scene: &Scene, worked: &Worked, options: &Options) -> f64 {
+    let maker = Maker { scene, worked, options, certified: Vec::new() };
+    pieces(&maker, None).iter().map(|[apart, ..]| apart.bounds.width_mm()).fold(0.0, f64::max)
+}
+
+/// Two parts side by side.
+fn beside(left: Part, right: Part) -> Part {
+    put_together(Tree::row(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![left, right])
 }
 
 struct Page<'a> {
@@ -70,36 +87,51 @@ impl Page<'_> {
 
     /// A group: its links apart beside its polygon, what is said of it below.
     fn row(&self, k: usize, group: &GroupForces) -> Part {
-        let parts = vec![self.drawings(group), self.words(group, TEXT_MM)];
+        let parts = vec![beside(self.links_apart(group), self.force_polygon(group)), self.words(group, TEXT_MM, None)];
         named(put_together(Tree::text_column((0..parts.len()).map(Tree::Leaf).collect()), parts), k)
     }
 
-    /// Moments, equations and results of a group.
-    fn words(&self, group: &GroupForces, width_mm: f64) -> Part {
-        let tables: Vec<Part> = self.w.equations(group).iter().enumerate().map(|(k, sides)| self.table(sides, k)).collect();
-        let text = |sentences: &[Phrase], name| self.text(sentences, name, width_mm);
+    /// Moments, equations and results of a group: sentences as wide as given, tables as wide as they are or as the room.
+    fn words(&self, group: &GroupForces, width_mm: f64, room_mm: Option<f64>) -> Part {
+        let room_mm = room_mm.unwrap_or(f64::INFINITY);
+        let tables = self.w.equations(group).iter().enumerate().flat_map(|(k, sides)| self.table(sides, k, room_mm)).collect::<Vec<_>>();
+        let text = |sentences: &[Phrase], name| self.text(sentences, name, width_mm.min(room_mm));
         let (before, after) = (text(&self.w.before(group), "moments"), text(&self.w.after(group), "results"));
         let parts: Vec<Part> = std::iter::once(before).chain(tables).chain([after]).filter(|p| !p.items.is_empty()).collect();
-        put_together(Tree::text_column((0..parts.len()).map(Tree::Leaf).collect()), parts)
+        let lines = (0..parts.len()).flat_map(|k| [Tree::Leaf(k), Tree::Air(TABLE_AIR_MM)]);
+        put_together(Tree::text_column(lines.take((2 * parts.len()).saturating_sub(1)).collect()), parts)
     }
 
-    /// The links apart beside the polygon, with their captions.
-    fn drawings(&self, group: &GroupForces) -> Part {
-        let options = self.maker.options;
+    /// The links of a group apart, with their caption.
+    fn links_apart(&self, group: &GroupForces) -> Part {
         let words = self.w.heading(group);
-        let scale = scale_formula(&self.maker.scene.book, DiagramKind::Force, self.of.mu());
-        let plane = scale_formula(&self.maker.scene.book, DiagramKind::Plane, self.maker.worked.construction.diagram.mu);
-        let links = self.maker.titled(self.apart(group), Phrase::new(&words).label(), &plane, "apart");
-        let caption = DiagramKind::Force.caption(options.lang);
-        let polygon = self.maker.titled(self.polygon(group), Phrase::new(caption).label(), &scale, "polygon");
-        put_together(Tree::row(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![links, polygon])
+        let scale = scale_formula(&self.maker.scene.book, DiagramKind::Plane, self.maker.worked.construction.diagram.mu);
+        self.maker.titled(self.apart(group), Phrase::new(&words).label(), &scale, "apart")
     }
 
-    /// An equation of forces over its table of magnitudes and directions.
-    fn table(&self, sides: &[Side], k: usize) -> Part {
+    /// The polygon of a group, with its caption.
+    fn force_polygon(&self, group: &GroupForces) -> Part {
+        let scale = scale_formula(&self.maker.scene.book, DiagramKind::Force, self.of.mu());
+        let caption = DiagramKind::Force.caption(self.maker.options.lang);
+        self.maker.titled(self.polygon(group), Phrase::new(caption).label(), &scale, "polygon")
+    }
+
+    /// An equation of forces over its table of magnitudes and directions, in as few tables as the width holds.
+    fn table(&self, sides: &[Side], k: usize, width_mm: f64) -> Vec<Part> {
+        let columns = self.w.columns(sides);
+        let tables = |pieces: usize| -> Vec<Part> {
+            let length = columns.len().div_ceil(pieces);
+            let ranges = (0..columns.len()).step_by(length.max(1)).map(|start| start..columns.len().min(start + length));
+            ranges.map(|range| self.table_of(&columns, range, k)).collect()
+        };
+        let fits = |parts: &[Part]| parts.iter().all(|part| part.bounds.width_mm() <= width_mm);
+        (1..=columns.len()).map(tables).find(|parts| fits(parts)).unwrap_or_else(|| tables(1))
+    }
+
+    fn table_of(&self, columns: &[ForceColumn], range: Range<usize>, k: usize) -> Part {
         let options = self.maker.options;
         let (style, words) = (self.style(), self.maker.words());
-        let columns = self.w.columns(sides);
+        let first = range.start == 0;
         let cell = |label: Label, id: String| {
             Some(Cell {
                 label: label.in_fonts(&style.fonts),
@@ -109,9 +141,9 @@ impl Page<'_> {
                 id,
             })
         };
-        let line = |first: Label, of: &dyn Fn(usize) -> String, name: &str| Row {
-            cells: std::iter::once(cell(first, format!("{name}-{}", k + 1)))
-                .chain((0..columns.len()).map(|c| cell(Label::math(of(c)), format!("{name}-{}-{}", k + 1, c + 1))))
+        let line = |head: &str, of: &dyn Fn(usize) -> String, name: &str| Row {
+            cells: std::iter::once(if first { cell(Label::text(head), format!("{name}-{}", k + 1)) } else { None })
+                .chain(range.clone().map(|c| cell(Label::math(of(c)), format!("{name}-{}-{}", k + 1, c + 1))))
                 .collect(),
             height_mm: style.small_mm * 1.9,
         };
@@ -122,9 +154,9 @@ impl Page<'_> {
         let (known, unknown) = (&options.notation.known, &options.notation.unknown);
         let magnitude = |c: usize| if columns[c].magnitude { known.clone() } else { unknown.clone() };
         let rows = [
-            line(Label::text(""), &symbols, "equation"),
-            line(Label::text(words.magnitude), &magnitude, "magnitude"),
-            line(Label::text(words.direction), &|_| known.clone(), "direction"),
+            line("", &symbols, "equation"),
+            line(words.magnitude, &magnitude, "magnitude"),
+            line(words.direction, &|_| known.clone(), "direction"),
         ];
         Part::of(grid::set(&rows, 3.0))
     }
