@@ -2,6 +2,8 @@
 
 #[path = "forces/drawn.rs"]
 mod drawn;
+#[path = "forces/lever.rs"]
+mod lever;
 #[path = "forces/sweeps.rs"]
 mod sweeps;
 

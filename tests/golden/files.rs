@@ -69,7 +69,8 @@ pub const DESIGNS: [(&str, &str); 7] = [
 pub const CAM: &str = "cam-offset-roller";
 
 /// Kinds of picture that no other list has: template, the figure's name (`dimensions`: the mechanism with them).
-pub const ASKED: [(&str, &str); 12] = [
+pub const ASKED: [(&str, &str); 13] = [
+    ("four-bar-forces", "lever"),
     ("shaper-forces", "forces"),
     ("engine-forces", "forces"),
     ("compressor-friction", "forces"),
@@ -85,13 +86,14 @@ pub const ASKED: [(&str, &str); 12] = [
 ];
 
 /// What the gallery shows beside the sheets: title, the command that draws it, the picture.
-pub const SHOWN: [(&str, &str, &str); 35] = [
+pub const SHOWN: [(&str, &str, &str); 36] = [
     ("Forces with friction: circles and angles", "draw --figure forces", "compressor-friction/forces.en.png"),
     ("Dimensions: to draw the mechanism again", "draw --dimensions", "crank-rocker/dimensions.en.png"),
     ("Vectors, positions and the path of a point", "draw --vectors velocity --poses 6 --path S", "offset-slider-crank/overlay.png"),
     ("The groups drawn apart", "mobility -o", "shaper/groups.png"),
     ("Equations with their tables", "draw --figure equations", "crank-rocker/equations.png"),
     ("Forces: free bodies, force polygons, equations", "draw --figure forces", "press-forces/forces.en.png"),
+    ("Zhukovsky's lever: the loads on the turned velocities", "draw --figure lever", "four-bar-forces/lever.en.png"),
     ("One step of a construction", "draw --steps", "slotted-lever/step.png"),
     ("Plates: a polygon split by group", "draw --figure plates", "class-iii-six-bar/plates.en.png"),
     ("Insets", "draw", "class-iii-six-bar/inset.png"),

@@ -25,8 +25,12 @@ fn lengths_are_distances_on_paper_and_values_are_lengths_times_the_scale() {
             let number = |key: &str| node.attribute(key).unwrap().parse::<f64>().unwrap();
             let (id, name) = (node.attribute("id").unwrap(), node.attribute("data-name").unwrap());
             assert!(!node.attribute("data-si").unwrap().contains(['e', 'E', '−']), "{id}");
-            let on = if name.starts_with('a') { DiagramKind::Acceleration } else { DiagramKind::Velocity };
-            let mu = worked.construction.polygon(on).unwrap().mu;
+            let polygon = |on| worked.construction.polygon(on).unwrap().mu;
+            let mu = match name.chars().next() {
+                Some('v') => polygon(DiagramKind::Velocity),
+                Some('a') => polygon(DiagramKind::Acceleration),
+                _ => worked.equilibrium.as_ref().unwrap().mu(),
+            };
             let inset = node.attribute("class").unwrap().contains("inset");
             if !inset {
                 let wanted = number("data-mm") * mu;

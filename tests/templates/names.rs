@@ -121,7 +121,7 @@ impl Renamed {
         };
         match symbol {
             // The driver's, or the whole mechanism's.
-            "M" | "F" if ["b", "sh"].contains(&rest) => text.to_owned(),
+            "M" | "F" if ["b", "b2", "sh"].contains(&rest) => text.to_owned(),
             "F" | "Fn" | "Ft" | "h" | "M" => two_links().unwrap_or_else(|| format!("{symbol}_{}", self.on_links(rest))),
             "FI" | "MI" => format!("{symbol}_{}", link(rest)),
             "omega" | "alpha" => format!("{symbol}_{}", rest.split('/').map(link).collect::<Vec<_>>().join("/")),

@@ -17,7 +17,7 @@ use hodograph_report::amount::scale_formula;
 
 use super::arrange::{Pieces, Tree, arrange, arrange_in, column, put_together};
 use super::described::described;
-use super::mechanism::{Overlay, dimensions};
+use super::mechanism::{Course, Overlay, dimensions};
 use super::results::Answers;
 use super::tables::Tables;
 use super::{forces, mechanism, polygon, results};
@@ -222,7 +222,9 @@ impl Maker<'_> {
     }
 
     pub fn mechanism(&self) -> Part {
-        mechanism::mechanism(&self.options.style, self.scene, self.worked, &self.options.notation)
+        let mut d = mechanism::drawing(&self.options.style, self.scene, self.worked, &self.options.notation, &Course::default());
+        forces::given_loads(self, &mut d);
+        d.finish()
     }
 
     pub fn polygon(&self, p: &Polygon) -> Part {

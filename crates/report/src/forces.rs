@@ -1,6 +1,7 @@
 //! Forces in words: symbols, equations of equilibrium with their tables, moments, what the polygons give.
 
 mod friction;
+mod lever;
 mod plan;
 mod symbols;
 
@@ -44,6 +45,34 @@ pub struct ForceColumn {
     pub symbol: String,
     /// True if its magnitude is known.
     pub magnitude: bool,
+}
+
+/// A sum of moments in the label language.
+#[derive(Default)]
+struct Sum {
+    text: String,
+    terms: usize,
+}
+
+impl Sum {
+    /// Adds a term, with the sign of its moment.
+    fn add(&mut self, moment: f64, text: String) {
+        let sign = match (moment < 0.0, self.terms) {
+            (true, 0) => "−",
+            (true, _) => "− ",
+            (false, 0) => "",
+            (false, _) => "+ ",
+        };
+        let before = match self.terms % TOGETHER {
+            _ if self.terms == 0 => "",
+            0 => BREAK,
+            _ => " ",
+        };
+        // A sign at the beginning of a formula has no space of its own.
+        let space = if before == BREAK { "\\," } else { "" };
+        self.text += &format!("{before}{sign}{space}{text}");
+        self.terms += 1;
+    }
 }
 
 impl ForceWriter<'_> {
@@ -175,30 +204,15 @@ impl ForceWriter<'_> {
                 }
             }
         };
-        let (mut sum, mut terms) = (String::new(), 0);
-        let mut add = |sign: f64, text: String| {
-            let sign = match (sign < 0.0, terms) {
-                (true, 0) => "−",
-                (true, _) => "− ",
-                (false, 0) => "",
-                (false, _) => "+ ",
-            };
-            let before = match terms % TOGETHER {
-                _ if terms == 0 => "",
-                0 => BREAK,
-                _ => " ",
-            };
-            sum += &format!("{before}{sign}{text}");
-            terms += 1;
-        };
+        let mut sum = Sum::default();
         for (k, (term, ..)) in m.of.iter().enumerate() {
             let moment = self.number(m.of[k].2);
             // A line of action through the point turns nothing, but for rounding.
             let Some(arm) = self.arm(m, k).filter(|arm| *arm > NO_ARM_MM * 1e-3) else { continue };
-            add(moment, format!("{}\\cdot {}", self.symbol(*term), self.amount(Kind::Length, arm)));
+            sum.add(moment, format!("{}\\cdot {}", self.symbol(*term), self.amount(Kind::Length, arm)));
         }
         for (term, id) in &m.couples {
-            add(self.number(*id), self.couple(*term));
+            sum.add(self.number(*id), self.couple(*term));
         }
         let value = self.number(m.value);
         let (given, result) = match m.gives {
@@ -221,7 +235,7 @@ impl ForceWriter<'_> {
                 (symbol.clone(), format!("{symbol} = {}", self.amount(Kind::Moment, value)))
             }
         };
-        let equation = if sum.is_empty() { format!("{given} = 0") } else { format!("{given} + ({sum}) = 0") };
+        let equation = if sum.terms == 0 { format!("{given} = 0") } else { format!("{given} + ({}) = 0", sum.text) };
         match self.lang {
             Lang::En => format!(
                 "Moments of link{} {} about {about}: ${equation}$, hence ${result}$.",

@@ -12,8 +12,11 @@
 
 mod joints;
 mod legs;
+mod lever;
 mod methods;
 mod scribe;
+
+pub use lever::{Lever, LeverForce};
 
 use crate::construct::scale::fitted;
 use crate::construction::pencil::Exact;

@@ -7,7 +7,7 @@ use super::names::{image_label, image_of, is_image, name_label, numbered, pole_l
 use super::{Body, By, Chain, Plan, Spot, Step, Term, TermKind, VertexId};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::notation::Notation;
-use hodograph_scene::{DiagramKind, GuideId, GuidePath, Lang, Scene};
+use hodograph_scene::{DiagramKind, GuideId, GuidePath, Lang, PointId, Scene};
 
 /// What the texts are written for.
 #[derive(Clone, Copy, Debug)]
@@ -214,6 +214,11 @@ impl Writer<'_> {
             Spot::Point(p) => image_label(&self.plan.letters, p, link, on.prime()),
             Spot::Special(k) => image_of(&special_name(self.scene, self.plan, k).to_lowercase(), link, on.prime()),
         }
+    }
+
+    /// The letter of the image of a pin on the velocity polygon: `b`, `s_2`.
+    pub fn letter(&self, p: PointId) -> String {
+        image_label(&self.plan.letters, p, None, "")
     }
 
     /// The end of a part of the acceleration of a point: `n'_B`, `k'`, written with the image letter of the point in

@@ -16,6 +16,8 @@ use hodograph_scene::{Friction, LinkId, PointId, Rub};
 
 /// Lengths of the arrows of the smallest and of the largest force.
 const ARROW_MM: [f64; 2] = [9.0, 22.0];
+/// A force that is less than this part of the largest is not drawn.
+const NO_FORCE: f64 = 1e-9;
 /// Radius of the bent arrow of a couple.
 const COUPLE_MM: f64 = 6.0;
 /// An arm that is shorter has no room for its dimension.
@@ -46,7 +48,7 @@ impl Page<'_> {
             }
         };
         for side in group.sides.iter().filter(own) {
-            self.force(&mut d, side, largest);
+            self.side(&mut d, side, largest);
         }
         for (k, load) in self.of.loads.iter().enumerate().filter(|(_, l)| group.links.contains(&l.link) && l.wrench.couple != 0.0) {
             if let Cause::Friction(friction) = load.cause {
@@ -72,7 +74,7 @@ impl Page<'_> {
     }
 
     /// A place of the mechanism on paper.
-    fn place(&self, p: PointId) -> Option<Point> {
+    pub(super) fn place(&self, p: PointId) -> Option<Point> {
         let worked = self.maker.worked;
         let diagram = &worked.construction.diagram;
         Some(((worked.configuration.points[p.0]? - diagram.origin) * (1.0 / diagram.mu)).to_point())
@@ -96,30 +98,39 @@ impl Page<'_> {
         Some(if offset_mm.norm() > FARTHEST_MM { (at, couple) } else { (at + offset_mm, 0.0) })
     }
 
-    fn force(&self, d: &mut Drawing, side: &Side, largest: f64) {
-        let style = self.style();
+    fn side(&self, d: &mut Drawing, side: &Side, largest: f64) {
         let (Some((at, couple)), Some(force)) = (self.on_line(side), self.of.force(side.vector)) else { return };
+        if force.norm() <= NO_FORCE * largest {
+            return;
+        }
+        if couple != 0.0 {
+            let symbol = self.w.symbol(side.term).replacen('F', "M", 1);
+            self.bent(d, &format!("of-{}", self.key(side.term)), &symbol, (side.at, COUPLE_MM), couple);
+        }
+        self.force(d, side.term, at, force, largest);
+    }
+
+    /// A force at a place, as an arrow whose length grows with its part of the largest.
+    pub(super) fn force(&self, d: &mut Drawing, term: Term, at: Point, force: Vec2, largest: f64) {
+        let style = self.style();
         let (size, Some(u)) = (force.norm(), force.unit()) else { return };
-        if size <= 1e-9 * largest {
+        if size <= NO_FORCE * largest {
             return;
         }
         let length = ARROW_MM[0] + (ARROW_MM[1] - ARROW_MM[0]) * (size / largest).sqrt();
-        let stroke = self.stroke(side.term);
+        let stroke = self.stroke(term);
         let arrow = |from: Point, to: Point| Shape::Arrow { from, to, stroke, head: style.head };
         // Loads and reactions end at their point, where that is not over the link.
         let (pressing, pulling) = ([at - u * (length + 1.0), at - u], [at + u, at + u * (length + 1.0)]);
         let met = |ends: [Point; 2]| d.met_by(&[Item::new("", arrow(ends[0], ends[1]))], 1.0);
         let [from, to] = if met(pressing) <= met(pulling) { pressing } else { pulling };
-        let key = self.key(side.term);
-        if couple != 0.0 {
-            self.bent(d, &format!("of-{key}"), &self.w.symbol(side.term).replacen('F', "M", 1), (side.at, COUPLE_MM), couple);
-        }
+        let key = self.key(term);
         let owner = d.shape(&format!("force-{key}"), "force", arrow(from, to));
-        let request = LabelRequest::along(Label::math(self.w.symbol(side.term)), style.label_mm, from, to, stroke.width_mm / 2.0);
+        let request = LabelRequest::along(Label::math(self.w.symbol(term)), style.label_mm, from, to, stroke.width_mm / 2.0);
         d.label(&format!("force-{key}"), "force", request.owned(owner));
     }
 
-    fn couple(&self, d: &mut Drawing, load: usize, at: Option<PointId>, value: f64) {
+    pub(super) fn couple(&self, d: &mut Drawing, load: usize, at: Option<PointId>, value: f64) {
         let symbol = self.w.couple_of(load);
         if let Some(at) = at {
             self.bent(d, &format!("of-{}", self.key(Term::Load(load))), &symbol, (at, COUPLE_MM), value);

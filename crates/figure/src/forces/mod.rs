@@ -4,13 +4,17 @@
 //! of [`Equilibrium`].
 
 mod apart;
+mod given;
+mod lever;
 mod polygon;
+
+pub use lever::lever;
 
 use crate::arrange::{Tree, put_together};
 use crate::sheet::{Maker, Options};
 use hodograph_board::equilibrium::{Equilibrium, GroupForces, Side, Term};
 use hodograph_mechanism::force::Cause;
-use hodograph_paper::paper::drawing::Part;
+use hodograph_paper::paper::drawing::{Drawing, Part};
 use hodograph_paper::paper::grid::{self, Cell, Row};
 use hodograph_paper::paper::item::{Anchor, Dash, Figure, Item, Stroke};
 use hodograph_paper::paper::label::Label;
@@ -35,7 +39,7 @@ const TABLE_AIR_MM: f64 = 0.1;
 pub fn forces(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure> {
     let of = worked.equilibrium.as_ref().filter(|of| !of.groups.is_empty())?;
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
-    let page = Page { maker: &maker, w: ForceWriter { scene, notation: &options.notation, lang: options.lang, of }, of };
+    let page = Page::of(&maker, of);
     Some(maker.alone(page.all()))
 }
 
@@ -43,7 +47,7 @@ pub fn forces(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figur
 pub fn group(scene: &Scene, worked: &Worked, options: &Options, k: usize) -> Option<Figure> {
     let of = worked.equilibrium.as_ref()?;
     let maker = Maker { scene, worked, options, certified: Vec::new() };
-    let page = Page { maker: &maker, w: ForceWriter { scene, notation: &options.notation, lang: options.lang, of }, of };
+    let page = Page::of(&maker, of);
     let group = of.groups.get(k)?;
     let part = beside(page.links_apart(group), page.force_polygon(group));
     Some(maker.alone(named(part, k)))
@@ -52,10 +56,15 @@ pub fn group(scene: &Scene, worked: &Worked, options: &Options, k: usize) -> Opt
 /// For each group its links apart, its polygon and its text, as parts of a sheet; in a width, tables are broken.
 pub(crate) fn pieces(maker: &Maker, width_mm: Option<f64>) -> Vec<[Part; 3]> {
     let Some(of) = &maker.worked.equilibrium else { return Vec::new() };
-    let Maker { scene, options, .. } = *maker;
-    let page = Page { maker, w: ForceWriter { scene, notation: &options.notation, lang: options.lang, of }, of };
+    let page = Page::of(maker, of);
     let parts = |group| [page.links_apart(group), page.force_polygon(group), page.words(group, BESIDE_MM, width_mm)];
     of.groups.iter().enumerate().map(|(k, group)| parts(group).map(|part| named(part, k))).collect()
+}
+
+/// Adds the given loads to the drawing of the mechanism.
+pub(crate) fn given_loads(maker: &Maker, d: &mut Drawing) {
+    let Some(of) = &maker.worked.equilibrium else { return };
+    Page::of(maker, of).given_loads(d);
 }
 
 /// The width (mm) of the widest group of links that are drawn apart.
@@ -75,7 +84,12 @@ struct Page<'a> {
     of: &'a Equilibrium,
 }
 
-impl Page<'_> {
+impl<'a> Page<'a> {
+    fn of(maker: &'a Maker<'a>, of: &'a Equilibrium) -> Page<'a> {
+        let Options { notation, lang, .. } = maker.options;
+        Page { maker, w: ForceWriter { scene: maker.scene, notation, lang: *lang, of }, of }
+    }
+
     fn style(&self) -> &Style {
         &self.maker.options.style
     }

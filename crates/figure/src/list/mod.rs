@@ -47,6 +47,7 @@ pub const LIST: &[&Entry] = &[
     &drawings::VELOCITY,
     &drawings::ACCELERATION,
     &forces::ENTRY,
+    &forces::LEVER,
     &plates::ENTRY,
     &equations::ENTRY,
     &results::ENTRY,

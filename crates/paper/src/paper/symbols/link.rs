@@ -2,7 +2,7 @@
 
 use crate::paper::item::{Cap, Colour, Dash, Item, Shape, Stroke};
 use crate::paper::style::Style;
-use hodograph_base::geom::Point;
+use hodograph_base::geom::{Point, Vec2};
 
 /// A link with two joints, or a bent one through several points.
 pub fn link(style: &Style, points: &[Point]) -> Vec<Item> {
@@ -44,4 +44,25 @@ pub fn weld(style: &Style, corner: Point, one: Point, other: Point) -> Vec<Item>
     let leg = 3.2 * style.pin_radius_mm;
     let points = vec![corner, corner + a * leg, corner + b * leg];
     vec![Item::new("link weld", Shape::Polyline { points, closed: true, stroke: None, fill: Some(Colour::BLACK) })]
+}
+
+/// Pitch of a spring's windings at its usual length, and their half width.
+const PITCH_MM: f64 = 2.4;
+const HALF_WIDTH_MM: f64 = 1.8;
+/// The part of a spring's length that is straight at each end.
+const STRAIGHT: f64 = 0.2;
+
+/// A coil spring between two points: a zigzag line.
+pub fn spring(style: &Style, from: Point, to: Point) -> Vec<Item> {
+    let along = to - from;
+    let Some(across) = along.unit().map(Vec2::perp) else { return Vec::new() };
+    let coil = 1.0 - 2.0 * STRAIGHT;
+    let corners = 2 * (along.norm() * coil / PITCH_MM).clamp(4.0, 12.0) as usize;
+    let corner = |k: usize| {
+        let side = if k.is_multiple_of(2) { HALF_WIDTH_MM } else { -HALF_WIDTH_MM };
+        from + along * (STRAIGHT + coil * (k as f64 + 0.5) / corners as f64) + across * side
+    };
+    let points = [from, from + along * STRAIGHT].into_iter().chain((0..corners).map(corner)).chain([to + along * -STRAIGHT, to]);
+    let shape = Shape::Polyline { points: points.collect(), closed: false, stroke: Some(style.thin), fill: None };
+    vec![Item::new("spring", shape)]
 }

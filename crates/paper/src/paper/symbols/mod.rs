@@ -2,7 +2,7 @@
 //!
 //! Places are on the paper, in millimetres; angles are counter-clockwise from x. A symbol's items are in drawing order
 //! and each has a class: `pin`, `ground`, `link`, `slider`, `slot`, `plate`, `cylinder`, `rotation`, `angle`,
-//! `dimension`, `scale`. Draw links first, then supports and blocks, pins last. What labels keep off is read from the
+//! `dimension`, `scale`, `spring`. Draw links first, then supports and blocks, pins last. What labels keep off is read from the
 //! items themselves ([`super::place::Obstacles::of`]).
 
 mod joint;
@@ -11,7 +11,7 @@ mod mark;
 mod slide;
 
 pub use joint::{dot, fixed_pivot, ground_arc, ground_line, pin, wedge};
-pub use link::{dashed, link, plate, weld};
+pub use link::{dashed, link, plate, spring, weld};
 pub use mark::{angle, dimension, dimension_line, rotation, scale_bar};
 pub use slide::{Guide, block, cylinder, guide, slot, slot_arc};
 

@@ -1,0 +1,93 @@
+//! Zhukovsky's lever: the velocity polygon, turned clockwise by a right angle, as a rigid lever about its pole.
+//!
+//! A force F at a point of velocity v has about the pole the moment F·v/μ_v, a couple M on a link that turns with ω has Mω/μ_v. All loads with the balancing
+//! moment are in equilibrium on the lever, as their power is zero.
+//!
+//! # Source
+//! N. E. Zhukovsky's theorem: 孙桓, 陈作模, 机械原理, the chapter on the forces of mechanisms.
+
+use super::Equilibrium;
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::kind::Level;
+use hodograph_mechanism::answer::Source;
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::{LinkId, PointId, Scene};
+
+/// The loads of an instant on the lever.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lever {
+    /// The scale of the velocity polygon ((m/s)/mm).
+    pub mu: f64,
+    /// The forces.
+    pub forces: Vec<LeverForce>,
+    /// The couples: each load with its moment Mω/μ_v (N·mm).
+    pub couples: Vec<(usize, f64)>,
+    /// Moment of all loads about the pole (N·mm), counter-clockwise positive.
+    pub moment: f64,
+}
+
+/// A force on the lever.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeverForce {
+    /// The load, an index into [`Equilibrium::loads`].
+    pub load: usize,
+    /// Its point of application.
+    pub point: PointId,
+    /// The place of the point on the lever (mm from the pole).
+    pub at: Point,
+    /// The distance of the line of action from the pole (mm).
+    pub arm_mm: f64,
+    /// Its moment about the pole (N·mm).
+    pub moment: f64,
+}
+
+impl Lever {
+    /// The lever of a scene: `motion` has the velocities that were read off the polygon of scale `mu`. Further points of a link follow by images.
+    ///
+    /// `None` where the polygon does not give the velocity of a load.
+    pub fn of(scene: &Scene, at: &Configuration, of: &Equilibrium, motion: &impl Source<f64>, mu: f64) -> Option<Lever> {
+        let (mut forces, mut couples) = (Vec::new(), Vec::new());
+        for (k, load) in of.loads.iter().enumerate() {
+            if load.wrench.couple != 0.0 {
+                couples.push((k, load.wrench.couple * motion.turning(Level::Velocity, load.link)? / mu));
+            }
+            if let (Some(point), Some(along)) = (load.at, load.wrench.force.unit()) {
+                let v = velocity(scene, at, motion, point, load.link)? * (1.0 / mu);
+                // Turned clockwise: v × F about the pole is then F·v.
+                let end = -v.perp();
+                let arm = end.cross(along);
+                forces.push(LeverForce { load: k, point, at: end.to_point(), arm_mm: arm.abs(), moment: arm * load.wrench.force.norm() });
+            }
+        }
+        let moment = forces.iter().map(|f| f.moment).chain(couples.iter().map(|(_, m)| *m)).sum();
+        Some(Lever { mu, forces, couples, moment })
+    }
+
+    /// The balancing moment (N·m), or force (N), of the only driver; `None` where there are several, or where it is at rest.
+    pub fn balance(&self, scene: &Scene) -> Option<f64> {
+        let [driver] = &scene.drivers[..] else { return None };
+        (driver.rate.value != 0.0).then(|| -self.moment * self.mu / driver.rate.value)
+    }
+}
+
+/// The velocity of a point of a link: as read off, or by the image of two other points.
+fn velocity(scene: &Scene, at: &Configuration, motion: &impl Source<f64>, p: PointId, link: LinkId) -> Option<Vec2> {
+    let read = |p: PointId| motion.vector(Level::Velocity, p, Some(link));
+    if let Some(v) = read(p) {
+        return Some(v);
+    }
+    let known: Vec<(PointId, Vec2)> = scene.links[link.0].points.iter().filter_map(|q| Some((*q, read(*q)?))).collect();
+    let place = |q: PointId| at.points[q.0];
+    let &(a, v_a) = known.first()?;
+    let arm = place(p)? - place(a)?;
+    let second = known[1..].iter().find_map(|(b, v_b)| {
+        let base = place(*b)? - place(a)?;
+        let size = base.dot(base);
+        (size > 0.0).then(|| (base, *v_b - v_a, size))
+    });
+    match second {
+        // The triangle of the three points, turned and to another scale.
+        Some((base, image, size)) => Some(v_a + image * (base.dot(arm) / size) + image.perp() * (base.cross(arm) / size)),
+        None => Some(v_a + arm.perp() * motion.turning(Level::Velocity, link)?),
+    }
+}
