@@ -5,7 +5,7 @@ use hodograph_base::digits::{inked, significant};
 use hodograph_board::equilibrium::{Lever, Term};
 use hodograph_board::plan::names::name_label;
 use hodograph_paper::paper::phrase::Phrase;
-use hodograph_scene::{DriverKind, Kind, Lang};
+use hodograph_scene::{Kind, Lang};
 
 impl ForceWriter<'_> {
     /// The moments of all loads about the pole, with arms as measured, and what they give. `pole` is the letter of the pole.
@@ -27,11 +27,13 @@ impl ForceWriter<'_> {
         };
         let given = lever.balance(self.scene).zip(self.of.forces.drivers.first().copied()).map(|(by_lever, by_polygons)| {
             let driver = &self.scene.drivers[0];
-            let (symbol, kind, rate) = match driver.kind {
-                DriverKind::Turn { link, .. } => {
-                    (self.balance(0), Kind::Moment, format!("\\omega_{{{}}}", name_label(self.scene.link_name(link))))
+            let (symbol, kind, rate) = match driver.kind.turned() {
+                Some((link, against)) => {
+                    let of = std::iter::once(link).chain((against != self.scene.ground).then_some(against));
+                    let names: String = of.map(|l| name_label(self.scene.link_name(l))).collect();
+                    (self.balance(0), Kind::Moment, format!("\\omega_{{{names}}}"))
                 }
-                DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => ("F_{b}".to_owned(), Kind::Force, "v".to_owned()),
+                None => ("F_{b}".to_owned(), Kind::Force, "v".to_owned()),
             };
             let [a, b] = [by_lever, by_polygons].map(|value| self.amount(kind, value));
             let relation = format!("${symbol} = -\\mu_v\\,\\Sigma M_{{{pole}}}/{rate} = {a}$");
