@@ -17,7 +17,7 @@ impl Page<'_> {
         let is_given = |cause: Cause| matches!(cause, Cause::Weight | Cause::Applied(_));
         let size = |k: usize| self.of.loads[k].wrench.force.norm();
         let mut given: Vec<usize> = (0..self.of.loads.len()).filter(|k| is_given(self.of.loads[*k].cause)).collect();
-        // Of two forces on one line the smaller gives way.
+        // The smaller of two forces on one line gives way.
         given.sort_by(|a, b| size(*b).total_cmp(&size(*a)));
         let largest = given.first().map_or(0.0, |k| size(*k));
         for k in given {

@@ -70,7 +70,9 @@ pub(crate) fn given_loads(maker: &Maker, d: &mut Drawing) {
 /// The width (mm) of the widest group of links that are drawn apart.
 pub(crate) fn widest_mm(scene: &Scene, worked: &Worked, options: &Options) -> f64 {
     let maker = Maker { scene, worked, options, certified: Vec::new() };
-    pieces(&maker, None).iter().map(|[apart, ..]| apart.bounds.width_mm()).fold(0.0, f64::max)
+    let Some(of) = &worked.equilibrium else { return 0.0 };
+    let page = Page::of(&maker, of);
+    of.groups.iter().map(|group| page.links_apart(group).bounds.width_mm()).fold(0.0, f64::max)
 }
 
 /// Two parts side by side.

@@ -25,7 +25,7 @@ impl ForceWriter<'_> {
             Lang::En => format!("Moments of all loads about ${pole}$: {equation}."),
             Lang::Zh => format!("各载荷对 ${pole}$ 取矩：{equation}。"),
         };
-        let given = lever.balance(self.scene).zip(self.of.forces.drivers.first().copied()).map(|(by_lever, by_polygons)| {
+        let given = lever.balance(self.scene).map(|by_lever| {
             let driver = &self.scene.drivers[0];
             let (symbol, kind, rate) = match driver.kind.turned() {
                 Some((link, against)) => {
@@ -35,11 +35,13 @@ impl ForceWriter<'_> {
                 }
                 None => ("F_{b}".to_owned(), Kind::Force, "v".to_owned()),
             };
-            let [a, b] = [by_lever, by_polygons].map(|value| self.amount(kind, value));
-            let relation = format!("${symbol} = -\\mu_v\\,\\Sigma M_{{{pole}}}/{rate} = {a}$");
-            match self.lang {
-                Lang::En => format!("{relation}; the force polygons give ${b}$."),
-                Lang::Zh => format!("{relation}；力多边形得 ${b}$。"),
+            let relation = format!("${symbol} = -\\mu_v\\,\\Sigma M_{{{pole}}}/{rate} = {}$", self.amount(kind, by_lever));
+            let beside = self.of.forces.drivers.first().map(|value| self.amount(kind, *value));
+            match (self.lang, beside) {
+                (Lang::En, Some(value)) => format!("{relation}; the force polygons give ${value}$."),
+                (Lang::Zh, Some(value)) => format!("{relation}；力多边形得 ${value}$。"),
+                (Lang::En, None) => format!("{relation}."),
+                (Lang::Zh, None) => format!("{relation}。"),
             }
         });
         std::iter::once(total).chain(given).map(|text| Phrase::new(&text)).collect()
