@@ -39,6 +39,7 @@ impl Act<'_> {
             Action::Join(e) => self.of_terms("j", &of_edges(&[*e]), formulas),
             Action::Perpendicular { edges, .. } => self.of_terms("p", &of_edges(edges), formulas),
             Action::Cross { target, edges, .. } => json!(["x", self.links(&of_edges(edges)), target.0, -1]),
+            Action::Trials { target, .. } => json!(["x", self.of_vertex(*target), target.0, -1]),
             Action::Copy { target, .. } => json!(["c", self.of_vertex(*target), target.0, -1]),
             Action::Reach(v) | Action::Same { target: v, .. } => json!(["", self.of_vertex(*v), v.0, -1]),
             Action::Nothing { terms, .. } => self.of_terms("", terms, formulas),
@@ -120,6 +121,6 @@ fn sense(t: &Term) -> &'static str {
         TermKind::Relative | TermKind::Tangential => "t",
         TermKind::Normal | TermKind::SlideNormal => "n",
         TermKind::Coriolis => "k",
-        TermKind::Slide | TermKind::Extension | TermKind::Roll => "s",
+        TermKind::Slide | TermKind::Extension | TermKind::Roll | TermKind::Gap => "s",
     }
 }

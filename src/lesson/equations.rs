@@ -6,7 +6,7 @@
 use serde_json::{Value, json};
 
 use crate::construct::{Action, Polygon};
-use crate::figure::tables::{found_by, target};
+use crate::figure::tables::found_by;
 use crate::notation::Notation;
 use crate::plan::text::{Column, Writer};
 use crate::plan::{Step, Term};
@@ -60,7 +60,7 @@ fn drawn(p: &Polygon, action: usize) -> Vec<Term> {
         Action::Nothing { terms, .. } | Action::Line { terms, .. } => terms.clone(),
         Action::Join(edge) => of_edges(&[*edge]),
         Action::Perpendicular { edges, .. } => of_edges(edges),
-        Action::Reach(_) | Action::Copy { .. } | Action::Same { .. } | Action::Rate(_) => Vec::new(),
+        Action::Reach(_) | Action::Trials { .. } | Action::Copy { .. } | Action::Same { .. } | Action::Rate(_) => Vec::new(),
     }
 }
 
@@ -88,7 +88,7 @@ impl Book {
         let mut all: Vec<Solved> = Vec::new();
         for group in plan.steps(on) {
             for step in group.steps(group.drawn(paper.acts.chosen[group.group])) {
-                let (Some(found), [Some(en), Some(zh)]) = (found_by(polygon, target(step)), writers.map(|w| written(&w, paper, on, step)))
+                let (Some(found), [Some(en), Some(zh)]) = (found_by(polygon, step.target()), writers.map(|w| written(&w, paper, on, step)))
                 else {
                     continue;
                 };

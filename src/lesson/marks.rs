@@ -47,7 +47,7 @@ pub fn marks(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> V
             }
             formulas.formula(&w.vector(on, v)) as i64
         });
-        let moves = !fixed && matches!(plan.vertex(v).spot, Spot::Point(_));
+        let moves = !fixed && plan.vertex(v).trial.is_none() && matches!(plan.vertex(v).spot, Spot::Point(_));
         list.push(json!([formulas.formula(&w.name(v)), placed, placed && moves, asked(&w, v), symbols]));
     }
     json!({"seen": seen.map(runs), "list": list, "columns": packed.text})

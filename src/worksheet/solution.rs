@@ -212,6 +212,8 @@ impl Maker<'_> {
             (Method::Strand, Lang::Zh) => "带（链）段两端的点，不打滑",
             (Method::Special, Lang::En) => "special point",
             (Method::Special, Lang::Zh) => "特殊点法",
+            (Method::Trial, Lang::En) => "trial polygon",
+            (Method::Trial, Lang::Zh) => "试作多边形",
             (Method::Driven, Lang::En) => "everything is known",
             (Method::Driven, Lang::Zh) => "各项均已知",
         };

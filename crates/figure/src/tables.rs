@@ -61,7 +61,7 @@ impl Tables<'_> {
         for group in self.writer.plan.steps(on).iter().filter(|g| wanted(g.group)) {
             let chosen = group.drawn(self.construction.acts.chosen[group.group]);
             for step in group.steps(chosen) {
-                let step_class = step_class(polygon, target(step));
+                let step_class = step_class(polygon, step.target());
                 match step {
                     Step::Equation { target, chains, .. } => {
                         if let Some(special) = self.writer.plan.special(*target) {
@@ -70,6 +70,12 @@ impl Tables<'_> {
                         parts.extend(self.equation(on, *target, chains, &step_class));
                     }
                     Step::Image { target, from, .. } => parts.push(self.image(on, *target, *from, &step_class)),
+                    Step::Trials { target, images, mates } => {
+                        let w = self.writer;
+                        let [a, b] = [images, mates].map(|pair| pair.map(|v| w.image(on, v)).concat());
+                        let formula = format!("{} = {a} \\times {b}", w.image(on, *target));
+                        parts.push(self.line(on, *target, &formula, Some(Label::text(self.words().trials)), &step_class));
+                    }
                     Step::Same { target, from, link } => {
                         let w = self.writer;
                         let formula = format!("{} = {}", w.summand(on, *target), w.summand(on, *from));
@@ -279,13 +285,6 @@ fn kind(on: DiagramKind) -> &'static str {
     on.word()
 }
 
-/// The vertex that a step finds.
-pub fn target(step: &Step) -> VertexId {
-    match step {
-        Step::Equation { target, .. } | Step::Image { target, .. } | Step::Same { target, .. } => *target,
-    }
-}
-
 /// The class word of the action that finds a vertex.
 fn step_class(p: &Polygon, v: VertexId) -> String {
     found_by(p, v).map(|n| format!("step-{n}")).unwrap_or_default()
@@ -294,7 +293,7 @@ fn step_class(p: &Polygon, v: VertexId) -> String {
 /// The action of a polygon that finds a vertex.
 pub fn found_by(p: &Polygon, v: VertexId) -> Option<usize> {
     let finds = |a: &Action| match a {
-        Action::Cross { target, .. } | Action::Copy { target, .. } | Action::Same { target, .. } | Action::Reach(target) => *target == v,
+        Action::Cross { target, .. } | Action::Trials { target, .. } | Action::Copy { target, .. } | Action::Same { target, .. } | Action::Reach(target) => *target == v,
         Action::LayOff(e) => p.edges[*e].to.0 == hodograph_board::construct::Mark::Image(v),
         Action::Nothing { target, .. } => *target == Some(v),
         Action::Line { .. } | Action::Join(_) | Action::Perpendicular { .. } | Action::Rate(_) => false,

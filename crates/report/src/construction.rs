@@ -130,6 +130,16 @@ fn sentence(w: &Writer, paper: &Drawing, p: &Polygon, action: usize, steps: &Ste
                 Lang::Zh => format!("两线交于 ${image}$，交角 {angle}°{moved}：{}。", lengths.join("，")),
             }
         }
+        Action::Trials { target, sine, .. } => {
+            let angle = tell(What::Angle, libm::asin(sine.abs().min(1.0)).to_degrees());
+            let moved = steps.pencil_mm.map_or_else(String::new, |e| moved(w.lang, e, &tell(What::Moved, e / sine.abs())));
+            let (image, vector, length) = (w.image(on, *target), w.vector(on, *target), from_pole(*target));
+            let [a, b] = w.plan.trials(on, *target).map(|pair| pair.map(|v| w.image(on, v)).concat());
+            match w.lang {
+                Lang::En => format!("The lines ${a}$ and ${b}$ of the two trials intersect at ${image}$ at {angle}°{moved}: ${vector}$ = {length}."),
+                Lang::Zh => format!("两次试作的直线 ${a}$ 与 ${b}$ 交于 ${image}$，交角 {angle}°{moved}：${vector}$ = {length}。"),
+            }
+        }
         Action::Reach(v) => {
             let (image, vector) = (w.image(on, *v), w.vector(on, *v));
             if let Some((from, method)) = touched(w, on, *v) {
@@ -137,7 +147,7 @@ fn sentence(w: &Writer, paper: &Drawing, p: &Polygon, action: usize, steps: &Ste
                     Method::Strand => {
                         tr(w.lang, "As the strand does not slip, its two ends have one velocity", "带（链）段不打滑，两端点速度相同")
                     }
-                    Method::Coincident | Method::Driven | Method::SameLink | Method::Cylinder | Method::Special => {
+                    Method::Coincident | Method::Driven | Method::SameLink | Method::Cylinder | Method::Special | Method::Trial => {
                         tr(w.lang, "At the contact the two points have one velocity", "接触点处两点速度相同")
                     }
                 };
@@ -252,7 +262,7 @@ fn touched(w: &Writer, on: DiagramKind, v: VertexId) -> Option<(VertexId, Method
                 _ => None,
             }
         }
-        Step::Equation { .. } | Step::Image { .. } | Step::Same { .. } => None,
+        Step::Equation { .. } | Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => None,
     };
     let groups = w.plan.steps(on).iter();
     groups.flat_map(|g| g.alternatives.iter().flatten().chain(&g.further)).find_map(alike)

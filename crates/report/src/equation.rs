@@ -39,6 +39,14 @@ pub fn written(w: &Writer, paper: &Drawing, on: DiagramKind, step: &Step) -> Opt
                 Lang::Zh => format!("由构件 {link} 的影像求 ${vector}$：${images}$ 与 ${spots}$ 相似，字母顺序一致。"),
             })
         }
+        Step::Trials { target, images, mates } => {
+            let [vector, image] = [w.vector(on, *target), w.image(on, *target)];
+            let [a, b] = [images, mates].map(|pair| pair.map(|v| w.image(on, v)).concat());
+            line(match w.lang {
+                Lang::En => format!("${vector}$: ${image}$ lies where the lines ${a}$ and ${b}$ of the two trials cross."),
+                Lang::Zh => format!("求 ${vector}$：两次试作所得直线 ${a}$ 与 ${b}$ 的交点即 ${image}$。"),
+            })
+        }
         Step::Same { target, from, link } => {
             let why = words(w.lang).no_turning.replace("{}", w.scene.link_name(*link));
             let formula = format!("{} = {}", w.summand(on, *target), w.summand(on, *from));

@@ -324,6 +324,14 @@ fn step_lines(w: &Writer, on: DiagramKind, step: &Step, equation: &mut usize) ->
                 formula(&points)
             )]
         }
+        Step::Trials { target, images, mates } => {
+            let [a, b] = [images, mates].map(|pair| formula(&pair.map(|v| w.image(on, v)).concat()));
+            let (vector, image) = (formula(&w.vector(on, *target)), formula(&w.image(on, *target)));
+            vec![match lang {
+                Lang::En => format!("{vector} — two trials: {image} where {a} and {b} cross"),
+                Lang::Zh => format!("{vector} — 两次试作：{a} 与 {b} 交于 {image}"),
+            }]
+        }
         Step::Same { link, target, from } => vec![format!(
             "{} = {} — {}",
             formula(&w.vector(on, *target)),
@@ -344,6 +352,7 @@ pub(super) fn method_words(method: Method, lang: Lang) -> &'static str {
         Method::Coincident => tr(lang, "coincident points", "重合点法"),
         Method::Strand => tr(lang, "ends of a strand, without slip", "带（链）段两端的点，不打滑"),
         Method::Special => tr(lang, "special point", "特殊点法"),
+        Method::Trial => tr(lang, "trial polygon", "试作多边形"),
     }
 }
 

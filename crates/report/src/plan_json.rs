@@ -172,6 +172,7 @@ impl Reporter<'_> {
             "special": special,
             "on": vertex.on.map(|l| self.scene.link_name(l)),
             "fixed": vertex.fixed,
+            "trial": vertex.trial.map(|t| t.run),
         })
     }
 
@@ -258,6 +259,13 @@ impl Reporter<'_> {
                 "link": self.scene.link_name(*link),
                 "from": [from.0.0, from.1.0],
             }),
+            Step::Trials { target, images, mates } => json!({
+                "kind": "trials",
+                "target": target.0,
+                "symbol": both(&w.vector(on, *target)),
+                "images": images.map(|v| v.0),
+                "mates": mates.map(|v| v.0),
+            }),
             Step::Same { link, target, from } => json!({
                 "kind": "same",
                 "target": target.0,
@@ -285,6 +293,7 @@ impl Reporter<'_> {
                 Method::Coincident => "coincident",
                 Method::Strand => "strand",
                 Method::Special => "special",
+                Method::Trial => "trial",
             },
             "method_text": method_words(method, w.lang),
             "text": text.join(" "),
@@ -319,6 +328,7 @@ impl Reporter<'_> {
             | TermKind::Slide
             | TermKind::SlideNormal
             | TermKind::Extension
+            | TermKind::Gap
             | TermKind::Roll => (true, Reason::Asked),
         };
         self.with_reason(out, included, why)
@@ -345,7 +355,7 @@ impl Reporter<'_> {
         let before = self.w.plan.steps(DiagramKind::Velocity).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
         let of_velocity = before.filter_map(|s| match s {
             Step::Equation { target: t, chains, .. } if *t == target => Some(terms(chains)),
-            Step::Equation { .. } | Step::Image { .. } | Step::Same { .. } => None,
+            Step::Equation { .. } | Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => None,
         });
         let mut connections: Vec<(VertexId, VertexId, By)> = Vec::new();
         for t in own.iter().chain(of_velocity.flatten()) {
@@ -403,6 +413,7 @@ fn term_name(kind: TermKind) -> &'static str {
         TermKind::Coriolis => "coriolis",
         TermKind::Extension => "extension",
         TermKind::Roll => "rolling",
+        TermKind::Gap => "gap",
     }
 }
 

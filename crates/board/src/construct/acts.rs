@@ -38,6 +38,8 @@ pub(super) enum Given {
     Acceleration(usize),
     /// One of the two sizes of a rolling pair.
     Size(RollingId, usize),
+    /// The rate that is chosen for the second trial on a polygon.
+    Trial(DiagramKind),
 }
 
 /// The turning of a body.

@@ -5,7 +5,7 @@ use super::{Edge, Mark};
 use crate::construction::{
     Base, Because, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Vector, VectorId,
 };
-use crate::plan::{Between, Body, By, Chain, Plan, Rate, Spot, Step, Term, VertexId};
+use crate::plan::{Between, Body, By, Chain, Plan, Rate, Spot, Step, Term, TermKind, VertexId};
 use hodograph_base::budget::spend;
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene::{DiagramKind, GuideId, PointId, Scene};
@@ -57,6 +57,11 @@ impl<'a> Board<'a> {
         for (i, v) in plan.vertices.iter().enumerate() {
             self.done.images[on.index()][i] = match v.spot {
                 Spot::Point(p) => Some(self.joint(p)),
+                // A trial takes the point of the polygon itself, which the plan has before it.
+                Spot::Special(_) if v.trial.is_some() => {
+                    let itself = plan.vertices.iter().position(|own| own.is_at(v));
+                    itself.and_then(|k| self.done.images[on.index()][k])
+                }
                 Spot::Special(k) => self.special_point(on, VertexId(i), &plan.specials[k]),
             };
         }
@@ -197,6 +202,19 @@ impl<'a> Board<'a> {
                 let to = self.found(on, *target);
                 self.act_of(on, (*a, *b), [Op::Image { of, onto, to }]);
             }
+            Step::Trials { target, images: [e, _], .. } if self.stands(on) => {
+                let mark = self.image(on, *e);
+                self.falls_on(on, *target, mark, Because::Reached, None);
+            }
+            Step::Trials { target, images, mates } => {
+                let [a, b] = [images, mates].map(|pair| {
+                    let [from, to] = pair.map(|v| self.image(on, v));
+                    let along = Direction::of(Base::Marks(from, to));
+                    self.done.construction.line(Line { on, through: from, along, moved: false, carries: Vec::new() })
+                });
+                let to = self.found(on, *target);
+                self.act(on, [Op::Rule(a), Op::Rule(b), Op::Meet { lines: [a, b], to }]);
+            }
             Step::Same { target, from, .. } => {
                 let mark = self.image(on, *from);
                 self.falls_on(on, *target, mark, Because::Translates, Some((*from, *target)));
@@ -292,6 +310,7 @@ impl<'a> Board<'a> {
     /// Direction of an unknown term.
     fn direction(&self, term: &Term) -> Direction {
         match term.by {
+            By::Turning(_) if term.kind == TermKind::Gap => Direction::of(self.arm(term.of, term.to)),
             By::Turning(_) | By::Cylinder(_) => Direction::across(self.arm(term.of, term.to)),
             By::Guide { guide, .. } => Direction::of(self.guide_tangent(guide, term.of)),
             By::Contact(pair) => self.contact_normal(pair),

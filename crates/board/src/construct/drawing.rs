@@ -183,6 +183,11 @@ impl<N: Real> View<'_, N> {
                 let met = &self.drawn.met[self.drawn.met.binary_search_by_key(&index, |m| m.step).ok()?];
                 Action::Cross { target: self.vertex(*to), edges: vec![self.edge(step.on, *a), self.edge(step.on, *b)], sine: met.sine }
             }
+            [Op::Rule(a), Op::Rule(b), Op::Meet { to, .. }] => {
+                let met = &self.drawn.met[self.drawn.met.binary_search_by_key(&index, |m| m.step).ok()?];
+                let ends = [*a, *b].map(|line| (self.place(construction.lines[line.index()].through), self.line(line)));
+                Action::Trials { target: self.vertex(*to), lines: ends, sine: met.sine }
+            }
             [Op::Rule(line), Op::Foot { .. }, Op::Show(a), Op::Show(b)] => {
                 Action::Perpendicular { edges: [*a, *b].map(|v| self.edge(step.on, v)), direction: self.line(*line) }
             }

@@ -5,7 +5,7 @@ use crate::construction::{Givens, Key, Track};
 use hodograph_base::geom::Point;
 use hodograph_base::number::Real;
 use hodograph_mechanism::position::{Configuration, Path};
-use hodograph_scene::Scene;
+use hodograph_scene::{DiagramKind, Driver, Scene};
 use hodograph_scene::exact::Inputs;
 
 /// A scene in a pose.
@@ -19,6 +19,18 @@ pub(super) struct Posed<'a, N> {
 }
 
 impl<'a, N: Real> Posed<'a, N> {
+    /// A rate (rad/s, or rad/s²) of the size of those of the drivers. Any but 0 gives the same polygon.
+    fn handy(&self, on: DiagramKind) -> f64 {
+        let rate = |d: &Driver, value: f64| value.abs() / if d.kind.turns() { 1.0 } else { self.extent.max(f64::MIN_POSITIVE) };
+        let largest = |of: &dyn Fn(&Driver) -> f64| self.scene.drivers.iter().map(of).fold(0.0, f64::max);
+        let omega = largest(&|d| rate(d, d.rate.value));
+        let value = match on {
+            DiagramKind::Acceleration => omega * omega + largest(&|d| rate(d, d.acceleration.as_ref().map_or(0.0, |a| a.value))),
+            DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => omega,
+        };
+        if value > 0.0 && value.is_finite() { value } else { 1.0 }
+    }
+
     pub(super) fn new(scene: &'a Scene, at: &'a Configuration<N>, numbers: &'a [Given]) -> Self {
         Posed { scene, at, numbers, inputs: Inputs::of(scene), origin: origin(scene, at), extent: at.extent() }
     }
@@ -43,6 +55,7 @@ impl<N: Real> Givens<N> for Posed<'_, N> {
                 self.scene.drivers[driver].acceleration.as_ref().map_or(N::from_f64(0.0), |a| self.inputs.number(a))
             }
             Given::Size(pair, which) => self.scene.rolling[pair.0].sizes(&self.inputs)[which],
+            Given::Trial(on) => N::from_f64(self.handy(on)),
         }
     }
 

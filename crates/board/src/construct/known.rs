@@ -78,7 +78,13 @@ impl Board<'_> {
     pub(super) fn known_vector(&mut self, on: DiagramId, term: &Term) -> Laid {
         let velocity = DiagramKind::Velocity;
         let laid = |along, times| (Vec::new(), along, times);
+        // Of a trial the one rate that is chosen.
+        let chosen = self.plan.vertex(term.of).trial.is_some();
         match (term.kind, term.by) {
+            (TermKind::Relative | TermKind::Tangential, By::Turning(body)) if chosen => {
+                let rate = self.given(Given::Trial(self.kind(on)));
+                laid(Direction::across(self.arm_of(body, term.of, term.to)), rate)
+            }
             (TermKind::Relative, By::Turning(body)) => {
                 laid(Direction::across(self.arm_of(body, term.of, term.to)), self.rate(velocity, body))
             }

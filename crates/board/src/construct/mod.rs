@@ -125,6 +125,15 @@ pub enum Action<N = f64> {
         /// Sine of the crossing.
         sine: N,
     },
+    /// The lines of two trials crossed.
+    Trials {
+        /// The vertex found.
+        target: VertexId,
+        /// A point and the unit direction of each line: of the images, and of their mates.
+        lines: [(Point<N>, Vec2<N>); 2],
+        /// Sine of the crossing.
+        sine: N,
+    },
     /// A vertex's image is where its chain starts: nothing is added to the known vector.
     Reach(VertexId),
     /// A triangle copied.
@@ -164,6 +173,7 @@ impl<N> Action<N> {
             | Action::Nothing { .. }
             | Action::Line { .. }
             | Action::Cross { .. }
+            | Action::Trials { .. }
             | Action::Reach(_)
             | Action::Copy { .. }
             | Action::Same { .. } => false,
@@ -177,6 +187,7 @@ impl<N> Action<N> {
             Action::Cross { edges, .. } => edges,
             Action::Perpendicular { edges, .. } => edges,
             Action::Nothing { .. }
+            | Action::Trials { .. }
             | Action::Line { .. }
             | Action::Reach(_)
             | Action::Copy { .. }
@@ -188,9 +199,11 @@ impl<N> Action<N> {
     /// The vertex whose image it finds; a vector laid off finds that at its end ([`Edge::to`]).
     pub fn finds(&self) -> Option<VertexId> {
         match self {
-            Action::Cross { target, .. } | Action::Reach(target) | Action::Copy { target, .. } | Action::Same { target, .. } => {
-                Some(*target)
-            }
+            Action::Cross { target, .. }
+            | Action::Trials { target, .. }
+            | Action::Reach(target)
+            | Action::Copy { target, .. }
+            | Action::Same { target, .. } => Some(*target),
             Action::Nothing { target, .. } => *target,
             Action::LayOff(_) | Action::Line { .. } | Action::Join(_) | Action::Perpendicular { .. } | Action::Rate(_) => None,
         }
@@ -269,6 +282,7 @@ impl Polygon {
         for action in &mut own.actions {
             match action {
                 Action::Nothing { at, .. } | Action::Line { through: at, .. } => moved(at),
+                Action::Trials { lines, .. } => lines.iter_mut().for_each(|(at, _)| moved(at)),
                 Action::LayOff(_)
                 | Action::Cross { .. }
                 | Action::Reach(_)
@@ -370,7 +384,7 @@ impl<N: Real> Drawing<N> {
                 .actions
                 .iter()
                 .filter_map(|a| {
-                    let Action::Cross { target, sine, .. } = *a else { return None };
+                    let (Action::Cross { target, sine, .. } | Action::Trials { target, sine, .. }) = *a else { return None };
                     Some(Crossed { target, sine })
                 })
                 .collect(),

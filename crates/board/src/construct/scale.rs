@@ -44,7 +44,7 @@ impl Boxes {
         let last = DiagramKind::of(plan.level).max(DiagramKind::Velocity);
         let vectors = plan.steps(last).iter().flat_map(|g| g.steps(0)).map(|s| match s {
             Step::Equation { chains, .. } => chains.iter().map(|c| c.known.len() + c.unknown.len()).sum(),
-            Step::Image { .. } | Step::Same { .. } => 1_usize,
+            Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => 1_usize,
         });
         // Names need area, and area goes with the square of the side.
         let larger = (vectors.sum::<usize>() as f64 / USUAL_VECTORS).sqrt().clamp(1.0, LARGEST);

@@ -2,7 +2,7 @@
 
 use super::between::body_of;
 use super::names::small_letters;
-use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Special, Spot, Stage, Step, Vertex, VertexId, canonical, effects};
+use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Special, Spot, Stage, Step, Trial, Vertex, VertexId, canonical, effects};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Need, Opened};
 use hodograph_scene::{Guide, GuideId, LinkId, PointId, Scene};
 use std::collections::{HashMap, HashSet};
@@ -70,7 +70,7 @@ pub(super) struct Builder<'a> {
     /// Known vertices at each level.
     pub(super) known: [HashSet<VertexId>; 2],
     /// How each body's turning can be found at each level, once its group is done.
-    sources: [Vec<(Body, Rate)>; 2],
+    pub(super) sources: [Vec<(Body, Rate)>; 2],
     /// Steps of the group being written.
     pub(super) pending: Vec<Step>,
     undrawable: Vec<usize>,
@@ -100,9 +100,19 @@ impl Builder<'_> {
             (Spot::Special(_), None) => (None, false),
         };
         let id = VertexId(self.vertices.len());
-        self.vertices.push(Vertex { spot, on, number, fixed });
+        self.vertices.push(Vertex { spot, on, number, fixed, trial: None });
         self.interned.insert((spot, on), id);
         id
+    }
+
+    /// The vertex of a trial that stands for another.
+    pub(super) fn tried(&mut self, v: VertexId, trial: Trial) -> VertexId {
+        let vertex = Vertex { fixed: false, trial: Some(trial), ..self.vertices[v.0] };
+        let known = self.vertices.iter().position(|own| *own == vertex);
+        VertexId(known.unwrap_or_else(|| {
+            self.vertices.push(vertex);
+            self.vertices.len() - 1
+        }))
     }
 
     /// A pin gets a number when a moving link has a point of its own at the same place.
@@ -153,7 +163,7 @@ impl Builder<'_> {
     fn known_on(&self, level: Level, l: LinkId) -> Vec<VertexId> {
         let own = self.scene.links[l.0].points.iter().filter(|p| !self.m.is_opened(&Opened::Pin(**p, l)));
         let carried = own.filter_map(|p| self.interned.get(&(Spot::Point(*p), None)).copied());
-        let coincident = self.vertices.iter().enumerate().filter(|(_, v)| v.on == Some(l)).map(|(i, _)| VertexId(i));
+        let coincident = self.vertices.iter().enumerate().filter(|(_, v)| v.on == Some(l) && v.trial.is_none()).map(|(i, _)| VertexId(i));
         carried.chain(coincident).filter(|v| self.is_known(level, *v)).take(2).collect()
     }
 

@@ -14,7 +14,7 @@ impl Builder<'_> {
                 vec![std::mem::take(&mut self.pending)]
             }
             Core::Link { link, legs } => self.group_of_link(level, g, link, &legs),
-            Core::Higher => return self.reduced(level, g),
+            Core::Higher => return self.reduced(level, g).or_else(|| self.by_trials(level, g)),
         })
     }
 

@@ -109,7 +109,7 @@ impl Writer<'_> {
         let fixed_guide = self.is_absolute(on, t) && matches!(t.by, By::Guide { .. });
         match t.kind {
             TermKind::Relative if matches!(t.by, By::Turning(Body::Cylinder(_))) => Part::Tangential,
-            TermKind::Relative => Part::Whole,
+            TermKind::Relative | TermKind::Gap => Part::Whole,
             TermKind::Normal => Part::Normal,
             TermKind::Tangential => Part::Tangential,
             TermKind::Coriolis => Part::Coriolis,

@@ -20,6 +20,7 @@ mod reduce;
 mod rest;
 mod step;
 pub mod text;
+mod trials;
 
 pub(crate) use between::body_of;
 pub use between::{Asking, asking};
@@ -80,9 +81,25 @@ pub struct Vertex {
     pub number: Option<LinkId>,
     /// Fixed points have their image in the pole.
     pub fixed: bool,
+    /// The trial that it belongs to; `None` for a vertex of the polygon that is sought.
+    pub trial: Option<Trial>,
+}
+
+/// A trial polygon: one unknown rate has a value that is chosen, and the last bar of the group is left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Trial {
+    /// The first trial, with a rate of 0, or the second.
+    pub run: u8,
+    /// True for the point that the vertex would have to coincide with.
+    pub mate: bool,
 }
 
 impl Vertex {
+    /// Returns true for a vertex of the same point, of whatever trial.
+    pub fn is_at(&self, other: &Vertex) -> bool {
+        self.spot == other.spot && self.on == other.on
+    }
+
     /// The link that a point belongs to: of a pin's links the first of the scene that moves.
     pub fn link(&self, scene: &Scene) -> Option<LinkId> {
         let pinned = || match self.spot {
@@ -119,6 +136,8 @@ pub enum TermKind {
     Coriolis,
     /// The given rate of a cylinder, along its line.
     Extension,
+    /// In a trial polygon, from the image of a pin of the bar that is left out to its mate, along the bar; seen from the bar's other pin.
+    Gap,
     /// Between the two points at a contact of rolling links, along its normal: nothing of the velocities, (ω₂ − ω₁)² ρ₁ρ₂/(ρ₁ + ρ₂) of the
     /// accelerations.
     Roll,
@@ -192,6 +211,8 @@ pub enum Method {
     Strand,
     /// The special point of a triad, or of a link of a higher group.
     Special,
+    /// A point of a trial polygon.
+    Trial,
 }
 
 /// One step of a plan.
@@ -214,6 +235,15 @@ pub enum Step {
         target: VertexId,
         /// The two known ones.
         from: (VertexId, VertexId),
+    },
+    /// A point on the line through its images of two trials, where that line meets the line through their mates.
+    Trials {
+        /// The point found.
+        target: VertexId,
+        /// Its vertices of both trials.
+        images: [VertexId; 2],
+        /// Their mates.
+        mates: [VertexId; 2],
     },
     /// A point of a link that does not turn: the same vector as a known point of it.
     Same {

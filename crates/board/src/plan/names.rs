@@ -79,6 +79,20 @@ pub fn crossing_letter(scene: &Scene) -> &'static str {
     ["S", "T", "U", "W", "Z"].into_iter().find(|l| !taken(l)).unwrap_or("S")
 }
 
+/// A label with the number of a trial in its subscript: `b` → `b_{(1)}`, `b_{3}` → `b_{3(1)}`.
+pub(super) fn of_trial(label: &str, run: u8) -> String {
+    match label.strip_suffix('}').filter(|_| label.contains("_{")) {
+        Some(head) => format!("{head}({run})}}"),
+        None => format!("{label}_{{({run})}}"),
+    }
+}
+
+/// The letter of the mates of trial polygons: X, or the next one that no point of the scene has.
+pub fn mate_letter(scene: &Scene) -> &'static str {
+    let taken = |letter: &str| scene.points.iter().any(|p| Parts::of(&p.name).head.eq_ignore_ascii_case(letter));
+    ["X", "Y", "Z", "W", "U"].into_iter().find(|l| !taken(l)).unwrap_or("X")
+}
+
 /// Name of a special point (by its place in the plan's list): [`crossing_letter`], numbered where several are drawn. The special points of one triad, of which one is drawn, share a name.
 pub fn special_name(scene: &Scene, plan: &Plan, special: usize) -> String {
     let letter = crossing_letter(scene);

@@ -15,26 +15,26 @@ use hodograph_mechanism::mechanism::{Form, Hold, Level, Runner, Strut};
 use hodograph_scene::{LinkId, PointId, RollingId, Scene};
 
 /// A link of the group that is no mere bar from a known pin.
-struct Member {
-    link: LinkId,
+pub(super) struct Member {
+    pub link: LinkId,
     /// Its pins that other members carry too.
-    shared: Vec<PointId>,
+    pub shared: Vec<PointId>,
     /// What known bodies hold of it.
-    holds: Vec<Hold>,
+    pub holds: Vec<Hold>,
     /// Known pins on which it turns.
-    pivots: Vec<PointId>,
+    pub pivots: Vec<PointId>,
     /// Pairs by which it rolls on other members.
-    rolls: Vec<RollingId>,
+    pub rolls: Vec<RollingId>,
 }
 
 /// How far a member is known.
 #[derive(Clone, Default)]
-struct State {
+pub(super) struct State {
     /// Points whose vectors are known.
-    known: Vec<VertexId>,
+    pub known: Vec<VertexId>,
     /// The lines that its special point lies on: they say nothing more.
     used: Vec<Line>,
-    done: bool,
+    pub done: bool,
 }
 
 /// A line that holds a member: of one of its own legs, or through a shared pin from the special point of a neighbour.
@@ -77,26 +77,36 @@ impl Builder<'_> {
     /// The steps of a group without a core; `None` where its links are not reduced by special points.
     pub(super) fn reduced(&mut self, level: Level, g: usize) -> Option<Vec<Vec<Step>>> {
         let members = members(self.scene, self.m, g)?;
-        let mut states = vec![State::default(); members.len()];
-        for (member, state) in members.iter().zip(&mut states) {
-            for &pin in &member.pivots {
-                state.known.push(self.pin(pin));
-            }
-        }
+        let mut states = self.states(&members);
         let before = self.pending.len();
-        while !states.iter().all(|s| s.done) {
-            let next = (0..members.len()).find(|&i| !states[i].done && self.advance(level, g, &members, &mut states, i));
-            if next.is_none() {
-                self.pending.truncate(before);
-                return None;
-            }
+        if !self.open_all(level, g, &members, &mut states) {
+            self.pending.truncate(before);
+            return None;
         }
-        for member in &members {
-            for hold in &member.holds {
-                self.sources_of(level, hold);
-            }
-        }
+        self.sources_of_members(level, &members);
         Some(vec![std::mem::take(&mut self.pending)])
+    }
+
+    /// Members of which only the pivots are known.
+    pub(super) fn states(&mut self, members: &[Member]) -> Vec<State> {
+        members.iter().map(|m| State { known: m.pivots.iter().map(|pin| self.pin(*pin)).collect(), ..State::default() }).collect()
+    }
+
+    /// Opens link after link; whether all are known in the end.
+    pub(super) fn open_all(&mut self, level: Level, g: usize, members: &[Member], states: &mut [State]) -> bool {
+        while !states.iter().all(|s| s.done) {
+            if !(0..members.len()).any(|i| !states[i].done && self.advance(level, g, members, states, i)) {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// The turning of all that holds the members.
+    pub(super) fn sources_of_members(&mut self, level: Level, members: &[Member]) {
+        for hold in members.iter().flat_map(|member| &member.holds) {
+            self.sources_of(level, hold);
+        }
     }
 
     /// Finds a further point of a member, or all of it; whether there was one to find.
@@ -239,7 +249,7 @@ impl Builder<'_> {
     }
 
     /// A pin that is known is known on all members that carry it.
-    fn known_at(&mut self, states: &mut [State], members: &[Member], v: VertexId, found_on: usize) {
+    pub(super) fn known_at(&mut self, states: &mut [State], members: &[Member], v: VertexId, found_on: usize) {
         for (k, (member, state)) in members.iter().zip(states.iter_mut()).enumerate() {
             let shares = member.shared.iter().any(|p| self.pin(*p) == v);
             if (shares || k == found_on) && !state.done && !state.known.contains(&v) {
@@ -315,7 +325,7 @@ fn special_line(scene: &Scene, line: &Line) -> SpecialLine {
 
 /// The members of a group and what holds them; `None` where a pair of the group is no bar, guide, slot, cylinder or contact between a
 /// member and a known body, and no pin between members.
-fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechanism, g: usize) -> Option<Vec<Member>> {
+pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechanism, g: usize) -> Option<Vec<Member>> {
     let group = &m.groups[g];
     let forms: Vec<Form> = group.constraints.iter().map(|&c| m.constraints[c].form()).collect();
     let on =

@@ -1,13 +1,13 @@
 //! Accessors of a step: its vertex, its chains, the guides along which its terms slide, the body whose turning makes its Coriolis part.
 
 use super::{By, Chain, Plan, Step, VertexId};
-use hodograph_scene::{GuideId, LinkId, Scene};
+use hodograph_scene::{DiagramKind, GuideId, LinkId, Scene};
 
 impl Step {
     /// The vertex that it finds.
     pub fn target(&self) -> VertexId {
         match self {
-            Step::Equation { target, .. } | Step::Image { target, .. } | Step::Same { target, .. } => *target,
+            Step::Equation { target, .. } | Step::Image { target, .. } | Step::Trials { target, .. } | Step::Same { target, .. } => *target,
         }
     }
 
@@ -15,7 +15,7 @@ impl Step {
     pub fn chains(&self) -> &[Chain] {
         match self {
             Step::Equation { chains, .. } => chains,
-            Step::Image { .. } | Step::Same { .. } => &[],
+            Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => &[],
         }
     }
 
@@ -27,6 +27,19 @@ impl Step {
 }
 
 impl Plan {
+    /// The images of a vertex in two trials, and their mates.
+    ///
+    /// # Panics
+    /// For a vertex that no trials give.
+    pub fn trials(&self, on: DiagramKind, v: VertexId) -> [[VertexId; 2]; 2] {
+        let steps = self.steps(on).iter().flat_map(|g| g.alternatives.iter().flatten());
+        let found = steps.filter_map(|step| {
+            let Step::Trials { target, images, mates } = step else { return None };
+            (*target == v).then_some([*images, *mates])
+        });
+        found.last().expect("trials give the vertex")
+    }
+
     /// The link with whose turning the Coriolis acceleration at a guide is laid off: that which carries it.
     pub fn coriolis_link(&self, scene: &Scene, guide: GuideId) -> LinkId {
         match self.coriolis_by {

@@ -3,8 +3,8 @@
 //! A vector that starts at a fixed point is written as an absolute one (v_C, not v_CD), as every textbook does.
 
 pub use super::names::point_label;
-use super::names::{image_label, image_of, is_image, name_label, numbered, pole_letter, special_name};
-use super::{Body, By, Chain, Plan, Spot, Step, Term, TermKind, VertexId};
+use super::names::{image_label, image_of, is_image, mate_letter, name_label, numbered, of_trial, pole_letter, special_name};
+use super::{Body, By, Chain, Plan, Spot, Step, Term, TermKind, Trial, VertexId};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::notation::Notation;
 use hodograph_scene::{DiagramKind, GuideId, GuidePath, Lang, PointId, Scene};
@@ -40,11 +40,13 @@ pub struct Column {
 /// Name of a vertex in capitals, as diagnostics use it: `C`, `B3`, `S`.
 pub fn vertex_name(scene: &Scene, plan: &Plan, v: VertexId) -> String {
     let vertex = plan.vertex(v);
-    let name = match vertex.spot {
-        Spot::Point(p) => scene.point_name(p).to_owned(),
-        Spot::Special(k) => special_name(scene, plan, k),
+    let name = match (vertex.spot, vertex.trial) {
+        (_, Some(Trial { run, mate: true })) => return format!("{}({run})", mate_letter(scene)),
+        (Spot::Point(p), _) => scene.point_name(p).to_owned(),
+        (Spot::Special(k), _) => special_name(scene, plan, k),
     };
-    numbered(scene, name, vertex.number.map(|n| scene.link_name(n)))
+    let name = numbered(scene, name, vertex.number.map(|n| scene.link_name(n)));
+    vertex.trial.map_or(name.clone(), |t| format!("{name}({})", t.run))
 }
 
 /// Name of a line in plain letters, its ends in the order of the scene: `AB`.
@@ -148,11 +150,13 @@ impl Writer<'_> {
     /// Name of a vertex in the letters of images, in the label language.
     fn small(&self, v: VertexId) -> String {
         let vertex = self.plan.vertex(v);
-        let name = match vertex.spot {
-            Spot::Point(p) => self.plan.letters[p.0].clone(),
-            Spot::Special(k) => special_name(self.scene, self.plan, k).to_lowercase(),
+        let name = match (vertex.spot, vertex.trial) {
+            (_, Some(Trial { mate: true, .. })) => mate_letter(self.scene).to_lowercase(),
+            (Spot::Point(p), _) => self.plan.letters[p.0].clone(),
+            (Spot::Special(k), _) => special_name(self.scene, self.plan, k).to_lowercase(),
         };
-        name_label(&numbered(self.scene, name, vertex.number.map(|n| self.scene.link_name(n))))
+        let name = name_label(&numbered(self.scene, name, vertex.number.map(|n| self.scene.link_name(n))));
+        vertex.trial.map_or(name.clone(), |t| format!("{name}({})", t.run))
     }
 
     fn superscript(&self, on: DiagramKind, t: &Term) -> String {
@@ -183,7 +187,7 @@ impl Writer<'_> {
             (TermKind::Slide, _) => self.notation.sliding.clone(),
             (TermKind::SlideNormal, _) => format!("{}\\,n", self.notation.sliding),
             (TermKind::Roll, _) if on == DiagramKind::Acceleration && !fixed_guide => "ro".into(),
-            (TermKind::Roll, _) => String::new(),
+            (TermKind::Roll | TermKind::Gap, _) => String::new(),
         }
     }
 
@@ -193,6 +197,9 @@ impl Writer<'_> {
 
     /// Symbol of a term: `v_{CB}`, `a^t_{CB}`, `a^k_{B3B2}`.
     pub fn symbol(&self, on: DiagramKind, t: &Term) -> String {
+        if let (TermKind::Gap, Some(trial)) = (t.kind, self.plan.vertex(t.of).trial) {
+            return format!("\\delta_{{({})}}", trial.run);
+        }
         let (q, sub, sup) = (on.letter(), self.subscript(on, t), self.superscript(on, t));
         if sup.is_empty() { format!("{q}_{{{sub}}}") } else { format!("{q}^{{{sup}}}_{{{sub}}}") }
     }
@@ -210,10 +217,12 @@ impl Writer<'_> {
             return self.pole(on);
         }
         let link = vertex.number.map(|l| self.scene.link_name(l));
-        match vertex.spot {
-            Spot::Point(p) => image_label(&self.plan.letters, p, link, on.prime()),
-            Spot::Special(k) => image_of(&special_name(self.scene, self.plan, k).to_lowercase(), link, on.prime()),
-        }
+        let label = match (vertex.spot, vertex.trial) {
+            (_, Some(Trial { mate: true, .. })) => image_of(&mate_letter(self.scene).to_lowercase(), None, on.prime()),
+            (Spot::Point(p), _) => image_label(&self.plan.letters, p, link, on.prime()),
+            (Spot::Special(k), _) => image_of(&special_name(self.scene, self.plan, k).to_lowercase(), link, on.prime()),
+        };
+        vertex.trial.map_or(label.clone(), |t| of_trial(&label, t.run))
     }
 
     /// The letter of the image of a pin on the velocity polygon: `b`, `s_2`.
@@ -241,7 +250,7 @@ impl Writer<'_> {
             TermKind::Normal | TermKind::SlideNormal => ("n", &n.normal_end),
             TermKind::Coriolis => ("k", &n.coriolis_end),
             TermKind::Tangential => ("t", &n.tangential_end),
-            TermKind::Relative | TermKind::Slide | TermKind::Extension | TermKind::Roll => ("r", &n.sliding_end),
+            TermKind::Relative | TermKind::Slide | TermKind::Extension | TermKind::Roll | TermKind::Gap => ("r", &n.sliding_end),
         }
     }
 
@@ -266,7 +275,7 @@ impl Writer<'_> {
         match (t.kind, t.by) {
             (TermKind::Relative | TermKind::Tangential, _) => format!("\\perp {}", self.line(t.of, t.to)),
             (TermKind::Normal, _) => format!("{} \\to {}", self.spot(t.of), self.spot(t.to)),
-            (TermKind::Extension, _) => format!("\\parallel {}", self.line(t.to, t.of)),
+            (TermKind::Extension | TermKind::Gap, _) => format!("\\parallel {}", self.line(t.to, t.of)),
             (TermKind::Coriolis, By::Guide { guide, .. }) if !self.is_arc(guide) => format!("\\perp {}", self.guide_line(guide)),
             (TermKind::Coriolis, By::Guide { guide, .. }) => format!("\\parallel {}", self.guide_line(guide)),
             (TermKind::Coriolis, By::Frame { .. }) => {
@@ -386,7 +395,7 @@ impl Writer<'_> {
     fn known_vector(&self, on: DiagramKind, v: VertexId) -> (String, String) {
         let defining = self.plan.steps(on).iter().flat_map(|g| g.steps(0)).find_map(|s| match s {
             Step::Equation { target, chains, .. } if *target == v && chains.len() == 1 => Some(&chains[0]),
-            Step::Equation { .. } | Step::Image { .. } | Step::Same { .. } => None,
+            Step::Equation { .. } | Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => None,
         });
         if let Some(c) = defining
             && self.plan.vertex(c.start).fixed

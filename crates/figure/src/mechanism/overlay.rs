@@ -82,7 +82,7 @@ fn shown(worked: &Worked, on: DiagramKind) -> impl Iterator<Item = (VertexId, Ve
     let images = worked.construction.polygon(on).into_iter().flat_map(|p| p.images.iter().enumerate());
     images.filter_map(|(v, at)| {
         let vertex = worked.plan.vertex(VertexId(v));
-        let own = !vertex.fixed && matches!(vertex.spot, Spot::Point(_));
+        let own = !vertex.fixed && vertex.trial.is_none() && matches!(vertex.spot, Spot::Point(_));
         Some((VertexId(v), at.filter(|_| own)?.to_vec2()))
     })
 }

@@ -168,6 +168,14 @@ impl Draft<'_> {
                     self.zeros.push(Zero { at: *at, key: Name::sum(self.w, p.on, terms).key, note, step });
                     target.iter().for_each(|v| self.image(*v, step));
                 }
+                Action::Trials { target, lines, .. } => {
+                    self.image(*target, step);
+                    let Some(at) = p.images[target.0] else { continue };
+                    for (through, direction) in lines {
+                        let out = (at - *through).unit().unwrap_or(*direction);
+                        self.lines.push((*through, at + out * BEYOND_MM, step));
+                    }
+                }
                 Action::Reach(v) | Action::Same { target: v, .. } => self.image(*v, step),
                 Action::Copy { target, from } => {
                     self.image(*target, step);
@@ -261,7 +269,7 @@ impl Draft<'_> {
         }
         self.letter(at, Mark::Image(v), step);
         // The special point belongs to the construction: its vector answers nothing.
-        if matches!(vertex.spot, Spot::Special(_)) {
+        if matches!(vertex.spot, Spot::Special(_)) || vertex.trial.is_some() {
             return;
         }
         let name = Name::whole(self.w, self.p.on, v);

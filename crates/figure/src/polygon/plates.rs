@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use hodograph_base::geom::Point;
 use hodograph_board::construct::{Action, Mark, Polygon, scale};
 use hodograph_board::plan::text::Writer;
-use hodograph_board::plan::{GroupSteps, Step, VertexId};
+use hodograph_board::plan::{GroupSteps, VertexId};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_paper::paper::drawing::{Drawing, Part};
 use hodograph_paper::paper::item::Colour;
@@ -145,8 +145,7 @@ fn groups_of_actions(w: &Writer, p: &Polygon) -> Vec<Option<usize>> {
     let mut of: HashMap<VertexId, usize> = HashMap::new();
     for GroupSteps { group, alternatives, further, .. } in w.plan.steps(p.on) {
         for step in alternatives.iter().flatten().chain(further) {
-            let (Step::Equation { target, .. } | Step::Image { target, .. } | Step::Same { target, .. }) = step;
-            of.entry(*target).or_insert(*group);
+            of.entry(step.target()).or_insert(*group);
         }
     }
     let laid = |action: &Action| {

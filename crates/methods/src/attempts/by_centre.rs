@@ -59,7 +59,7 @@ pub fn hung_on_pole(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(Plan, S
     let mut wrong = plan.clone();
     wrong.specials.push(Special { group, link, lines: f.lines.map(SpecialLine::Leg), legs: None });
     let spot = Spot::Special(wrong.specials.len() - 1);
-    wrong.vertices.push(Vertex { spot, on: None, number: None, fixed: true });
+    wrong.vertices.push(Vertex { spot, on: None, number: None, fixed: true, trial: None });
     let centre = VertexId(wrong.vertices.len() - 1);
     let step = Step::Image { link, target: f.target, from: (centre, f.known) };
     replace_crossing(&mut wrong, DiagramKind::Acceleration, f.target, &step);

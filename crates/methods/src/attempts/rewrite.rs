@@ -39,7 +39,7 @@ pub fn crossing<T>(plan: &Plan, on: DiagramKind, found: impl Fn(VertexId, &[Chai
     plan.steps(on).iter().find_map(|group| {
         let of = |step: &Step| match step {
             Step::Equation { target, chains, .. } if chains.len() == 2 => found(*target, chains),
-            Step::Equation { .. } | Step::Image { .. } | Step::Same { .. } => None,
+            Step::Equation { .. } | Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => None,
         };
         each(group).find_map(of).map(|found| (group.group, found))
     })

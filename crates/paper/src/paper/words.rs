@@ -40,6 +40,8 @@ pub struct Words {
     pub image: &'static str,
     /// After a vector taken over; `{}` is the link.
     pub no_turning: &'static str,
+    /// Beside a point that two trials give.
+    pub trials: &'static str,
     /// What the special point `{S}` of a triad is; `{1}`, `{2}` are its lines, `{}` the link.
     pub special_point: &'static str,
     /// A line square to a guide; `{}` is the point.
@@ -116,6 +118,7 @@ const EN: Words = Words {
     clockwise: "clockwise",
     image: "image",
     no_turning: "link {} does not turn",
+    trials: "lines of two trials",
     special_point: "${S}$: point of link {} where {1} and {2} meet",
     square_to_guide: "the normal to the guide at ${}$",
     tangent_at: "the tangent at ${}$",
@@ -164,6 +167,7 @@ const ZH: Words = Words {
     clockwise: "顺时针",
     image: "影像",
     no_turning: "构件 {} 作平动",
+    trials: "两次试作的直线",
     special_point: "特殊点 ${S}$：构件 {} 上 {1} 与 {2} 的交点",
     square_to_guide: "过 ${}$ 的导路垂线",
     tangent_at: "过 ${}$ 的公切线",

@@ -111,7 +111,7 @@ fn redrawn(drawn: &Drawn, at: &Configuration, layout: &Layout) -> Option<Drawing
 
 fn other_point(drawn: &Drawn, target: VertexId, pencil_mm: f64, present: f64) -> Option<OtherPoint> {
     let layout = Layout::of(drawn.construction);
-    let finds = |steps: &[Step], v: VertexId| steps.iter().any(|s| matches!(s, Step::Equation { target, .. } if *target == v));
+    let finds = |steps: &[Step], v: VertexId| steps.iter().any(|s| matches!(s, Step::Equation { target, .. } | Step::Trials { target, .. } if *target == v));
     let chosen = |g: usize| drawn.construction.acts.chosen[g];
     let steps =
         drawn.plan.steps(DiagramKind::Velocity).iter().find(|s| s.alternatives.get(chosen(s.group)).is_some_and(|a| finds(a, target)))?;
@@ -126,7 +126,7 @@ fn other_point(drawn: &Drawn, target: VertexId, pencil_mm: f64, present: f64) ->
         let worst_deg = own.map(|c| c.angle_deg()).fold(90.0, f64::min);
         let legs = alternative.iter().find_map(|s| match s {
             Step::Equation { target, .. } => drawn.plan.special(*target)?.legs,
-            Step::Image { .. } | Step::Same { .. } => None,
+            Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => None,
         });
         if let Some(legs) = legs
             && worst_deg >= BAD_DEG

@@ -89,7 +89,7 @@ impl Steps {
 
     /// What is told of each crossing of a drawing, in the order of [`Drawing::crossings`].
     pub fn crossings<'a>(&'a self, paper: &Drawing, on: DiagramKind) -> Vec<impl Fn(What) -> Option<String> + 'a> {
-        let crossed = |(i, a): (usize, &Action)| matches!(a, Action::Cross { .. }).then_some(i);
+        let crossed = |(i, a): (usize, &Action)| matches!(a, Action::Cross { .. } | Action::Trials { .. }).then_some(i);
         let at: Vec<usize> = match paper.polygon(on) {
             Some(p) => p.actions.iter().enumerate().filter_map(crossed).collect(),
             None => (0..paper.crossings(on).len()).collect(),
@@ -197,6 +197,10 @@ fn numbers<N: Certain>(book: &Book, paper: &Drawing<N>, pencil_mm: Option<f64>) 
                     for (k, e) in edges.iter().enumerate() {
                         tell(What::Length(k), length(span(&p.edges[*e])));
                     }
+                    crossing(*sine, |moved| vector(moved * scale::number(p.mu)), pencil_mm).into_iter().for_each(|(what, n)| tell(what, n));
+                }
+                Action::Trials { target, sine, .. } => {
+                    tell(What::Length(0), from_pole(p, *target).and_then(length));
                     crossing(*sine, |moved| vector(moved * scale::number(p.mu)), pencil_mm).into_iter().for_each(|(what, n)| tell(what, n));
                 }
                 Action::Reach(v) | Action::Copy { target: v, .. } => tell(What::Length(0), from_pole(p, *v).and_then(length)),

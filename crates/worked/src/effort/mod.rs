@@ -119,6 +119,7 @@ fn motion(worked: &Worked, level: Level) -> Motion {
                 | Action::Nothing { .. }
                 | Action::Line { .. }
                 | Action::Cross { .. }
+                | Action::Trials { .. }
                 | Action::Reach(_)
                 | Action::Join(_)
                 | Action::Perpendicular { .. } => done.equations_closed += usize::from(closes(p, action)),
@@ -131,7 +132,7 @@ fn motion(worked: &Worked, level: Level) -> Motion {
 /// Whether an action ends an equation: two lines crossed, a whole vector laid off, or nothing added at all.
 fn closes(p: &Polygon, action: &Action) -> bool {
     match action {
-        Action::Cross { .. } | Action::Reach(_) => true,
+        Action::Cross { .. } | Action::Trials { .. } | Action::Reach(_) => true,
         Action::LayOff(edge) => matches!(p.edges[*edge].to.0, Mark::Image(_)),
         Action::Nothing { target, .. } => target.is_some(),
         Action::Line { .. }

@@ -1,0 +1,171 @@
+//! Groups that no special point opens, drawn by trial polygons.
+//!
+//! One unknown rate is chosen, 0 in a first trial and a handy value in a second, and one bar CE between two links of the group is left out; all other links are then
+//! known one after the other. Of E the bar asks for a place on the line through the image of C and the bar's normal part, square to CE: the mate x of e lies there, the gap
+//! from e to x along CE. All images are linear in the rate, so e and x run on straight lines, and the true e lies where these meet.
+//!
+//! # Source
+//! J. S. Beggs, *Mechanism* (1955), on auxiliary points and trial solutions; 试凑法 of the textbooks, exact here because the equations are linear.
+
+use super::build::{Builder, slot};
+use super::reduce::{Member, members};
+use super::{Body, By, Chain, Method, Step, Term, TermKind, Trial, VertexId};
+use hodograph_mechanism::mechanism::Level;
+use hodograph_scene::PointId;
+use std::collections::HashSet;
+
+/// The link whose rate is chosen, with a known and another point of it; the bar that is left out, with its pins.
+struct Choice {
+    tried: usize,
+    pivot: PointId,
+    moved: PointId,
+    left_out: usize,
+    pins: [PointId; 2],
+}
+
+impl Builder<'_> {
+    /// The steps of a group by two trials; `None` where one rate does not open it.
+    pub(super) fn by_trials(&mut self, level: Level, g: usize) -> Option<Vec<Vec<Step>>> {
+        let members = members(self.scene, self.m, g)?;
+        let (known, sources) = (self.known[slot(level)].clone(), self.sources[slot(level)].clone());
+        for choice in choices(&members) {
+            if let Some(steps) = self.tried_with(level, g, &members, &choice) {
+                return Some(vec![steps]);
+            }
+            self.pending.clear();
+            self.known[slot(level)].clone_from(&known);
+            self.sources[slot(level)].clone_from(&sources);
+        }
+        None
+    }
+
+    fn tried_with(&mut self, level: Level, g: usize, members: &[Member], choice: &Choice) -> Option<Vec<Step>> {
+        let mut steps = Vec::new();
+        let [near, far] = choice.pins.map(|p| self.pin(p));
+        let mut found: [[VertexId; 2]; 2] = [[far; 2]; 2];
+        for run in [1, 2] {
+            let (known, sources) = (self.known[slot(level)].clone(), self.sources[slot(level)].clone());
+            if !self.one_trial(level, g, members, choice, run) {
+                return None;
+            }
+            let mate = self.tried(far, Trial { run, mate: true });
+            let bar = Body::Link(members[choice.left_out].link);
+            let (normal, across) = self.turning(level, bar, mate, near, false);
+            let gap = Term { kind: TermKind::Gap, of: mate, to: near, by: By::Turning(bar), known: false };
+            let chains = vec![
+                Chain { start: near, known: normal, unknown: across },
+                Chain { start: far, known: Vec::new(), unknown: vec![gap] },
+            ];
+            self.pending.push(Step::Equation { target: mate, chains, method: Method::Trial });
+            let all = std::mem::take(&mut self.pending);
+            let moved = self.pin(choice.moved);
+            let (own, kept) = self.renamed(all, moved, run);
+            self.known[slot(level)] = known;
+            self.sources[slot(level)] = sources;
+            for step in kept {
+                self.learn(level, step.target());
+                steps.push(step);
+            }
+            steps.extend(own);
+            found[usize::from(run) - 1] = [self.tried(far, Trial { run, mate: false }), mate];
+        }
+        let [[e1, x1], [e2, x2]] = found;
+        steps.push(Step::Trials { target: far, images: [e1, e2], mates: [x1, x2] });
+        self.learn(level, far);
+        let mut states = self.states(members);
+        self.known_at(&mut states, members, far, choice.left_out);
+        if !self.open_all(level, g, members, &mut states) {
+            return None;
+        }
+        self.sources_of_members(level, members);
+        steps.append(&mut self.pending);
+        Some(steps)
+    }
+
+    /// All links but the bar left out, from a rate that is chosen; whether all are known.
+    fn one_trial(&mut self, level: Level, g: usize, members: &[Member], choice: &Choice, run: u8) -> bool {
+        let [pivot, moved] = [choice.pivot, choice.moved].map(|p| self.pin(p));
+        let link = members[choice.tried].link;
+        let (mut known, unknown) = self.turning(level, Body::Link(link), moved, pivot, false);
+        if run == 2 {
+            known.extend(unknown.into_iter().map(|t| Term { known: true, ..t }));
+        }
+        self.equation(level, moved, vec![Chain { start: pivot, known, unknown: Vec::new() }], Method::Trial);
+        let mut states = self.states(members);
+        self.known_at(&mut states, members, moved, choice.tried);
+        states[choice.left_out].done = true;
+        self.open_all(level, g, members, &mut states)
+    }
+
+    /// Steps with the vertices of a trial in place of those that depend on its rate; apart from them the steps that do not.
+    fn renamed(&mut self, steps: Vec<Step>, moved: VertexId, run: u8) -> (Vec<Step>, Vec<Step>) {
+        let mut depend: HashSet<VertexId> = HashSet::from([moved]);
+        let (mut own, mut kept) = (Vec::new(), Vec::new());
+        for step in steps {
+            let target = step.target();
+            let tried = self.vertices[target.0].trial.is_some();
+            if !tried && target != moved && !sources(&step).iter().any(|v| depend.contains(v)) {
+                kept.push(step);
+                continue;
+            }
+            if !tried {
+                depend.insert(target);
+            }
+            let mut name = |v: VertexId| if depend.contains(&v) { self.tried(v, Trial { run, mate: false }) } else { v };
+            own.push(step.with_vertices(&mut name));
+        }
+        (own, kept)
+    }
+}
+
+/// The vertices that a step starts from.
+fn sources(step: &Step) -> Vec<VertexId> {
+    match step {
+        Step::Equation { chains, .. } => chains.iter().map(|c| c.start).collect(),
+        Step::Image { from: (a, b), .. } => vec![*a, *b],
+        Step::Trials { images, mates, .. } => images.iter().chain(mates).copied().collect(),
+        Step::Same { from, .. } => vec![*from],
+    }
+}
+
+impl Step {
+    /// The step with other vertices.
+    fn with_vertices(self, name: &mut impl FnMut(VertexId) -> VertexId) -> Step {
+        let terms = |terms: Vec<Term>, name: &mut dyn FnMut(VertexId) -> VertexId| -> Vec<Term> {
+            terms.into_iter().map(|t| Term { of: name(t.of), to: name(t.to), ..t }).collect()
+        };
+        match self {
+            Step::Equation { target, chains, method: _ } => {
+                let chains = chains.into_iter().map(|c| Chain {
+                    start: name(c.start),
+                    known: terms(c.known, name),
+                    unknown: terms(c.unknown, name),
+                });
+                let chains = chains.collect();
+                Step::Equation { target: name(target), chains, method: Method::Trial }
+            }
+            Step::Image { link, target, from: (a, b) } => Step::Image { link, target: name(target), from: (name(a), name(b)) },
+            Step::Trials { target, images, mates } => {
+                Step::Trials { target: name(target), images: images.map(&mut *name), mates: mates.map(&mut *name) }
+            }
+            Step::Same { link, target, from } => Step::Same { link, target: name(target), from: name(from) },
+        }
+    }
+}
+
+/// Links with one known point whose rate can be chosen, and bars between two links that can be left out.
+fn choices(members: &[Member]) -> Vec<Choice> {
+    let tried = members.iter().enumerate().filter(|(_, m)| m.pivots.len() == 1 && m.holds.is_empty() && m.rolls.is_empty());
+    let bar = |m: &Member| m.pivots.is_empty() && m.holds.is_empty() && m.rolls.is_empty() && m.shared.len() == 2;
+    let bars: Vec<usize> = (0..members.len()).filter(|k| bar(&members[*k])).collect();
+    let mut out = Vec::new();
+    for (tried, member) in tried {
+        for &left_out in &bars {
+            let pins = [members[left_out].shared[0], members[left_out].shared[1]];
+            let moved = member.shared.iter().find(|p| !pins.contains(p)).or(member.shared.first());
+            let Some(&moved) = moved else { continue };
+            out.push(Choice { tried, pivot: member.pivots[0], moved, left_out, pins });
+        }
+    }
+    out
+}
