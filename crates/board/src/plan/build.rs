@@ -5,18 +5,27 @@ use super::names::small_letters;
 use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Special, Spot, Stage, Step, Trial, Vertex, VertexId, canonical, effects};
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Need, Opened};
 use hodograph_scene::{Guide, GuideId, LinkId, PointId, Scene};
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
+
+/// How the groups of a scene are drawn in a pose.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Ways {
+    /// Groups that cannot be drawn: they, and those that rest on them, count as undrawable.
+    pub left_out: Vec<usize>,
+    /// For groups of higher class the way that draws them, where it is not the first of [`Plan`]'s order: special points, then trial polygons, each with
+    /// another rate that is tried or another bar that is left out.
+    pub way: BTreeMap<usize, usize>,
+}
 
 /// The plan of a scene's demand.
 ///
 /// Needs no positions: the same topology with other lengths gives the same plan.
 pub fn plan(scene: &Scene, m: &Mechanism, demand: &Demand) -> Plan {
-    plan_without(scene, m, demand, &[])
+    plan_with(scene, m, demand, &Ways::default())
 }
 
-/// The same without some groups and those that rest on them, for a pose in which they cannot be drawn: they count as
-/// undrawable.
-pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &[usize]) -> Plan {
+/// The plan with the ways that a pose calls for.
+pub fn plan_with(scene: &Scene, m: &Mechanism, demand: &Demand, ways: &Ways) -> Plan {
     let mut b = Builder {
         scene,
         m,
@@ -28,7 +37,8 @@ pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &
         known: [HashSet::new(), HashSet::new()],
         sources: [Vec::new(), Vec::new()],
         pending: Vec::new(),
-        undrawable: undrawable.to_vec(),
+        undrawable: ways.left_out.clone(),
+        way: &ways.way,
         due: vec![Vec::new(); m.groups.len()],
     };
     b.assign_needs();
@@ -74,6 +84,7 @@ pub(super) struct Builder<'a> {
     /// Steps of the group being written.
     pub(super) pending: Vec<Step>,
     undrawable: Vec<usize>,
+    pub(super) way: &'a BTreeMap<usize, usize>,
     /// For each group the things asked for that can be told once it is done, with their level.
     pub(super) due: Vec<Vec<(Need, Level)>>,
 }
@@ -86,6 +97,20 @@ pub(super) fn slot(level: Level) -> usize {
 }
 
 impl Builder<'_> {
+    /// Runs an attempt at writing steps; where it finds no way, nothing that it wrote remains.
+    pub(super) fn attempt<T>(&mut self, write: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
+        let (vertices, specials) = (self.vertices.len(), self.specials.len());
+        let (stages, known, sources, pending) = (self.stages.clone(), self.known.clone(), self.sources.clone(), self.pending.clone());
+        let written = write(self);
+        if written.is_none() {
+            self.vertices.truncate(vertices);
+            self.specials.truncate(specials);
+            self.interned.retain(|_, v| v.0 < vertices);
+            (self.stages, self.known, self.sources, self.pending) = (stages, known, sources, pending);
+        }
+        written
+    }
+
     pub(super) fn intern(&mut self, spot: Spot, on: Option<LinkId>) -> VertexId {
         if let Some(known) = self.interned.get(&(spot, on)) {
             return *known;

@@ -1,6 +1,8 @@
 //! The equations of one group, by what its core is.
 
 use super::build::{Builder, slot};
+use super::reduce::members;
+use super::trials::choices;
 use super::{Body, Chain, Method, Rate, Special, SpecialLine, Step, VertexId};
 use hodograph_mechanism::mechanism::{Core, Entry, Hold, Leg, Level, Strut};
 use hodograph_scene::{LinkId, PointId, RollingId, Scene, Touch};
@@ -14,8 +16,30 @@ impl Builder<'_> {
                 vec![std::mem::take(&mut self.pending)]
             }
             Core::Link { link, legs } => self.group_of_link(level, g, link, &legs),
-            Core::Higher => return self.reduced(level, g).or_else(|| self.by_trials(level, g)),
+            Core::Higher => return self.higher(level, g).map(|steps| vec![steps]),
         })
+    }
+
+    /// The steps of a group without a core: by special points, else by trial polygons; where the pose asks for a later way, by that.
+    fn higher(&mut self, level: Level, g: usize) -> Option<Vec<Step>> {
+        let members = members(self.scene, self.m, g)?;
+        let choices = choices(&members);
+        let ways = std::iter::once(None).chain(choices.iter().map(Some));
+        let mut before = self.way.get(&g).copied().unwrap_or(0);
+        for way in ways {
+            let steps = self.attempt(|b| {
+                let steps = match way {
+                    None => b.reduced(level, g, &members),
+                    Some(choice) => b.by_trials(level, g, &members, choice),
+                };
+                // A way that the pose does not ask for is not written.
+                steps.filter(|_| before == 0 || { before -= 1; false })
+            });
+            if steps.is_some() {
+                return steps;
+            }
+        }
+        None
     }
 
     fn group_of_pin(&mut self, level: Level, pin: PointId, legs: &[Leg]) {

@@ -24,7 +24,7 @@ mod trials;
 
 pub(crate) use between::body_of;
 pub use between::{Asking, asking};
-pub use build::{plan, plan_without};
+pub use build::{Ways, plan, plan_with};
 pub use rest::Rest;
 
 use hodograph_mechanism::mechanism::{ConstraintLine, Level};
@@ -413,7 +413,7 @@ pub struct Plan {
     pub level: Level,
     /// Effects considered: what, in or out, why.
     pub effects: Vec<(Effect, bool, Reason)>,
-    /// Groups that are not drawn, and those that rest on them: higher than class III and not opened by special points, or left out by [`plan_without`].
+    /// Groups that are not drawn, and those that rest on them: of a class that no way opens, or left out of [`Ways`].
     pub undrawable: Vec<usize>,
     /// Of a wrong solution (`attempts`): the guide whose Coriolis acceleration is laid off with the turning of another link than
     /// that which carries it.
@@ -424,6 +424,12 @@ impl Plan {
     /// Whether a body never turns.
     pub fn is_still(&self, body: Body) -> bool {
         matches!(body, Body::Link(l) if self.still[l.0])
+    }
+
+    /// Returns true for a group that is drawn by trial polygons.
+    pub fn is_tried(&self, g: usize) -> bool {
+        let steps = self.stages.iter().flat_map(|s| &s.groups).filter(|s| s.group == g).flat_map(|s| s.steps(0));
+        steps.into_iter().any(|s| matches!(s, Step::Trials { .. }))
     }
 
     /// The vertex.

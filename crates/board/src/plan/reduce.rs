@@ -75,16 +75,13 @@ impl Line {
 
 impl Builder<'_> {
     /// The steps of a group without a core; `None` where its links are not reduced by special points.
-    pub(super) fn reduced(&mut self, level: Level, g: usize) -> Option<Vec<Vec<Step>>> {
-        let members = members(self.scene, self.m, g)?;
-        let mut states = self.states(&members);
-        let before = self.pending.len();
-        if !self.open_all(level, g, &members, &mut states) {
-            self.pending.truncate(before);
+    pub(super) fn reduced(&mut self, level: Level, g: usize, members: &[Member]) -> Option<Vec<Step>> {
+        let mut states = self.states(members);
+        if !self.open_all(level, g, members, &mut states) {
             return None;
         }
-        self.sources_of_members(level, &members);
-        Some(vec![std::mem::take(&mut self.pending)])
+        self.sources_of_members(level, members);
+        Some(std::mem::take(&mut self.pending))
     }
 
     /// Members of which only the pivots are known.

@@ -8,14 +8,14 @@
 //! J. S. Beggs, *Mechanism* (1955), on auxiliary points and trial solutions; 试凑法 of the textbooks, exact here because the equations are linear.
 
 use super::build::{Builder, slot};
-use super::reduce::{Member, members};
+use super::reduce::Member;
 use super::{Body, By, Chain, Method, Step, Term, TermKind, Trial, VertexId};
 use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::PointId;
 use std::collections::HashSet;
 
 /// The link whose rate is chosen, with a known and another point of it; the bar that is left out, with its pins.
-struct Choice {
+pub(super) struct Choice {
     tried: usize,
     pivot: PointId,
     moved: PointId,
@@ -24,22 +24,8 @@ struct Choice {
 }
 
 impl Builder<'_> {
-    /// The steps of a group by two trials; `None` where one rate does not open it.
-    pub(super) fn by_trials(&mut self, level: Level, g: usize) -> Option<Vec<Vec<Step>>> {
-        let members = members(self.scene, self.m, g)?;
-        let (known, sources) = (self.known[slot(level)].clone(), self.sources[slot(level)].clone());
-        for choice in choices(&members) {
-            if let Some(steps) = self.tried_with(level, g, &members, &choice) {
-                return Some(vec![steps]);
-            }
-            self.pending.clear();
-            self.known[slot(level)].clone_from(&known);
-            self.sources[slot(level)].clone_from(&sources);
-        }
-        None
-    }
-
-    fn tried_with(&mut self, level: Level, g: usize, members: &[Member], choice: &Choice) -> Option<Vec<Step>> {
+    /// The steps of a group by two trials; `None` where the rate does not open it.
+    pub(super) fn by_trials(&mut self, level: Level, g: usize, members: &[Member], choice: &Choice) -> Option<Vec<Step>> {
         let mut steps = Vec::new();
         let [near, far] = choice.pins.map(|p| self.pin(p));
         let mut found: [[VertexId; 2]; 2] = [[far; 2]; 2];
@@ -153,19 +139,21 @@ impl Step {
     }
 }
 
-/// Links with one known point whose rate can be chosen, and bars between two links that can be left out.
-fn choices(members: &[Member]) -> Vec<Choice> {
-    let tried = members.iter().enumerate().filter(|(_, m)| m.pivots.len() == 1 && m.holds.is_empty() && m.rolls.is_empty());
-    let bar = |m: &Member| m.pivots.is_empty() && m.holds.is_empty() && m.rolls.is_empty() && m.shared.len() == 2;
-    let bars: Vec<usize> = (0..members.len()).filter(|k| bar(&members[*k])).collect();
-    let mut out = Vec::new();
-    for (tried, member) in tried {
-        for &left_out in &bars {
-            let pins = [members[left_out].shared[0], members[left_out].shared[1]];
-            let moved = member.shared.iter().find(|p| !pins.contains(p)).or(member.shared.first());
-            let Some(&moved) = moved else { continue };
-            out.push(Choice { tried, pivot: member.pivots[0], moved, left_out, pins });
-        }
-    }
-    out
+/// So many choices are tried at most.
+const MOST: usize = 24;
+
+/// Links with one known point whose rate can be chosen, and bars between two links that can be left out, with either pin as the one that is sought.
+pub(super) fn choices(members: &[Member]) -> Vec<Choice> {
+    let bare = |m: &&Member| m.holds.is_empty() && m.rolls.is_empty();
+    let tried: Vec<(usize, &Member)> = members.iter().enumerate().filter(|(_, m)| bare(m) && m.pivots.len() == 1).collect();
+    let bars = members.iter().enumerate().filter(|(_, m)| bare(m) && m.pivots.is_empty());
+    let bars = bars.filter_map(|(k, m)| if let [a, b] = m.shared[..] { Some((k, [a, b])) } else { None });
+    let ends = bars.flat_map(|(k, [a, b])| [(k, [a, b]), (k, [b, a])]);
+    let choices = ends.flat_map(|(left_out, pins)| {
+        tried.iter().filter_map(move |&(tried, member)| {
+            let moved = *member.shared.iter().find(|p| !pins.contains(p)).or(member.shared.first())?;
+            Some(Choice { tried, pivot: member.pivots[0], moved, left_out, pins })
+        })
+    });
+    choices.take(MOST).collect()
 }

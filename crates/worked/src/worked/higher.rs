@@ -1,14 +1,24 @@
 //! Groups higher than class III: which of them the special points draw, and what is said of them.
 
-use hodograph_base::diag::{Both, Diagnostic, both};
-use hodograph_board::plan::Plan;
+use crate::accuracy::crossings;
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_board::construct::Drawing;
+use hodograph_board::plan::{Plan, Step, VertexId};
 use hodograph_mechanism::mechanism::{Core, Group, Item, Mechanism};
 use hodograph_scene::{DiagramKind, Scene};
 
 /// The groups without a core that a plan draws.
-pub(super) fn drawn_by_special_points(mechanism: &Mechanism, plan: &Plan) -> Vec<usize> {
+pub(super) fn drawn(mechanism: &Mechanism, plan: &Plan) -> Vec<usize> {
     let higher = |g: &usize| matches!(mechanism.groups[*g].core, Core::Higher) && !plan.undrawable.contains(g);
     (0..mechanism.groups.len()).filter(higher).collect()
+}
+
+/// The sine of the flattest crossing by which a group is drawn; 0 for a drawing that cannot be made.
+pub(super) fn worst_sine(g: usize, plan: &Plan, drawing: &Result<Drawing, Faults>) -> f64 {
+    let Ok(drawing) = drawing else { return 0.0 };
+    let steps: Vec<&Step> = plan.steps(DiagramKind::Velocity).iter().filter(|s| s.group == g).flat_map(|s| s.steps(0)).collect();
+    let own = |v: VertexId| plan.special(v).is_some_and(|s| s.group == g) || steps.iter().any(|s| s.target() == v);
+    crossings(drawing, 0.0).iter().filter(|c| own(c.target)).map(|c| c.sine.abs()).fold(1.0, f64::min)
 }
 
 /// The wheels of a group that roll on one another while neither is known.
@@ -50,9 +60,10 @@ pub(super) fn notes(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Di
             )
         } else {
             both!(
-                "links {} form a group higher than class III: it is drawn by special points",
-                "构件 {} 组成高于Ⅲ级的杆组：用特殊点作图",
-                names
+                "links {} form a group higher than class III: it is drawn by {}",
+                "构件 {} 组成高于Ⅲ级的杆组：用{}作图",
+                names,
+                if plan.is_tried(g) { both!("trial polygons", "试凑多边形") } else { both!("special points", "特殊点") }
             )
         };
         Diagnostic::note("higher-group", message)

@@ -6,12 +6,12 @@
 
 use super::higher;
 use super::sizes::Sizes;
-use crate::accuracy::{Agreement, Kept, Regular, Ways, compare, estimated, groups_of_question, kept, regular, settled_finely};
+use crate::accuracy::{self, Agreement, BAD_DEG, Kept, Regular, compare, estimated, groups_of_question, kept, regular, settled_finely};
 use hodograph_analytic::{self as analytic, Solution};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_board::construct::scale::Boxes;
 use hodograph_board::construct::{self, Answer, Drawing};
-use hodograph_board::plan::{self, Plan};
+use hodograph_board::plan::{self, Plan, Ways};
 use hodograph_mechanism::answer::Value;
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
@@ -99,23 +99,44 @@ fn trial(given: Given, configuration: Configuration) -> Result<Posed, Faults> {
 }
 
 /// The drawing without some groups; adds to `drawings` how often it was evaluated.
+///
+/// A group of higher class is drawn by the first way in which no lines cross under a bad angle, else by the way with the best angles. Where none can be
+/// drawn, it is left to the loop equations.
 fn draw(given: Given, configuration: &Configuration, without: &[usize], drawings: &mut usize) -> Result<Sheet, Faults> {
     let Given { scene, mechanism, demand } = given;
-    let mut constructed = |plan: &Plan| {
+    let mut constructed = |ways: &Ways| {
         *drawings += TRIAL_AND_DRAWING;
-        construct::construct(scene, mechanism, configuration, plan, &Boxes::of(&scene.paper, plan))
+        let plan = plan::plan_with(scene, mechanism, demand, ways);
+        let drawing = construct::construct(scene, mechanism, configuration, &plan, &Boxes::of(&scene.paper, &plan));
+        (plan, drawing)
     };
-    let mut plan = plan::plan_without(scene, mechanism, demand, without);
-    let construction = match constructed(&plan) {
+    let mut ways = Ways { left_out: without.to_vec(), ..Ways::default() };
+    let (mut plan, mut drawing) = constructed(&ways);
+    for g in higher::drawn(mechanism, &plan) {
+        let mut best = higher::worst_sine(g, &plan, &drawing);
+        let mut other = ways.clone();
+        while best < libm::sin(BAD_DEG.to_radians()) {
+            *other.way.entry(g).or_insert(0) += 1;
+            let next = constructed(&other);
+            if next.0.undrawable.contains(&g) {
+                break;
+            }
+            let sine = higher::worst_sine(g, &next.0, &next.1);
+            if sine > best {
+                (best, ways, (plan, drawing)) = (sine, other.clone(), next);
+            }
+        }
+    }
+    let construction = match drawing {
         Ok(construction) => construction,
         Err(faults) => {
-            // Special points lie at infinity in some poses: then what they would draw is left to the loop equations.
-            let reduced = higher::drawn_by_special_points(mechanism, &plan);
-            if reduced.is_empty() {
+            let higher = higher::drawn(mechanism, &plan);
+            if higher.is_empty() {
                 return Err(faults);
             }
-            plan = plan::plan_without(scene, mechanism, demand, &[without, &reduced].concat());
-            constructed(&plan)?
+            let drawing;
+            (plan, drawing) = constructed(&Ways { left_out: [without, &higher].concat(), ..Ways::default() });
+            drawing?
         }
     };
     let answers = construct::read(scene, mechanism, configuration, &plan, &construction);
@@ -160,7 +181,7 @@ impl Posed {
         let Given { scene, mechanism, demand } = given;
         let sizes = Sizes::of(scene, &self.drawing.construction, &self.configuration);
         let scale = |level, value: &Value| sizes.against(level, value);
-        let ways = Ways { solution: &self.solution, drawn: &self.drawing.values(), scale };
+        let ways = accuracy::Ways { solution: &self.solution, drawn: &self.drawing.values(), scale };
         self.near = kept(scene, (mechanism, demand), &self.configuration, &ways, self.written.clone());
     }
 
