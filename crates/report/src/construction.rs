@@ -92,9 +92,17 @@ fn sentence(w: &Writer, paper: &Drawing, p: &Polygon, action: usize, steps: &Ste
             let (from, to) = (mark(w, on, &e.from.0), mark(w, on, &e.to.0));
             let (symbol, magnitude, direction) = (w.symbol(on, t), w.magnitude(on, t), w.direction(t));
             let given = if magnitude == w.notation.known { String::new() } else { format!(" = {magnitude}") };
+            let chosen = w.chosen_rate(on, t);
             match w.lang {
-                Lang::En => format!("From ${from}$ lay off ${symbol}{given}$, {}, ${direction}$, which gives ${to}$.", edge(0, *i)),
-                Lang::Zh => format!("自 ${from}$ 作 ${symbol}{given}$，长 {}，${direction}$，得 ${to}$。", edge(0, *i)),
+                Lang::En => {
+                    let chosen = chosen.map_or_else(String::new, |rate| format!("Choose ${rate}$: "));
+                    let from_here = if chosen.is_empty() { "From" } else { "from" };
+                    format!("{chosen}{from_here} ${from}$ lay off ${symbol}{given}$, {}, ${direction}$, which gives ${to}$.", edge(0, *i))
+                }
+                Lang::Zh => {
+                    let chosen = chosen.map_or_else(String::new, |rate| format!("任取 ${rate}$，"));
+                    format!("{chosen}自 ${from}$ 作 ${symbol}{given}$，长 {}，${direction}$，得 ${to}$。", edge(0, *i))
+                }
             }
         }
         Action::Nothing { terms, target, .. } => {

@@ -58,10 +58,7 @@ impl<'a> Board<'a> {
             self.done.images[on.index()][i] = match v.spot {
                 Spot::Point(p) => Some(self.joint(p)),
                 // A trial takes the point of the polygon itself, which the plan has before it.
-                Spot::Special(_) if v.trial.is_some() => {
-                    let itself = plan.vertices.iter().position(|own| own.is_at(v));
-                    itself.and_then(|k| self.done.images[on.index()][k])
-                }
+                Spot::Special(_) if v.trial.is_some() => self.done.images[on.index()][plan.untried(VertexId(i)).0],
                 Spot::Special(k) => self.special_point(on, VertexId(i), &plan.specials[k]),
             };
         }

@@ -191,7 +191,7 @@ impl Board<'_> {
     /// Sliding velocity between the two points of a term, measured on the velocity polygon.
     fn slide_velocity(&mut self, term: &Term) -> NumberId {
         let velocities = self.done.construction.diagram(DiagramKind::Velocity).expect("velocities are drawn before accelerations");
-        let [from, to] = [term.to, term.of].map(|v| self.image(velocities, v));
+        let [from, to] = [term.to, term.of].map(|v| self.image(velocities, self.plan.untried(v)));
         self.number(Number::Vector(from, to))
     }
 }

@@ -79,11 +79,12 @@ pub fn crossing_letter(scene: &Scene) -> &'static str {
     ["S", "T", "U", "W", "Z"].into_iter().find(|l| !taken(l)).unwrap_or("S")
 }
 
-/// A label with the number of a trial in its subscript: `b` → `b_{(1)}`, `b_{3}` → `b_{3(1)}`.
+/// A label with the number of a trial in its subscript: `b` → `b_{(1)}`, `b_{3}` and `b_3` → `b_{3(1)}`.
 pub(super) fn of_trial(label: &str, run: u8) -> String {
-    match label.strip_suffix('}').filter(|_| label.contains("_{")) {
-        Some(head) => format!("{head}({run})}}"),
-        None => format!("{label}_{{({run})}}"),
+    match (label.split_once('_'), label.strip_suffix('}').filter(|_| label.contains("_{"))) {
+        (_, Some(head)) => format!("{head}({run})}}"),
+        (Some((head, sub)), None) => format!("{head}_{{{sub}({run})}}"),
+        (None, None) => format!("{label}_{{({run})}}"),
     }
 }
 

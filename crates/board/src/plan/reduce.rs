@@ -12,7 +12,7 @@
 use super::build::Builder;
 use super::{Body, By, Chain, Method, Rate, Special, SpecialLine, Spot, Step, Term, TermKind, VertexId};
 use hodograph_mechanism::mechanism::{Form, Hold, Level, Runner, Strut};
-use hodograph_scene::{LinkId, PointId, RollingId, Scene};
+use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
 /// A link of the group that is no mere bar from a known pin.
 pub(super) struct Member {
@@ -25,6 +25,20 @@ pub(super) struct Member {
     pub pivots: Vec<PointId>,
     /// Pairs by which it rolls on other members.
     pub rolls: Vec<RollingId>,
+    /// What holds it as soon as another member is known: that member, and the hold.
+    pub inner: Vec<(usize, Hold)>,
+}
+
+impl Member {
+    /// All that holds it along lines, now or later.
+    fn legs(&self) -> impl Iterator<Item = &Hold> {
+        self.holds.iter().chain(self.inner.iter().map(|(_, hold)| hold))
+    }
+
+    /// Returns true for a member that only pins join to others.
+    pub fn is_pinned_only(&self) -> bool {
+        self.holds.is_empty() && self.rolls.is_empty() && self.inner.is_empty()
+    }
 }
 
 /// How far a member is known.
@@ -172,7 +186,7 @@ impl Builder<'_> {
         let member = &members[i];
         self.source(level, Body::Link(member.link), Rate::Measured { of: b, to: a });
         let pins = self.scene.links[member.link.0].points.iter().copied();
-        for pin in pins.filter(|p| member.shared.contains(p) || member.holds.iter().any(|h| h.near() == Some(*p))).collect::<Vec<_>>() {
+        for pin in pins.filter(|p| member.shared.contains(p) || member.legs().any(|h| h.near() == Some(*p))).collect::<Vec<_>>() {
             let v = self.pin(pin);
             if !self.is_known(level, v) {
                 self.pending.push(Step::Image { link: member.link, target: v, from: (a, b) });
@@ -180,7 +194,7 @@ impl Builder<'_> {
             }
             self.known_at(states, members, v, i);
         }
-        for hold in &member.holds {
+        for hold in member.legs() {
             if let Some(near) = self.near(member.link, hold)
                 && !self.is_known(level, near)
             {
@@ -257,7 +271,8 @@ impl Builder<'_> {
 
     /// The lines along which a member is held by what is known.
     fn lines(&mut self, members: &[Member], states: &[State], i: usize) -> Vec<Line> {
-        let own = members[i].holds.iter().map(|h| Line::Leg(*h));
+        let inner = members[i].inner.iter().filter(|(other, _)| states[*other].done).map(|(_, hold)| hold);
+        let own = members[i].holds.iter().chain(inner).map(|h| Line::Leg(*h));
         let through = members[i].shared.iter().flat_map(|&pin| {
             let others = members.iter().zip(states).enumerate().filter(move |(k, (m, _))| *k != i && m.shared.contains(&pin));
             // The line back to where a neighbour's point came from holds nothing new.
@@ -321,7 +336,7 @@ fn special_line(scene: &Scene, line: &Line) -> SpecialLine {
 }
 
 /// The members of a group and what holds them; `None` where a pair of the group is no bar, guide, slot, cylinder or contact between a
-/// member and a known body, and no pin between members.
+/// member and a known body, and no pin, slot or contact between members.
 pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechanism, g: usize) -> Option<Vec<Member>> {
     let group = &m.groups[g];
     let forms: Vec<Form> = group.constraints.iter().map(|&c| m.constraints[c].form()).collect();
@@ -345,7 +360,7 @@ pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechani
     let cores: Vec<LinkId> = group.links.iter().copied().filter(|l| !bars.iter().any(|b| b.0 == *l)).collect();
     let holder = |p: PointId| -> Vec<LinkId> { cores.iter().copied().filter(|l| on(*l).contains(&p)).collect() };
     let mut members: Vec<Member> =
-        cores.iter().map(|l| Member { link: *l, shared: Vec::new(), holds: Vec::new(), pivots: Vec::new(), rolls: Vec::new() }).collect();
+        cores.iter().map(|l| Member { link: *l, shared: Vec::new(), holds: Vec::new(), pivots: Vec::new(), rolls: Vec::new(), inner: Vec::new() }).collect();
     let between_members = |r: RollingId| scene.rolling[r.0].links.iter().all(|l| cores.contains(l));
     let mut add = |l: LinkId, hold: Hold| -> Option<()> {
         members.iter_mut().find(|m| m.link == l)?.holds.push(hold);
@@ -356,6 +371,7 @@ pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechani
         add(*holder(near).first()?, Hold::Distance { near, far, strut: Strut::Bar(link) })?;
     }
     let mut contacts: Vec<(RollingId, [LinkId; 2])> = Vec::new();
+    let mut slots: Vec<(PointId, GuideId, [LinkId; 2])> = Vec::new();
     // Of two ends that of the group, and the known one.
     let ends = |[a, b]: [bool; 2]| if a == b { None } else { Some(usize::from(b)) };
     for form in &forms {
@@ -364,7 +380,12 @@ pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechani
             // At a contact between members this is said already.
             Form::OnPath { guide, .. } if scene.guides[guide.0].rolling.is_some_and(between_members) => {}
             Form::OnPath { runner: Runner::Pin(pin), guide, on } => {
-                if inner(&pin) && !group.links.contains(&on) {
+                if let Some(&carrier) = holder(pin).first()
+                    && inner(&pin)
+                    && cores.contains(&on)
+                {
+                    slots.push((pin, guide, [carrier, on]));
+                } else if inner(&pin) && !group.links.contains(&on) {
                     add(*holder(pin).first()?, Hold::Guide { pin, guide, driver: None })?;
                 } else if !inner(&pin) && cores.contains(&on) {
                     add(on, Hold::Slot { pin, guide })?;
@@ -389,6 +410,12 @@ pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechani
             }
             Form::Angles { .. } | Form::OnPath { runner: Runner::Link(_), .. } | Form::AlongPath { .. } => return None,
         }
+    }
+    let at = |l: LinkId| cores.iter().position(|core| *core == l);
+    for (pin, guide, [carrier, on]) in slots {
+        let (carrier, on) = (at(carrier)?, at(on)?);
+        members[carrier].inner.push((on, Hold::Guide { pin, guide, driver: None }));
+        members[on].inner.push((carrier, Hold::Slot { pin, guide }));
     }
     for member in &mut members {
         member.rolls.extend(contacts.iter().filter(|(_, links)| links.contains(&member.link)).map(|(pair, _)| *pair));

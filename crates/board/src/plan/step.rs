@@ -40,6 +40,15 @@ impl Plan {
         found.last().expect("trials give the vertex")
     }
 
+    /// The vertex of the polygon that is sought, for that of a trial.
+    pub fn untried(&self, v: VertexId) -> VertexId {
+        let tried = self.vertex(v);
+        if tried.trial.is_none() {
+            return v;
+        }
+        self.vertices.iter().position(|own| own.trial.is_none() && own.is_at(tried)).map_or(v, VertexId)
+    }
+
     /// The link with whose turning the Coriolis acceleration at a guide is laid off: that which carries it.
     pub fn coriolis_link(&self, scene: &Scene, guide: GuideId) -> LinkId {
         match self.coriolis_by {

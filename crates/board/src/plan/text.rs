@@ -135,10 +135,11 @@ impl Writer<'_> {
 
     /// The sliding velocity that makes a Coriolis or normal part of sliding.
     fn sliding(&self, t: &Term) -> String {
+        let [of, to] = [t.of, t.to].map(|v| self.plan.untried(v));
         if let By::Frame { .. } = t.by {
-            return self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Relative, by: By::Apart, ..*t });
+            return self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Relative, by: By::Apart, of, to, ..*t });
         }
-        self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Slide, ..*t })
+        self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Slide, of, to, ..*t })
     }
 
     /// The vector from which the turning of a body is measured: `v_{CB}`, `a^t_{CB}`.
@@ -315,6 +316,9 @@ impl Writer<'_> {
             return self.notation.unknown.clone();
         }
         let length = || self.length(t.of, t.to);
+        if let Some(rate) = self.chosen_rate(on, t) {
+            return format!("{rate} {}", length());
+        }
         let squared = |s: String| s.replacen('_', "^2_", 1);
         match (t.kind, t.by) {
             (TermKind::Relative, By::Turning(b)) => format!("{} {}", self.turning(DiagramKind::Velocity, b), length()),
@@ -338,6 +342,14 @@ impl Writer<'_> {
             }
             (TermKind::Roll, By::Contact(pair)) => self.of_contact(pair),
             _ => self.notation.known.clone(),
+        }
+    }
+
+    /// The rate of a trial polygon that is chosen, `ω_{2(2)}`, if a known term rests on it.
+    pub fn chosen_rate(&self, on: DiagramKind, t: &Term) -> Option<String> {
+        match (t.kind, t.by, self.plan.vertex(t.of).trial) {
+            (TermKind::Relative | TermKind::Tangential, By::Turning(body), Some(trial)) if t.known => Some(of_trial(&self.turning(on, body), trial.run)),
+            _ => None,
         }
     }
 

@@ -144,9 +144,9 @@ const MOST: usize = 24;
 
 /// Links with one known point whose rate can be chosen, and bars between two links that can be left out, with either pin as the one that is sought.
 pub(super) fn choices(members: &[Member]) -> Vec<Choice> {
-    let bare = |m: &&Member| m.holds.is_empty() && m.rolls.is_empty();
-    let tried: Vec<(usize, &Member)> = members.iter().enumerate().filter(|(_, m)| bare(m) && m.pivots.len() == 1).collect();
-    let bars = members.iter().enumerate().filter(|(_, m)| bare(m) && m.pivots.is_empty());
+    let hinged = |m: &Member| m.holds.is_empty() && m.rolls.is_empty() && m.pivots.len() == 1;
+    let tried: Vec<(usize, &Member)> = members.iter().enumerate().filter(|(_, m)| hinged(m)).collect();
+    let bars = members.iter().enumerate().filter(|(_, m)| m.is_pinned_only() && m.pivots.is_empty());
     let bars = bars.filter_map(|(k, m)| if let [a, b] = m.shared[..] { Some((k, [a, b])) } else { None });
     let ends = bars.flat_map(|(k, [a, b])| [(k, [a, b]), (k, [b, a])]);
     let choices = ends.flat_map(|(left_out, pins)| {
