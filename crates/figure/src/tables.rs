@@ -293,7 +293,11 @@ fn step_class(p: &Polygon, v: VertexId) -> String {
 /// The action of a polygon that finds a vertex.
 pub fn found_by(p: &Polygon, v: VertexId) -> Option<usize> {
     let finds = |a: &Action| match a {
-        Action::Cross { target, .. } | Action::Trials { target, .. } | Action::Copy { target, .. } | Action::Same { target, .. } | Action::Reach(target) => *target == v,
+        Action::Cross { target, .. }
+        | Action::Trials { target, .. }
+        | Action::Copy { target, .. }
+        | Action::Same { target, .. }
+        | Action::Reach(target) => *target == v,
         Action::LayOff(e) => p.edges[*e].to.0 == hodograph_board::construct::Mark::Image(v),
         Action::Nothing { target, .. } => *target == Some(v),
         Action::Line { .. } | Action::Join(_) | Action::Perpendicular { .. } | Action::Rate(_) => false,

@@ -144,7 +144,9 @@ fn sentence(w: &Writer, paper: &Drawing, p: &Polygon, action: usize, steps: &Ste
             let (image, vector, length) = (w.image(on, *target), w.vector(on, *target), from_pole(*target));
             let [a, b] = w.plan.trials(on, *target).map(|pair| pair.map(|v| w.image(on, v)).concat());
             match w.lang {
-                Lang::En => format!("The lines ${a}$ and ${b}$ of the two trials intersect at ${image}$ at {angle}°{moved}: ${vector}$ = {length}."),
+                Lang::En => {
+                    format!("The lines ${a}$ and ${b}$ of the two trials intersect at ${image}$ at {angle}°{moved}: ${vector}$ = {length}.")
+                }
                 Lang::Zh => format!("两次试作的直线 ${a}$ 与 ${b}$ 交于 ${image}$，交角 {angle}°{moved}：${vector}$ = {length}。"),
             }
         }

@@ -5,8 +5,8 @@ use crate::construction::{Givens, Key, Track};
 use hodograph_base::geom::Point;
 use hodograph_base::number::Real;
 use hodograph_mechanism::position::{Configuration, Path};
-use hodograph_scene::{DiagramKind, Driver, Scene};
 use hodograph_scene::exact::Inputs;
+use hodograph_scene::{DiagramKind, Driver, Scene};
 
 /// A scene in a pose.
 pub(super) struct Posed<'a, N> {

@@ -1,11 +1,22 @@
 //! The equations of one group, by what its core is.
 
 use super::build::{Builder, slot};
+use super::common::{Common, commons};
 use super::reduce::members;
-use super::trials::choices;
+use super::trials::{Choice, choices};
 use super::{Body, Chain, Method, Rate, Special, SpecialLine, Step, VertexId};
 use hodograph_mechanism::mechanism::{Core, Entry, Hold, Leg, Level, Strut};
 use hodograph_scene::{LinkId, PointId, RollingId, Scene, Touch};
+
+/// A way to draw a group of higher class.
+enum Way<'a> {
+    /// By the special points of its links.
+    Special,
+    /// By the common point of two links.
+    Common(&'a Common),
+    /// By two trials.
+    Trials(&'a Choice),
+}
 
 impl Builder<'_> {
     /// The alternatives of one group; leaves its results known. `None` where it is not drawn.
@@ -20,20 +31,23 @@ impl Builder<'_> {
         })
     }
 
-    /// The steps of a group without a core: by special points, else by trial polygons; where the pose asks for a later way, by that.
+    /// The steps of a group without a core: by special points, by the common point of two links, by trial polygons; where the pose asks for a later way, by that.
     fn higher(&mut self, level: Level, g: usize) -> Option<Vec<Step>> {
         let members = members(self.scene, self.m, g)?;
-        let choices = choices(&members);
-        let ways = std::iter::once(None).chain(choices.iter().map(Some));
+        let (commons, choices) = (commons(&members), choices(&members));
+        let ways = std::iter::once(Way::Special).chain(commons.iter().map(Way::Common)).chain(choices.iter().map(Way::Trials));
         let mut before = self.way.get(&g).copied().unwrap_or(0);
         for way in ways {
             let steps = self.attempt(|b| {
                 let steps = match way {
-                    None => b.reduced(level, g, &members),
-                    Some(choice) => b.by_trials(level, g, &members, choice),
+                    Way::Special => b.reduced(level, g, &members),
+                    Way::Common(common) => b.by_common_point(level, g, &members, common),
+                    Way::Trials(choice) => b.by_trials(level, g, &members, choice),
                 };
                 // A way that the pose does not ask for is not written.
-                steps.filter(|_| before == 0 || { before -= 1; false })
+                let asked = before == 0;
+                before -= usize::from(steps.is_some() && !asked);
+                steps.filter(|_| asked)
             });
             if steps.is_some() {
                 return steps;

@@ -9,6 +9,7 @@
 
 mod between;
 mod build;
+mod common;
 mod contact;
 mod effects;
 mod group;
@@ -426,7 +427,7 @@ impl Plan {
         matches!(body, Body::Link(l) if self.still[l.0])
     }
 
-    /// Returns true for a group that is drawn by trial polygons.
+    /// Returns true for a group that is drawn by two trials.
     pub fn is_tried(&self, g: usize) -> bool {
         let steps = self.stages.iter().flat_map(|s| &s.groups).filter(|s| s.group == g).flat_map(|s| s.steps(0));
         steps.into_iter().any(|s| matches!(s, Step::Trials { .. }))

@@ -35,6 +35,11 @@ impl Member {
         self.holds.iter().chain(self.inner.iter().map(|(_, hold)| hold))
     }
 
+    /// Returns true for a member that turns on one known pin, while nothing else known holds it.
+    pub fn is_hinged(&self) -> bool {
+        self.holds.is_empty() && self.rolls.is_empty() && self.pivots.len() == 1
+    }
+
     /// Returns true for a member that only pins join to others.
     pub fn is_pinned_only(&self) -> bool {
         self.holds.is_empty() && self.rolls.is_empty() && self.inner.is_empty()
@@ -359,8 +364,10 @@ pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechani
     let bars: Vec<(LinkId, PointId, PointId)> = group.links.iter().filter_map(|l| bar(*l)).collect();
     let cores: Vec<LinkId> = group.links.iter().copied().filter(|l| !bars.iter().any(|b| b.0 == *l)).collect();
     let holder = |p: PointId| -> Vec<LinkId> { cores.iter().copied().filter(|l| on(*l).contains(&p)).collect() };
-    let mut members: Vec<Member> =
-        cores.iter().map(|l| Member { link: *l, shared: Vec::new(), holds: Vec::new(), pivots: Vec::new(), rolls: Vec::new(), inner: Vec::new() }).collect();
+    let mut members: Vec<Member> = cores
+        .iter()
+        .map(|l| Member { link: *l, shared: Vec::new(), holds: Vec::new(), pivots: Vec::new(), rolls: Vec::new(), inner: Vec::new() })
+        .collect();
     let between_members = |r: RollingId| scene.rolling[r.0].links.iter().all(|l| cores.contains(l));
     let mut add = |l: LinkId, hold: Hold| -> Option<()> {
         members.iter_mut().find(|m| m.link == l)?.holds.push(hold);

@@ -348,7 +348,9 @@ impl Writer<'_> {
     /// The rate of a trial polygon that is chosen, `ω_{2(2)}`, if a known term rests on it.
     pub fn chosen_rate(&self, on: DiagramKind, t: &Term) -> Option<String> {
         match (t.kind, t.by, self.plan.vertex(t.of).trial) {
-            (TermKind::Relative | TermKind::Tangential, By::Turning(body), Some(trial)) if t.known => Some(of_trial(&self.turning(on, body), trial.run)),
+            (TermKind::Relative | TermKind::Tangential, By::Turning(body), Some(trial)) if t.known => {
+                Some(of_trial(&self.turning(on, body), trial.run))
+            }
             _ => None,
         }
     }

@@ -38,10 +38,8 @@ impl Builder<'_> {
             let bar = Body::Link(members[choice.left_out].link);
             let (normal, across) = self.turning(level, bar, mate, near, false);
             let gap = Term { kind: TermKind::Gap, of: mate, to: near, by: By::Turning(bar), known: false };
-            let chains = vec![
-                Chain { start: near, known: normal, unknown: across },
-                Chain { start: far, known: Vec::new(), unknown: vec![gap] },
-            ];
+            let chains =
+                vec![Chain { start: near, known: normal, unknown: across }, Chain { start: far, known: Vec::new(), unknown: vec![gap] }];
             self.pending.push(Step::Equation { target: mate, chains, method: Method::Trial });
             let all = std::mem::take(&mut self.pending);
             let moved = self.pin(choice.moved);
@@ -144,8 +142,7 @@ const MOST: usize = 24;
 
 /// Links with one known point whose rate can be chosen, and bars between two links that can be left out, with either pin as the one that is sought.
 pub(super) fn choices(members: &[Member]) -> Vec<Choice> {
-    let hinged = |m: &Member| m.holds.is_empty() && m.rolls.is_empty() && m.pivots.len() == 1;
-    let tried: Vec<(usize, &Member)> = members.iter().enumerate().filter(|(_, m)| hinged(m)).collect();
+    let tried: Vec<(usize, &Member)> = members.iter().enumerate().filter(|(_, m)| m.is_hinged()).collect();
     let bars = members.iter().enumerate().filter(|(_, m)| m.is_pinned_only() && m.pivots.is_empty());
     let bars = bars.filter_map(|(k, m)| if let [a, b] = m.shared[..] { Some((k, [a, b])) } else { None });
     let ends = bars.flat_map(|(k, [a, b])| [(k, [a, b]), (k, [b, a])]);

@@ -111,7 +111,9 @@ fn redrawn(drawn: &Drawn, at: &Configuration, layout: &Layout) -> Option<Drawing
 
 fn other_point(drawn: &Drawn, target: VertexId, pencil_mm: f64, present: f64) -> Option<OtherPoint> {
     let layout = Layout::of(drawn.construction);
-    let finds = |steps: &[Step], v: VertexId| steps.iter().any(|s| matches!(s, Step::Equation { target, .. } | Step::Trials { target, .. } if *target == v));
+    let finds = |steps: &[Step], v: VertexId| {
+        steps.iter().any(|s| matches!(s, Step::Equation { target, .. } | Step::Trials { target, .. } if *target == v))
+    };
     let chosen = |g: usize| drawn.construction.acts.chosen[g];
     let steps =
         drawn.plan.steps(DiagramKind::Velocity).iter().find(|s| s.alternatives.get(chosen(s.group)).is_some_and(|a| finds(a, target)))?;
