@@ -6,10 +6,10 @@ use crate::centres::Task;
 use crate::construct::Polygon;
 use crate::figure::forces;
 use crate::figure::sheet::drawing;
-use crate::figure::tables::special_line;
+use crate::figure::tables::special_words;
 use crate::mechanism::compound;
 use crate::paper::label::Label;
-use crate::paper::phrase::{Phrase, fill};
+use crate::paper::phrase::Phrase;
 use crate::plan::names::name_label;
 use crate::plan::text::Column;
 use crate::plan::{Body, GroupSteps, Method, Rate, Spot, Step};
@@ -185,10 +185,9 @@ impl Maker<'_> {
     pub(super) fn step(&self, blocks: &mut Vec<Block>, on: DiagramKind, step: &Step) {
         let w = self.writer();
         if let Step::Equation { target, .. } = step
-            && let Some(special) = w.plan.special(*target)
+            && let Some(special) = w.plan.introduced(step)
         {
-            let [a, b] = special.lines.each_ref().map(|line| special_line(&w, self.words(), line));
-            let text = fill(self.words().special_point, &[("S", &w.spot(*target)), ("1", &a), ("2", &b), ("", self.link(special.link))]);
+            let text = special_words(&w, self.words(), *target, special);
             blocks.push(Block::Paragraph(Phrase::new(&text)));
         }
         match (written(&w, &self.worked.construction, on, step), step) {

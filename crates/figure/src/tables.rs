@@ -64,7 +64,7 @@ impl Tables<'_> {
                 let step_class = step_class(polygon, step.target());
                 match step {
                     Step::Equation { target, chains, .. } => {
-                        if let Some(special) = self.writer.plan.special(*target) {
+                        if let Some(special) = self.writer.plan.introduced(step) {
                             parts.push(self.special(on, *target, special, &step_class));
                         }
                         parts.extend(self.equation(on, *target, chains, &step_class));
@@ -234,9 +234,7 @@ impl Tables<'_> {
 
     /// What a special point is.
     fn special(&self, on: DiagramKind, target: VertexId, special: &Special, step: &str) -> Part {
-        let [a, b] = special.lines.each_ref().map(|line| special_line(self.writer, self.words(), line));
-        let (letter, link) = (self.writer.spot(target), self.writer.scene.link_name(special.link));
-        let text = fill(self.words().special_point, &[("S", &letter), ("1", &a), ("2", &b), ("", link)]);
+        let (text, link) = (special_words(self.writer, self.words(), target, special), self.writer.scene.link_name(special.link));
         let class = format!("{} statement special {step}", kind(on));
         let id = match special.legs {
             Some(_) => id(kind(on), &format!("special-{}", special.group)),
@@ -256,8 +254,16 @@ impl Tables<'_> {
     }
 }
 
+/// What a special point is, in words.
+pub fn special_words(w: &Writer, words: &Words, target: VertexId, special: &Special) -> String {
+    let [a, b] = special.lines.each_ref().map(|line| special_line(w, words, line));
+    let [link, with] = [Some(special.link), special.with].map(|l| l.map_or("", |l| w.scene.link_name(l)));
+    let form = if special.with.is_some() { words.common_point } else { words.special_point };
+    fill(form, &[("S", &w.spot(target)), ("1", &a), ("2", &b), ("3", with), ("", link)])
+}
+
 /// A line along which a link is held, in words.
-pub fn special_line(w: &Writer, words: &Words, line: &SpecialLine) -> String {
+fn special_line(w: &Writer, words: &Words, line: &SpecialLine) -> String {
     match *line {
         SpecialLine::Leg(line) => constraint_line(w.scene, words, line),
         SpecialLine::Through { pin, special } => {

@@ -267,10 +267,12 @@ fn special_words(w: &Writer, special: &Special, name: &str) -> String {
         (Some((a, b)), Lang::Zh) => format!("{name}：第 {} 与第 {} 条支链约束线的交点", a + 1, b + 1),
         (None, lang) => {
             let [a, b] = special.lines.each_ref().map(|line| line_words(w, line));
-            let link = w.scene.link_name(special.link);
-            match lang {
-                Lang::En => format!("{name}: point of link {link} where {a} and {b} meet"),
-                Lang::Zh => format!("{name}：构件 {link} 上 {a} 与 {b} 的交点"),
+            let (link, with) = (w.scene.link_name(special.link), special.with.map(|l| w.scene.link_name(l)));
+            match (lang, with) {
+                (Lang::En, None) => format!("{name}: point of link {link} where {a} and {b} meet"),
+                (Lang::Zh, None) => format!("{name}：构件 {link} 上 {a} 与 {b} 的交点"),
+                (Lang::En, Some(with)) => format!("{name}: common point of links {link} and {with}, where {a} and {b} meet"),
+                (Lang::Zh, Some(with)) => format!("{name}：构件 {link} 与 {with} 的公共点，即 {a} 与 {b} 的交点"),
             }
         }
     }
@@ -300,7 +302,7 @@ fn step_lines(w: &Writer, on: DiagramKind, step: &Step, equation: &mut usize) ->
             *equation += 1;
             let why = method_words(*method, lang);
             let mut out = vec![format!("({equation}) {} — {why}", formula(&w.vector(on, *target)))];
-            if let Some(special) = w.plan.special(*target) {
+            if let Some(special) = w.plan.introduced(step) {
                 out.push(format!("    {}", special_words(w, special, &formula(&w.spot(*target)))));
             }
             let columns = w.columns(on, *target, chains);

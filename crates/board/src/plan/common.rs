@@ -9,7 +9,7 @@
 
 use super::build::Builder;
 use super::reduce::Member;
-use super::{Body, Chain, Method, Rate, Special, SpecialLine, Step, Term, Trial, VertexId};
+use super::{Body, Chain, Method, Rate, Special, SpecialLine, Step, Trial, VertexId};
 use hodograph_mechanism::mechanism::{ConstraintLine, Hold, Level};
 use hodograph_scene::{GuideId, LinkId, PointId};
 
@@ -43,7 +43,8 @@ impl Builder<'_> {
         let [first, second] = common.links;
         let links = common.links.map(|k| members[k].link);
         let pivots = common.links.map(|k| self.pin(members[k].pivots[0]));
-        let point = self.special(Special { group: g, link: links[0], lines: common.legs.map(Joining::line), legs: None });
+        let lines = common.legs.map(Joining::line);
+        let point = self.special(Special { group: g, link: links[0], with: Some(links[1]), lines, legs: None });
         let [own, other] = links.map(|l| self.on_link(point, l));
         let arms = [own, other].into_iter().zip(links).zip(pivots);
         let mut states = self.states(members);

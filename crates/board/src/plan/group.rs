@@ -298,7 +298,7 @@ impl Builder<'_> {
                 Some(n) => nears[[i, j][n]],
                 None => {
                     let line = |n: usize| SpecialLine::Leg(holds[n].line().expect("a leg of a triad holds along a line"));
-                    self.special(Special { group: g, link, lines: [line(i), line(j)], legs: Some((i, j)) })
+                    self.special(Special { group: g, link, with: None, lines: [line(i), line(j)], legs: Some((i, j)) })
                 }
             };
             let mut chains = Vec::new();

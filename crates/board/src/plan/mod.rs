@@ -51,6 +51,8 @@ pub struct Special {
     pub group: usize,
     /// The link.
     pub link: LinkId,
+    /// Of a point with one velocity on two links, the other link.
+    pub with: Option<LinkId>,
     /// The two lines.
     pub lines: [SpecialLine; 2],
     /// Of a triad the two legs, by their order in the core: it has another special point for each pair of them.
@@ -458,6 +460,14 @@ impl Plan {
         match self.vertex(v).spot {
             Spot::Special(k) => self.specials.get(k),
             Spot::Point(_) => None,
+        }
+    }
+
+    /// The special point that a step introduces: it is the target, and its equation is not one of a trial or carried over from another link.
+    pub fn introduced(&self, step: &Step) -> Option<&Special> {
+        match step {
+            Step::Equation { target, method: Method::Special, .. } => self.special(*target),
+            Step::Equation { .. } | Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => None,
         }
     }
 

@@ -161,8 +161,8 @@ impl Builder<'_> {
                     let tangent = matches!(lines[k], Line::Leg(Hold::Rolls { .. }));
                     tangent && ends[l][0].is_some() && self.in_line(&[ends[k][1], ends[l][0], ends[l][1]])
                 });
-                let special =
-                    Special { group: g, link: member.link, lines: [special_line(self.scene, a), special_line(self.scene, b)], legs: None };
+                let lines_of = [a, b].map(|line| special_line(self.scene, line));
+                let special = Special { group: g, link: member.link, with: None, lines: lines_of, legs: None };
                 let s = contact.and_then(|(k, _)| ends[k][1]).unwrap_or_else(|| self.special(special));
                 let rolls =
                     contact.and_then(|(k, _)| if let Line::Leg(hold) = lines[k] { self.rolled(level, member.link, &hold) } else { None });

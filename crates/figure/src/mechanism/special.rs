@@ -2,6 +2,7 @@
 
 use super::Draft;
 use hodograph_base::geom::Point;
+use hodograph_board::construct::Polygon;
 use hodograph_board::plan::names::{point_label, special_name};
 use hodograph_board::plan::{SpecialLine, Spot};
 use hodograph_paper::paper::item::{Dash, Shape};
@@ -18,8 +19,10 @@ impl Draft<'_> {
         let worked = self.worked;
         for (v, vertex) in worked.plan.vertices.iter().enumerate() {
             let (Spot::Special(k), Some(at)) = (vertex.spot, worked.construction.diagram.spots[v]) else { continue };
-            let drawn = worked.construction.polygon(DiagramKind::Velocity).is_some_and(|p| p.images[v].is_some());
-            if vertex.on.is_some() || !drawn || !self.within_reach(at) {
+            let here = |v: &usize| worked.plan.vertices[*v].spot == vertex.spot;
+            let drawn = |p: &Polygon| (0..p.images.len()).filter(here).any(|v| p.images[v].is_some());
+            let drawn = worked.construction.polygon(DiagramKind::Velocity).is_some_and(drawn);
+            if vertex.on.is_some() || vertex.trial.is_some() || !drawn || !self.within_reach(at) {
                 continue;
             }
             for line in &worked.plan.specials[k].lines {

@@ -57,7 +57,7 @@ pub fn sites(t: &Topology) -> Vec<Site> {
 pub fn hung_on_pole(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(Plan, Shown)> {
     let (group, f) = found(scene, plan, link)?;
     let mut wrong = plan.clone();
-    wrong.specials.push(Special { group, link, lines: f.lines.map(SpecialLine::Leg), legs: None });
+    wrong.specials.push(Special { group, link, with: None, lines: f.lines.map(SpecialLine::Leg), legs: None });
     let spot = Spot::Special(wrong.specials.len() - 1);
     wrong.vertices.push(Vertex { spot, on: None, number: None, fixed: true, trial: None });
     let centre = VertexId(wrong.vertices.len() - 1);
