@@ -144,9 +144,9 @@ impl Draft<'_> {
             let ends_here = to.distance(a.to) < SAME_MM;
             let (from, to) = (inset.map(from), inset.map(to));
             let shape = if ends_here {
-                Shape::Arrow { from, to, stroke: style.vector, head: style.head }
+                Shape::Arrow { from, to, stroke: a.stroke(style), head: style.head }
             } else {
-                Shape::Line { from, to, stroke: style.vector }
+                Shape::Line { from, to, stroke: a.stroke(style) }
             };
             d.shape(&format!("inset-part-{}", a.key()), &format!("inset {}", a.classes()), shape);
         }
@@ -154,7 +154,7 @@ impl Draft<'_> {
             let a = &self.arrows[k];
             let (from, to) = (inset.map(a.from), inset.map(a.to));
             d.of_link(a.link);
-            let shape = Shape::Arrow { from, to, stroke: style.vector, head: style.head };
+            let shape = Shape::Arrow { from, to, stroke: a.stroke(style), head: style.head };
             let shown = a.shown(self.p.mu, inset.times);
             let owner = d.vector(&format!("inset-{}", a.key()), &format!("inset {}", a.classes()), shape, shown);
             self.name(d, style, a, Shown { ends: (from, to), owner, middle: inner, within: "inset" });

@@ -203,7 +203,14 @@ impl Draft<'_> {
             self.zeros.push(Zero { at: edge.to.1, key: name.key, note, step });
         } else {
             let link = edge.terms.first().and_then(|t| self.link_of_term(t));
-            self.arrow((edge.from.1, edge.to.1), name, if edge.known { "edge known" } else { "edge unknown" }, step, link);
+            let tried = edge.terms.iter().any(|t| self.w.plan.vertex(t.of).trial.is_some());
+            let class = match (edge.known, tried) {
+                (true, false) => "edge known",
+                (false, false) => "edge unknown",
+                (true, true) => "edge known trial",
+                (false, true) => "edge unknown trial",
+            };
+            self.arrow((edge.from.1, edge.to.1), name, class, step, link);
         }
         match edge.to.0 {
             Mark::Image(v) if edge.known => self.image(v, step),
@@ -244,6 +251,9 @@ impl Draft<'_> {
                 }
                 if !a.steps.contains(&step) {
                     a.steps.push(step);
+                }
+                if a.is_tried() {
+                    a.class = class;
                 }
             }
             None => self.arrows.push(Arrow {
@@ -316,7 +326,7 @@ impl Draft<'_> {
             let a = &self.arrows[k];
             d.of_link(a.link);
             let (from, to) = a.drawn();
-            let shape = Shape::Arrow { from, to, stroke: style.vector.coloured(a.colour), head: style.head };
+            let shape = Shape::Arrow { from, to, stroke: a.stroke(style).coloured(a.colour), head: style.head };
             let owner = d.vector(a.key(), &a.classes(), shape, a.shown(self.p.mu, 1.0));
             for (from, to) in a.joins() {
                 let class = a.classes().replacen(a.class, "aside", 1);

@@ -8,6 +8,7 @@ use hodograph_board::construct::Mark;
 use hodograph_board::plan::text::Writer;
 use hodograph_board::plan::{Term, VertexId};
 use hodograph_paper::paper::drawing::Drawing;
+use hodograph_paper::paper::item::Stroke;
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::shown::{Length, Shown as Quantity};
@@ -133,6 +134,16 @@ impl Draft<'_> {
 }
 
 impl Arrow {
+    /// Returns true for a vector of trial polygons alone.
+    pub(super) fn is_tried(&self) -> bool {
+        self.class.ends_with("trial")
+    }
+
+    /// The line that draws it: of a trial polygon a thin one.
+    pub(super) fn stroke(&self, style: &Style) -> Stroke {
+        if self.is_tried() { Stroke { width_mm: style.thin.width_mm, ..style.vector } } else { style.vector }
+    }
+
     /// Its key: that of its first name.
     pub(super) fn key(&self) -> &str {
         &self.symbols[0].key
