@@ -308,6 +308,7 @@ impl Oracle<'_> {
         };
         match (t.kind, t.by) {
             (TermKind::Relative | TermKind::Tangential, _) => Expected { vector: None, direction: unit.perp() },
+            (TermKind::Gap, _) => Expected { vector: None, direction: unit },
             (TermKind::Normal, By::Turning(b)) => {
                 let w = self.omega(b);
                 Expected { vector: Some(arm * -(w * w)), direction: unit }
@@ -371,7 +372,7 @@ fn every_edge_keeps_its_word() {
                 let largest = polygon.edges.iter().map(|e| (e.to.1 - e.from.1).norm() * polygon.mu).fold(c.scale(level), f64::max);
                 let near = 1e-8 * largest + f64::MIN_POSITIVE;
                 for (i, v) in plan.vertices.iter().enumerate() {
-                    let (Some(image), Some(solved)) = (polygon.images[i], oracle.vector(level, VertexId(i))) else { continue };
+                    let (Some(image), Some(solved), None) = (polygon.images[i], oracle.vector(level, VertexId(i)), v.trial) else { continue };
                     vertices += 1;
                     if (image.to_vec2() * polygon.mu - solved).norm() > near {
                         c.fail(format!("{level:?} image of {v:?}: {:?}, solved {solved:?}", image.to_vec2() * polygon.mu));
@@ -432,6 +433,15 @@ fn every_edge_keeps_its_word() {
                                 }
                             }
                             Step::Same { target, from, .. } => assert_eq!(polygon.images[target.0], polygon.images[from.0]),
+                            Step::Trials { images, mates, target } => {
+                                let image = |v: VertexId| polygon.images[v.0].unwrap();
+                                for [a, b] in [images, mates] {
+                                    let (along, to) = (image(*b) - image(*a), image(*target) - image(*a));
+                                    if along.cross(to).abs() * polygon.mu > near * along.norm() {
+                                        c.fail(format!("{level:?} {target:?} does not lie in line with its trials"));
+                                    }
+                                }
+                            }
                         }
                     }
                 }

@@ -61,6 +61,18 @@ pub fn told(scene: &Scene, w: &Worked, d: &Differences<Big>, pencil_mm: f64) -> 
 impl Oracle<'_> {
     fn numbers(&self, level: Level, p: &Polygon, action: usize, pencil_mm: f64) -> Vec<(What, Big, f64)> {
         let mu = Big::from_decimal(&shortest(p.mu));
+        // What a trial draws is true of no motion.
+        let tried = |v: &VertexId| self.w.plan.vertex(*v).trial.is_some();
+        let drawn = |i: &usize| p.edges[*i].terms.iter().any(|t| tried(&t.of));
+        let in_trial = match &p.actions[action] {
+            Action::LayOff(i) | Action::Join(i) => drawn(i),
+            Action::Cross { edges, .. } => edges.iter().any(drawn),
+            Action::Reach(v) | Action::Copy { target: v, .. } => tried(v),
+            _ => false,
+        };
+        if in_trial {
+            return Vec::new();
+        }
         let edge = |k, i: usize| {
             let whole = p.edges[i].terms.iter().fold(Vec2::zero(), |s, t| s + self.term(level, t));
             (What::Length(k), whole.norm() / mu, NOTHING_MM)
@@ -73,7 +85,7 @@ impl Oracle<'_> {
                 all.extend(crossing(u, w, mu, pencil_mm));
                 all
             }
-            Action::Reach(v) | Action::Copy { target: v, .. } => vec![(What::Length(0), self.vector(level, *v).norm() / mu, NOTHING_MM)],
+            Action::Reach(v) | Action::Copy { target: v, .. } | Action::Trials { target: v, .. } => vec![(What::Length(0), self.vector(level, *v).norm() / mu, NOTHING_MM)],
             Action::Rate(r) => {
                 let r = &self.w.construction.rates[*r];
                 let value = self.turning(level, r.body);
@@ -125,7 +137,7 @@ impl Oracle<'_> {
             _ if vertex.fixed => Vec2::zero(),
             Spot::Point(p) => self.d.vector(level, p, vertex.on).expect("a drawn point has places"),
             Spot::Special(k) => {
-                let link = self.w.plan.specials[k].link;
+                let link = vertex.on.unwrap_or(self.w.plan.specials[k].link);
                 let local = self.d.now.poses[link.0].expect("placed").to_local(self.place(v));
                 let at = |c: &Configuration<Big>| c.poses[link.0].expect("placed").to_world(local);
                 let (before, now, after) = (at(&self.d.before), at(&self.d.now), at(&self.d.after));

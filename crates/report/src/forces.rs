@@ -145,6 +145,8 @@ impl ForceWriter<'_> {
             ("PH", Lang::Zh) => "移动副与一条作用线",
             ("III", Lang::En) => "class III",
             ("III", Lang::Zh) => "Ⅲ级杆组",
+            ("IV", Lang::En) => "class IV",
+            ("IV", Lang::Zh) => "Ⅳ级杆组",
             (kind, _) => kind,
         };
         match (self.lang, names.len()) {

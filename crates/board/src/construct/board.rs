@@ -57,9 +57,13 @@ impl<'a> Board<'a> {
         for (i, v) in plan.vertices.iter().enumerate() {
             self.done.images[on.index()][i] = match v.spot {
                 Spot::Point(p) => Some(self.joint(p)),
-                // A trial takes the point of the polygon itself, which the plan has before it.
-                Spot::Special(_) if v.trial.is_some() => self.done.images[on.index()][plan.untried(VertexId(i)).0],
-                Spot::Special(k) => self.special_point(on, VertexId(i), &plan.specials[k]),
+                Spot::Special(k) => {
+                    let placed = plan.vertices[..i].iter().position(|own| own.spot == v.spot);
+                    match placed {
+                        Some(k) => self.done.images[on.index()][k],
+                        None => self.special_point(on, VertexId(i), &plan.specials[k]),
+                    }
+                }
             };
         }
     }

@@ -70,6 +70,7 @@ impl Scribe<'_> {
                 }
                 _ => Err(another_kind()),
             },
+            ([_, _, _, _], [_, _, _, _], [_, _]) => self.on_two_bars(links, joints, at),
             _ => self.on_three_legs(links, joints, at),
         }
     }

@@ -4,8 +4,8 @@
 //! crosses the other two. The forces on one link stand together in the polygon, so that the inner reaction is a diagonal. What a group does to those
 //! that it rests on is their load. The driver comes last, with the balancing moment.
 //!
-//! Methods: RRR, RRP, RPR, PRP and RPP dyads, a link with a pivot or a slide and one line of action (a pin in a slot, a cylinder), a link on three legs, and
-//! drivers. A group of another kind is not drawn, and neither is what rests on its reactions; [`Equilibrium::undrawn`] names it.
+//! Methods: RRR, RRP, RPR, PRP and RPP dyads, a link with a pivot or a slide and one line of action (a pin in a slot, a cylinder), a link on three legs, two links that two
+//! bars join, and drivers. A group of another kind is not drawn, and neither is what rests on its reactions; [`Equilibrium::undrawn`] names it.
 //!
 //! # Source
 //! 孙桓, 陈作模, 葛文杰: 机械原理, ch. 4; R. L. Norton, *Design of Machinery*, ch. 11.
@@ -15,6 +15,7 @@ mod legs;
 mod lever;
 mod methods;
 mod scribe;
+mod two_bars;
 
 pub use lever::{Lever, LeverForce};
 

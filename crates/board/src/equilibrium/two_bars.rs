@@ -1,0 +1,229 @@
+//! Two links on a pivot each that two bars join (class IV).
+//!
+//! The bars pass on forces along their lines, but for what their own loads add square to them. About the crossing S of the lines the forces along them have no moment: moments
+//! of each link about S give the part of its outer reaction square to the arm from S, and the polygon of the whole group crosses the other two parts, as in a dyad with its
+//! inner pin in S. The diagonal between the first link and the rest is what the bars put on it; their lines divide it.
+
+use super::joints::{Joints, Outer, Pair};
+use super::scribe::{Acting, Polygon, Scribe, reaction, square_to};
+use super::{About, Gives, Moments, Part, Party, Term, another_kind};
+use crate::construction::{Base, Direction, Key, Line, MarkId, Name, Number, NumberId, Op};
+use hodograph_base::diag::{Both, both};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::{LinkId, PointId};
+
+/// A bar with its pins on the first and on the second link.
+#[derive(Clone, Copy)]
+struct Bar {
+    link: LinkId,
+    pins: [PointId; 2],
+}
+
+/// A bar with its loads and the forces square to it that the links put on it; none without loads.
+struct Loaded {
+    bar: Bar,
+    loads: Vec<Acting>,
+    across: [Option<NumberId>; 2],
+}
+
+/// The group: its links with their outer pins, and the bars.
+struct Joined {
+    links: [LinkId; 2],
+    outer: [Outer; 2],
+    pivots: [PointId; 2],
+    bars: [Bar; 2],
+}
+
+/// Lines that cross under less (sine) are parallel.
+const PARALLEL: f64 = 1e-6;
+
+impl Scribe<'_> {
+    /// Writes the equilibrium of two links that two bars join.
+    ///
+    /// # Errors
+    /// A group of another kind; parallel bars; a further group at one of their pins.
+    pub(super) fn on_two_bars(&mut self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Result<(), Both> {
+        let group = self.joined(links, joints).ok_or_else(another_kind)?;
+        let name = |k: usize| self.scene.link_name(group.bars[k].link);
+        if let Some(pin) = group.bars.iter().flat_map(|b| b.pins).find(|p| !self.pin_loads(*p, group.links[0]).is_empty()) {
+            return Err(both!("a further group presses on pin {}", "销 {} 上还作用着另一杆组", self.scene.point_name(pin)));
+        }
+        let along = group.bars.map(|b| {
+            let [p, q] = b.pins.map(|p| at.points[p.0]);
+            p.zip(q).and_then(|(p, q)| (q - p).unit())
+        });
+        match along {
+            [Some(a), Some(b)] if a.cross(b).abs() > PARALLEL => {
+                self.two_bars(links, &group);
+                Ok(())
+            }
+            _ => Err(both!("the bars {} and {} are parallel: moments about their crossing tell nothing", "连杆 {} 与 {} 平行，无法对其交点取矩", name(0), name(1))),
+        }
+    }
+
+    fn joined(&self, links: &[LinkId], joints: &Joints) -> Option<Joined> {
+        let [first @ Outer::Pin { on: a, at: p, .. }, second @ Outer::Pin { on: b, at: q, .. }] = joints.outer[..] else { return None };
+        let has = |l: LinkId, p: &PointId| self.scene.links[l.0].points.contains(p);
+        let inner: Vec<PointId> = joints.inner.iter().map(|pair| if let Pair::Pin(p) = pair { Some(*p) } else { None }).collect::<Option<_>>()?;
+        let bars: Vec<Bar> = links
+            .iter()
+            .filter(|l| **l != a && **l != b)
+            .map(|&link| {
+                let on = |core: LinkId| inner.iter().copied().find(|p| has(link, p) && has(core, p));
+                Some(Bar { link, pins: [on(a)?, on(b)?] })
+            })
+            .collect::<Option<_>>()?;
+        (a != b && inner.len() == 4).then_some(())?;
+        Some(Joined { links: [a, b], outer: [first, second], pivots: [p, q], bars: bars.try_into().ok()? })
+    }
+
+    fn two_bars(&mut self, links: &[LinkId], group: &Joined) {
+        let (mut ops, mut found) = (Vec::new(), Vec::new());
+        let [one, two] = group.bars.map(|bar| self.loaded_bar(&mut ops, &mut found, bar, group.links));
+        let lines = [&one, &two].map(|l| {
+            let [from, to] = l.bar.pins.map(|p| self.mark(p));
+            let along = Direction::of(Base::Arm { from, to, known: false });
+            let line = self.c.line(Line { on: self.plane, through: from, along, moved: false, carries: Vec::new() });
+            ops.push(Op::Rule(line));
+            line
+        });
+        let crossing = self.c.mark(self.plane, Name::Image(Key::of(self.crossings)));
+        self.crossings += 1;
+        ops.push(Op::Meet { lines, to: crossing });
+        let own = [0, 1].map(|k| self.all_on(group.links[k], &[group.pivots[k]]));
+        let square = [0, 1].map(|k| self.square_to_arm(&mut ops, &mut found, (group, k), &own[k], [&one, &two], crossing));
+        self.on_plane(ops);
+        let mut p = self.polygon();
+        p.moments = found;
+        let start = p.last;
+        let arms = group.pivots.map(|pivot| Base::Arm { from: crossing, to: self.mark(pivot), known: false });
+        self.part(&mut p, group, 0, arms[0], square[0]);
+        let first = p.last;
+        self.lay_all(&mut p, &own[0]);
+        let between = p.last;
+        self.lay_all(&mut p, &one.loads);
+        let after_one = p.last;
+        self.lay_all(&mut p, &two.loads);
+        self.lay_all(&mut p, &own[1]);
+        let second = p.last;
+        self.part(&mut p, group, 1, arms[1], square[1]);
+        let end = p.last;
+        let lines = [self.line(&mut p, start, Direction::of(arms[0])), self.line(&mut p, end, Direction::of(arms[1]))];
+        let x = self.meet(&mut p, lines);
+        for (k, ends, whole) in [(0, [x, start], [x, first]), (1, [end, x], [second, x])] {
+            let (outer, pivot) = (&group.outer[k], group.pivots[k]);
+            let part = if square[k].is_some() { Part::Normal } else { Part::Whole };
+            if let Some(term) = reaction(outer, part) {
+                self.side(&mut p, (term, pivot), ends, k == 0);
+            }
+            if let (true, Some(term)) = (square[k].is_some(), reaction(outer, Part::Whole)) {
+                self.diagonal(&mut p, (term, pivot), whole);
+            }
+            self.pinned(&mut p, pivot, group.links[k], whole);
+        }
+        // The force of the bars on the first link runs from `between` to `x`: that of the first bar to `y`, that of the second from there on.
+        let from = self.shifted(&mut p, between, &one, (group.links[0], false));
+        let to = self.shifted(&mut p, x, &two, (group.links[0], true));
+        let along = [&one, &two].map(|l| Direction::of(self.along(l, 0)));
+        let lines = [self.line(&mut p, from, along[0]), self.line(&mut p, to, along[1])];
+        let y = self.meet(&mut p, lines);
+        self.bar_sides(&mut p, &one.bar, group.links, [y, between, after_one]);
+        // The loads of the second bar once more, behind the force of the first link on it.
+        p.last = y;
+        let sides = p.sides.len();
+        self.lay_all(&mut p, &two.loads);
+        p.sides.truncate(sides);
+        let loaded = p.last;
+        self.bar_sides(&mut p, &two.bar, group.links, [x, y, loaded]);
+        self.finish(p, links, "IV");
+    }
+
+    /// From the pin on the other link to that on one.
+    fn along(&self, l: &Loaded, k: usize) -> Base {
+        Base::Arm { from: self.mark(l.bar.pins[1 - k]), to: self.mark(l.bar.pins[k]), known: false }
+    }
+
+    /// The force of a link on a bar, or that of the bar on the link, square to the bar.
+    fn across(l: &Loaded, link: LinkId, on_bar: bool) -> Term {
+        let (of, on) = if on_bar { (link, l.bar.link) } else { (l.bar.link, link) };
+        Term::Reaction { of: Party::Link(of), on, part: Part::Tangential }
+    }
+
+    /// A bar with its loads: the forces square to it by moments about its pins.
+    fn loaded_bar(&mut self, ops: &mut Vec<Op>, found: &mut Vec<Moments>, bar: Bar, links: [LinkId; 2]) -> Loaded {
+        let loads = self.all_on(bar.link, &bar.pins);
+        let mut l = Loaded { bar, loads, across: [None, None] };
+        for k in [0, 1] {
+            if l.loads.is_empty() {
+                continue;
+            }
+            let (pin, other) = (bar.pins[k], bar.pins[1 - k]);
+            let gives = Gives::Force(Self::across(&l, links[k], true), pin);
+            let mut of = self.moments(ops, &[bar.link], &l.loads, About::Point(other), gives);
+            let turning = self.balancing(ops, &of);
+            let length = self.c.number(Number::Length(self.along(&l, k)));
+            of.value = self.number(ops, Number::Quotient(turning, length));
+            l.across[k] = Some(of.value);
+            found.push(of);
+        }
+        l
+    }
+
+    /// The part of a link's outer reaction square to its arm from the crossing of the bars, by moments about it.
+    fn square_to_arm(
+        &mut self,
+        ops: &mut Vec<Op>,
+        found: &mut Vec<Moments>,
+        (group, k): (&Joined, usize),
+        own: &[Acting],
+        bars: [&Loaded; 2],
+        crossing: MarkId,
+    ) -> Option<NumberId> {
+        let (link, pivot) = (group.links[k], group.pivots[k]);
+        let axial = bars.map(|l| Term::Reaction { of: Party::Link(l.bar.link), on: link, part: Part::Normal });
+        let gives = Gives::Force(reaction(&group.outer[k], Part::Tangential)?, pivot);
+        let mut moments = self.moments(ops, &[link], own, About::Crossing { at: crossing, of: axial }, gives);
+        for l in bars {
+            let (Some(value), pin) = (l.across[k], l.bar.pins[k]) else { continue };
+            // A unit force square to the bar turns by the part of its arm along the bar; the bar presses the other way.
+            let arm = self.number(ops, Number::Along(crossing, self.mark(pin), Direction::of(self.along(l, k))));
+            let turned = self.number(ops, Number::Product(value, arm));
+            moments.of.push((Self::across(l, link, false), pin, self.number(ops, Number::Negative(turned))));
+        }
+        if moments.of.is_empty() && moments.couples.is_empty() {
+            return None;
+        }
+        let turning = self.balancing(ops, &moments);
+        let length = self.c.number(Number::Length(Base::Arm { from: crossing, to: self.mark(pivot), known: false }));
+        moments.value = self.number(ops, Number::Quotient(turning, length));
+        let value = moments.value;
+        found.push(moments);
+        Some(value)
+    }
+
+    /// Lays off the part of an outer reaction square to its arm.
+    fn part(&mut self, p: &mut Polygon, group: &Joined, k: usize, arm: Base, value: Option<NumberId>) {
+        if let (Some(value), Some(term)) = (value, reaction(&group.outer[k], Part::Tangential)) {
+            self.laid(p, (term, group.pivots[k]), square_to(arm), value);
+        }
+    }
+
+    /// The end of the force square to a bar between it and the first link, laid off from a vertex: that on the bar, or that on the link.
+    fn shifted(&mut self, p: &mut Polygon, from: MarkId, l: &Loaded, (link, on_bar): (LinkId, bool)) -> MarkId {
+        let Some(value) = l.across[0] else { return from };
+        let times = if on_bar { value } else { self.number(&mut p.ops, Number::Negative(value)) };
+        let (last, sides) = (p.last, p.sides.len());
+        p.last = from;
+        self.laid(p, (Self::across(l, link, on_bar), l.bar.pins[0]), square_to(self.along(l, 0)), times);
+        p.diagonals.extend(p.sides.split_off(sides));
+        std::mem::replace(&mut p.last, last)
+    }
+
+    /// The forces at both pins of a bar: that of the first link on it runs between the first two vertices, its loads from the second to the third.
+    fn bar_sides(&mut self, p: &mut Polygon, bar: &Bar, links: [LinkId; 2], [a, b, c]: [MarkId; 3]) {
+        for (k, [from, to]) in [(0, [a, b]), (1, [c, a])] {
+            self.inner_side(p, bar.pins[k], [bar.link, links[k]], [from, to]);
+            self.inner_side(p, bar.pins[k], [links[k], bar.link], [to, from]);
+        }
+    }
+}
