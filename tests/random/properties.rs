@@ -372,7 +372,9 @@ fn every_edge_keeps_its_word() {
                 let largest = polygon.edges.iter().map(|e| (e.to.1 - e.from.1).norm() * polygon.mu).fold(c.scale(level), f64::max);
                 let near = 1e-8 * largest + f64::MIN_POSITIVE;
                 for (i, v) in plan.vertices.iter().enumerate() {
-                    let (Some(image), Some(solved), None) = (polygon.images[i], oracle.vector(level, VertexId(i)), v.trial) else { continue };
+                    let (Some(image), Some(solved), None) = (polygon.images[i], oracle.vector(level, VertexId(i)), v.trial) else {
+                        continue;
+                    };
                     vertices += 1;
                     if (image.to_vec2() * polygon.mu - solved).norm() > near {
                         c.fail(format!("{level:?} image of {v:?}: {:?}, solved {solved:?}", image.to_vec2() * polygon.mu));

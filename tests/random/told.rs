@@ -85,7 +85,9 @@ impl Oracle<'_> {
                 all.extend(crossing(u, w, mu, pencil_mm));
                 all
             }
-            Action::Reach(v) | Action::Copy { target: v, .. } | Action::Trials { target: v, .. } => vec![(What::Length(0), self.vector(level, *v).norm() / mu, NOTHING_MM)],
+            Action::Reach(v) | Action::Copy { target: v, .. } | Action::Trials { target: v, .. } => {
+                vec![(What::Length(0), self.vector(level, *v).norm() / mu, NOTHING_MM)]
+            }
             Action::Rate(r) => {
                 let r = &self.w.construction.rates[*r];
                 let value = self.turning(level, r.body);

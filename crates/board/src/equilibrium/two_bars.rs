@@ -57,14 +57,20 @@ impl Scribe<'_> {
                 self.two_bars(links, &group);
                 Ok(())
             }
-            _ => Err(both!("the bars {} and {} are parallel: moments about their crossing tell nothing", "连杆 {} 与 {} 平行，无法对其交点取矩", name(0), name(1))),
+            _ => Err(both!(
+                "the bars {} and {} are parallel: moments about their crossing tell nothing",
+                "连杆 {} 与 {} 平行，无法对其交点取矩",
+                name(0),
+                name(1)
+            )),
         }
     }
 
     fn joined(&self, links: &[LinkId], joints: &Joints) -> Option<Joined> {
         let [first @ Outer::Pin { on: a, at: p, .. }, second @ Outer::Pin { on: b, at: q, .. }] = joints.outer[..] else { return None };
         let has = |l: LinkId, p: &PointId| self.scene.links[l.0].points.contains(p);
-        let inner: Vec<PointId> = joints.inner.iter().map(|pair| if let Pair::Pin(p) = pair { Some(*p) } else { None }).collect::<Option<_>>()?;
+        let inner: Vec<PointId> =
+            joints.inner.iter().map(|pair| if let Pair::Pin(p) = pair { Some(*p) } else { None }).collect::<Option<_>>()?;
         let bars: Vec<Bar> = links
             .iter()
             .filter(|l| **l != a && **l != b)

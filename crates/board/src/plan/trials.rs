@@ -76,8 +76,9 @@ impl Builder<'_> {
         }
         self.equation(level, moved, vec![Chain { start: pivot, known, unknown: Vec::new() }], Method::Trial);
         let mut states = self.states(members);
-        self.known_at(&mut states, members, moved, choice.tried);
+        // A bar that counts as done learns of no pin, so that nothing is held by it.
         states[choice.left_out].done = true;
+        self.known_at(&mut states, members, moved, choice.tried);
         self.open_all(level, g, members, &mut states)
     }
 
