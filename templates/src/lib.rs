@@ -39,6 +39,7 @@ pub const SCENES: &[(&str, &str)] = &[
     ("watt-six-bar", include_str!("../watt-six-bar.json")),
     ("stephenson-six-bar", include_str!("../stephenson-six-bar.json")),
     ("class-iii-six-bar", include_str!("../class-iii-six-bar.json")),
+    ("class-iv-six-bar", include_str!("../class-iv-six-bar.json")),
     ("double-butterfly", include_str!("../double-butterfly.json")),
     ("five-bar", include_str!("../five-bar.json")),
     ("robot-arm", include_str!("../robot-arm.json")),

@@ -119,10 +119,10 @@ impl ForceWriter<'_> {
         sides.iter().map(|s| ForceColumn { symbol: self.notation.vectors.write(self.symbol(s.term)), magnitude: s.known }).collect()
     }
 
-    /// The vertices of a group with their letters, in the order of the equation.
+    /// The vertices of a group with their letters, in the order of the equation, then those of diagonals alone.
     pub fn letters(&self, group: &GroupForces) -> Vec<(MarkId, String)> {
         let mut out: Vec<MarkId> = Vec::new();
-        for side in &group.sides {
+        for side in group.sides.iter().chain(&group.diagonals) {
             let v = &self.of.construction.vectors[side.vector.index()];
             for mark in [v.from, v.to] {
                 if !out.contains(&mark) {

@@ -84,7 +84,10 @@ impl<N: Real> Assembly<'_, N> {
                 both!("links {} were not brought together from the sketch", "由草图未能求得构件 {} 的装配位置", Both::names(&names)),
             )
             .at(self.scene.links[group.links[0].0].span)
-            .help(both!("improve the sketch, or check whether the lengths can be assembled", "请改进草图，或检查各长度能否装配"))
+            .help(both!(
+                "improve the sketch, with all joints of these links so that it tells on which side each lies, or check whether the lengths can be assembled",
+                "请改进草图，并给出这些构件的全部铰链（以判定各点在哪一侧），或检查各长度能否装配"
+            ))
         })?;
         let pins = group.pins.iter().filter_map(|p| points[p.0].map(|at| (*p, at.lift()))).collect();
         let poses = group.links.iter().filter_map(|l| poses[l.0].map(|pose| (*l, pose.lift()))).collect();
