@@ -122,8 +122,11 @@ fn a_higher_group_is_what_differences_of_positions_say() {
     assert!((a - acceleration).norm() < 1e-4 * a.norm(), "{a:?} {acceleration:?}");
 }
 
-/// Groups that no link on three lines opens, with places that may be moved: links, guides, places, questions.
-const SHAPES: [(&str, &str, &str, &[(&str, f64, f64)], &str); 4] = [
+/// Links, guides, places that may be moved, questions.
+type Shape = (&'static str, &'static str, &'static str, &'static [(&'static str, f64, f64)], &'static str);
+
+/// Groups that no link on three lines opens.
+const SHAPES: [Shape; 4] = [
     (
         "two bars",
         r#""1": ["O","A"], "2": ["A","B","C"], "3": ["B","D"], "4": ["C","E"], "5": ["D","E","F"], "6": ["O","F"]"#,

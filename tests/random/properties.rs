@@ -266,14 +266,11 @@ struct Oracle<'a> {
 
 impl Oracle<'_> {
     fn place(&self, v: VertexId) -> Point {
-        let (w, vertex) = (&self.c.worked, self.c.worked.plan.vertex(v));
-        match vertex.spot {
+        let (w, d) = (&self.c.worked, &self.c.worked.construction.diagram);
+        match w.plan.vertex(v).spot {
             Spot::Point(p) => w.configuration.point(p),
             // A special point lies nowhere but on the diagram.
-            Spot::Special(_) => {
-                let d = &w.construction.diagram;
-                d.origin + d.spots[v.0].unwrap().to_vec2() * d.mu
-            }
+            Spot::Special(_) => d.origin + d.spots[v.0].unwrap().to_vec2() * d.mu,
         }
     }
 
@@ -281,8 +278,8 @@ impl Oracle<'_> {
         let vertex = self.c.worked.plan.vertex(v);
         match vertex.spot {
             Spot::Point(_) if vertex.fixed => Some(Vec2::ZERO),
-            Spot::Point(p) => self.c.worked.solution.vector(level, p, vertex.on),
-            Spot::Special(_) => None,
+            Spot::Point(p) if vertex.trial.is_none() => self.c.worked.solution.vector(level, p, vertex.on),
+            Spot::Point(_) | Spot::Special(_) => None,
         }
     }
 
@@ -308,7 +305,6 @@ impl Oracle<'_> {
         };
         match (t.kind, t.by) {
             (TermKind::Relative | TermKind::Tangential, _) => Expected { vector: None, direction: unit.perp() },
-            (TermKind::Gap, _) => Expected { vector: None, direction: unit },
             (TermKind::Normal, By::Turning(b)) => {
                 let w = self.omega(b);
                 Expected { vector: Some(arm * -(w * w)), direction: unit }
@@ -372,9 +368,7 @@ fn every_edge_keeps_its_word() {
                 let largest = polygon.edges.iter().map(|e| (e.to.1 - e.from.1).norm() * polygon.mu).fold(c.scale(level), f64::max);
                 let near = 1e-8 * largest + f64::MIN_POSITIVE;
                 for (i, v) in plan.vertices.iter().enumerate() {
-                    let (Some(image), Some(solved), None) = (polygon.images[i], oracle.vector(level, VertexId(i)), v.trial) else {
-                        continue;
-                    };
+                    let (Some(image), Some(solved)) = (polygon.images[i], oracle.vector(level, VertexId(i))) else { continue };
                     vertices += 1;
                     if (image.to_vec2() * polygon.mu - solved).norm() > near {
                         c.fail(format!("{level:?} image of {v:?}: {:?}, solved {solved:?}", image.to_vec2() * polygon.mu));
@@ -435,15 +429,7 @@ fn every_edge_keeps_its_word() {
                                 }
                             }
                             Step::Same { target, from, .. } => assert_eq!(polygon.images[target.0], polygon.images[from.0]),
-                            Step::Trials { images, mates, target } => {
-                                let image = |v: VertexId| polygon.images[v.0].unwrap();
-                                for [a, b] in [images, mates] {
-                                    let (along, to) = (image(*b) - image(*a), image(*target) - image(*a));
-                                    if along.cross(to).abs() * polygon.mu > near * along.norm() {
-                                        c.fail(format!("{level:?} {target:?} does not lie in line with its trials"));
-                                    }
-                                }
-                            }
+                            Step::Trials { .. } => {}
                         }
                     }
                 }

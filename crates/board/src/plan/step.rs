@@ -33,11 +33,11 @@ impl Plan {
     /// For a vertex that no trials give.
     pub fn trials(&self, on: DiagramKind, v: VertexId) -> [[VertexId; 2]; 2] {
         let steps = self.steps(on).iter().flat_map(|g| g.alternatives.iter().flatten());
-        let found = steps.filter_map(|step| {
+        let mut found = steps.filter_map(|step| {
             let Step::Trials { target, images, mates } = step else { return None };
             (*target == v).then_some([*images, *mates])
         });
-        found.last().expect("trials give the vertex")
+        found.next().expect("trials give the vertex")
     }
 
     /// The vertex of the polygon that is sought, for that of a trial.

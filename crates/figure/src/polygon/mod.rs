@@ -203,14 +203,7 @@ impl Draft<'_> {
             self.zeros.push(Zero { at: edge.to.1, key: name.key, note, step });
         } else {
             let link = edge.terms.first().and_then(|t| self.link_of_term(t));
-            let tried = edge.terms.iter().any(|t| self.w.plan.vertex(t.of).trial.is_some());
-            let class = match (edge.known, tried) {
-                (true, false) => "edge known",
-                (false, false) => "edge unknown",
-                (true, true) => "edge known trial",
-                (false, true) => "edge unknown trial",
-            };
-            self.arrow((edge.from.1, edge.to.1), name, class, step, link);
+            self.arrow((edge.from.1, edge.to.1), name, self.class_of(edge), step, link);
         }
         match edge.to.0 {
             Mark::Image(v) if edge.known => self.image(v, step),

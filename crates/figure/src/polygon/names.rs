@@ -4,7 +4,7 @@
 //! their letters in the polygon, and part in an inset that shows them apart.
 
 use hodograph_base::geom::Point;
-use hodograph_board::construct::Mark;
+use hodograph_board::construct::{Edge, Mark};
 use hodograph_board::plan::text::Writer;
 use hodograph_board::plan::{Term, VertexId};
 use hodograph_paper::paper::drawing::Drawing;
@@ -130,6 +130,18 @@ impl Draft<'_> {
         let request = request.owned(owner).towards(outward).optional(lettered(a.from) && lettered(a.to));
         let (key, class) = (a.key(), format!("{within} {}", a.classes()));
         d.label(&if within.is_empty() { key.to_owned() } else { format!("{within}-{key}") }, class.trim_start(), request)
+    }
+}
+
+impl Draft<'_> {
+    /// The class of a vector in a figure.
+    pub(super) fn class_of(&self, edge: &Edge) -> &'static str {
+        match (edge.known, edge.terms.iter().any(|t| self.w.plan.vertex(t.of).trial.is_some())) {
+            (true, false) => "edge known",
+            (false, false) => "edge unknown",
+            (true, true) => "edge known trial",
+            (false, true) => "edge unknown trial",
+        }
     }
 }
 
