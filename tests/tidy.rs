@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 
 /// Files longer than [`LONGEST`], each with the lines that it may have. The list only shrinks: a file that grows past its number is
 /// taken apart, one that became shorter gets the smaller number, one that fits is struck off.
-const LONG_FILES: &[(&str, usize)] = &[("tests/random/mech.rs", 639), ("tests/random/properties.rs", 695), ("tests/sweep.rs", 555)];
+const LONG_FILES: &[(&str, usize)] = &[("tests/random/mech.rs", 639), ("tests/random/properties.rs", 693), ("tests/sweep.rs", 555)];
 
 /// Lines that a reader still oversees.
 const LONGEST: usize = 450;

@@ -6,7 +6,7 @@ use crate::centres::Task;
 use crate::construct::Polygon;
 use crate::figure::forces;
 use crate::figure::sheet::drawing;
-use crate::figure::tables::special_words;
+use crate::figure::tables::{mate_words, special_words};
 use crate::mechanism::compound;
 use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
@@ -188,6 +188,9 @@ impl Maker<'_> {
             && let Some(special) = w.plan.introduced(step)
         {
             let text = special_words(&w, self.words(), *target, special);
+            blocks.push(Block::Paragraph(Phrase::new(&text)));
+        }
+        if let Some(text) = mate_words(&w, self.words(), step) {
             blocks.push(Block::Paragraph(Phrase::new(&text)));
         }
         match (written(&w, &self.worked.construction, on, step), step) {

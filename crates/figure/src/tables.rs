@@ -6,6 +6,7 @@ use std::ops::Range;
 
 use hodograph_base::digits::inked;
 use hodograph_board::construct::{Action, Drawing, Polygon};
+use hodograph_board::plan::names::mate_letter;
 use hodograph_board::plan::text::{Column, Writer, vertex_name};
 use hodograph_board::plan::{Chain, Special, SpecialLine, Step, VertexId};
 use hodograph_mechanism::mechanism::ConstraintLine;
@@ -66,6 +67,10 @@ impl Tables<'_> {
                     Step::Equation { target, chains, .. } => {
                         if let Some(special) = self.writer.plan.introduced(step) {
                             parts.push(self.special(on, *target, special, &step_class));
+                        }
+                        if let Some(text) = mate_words(self.writer, self.words(), step) {
+                            let name = id(kind(on), &format!("mate-{}", group.group));
+                            parts.push(self.told(&text, name, format!("{} statement special {step_class}", kind(on))));
                         }
                         parts.extend(self.equation(on, *target, chains, &step_class));
                     }
@@ -235,13 +240,17 @@ impl Tables<'_> {
     /// What a special point is.
     fn special(&self, on: DiagramKind, target: VertexId, special: &Special, step: &str) -> Part {
         let (text, link) = (special_words(self.writer, self.words(), target, special), self.writer.scene.link_name(special.link));
-        let class = format!("{} statement special {step}", kind(on));
-        let id = match special.legs {
-            Some(_) => id(kind(on), &format!("special-{}", special.group)),
-            None => id(kind(on), &format!("special-{}-{link}", special.group)),
+        let name = match special.legs {
+            Some(_) => format!("special-{}", special.group),
+            None => format!("special-{}-{link}", special.group),
         };
+        self.told(&text, id(kind(on), &name), format!("{} statement special {step}", kind(on)))
+    }
+
+    /// A sentence, as wide as there is room.
+    fn told(&self, text: &str, id: String, class: String) -> Part {
         let size_mm = self.style.caption_mm;
-        let told = Phrase::new(&text);
+        let told = Phrase::new(text);
         let lines = match self.width_mm {
             Some(width_mm) => wrapped(&told, width_mm, size_mm, &self.style.fonts),
             None => vec![told.label()],
@@ -252,6 +261,12 @@ impl Tables<'_> {
         };
         self.statement(lines.into_iter().enumerate().map(row).collect(), 0.0)
     }
+}
+
+/// What the mate of a trial is, in words, where a step introduces it.
+pub fn mate_words(w: &Writer, words: &Words, step: &Step) -> Option<String> {
+    let [point, bar] = w.mate(step)?;
+    Some(fill(words.mate, &[("X", mate_letter(w.scene)), ("1", &point), ("", &bar)]))
 }
 
 /// What a special point is, in words.

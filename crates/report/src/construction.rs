@@ -92,7 +92,8 @@ fn sentence(w: &Writer, paper: &Drawing, p: &Polygon, action: usize, steps: &Ste
             let (from, to) = (mark(w, on, &e.from.0), mark(w, on, &e.to.0));
             let (symbol, magnitude, direction) = (w.symbol(on, t), w.magnitude(on, t), w.direction(t));
             let given = if magnitude == w.notation.known { String::new() } else { format!(" = {magnitude}") };
-            let chosen = w.chosen_rate(on, t);
+            let begins = matches!(e.to.0, Mark::Image(v) if v == t.of);
+            let chosen = w.choice(on, t.of).filter(|_| begins);
             match w.lang {
                 Lang::En => {
                     let chosen = chosen.map_or_else(String::new, |rate| format!("Choose ${rate}$: "));
@@ -100,7 +101,7 @@ fn sentence(w: &Writer, paper: &Drawing, p: &Polygon, action: usize, steps: &Ste
                     format!("{chosen}{from_here} ${from}$ lay off ${symbol}{given}$, {}, ${direction}$, which gives ${to}$.", edge(0, *i))
                 }
                 Lang::Zh => {
-                    let chosen = chosen.map_or_else(String::new, |rate| format!("任取 ${rate}$，"));
+                    let chosen = chosen.map_or_else(String::new, |rate| format!("取 ${rate}$，"));
                     format!("{chosen}自 ${from}$ 作 ${symbol}{given}$，长 {}，${direction}$，得 ${to}$。", edge(0, *i))
                 }
             }
@@ -167,9 +168,11 @@ fn sentence(w: &Writer, paper: &Drawing, p: &Polygon, action: usize, steps: &Ste
                     Lang::Zh => format!("{why}：${image}$ 与 ${other}$ 重合，${vector}$ = {length}。"),
                 };
             }
-            match w.lang {
-                Lang::En => format!("Nothing is added: ${image}$ lies where it starts, ${vector}$ = {}.", from_pole(*v)),
-                Lang::Zh => format!("无附加分量，${image}$ 即在起点，${vector}$ = {}。", from_pole(*v)),
+            match (w.lang, w.choice(on, *v)) {
+                (Lang::En, None) => format!("Nothing is added: ${image}$ lies where it starts, ${vector}$ = {}.", from_pole(*v)),
+                (Lang::Zh, None) => format!("无附加分量，${image}$ 即在起点，${vector}$ = {}。", from_pole(*v)),
+                (Lang::En, Some(rate)) => format!("Choose ${rate}$: ${image}$ lies where it starts, ${vector}$ = {}.", from_pole(*v)),
+                (Lang::Zh, Some(rate)) => format!("取 ${rate}$，${image}$ 即在起点，${vector}$ = {}。", from_pole(*v)),
             }
         }
         Action::Copy { target, from } => {

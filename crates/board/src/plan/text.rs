@@ -4,7 +4,7 @@
 
 pub use super::names::point_label;
 use super::names::{image_label, image_of, is_image, mate_letter, name_label, numbered, of_trial, pole_letter, special_name};
-use super::{Body, By, Chain, Plan, Spot, Step, Term, TermKind, Trial, VertexId};
+use super::{Body, By, Chain, Method, Plan, Spot, Step, Term, TermKind, Trial, VertexId};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::notation::Notation;
 use hodograph_scene::{DiagramKind, GuideId, GuidePath, Lang, PointId, Scene};
@@ -346,13 +346,36 @@ impl Writer<'_> {
     }
 
     /// The rate of a trial polygon that is chosen, `ω_{2(2)}`, if a known term rests on it.
-    pub fn chosen_rate(&self, on: DiagramKind, t: &Term) -> Option<String> {
+    fn chosen_rate(&self, on: DiagramKind, t: &Term) -> Option<String> {
         match (t.kind, t.by, self.plan.vertex(t.of).trial) {
             (TermKind::Relative | TermKind::Tangential, By::Turning(body), Some(trial)) if t.known => {
                 Some(of_trial(&self.turning(on, body), trial.run))
             }
             _ => None,
         }
+    }
+
+    /// The choice with which a trial begins, where a vertex is found by it: `ω_{2(1)} = 0`, `ω_{2(2)}`.
+    pub fn choice(&self, on: DiagramKind, v: VertexId) -> Option<String> {
+        let (own, run) = (self.plan.vertex(v), self.plan.vertex(v).trial?.run);
+        let steps = || self.plan.steps(on).iter().flat_map(|g| g.steps(0));
+        let begins = |step: &Step| match step {
+            Step::Equation { target, chains, method: Method::Trial } if chains.len() == 1 => Some((*target, chains[0].known.clone())),
+            Step::Equation { .. } | Step::Image { .. } | Step::Trials { .. } | Step::Same { .. } => None,
+        };
+        steps().filter_map(begins).find(|(target, _)| *target == v)?;
+        let here = |(target, known): (VertexId, Vec<Term>)| if self.plan.vertex(target).is_at(own) { known.last().copied() } else { None };
+        let body = steps().filter_map(begins).filter_map(here).find_map(|t| if let By::Turning(body) = t.by { Some(body) } else { None })?;
+        let rate = of_trial(&self.turning(on, body), run);
+        Some(if run == 1 { format!("{rate} = 0") } else { rate })
+    }
+
+    /// The point and the bar of a mate that a step introduces, with the first trial.
+    pub fn mate(&self, step: &Step) -> Option<[String; 2]> {
+        let target = step.target();
+        self.plan.vertex(target).trial.filter(|trial| trial.mate && trial.run == 1)?;
+        let gap = step.chains().iter().flat_map(|c| &c.unknown).find(|t| t.kind == TermKind::Gap)?;
+        Some([self.spot(target), self.line(gap.to, gap.of)])
     }
 
     /// The columns of an equation with its loci: the chain that starts at a fixed point (or the point itself) on the

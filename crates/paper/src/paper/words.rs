@@ -44,6 +44,8 @@ pub struct Words {
     pub trials: &'static str,
     /// What the special point `{S}` of a triad is; `{1}`, `{2}` are its lines, `{}` the link.
     pub special_point: &'static str,
+    /// The mate of a point in a trial: `{X}` is its letter, `{}` the bar that is left out, `{1}` the point.
+    pub mate: &'static str,
     /// A point with one velocity on two links; as `special_point`, `{3}` is the other link.
     pub common_point: &'static str,
     /// A line square to a guide; `{}` is the point.
@@ -122,6 +124,7 @@ const EN: Words = Words {
     no_turning: "link {} does not turn",
     trials: "lines of two trials",
     special_point: "${S}$: point of link {} where {1} and {2} meet",
+    mate: "${X}$: where the bar ${}$ would have ${1}$; $\\delta$ is what the trial lacks",
     common_point: "${S}$: common point of links {} and {3}, where {1} and {2} meet",
     square_to_guide: "the normal to the guide at ${}$",
     tangent_at: "the tangent at ${}$",
@@ -172,6 +175,7 @@ const ZH: Words = Words {
     no_turning: "构件 {} 作平动",
     trials: "两次试作的直线",
     special_point: "特殊点 ${S}$：构件 {} 上 {1} 与 {2} 的交点",
+    mate: "${X}$：按杆 ${}$ 的约束 ${1}$ 应在的位置，$\\delta$ 为该次试作的差值",
     common_point: "特殊点 ${S}$：构件 {} 与 {3} 的公共点，即 {1} 与 {2} 的交点",
     square_to_guide: "过 ${}$ 的导路垂线",
     tangent_at: "过 ${}$ 的公切线",
