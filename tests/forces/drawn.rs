@@ -83,3 +83,42 @@ fn a_rough_pin_of_three_links_tells_where_it_is_fast() {
     let faults = scene::read(scene.to_string()).unwrap_err().to_string();
     assert!(faults.contains("`B` joins 3 links: in which of them is the pin fast? (write \"on\", one of 2, 3, 4)"), "{faults}");
 }
+
+/// Two links that two bars join, any of them loaded, in many places: the drawing gives all reactions, and they are those of the rows.
+#[test]
+fn two_links_on_two_bars_are_drawn() {
+    let places = [("O", 0, 0), ("A", 20, 10), ("B", 35, 36), ("C", 52, 19), ("D", 64, 51), ("E", 83, 26), ("F", 90, 60)];
+    let links = json!({"1": ["O", "A"], "2": ["A", "B", "C"], "3": ["B", "D"], "4": ["C", "E"], "5": ["D", "E", "F"], "6": ["O", "F"]});
+    let mut failures = Vec::new();
+    for n in 0..64usize {
+        // Places that differ by fixed steps, and the loaded links by the bits of a number.
+        let moved = |k: usize, side: usize| ((n * 7 + k * 5 + side * 3) % 11) as i32 - 5;
+        let points: serde_json::Map<String, Json> = places
+            .iter()
+            .enumerate()
+            .map(|(k, (name, x, y))| ((*name).into(), json!([format!("{} cm", x + moved(k, 0)), format!("{} cm", y + moved(k, 1))])))
+            .collect();
+        let loaded = (2..=5).filter(|l| (n % 16) >> (l - 2) & 1 == 1);
+        let forces: Vec<Json> = loaded
+            .flat_map(|l| {
+                let at = links[l.to_string()].as_array().unwrap().last().unwrap().clone();
+                let force = json!({"on": l.to_string(), "at": at, "F": [format!("{} N", 60 - 25 * l), format!("{} N", 31 * l - 80)]});
+                [force, json!({"on": l.to_string(), "M": format!("{} N*m", 4 * l - 9)})]
+            })
+            .collect();
+        let scene = json!({
+            "links": links, "ground": "6", "driver": {"link": "1", "omega": "2 rad/s"}, "points": points, "forces": forces,
+            "masses": {"1": {"m": "1 kg", "J": "1 kg*m^2", "at": "A"}},
+            "find": ["F_12", "F_65", "F_23", "F_24", "F_35", "F_45", "M_b"]
+        });
+        let scene = scene::read(&scene.to_string()).unwrap_or_else(|f| panic!("{n}: {f}")).value;
+        let done = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{n}: {f}")).value;
+        for r in &done.results {
+            match (&r.drawn, r.agreement) {
+                (Some(_), Some(a)) if a.holds() => {}
+                (drawn, agreement) => failures.push(format!("{n}: {} {drawn:?} {agreement:?}", scene.find[r.find].text)),
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
+}
