@@ -17,6 +17,7 @@ mod composite;
 mod dead;
 mod digits;
 mod emit;
+mod forces;
 mod groups;
 mod grown;
 mod higher;

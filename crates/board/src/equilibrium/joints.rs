@@ -67,6 +67,10 @@ pub enum Outer {
         driver: usize,
         /// The guide.
         guide: GuideId,
+        /// The link of the group.
+        on: LinkId,
+        /// The other link.
+        by: LinkId,
     },
 }
 
@@ -207,8 +211,11 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
         }
         if let Some(guide) = driver.kind.guide() {
             let g = &scene.guides[guide.0];
-            if g.slider.is_some_and(mine) || mine(g.on) || g.pin.is_some_and(|p| scene.carriers(p).any(mine)) {
-                outer.push(Outer::Push { driver: d, guide });
+            let runner = g.slider.or_else(|| scene.carriers(g.pin?).next());
+            for (on, by) in runner.into_iter().flat_map(|runner| [(runner, g.on), (g.on, runner)]) {
+                if mine(on) && upstream(by) {
+                    outer.push(Outer::Push { driver: d, guide, on, by });
+                }
             }
         }
     }

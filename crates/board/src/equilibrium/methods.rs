@@ -371,11 +371,7 @@ impl Scribe<'_> {
         match *touch {
             Outer::Slot { guide, at, on, by } => self.slotted(p, guide, on, by, at, ends),
             Outer::Cylinder { driver, at, far, on } => self.pushed(p, driver, on, [at, far], ends),
-            Outer::Push { driver, guide } => {
-                let size = self.number(&mut p.ops, Number::Along(ends[0], ends[1], Direction::of(tangent(guide))));
-                self.answers.drivers.push((driver, size));
-                p.drivers.push((driver, size));
-            }
+            Outer::Push { driver, guide, on, by } => self.pushed_along(p, (driver, guide), [on, by], ends),
             Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } => {}
         }
     }

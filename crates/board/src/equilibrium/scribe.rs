@@ -1,6 +1,6 @@
 //! Writes the construction: what acts on each link, and the acts of polygons and moments.
 
-use super::joints::{Outer, joints, party};
+use super::joints::{Outer, joints, party, reference};
 use super::{About, Answers, Gives, GroupForces, Moments, Part, Party, Side, Term, Undrawn};
 use crate::construction::{
     Base, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Vector, VectorId,
@@ -350,6 +350,20 @@ impl Scribe<'_> {
         self.answers.drivers.push((driver, size));
         p.drivers.push((driver, size));
         self.at_pin[far.0].push(OnPin { of: Party::Cylinder(driver), force: back });
+    }
+
+    /// The force of a driver along its guide on a link, and its opposite on the link that holds it.
+    pub fn pushed_along(&mut self, p: &mut Polygon, (driver, guide): (usize, GuideId), [on, by]: [LinkId; 2], ends: [MarkId; 2]) {
+        // It counts on what slides, in the sense of the guide.
+        let [from, to] = if self.scene.guides[guide.0].on == on { [ends[1], ends[0]] } else { ends };
+        let size = self.number(&mut p.ops, Number::Along(from, to, Direction::of(Base::Tangent(Key::of(guide.0), None))));
+        self.answers.drivers.push((driver, size));
+        p.drivers.push((driver, size));
+        if let Some(at) = reference(self.scene, guide).filter(|_| by != self.scene.ground) {
+            let back = self.measured(p, ends[1], ends[0]);
+            let term = Term::Reaction { of: Party::Driver(driver), on: by, part: Part::Whole };
+            self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
+        }
     }
 
     /// A couple on a link that a driver's moment makes.

@@ -365,7 +365,8 @@ impl Writer<'_> {
         };
         steps().filter_map(begins).find(|(target, _)| *target == v)?;
         let here = |(target, known): (VertexId, Vec<Term>)| if self.plan.vertex(target).is_at(own) { known.last().copied() } else { None };
-        let body = steps().filter_map(begins).filter_map(here).find_map(|t| if let By::Turning(body) = t.by { Some(body) } else { None })?;
+        let body =
+            steps().filter_map(begins).filter_map(here).find_map(|t| if let By::Turning(body) = t.by { Some(body) } else { None })?;
         let rate = of_trial(&self.turning(on, body), run);
         Some(if run == 1 { format!("{rate} = 0") } else { rate })
     }

@@ -1,0 +1,159 @@
+//! Random mechanisms under random loads: drawing = rows of the whole mechanism = virtual work, and the digits that are printed of the power of the drivers against 200 bits.
+
+use crate::emit::{self, Ask, Pose};
+use crate::properties::{mechanism, seeds, style};
+use crate::rng::Rng;
+use crate::wide::every;
+use hodograph::answer::{Source, Value};
+use hodograph::certified::certify;
+use hodograph::certified::ladder::Part;
+use hodograph::effort::truth;
+use hodograph::geom::Vec2;
+use hodograph::mechanism::Level;
+use hodograph::number::{Big, Real, within};
+use hodograph::scene::quantity::parties;
+use hodograph::scene::{self, LinkId, PointId, Scene};
+use hodograph::worked::{Scope, Worked, work};
+use serde_json::{Value as Json, json};
+
+/// Digits that are asked of the power.
+const DIGITS: usize = 10;
+
+/// What acts on a link: a force and a couple at a point, where its mass lies too.
+struct Load {
+    link: LinkId,
+    at: PointId,
+    force: [f64; 2],
+    couple: f64,
+    mass: f64,
+    inertia: f64,
+}
+
+/// Loads on some of the links that have points.
+fn loads(scene: &Scene, rng: &mut Rng) -> Vec<Load> {
+    let links = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground);
+    let mut all = Vec::new();
+    for link in links {
+        let Some(&at) = scene.links[link.0].points.last() else { continue };
+        let mut load = Load { link, at, force: [0.0; 2], couple: 0.0, mass: 0.0, inertia: 0.0 };
+        if rng.chance(0.6) {
+            (load.force, load.couple) = ([rng.between(-50.0, 50.0), rng.between(-50.0, 50.0)], rng.between(-20.0, 20.0));
+        }
+        if rng.chance(0.5) {
+            (load.mass, load.inertia) = (rng.between(0.5, 3.0), rng.between(0.1, 2.0));
+        }
+        all.push(load);
+    }
+    all
+}
+
+/// The scene with loads, asked for balancing moments and the reactions of pins between two links.
+fn asked(text: &str, scene: &Scene, loads: &[Load]) -> String {
+    let mut json: Json = serde_json::from_str(text).unwrap();
+    let name = |l: LinkId| scene.link_name(l).to_owned();
+    let mut forces = Vec::new();
+    let mut masses = serde_json::Map::new();
+    for l in loads {
+        let at = scene.point_name(l.at);
+        if l.couple != 0.0 {
+            forces.push(json!({"on": name(l.link), "at": at, "F": l.force.map(|f| format!("{f:?} N"))}));
+            forces.push(json!({"on": name(l.link), "M": format!("{:?} N*m", l.couple)}));
+        }
+        if l.mass != 0.0 {
+            masses.insert(name(l.link), json!({"m": format!("{:?} kg", l.mass), "J": format!("{:?} kg*m^2", l.inertia), "at": at}));
+        }
+    }
+    let mut find: Vec<String> = Vec::new();
+    for p in (0..scene.points.len()).map(PointId).filter(|p| parties(scene, *p) == 2) {
+        if let [a, b] = scene.carriers(p).collect::<Vec<_>>()[..] {
+            find.push(format!("F_{},{}", name(a), name(b)));
+        }
+    }
+    for (d, driver) in scene.drivers.iter().enumerate() {
+        let letter = if driver.kind.turns() { "M" } else { "F" };
+        find.push(if d == 0 { format!("{letter}_b") } else { format!("{letter}_b{}", d + 1) });
+    }
+    find.push("P".into());
+    json["forces"] = json!(forces);
+    json["masses"] = Json::Object(masses);
+    json["find"] = json!(find);
+    json.to_string()
+}
+
+/// The power of the drivers, which do the opposite work of all loads, in 200 bits.
+fn by_work(scene: &Scene, worked: &Worked, loads: &[Load]) -> Option<Big> {
+    let motion = truth::differences(scene, worked).ok()?;
+    let big = Big::from_f64;
+    let mut power = big(0.0);
+    for l in loads {
+        let v = motion.vector(Level::Velocity, l.at, None)?;
+        let omega = motion.turning(Level::Velocity, l.link)?;
+        power = power + v.dot(Vec2::new(big(l.force[0]), big(l.force[1]))) + omega * big(l.couple);
+        if l.mass != 0.0 {
+            let a = motion.vector(Level::Acceleration, l.at, None)?;
+            power = power - v.dot(a) * big(l.mass) - omega * motion.turning(Level::Acceleration, l.link)? * big(l.inertia);
+        }
+    }
+    Some(big(0.0) - power)
+}
+
+/// One unit of the last of so many significant digits.
+fn last_place(value: f64, digits: usize) -> f64 {
+    10f64.powi(value.abs().log10().floor() as i32 + 1 - digits as i32)
+}
+
+#[test]
+fn random_loads_are_balanced_three_ways() {
+    let (mut compared, mut drawn, mut proven, mut digits) = (0, 0, 0, 0);
+    let mut failures = Vec::new();
+    for seed in seeds(400) {
+        let Some(m) = mechanism(seed).filter(|m| !m.coordinates_only && m.groups.len() <= 8) else { continue };
+        let plain = emit::scene(&m, &style(Pose::Lengths, Ask::Velocities, seed));
+        let Ok(read) = scene::read(&plain) else { continue };
+        let loads = loads(&read.value, &mut Rng::new(seed ^ 0xF0));
+        let text = asked(&plain, &read.value, &loads);
+        let scene = match scene::read(&text) {
+            Ok(scene) => scene.value,
+            Err(why) => panic!("seed {seed}: {why}\n{text}"),
+        };
+        let Ok(worked) = work(&scene, Scope::Figure) else { continue };
+        let worked = worked.value;
+        if worked.solution.condition > 1e4 {
+            continue;
+        }
+        for r in &worked.results {
+            compared += 1;
+            drawn += usize::from(r.drawn.is_some());
+            if let Some(a) = r.agreement.filter(|a| !a.holds()) {
+                failures.push(format!("seed {seed}: {} {a:?}", scene.find[r.find].text));
+            }
+        }
+        let Some(k) = worked.results.iter().position(|r| scene.find[r.find].text == "P") else { continue };
+        let told = certify(&scene, &worked, DIGITS);
+        within(truth::BITS, || {
+            let Some(true_value) = by_work(&scene, &worked, &loads) else { return };
+            let Value::Scalar(computed) = worked.results[k].computed else { return };
+            let value = true_value.approx();
+            if value.abs() < 1e-6 {
+                return;
+            }
+            proven += 1;
+            if (computed - value).abs() > 1e-9 * value.abs().max(1.0) {
+                failures.push(format!("seed {seed}: P is {computed}, by the work of the loads {value}"));
+            }
+            if let Some((printed, _)) = told[k].part(Part::Scalar).and_then(|n| n.text(DIGITS)) {
+                digits += 1;
+                let off: f64 = (printed.parse::<f64>().unwrap() - value).abs();
+                if off > 0.5001 * last_place(value, DIGITS) {
+                    failures.push(format!("seed {seed}: P is printed as {printed}, by the work of the loads {value}"));
+                }
+            }
+        });
+    }
+    println!("{compared} answers, {drawn} drawn, {proven} powers by work, {digits} printed");
+    assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
+    assert!(
+        compared > 1500 / every(8) && drawn > 500 / every(8) && digits > 100 / every(8),
+        "{compared} answers, {drawn} drawn, {digits} printed"
+    );
+}
