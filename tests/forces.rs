@@ -10,11 +10,14 @@ mod sweeps;
 use hodograph::answer::{Source, Value};
 use hodograph::certified::ladder::{Part, certify};
 use hodograph::diag::Warned;
+use hodograph::digits::significant;
 use hodograph::force::{is_determined, rubbing};
 use hodograph::geom::Vec2;
 use hodograph::mechanism::Mechanism;
+use hodograph::notation::Notation;
+use hodograph::report::forces::ForceWriter;
 use hodograph::scene::quantity::contacts;
-use hodograph::scene::{self, GuidePath, LinkId, PointId, Scene, templates};
+use hodograph::scene::{self, GuidePath, Lang, LinkId, PointId, Scene, templates};
 use hodograph::sweep::Placed;
 use hodograph::sweep::energy::{self, Energy};
 use hodograph::worked::{Scope, Worked, work};
@@ -318,4 +321,28 @@ fn links_press_on_each_other_alike() {
     println!("{checked} reactions");
     assert!(checked > 150, "{checked} reactions");
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+}
+
+/// `khurmi-15-two-mass` of docs/cases.md: the rod as a mass at the gudgeon pin and another in its centre of percussion, or as masses at both pins with a couple.
+#[test]
+fn a_rod_is_told_as_two_masses() {
+    let scene = json!({
+        "links": {"1": ["O", "B"], "2": ["C", "B", "S"], "3": ["C"], "4": ["O"]}, "ground": "4", "points": {"O": [0, 0], "S": {"base": "CB", "x": "100 mm", "y": 0}},
+        "lengths": {"OB": "60 mm", "BC": "250 mm"}, "guides": [{"pin": "C", "slider": "3", "on": "4", "through": "O", "angle": "0 deg"}],
+        "driver": {"link": "1", "angle": "50 deg", "omega": "2000 rpm"}, "sketch": {"C": ["290 mm", 0]},
+        "masses": {"2": {"m": "2 kg", "k": "110 mm", "at": "S"}}, "find": ["M_b", "alpha_2"]
+    });
+    let scene = scene::read(scene.to_string()).unwrap().value;
+    let worked = work(&scene, Scope::Figure).unwrap().value;
+    let Some(Value::Scalar(alpha)) = answer(&scene, &worked, "alpha_2") else { panic!("alpha_2 is a number") };
+    let notation = Notation::of_language(Lang::En);
+    let told = ForceWriter { scene: &scene, notation: &notation, lang: Lang::En, of: worked.equilibrium.as_ref().unwrap() }.text();
+    let couple = significant(2.0 * (0.1 * 0.15 - 0.11 * 0.11) * alpha, 4);
+    for part in [
+        "1.095 kg at C and 0.9050 kg at K, SK = 121.0 mm",
+        "1.200 kg at C and 0.8000 kg at B",
+        &format!("= {} N·m", couple.replace('-', "−")),
+    ] {
+        assert!(told.contains(part), "{part} is missing in\n{told}");
+    }
 }

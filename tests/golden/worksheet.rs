@@ -6,6 +6,7 @@ use super::wide::every;
 use hodograph::centres::Task;
 use hodograph::certified::certify;
 use hodograph::digits::significant;
+use hodograph::mechanism::Core;
 use hodograph::paper::extent::{Rect, bounds};
 use hodograph::paper::item::{Item, Shape};
 use hodograph::render::pages::{Kind, Page};
@@ -222,8 +223,10 @@ fn no_page_is_wasted() {
         for (lang, suffix) in LANGS {
             let [problem, both] = [Sides::Problem, Sides::Both].map(|sides| pages::pages(&document(&scene, &worked, lang, sides)).len());
             println!("{} {suffix}: {problem} of {both} pages", t.name);
-            // Twelve links take a page more.
-            if problem > 1 || both > if scene.links.len() > 7 { 7 } else { 6 } {
+            // Twelve links take a page more, a group of class IV with its trial and its forces two.
+            let higher = worked.mechanism.groups.iter().any(|g| matches!(g.core, Core::Higher)) && worked.equilibrium.is_some();
+            let most = 6 + usize::from(scene.links.len() > 7) + if higher { 2 } else { 0 };
+            if problem > 1 || both > most {
                 long.push(format!("{} {suffix}: {problem} of {both} pages", t.name));
             }
         }

@@ -2,6 +2,7 @@
 
 mod friction;
 mod lever;
+mod masses;
 mod plan;
 mod symbols;
 
@@ -313,6 +314,9 @@ impl ForceWriter<'_> {
             for (k, s) in self.sentences(group).iter().enumerate() {
                 out += &format!("  {:>3}. {}\n", k + 1, s.plain());
             }
+        }
+        for told in self.two_masses() {
+            out += &format!("  {}\n", Phrase::new(&told).plain());
         }
         out + &self.undrawn()
     }
