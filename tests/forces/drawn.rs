@@ -111,7 +111,7 @@ fn two_links_on_two_bars_are_drawn() {
             "masses": {"1": {"m": "1 kg", "J": "1 kg*m^2", "at": "A"}},
             "find": ["F_12", "F_65", "F_23", "F_24", "F_35", "F_45", "M_b"]
         });
-        let scene = scene::read(&scene.to_string()).unwrap_or_else(|f| panic!("{n}: {f}")).value;
+        let scene = scene::read(scene.to_string()).unwrap_or_else(|f| panic!("{n}: {f}")).value;
         let done = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{n}: {f}")).value;
         for r in &done.results {
             match (&r.drawn, r.agreement) {
