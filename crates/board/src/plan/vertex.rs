@@ -9,7 +9,7 @@ use hodograph_scene::{LinkId, PointId, Scene};
 pub enum Spot {
     /// A point of the scene.
     Point(PointId),
-    /// A special (Assur) point: an index into [`Plan::specials`].
+    /// A special (Assur) point: an index into [`super::Plan::specials`].
     Special(usize),
 }
 
