@@ -12,8 +12,8 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 pub struct Ways {
     /// Groups that cannot be drawn: they, and those that rest on them, count as undrawable.
     pub left_out: Vec<usize>,
-    /// For groups of higher class the way that draws them, where it is not the first of [`Plan`]'s order: special points, then trial polygons, each with
-    /// another rate that is tried or another bar that is left out.
+    /// For groups of higher class the way that draws them, where it is not the first of [`Plan`]'s order: special points, common points of two links, then
+    /// trial polygons, each with another rate that is tried or another bar that is left out.
     pub way: BTreeMap<usize, usize>,
 }
 

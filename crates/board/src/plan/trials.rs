@@ -5,7 +5,7 @@
 //! from e to x along CE. All images are linear in the rate, so e and x run on straight lines, and the true e lies where these meet.
 //!
 //! # Source
-//! J. S. Beggs, *Mechanism* (1955), on auxiliary points and trial solutions; 试凑法 of the textbooks, exact here because the equations are linear.
+//! The method of false position (试凑法 of the textbooks), exact here because the equations are linear.
 
 use super::build::{Builder, slot};
 use super::reduce::Member;
