@@ -141,7 +141,11 @@ impl Tables<'_> {
     fn table(&self, on: DiagramKind, target: VertexId, chains: &[Chain], step: &str) -> Vec<Part> {
         let columns = self.writer.columns(on, target, chains);
         let set = |ends: Range<usize>| self.part_of_table(on, target, &columns, ends, step);
-        let Some(width_mm) = self.width_mm else { return vec![set(0..columns.len())] };
+        let Some(width_mm) = self.width_mm else {
+            // One that would make the sheet wide goes on in a second row, before a sign of equality.
+            let second = columns.iter().rposition(|c| c.joint == "=").filter(|k| columns.len() > MOST_COLUMNS && *k > 1);
+            return second.map_or_else(|| vec![set(0..columns.len())], |k| vec![set(0..k), set(k..columns.len())]);
+        };
         let (mut parts, mut start) = (Vec::new(), 0);
         while start < columns.len() {
             let fits = |end: &usize| set(start..*end).bounds.width_mm() <= width_mm;
@@ -296,6 +300,9 @@ pub(crate) fn constraint_line(scene: &Scene, words: &Words, line: ConstraintLine
         ConstraintLine::Tangent { at, .. } => fill(words.tangent_at, &[("", &name(at))]),
     }
 }
+
+/// More columns than these make a table of two rows.
+const MOST_COLUMNS: usize = 12;
 
 /// A row's heading, with the air that parts it from the first column.
 fn heading(word: &str) -> Label {
