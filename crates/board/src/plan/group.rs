@@ -31,29 +31,19 @@ impl Builder<'_> {
         })
     }
 
-    /// The steps of a group without a core: by special points, by the common point of two links, by trial polygons; where the pose asks for a later way, by that.
+    /// The steps of a group without a core: by special points, by the common point of two links, by trial polygons; where the pose asks for a later way, by that or the next one that opens it.
     fn higher(&mut self, level: Level, g: usize) -> Option<Vec<Step>> {
         let members = members(self.scene, self.m, g)?;
         let (commons, choices) = (commons(&members), choices(&members));
         let ways = std::iter::once(Way::Special).chain(commons.iter().map(Way::Common)).chain(choices.iter().map(Way::Trials));
-        let mut before = self.way.get(&g).copied().unwrap_or(0);
-        for way in ways {
-            let steps = self.attempt(|b| {
-                let steps = match way {
-                    Way::Special => b.reduced(level, g, &members),
-                    Way::Common(common) => b.by_common_point(level, g, &members, common),
-                    Way::Trials(choice) => b.by_trials(level, g, &members, choice),
-                };
-                // A way that the pose does not ask for is not written.
-                let asked = before == 0;
-                before -= usize::from(steps.is_some() && !asked);
-                steps.filter(|_| asked)
-            });
-            if steps.is_some() {
-                return steps;
-            }
-        }
-        None
+        let first = self.way.get(&g).copied().unwrap_or(0);
+        ways.skip(first).find_map(|way| {
+            self.attempt(|b| match way {
+                Way::Special => b.reduced(level, g, &members),
+                Way::Common(common) => b.by_common_point(level, g, &members, common),
+                Way::Trials(choice) => b.by_trials(level, g, &members, choice),
+            })
+        })
     }
 
     fn group_of_pin(&mut self, level: Level, pin: PointId, legs: &[Leg]) {

@@ -138,8 +138,9 @@ impl Step {
     }
 }
 
-/// So many choices are tried at most.
+/// So many choices are tried at most, and of a large group fewer: no more than so many links are opened in all.
 const MOST: usize = 24;
+const LINKS: usize = 400;
 
 /// Links with one known point whose rate can be chosen, and bars between two links that can be left out, with either pin as the one that is sought.
 pub(super) fn choices(members: &[Member]) -> Vec<Choice> {
@@ -153,5 +154,5 @@ pub(super) fn choices(members: &[Member]) -> Vec<Choice> {
             Some(Choice { tried, pivot: member.pivots[0], moved, left_out, pins })
         })
     });
-    choices.take(MOST).collect()
+    choices.take((LINKS / members.len().max(1)).clamp(1, MOST)).collect()
 }

@@ -224,6 +224,9 @@ fn near(drawn: &Drawn, c: &CrossingTolerance) -> Both {
     });
     let terms = edges.into_iter().flatten().filter_map(|e| polygon.edges[*e].terms.first());
     let words: Vec<Both> = terms.map(|t| held_by(drawn.scene, drawn.plan, t)).collect();
+    if words.is_empty() {
+        return both!("the lines of two trials are nearly parallel, and ", "两次试作的直线接近平行，");
+    }
     both!("{} are near a dead centre, and ", "{} 接近死点，", Both::join(&words, " and ", "与"))
 }
 
