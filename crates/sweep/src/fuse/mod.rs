@@ -296,7 +296,7 @@ mod tests {
         for t in templates::list() {
             let (program, stations) = match t.name {
                 // Their followed links have numbers only once they are followed.
-                "class-iii-six-bar" | "double-butterfly" | "stephenson-six-bar" | "two-slots" => continue,
+                "class-iii-six-bar" | "class-iv-six-bar" | "double-butterfly" | "stephenson-six-bar" | "two-slots" => continue,
                 // Friction has no kernel, and neither have several drivers.
                 name @ "compressor-friction" => program(name, &["v_C", "a_C"]),
                 name @ ("toggle-clamp" | "loader-forces") => program(name, &["v_D", "a_D"]),
