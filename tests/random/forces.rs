@@ -19,7 +19,7 @@ use serde_json::{Value as Json, json};
 /// Digits that are asked of the power.
 const DIGITS: usize = 10;
 
-/// What acts on a link: a force and a couple at a point, where its mass lies too.
+/// The loads of a link: a force and a couple at a point, where its mass lies too.
 struct Load {
     link: LinkId,
     at: PointId,

@@ -267,13 +267,13 @@ impl Tables<'_> {
     }
 }
 
-/// What the mate of a trial is, in words, where a step introduces it.
+/// The words that introduce the mate of a trial, with the step that first finds it.
 pub fn mate_words(w: &Writer, words: &Words, step: &Step) -> Option<String> {
     let [point, bar] = w.mate(step)?;
     Some(fill(words.mate, &[("X", mate_letter(w.scene)), ("1", &point), ("", &bar)]))
 }
 
-/// What a special point is, in words.
+/// The words that introduce a special point.
 pub fn special_words(w: &Writer, words: &Words, target: VertexId, special: &Special) -> String {
     let [a, b] = special.lines.each_ref().map(|line| special_line(w, words, line));
     let [link, with] = [Some(special.link), special.with].map(|l| l.map_or("", |l| w.scene.link_name(l)));

@@ -7,7 +7,7 @@ use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Need, Opened};
 use hodograph_scene::{Guide, GuideId, LinkId, PointId, Scene};
 use std::collections::{BTreeMap, HashMap, HashSet};
 
-/// How the groups of a scene are drawn in a pose.
+/// The choices by which the groups of a scene are drawn in a pose.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Ways {
     /// Groups that cannot be drawn: they, and those that rest on them, count as undrawable.

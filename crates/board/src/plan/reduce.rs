@@ -25,7 +25,7 @@ pub(super) struct Member {
     pub pivots: Vec<PointId>,
     /// Pairs by which it rolls on other members.
     pub rolls: Vec<RollingId>,
-    /// What holds it as soon as another member is known: that member, and the hold.
+    /// Holds by other members, each of use as soon as that member is known.
     pub inner: Vec<(usize, Hold)>,
 }
 

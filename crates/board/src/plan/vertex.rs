@@ -4,7 +4,7 @@ use super::VertexId;
 use hodograph_mechanism::mechanism::ConstraintLine;
 use hodograph_scene::{LinkId, PointId, Scene};
 
-/// Where a vertex sits on the mechanism.
+/// The place of a vertex on the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Spot {
     /// A point of the scene.
@@ -20,11 +20,11 @@ pub struct Special {
     pub group: usize,
     /// The link.
     pub link: LinkId,
-    /// Of a point with one velocity on two links, the other link.
+    /// The other link, for a point with one velocity on two links.
     pub with: Option<LinkId>,
     /// The two lines.
     pub lines: [SpecialLine; 2],
-    /// Of a triad the two legs, by their order in the core: it has another special point for each pair of them.
+    /// The two legs of a triad, by their order in the core: it has another special point for each pair of them.
     pub legs: Option<(usize, usize)>,
 }
 
@@ -45,7 +45,7 @@ pub enum SpecialLine {
 /// A point of a certain link whose vector is drawn from the pole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Vertex {
-    /// Where it sits.
+    /// Its place.
     pub spot: Spot,
     /// The link it belongs to where that is not the pin itself: the coincident point of a link that carries a guide.
     pub on: Option<LinkId>,
