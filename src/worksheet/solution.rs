@@ -6,7 +6,7 @@ use crate::centres::Task;
 use crate::construct::Polygon;
 use crate::figure::forces;
 use crate::figure::sheet::drawing;
-use crate::figure::tables::{mate_words, special_words};
+use crate::figure::tables::special_words;
 use crate::mechanism::compound;
 use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
@@ -16,7 +16,7 @@ use crate::plan::{Body, GroupSteps, Method, Rate, Spot, Step};
 use crate::report::amount::number;
 use crate::report::amount::scale_formula;
 use crate::report::construction::sentences;
-use crate::report::equation::{Written, written};
+use crate::report::equation::{Written, mate, written};
 use crate::report::forces::ForceWriter;
 use crate::report::math::Math;
 use crate::report::mobility::lower_set;
@@ -190,7 +190,7 @@ impl Maker<'_> {
             let text = special_words(&w, self.words(), *target, special);
             blocks.push(Block::Paragraph(Phrase::new(&text)));
         }
-        if let Some(text) = mate_words(&w, self.words(), step) {
+        if let Some(text) = mate(&w, step) {
             blocks.push(Block::Paragraph(Phrase::new(&text)));
         }
         match (written(&w, &self.worked.construction, on, step), step) {

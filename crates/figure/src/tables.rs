@@ -6,7 +6,6 @@ use std::ops::Range;
 
 use hodograph_base::digits::inked;
 use hodograph_board::construct::{Action, Drawing, Polygon};
-use hodograph_board::plan::names::mate_letter;
 use hodograph_board::plan::text::{Column, Writer, vertex_name};
 use hodograph_board::plan::{Chain, Special, SpecialLine, Step, VertexId};
 use hodograph_mechanism::mechanism::ConstraintLine;
@@ -22,6 +21,7 @@ use hodograph_paper::paper::lines::wrapped;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::words::{Words, words};
 use hodograph_report::amount::number;
+use hodograph_report::equation::mate;
 
 /// From a symbol's baseline to the row below it, and between rows.
 const ROW_MM: f64 = 7.2;
@@ -68,7 +68,7 @@ impl Tables<'_> {
                         if let Some(special) = self.writer.plan.introduced(step) {
                             parts.push(self.special(on, *target, special, &step_class));
                         }
-                        if let Some(text) = mate_words(self.writer, self.words(), step) {
+                        if let Some(text) = mate(self.writer, step) {
                             let name = id(kind(on), &format!("mate-{}", group.group));
                             parts.push(self.told(&text, name, format!("{} statement special {step_class}", kind(on))));
                         }
@@ -265,12 +265,6 @@ impl Tables<'_> {
         };
         self.statement(lines.into_iter().enumerate().map(row).collect(), 0.0)
     }
-}
-
-/// The words that introduce the mate of a trial, with the step that first finds it.
-pub fn mate_words(w: &Writer, words: &Words, step: &Step) -> Option<String> {
-    let [point, bar] = w.mate(step)?;
-    Some(fill(words.mate, &[("X", mate_letter(w.scene)), ("1", &point), ("", &bar)]))
 }
 
 /// The words that introduce a special point.

@@ -3,9 +3,10 @@
 //! Decided here: which equations need a table. Worksheets and lessons write what this says.
 
 use hodograph_board::construct::Drawing;
+use hodograph_board::plan::names::mate_letter;
 use hodograph_board::plan::text::{Column, Writer};
 use hodograph_board::plan::{Chain, Step, VertexId};
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::{Phrase, fill, tr};
 use hodograph_paper::paper::words::words;
 use hodograph_scene::{DiagramKind, Lang};
 
@@ -53,6 +54,12 @@ pub fn written(w: &Writer, paper: &Drawing, on: DiagramKind, step: &Step) -> Opt
             line(format!("${formula}${}{why}", tr(w.lang, ": ", "：")))
         }
     }
+}
+
+/// The sentence that introduces the mate of a trial, with the step that first finds it.
+pub fn mate(w: &Writer, step: &Step) -> Option<String> {
+    let [point, bar] = w.mate(step)?;
+    Some(fill(words(w.lang).mate, &[("X", mate_letter(w.scene)), ("1", &point), ("", &bar)]))
 }
 
 fn equation(w: &Writer, on: DiagramKind, target: VertexId, chains: &[Chain]) -> Option<Written> {

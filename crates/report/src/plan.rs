@@ -1,7 +1,8 @@
 //! The plan as text: groups, effects, equations in solving order.
 
+use crate::equation::mate;
 use crate::forces::ForceWriter;
-use hodograph_board::plan::names::{mate_letter, name_label};
+use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::text::{Column, Writer};
 use hodograph_board::plan::{Between, Body, Effect, GroupSteps, Method, Rate, Reason, Special, SpecialLine, Step, Term};
 use hodograph_mechanism::mechanism::{Assur, ConstraintLine, Mechanism, moved_words};
@@ -305,13 +306,7 @@ fn step_lines(w: &Writer, on: DiagramKind, step: &Step, equation: &mut usize) ->
             if let Some(special) = w.plan.introduced(step) {
                 out.push(format!("    {}", special_words(w, special, &formula(&w.spot(*target)))));
             }
-            if let Some([point, bar]) = w.mate(step) {
-                let (mate, point, bar) = (mate_letter(w.scene), formula(&point), formula(&bar));
-                out.push(match lang {
-                    Lang::En => format!("    {mate}: where the bar {bar} would have {point}; δ is what the trial lacks"),
-                    Lang::Zh => format!("    {mate}：按杆 {bar} 的约束 {point} 应在的位置，δ 为该次试作的差值"),
-                });
-            }
+            out.extend(mate(w, step).map(|told| format!("    {}", Phrase::new(&told).plain())));
             let columns = w.columns(on, *target, chains);
             match columns[..] {
                 [] => out.push(format!("    {} = 0", formula(&w.summand(on, *target)))),

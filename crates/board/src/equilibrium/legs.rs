@@ -216,17 +216,8 @@ impl Scribe<'_> {
         let on_pin = leg.near().map_or_else(Vec::new, |near| self.pin_loads(near, core));
         let across = match (leg.kind, reaction(&leg.outer, Part::Tangential)) {
             (Kind::Bar { link, near }, Some(term)) if !loads.is_empty() => {
-                let mut of = self.moments(ops, &[link], &loads, About::Point(near), Gives::Force(term, leg.at));
-                if of.of.is_empty() && of.couples.is_empty() {
-                    None
-                } else {
-                    let turning = self.balancing(ops, &of);
-                    let length = self.c.number(Number::Length(leg.line));
-                    of.value = self.number(ops, Number::Quotient(turning, length));
-                    let value = of.value;
-                    found.push(of);
-                    Some((term, value, leg.line))
-                }
+                let of = self.moments(ops, &[link], &loads, About::Point(near), Gives::Force(term, leg.at));
+                self.across(ops, found, of, leg.line).map(|value| (term, value, leg.line))
             }
             _ => None,
         };

@@ -91,17 +91,9 @@ impl Scribe<'_> {
                 return None;
             }
             let term = reaction(&outer[k], Part::Tangential)?;
-            let mut of = self.moments(&mut ops, &links[k..=k], &acting[k], About::Point(inner), Gives::Force(term, at));
-            if of.of.is_empty() && of.couples.is_empty() {
-                return None;
-            }
-            let turning = self.balancing(&mut ops, &of);
+            let of = self.moments(&mut ops, &links[k..=k], &acting[k], About::Point(inner), Gives::Force(term, at));
             let bar = Base::Arm { from: self.mark(inner), to: self.mark(at), known: false };
-            let length = self.c.number(Number::Length(bar));
-            of.value = self.number(&mut ops, Number::Quotient(turning, length));
-            let part = ((term, at), of.value, bar);
-            moments.push(of);
-            Some(part)
+            Some(((term, at), self.across(&mut ops, &mut moments, of, bar)?, bar))
         });
         self.on_plane(ops);
         let mut p = self.polygon();

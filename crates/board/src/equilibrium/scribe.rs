@@ -260,6 +260,19 @@ impl Scribe<'_> {
         self.number(ops, Number::Negative(sum))
     }
 
+    /// The amount of a force square to a bar, at its end, that balances moments about its beginning; none where nothing turns.
+    pub fn across(&mut self, ops: &mut Vec<Op>, found: &mut Vec<Moments>, mut of: Moments, bar: Base) -> Option<NumberId> {
+        if of.of.is_empty() && of.couples.is_empty() {
+            return None;
+        }
+        let turning = self.balancing(ops, &of);
+        let length = self.c.number(Number::Length(bar));
+        of.value = self.number(ops, Number::Quotient(turning, length));
+        let value = of.value;
+        found.push(of);
+        Some(value)
+    }
+
     /// The forces that links in equilibrium put on a pin, as loads of one link.
     pub fn pin_loads(&mut self, at: PointId, on: LinkId) -> Vec<Acting> {
         let of = |load: &OnPin| Acting {

@@ -150,7 +150,7 @@ impl Scribe<'_> {
     }
 
     /// The force of a link on a bar, or that of the bar on the link, square to the bar.
-    fn across(l: &Loaded, link: LinkId, on_bar: bool) -> Term {
+    fn square_term(l: &Loaded, link: LinkId, on_bar: bool) -> Term {
         let (of, on) = if on_bar { (link, l.bar.link) } else { (l.bar.link, link) };
         Term::Reaction { of: Party::Link(of), on, part: Part::Tangential }
     }
@@ -160,17 +160,10 @@ impl Scribe<'_> {
         let loads = self.all_on(bar.link, &bar.pins);
         let mut l = Loaded { bar, loads, across: [None, None] };
         for k in [0, 1] {
-            if l.loads.is_empty() {
-                continue;
-            }
             let (pin, other) = (bar.pins[k], bar.pins[1 - k]);
-            let gives = Gives::Force(Self::across(&l, links[k], true), pin);
-            let mut of = self.moments(ops, &[bar.link], &l.loads, About::Point(other), gives);
-            let turning = self.balancing(ops, &of);
-            let length = self.c.number(Number::Length(self.along(&l, k)));
-            of.value = self.number(ops, Number::Quotient(turning, length));
-            l.across[k] = Some(of.value);
-            found.push(of);
+            let gives = Gives::Force(Self::square_term(&l, links[k], true), pin);
+            let of = self.moments(ops, &[bar.link], &l.loads, About::Point(other), gives);
+            l.across[k] = self.across(ops, found, of, self.along(&l, k));
         }
         l
     }
@@ -194,17 +187,9 @@ impl Scribe<'_> {
             // A unit force square to the bar turns by the part of its arm along the bar; the bar presses the other way.
             let arm = self.number(ops, Number::Along(crossing, self.mark(pin), Direction::of(self.along(l, k))));
             let turned = self.number(ops, Number::Product(value, arm));
-            moments.of.push((Self::across(l, link, false), pin, self.number(ops, Number::Negative(turned))));
+            moments.of.push((Self::square_term(l, link, false), pin, self.number(ops, Number::Negative(turned))));
         }
-        if moments.of.is_empty() && moments.couples.is_empty() {
-            return None;
-        }
-        let turning = self.balancing(ops, &moments);
-        let length = self.c.number(Number::Length(Base::Arm { from: crossing, to: self.mark(pivot), known: false }));
-        moments.value = self.number(ops, Number::Quotient(turning, length));
-        let value = moments.value;
-        found.push(moments);
-        Some(value)
+        self.across(ops, found, moments, Base::Arm { from: crossing, to: self.mark(pivot), known: false })
     }
 
     /// Lays off the part of an outer reaction square to its arm.
@@ -220,7 +205,7 @@ impl Scribe<'_> {
         let times = if on_bar { value } else { self.number(&mut p.ops, Number::Negative(value)) };
         let (last, sides) = (p.last, p.sides.len());
         p.last = from;
-        self.laid(p, (Self::across(l, link, on_bar), l.bar.pins[0]), square_to(self.along(l, 0)), times);
+        self.laid(p, (Self::square_term(l, link, on_bar), l.bar.pins[0]), square_to(self.along(l, 0)), times);
         p.diagonals.extend(p.sides.split_off(sides));
         std::mem::replace(&mut p.last, last)
     }

@@ -19,6 +19,16 @@ impl Step {
         }
     }
 
+    /// The vertices that it starts from.
+    pub fn sources(&self) -> Vec<VertexId> {
+        match self {
+            Step::Equation { chains, .. } => chains.iter().map(|c| c.start).collect(),
+            Step::Image { from: (a, b), .. } => vec![*a, *b],
+            Step::Trials { images, mates, .. } => images.iter().chain(mates).copied().collect(),
+            Step::Same { from, .. } => vec![*from],
+        }
+    }
+
     /// Whether a term of the step slides along a guide.
     pub fn slides_along(&self, guide: GuideId) -> bool {
         let mut terms = self.chains().iter().flat_map(|c| c.known.iter().chain(&c.unknown));

@@ -89,7 +89,7 @@ impl Builder<'_> {
         for step in steps {
             let target = step.target();
             let tried = self.vertices[target.0].trial.is_some();
-            if !tried && target != moved && !sources(&step).iter().any(|v| depend.contains(v)) {
+            if !tried && target != moved && !step.sources().iter().any(|v| depend.contains(v)) {
                 kept.push(step);
                 continue;
             }
@@ -100,16 +100,6 @@ impl Builder<'_> {
             own.push(step.with_vertices(&mut name));
         }
         (own, kept)
-    }
-}
-
-/// The vertices that a step starts from.
-fn sources(step: &Step) -> Vec<VertexId> {
-    match step {
-        Step::Equation { chains, .. } => chains.iter().map(|c| c.start).collect(),
-        Step::Image { from: (a, b), .. } => vec![*a, *b],
-        Step::Trials { images, mates, .. } => images.iter().chain(mates).copied().collect(),
-        Step::Same { from, .. } => vec![*from],
     }
 }
 
