@@ -4,6 +4,7 @@
 use serde_json::{Value, json};
 
 use crate::construct::{Action, Drawing, Polygon};
+use crate::equilibrium;
 use crate::notation::Notation;
 use crate::plan::text::Writer;
 use crate::plan::{Body, By, Term, TermKind, VertexId};
@@ -11,6 +12,7 @@ use crate::scene::{DiagramKind, Lang, LinkId, Scene};
 
 use super::bank::Formulas;
 use super::frames::Frame;
+use super::steps::writer;
 
 /// For each action of a polygon: its kind (`l` a vector laid off, `d` a direction, `x` a crossing, `c` a copied image, `j` two marks joined,
 /// `p` a perpendicular; empty where nothing is drawn), the links, then of its first term: vertex and the one from which it is
@@ -21,6 +23,24 @@ pub fn acts(frame: &Frame, on: DiagramKind, notation: &Notation, formulas: &mut 
     let Some(p) = paper.polygon(on) else { return Vec::new() };
     let w = Writer { scene, plan: &frame.worked.plan, notation, lang: Lang::En };
     p.actions.iter().map(|a| Act { w: &w, on, p, paper }.told(a, formulas)).collect()
+}
+
+/// [`acts`] of the equilibrium of some links: known forces are laid off, lines cross in a vertex that has no number.
+pub fn acts_of_forces(frame: &Frame, links: &[LinkId], notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
+    let Some((w, group)) = writer(frame, links, notation, Lang::En) else { return Vec::new() };
+    let own: Vec<usize> = group.links.iter().map(|l| l.0).collect();
+    let of = |act: &equilibrium::Act| match act {
+        equilibrium::Act::Lay(side) => {
+            let symbol = formulas.formula(&notation.vectors.write(w.symbol(side.term)));
+            json!(["l", own, -1, -1, "", symbol, -1, -1, -1])
+        }
+        equilibrium::Act::Cross(_) => json!(["x", own, -1, -1]),
+        equilibrium::Act::Free | equilibrium::Act::Friction | equilibrium::Act::Moments(_) | equilibrium::Act::Read(_) => {
+            json!(["", own, -1, -1])
+        }
+    };
+    // The first step stands before those with numbers.
+    w.of.acts(group).iter().skip(1).map(of).collect()
 }
 
 struct Act<'a> {

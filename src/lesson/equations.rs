@@ -6,22 +6,24 @@
 use serde_json::{Value, json};
 
 use crate::construct::{Action, Polygon};
+use crate::construction::MarkId;
+use crate::equilibrium::{Act, Side};
 use crate::figure::tables::found_by;
 use crate::notation::Notation;
 use crate::plan::text::{Column, Writer};
 use crate::plan::{Step, Term};
 use crate::report::equation::{Written, written};
-use crate::scene::DiagramKind;
+use crate::scene::{DiagramKind, Lang, LinkId};
 
-use super::acts::acts;
+use super::acts::{acts, acts_of_forces};
 use super::bank::{Formulas, runs};
-use super::frames::{Frame, Frames};
-use super::steps::LANGS;
+use super::frames::{Frame, Frames, groups};
+use super::steps::{LANGS, writer};
 
 /// For the page: what is written, and which frames follow which variant of the construction.
 ///
 /// `written`: a table is a list of columns (sign before it, symbol, direction, magnitude: indices of formulas, −1 for none), a
-/// statement an object with both languages. `variants`: for each polygon and each of its actions 0, or the index of what is written
+/// statement an object with both languages. `variants`: for each polygon, then for each group's forces, and each of its actions 0, or the index of what is written
 /// and the columns that the action draws. `acts`: for each variant and polygon what its actions are about ([`super::acts`]). `frames`:
 /// runs of variants, −1 for none; 0 for the first in all.
 pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Value {
@@ -36,8 +38,12 @@ pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) 
         }
         let index = known.iter().position(|k| alike(k, frame)).unwrap_or_else(|| {
             known.push(frame);
-            variants.push(json!(DiagramKind::POLYGONS.map(|on| table.level(frame, on, notation, formulas))));
-            about.push(json!(DiagramKind::POLYGONS.map(|on| acts(frame, on, notation, formulas))));
+            let mut levels = DiagramKind::POLYGONS.map(|on| table.level(frame, on, notation, formulas)).to_vec();
+            levels.extend(frames.groups.iter().map(|links| table.forces(frame, links, notation, formulas)));
+            variants.push(json!(levels));
+            let mut list = DiagramKind::POLYGONS.map(|on| acts(frame, on, notation, formulas)).to_vec();
+            list.extend(frames.groups.iter().map(|links| acts_of_forces(frame, links, notation, formulas)));
+            about.push(json!(list));
             known.len() - 1
         });
         which.push(index as i64);
@@ -48,7 +54,9 @@ pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) 
 
 /// Whether two frames are drawn by the same equations in the same steps.
 fn alike(a: &Frame, b: &Frame) -> bool {
-    a.worked.plan == b.worked.plan && a.worked.construction.acts == b.worked.construction.acts
+    let forces =
+        || groups(&a.worked) == groups(&b.worked) && a.shown.contains(&DiagramKind::Force) == b.shown.contains(&DiagramKind::Force);
+    a.worked.plan == b.worked.plan && a.worked.construction.acts == b.worked.construction.acts && forces()
 }
 
 /// The terms that an action draws.
@@ -107,6 +115,42 @@ impl Book {
             }
         }
         (0..polygon.actions.len()).map(|action| of_action(polygon, action, &all)).collect()
+    }
+}
+
+impl Book {
+    /// For each step of a group's equilibrium after the first 0, or its equation and the columns that the step draws.
+    fn forces(&mut self, frame: &Frame, links: &[LinkId], notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
+        let Some((w, group)) = writer(frame, links, notation, Lang::En) else { return Vec::new() };
+        let [known, unknown, plus, end] = [&notation.known, &notation.unknown, "+", "= 0"].map(|text| formulas.formula(text) as i64);
+        let equations: Vec<(usize, Vec<Side>)> = w
+            .equations(group)
+            .into_iter()
+            .map(|sides| {
+                let column = |(k, s): (usize, &Side)| {
+                    let symbol = formulas.formula(&notation.vectors.write(w.symbol(s.term))) as i64;
+                    json!([if k > 0 { plus } else { -1 }, symbol, known, if s.known { known } else { unknown }])
+                };
+                let mut columns: Vec<Value> = sides.iter().enumerate().map(column).collect();
+                columns.push(json!([end, -1, -1, -1]));
+                (self.index(json!(columns)), sides)
+            })
+            .collect();
+        let crossed = |side: &Side, to: MarkId| {
+            let v = &w.of.construction.vectors[side.vector.index()];
+            !side.known && [v.from, v.to].contains(&to)
+        };
+        let drawn = |act: &Act, side: &Side| match act {
+            Act::Lay(own) | Act::Read(own) => own.vector == side.vector,
+            Act::Cross(to) => crossed(side, *to),
+            Act::Free | Act::Friction | Act::Moments(_) => false,
+        };
+        let of_act = |act: &Act| {
+            let columns = |sides: &[Side]| (0..sides.len()).filter(|k| drawn(act, &sides[*k])).collect::<Vec<_>>();
+            let found = equations.iter().map(|(index, sides)| (*index, columns(sides))).find(|(_, columns)| !columns.is_empty());
+            found.map_or(json!(0), |(index, columns)| json!([index].into_iter().chain(columns).collect::<Vec<_>>()))
+        };
+        w.of.acts(group).iter().skip(1).map(of_act).collect()
     }
 }
 

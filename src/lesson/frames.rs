@@ -8,13 +8,14 @@ use rayon::prelude::*;
 
 use crate::construct::scale::Boxes;
 use crate::diag::{Diagnostic, Faults, both};
+use crate::equilibrium::GroupForces;
 use crate::figure::series::{Scales, ends};
 use crate::geom::Point;
 use crate::mechanism::{Demand, Mechanism};
 use crate::notation::Notation;
 use crate::paper::style::Style;
 use crate::position::Configuration;
-use crate::scene::{ByKind, DiagramKind, Kind, Scene};
+use crate::scene::{ByKind, DiagramKind, Kind, LinkId, Scene};
 use crate::worked::{Worked, work_placed, work_pose};
 
 use super::curve;
@@ -48,6 +49,8 @@ pub struct Frames {
     pub zoom: ByKind<Zoom>,
     /// How either is split over several drawings, if it is.
     pub split: ByKind<Split>,
+    /// The links of each group whose forces are drawn in the scene's own pose.
+    pub groups: Vec<Vec<LinkId>>,
     /// Whether some polygon next to a limit is too large for the paper.
     pub cut: bool,
 }
@@ -55,10 +58,18 @@ pub struct Frames {
 impl Frames {
     /// For each frame the first with its plan: what they show is one drawing that moves.
     pub fn plans(&self) -> Vec<usize> {
-        let plan = |k: usize| &self.list[k].worked.plan;
+        self.firsts(|a, b| a.worked.plan == b.worked.plan)
+    }
+
+    /// For each frame the first whose forces are drawn in the same steps.
+    pub fn force_plans(&self) -> Vec<usize> {
+        self.firsts(|a, b| groups(&a.worked) == groups(&b.worked))
+    }
+
+    fn firsts(&self, alike: impl Fn(&Frame, &Frame) -> bool) -> Vec<usize> {
         let mut firsts: Vec<usize> = Vec::new();
         let first = |k: usize| {
-            let known = firsts.iter().copied().find(|f| plan(*f) == plan(k));
+            let known = firsts.iter().copied().find(|f| alike(&self.list[*f], &self.list[k]));
             known.unwrap_or_else(|| {
                 firsts.push(k);
                 k
@@ -66,6 +77,11 @@ impl Frames {
         };
         (0..self.list.len()).map(first).collect()
     }
+}
+
+/// The groups whose forces a pose draws.
+pub fn groups(worked: &Worked) -> &[GroupForces] {
+    worked.equilibrium.as_ref().map_or(&[], |of| &of.groups)
 }
 
 /// What the page shows between two frames may be off by this (mm), so that with all roundings it is true to a hundredth.
@@ -100,6 +116,7 @@ struct Papers {
     points: Vec<String>,
     zooms: ByKind<Zoom>,
     splits: ByKind<Split>,
+    groups: Vec<Vec<LinkId>>,
 }
 
 /// A mark in a window, and in which.
@@ -216,7 +233,8 @@ impl Maker<'_> {
     fn error(&self, trials: &[Trial], k: usize, middle: &Trial, papers: &Papers) -> f64 {
         let from = k.saturating_sub(2);
         // Polygons by two plans have no marks in common.
-        let marks = |t: &Trial| papers.marks(t, t.worked.plan == middle.worked.plan);
+        let alike = |t: &Trial| [t.worked.plan == middle.worked.plan, groups(&t.worked) == groups(&middle.worked)];
+        let marks = |t: &Trial| papers.marks(t, alike(t));
         let keys: Vec<(f64, Vec<Option<Mark>>)> =
             (from..(k + 4).min(trials.len())).map(|i| (trials[i].travel, marks(&trials[i]))).collect();
         let at = k - from;
@@ -262,27 +280,44 @@ impl Maker<'_> {
         let own_poses: Vec<(&Scene, &Worked)> = trials.iter().map(|t| (&t.scene, &t.worked)).collect();
         let of = |on| {
             let (split, label_mm) = split(&own_poses, on, self.style, self.notation);
-            (Zoom::of(&self.scene.paper, &poses, &common, on, boxes, split.as_ref(), &label_mm), split)
+            let ends =
+                |w: &Worked, part| split.as_ref().map_or_else(Vec::new, |s: &Split| s.ends(w, on, part).into_iter().flatten().collect());
+            let parts: Option<&dyn Fn(&Worked, usize) -> Vec<Point>> = if split.is_some() { Some(&ends) } else { None };
+            (Zoom::of(&self.scene.paper, &poses, &common, on, boxes, parts, &label_mm), split)
         };
         let (mut zooms, mut splits) = (ByKind::default(), ByKind::default());
+        let sheets: Vec<Vec<LinkId>> = own.map_or_else(Vec::new, |w| groups(w).iter().map(|g| g.links.clone()).collect());
+        if !sheets.is_empty() {
+            let ends = |w: &Worked, part: usize| vertices(w, &sheets[part]).collect();
+            let label_mm = vec![self.style.label_mm; sheets.len()];
+            let zoom = Zoom::of(&self.scene.paper, &poses, &common, DiagramKind::Force, boxes, Some(&ends), &label_mm);
+            zooms.set(Kind::Force, zoom);
+        }
         for on in DiagramKind::POLYGONS {
             let (zoom, split) = of(on);
             zooms.set(on.kind(), zoom);
             splits.set(on.kind(), split);
         }
         let mu = own.map(|w| w.construction.diagram.mu).or(common.mu.get(Kind::Length)).unwrap_or(1.0);
-        Papers { mu, points: self.scene.points.iter().map(|p| p.name.clone()).collect(), common, zooms, splits }
+        Papers { mu, points: self.scene.points.iter().map(|p| p.name.clone()).collect(), common, zooms, splits, groups: sheets }
     }
 
     /// Draws all poses to the common scales.
     fn draw(&self, trials: Vec<Trial>, sweep: &Sweep) -> Result<Frames, Faults> {
         let papers = self.papers(&trials, sweep.is_unlimited());
-        let mut frames =
-            Frames { list: Vec::new(), base: 0, full: sweep.full, zoom: papers.zooms.clone(), split: papers.splits.clone(), cut: false };
+        let mut frames = Frames {
+            list: Vec::new(),
+            base: 0,
+            full: sweep.full,
+            zoom: papers.zooms.clone(),
+            split: papers.splits.clone(),
+            groups: papers.groups.clone(),
+            cut: false,
+        };
         let to_scale = |trial: &Trial| {
             let mut scene = trial.scene.clone();
             scene.paper.scales.set(Kind::Length, Some(papers.mu));
-            for on in DiagramKind::POLYGONS {
+            for on in DiagramKind::VECTORS {
                 scene.paper.scales.set(on.kind(), papers.zooms.of(on.kind()).map(|z| z.mu));
             }
             let Worked { mechanism, demand, configuration, .. } = &trial.worked;
@@ -294,8 +329,10 @@ impl Maker<'_> {
         for (trial, drawn) in trials.into_iter().zip(drawn) {
             let Some((scene, worked)) = drawn else { continue };
             let holds = |on: &DiagramKind| papers.common.holds(&trial.worked, *on);
-            frames.cut |= DiagramKind::POLYGONS.iter().any(|on| !holds(on) && worked.construction.polygon(*on).is_some());
-            let shown: Vec<DiagramKind> = DiagramKind::POLYGONS.into_iter().filter(holds).collect();
+            let drawn =
+                |on: &DiagramKind| worked.construction.polygon(*on).is_some() || *on == DiagramKind::Force && !groups(&worked).is_empty();
+            frames.cut |= DiagramKind::VECTORS.iter().any(|on| !holds(on) && drawn(on));
+            let shown: Vec<DiagramKind> = DiagramKind::VECTORS.into_iter().filter(holds).collect();
             let near = |k: usize| sweep.is_limit(k) && (sweep.poses[k].travel - trial.travel).abs() < 2.0 * BEFORE[3] * sweep.step(k);
             let end = trial.travel != 0.0 && (near(0) || near(sweep.poses.len() - 1));
             frames.list.push(Frame { travel: trial.travel, scene, worked, shown: if end { Vec::new() } else { shown }, end });
@@ -319,13 +356,27 @@ impl Maker<'_> {
     }
 }
 
+/// The vertices of the force polygon of some links, seen from the first (N).
+fn vertices<'a>(worked: &'a Worked, links: &[LinkId]) -> impl Iterator<Item = Point> + 'a {
+    let group = worked.equilibrium.as_ref().and_then(|of| Some((of, of.group_of(links)?)));
+    group.into_iter().flat_map(|(of, group)| of.vertices(group))
+}
+
 impl Papers {
-    /// Joints on paper, and images if polygons are asked for, in a fixed order.
-    fn marks(&self, trial: &Trial, polygons: bool) -> Vec<Option<Mark>> {
+    /// Joints on paper, then images if polygons are asked for, then vertices if those of forces are, in a fixed order.
+    fn marks(&self, trial: &Trial, [polygons, forces]: [bool; 2]) -> Vec<Option<Mark>> {
         let Trial { scene, worked, .. } = trial;
         let on_paper = |p: Point| Some((p.to_vec2() * (1.0 / self.mu)).to_point()).filter(|p| p.to_vec2().norm() < FAR_MM);
         let joint = |name: &String| Some((0, on_paper(worked.configuration.named(scene, name)?)?));
         let mut marks: Vec<Option<Mark>> = self.points.iter().map(joint).collect();
+        if let Some(zoom) = self.zooms.of(Kind::Force).filter(|_| forces) {
+            let on_paper = self.common.holds(worked, DiagramKind::Force);
+            for (links, windows) in self.groups.iter().zip(&zoom.windows) {
+                let scale = windows.place(vertices(worked, links));
+                let place = |q: Point| on_paper.then(|| (scale, (q.to_vec2() * (1.0 / windows.view[scale])).to_point()));
+                marks.extend(vertices(worked, links).map(place));
+            }
+        }
         if !polygons {
             return marks;
         }

@@ -18,14 +18,14 @@ use crate::render::svg::Elements;
 use crate::report::amount::scale_formula;
 use crate::report::math::mathml;
 use crate::report::statement::paragraphs;
-use crate::scene::{DiagramKind, DriverKind, Lang, PointId, Scene};
+use crate::scene::{DiagramKind, DriverKind, Lang, LinkId, PointId, Scene};
 use crate::scene::{Swept, driver_position};
 
 use super::bank::{self, Formulas};
 use super::equations::equations;
 use super::frames::{Frame, Frames};
 use super::marks::marks;
-use super::scenery::{Layout, Scenery, scenery, stray};
+use super::scenery::{Layout, Scenery, Shows, scenery, stray};
 use super::steps::{LANGS, answers, steps};
 use super::track::{Told, UNIT, runs};
 use super::words::{table, word};
@@ -81,7 +81,7 @@ pub fn page(scene: &Scene, options: &Options, (mechanism, sweep): (&Mechanism, &
         "" => DiagramKind::Plane.caption(lang).to_owned(),
         title => title.to_owned(),
     };
-    let told_drawings: Vec<Value> = drawings.iter().zip(&told).map(|(d, t)| drawing(d, t)).collect();
+    let told_drawings: Vec<Value> = drawings.iter().zip(&told).map(|(d, t)| drawing(d, t, frames.groups.len() > 1)).collect();
     let book = &frames.list[frames.base].scene.book;
     let scales: Vec<usize> = drawings.iter().map(|d| formulas.formula(&scale_formula(book, d.shows.on, d.mu))).collect();
     let mut data = json!({
@@ -173,23 +173,27 @@ fn tag(lang: Lang) -> &'static str {
 }
 
 /// What the page is told of a drawing: of each of its windows how many times as large the paper is seen, where the origin
-/// lies in it (y down), in which frames it holds the drawing, what moves, and
+/// lies in it (y down), in which frames it holds the drawing, what moves, the force polygon with which it is seen if that is so, and
 /// for the second the elements.
-fn drawing(d: &Scenery, told: &[Told]) -> Value {
+fn drawing(d: &Scenery, told: &[Told], many: bool) -> Value {
     let layout = |(l, told): (&Layout, &Told)| {
         let origin = [l.origin.x, d.size_mm[1] - l.origin.y].map(ten_digits);
         // In hundredths; rounding and the roundness of heads are no reason to step back.
         let back = bank::runs(&l.back.iter().map(|b| if *b < 1.03 { 100 } else { (b * 100.0).ceil() as i64 }).collect::<Vec<_>>());
-        json!({"mu": l.mu, "times": ten_digits(d.mu / l.mu), "origin": origin, "held": runs(l.held.iter().copied()), "back": back, "moving": told.moving})
+        let mut value = json!({"mu": l.mu, "times": ten_digits(d.mu / l.mu), "origin": origin, "held": runs(l.held.iter().copied()), "back": back, "moving": told.moving});
+        if let Some(group) = l.group {
+            value["with"] = json!(Shows { on: DiagramKind::Force, part: Some(group) }.key());
+        }
+        value
     };
     let mut layouts: Vec<Value> = d.layouts.iter().zip(told).map(layout).collect();
     for (layout, told) in layouts.iter_mut().zip(told).skip(1) {
         // A name stands once in a document: that of an element in the window of all poses is kept aside.
         layout["markup"] = json!(told.markup.replace(" id=\"", " data-id=\""));
     }
-    // For the page a polygon has a level, its index among the polygons.
-    let level = DiagramKind::POLYGONS.iter().position(|on| *on == d.shows.on);
-    json!({"key": d.shows.key(), "level": level, "part": d.shows.part, "shown": runs(d.shown.iter().copied()), "layouts": layouts})
+    // One group alone has no number.
+    let part = d.shows.part.filter(|_| d.shows.on != DiagramKind::Force || many);
+    json!({"key": d.shows.key(), "level": d.shows.level(), "part": part, "shown": runs(d.shown.iter().copied()), "layouts": layouts})
 }
 
 /// A drawing with its caption, as it is first seen.
@@ -197,6 +201,7 @@ fn figure(d: &Scenery, told: &[Told], frames: &Frames, lang: Lang) -> String {
     let [w, h] = d.size_mm.map(crate::render::number::mm);
     let book = &frames.list[frames.base].scene.book;
     let caption = |l: Lang| match (d.shows.on.caption(l), d.shows.part, l) {
+        (name, Some(group), _) if d.shows.on == DiagramKind::Force => of_links(name, &frames.groups[group], frames, l),
         (name, None, _) => name.to_owned(),
         (name, Some(part), Lang::En) => format!("{name} ({})", part + 1),
         (name, Some(part), Lang::Zh) => format!("{name}（{}）", part + 1),
@@ -210,6 +215,17 @@ fn figure(d: &Scenery, told: &[Told], frames: &Frames, lang: Lang) -> String {
         escaped(&caption(lang)),
         mathml(&Label::math(scale_formula(book, d.shows.on, d.mu))),
     )
+}
+
+/// The caption of the force polygon of some links.
+fn of_links(name: &str, links: &[LinkId], frames: &Frames, lang: Lang) -> String {
+    let scene = &frames.list[frames.base].scene;
+    let names: Vec<&str> = links.iter().map(|l| scene.link_name(*l)).collect();
+    match (lang, names.len()) {
+        (Lang::En, 1) => format!("{name}, link {}", names[0]),
+        (Lang::En, _) => format!("{name}, links {}", names.join(", ")),
+        (Lang::Zh, _) => format!("构件 {} 的{name}", names.join("、")),
+    }
 }
 
 /// The statement for the page: HTML, its formulas told by their indices, a line for each paragraph.

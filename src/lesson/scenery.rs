@@ -1,4 +1,4 @@
-//! The three drawings over all frames, each as it is seen through one window or two ([`super::zoom`]).
+//! The drawings over all frames, each as it is seen through one window or two ([`super::zoom`]).
 //!
 //! Decided here: what fills a window, which poses it holds, and the order in which labels are placed, each where it stood in the
 //! frame before if it can.
@@ -9,8 +9,10 @@ use rayon::prelude::*;
 use crate::construct::Polygon;
 use crate::diag::Faults;
 use crate::figure::course::courses;
+use crate::figure::forces;
 use crate::figure::mechanism::{self, Course};
 use crate::figure::polygon::{self, Share};
+use crate::figure::sheet::Options;
 use crate::geom::{Point, Vec2};
 use crate::notation::Notation;
 use crate::paper::drawing::{Drawing, Habits, Part};
@@ -24,6 +26,9 @@ use super::frames::{Frame, Frames};
 use super::track::Track;
 use super::zoom::{self, GAIN, stage_mm, window_mm, with_names};
 
+/// Free bodies are drawn at most so many times as large as the mechanism, and as small.
+const NEAREST: f64 = 3.0;
+const FARTHEST: f64 = 1.5;
 /// Around the ink in a window.
 const MARGIN_MM: f64 = 1.5;
 /// How often the polygon of the own pose is made smaller for its names.
@@ -36,7 +41,7 @@ const AIR_MM: f64 = 1.0;
 pub struct Shows {
     /// The diagram.
     pub on: DiagramKind,
-    /// The part of a polygon that is split.
+    /// The part of a polygon that is split; of forces the group.
     pub part: Option<usize>,
 }
 
@@ -45,6 +50,12 @@ impl Shows {
     pub fn key(self) -> String {
         let word = self.on.word();
         self.part.map_or_else(|| word.to_owned(), |part| format!("{word}-{}", part + 1))
+    }
+
+    /// The number of its steps' list in the page: of a polygon its place among the polygons, of a group of forces one after those.
+    pub fn level(self) -> Option<usize> {
+        let of_forces = |group| DiagramKind::POLYGONS.len() + group;
+        DiagramKind::POLYGONS.iter().position(|on| *on == self.on).or(self.part.map(of_forces))
     }
 }
 
@@ -57,7 +68,7 @@ pub struct Scenery {
     /// Its scale (SI per mm of paper).
     pub mu: f64,
     /// What is seen through the window that the scene's own pose fills, in the poses near it; then through the one that holds all
-    /// poses, in all. One alone where that serves both.
+    /// poses, in all. One alone where that serves both. Of the mechanism then one for the free bodies of each group whose forces are drawn.
     pub layouts: Vec<Layout>,
     /// Whether it is on the paper, in each frame.
     pub shown: Vec<bool>,
@@ -75,6 +86,16 @@ pub struct Layout {
     pub held: Vec<bool>,
     /// How many times as large the window must be to hold all of it, in each frame.
     pub back: Vec<f64>,
+    /// The group whose free bodies are seen in the mechanism, if that is so.
+    pub group: Option<usize>,
+}
+
+/// What is seen through a window.
+struct View {
+    mu: f64,
+    seen: Rect,
+    parts: Parts,
+    group: Option<usize>,
 }
 
 /// All drawings that the scene calls for.
@@ -90,6 +111,7 @@ pub fn scenery(frames: &Frames, notation: &Notation, style: &Style) -> Result<Ve
             Some(split) => wanted.extend((0..split.parts()).map(|part| Shows { on, part: Some(part) })),
         }
     }
+    wanted.extend((0..frames.groups.len()).map(|group| Shows { on: DiagramKind::Force, part: Some(group) }));
     // The drawings know nothing of one another.
     let here = here();
     wanted.into_par_iter().map(|shows| here.enter(|| Studio::of(frames, notation, style, shows).scenery())).collect()
@@ -102,7 +124,8 @@ type Parts = Vec<Option<Part>>;
 struct Studio<'a> {
     frames: &'a Frames,
     notation: &'a Notation,
-    style: Style,
+    /// The letters do not depend on the language.
+    options: Options,
     shows: Shows,
     /// Whether the polygon has many vectors in some frame: then its type is small in all.
     full: bool,
@@ -124,7 +147,8 @@ impl<'a> Studio<'a> {
                 frames.zoom.of(on.kind()).map_or(1.0, |z| z.mu)
             }
         };
-        Studio { frames, notation, style, shows, full, mu }
+        let options = Options { notation: notation.clone(), style, ..Options::of_language(Lang::En) };
+        Studio { frames, notation, options, shows, full, mu }
     }
 
     fn scenery(&self) -> Result<Scenery, Faults> {
@@ -136,7 +160,7 @@ impl<'a> Studio<'a> {
 
     /// The mechanism has the size of its figure in the own pose, and is smaller only where it would not be seen as a whole.
     fn mechanism(&self) -> Result<Scenery, Faults> {
-        let label = self.style.label_mm;
+        let label = self.options.style.label_mm;
         let lines = |k: usize, mu: f64, courses: &[Course]| self.diagram(k, mu, &courses[k]).1;
         let alone = |mu: f64| with_names(lines(self.frames.base, mu, &self.courses(mu)), label);
         let together = |mu: f64| {
@@ -151,12 +175,70 @@ impl<'a> Studio<'a> {
         let own_mu = first * times(alone(first), stage_mm(label));
         let (own, all) = (alone(own_mu), together(own_mu));
         if times(all, size(own)) <= GAIN {
-            return self.told(size(all), vec![(own_mu, all, self.parts(own_mu, all, false))]);
+            let view = View { mu: own_mu, seen: all, parts: self.parts(own_mu, all, false), group: None };
+            return self.told(size(all), self.with_groups(vec![view], own_mu, size(all)));
         }
         let first = own_mu * times(all, size(own));
         let mu = first * times(together(first), size(own));
         let seen = together(mu);
-        self.told(size(own), vec![(own_mu, own, self.parts(own_mu, own, true)), (mu, seen, self.parts(mu, seen, false))])
+        let near = View { mu: own_mu, seen: own, parts: self.parts(own_mu, own, true), group: None };
+        let whole = View { mu, seen, parts: self.parts(mu, seen, false), group: None };
+        self.told(size(own), self.with_groups(vec![near, whole], own_mu, size(own)))
+    }
+
+    /// Adds the free bodies of each group, as large as the window holds them in all frames.
+    fn with_groups(&self, mut views: Vec<View>, own_mu: f64, [w, h]: [f64; 2]) -> Vec<View> {
+        let frames = &self.frames.list;
+        for group in 0..self.frames.groups.len() {
+            let around = |mu: f64| {
+                let here = here();
+                let boxes = (0..frames.len()).into_par_iter().filter_map(|k| here.enter(|| Some(self.bodies(k, group, mu)?.1)));
+                boxes.reduce_with(Rect::union).map(|r| with_names(r, self.options.style.label_mm))
+            };
+            let mut mu = own_mu;
+            // Arrows keep their length, so that the box does not grow as the scale does.
+            for _ in 0..PASSES {
+                let Some([wide, high]) = around(mu).map(size) else { break };
+                mu = (mu * (wide / w).max(high / h)).clamp(own_mu / NEAREST, own_mu * FARTHEST);
+            }
+            let Some(lines) = around(mu) else { continue };
+            let seen = about(lines.centre(), [w, h]);
+            let courses = self.courses(mu);
+            let parts = self.over_frames(seen, false, |k, habits| self.freed(k, group, (mu, &courses[k]), seen, habits));
+            views.push(View { mu, seen, parts, group: Some(group) });
+        }
+        views
+    }
+
+    /// The free bodies of a group in a frame before their labels are placed, the box around their lines, and how far they are moved to lie over the own pose.
+    fn bodies(&self, k: usize, group: usize, mu: f64) -> Option<(Drawing, Rect, Vec2)> {
+        let frame = &self.frames.list[k];
+        if !frame.shown.contains(&DiagramKind::Force) {
+            return None;
+        }
+        let worked = zoom::diagram(&frame.worked, self.mu / mu);
+        let by = stray(self.frames, frame) * (self.mu / mu);
+        let drawing = forces::free_bodies(&frame.scene, &worked, &self.options, &self.frames.groups[group])?;
+        let lines = drawing.bounds();
+        Some((drawing, Rect::new(lines.min + by, lines.max + by), by))
+    }
+
+    /// The free bodies of a group over the mechanism without its letters.
+    fn freed(&self, k: usize, group: usize, (mu, course): (f64, &Course), seen: Rect, habits: &mut Habits) -> Option<Part> {
+        let (drawing, lines, by) = self.bodies(k, group, mu)?;
+        let room = with_names(lines, self.options.style.label_mm).union(seen);
+        let mut part = drawing.finish_within(habits, Rect::new(room.min - by, room.max - by));
+        let mut behind = self.diagram(k, mu, course).0;
+        behind.only_named(|_| false);
+        let mut items = behind.finish().items;
+        items.iter_mut().for_each(|i| i.class.push_str(" behind"));
+        for mut item in std::mem::take(&mut part.items) {
+            item.id = format!("group-{}-{}", group + 1, item.id);
+            items.push(item);
+        }
+        part.items = items;
+        part.translate(by);
+        Some(part)
     }
 
     fn polygon(&self, on: DiagramKind, part: usize) -> Result<Scenery, Faults> {
@@ -175,24 +257,27 @@ impl<'a> Studio<'a> {
             }
             own *= over;
         }
-        let layout = |i: usize, mu: f64| (mu, seen(i, mu), self.parts(mu, seen(i, mu), i == 0));
+        let layout = |i: usize, mu: f64| View { mu, seen: seen(i, mu), parts: self.parts(mu, seen(i, mu), i == 0), group: None };
         let layouts =
             if zoom.view[0] == zoom.view[1] { vec![layout(1, own)] } else { vec![layout(0, own), layout(1, zoom.view[1].max(own))] };
         self.told(window, layouts)
     }
 
     fn label_mm(&self) -> f64 {
-        if self.full { self.style.small_mm } else { self.style.label_mm }
+        if self.full { self.options.style.small_mm } else { self.options.style.label_mm }
     }
 
     /// Every frame's part at a scale, its labels in the window and where they stood in the frame before if they can: on from the
     /// scene's own pose and back from it; where the turn is closed the two meet half a turn off. With `held` no farther than
     /// the window holds it all.
     fn parts(&self, mu: f64, window: Rect, held: bool) -> Parts {
+        let courses = self.courses(mu);
+        self.over_frames(window, held, |k, habits| self.part(k, mu, courses.get(k), window, habits))
+    }
+
+    fn over_frames(&self, window: Rect, held: bool, part: impl Fn(usize, &mut Habits) -> Option<Part> + Sync) -> Parts {
         let frames = self.frames;
         let mut at_base = Habits::new();
-        let courses = self.courses(mu);
-        let part = |k: usize, habits: &mut Habits| self.part(k, mu, courses.get(k), window, habits);
         let first = part(frames.base, &mut at_base);
         let (ahead, back) = ways(frames);
         let outer = window.grown(AIR_MM);
@@ -215,14 +300,15 @@ impl<'a> Studio<'a> {
         }
         let drawn: Vec<Worked> = self.frames.list.iter().map(|f| zoom::diagram(&f.worked, self.mu / mu)).collect();
         let poses: Vec<_> = self.frames.list.iter().zip(&drawn).map(|(f, w)| (&f.scene, w)).collect();
-        courses(&poses, &self.style, self.notation)
+        courses(&poses, &self.options.style, self.notation)
     }
 
     /// A frame's diagram before its labels are placed, and the box around its lines.
     fn diagram(&self, k: usize, mu: f64, course: &Course) -> (Drawing, Rect) {
         let (frame, times) = (&self.frames.list[k], self.mu / mu);
         let worked = zoom::diagram(&frame.worked, times);
-        let drawing = mechanism::drawing(&self.style, &frame.scene, &worked, self.notation, course);
+        let mut drawing = mechanism::drawing(&self.options.style, &frame.scene, &worked, self.notation, course);
+        forces::given_loads(&frame.scene, &worked, &self.options, &mut drawing);
         let (lines, by) = (drawing.bounds(), stray(self.frames, frame) * times);
         (drawing, Rect::new(lines.min + by, lines.max + by))
     }
@@ -238,12 +324,7 @@ impl<'a> Studio<'a> {
                 Some(part)
             }
             DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => {
-                let (w, p) = polygon_of(frame, self.shows, self.notation)?;
-                let p = p.to_scale(mu);
-                let drawing = match share_of(self.frames, self.shows) {
-                    None => polygon::drawing(&self.style, &w, &p, self.full),
-                    Some(share) => polygon::share_drawing(&self.style, &w, &p, share, self.full)?,
-                };
+                let drawing = self.polygon_at(frame, mu)?;
                 // What is too long for the window has room around it.
                 let lines = drawing.bounds();
                 let room = if window.union(lines) == window { window } else { with_names(lines, self.label_mm()).union(window) };
@@ -252,14 +333,31 @@ impl<'a> Studio<'a> {
         }
     }
 
+    /// A frame's polygon to a scale, before its labels are placed.
+    fn polygon_at(&self, frame: &Frame, mu: f64) -> Option<Drawing> {
+        if self.shows.on == DiagramKind::Force {
+            let links = self.frames.groups.get(self.shows.part?)?;
+            let of = frame.worked.equilibrium.as_ref().filter(|_| frame.shown.contains(&DiagramKind::Force))?;
+            let worked = Worked { equilibrium: Some(of.to_scale(mu)), ..frame.worked.clone() };
+            return forces::polygon(&frame.scene, &worked, &self.options, links);
+        }
+        let (w, p) = polygon_of(frame, self.shows, self.notation)?;
+        let p = p.to_scale(mu);
+        match share_of(self.frames, self.shows) {
+            None => Some(polygon::drawing(&self.options.style, &w, &p, self.full)),
+            Some(share) => polygon::share_drawing(&self.options.style, &w, &p, share, self.full),
+        }
+    }
+
     /// The drawing told: its windows have one size, and what each is made for stands in its middle.
-    fn told(&self, window: [f64; 2], layouts: Vec<(f64, Rect, Parts)>) -> Result<Scenery, Faults> {
+    fn told(&self, window: [f64; 2], views: Vec<View>) -> Result<Scenery, Faults> {
         let frames = self.frames;
         let size_mm = window.map(|side| side + 2.0 * MARGIN_MM);
-        let shown = layouts.last().map_or_else(|| vec![false; frames.list.len()], |l| l.2.iter().map(Option::is_some).collect());
-        let plans = frames.plans();
+        let whole = views.iter().rfind(|v| v.group.is_none());
+        let shown = whole.map_or_else(|| vec![false; frames.list.len()], |v| v.parts.iter().map(Option::is_some).collect());
+        let (plans, force_plans) = (frames.plans(), frames.force_plans());
         let mut list = Vec::new();
-        for (mu, seen, parts) in layouts {
+        for View { mu, seen, parts, group } in views {
             let middle = Point::new(0.5 * size_mm[0], 0.5 * size_mm[1]);
             let shift = middle - seen.centre();
             let mut track = Track::new(size_mm[1], frames.base, frames.list.len());
@@ -275,12 +373,14 @@ impl<'a> Studio<'a> {
                 }
                 back[k] = beyond(part.bounds, middle, size_mm);
                 let mut drawn = frames.list[k].worked.construction.acts.chosen.clone();
-                if self.shows.on != DiagramKind::Plane {
-                    drawn.push(plans[k]);
+                match self.shows.on {
+                    DiagramKind::Plane if group.is_none() => {}
+                    DiagramKind::Velocity | DiagramKind::Acceleration => drawn.push(plans[k]),
+                    DiagramKind::Plane | DiagramKind::Force => drawn.push(force_plans[k]),
                 }
                 track.add(k, &part.items, &drawn)?;
             }
-            list.push(Layout { mu, origin: Point::ORIGIN + shift, track, held, back });
+            list.push(Layout { mu, origin: Point::ORIGIN + shift, track, held, back, group });
         }
         Ok(Scenery { shows: self.shows, size_mm, mu: self.mu, layouts: list, shown })
     }

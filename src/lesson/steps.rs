@@ -7,6 +7,7 @@ use rayon::prelude::*;
 
 use crate::certified::ladder::Certified;
 use crate::certified::{Steps, certify, steps as certified_steps};
+use crate::equilibrium::GroupForces;
 use crate::figure::results::DIGITS;
 use crate::notation::Notation;
 use crate::paper::phrase::{Phrase, tr};
@@ -14,7 +15,8 @@ use crate::paper::words::words;
 use crate::plan::text::Writer;
 use crate::report::amount::{amount, sense, symbol};
 use crate::report::construction::sentences;
-use crate::scene::{DiagramKind, Lang, Swept, driver_position};
+use crate::report::forces::ForceWriter;
+use crate::scene::{DiagramKind, Lang, LinkId, Swept, driver_position};
 
 use super::bank::{self, Formulas};
 use super::frames::{Frame, Frames};
@@ -31,21 +33,29 @@ pub fn steps(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> V
     let told: Vec<Steps> = frames.list.par_iter().map(|f| here.enter(|| certified_steps(&f.scene, &f.worked, None))).collect();
     for on in DiagramKind::POLYGONS {
         let of = |lang| frames.list.iter().zip(&told).map(|(f, t)| told_on(f, t, on, notation, lang)).collect::<Vec<_>>();
-        let mut said = LANGS.map(of);
-        let count = said[0].iter().map(Vec::len).max().unwrap_or(0);
-        // A pose in which fewer vectors are drawn has a sentence for the steps of the others, too.
-        for (lang, frames) in LANGS.into_iter().zip(&mut said) {
-            let rest = tr(lang, "In this position nothing more is drawn.", "该位置不再作图。");
-            frames.iter_mut().filter(|s| !s.is_empty()).for_each(|s| s.resize(count, rest.to_owned()));
-        }
         let split = frames.split.of(on.kind());
-        for n in 0..count {
-            let [en, zh] = in_both(|l| said[l].iter().map(|s| s.get(n).cloned()).collect(), formulas);
-            let shows = Shows { on, part: split.map(|s| s.part_of(n.checked_sub(1))) };
-            steps.push(json!([shows.key(), n as i64 - 1, en, zh]));
-        }
+        let shows = |n: usize| Shows { on, part: split.map(|s| s.part_of(n.checked_sub(1))) };
+        listed(LANGS.map(of), shows, formulas, &mut steps);
+    }
+    for (group, links) in frames.groups.iter().enumerate() {
+        let of = |lang| frames.list.iter().map(|f| told_of(f, links, notation, lang)).collect::<Vec<_>>();
+        listed(LANGS.map(of), |_| Shows { on: DiagramKind::Force, part: Some(group) }, formulas, &mut steps);
     }
     steps
+}
+
+/// Adds the steps of one list: for each language and frame its sentences.
+fn listed(mut said: [Vec<Vec<String>>; 2], shows: impl Fn(usize) -> Shows, formulas: &mut Formulas, steps: &mut Vec<Value>) {
+    let count = said[0].iter().map(Vec::len).max().unwrap_or(0);
+    // A pose in which fewer vectors are drawn has a sentence for the steps of the others, too.
+    for (lang, frames) in LANGS.into_iter().zip(&mut said) {
+        let rest = tr(lang, "In this position nothing more is drawn.", "该位置不再作图。");
+        frames.iter_mut().filter(|s| !s.is_empty()).for_each(|s| s.resize(count, rest.to_owned()));
+    }
+    for n in 0..count {
+        let [en, zh] = in_both(|l| said[l].iter().map(|s| s.get(n).cloned()).collect(), formulas);
+        steps.push(json!([shows(n).key(), n as i64 - 1, en, zh]));
+    }
 }
 
 /// What is said in English and in Chinese; numbers that are the same in both are told once.
@@ -61,6 +71,23 @@ fn told_on(frame: &Frame, told: &Steps, on: DiagramKind, notation: &Notation, la
     let Some(p) = frame.worked.construction.polygon(on).filter(|_| !frame.end) else { return Vec::new() };
     let w = Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang };
     sentences(&w, &frame.worked.construction, p, told).iter().map(Phrase::source).collect()
+}
+
+/// The sentences of a group's equilibrium in a frame; none where the pose does not draw it.
+fn told_of(frame: &Frame, links: &[LinkId], notation: &Notation, lang: Lang) -> Vec<String> {
+    let Some((w, group)) = writer(frame, links, notation, lang) else { return Vec::new() };
+    w.steps(group).iter().map(Phrase::source).collect()
+}
+
+/// The writer of a group's forces in a frame that shows them.
+pub(super) fn writer<'a>(
+    frame: &'a Frame,
+    links: &[LinkId],
+    notation: &'a Notation,
+    lang: Lang,
+) -> Option<(ForceWriter<'a>, &'a GroupForces)> {
+    let of = frame.worked.equilibrium.as_ref().filter(|_| frame.shown.contains(&DiagramKind::Force))?;
+    Some((ForceWriter { scene: &frame.scene, notation, lang, of }, of.group_of(links)?))
 }
 
 /// The answers: for each question its value in all frames, English and Chinese.

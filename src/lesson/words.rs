@@ -3,7 +3,7 @@
 use crate::scene::Lang;
 
 /// Key, English, Chinese. `{}` is filled in by the page.
-const WORDS: [(&str, &str, &str); 85] = [
+const WORDS: [(&str, &str, &str); 88] = [
     ("lesson", "Lesson", "教学演示"),
     ("first", "First step", "第一步"),
     ("previous", "Previous step", "上一步"),
@@ -25,6 +25,7 @@ const WORDS: [(&str, &str, &str); 85] = [
     ("polygons", "Polygons", "多边形"),
     ("tab_velocity", "Velocities", "速度"),
     ("tab_acceleration", "Accelerations", "加速度"),
+    ("tab_force", "Forces", "力"),
     ("nearer", "Zoom in", "放大"),
     ("farther", "Zoom out", "缩小"),
     ("whole", "Whole drawing", "显示全图"),
@@ -65,6 +66,7 @@ const WORDS: [(&str, &str, &str); 85] = [
     ),
     ("wrong_centre", "The sense is opposite: it points to the centre, {}.", "指向相反：应指向圆心，{}。"),
     ("wrong_way", "The line is right, the sense along {} is opposite.", "方向线正确，但沿 {} 的指向相反。"),
+    ("wrong_opposite", "The line is right, the sense is opposite.", "方向线正确，指向相反。"),
     ("wrong_square", "It is square to {}, not along it.", "应垂直于 {}，而不是沿着它。"),
     ("wrong_along", "It is along {}, not square to it.", "应沿着 {}，而不是垂直于它。"),
     ("wrong_off", "The direction is {}° off: it must be {}.", "方向偏差 {}°：应为 {}。"),
@@ -111,6 +113,7 @@ const WORDS: [(&str, &str, &str); 85] = [
         "Too large for the paper: next to the limit the accelerations tend to infinity.",
         "超出图纸：接近极限位置时，加速度趋于无穷大。",
     ),
+    ("off_force", "Too large for the paper: near this position the forces tend to infinity.", "超出图纸：在该位置附近，力趋于无穷大。"),
     ("keys", "Keys", "键盘操作"),
     (
         "keys_steps",

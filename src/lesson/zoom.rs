@@ -8,13 +8,12 @@
 //! large on the screen.
 
 use crate::construct::scale::{self, Boxes, extent};
+use crate::equilibrium::Equilibrium;
 use crate::figure::series::{Scales, ends, size};
 use crate::geom::{Point, Vec2};
 use crate::paper::extent::Rect;
 use crate::scene::{DiagramKind, Paper};
 use crate::worked::Worked;
-
-use super::split::Split;
 
 /// The usual polygon is that of the scene's own pose; for the scale it is not taken for smaller than this part of what half of all poses
 /// have, for its window than the other.
@@ -91,14 +90,14 @@ struct Sight {
 
 impl Zoom {
     /// That of a polygon that `common` has a scale for; `None` where there is no such polygon. Poses come with the driver's travel.
-    /// `label_mm` is the type of each drawing.
+    /// `parts` gives the ends of the vectors in a part of a pose's polygon (SI), where there are parts; `label_mm` is the type of each drawing.
     pub fn of(
         paper: &Paper,
         poses: &[(f64, &Worked)],
         common: &Scales,
         on: DiagramKind,
         boxes: Boxes,
-        split: Option<&Split>,
+        parts: Option<&dyn Fn(&Worked, usize) -> Vec<Point>>,
         label_mm: &[f64],
     ) -> Option<Zoom> {
         let one = common.mu.get(on.kind())?;
@@ -108,15 +107,19 @@ impl Zoom {
         let half = OF_HALF * middling;
         let fixed = paper.scales.get(on.kind());
         let base = poses.iter().min_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))?.1;
-        let usual = if own.size >= half { base.construction.polygon(on).map(|p| p.mu) } else { None };
+        let own_mu = || match on {
+            DiagramKind::Force => base.equilibrium.as_ref().map(Equilibrium::mu),
+            DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Acceleration => base.construction.polygon(on).map(|p| p.mu),
+        };
+        let usual = if own.size >= half { own_mu() } else { None };
         let usual_mu = || scale::choose_in(paper.unit(on.kind()), extent(Sight::around(&whole, half).into_iter()), boxes.polygon);
         let mu = fixed.or(usual).unwrap_or_else(|| if half > 0.0 { usual_mu() } else { one });
-        let windows = match split {
+        let windows = match parts {
             None => vec![Windows::of(&whole, label_mm[0], one)?],
-            Some(split) => {
+            Some(ends_of) => {
                 let part = |(k, label_mm): (usize, &f64)| {
                     let seen = |w: &Worked| {
-                        let ends: Vec<Point> = split.ends(w, on, k).into_iter().flatten().collect();
+                        let ends = ends_of(w, k);
                         let [width, height] = extent(ends.iter().copied().chain([Point::ORIGIN]));
                         ((width / boxes.polygon[0]).max(height / boxes.polygon[1]), ends)
                     };
@@ -204,5 +207,6 @@ pub fn diagram(worked: &Worked, k: f64) -> Worked {
     let diagram = &mut worked.construction.diagram;
     diagram.mu /= k;
     diagram.spots.iter_mut().flatten().for_each(|p| *p = (p.to_vec2() * k).to_point());
+    worked.equilibrium = worked.equilibrium.map(|of| of.enlarged(k));
     worked
 }

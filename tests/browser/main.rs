@@ -6,6 +6,7 @@
 
 mod chromium;
 mod design;
+mod forces;
 mod grip;
 mod ink;
 mod motion;

@@ -2,11 +2,11 @@
 
 use super::*;
 
-fn text(b: &mut Browser, id: &str) -> String {
+pub fn text(b: &mut Browser, id: &str) -> String {
     b.eval(&format!("document.getElementById('{id}').textContent")).as_str().unwrap().to_owned()
 }
 
-fn asking(b: &mut Browser) -> bool {
+pub fn asking(b: &mut Browser) -> bool {
     b.eval("document.body.classList.contains('asking')") == true
 }
 
@@ -45,7 +45,7 @@ enum Answer {
 }
 
 /// Turns the tip by keys to a whole degree.
-fn turn_to(b: &mut Browser, degrees: f64) {
+pub fn turn_to(b: &mut Browser, degrees: f64) {
     for _ in 0..400 {
         let now: f64 = b.eval("document.querySelector('.tip').getAttribute('aria-valuenow')").as_str().unwrap().parse().unwrap();
         let off = (degrees.round() - now + 180.0).rem_euclid(360.0) - 180.0;
@@ -57,7 +57,7 @@ fn turn_to(b: &mut Browser, degrees: f64) {
     panic!("the tip does not turn to {degrees}°");
 }
 
-fn lengthen_to(b: &mut Browser, mm: f64) {
+pub fn lengthen_to(b: &mut Browser, mm: f64) {
     for _ in 0..600 {
         let now: f64 = text(b, "guess").split(' ').next().unwrap().parse().unwrap();
         let off = (mm * 2.0).round() / 2.0 - now;

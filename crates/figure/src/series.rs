@@ -25,7 +25,7 @@ impl Scales {
         let lengths = scale::fitted(paper, Kind::Length, extent(places), boxes.diagram);
         let mu = ByKind::default().with(Kind::Length, Some(lengths));
         let mut scales = Scales { mu, most: ByKind::default(), boxes };
-        for on in DiagramKind::POLYGONS {
+        for on in DiagramKind::VECTORS {
             let size = |w: &Worked| size(w, on, &boxes);
             let own = poses.iter().find(|p| p.0 == 0.0).and_then(|p| size(p.1)).unwrap_or(0.0);
             let Some(most) = bounded(poses.iter().filter_map(|p| size(p.1)).collect(), own, unlimited) else { continue };
@@ -54,17 +54,23 @@ impl Scales {
     }
 }
 
-/// The ends of all vectors of a pose's polygon, seen from the pole (SI).
+/// The ends of all vectors of a pose's polygon, seen from the pole; of force polygons their vertices, seen from the first (SI).
 pub fn ends(worked: &Worked, on: DiagramKind) -> impl Iterator<Item = Point> {
-    worked.construction.polygon(on).into_iter().flat_map(|p| {
+    let of_motion = worked.construction.polygon(on).into_iter().flat_map(|p| {
         let mu = p.mu;
         let marks = p.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(p.images.iter().flatten().copied());
         marks.map(move |q| (q.to_vec2() * mu).to_point())
-    })
+    });
+    let forces = worked.equilibrium.as_ref().filter(|_| on == DiagramKind::Force);
+    of_motion.chain(forces.into_iter().flat_map(|of| of.groups.iter().flat_map(|group| of.vertices(group))))
 }
 
-/// How large a polygon is (SI per mm of its box).
+/// How large a polygon is, of forces the largest (SI per mm of its box).
 pub fn size(worked: &Worked, on: DiagramKind, boxes: &Boxes) -> Option<f64> {
-    let [w, h] = worked.construction.polygon(on)?.extent();
-    Some((w / boxes.polygon[0]).max(h / boxes.polygon[1]))
+    let in_box = |[w, h]: [f64; 2]| (w / boxes.polygon[0]).max(h / boxes.polygon[1]);
+    if on == DiagramKind::Force {
+        let of = worked.equilibrium.as_ref()?;
+        return of.groups.iter().map(|group| in_box(extent(of.vertices(group)))).reduce(f64::max);
+    }
+    worked.construction.polygon(on).map(|p| in_box(p.extent()))
 }

@@ -223,7 +223,7 @@ impl Maker<'_> {
 
     pub fn mechanism(&self) -> Part {
         let mut d = mechanism::drawing(&self.options.style, self.scene, self.worked, &self.options.notation, &Course::default());
-        forces::given_loads(self, &mut d);
+        forces::given_loads(self.scene, self.worked, self.options, &mut d);
         d.finish()
     }
 

@@ -1,5 +1,5 @@
-//! The construction as a series of pictures: the mechanism, the polygon as it has grown so far with what the step draws in full
-//! ink, the equation that is being solved, and the step's sentence. All pictures have one size, so that slides do not jump.
+//! The construction as a series of pictures: the mechanism, or of forces the links that are drawn apart, the polygon as it has grown so far with what the
+//! step draws in full ink, the equation that is being solved, and the step's sentence. All pictures have one size, so that slides do not jump.
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::Polygon;
@@ -10,6 +10,7 @@ use hodograph_worked::certified;
 use hodograph_worked::worked::Worked;
 
 use super::fit::Within;
+use super::forces::{self, GroupSteps};
 use super::sheet::{MARGIN_MM, Maker, Options};
 use hodograph_paper::paper::drawing::Part;
 use hodograph_paper::paper::extent::Rect;
@@ -27,7 +28,7 @@ const LEADING: f64 = 1.5;
 /// How far what earlier steps drew stands back.
 const EARLIER: Colour = Colour::grey(135);
 
-/// One picture for each step of the velocity and the acceleration polygon, the poles first.
+/// One picture for each step of the velocity and the acceleration polygon, the poles first, then of the forces of each group.
 pub fn figures(scene: &Scene, worked: &Worked, options: &Options) -> Vec<Figure> {
     figures_in(scene, worked, options, None)
 }
@@ -42,12 +43,14 @@ pub fn figures_in(scene: &Scene, worked: &Worked, options: &Options, room: Optio
         .into_iter()
         .zip(maker.equations(&told, width_mm))
         .filter_map(|(on, (_, written))| Some(Steps::of(&maker, worked.construction.polygon(on)?, (&told, &written), width_mm)))
+        .chain(forces::steps(&maker, width_mm).into_iter().map(|of| Steps::of_forces(&maker, of, width_mm)))
         .collect();
     let diagram = maker.captioned(maker.mechanism(), "", DiagramKind::Plane);
     let most = |size: fn(&Steps) -> f64| levels.iter().map(size).fold(0.0, f64::max);
     let (polygon_width, polygon_height) = (most(|s| s.polygon.bounds.width_mm()), most(|s| s.polygon.bounds.height_mm()));
     let (text_width, text_height) = (most(|s| s.text_mm()[0]), most(|s| s.text_mm()[1]));
-    let (diagram_width, diagram_height) = (diagram.bounds.width_mm(), diagram.bounds.height_mm());
+    let widest = |size: fn(&Part) -> f64| levels.iter().filter_map(|s| s.apart.as_ref()).chain([&diagram]).map(size).fold(0.0, f64::max);
+    let (diagram_width, diagram_height) = (widest(|p| p.bounds.width_mm()), widest(|p| p.bounds.height_mm()));
     let stacked = room.is_some_and(|room| room.stacked);
     let drawings = match stacked {
         false => [diagram_width + GAP_MM + polygon_width, diagram_height.max(polygon_height)],
@@ -61,7 +64,7 @@ pub fn figures_in(scene: &Scene, worked: &Worked, options: &Options, room: Optio
     for steps in &levels {
         for k in 0..steps.sentences.len() {
             done += 1;
-            let mut diagram = diagram.clone();
+            let mut diagram = steps.apart.as_ref().map_or_else(|| diagram.clone(), |apart| at(apart, k));
             let top = size[1] - MARGIN_MM;
             // The centres of the two drawings.
             let [of_diagram, of_polygon] = match stacked {
@@ -76,7 +79,7 @@ pub fn figures_in(scene: &Scene, worked: &Worked, options: &Options, room: Optio
                 }
             };
             diagram.translate(of_diagram - diagram.bounds.centre());
-            let mut polygon = steps.at(k);
+            let mut polygon = at(&steps.polygon, k);
             polygon.translate(of_polygon - polygon.bounds.centre());
             let mut text = steps.text(k);
             text.stand_at(Point::new(MARGIN_MM, top - drawings[1] - GAP_MM));
@@ -96,6 +99,8 @@ pub fn figures_in(scene: &Scene, worked: &Worked, options: &Options, room: Optio
 
 /// The steps of one polygon.
 struct Steps {
+    /// In place of the mechanism.
+    apart: Option<Part>,
     polygon: Part,
     sentences: Vec<Phrase>,
     /// Their lines.
@@ -120,27 +125,14 @@ impl Steps {
             written.iter().find(|part| finds(part).is_some_and(|step| step >= action)).cloned()
         };
         let equations = (0..sentences.len()).map(equation).collect();
-        let style = &maker.options.style;
-        let broken = |phrase: &Phrase| match width_mm {
-            None => vec![phrase.label().in_fonts(&style.fonts)],
-            Some(width_mm) => wrapped(phrase, width_mm, style.caption_mm, &style.fonts),
-        };
-        let lines = sentences.iter().map(broken).collect();
-        Steps { polygon, sentences, lines, equations, caption_mm: style.caption_mm }
+        let lines = lines(maker, &sentences, width_mm);
+        Steps { apart: None, polygon, sentences, lines, equations, caption_mm: maker.options.style.caption_mm }
     }
 
-    /// The polygon when `k` actions are done: later ones are not there, earlier ones stand back.
-    fn at(&self, k: usize) -> Part {
-        let faded = Palette { ink: EARLIER, ..Palette::default() };
-        let mut part = self.polygon.clone();
-        part.items.retain(|item| item.steps().next().is_none_or(|_| item.steps().any(|step| step < k)));
-        for item in &mut part.items {
-            let earlier = item.steps().next().is_some() && !item.steps().any(|step| step + 1 == k);
-            if earlier {
-                faded.item(item);
-            }
-        }
-        part
+    fn of_forces(maker: &Maker, of: GroupSteps, width_mm: Option<f64>) -> Steps {
+        let GroupSteps { apart, polygon, sentences, equations } = of;
+        let lines = lines(maker, &sentences, width_mm);
+        Steps { apart: Some(apart), polygon, sentences, lines, equations, caption_mm: maker.options.style.caption_mm }
     }
 
     /// The equation and the sentence below it.
@@ -174,4 +166,28 @@ impl Steps {
         let sizes = (0..self.sentences.len()).map(|k| self.text(k).bounds);
         sizes.fold([0.0, 0.0], |[w, h], b| [w.max(b.width_mm()), h.max(b.height_mm())])
     }
+}
+
+/// The lines of each sentence.
+fn lines(maker: &Maker, sentences: &[Phrase], width_mm: Option<f64>) -> Vec<Vec<Label>> {
+    let style = &maker.options.style;
+    let broken = |phrase: &Phrase| match width_mm {
+        None => vec![phrase.label().in_fonts(&style.fonts)],
+        Some(width_mm) => wrapped(phrase, width_mm, style.caption_mm, &style.fonts),
+    };
+    sentences.iter().map(broken).collect()
+}
+
+/// A drawing when `k` actions are done: later ones are not there, earlier ones stand back. What belongs to no action is there from the start.
+fn at(part: &Part, k: usize) -> Part {
+    let faded = Palette { ink: EARLIER, ..Palette::default() };
+    let mut part = part.clone();
+    part.items.retain(|item| item.steps().next().is_none_or(|_| item.steps().any(|step| step < k)));
+    for item in &mut part.items {
+        let earlier = item.steps().next().is_some() && !item.steps().any(|step| step + 1 == k);
+        if earlier {
+            faded.item(item);
+        }
+    }
+    part
 }

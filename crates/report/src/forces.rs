@@ -4,6 +4,7 @@ mod friction;
 mod lever;
 mod masses;
 mod plan;
+mod steps;
 mod symbols;
 
 use hodograph_base::digits::{inked, significant};
@@ -251,27 +252,19 @@ impl ForceWriter<'_> {
 
     /// Unknown sides and diagonals of a group's polygon, as measured.
     pub fn measured(&self, group: &GroupForces) -> Vec<String> {
-        let letters = self.letters(group);
-        let name = |mark: MarkId| letters.iter().find(|(m, _)| *m == mark).map_or("", |(_, l)| l.as_str());
-        let unknown: Vec<&Side> = group.sides.iter().filter(|s| !s.known).chain(&group.diagonals).collect();
-        let vector = |s: &Side| &self.of.construction.vectors[s.vector.index()];
-        // One of two opposite reactions is enough.
-        let told =
-            |k: usize| !unknown[..k].iter().any(|s| (vector(s).from, vector(s).to) == (vector(unknown[k]).to, vector(unknown[k]).from));
-        let kept: Vec<&Side> = (0..unknown.len()).filter(|k| told(*k)).map(|k| unknown[k]).collect();
-        kept.into_iter()
-            .filter_map(|s| {
-                let v = &self.of.construction.vectors[s.vector.index()];
-                let force = self.of.force(s.vector)?;
-                let (a, b) = (name(v.from), name(v.to));
-                let mm = inked(&significant(force.norm() / self.of.mu(), DIGITS));
-                Some(format!(
-                    "{} = \\mu_{{F}}\\cdot {a}{b} = {mm}\\,\\text{{mm}}\\cdot\\mu_{{F}} = {}",
-                    self.symbol(s.term),
-                    self.amount(Kind::Force, force.norm())
-                ))
-            })
-            .collect()
+        self.of.measured(group).iter().filter_map(|s| self.reading(group, s)).collect()
+    }
+
+    /// A force as measured on the polygon: `F_{65} = \\mu_{F}\\cdot ea = 31.2 mm·\\mu_{F} = 62 N`.
+    fn reading(&self, group: &GroupForces, side: &Side) -> Option<String> {
+        let force = self.of.force(side.vector)?;
+        let mm = inked(&significant(force.norm() / self.of.mu(), DIGITS));
+        Some(format!(
+            "{} = \\mu_{{F}}\\cdot {} = {mm}\\,\\text{{mm}}\\cdot\\mu_{{F}} = {}",
+            self.symbol(side.term),
+            self.between(group, side),
+            self.amount(Kind::Force, force.norm())
+        ))
     }
 
     /// The moments that come before the polygon.

@@ -46,7 +46,7 @@
     return element;
   }
 
-  function layoutOf(ink, { mu, times: large, origin, held, back, moving }) {
+  function layoutOf(ink, { mu, times: large, origin, held, back, moving, with: key = null }) {
     const elements = [...ink.children];
     const earlier = [];
     const movers = moving.map(([index, runs, places, packed]) => {
@@ -76,7 +76,7 @@
       const steps = words.filter((w) => w.startsWith("step-")).map((w) => Number(w.slice(5)));
       return { element, step: steps.length ? Math.min(...steps) : -1 };
     });
-    return { ink, mu, times: large, origin, held: flags(held), back: stretched(back), movers, stepped };
+    return { ink, key, mu, times: large, origin, held: flags(held), back: stretched(back), movers, stepped };
   }
 
   const drawings = data.drawings.map(({ key, level, part, shown, layouts }) => {
@@ -103,6 +103,7 @@
       shown: flags(shown),
       off: figure.querySelector(".off"),
       layouts: layouts.map((told, i) => layoutOf(inks[i], told)),
+      views: layouts.filter((l) => !l.with).length,
       now: 0,
       size: [width, height],
       zoom: { times: 1, x: 0, y: 0 },
@@ -111,8 +112,11 @@
   const [mechanism, ...polygons] = drawings;
   const drawing = (key) => drawings.find((d) => d.key === key);
 
+  /** The polygon that is seen. With a force polygon the mechanism shows the free bodies of its group, in frames that have them. */
+  let presented = null;
+  let bodies = null;
   /** The layout through which a drawing is seen now. */
-  const seenThrough = (d) => d.layouts[d.now];
+  const seenThrough = (d) => d.layouts.find((l) => bodies && l.key === bodies) || d.layouts[d.now];
 
   /** A place of a drawing's paper (mm from the origin, y up) in its window. */
   function inWindow(d, [x, y]) {
@@ -126,13 +130,15 @@
     return [p.x, p.y];
   }
 
+  function display(element, on) {
+    if (on) element.removeAttribute("display");
+    else element.setAttribute("display", "none");
+  }
+
   /** Shows a drawing through one of its windows. */
   function look(d, index) {
     d.now = index;
-    d.layouts.forEach(({ ink }, i) => {
-      if (i === index) ink.removeAttribute("display");
-      else ink.setAttribute("display", "none");
-    });
+    d.layouts.forEach((l) => display(l.ink, l === seenThrough(d)));
     const { mu, times: large, origin } = seenThrough(d);
     d.svg.dataset.mu = mu;
     d.svg.dataset.times = large;
@@ -152,10 +158,15 @@
 
   function move(where) {
     const nearest = near(where);
+    const wanted = mechanism.layouts.find((l) => l.key === presented && l.held[nearest])?.key || null;
+    if (wanted !== bodies) {
+      bodies = wanted;
+      look(mechanism, mechanism.now);
+    }
     for (const d of drawings) {
       const on = d.shown[nearest];
       // What would leave the first window is seen through the second from then on.
-      if (!seenThrough(d).held[nearest] && on) look(d, d.layouts.length - 1);
+      if (!seenThrough(d).held[nearest] && on) look(d, d.views - 1);
       const { ink, movers } = seenThrough(d);
       ink.style.display = on ? "" : "none";
       d.off.hidden = on;
@@ -163,10 +174,7 @@
       if (!on) continue;
       for (const { element, seen, attributes } of movers) {
         const visible = seen[nearest];
-        if (visible !== (element.getAttribute("display") !== "none")) {
-          if (visible) element.removeAttribute("display");
-          else element.setAttribute("display", "none");
-        }
+        if (visible !== (element.getAttribute("display") !== "none")) display(element, visible);
         if (!visible) continue;
         for (const draw of attributes) draw(where);
       }

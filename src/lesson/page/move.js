@@ -107,12 +107,15 @@
       const tab = $(`tab-${d.key}`);
       if (tab) tab.setAttribute("aria-pressed", on);
     }
+    if (presented === key) return;
+    presented = key;
+    show();
   }
 
   function reveal() {
     for (const d of polygons) {
       const first = steps.findIndex((s) => s.level === d.level);
-      for (const { stepped } of d.layouts) {
+      for (const { stepped } of [...d.layouts, ...mechanism.layouts.filter((l) => l.key === d.key)]) {
         for (const { element, step: n } of stepped) {
           const of = first + n + 2;
           element.classList.toggle("later", of > step);

@@ -36,11 +36,11 @@
     for (const d of polygons) {
       const tab = $(`tab-${d.key}`);
       // The parts of a split polygon: the first names it.
-      tab.textContent = [d.part ? "" : word(`tab_${levels[d.level]}`), d.part === null ? "" : d.part + 1].join(" ").trim();
+      tab.textContent = [d.part ? "" : word(`tab_${kindOf(d)}`), d.part === null ? "" : d.part + 1].join(" ").trim();
       tab.title = d.figure.querySelector("[data-en]").dataset[lang];
       tab.setAttribute("aria-label", tab.title);
     }
-    for (const d of polygons) d.off.textContent = word(`off_${levels[d.level]}`);
+    for (const d of polygons) d.off.textContent = word(`off_${kindOf(d)}`);
     written = spoken = null;
     grip.setAttribute("aria-label", word("handle"));
     const values = data.full ? [start, start + wholeTurn * (data.turns || 1)] : ends().map((t) => start + t * data.driver.factor);
@@ -77,6 +77,7 @@
 
   // The points that are followed, and what is drawn of them.
   const levels = ["velocity", "acceleration"];
+  const kindOf = (d) => levels[d.level] || "force";
   const toggles = { path: "s", velocity: "v", acceleration: "a", hodograph: "h" };
   for (const name of Object.keys(toggles)) {
     const able = name === "path" || name === "hodograph" ? drawings.length > 1 || name === "path" : polygons.some((d) => d.level === levels.indexOf(name));
@@ -200,12 +201,13 @@
   addEventListener("beforeprint", () => {
     stop();
     if (predicting) predict();
-    kept = { travel, step, begun, open: !$("results").hidden };
+    kept = { travel, step, begun, presented, open: !$("results").hidden };
     home();
     panel("reveal", "results", true);
     go(steps.length);
     begun = false;
     reveal();
+    present(polygons[0]?.key);
     let last = -1;
     $("all").replaceChildren(
       ...steps.map((s) => {
@@ -222,6 +224,7 @@
     ({ step, begun } = kept);
     panel("reveal", "results", kept.open);
     turn(kept.travel);
+    present(kept.presented);
     reveal();
     tell();
     kept = null;

@@ -34,10 +34,8 @@
       if (!about || !d || !d.shown[k] || !["l", "d", "x"].includes(about.kind)) return null;
       const large = seenThrough(d).times;
       if (about.kind === "x") {
-        const found = points[about.point]?.vectors[of.level];
-        const place = found && found.frame(k);
-        if (!place || Number.isNaN(place[0]) || !added(d, of.n).length) return null;
-        const target = inWindow(d, place);
+        const target = crossingOf(d, about, of, k);
+        if (!target) return null;
         const pole = inWindow(d, [0, 0]);
         return { at, d, about, kind: "x", phase: "place", target, guess: [...pole], large };
       }
@@ -56,6 +54,16 @@
         return { at, d, about, kind: about.kind, phase: "direction", tail, angle: degrees(by), far: far / large, large, squares: squaresOf(d), turn, length: first / large };
       }
       return null;
+    }
+
+    /** Where two lines cross, in the window: the image of a point, or the dot of a vertex. */
+    function crossingOf(d, about, of, k) {
+      const place = points[about.point]?.vectors[of.level]?.frame(k);
+      if (place) return Number.isNaN(place[0]) || !added(d, of.n).length ? null : inWindow(d, place);
+      const dot = added(d, of.n).find((e) => e.classList.contains("vertex"));
+      if (!dot) return null;
+      const { x, y, width, height } = dot.getBBox();
+      return [x + width / 2, y + height / 2];
     }
 
     /** The directions along and square to all that the polygon draws: those of the lines that set squares are laid along. */
@@ -150,6 +158,7 @@
         if (about.sense === "t" && about.rate >= 0) return word("wrong_sense", formula(about.rate));
         if (about.sense === "k" && about.rate >= 0) return word("wrong_coriolis", formula(about.rate));
         if (about.sense === "n") return word("wrong_centre", direction);
+        if (about.line < 0 && !direction) return word("wrong_opposite");
         return word("wrong_way", about.line >= 0 ? formula(about.line) : direction);
       }
       if (Math.abs(Math.abs(off) - 90) <= TURNED && about.line >= 0) return word(across ? "wrong_square" : "wrong_along", formula(about.line));

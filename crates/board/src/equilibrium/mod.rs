@@ -10,6 +10,7 @@
 //! # Source
 //! 孙桓, 陈作模, 葛文杰: 机械原理, ch. 4; R. L. Norton, *Design of Machinery*, ch. 11.
 
+mod acts;
 mod joints;
 mod legs;
 mod lever;
@@ -17,6 +18,7 @@ mod methods;
 mod scribe;
 mod two_bars;
 
+pub use acts::Act;
 pub use lever::{Lever, LeverForce};
 
 use crate::construct::scale::fitted;
@@ -256,6 +258,38 @@ impl Equilibrium {
     pub fn force(&self, vector: VectorId) -> Option<Vec2> {
         let [from, to] = self.vector_mm(vector)?;
         Some((to - from) * self.mu())
+    }
+
+    /// The drawing with its polygons to another scale (N per mm).
+    pub fn to_scale(&self, mu: f64) -> Equilibrium {
+        self.scaled(Kind::Force, self.mu() / mu)
+    }
+
+    /// The drawing with the mechanism so many times as large.
+    pub fn enlarged(&self, times: f64) -> Equilibrium {
+        self.scaled(Kind::Length, times)
+    }
+
+    fn scaled(&self, kind: Kind, times: f64) -> Equilibrium {
+        let mut out = self.clone();
+        let c = &self.construction;
+        for (mark, at) in c.marks.iter().zip(&mut out.drawn.marks) {
+            if c.diagrams[mark.on.index()].kind() == kind {
+                *at = at.map(|p| (p.to_vec2() * times).to_point());
+            }
+        }
+        out.scales.set(kind, self.scales.get(kind).map(|mu| mu / times));
+        out
+    }
+
+    /// The vertices of a group's polygon, seen from the first (N).
+    pub fn vertices<'a>(&'a self, group: &'a GroupForces) -> impl Iterator<Item = Point> + 'a {
+        group.vertices.iter().filter_map(|v| Some((self.drawn.marks[v.index()]?.to_vec2() * self.mu()).to_point()))
+    }
+
+    /// The group of some links.
+    pub fn group_of(&self, links: &[LinkId]) -> Option<&GroupForces> {
+        self.groups.iter().find(|g| g.links == links)
     }
 
     /// The largest factor by which a crossing magnifies rounding.

@@ -4,9 +4,9 @@ use super::Page;
 use crate::mechanism::{self, special::REACH};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construction::{MarkId, Op};
-use hodograph_board::equilibrium::{About, Gives, GroupForces, Moments, Part as Which, Side, Term};
+use hodograph_board::equilibrium::{About, Act, Gives, GroupForces, Moments, Part as Which, Side, Term};
 use hodograph_mechanism::force::Cause;
-use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_paper::paper::drawing::Drawing;
 use hodograph_paper::paper::item::{Colour, Dash, Item, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
@@ -28,16 +28,18 @@ const FARTHEST_MM: f64 = 45.0;
 const LINKS: Colour = Colour::grey(150);
 
 impl Page<'_> {
-    pub(super) fn apart(&self, group: &GroupForces) -> Part {
+    pub(super) fn apart(&self, group: &GroupForces) -> Drawing {
         let maker = self.maker;
         let style = Style { link: self.style().link.coloured(LINKS), ..self.style().clone() };
         let mut d = mechanism::links(&style, maker.scene, maker.worked, &maker.options.notation, &group.links);
         let largest = group.sides.iter().filter_map(|s| self.of.force(s.vector)).map(Vec2::norm).fold(0.0, f64::max);
-        let before: Vec<&Moments> = group.moments.iter().filter(|m| !matches!(m.gives, Gives::Offset(_))).collect();
-        for (k, moments) in before.iter().enumerate() {
+        let before: Vec<(usize, &Moments)> =
+            group.moments.iter().enumerate().filter(|(_, m)| !matches!(m.gives, Gives::Offset(_))).collect();
+        for (k, (index, moments)) in before.iter().enumerate() {
             // A force has one arm on the drawing: that of its own link.
-            let has_arm = |term: Term| before[..k].iter().any(|m| m.of.iter().any(|(own, ..)| *own == term));
-            self.arms(&mut d, moments, has_arm);
+            let has_arm = |term: Term| before[..k].iter().any(|(_, m)| m.of.iter().any(|(own, ..)| *own == term));
+            let step = self.step(group, |act| *act == Act::Moments(*index));
+            self.arms(&mut d, moments, has_arm, &step);
         }
         // Both parts of a reaction are drawn where they were found.
         let own = |s: &&Side| match s.term {
@@ -48,7 +50,7 @@ impl Page<'_> {
             }
         };
         for side in group.sides.iter().filter(own) {
-            self.side(&mut d, side, largest);
+            self.side(&mut d, side, largest, &self.known_at(group, side));
         }
         for (k, load) in self.of.loads.iter().enumerate().filter(|(_, l)| group.links.contains(&l.link) && l.wrench.couple != 0.0) {
             if let Cause::Friction(friction) = load.cause {
@@ -58,7 +60,7 @@ impl Page<'_> {
             let centre = load.at.or_else(|| maker.scene.links[load.link.0].points.first().copied());
             self.couple(&mut d, k, centre, load.wrench.couple);
         }
-        for m in &group.moments {
+        for (index, m) in group.moments.iter().enumerate() {
             if let Gives::Driver(driver) = m.gives {
                 let value = self.of.drawn.number(m.value).unwrap_or(0.0);
                 let rubs = |f: &Friction| matches!(f.at, Rub::Pin { point, .. } if About::Point(point) == m.about);
@@ -66,11 +68,21 @@ impl Page<'_> {
                 if let About::Point(about) = m.about {
                     let symbol = self.w.balance(driver);
                     let id = symbol.replace(['{', '}'], "").replace('_', "-");
-                    self.bent(&mut d, &id, &symbol, (about, radius_mm), value);
+                    let class = format!("couple{}", self.step(group, |act| *act == Act::Moments(index)));
+                    self.bent(&mut d, (&id, &class), &symbol, (about, radius_mm), value);
                 }
             }
         }
-        d.finish()
+        d
+    }
+
+    /// The class of the step after which a force is known: of its moments, or of its measuring. Loads and the reactions of groups before are known from the start.
+    fn known_at(&self, group: &GroupForces, side: &Side) -> String {
+        self.step(group, |act| match act {
+            Act::Moments(k) => matches!(group.moments[*k].gives, Gives::Force(term, _) if term == side.term),
+            Act::Read(own) => own.vector == side.vector,
+            Act::Free | Act::Friction | Act::Lay(_) | Act::Cross(_) => false,
+        })
     }
 
     /// A place of the mechanism on paper.
@@ -98,20 +110,20 @@ impl Page<'_> {
         Some(if offset_mm.norm() > FARTHEST_MM { (at, couple) } else { (at + offset_mm, 0.0) })
     }
 
-    fn side(&self, d: &mut Drawing, side: &Side, largest: f64) {
+    fn side(&self, d: &mut Drawing, side: &Side, largest: f64, step: &str) {
         let (Some((at, couple)), Some(force)) = (self.on_line(side), self.of.force(side.vector)) else { return };
         if force.norm() <= NO_FORCE * largest {
             return;
         }
         if couple != 0.0 {
             let symbol = self.w.symbol(side.term).replacen('F', "M", 1);
-            self.bent(d, &format!("of-{}", self.key(side.term)), &symbol, (side.at, COUPLE_MM), couple);
+            self.bent(d, (&format!("of-{}", self.key(side.term)), &format!("couple{step}")), &symbol, (side.at, COUPLE_MM), couple);
         }
-        self.force(d, side.term, at, force, largest);
+        self.force(d, (side.term, &format!("force{step}")), at, force, largest);
     }
 
     /// A force at a place, as an arrow whose length grows with its part of the largest.
-    pub(super) fn force(&self, d: &mut Drawing, term: Term, at: Point, force: Vec2, largest: f64) {
+    pub(super) fn force(&self, d: &mut Drawing, (term, class): (Term, &str), at: Point, force: Vec2, largest: f64) {
         let style = self.style();
         let (size, Some(u)) = (force.norm(), force.unit()) else { return };
         if size <= NO_FORCE * largest {
@@ -123,17 +135,19 @@ impl Page<'_> {
         // Loads and reactions end at their point, where that is not over the link.
         let (pressing, pulling) = ([at - u * (length + 1.0), at - u], [at + u, at + u * (length + 1.0)]);
         let met = |ends: [Point; 2]| d.met_by(&[Item::new("", arrow(ends[0], ends[1]))], 1.0);
-        let [from, to] = if met(pressing) <= met(pulling) { pressing } else { pulling };
+        let presses = met(pressing) <= met(pulling);
+        let [from, to] = if presses { pressing } else { pulling };
+        let class = &if presses { class.to_owned() } else { format!("{class} pulling") };
         let key = self.key(term);
-        let owner = d.shape(&format!("force-{key}"), "force", arrow(from, to));
+        let owner = d.shape(&format!("force-{key}"), class, arrow(from, to));
         let request = LabelRequest::along(Label::math(self.w.symbol(term)), style.label_mm, from, to, stroke.width_mm / 2.0);
-        d.label(&format!("force-{key}"), "force", request.owned(owner));
+        d.label(&format!("force-{key}"), class, request.owned(owner));
     }
 
     pub(super) fn couple(&self, d: &mut Drawing, load: usize, at: Option<PointId>, value: f64) {
         let symbol = self.w.couple_of(load);
         if let Some(at) = at {
-            self.bent(d, &format!("of-{}", self.key(Term::Load(load))), &symbol, (at, COUPLE_MM), value);
+            self.bent(d, (&format!("of-{}", self.key(Term::Load(load))), "couple"), &symbol, (at, COUPLE_MM), value);
         }
     }
 
@@ -155,20 +169,20 @@ impl Page<'_> {
     }
 
     /// A bent arrow about a point, counter-clockwise where the value is positive.
-    fn bent(&self, d: &mut Drawing, key: &str, symbol: &str, (about, radius_mm): (PointId, f64), value: f64) {
+    fn bent(&self, d: &mut Drawing, (key, class): (&str, &str), symbol: &str, (about, radius_mm): (PointId, f64), value: f64) {
         let style = self.style();
         let Some(centre) = self.place(about).filter(|_| value != 0.0) else { return };
         let [from_rad, to_rad] = if value > 0.0 { [-0.6, 2.4] } else { [3.74, 0.74] };
         let stroke = hodograph_paper::paper::item::Stroke { width_mm: style.vector.width_mm * 0.8, ..style.vector };
         let shape = Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke, head: style.head };
-        let owner = d.shape(&format!("couple-{key}"), "couple", shape);
+        let owner = d.shape(&format!("couple-{key}"), class, shape);
         let tip = centre + Vec2::from_angle(0.5 * (from_rad + to_rad)) * radius_mm;
         let request = LabelRequest::at_point(Label::math(symbol), style.label_mm, tip, 0.6);
-        d.label(&format!("couple-{key}"), "couple", request.owned(owner));
+        d.label(&format!("couple-{key}"), class, request.owned(owner));
     }
 
     /// The crossing of two lines of action with the lines; `None` where it is too far away to be drawn.
-    fn crossing(&self, d: &mut Drawing, moments: &Moments, at: MarkId) -> Option<Point> {
+    fn crossing(&self, d: &mut Drawing, moments: &Moments, at: MarkId, step: &str) -> Option<Point> {
         let style = self.style();
         let centre = self.of.drawn.marks[at.index()]?;
         let c = &self.of.construction;
@@ -184,20 +198,25 @@ impl Page<'_> {
         }
         for line in met {
             let from = self.of.drawn.marks[c.lines[line.index()].through.index()]?;
-            d.shape("constraint-line", "construction", Shape::Line { from, to: centre, stroke: style.thin.dashed(Dash::DashDot) });
+            d.shape(
+                "constraint-line",
+                &format!("construction{step}"),
+                Shape::Line { from, to: centre, stroke: style.thin.dashed(Dash::DashDot) },
+            );
         }
-        d.draw("crossing", "special point", symbols::dot(style, centre));
+        d.draw("crossing", &format!("special point{step}"), symbols::dot(style, centre));
         let letter = self.w.crossing(at);
-        d.label("crossing", "special letter", LabelRequest::at_point(Label::math(&letter), style.label_mm, centre, style.dot_radius_mm));
+        let request = LabelRequest::at_point(Label::math(&letter), style.label_mm, centre, style.dot_radius_mm);
+        d.label("crossing", &format!("special letter{step}"), request);
         Some(centre)
     }
 
     /// Lines of action with their arms about a point.
-    fn arms(&self, d: &mut Drawing, moments: &Moments, has_arm: impl Fn(Term) -> bool) {
+    fn arms(&self, d: &mut Drawing, moments: &Moments, has_arm: impl Fn(Term) -> bool, step: &str) {
         let style = self.style();
         let about = match moments.about {
             About::Point(p) => self.place(p),
-            About::Crossing { at, .. } => self.crossing(d, moments, at),
+            About::Crossing { at, .. } => self.crossing(d, moments, at, step),
         };
         let Some(about) = about else { return };
         for (k, (term, at, _)) in moments.of.iter().enumerate() {
@@ -212,12 +231,12 @@ impl Page<'_> {
             let line = style.thin.dashed(Dash::DashDot);
             let key = self.key(*term);
             let past = (foot - at).unit().map_or(foot, |v| foot + v * 3.0);
-            d.shape(&format!("action-{key}"), "action", Shape::Line { from: at, to: past, stroke: line });
+            d.shape(&format!("action-{key}"), &format!("action{step}"), Shape::Line { from: at, to: past, stroke: line });
             let shape = Shape::Arrow { from: about, to: foot, stroke: style.thin, head: style.thin_head };
-            let owner = d.shape(&format!("arm-{key}"), "arm", shape);
+            let owner = d.shape(&format!("arm-{key}"), &format!("arm{step}"), shape);
             let name = self.w.arm_name(*term);
             let request = LabelRequest::along(Label::math(name), style.small_mm, about, foot, style.thin.width_mm);
-            d.label(&format!("arm-{key}"), "arm", request.owned(owner));
+            d.label(&format!("arm-{key}"), &format!("arm{step}"), request.owned(owner));
         }
     }
 }

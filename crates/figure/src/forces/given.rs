@@ -23,7 +23,7 @@ impl Page<'_> {
         for k in given {
             let load = &self.of.loads[k];
             match load.at.and_then(|p| self.place(p)) {
-                Some(at) => self.force(d, Term::Load(k), at, load.wrench.force, largest),
+                Some(at) => self.force(d, (Term::Load(k), "force"), at, load.wrench.force, largest),
                 None => self.couple(d, k, self.centre(load.link), load.wrench.couple),
             }
         }

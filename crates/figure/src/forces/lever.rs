@@ -58,7 +58,7 @@ impl Page<'_> {
         let largest = lever.forces.iter().map(|f| self.of.loads[f.load].wrench.force.norm()).fold(0.0, f64::max);
         for f in &lever.forces {
             let (term, force) = (Term::Load(f.load), self.of.loads[f.load].wrench.force);
-            self.force(&mut d, term, f.at, force, largest);
+            self.force(&mut d, (term, "force"), f.at, force, largest);
             let Some(u) = force.unit().filter(|_| f.arm_mm >= SHORTEST_ARM_MM) else { continue };
             let foot = f.at + u * u.dot(pole - f.at);
             let key = self.key(term);

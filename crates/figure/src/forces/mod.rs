@@ -12,7 +12,7 @@ pub use lever::lever;
 
 use crate::arrange::{Tree, put_together};
 use crate::sheet::{Maker, Options};
-use hodograph_board::equilibrium::{Equilibrium, GroupForces, Side, Term};
+use hodograph_board::equilibrium::{Act, Equilibrium, GroupForces, Side, Term};
 use hodograph_mechanism::force::Cause;
 use hodograph_paper::paper::drawing::{Drawing, Part};
 use hodograph_paper::paper::grid::{self, Cell, Row};
@@ -23,7 +23,7 @@ use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::paper::style::Style;
 use hodograph_report::amount::scale_formula;
 use hodograph_report::forces::{ForceColumn, ForceWriter};
-use hodograph_scene::{DiagramKind, Scene};
+use hodograph_scene::{DiagramKind, LinkId, Scene};
 use hodograph_worked::certified::certify;
 use hodograph_worked::worked::Worked;
 use std::ops::Range;
@@ -45,12 +45,11 @@ pub fn forces(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figur
 
 /// The free bodies of a group beside its force polygon, without words below; `None` where there is no such group.
 pub fn group(scene: &Scene, worked: &Worked, options: &Options, k: usize) -> Option<Figure> {
-    let of = worked.equilibrium.as_ref()?;
-    let maker = Maker { scene, worked, options, certified: Vec::new() };
-    let page = Page::of(&maker, of);
-    let group = of.groups.get(k)?;
-    let part = beside(page.links_apart(group), page.force_polygon(group));
-    Some(maker.alone(named(part, k)))
+    on_page(scene, worked, options, |page| {
+        let group = page.of.groups.get(k)?;
+        let part = beside(page.links_apart(group), page.force_polygon(group));
+        Some(page.maker.alone(named(part, k)))
+    })
 }
 
 /// For each group its links apart, its polygon and its text, as parts of a sheet; in a width, tables are broken.
@@ -61,18 +60,55 @@ pub(crate) fn pieces(maker: &Maker, width_mm: Option<f64>) -> Vec<[Part; 3]> {
     of.groups.iter().enumerate().map(|(k, group)| parts(group).map(|part| named(part, k))).collect()
 }
 
+/// The steps of a group's equilibrium as pictures.
+pub(crate) struct GroupSteps {
+    /// Its links apart, with their caption.
+    pub apart: Part,
+    /// Its polygon, with its caption.
+    pub polygon: Part,
+    /// The sentence of each step.
+    pub sentences: Vec<Phrase>,
+    /// For each sentence, the equation to which its step adds a side.
+    pub equations: Vec<Option<Part>>,
+}
+
+/// The steps of all groups, equations in a width.
+pub(crate) fn steps(maker: &Maker, width_mm: Option<f64>) -> Vec<GroupSteps> {
+    let Some(of) = &maker.worked.equilibrium else { return Vec::new() };
+    let page = Page::of(maker, of);
+    let of_group = |group| GroupSteps {
+        apart: page.links_apart(group),
+        polygon: page.force_polygon(group),
+        sentences: page.w.steps(group),
+        equations: page.equations_of_steps(group, width_mm.unwrap_or(f64::INFINITY)),
+    };
+    of.groups.iter().map(of_group).collect()
+}
+
 /// Adds the given loads to the drawing of the mechanism.
-pub(crate) fn given_loads(maker: &Maker, d: &mut Drawing) {
-    let Some(of) = &maker.worked.equilibrium else { return };
-    Page::of(maker, of).given_loads(d);
+pub fn given_loads(scene: &Scene, worked: &Worked, options: &Options, d: &mut Drawing) {
+    on_page(scene, worked, options, |page| Some(page.given_loads(d)));
+}
+
+/// A group's links in their places with what acts on them, before labels are placed; `None` where the pose does not draw the group.
+pub fn free_bodies(scene: &Scene, worked: &Worked, options: &Options, links: &[LinkId]) -> Option<Drawing> {
+    on_page(scene, worked, options, |page| Some(page.apart(page.of.group_of(links)?)))
+}
+
+/// The force polygon of a group, before labels are placed; `None` where the pose does not draw the group.
+pub fn polygon(scene: &Scene, worked: &Worked, options: &Options, links: &[LinkId]) -> Option<Drawing> {
+    on_page(scene, worked, options, |page| Some(page.polygon(page.of.group_of(links)?)))
+}
+
+fn on_page<T>(scene: &Scene, worked: &Worked, options: &Options, made: impl FnOnce(&Page) -> Option<T>) -> Option<T> {
+    let of = worked.equilibrium.as_ref()?;
+    made(&Page::of(&Maker { scene, worked, options, certified: Vec::new() }, of))
 }
 
 /// The width (mm) of the widest group of links that are drawn apart.
 pub(crate) fn widest_mm(scene: &Scene, worked: &Worked, options: &Options) -> f64 {
-    let maker = Maker { scene, worked, options, certified: Vec::new() };
-    let Some(of) = &worked.equilibrium else { return 0.0 };
-    let page = Page::of(&maker, of);
-    of.groups.iter().map(|group| page.links_apart(group).bounds.width_mm()).fold(0.0, f64::max)
+    let widths = |page: &Page| page.of.groups.iter().map(|group| page.links_apart(group).bounds.width_mm()).fold(0.0, f64::max);
+    on_page(scene, worked, options, |page| Some(widths(page))).unwrap_or(0.0)
 }
 
 /// Two parts side by side.
@@ -122,14 +158,14 @@ impl<'a> Page<'a> {
     fn links_apart(&self, group: &GroupForces) -> Part {
         let words = self.w.heading(group);
         let scale = scale_formula(&self.maker.scene.book, DiagramKind::Plane, self.maker.worked.construction.diagram.mu);
-        self.maker.titled(self.apart(group), Phrase::new(&words).label(), &scale, "apart")
+        self.maker.titled(self.apart(group).finish(), Phrase::new(&words).label(), &scale, "apart")
     }
 
     /// The polygon of a group, with its caption.
     fn force_polygon(&self, group: &GroupForces) -> Part {
         let scale = scale_formula(&self.maker.scene.book, DiagramKind::Force, self.of.mu());
         let caption = DiagramKind::Force.caption(self.maker.options.lang);
-        self.maker.titled(self.polygon(group), Phrase::new(caption).label(), &scale, "polygon")
+        self.maker.titled(self.polygon(group).finish(), Phrase::new(caption).label(), &scale, "polygon")
     }
 
     /// An equation of forces over its table of magnitudes and directions, in as few tables as the width holds.
@@ -142,6 +178,27 @@ impl<'a> Page<'a> {
         };
         let fits = |parts: &[Part]| parts.iter().all(|part| part.bounds.width_mm() <= width_mm);
         (1..=columns.len()).map(tables).find(|parts| fits(parts)).unwrap_or_else(|| tables(1))
+    }
+
+    /// For each step of a group, the table of the equation to which it adds a side.
+    fn equations_of_steps(&self, group: &GroupForces, width_mm: f64) -> Vec<Option<Part>> {
+        let equations = self.w.equations(group);
+        let part = |k: usize| {
+            let tables = self.table(&equations[k], k, width_mm);
+            put_together(Tree::text_column((0..tables.len()).map(Tree::Leaf).collect()), tables)
+        };
+        let parts: Vec<Part> = (0..equations.len()).map(part).collect();
+        let with = |found: &dyn Fn(&Side) -> bool| equations.iter().position(|sides| sides.iter().any(found)).map(|k| parts[k].clone());
+        let ends_in = |side: &Side, mark| {
+            let v = &self.of.construction.vectors[side.vector.index()];
+            !side.known && [v.from, v.to].contains(&mark)
+        };
+        let of_act = |act: &Act| match act {
+            Act::Lay(own) | Act::Read(own) => with(&|s| s.vector == own.vector),
+            Act::Cross(to) => with(&|s| ends_in(s, *to)),
+            Act::Free | Act::Friction | Act::Moments(_) => None,
+        };
+        self.of.acts(group).iter().map(of_act).collect()
     }
 
     fn table_of(&self, columns: &[ForceColumn], range: Range<usize>, k: usize) -> Part {
@@ -206,6 +263,12 @@ impl<'a> Page<'a> {
             },
             Term::Reaction { .. } => vector,
         }
+    }
+
+    /// The class of the step of a group that a condition finds, with a space before it: ` step-3`. Nothing of the first step, or where none is found.
+    fn step(&self, group: &GroupForces, found: impl Fn(&Act) -> bool) -> String {
+        let step = self.of.acts(group).iter().position(found).and_then(|k| k.checked_sub(1));
+        step.map_or_else(String::new, |k| format!(" step-{k}"))
     }
 
     /// The name of a force in ids, alike in all languages and notations.

@@ -1,10 +1,10 @@
-//! The force polygon of a group.
+//! The force polygon of a group. Items carry the class `step-N` of the step that draws them, the first after the links are drawn apart being 0.
 
 use super::Page;
 use hodograph_base::geom::Point;
-use hodograph_board::construction::Op;
-use hodograph_board::equilibrium::{GroupForces, Side};
-use hodograph_paper::paper::drawing::{Drawing, Part};
+use hodograph_board::construction::{MarkId, Op};
+use hodograph_board::equilibrium::{Act, GroupForces, Side};
+use hodograph_paper::paper::drawing::Drawing;
 use hodograph_paper::paper::item::{Dash, Shape, Stroke};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
@@ -17,28 +17,35 @@ const SHORTEST_MM: f64 = 0.3;
 const BEYOND_MM: f64 = 5.0;
 
 impl Page<'_> {
-    pub(super) fn polygon(&self, group: &GroupForces) -> Part {
+    pub(super) fn polygon(&self, group: &GroupForces) -> Drawing {
         let style = self.style();
         let mut d = Drawing::new("force", style.clone());
         // Lines of known direction, a little longer than what is drawn on them.
-        for line in self.crossed(group) {
-            d.shape("direction", "direction", Shape::Line { from: line[0], to: line[1], stroke: style.thin });
+        for (line, mark) in self.crossed(group) {
+            let class = format!("direction{}", self.step(group, |act| *act == Act::Cross(mark)));
+            d.shape("direction", &class, Shape::Line { from: line[0], to: line[1], stroke: style.thin });
         }
         let mut drawn: Vec<[Point; 2]> = Vec::new();
         for (side, diagonal) in group.sides.iter().map(|s| (s, false)).chain(group.diagonals.iter().map(|s| (s, true))) {
-            self.arrow(&mut d, side, diagonal, &mut drawn);
+            self.arrow(&mut d, (group, side), diagonal, &mut drawn);
         }
         for (mark, letter) in self.w.letters(group) {
             let Some(at) = self.of.drawn.marks[mark.index()] else { continue };
-            d.draw(&format!("vertex-{letter}"), "vertex", symbols::dot(style, at));
+            let ends_in = |act: &Act| match act {
+                Act::Lay(side) => self.of.construction.vectors[side.vector.index()].to == mark,
+                Act::Cross(to) => *to == mark,
+                Act::Free | Act::Friction | Act::Moments(_) | Act::Read(_) => false,
+            };
+            let step = self.step(group, ends_in);
+            d.draw(&format!("vertex-{letter}"), &format!("vertex{step}"), symbols::dot(style, at));
             let request = LabelRequest::at_point(Label::math(&letter), style.label_mm, at, style.dot_radius_mm);
-            d.label(&letter, "point", request);
+            d.label(&letter, &format!("point{step}"), request);
             d.mark(&letter, Shown::mark(letter.clone()), at);
         }
-        d.finish()
+        d
     }
 
-    fn arrow(&self, d: &mut Drawing, side: &Side, diagonal: bool, drawn: &mut Vec<[Point; 2]>) {
+    fn arrow(&self, d: &mut Drawing, (group, side): (&GroupForces, &Side), diagonal: bool, drawn: &mut Vec<[Point; 2]>) {
         let style = self.style();
         let Some([from, to]) = self.of.vector_mm(side.vector) else { return };
         if from.distance(to) <= SHORTEST_MM {
@@ -55,14 +62,15 @@ impl Page<'_> {
         let stroke = if diagonal { Stroke { width_mm: whole.width_mm * 0.7, ..whole }.dashed(Dash::DashDot) } else { whole };
         let key = self.key(side.term);
         let shown = Shown::vector(self.w.plain(side.term), from, to, self.of.mu());
-        let class = if diagonal { "diagonal" } else { "side" };
+        let step = self.step(group, |act| matches!(act, Act::Lay(own) | Act::Read(own) if own.vector == side.vector));
+        let class = &format!("{}{step}", if diagonal { "diagonal" } else { "side" });
         let owner = d.vector(&key, class, Shape::Arrow { from, to, stroke, head: style.head }, shown);
         let request = LabelRequest::along(Label::math(self.w.symbol(side.term)), style.label_mm, from, to, stroke.width_mm / 2.0);
         d.label(&key, class, request.owned(owner));
     }
 
-    /// The lines that cross in a vertex of the group, from the vertex through which they are drawn to beyond the crossing.
-    fn crossed(&self, group: &GroupForces) -> Vec<[Point; 2]> {
+    /// The lines that cross in a vertex of the group, from the vertex through which they are drawn to beyond the crossing, and that vertex.
+    fn crossed(&self, group: &GroupForces) -> Vec<([Point; 2], MarkId)> {
         let c = &self.of.construction;
         let mut out = Vec::new();
         for step in c.steps.iter().filter(|s| s.on == group.diagram) {
@@ -72,7 +80,7 @@ impl Page<'_> {
                 for line in lines {
                     let Some(from) = self.of.drawn.marks[c.lines[line.index()].through.index()] else { continue };
                     let Some(u) = (at - from).unit() else { continue };
-                    out.push([from - u * BEYOND_MM, at + u * BEYOND_MM]);
+                    out.push(([from - u * BEYOND_MM, at + u * BEYOND_MM], *to));
                 }
             }
         }

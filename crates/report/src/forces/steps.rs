@@ -1,0 +1,148 @@
+//! The steps of a group's equilibrium, one sentence each.
+
+use super::{DIGITS, ForceWriter};
+use hodograph_base::digits::{inked, significant};
+use hodograph_board::construction::{MarkId, Op};
+use hodograph_board::equilibrium::{Act, GroupForces, Part, Party, Side, Term};
+use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_scene::{Kind, Lang};
+
+impl ForceWriter<'_> {
+    /// The sentence of each step of a group, in the order of [`hodograph_board::equilibrium::Equilibrium::acts`].
+    pub fn steps(&self, group: &GroupForces) -> Vec<Phrase> {
+        let acts = self.of.acts(group);
+        let mut begun = false;
+        acts.iter().map(|act| Phrase::new(&self.step(group, act, &mut begun))).collect()
+    }
+
+    /// The sentence of a step; `begun` is true once a force is laid off.
+    fn step(&self, group: &GroupForces, act: &Act, begun: &mut bool) -> String {
+        match act {
+            Act::Free => self.freed(group),
+            Act::Friction => self.friction(group).unwrap_or_default(),
+            Act::Moments(k) => self.moments(&group.moments[*k]),
+            Act::Lay(side) => self.laid_off(group, side, std::mem::replace(begun, true)),
+            Act::Cross(to) => self.crossed(group, *to),
+            Act::Read(side) => {
+                let reading = self.reading(group, side).unwrap_or_default();
+                match self.lang {
+                    Lang::En => format!("The polygon gives ${reading}$."),
+                    Lang::Zh => format!("由力多边形量得 ${reading}$。"),
+                }
+            }
+        }
+    }
+
+    /// The letters of a vector's ends: `ab`.
+    pub(super) fn between(&self, group: &GroupForces, side: &Side) -> String {
+        let v = &self.of.construction.vectors[side.vector.index()];
+        self.vertex(group, v.from) + &self.vertex(group, v.to)
+    }
+
+    fn vertex(&self, group: &GroupForces, mark: MarkId) -> String {
+        self.letters(group).into_iter().find(|(m, _)| *m == mark).map_or_else(String::new, |(_, letter)| letter)
+    }
+
+    /// The loads on the links that are drawn apart, and the reactions to be found.
+    fn freed(&self, group: &GroupForces) -> String {
+        let mut known: Vec<String> = Vec::new();
+        let mut add = |symbol: String| {
+            if !known.contains(&symbol) {
+                known.push(symbol);
+            }
+        };
+        for (k, load) in self.of.loads.iter().enumerate().filter(|(_, l)| group.links.contains(&l.link)) {
+            if load.at.is_some() && load.wrench.force.norm() > 0.0 {
+                add(self.symbol(Term::Load(k)));
+            }
+            if load.wrench.couple != 0.0 {
+                add(self.couple(Term::Load(k)));
+            }
+        }
+        // Reactions of groups that are drawn before.
+        let inside = |of: Party| matches!(of, Party::Link(l) if group.links.contains(&l));
+        let whole = |s: &Side| match s.term {
+            Term::Reaction { of, on, .. } if group.links.contains(&on) && !inside(of) => {
+                Some(self.symbol(Term::Reaction { of, on, part: Part::Whole }))
+            }
+            Term::Reaction { .. } | Term::Load(_) => None,
+        };
+        let mut unknown: Vec<String> = Vec::new();
+        for symbol in self.of.measured(group).iter().filter_map(whole) {
+            if !unknown.contains(&symbol) {
+                unknown.push(symbol);
+            }
+        }
+        for symbol in group.sides.iter().filter(|s| s.known).filter_map(whole) {
+            if !unknown.contains(&symbol) && !known.contains(&symbol) {
+                known.push(symbol);
+            }
+        }
+        let names: Vec<&str> = group.links.iter().map(|l| self.scene.link_name(*l)).collect();
+        let list = |symbols: &[String]| symbols.iter().map(|s| format!("${s}$")).collect::<Vec<_>>().join(tr(self.lang, ", ", "、"));
+        let reactions = match (self.lang, unknown.len()) {
+            (_, 0) => String::new(),
+            (Lang::En, 1) => format!(" The reaction {} is sought.", list(&unknown)),
+            (Lang::En, _) => format!(" The reactions {} are sought.", list(&unknown)),
+            (Lang::Zh, _) => format!("待求反力 {}。", list(&unknown)),
+        };
+        let loads = match (self.lang, known.len(), names.len()) {
+            (Lang::En, 0, 1) => " No load acts on it.".into(),
+            (Lang::En, 0, _) => " No load acts on them.".into(),
+            (Lang::En, 1, 1) => format!(" {} acts on it.", list(&known)),
+            (Lang::En, 1, _) => format!(" {} acts on them.", list(&known)),
+            (Lang::En, _, 1) => format!(" {} act on it.", list(&known)),
+            (Lang::En, ..) => format!(" {} act on them.", list(&known)),
+            (Lang::Zh, 0, _) => "其上无载荷。".into(),
+            (Lang::Zh, ..) => format!("其上作用有 {}。", list(&known)),
+        };
+        match self.lang {
+            Lang::En if names.len() == 1 => format!("Draw link {} apart.{loads}{reactions}", names[0]),
+            Lang::En => format!("Draw links {} apart.{loads}{reactions}", names.join(", ")),
+            Lang::Zh => format!("取构件 {} 为分离体。{loads}{reactions}", names.join("、")),
+        }
+    }
+
+    fn laid_off(&self, group: &GroupForces, side: &Side, begun: bool) -> String {
+        let force = self.of.force(side.vector).map_or(0.0, |f| f.norm());
+        let (symbol, size) = (self.symbol(side.term), self.amount(Kind::Force, force));
+        let (ends, mm) = (self.between(group, side), inked(&significant(force / self.of.mu(), DIGITS)));
+        let from = self.vertex(group, self.of.construction.vectors[side.vector.index()].from);
+        let line = format!("${symbol} = {size}$");
+        let length = format!("${ends} = {mm}\\,\\text{{mm}}$");
+        match (self.lang, begun) {
+            (Lang::En, false) => format!("Choose a point ${from}$. From ${from}$ lay off {line}: {length}."),
+            (Lang::En, true) => format!("From ${from}$ lay off {line}: {length}."),
+            (Lang::Zh, false) => format!("任取一点 ${from}$，自 ${from}$ 作 {line}：{length}。"),
+            (Lang::Zh, true) => format!("自 ${from}$ 作 {line}：{length}。"),
+        }
+    }
+
+    fn crossed(&self, group: &GroupForces, to: MarkId) -> String {
+        let c = &self.of.construction;
+        let lines = c.ops.iter().find_map(|op| match op {
+            Op::Meet { lines, to: own } if *own == to => Some(*lines),
+            _ => None,
+        });
+        let at = self.vertex(group, to);
+        let line = |k: usize| {
+            let through = c.lines[lines?[k].index()].through;
+            let on = |s: &&Side| {
+                let v = &c.vectors[s.vector.index()];
+                [(v.from, v.to), (v.to, v.from)].contains(&(through, to))
+            };
+            let side = group.sides.iter().chain(&group.diagonals).find(on)?;
+            Some((self.symbol(side.term), self.vertex(group, through)))
+        };
+        match (self.lang, line(0), line(1)) {
+            (Lang::En, Some((a, p)), Some((b, q))) => {
+                format!("Draw the line of ${a}$ through ${p}$ and that of ${b}$ through ${q}$; they cross in ${at}$.")
+            }
+            (Lang::Zh, Some((a, p)), Some((b, q))) => {
+                format!("过 ${p}$ 作 ${a}$ 的方向线，过 ${q}$ 作 ${b}$ 的方向线，两线交于 ${at}$。")
+            }
+            (Lang::En, ..) => format!("Draw the two lines of known direction; they cross in ${at}$."),
+            (Lang::Zh, ..) => format!("作两条已知方向线，交于 ${at}$。"),
+        }
+    }
+}
