@@ -47,8 +47,23 @@ fn loads(scene: &Scene, rng: &mut Rng) -> Vec<Load> {
     all
 }
 
+/// A force that balances the one driver at a point of its link, in a direction that is not that of the driver.
+fn balance(scene: &Scene, rng: &mut Rng) -> Option<Json> {
+    let [driver] = &scene.drivers[..] else { return None };
+    let fixed = |p: &PointId| scene.links[scene.ground.0].points.contains(p);
+    let (link, at) = match driver.kind.turned() {
+        Some((link, _)) => (link, *scene.links[link.0].points.iter().find(|p| !fixed(p))?),
+        None => {
+            let guide = &scene.guides[driver.kind.guide()?.0];
+            let link = guide.slider.or_else(|| scene.carriers(guide.pin?).next())?;
+            (link, *scene.links[link.0].points.first()?)
+        }
+    };
+    Some(json!({"link": scene.link_name(link), "at": scene.point_name(at), "angle": format!("{:?} deg", rng.between(5.0, 80.0))}))
+}
+
 /// The scene with loads, asked for balancing moments and the reactions of pins between two links.
-fn asked(text: &str, scene: &Scene, loads: &[Load]) -> String {
+fn asked(text: &str, scene: &Scene, loads: &[Load], balance: Option<Json>) -> String {
     let mut json: Json = serde_json::from_str(text).unwrap();
     let name = |l: LinkId| scene.link_name(l).to_owned();
     let mut forces = Vec::new();
@@ -70,13 +85,16 @@ fn asked(text: &str, scene: &Scene, loads: &[Load]) -> String {
         }
     }
     for (d, driver) in scene.drivers.iter().enumerate() {
-        let letter = if driver.kind.turns() { "M" } else { "F" };
+        let letter = if driver.kind.turns() && balance.is_none() { "M" } else { "F" };
         find.push(if d == 0 { format!("{letter}_b") } else { format!("{letter}_b{}", d + 1) });
     }
     find.push("P".into());
     json["forces"] = json!(forces);
     json["masses"] = Json::Object(masses);
     json["find"] = json!(find);
+    if let Some(balance) = balance {
+        json["balance"] = balance;
+    }
     json.to_string()
 }
 
@@ -104,14 +122,16 @@ fn last_place(value: f64, digits: usize) -> f64 {
 
 #[test]
 fn random_loads_are_balanced_three_ways() {
-    let (mut compared, mut drawn, mut proven, mut digits) = (0, 0, 0, 0);
+    let (mut compared, mut drawn, mut balanced, mut proven, mut digits) = (0, 0, 0, 0, 0);
     let mut failures = Vec::new();
     for seed in seeds(400) {
         let Some(m) = mechanism(seed).filter(|m| !m.coordinates_only && m.groups.len() <= 8) else { continue };
         let plain = emit::scene(&m, &style(Pose::Lengths, Ask::Velocities, seed));
         let Ok(read) = scene::read(&plain) else { continue };
         let loads = loads(&read.value, &mut Rng::new(seed ^ 0xF0));
-        let text = asked(&plain, &read.value, &loads);
+        let mut rng = Rng::new(seed ^ 0xBA);
+        let balance = if rng.chance(0.3) { balance(&read.value, &mut rng) } else { None };
+        let text = asked(&plain, &read.value, &loads, balance.clone());
         let scene = match scene::read(&text) {
             Ok(scene) => scene.value,
             Err(why) => panic!("seed {seed}: {why}\n{text}"),
@@ -124,6 +144,7 @@ fn random_loads_are_balanced_three_ways() {
         for r in &worked.results {
             compared += 1;
             drawn += usize::from(r.drawn.is_some());
+            balanced += usize::from(r.drawn.is_some() && balance.is_some() && scene.find[r.find].text == "F_b");
             if let Some(a) = r.agreement.filter(|a| !a.holds()) {
                 failures.push(format!("seed {seed}: {} {a:?}", scene.find[r.find].text));
             }
@@ -150,10 +171,10 @@ fn random_loads_are_balanced_three_ways() {
             }
         });
     }
-    println!("{compared} answers, {drawn} drawn, {proven} powers by work, {digits} printed");
+    println!("{compared} answers, {drawn} drawn, {balanced} balancing forces among them, {proven} powers by work, {digits} printed");
     assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
     assert!(
-        compared > 1500 / every(8) && drawn > 500 / every(8) && digits > 100 / every(8),
+        compared > 1500 / every(8) && drawn > 500 / every(8) && balanced > 4 / every(8) && digits > 100 / every(8),
         "{compared} answers, {drawn} drawn, {digits} printed"
     );
 }

@@ -61,6 +61,15 @@ pub enum Outer {
         /// The link against which it turns.
         against: LinkId,
     },
+    /// The balancing force of a driver at a point, in a direction.
+    Balance {
+        /// The driver.
+        driver: usize,
+        /// The point.
+        at: PointId,
+        /// The link of the group.
+        on: LinkId,
+    },
     /// A driver that pushes a slider along its guide.
     Push {
         /// The driver.
@@ -204,7 +213,7 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
     for (d, driver) in scene.drivers.iter().enumerate() {
         if let Some((link, against)) = driver.kind.turned() {
             if mine(link) {
-                outer.push(Outer::Turn { driver: d, on: link, against });
+                outer.push(balance(scene, d, link)?.unwrap_or(Outer::Turn { driver: d, on: link, against }));
             } else if mine(against) && open[link.0] {
                 return Err(another_kind());
             }
@@ -214,10 +223,22 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
             let runner = g.slider.or_else(|| scene.carriers(g.pin?).next());
             for (on, by) in runner.into_iter().flat_map(|runner| [(runner, g.on), (g.on, runner)]) {
                 if mine(on) && upstream(by) {
-                    outer.push(Outer::Push { driver: d, guide, on, by });
+                    outer.push(balance(scene, d, on)?.unwrap_or(Outer::Push { driver: d, guide, on, by }));
                 }
             }
         }
     }
     Ok(Joints { outer, inner })
+}
+
+/// The balancing force on a driver's link, in place of its moment or its push.
+///
+/// # Errors
+/// A balance that acts on another link.
+fn balance(scene: &Scene, driver: usize, on: LinkId) -> Result<Option<Outer>, Both> {
+    let Some(balance) = &scene.loads.balance else { return Ok(None) };
+    if balance.link != on {
+        return Err(both!("the balance does not act on the link of the driver", "平衡力（力矩）不作用在原动件上"));
+    }
+    Ok(balance.force.as_ref().map(|(at, _)| Outer::Balance { driver, at: *at, on }))
 }

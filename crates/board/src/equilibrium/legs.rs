@@ -149,7 +149,7 @@ impl Scribe<'_> {
             let (at, (line, along)) = match *touch {
                 Outer::Slot { guide, at, .. } => (at, square(guide, at)),
                 Outer::Cylinder { at, far, .. } => (at, between(far, at)),
-                Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } | Outer::Push { .. } => return None,
+                Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } | Outer::Balance { .. } | Outer::Push { .. } => return None,
             };
             legs.push(Leg { kind: Kind::Touch, outer: *touch, at, line, along });
         }
@@ -264,7 +264,8 @@ impl Scribe<'_> {
                 moments.of.push((term, l.leg.at, self.number(ops, Number::Product(value, arm))));
             }
         }
-        moments.value = self.by_arm(ops, &moments, three.leg.line, self.mark(three.leg.at), crossing);
+        let turning = self.balancing(ops, &moments);
+        moments.value = self.by_arm(ops, turning, three.leg.line, self.mark(three.leg.at), crossing);
         let size = moments.value;
         found.push(moments);
         size

@@ -2,7 +2,7 @@
 
 use super::joints::{Joints, Outer, Pair, reference};
 use super::scribe::{Acting, Scribe, reaction, square_to};
-use super::{About, Gives, Moments, Part, Party, Term, another_kind};
+use super::{About, Gives, Part, Party, Term, another_kind};
 use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId, Op};
 use hodograph_base::diag::Both;
 use hodograph_mechanism::position::Configuration;
@@ -58,12 +58,15 @@ impl Scribe<'_> {
                     self.driven(*link, at, driver, against);
                     Ok(())
                 }
-                (pin @ Outer::Pin { .. }, touch @ (Outer::Slot { .. } | Outer::Cylinder { .. }))
+                (pin @ Outer::Pin { .. }, touch @ (Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Balance { .. }))
                 | (touch @ (Outer::Slot { .. } | Outer::Cylinder { .. }), pin @ Outer::Pin { .. }) => {
                     self.on_a_pivot(*link, pin, touch);
                     Ok(())
                 }
-                (slide @ Outer::Slide { .. }, touch @ (Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Push { .. }))
+                (
+                    slide @ Outer::Slide { .. },
+                    touch @ (Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Balance { .. } | Outer::Push { .. }),
+                )
                 | (touch @ (Outer::Slot { .. } | Outer::Cylinder { .. }), slide @ Outer::Slide { .. }) => {
                     self.in_a_guide(*link, slide, touch);
                     Ok(())
@@ -79,7 +82,12 @@ impl Scribe<'_> {
     fn on_a_pin(&mut self, links: [LinkId; 2], inner: PointId, outer: [Outer; 2]) {
         let held = |o: &Outer| match *o {
             Outer::Pin { at, .. } => vec![at, inner],
-            Outer::Slide { .. } | Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Turn { .. } | Outer::Push { .. } => vec![inner],
+            Outer::Slide { .. }
+            | Outer::Slot { .. }
+            | Outer::Cylinder { .. }
+            | Outer::Turn { .. }
+            | Outer::Balance { .. }
+            | Outer::Push { .. } => vec![inner],
         };
         let acting = [0, 1].map(|k| self.all_on(links[k], &held(&outer[k])));
         let mut ops = Vec::new();
@@ -117,7 +125,9 @@ impl Scribe<'_> {
         let along = |s: &Self, o: &Outer| match *o {
             Outer::Pin { at, .. } => Direction::of(Base::Arm { from: s.mark(inner), to: s.mark(at), known: false }),
             Outer::Slide { guide, .. } => normal(guide),
-            Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Turn { .. } | Outer::Push { .. } => Direction::of(Base::Given(Key(0))),
+            Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Turn { .. } | Outer::Balance { .. } | Outer::Push { .. } => {
+                Direction::of(Base::Given(Key(0)))
+            }
         };
         let directions = [along(self, &outer[0]), along(self, &outer[1])];
         let lines = [self.line(&mut p, start, directions[0]), self.line(&mut p, end, directions[1])];
@@ -149,7 +159,7 @@ impl Scribe<'_> {
                     let all: Vec<Acting> = acting[k].iter().copied().chain([inside]).collect();
                     self.offset(&mut p, outer[k], &all, whole);
                 }
-                Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Turn { .. } | Outer::Push { .. } => {}
+                Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Turn { .. } | Outer::Balance { .. } | Outer::Push { .. } => {}
             }
         }
         let kind = match outer.map(|o| matches!(o, Outer::Pin { .. })) {
@@ -307,6 +317,7 @@ impl Scribe<'_> {
         self.side(&mut p, (Term::Reaction { of, on: link, part: Part::Whole }, pivot), [end, start], false);
         self.pinned(&mut p, pivot, link, [end, start]);
         self.answers.drivers.push((driver, balance));
+        self.answers.balance = self.scene.loads.balance.as_ref().map(|_| balance);
         p.drivers.push((driver, balance));
         self.turned(&mut p, against, link, balance);
         self.finish(p, &[link], "driver");
@@ -317,6 +328,7 @@ impl Scribe<'_> {
         match *touch {
             Outer::Slot { guide, at, .. } => Some((Base::Normal(Key::of(guide.0), self.mark(at)), at)),
             Outer::Cylinder { at, far, .. } => Some((Base::Arm { from: self.mark(far), to: self.mark(at), known: false }, at)),
+            Outer::Balance { at, .. } => Some((Base::Given(self.balance), at)),
             Outer::Push { guide, .. } => Some((tangent(guide), reference(self.scene, guide)?)),
             Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } => None,
         }
@@ -328,11 +340,21 @@ impl Scribe<'_> {
         else {
             return;
         };
-        let acting = self.all_on(link, &[pivot, at]);
+        // At the point of a balancing force the pin may have loads.
+        let acting = match touch {
+            Outer::Balance { .. } => self.all_on(link, &[pivot]),
+            _ => self.all_on(link, &[pivot, at]),
+        };
         let mut ops = Vec::new();
         let mut moments = self.moments(&mut ops, &[link], &acting, About::Point(pivot), Gives::Force(term, at));
-        let size = self.by_arm(&mut ops, &moments, line, self.mark(at), self.mark(pivot));
+        let turning = self.balancing(&mut ops, &moments);
+        let size = self.by_arm(&mut ops, turning, line, self.mark(at), self.mark(pivot));
         moments.value = size;
+        if let Outer::Balance { driver, .. } = touch {
+            // The moment that the force has about the pivot gives the power.
+            self.answers.drivers.push((driver, turning));
+            self.answers.balance = Some(size);
+        }
         self.on_plane(ops);
         let mut p = self.polygon();
         p.moments.push(moments);
@@ -346,12 +368,11 @@ impl Scribe<'_> {
         }
         self.pinned(&mut p, pivot, link, [end, start]);
         self.touched(&mut p, &touch, [loaded, end]);
-        self.finish(p, &[link], "RH");
+        self.finish(p, &[link], if matches!(touch, Outer::Balance { .. }) { "driver" } else { "RH" });
     }
 
-    /// The force along a line through a mark that balances moments about another.
-    pub(super) fn by_arm(&mut self, ops: &mut Vec<Op>, moments: &Moments, line: Base, at: MarkId, about: MarkId) -> NumberId {
-        let turning = self.balancing(ops, moments);
+    /// The force along a line through a mark that has a moment about another.
+    pub(super) fn by_arm(&mut self, ops: &mut Vec<Op>, turning: NumberId, line: Base, at: MarkId, about: MarkId) -> NumberId {
         let unit = self.number(ops, Number::Moment { force: line, at, about });
         let length = self.c.number(Number::Length(line));
         let arm = self.c.number(Number::Quotient(unit, length));
@@ -364,7 +385,7 @@ impl Scribe<'_> {
             Outer::Slot { guide, at, on, by } => self.slotted(p, guide, on, by, at, ends),
             Outer::Cylinder { driver, at, far, on } => self.pushed(p, driver, on, [at, far], ends),
             Outer::Push { driver, guide, on, by } => self.pushed_along(p, (driver, guide), [on, by], ends),
-            Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } => {}
+            Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } | Outer::Balance { .. } => {}
         }
     }
 
@@ -373,11 +394,15 @@ impl Scribe<'_> {
         let (Outer::Slide { guide, at: counted, .. }, Some((line, at))) = (slide, self.line_of(&touch)) else { return };
         let driver = match touch {
             Outer::Push { driver, .. } => Some(Term::Reaction { of: Party::Driver(driver), on: link, part: Part::Whole }),
-            Outer::Pin { .. } | Outer::Slide { .. } | Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Turn { .. } => {
-                reaction(&touch, Part::Whole)
-            }
+            Outer::Pin { .. }
+            | Outer::Slide { .. }
+            | Outer::Slot { .. }
+            | Outer::Cylinder { .. }
+            | Outer::Turn { .. }
+            | Outer::Balance { .. } => reaction(&touch, Part::Whole),
         };
-        let held = if matches!(touch, Outer::Push { .. }) { vec![] } else { vec![at] };
+        let moved = matches!(touch, Outer::Push { .. } | Outer::Balance { .. });
+        let held = if moved { vec![] } else { vec![at] };
         let acting = self.all_on(link, &held);
         let mut p = self.polygon();
         let start = p.last;
@@ -394,18 +419,26 @@ impl Scribe<'_> {
             let force = self.measured(&mut p, end, x);
             all.push(Acting { term, force: Some((Base::Measured(force), at)), couple: None });
         }
+        if let Outer::Balance { driver, .. } = touch {
+            self.answers.balance = Some(self.number(&mut p.ops, Number::Along(end, x, Direction::of(line))));
+            let along = self.number(&mut p.ops, Number::Along(end, x, Direction::of(tangent(guide))));
+            self.answers.drivers.push((driver, along));
+        }
         self.touched(&mut p, &touch, [end, x]);
         self.offset(&mut p, slide, &all, [x, start]);
-        self.finish(p, &[link], if matches!(touch, Outer::Push { .. }) { "driver" } else { "PH" });
+        self.finish(p, &[link], if moved { "driver" } else { "PH" });
     }
 }
 
 /// The link of the group that an outer joint holds.
 pub(super) fn carries(outer: &Outer) -> Option<LinkId> {
     match *outer {
-        Outer::Pin { on, .. } | Outer::Slide { on, .. } | Outer::Slot { on, .. } | Outer::Cylinder { on, .. } | Outer::Turn { on, .. } => {
-            Some(on)
-        }
+        Outer::Pin { on, .. }
+        | Outer::Slide { on, .. }
+        | Outer::Slot { on, .. }
+        | Outer::Cylinder { on, .. }
+        | Outer::Balance { on, .. }
+        | Outer::Turn { on, .. } => Some(on),
         Outer::Push { .. } => None,
     }
 }
@@ -413,7 +446,11 @@ pub(super) fn carries(outer: &Outer) -> Option<LinkId> {
 /// A point on the line of action of an outer joint's force.
 fn place(outer: &Outer) -> Option<PointId> {
     match *outer {
-        Outer::Pin { at, .. } | Outer::Slide { at, .. } | Outer::Slot { at, .. } | Outer::Cylinder { at, .. } => Some(at),
+        Outer::Pin { at, .. }
+        | Outer::Slide { at, .. }
+        | Outer::Slot { at, .. }
+        | Outer::Balance { at, .. }
+        | Outer::Cylinder { at, .. } => Some(at),
         Outer::Turn { .. } | Outer::Push { .. } => None,
     }
 }

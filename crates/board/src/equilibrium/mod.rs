@@ -28,7 +28,7 @@ use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::kind::{ByKind, Kind};
 use hodograph_mechanism::answer::Source;
-use hodograph_mechanism::force::{Load, completed, is_determined, loads, rubbing, settled, with_friction};
+use hodograph_mechanism::force::{Load, completed, is_determined, loads, rubbing, settled, unit_balance, with_friction};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::quantity::{Forces, Wrench};
@@ -186,13 +186,14 @@ struct Answers {
     pins: Vec<(PointId, LinkId, NumberId)>,
     guides: Vec<(GuideId, NumberId, Option<NumberId>)>,
     drivers: Vec<(usize, NumberId)>,
+    balance: Option<NumberId>,
 }
 
 impl Equilibrium {
     /// Draws the forces of a scene: `motion` has the accelerations and velocities that were read off the polygons, `mu_l` is the scale of the mechanism,
     /// `room` the size (mm) that the largest polygon may have.
     ///
-    /// `None` where a load cannot be told, because its motion is not drawn, and where the scene has a balancing force of its own place.
+    /// `None` where a load cannot be told, because its motion is not drawn.
     pub fn of(
         scene: &Scene,
         m: &Mechanism,
@@ -201,7 +202,7 @@ impl Equilibrium {
         mu_l: f64,
         room: [f64; 2],
     ) -> Option<Equilibrium> {
-        if scene.loads.balance.is_some() || !m.redundant.is_empty() {
+        if !m.redundant.is_empty() {
             return None;
         }
         let given = loads(scene, at, motion)?;
@@ -345,8 +346,15 @@ fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answer
     let whole = drivers.len() == scene.drivers.len();
     let power: f64 = scene.drivers.iter().zip(&drivers).map(|(d, x)| x * d.rate.value).sum();
     let power = if whole { power } else { f64::NAN };
-    let reactions = Forces { determinate: is_determined(scene, m), pins, guides, drivers, power, ..Forces::none() };
-    Some(completed(scene, at, loads, reactions))
+    let balance = answers.balance.and_then(|n| drawn.number(n));
+    let mut loads = loads.to_vec();
+    if let Some((unit, size)) = unit_balance(scene, at).zip(balance) {
+        loads.push(Load { wrench: Wrench { force: unit.wrench.force * size, couple: unit.wrench.couple * size }, ..unit });
+        // The drivers do nothing beside it.
+        drivers.fill(0.0);
+    }
+    let reactions = Forces { determinate: is_determined(scene, m), pins, guides, drivers, power, balance, ..Forces::none() };
+    Some(completed(scene, at, &loads, reactions))
 }
 
 /// The reason for which a group is not drawn.
@@ -372,7 +380,8 @@ impl Givens<f64> for Posed<'_> {
     }
 
     fn vector(&self, key: Key) -> Option<Vec2> {
-        Some(self.loads.get(key.index())?.wrench.force)
+        let balance = || Some(unit_balance(self.scene, self.at)?.wrench.force);
+        self.loads.get(key.index()).map_or_else(balance, |l| Some(l.wrench.force))
     }
 
     fn path(&self, key: Key) -> Option<Track<f64>> {

@@ -47,6 +47,8 @@ pub(super) struct Scribe<'a> {
     groups: Vec<GroupForces>,
     pub one: NumberId,
     pub plane: DiagramId,
+    /// The direction of the balancing force among what is given.
+    pub balance: Key,
     /// The crossings of lines of action on the mechanism.
     pub crossings: usize,
 }
@@ -73,7 +75,8 @@ pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &
     }
     let answers = Answers::default();
     let at_pin = vec![Vec::new(); scene.points.len()];
-    let mut scribe = Scribe { scene, c, places, acting, at_pin, answers, groups: Vec::new(), one, plane, crossings: 0 };
+    let balance = Key::of(loads.len());
+    let mut scribe = Scribe { scene, c, places, acting, at_pin, answers, groups: Vec::new(), one, plane, balance, crossings: 0 };
     let mut open = vec![true; scene.links.len()];
     let mut broken = vec![false; scene.links.len()];
     let mut undrawn = Vec::new();
@@ -409,6 +412,7 @@ pub(super) fn reaction(outer: &Outer, part: Part) -> Option<Term> {
         Outer::Pin { on, by, .. } => (by, on),
         Outer::Slide { on, by, .. } | Outer::Slot { on, by, .. } => (Party::Link(by), on),
         Outer::Cylinder { driver, on, .. } => (Party::Cylinder(driver), on),
+        Outer::Balance { driver, on, .. } => (Party::Driver(driver), on),
         Outer::Turn { .. } | Outer::Push { .. } => return None,
     };
     Some(Term::Reaction { of, on, part })
