@@ -11,7 +11,7 @@ use super::rows::Layout;
 use super::{Solution, System};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::force::{
-    Cause, Load, between_teeth, completed, is_determined, loads, rubbing, settled, unit_balance, with_friction,
+    Load, between_teeth, completed, is_determined, loads, pressed_apart, rubbing, settled, unit_balance, with_friction,
 };
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
@@ -203,8 +203,7 @@ impl Balanced<'_> {
     fn rolling(&self, r: RollingId, guides: &[(GuideId, Wrench)], teeth: &[Load]) -> Option<Vec2> {
         let pair = &self.scene.rolling[r.0];
         let held = pair.guide().and_then(|g| guides.iter().find(|(own, _)| *own == g)).map_or(Vec2::ZERO, |(_, w)| w.force);
-        let apart = teeth.iter().filter(|l| l.cause == Cause::Teeth(r) && l.link == pair.links[1]).map(|l| l.wrench.force);
-        Some(apart.fold(self.tangential(r)? + held, |sum, f| sum + f))
+        Some(self.tangential(r)? + held + pressed_apart(self.scene, teeth, r))
     }
 
     /// Forces that rows put on pins, each with the link on which they act in truth; a row puts them on the first link that carries the pin.

@@ -15,7 +15,7 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::exact::Inputs;
 use hodograph_scene::quantity::{Forces, ROUNDING, Wrench};
-use hodograph_scene::{Abscissa, Along, Angle, Course, Given, LinkId, PointId, Position, RollingId, Scene, Size, Touch};
+use hodograph_scene::{Abscissa, Along, Angle, Course, Given, LinkId, PointId, Position, Rolling, RollingId, Scene, Size, Touch};
 
 /// Cause of a load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -254,8 +254,7 @@ pub fn between_teeth<N: Real>(scene: &Scene, at: &Configuration<N>, tangential: 
         let pair = &scene.rolling[r.0];
         let (Touch::Point(_), true) = (pair.touch(), pair.kind.is_toothed()) else { continue };
         let (Some(n), Some(place)) = (at.normal(scene, *r), at.points[pair.at[0].0]) else { continue };
-        let alpha = pair.flanks.as_ref().map_or(PRESSURE_ANGLE, |f| f.pressure_angle);
-        let apart = n * (force.norm() * N::from_f64(libm::tan(alpha)));
+        let apart = n * (force.norm() * N::from_f64(libm::tan(pressure_angle(pair))));
         for (link, force) in [(pair.links[0], -apart), (pair.links[1], apart)] {
             if link != scene.ground {
                 out.push(Load { cause: Cause::Teeth(*r), link, at: None, place, wrench: Wrench { force, couple: N::from_f64(0.0) } });
@@ -263,6 +262,19 @@ pub fn between_teeth<N: Real>(scene: &Scene, at: &Configuration<N>, tangential: 
         }
     }
     out
+}
+
+/// The force by which the teeth of a pair press its second link away from the first, of the loads of [`between_teeth`].
+pub fn pressed_apart<N: Real>(scene: &Scene, teeth: &[Load<N>], pair: RollingId) -> Vec2<N> {
+    let second = scene.rolling[pair.0].links[1];
+    // Of a gear that stands still only the opposite is a load.
+    let of_pair = teeth.iter().find(|l| l.cause == Cause::Teeth(pair));
+    of_pair.map_or(Vec2::zero(), |l| if l.link == second { l.wrench.force } else { -l.wrench.force })
+}
+
+/// The angle (rad) between the common tangent of a pair that meets in a point and the line of action of its force; 0 where no teeth press.
+pub fn pressure_angle(pair: &Rolling) -> f64 {
+    if pair.kind.is_toothed() { pair.flanks.as_ref().map_or(PRESSURE_ANGLE, |f| f.pressure_angle) } else { 0.0 }
 }
 
 /// Reactions, completed by what follows from them and the loads: the inertia forces, and the sizes beside which a quantity is rounding.

@@ -5,12 +5,12 @@ use hodograph_base::diag::{Both, both};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::quantity::parties;
-use hodograph_scene::{GuideId, LinkId, PointId, Scene};
+use hodograph_scene::{Guide, GuideId, LinkId, PointId, RollingId, Scene, Touch};
 
 /// A joint by which a group is held from outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outer {
-    /// A pin: two unknowns.
+    /// A pin, or the contact of a wheel that is held on its track: two unknowns.
     Pin {
         /// The pin.
         at: PointId,
@@ -35,6 +35,17 @@ pub enum Outer {
         /// The guide.
         guide: GuideId,
         /// The pin.
+        at: PointId,
+        /// The link of the group.
+        on: LinkId,
+        /// The other link.
+        by: LinkId,
+    },
+    /// Teeth in mesh, or a friction wheel that an arm holds: a force along the line of action.
+    Mesh {
+        /// The pair.
+        rolling: RollingId,
+        /// The place of contact.
         at: PointId,
         /// The link of the group.
         on: LinkId,
@@ -111,13 +122,27 @@ pub(super) fn reference(scene: &Scene, g: GuideId) -> Option<PointId> {
     guide.pin.or_else(|| scene.links[guide.slider?.0].points.first().copied())
 }
 
+/// The rolling pair that touches in a point.
+pub(super) fn rolling_at(scene: &Scene, at: PointId) -> Option<RollingId> {
+    (0..scene.rolling.len()).map(RollingId).find(|r| scene.rolling[r.0].at.contains(&at))
+}
+
 /// Party that presses on a link at a pin: the other link, where there are no more; else the pin.
 pub(super) fn party(scene: &Scene, at: PointId, on: LinkId) -> Party {
+    if let Some(r) = rolling_at(scene, at) {
+        let [a, b] = scene.rolling[r.0].links;
+        return Party::Link(if a == on { b } else { a });
+    }
     let mut others = scene.carriers(at).filter(|l| *l != on);
     match (others.next(), others.next(), parties(scene, at)) {
         (Some(other), None, 2) => Party::Link(other),
         _ => Party::Pin(at),
     }
+}
+
+/// A slot for a pin; the path of a wheel that rolls is none.
+fn is_slot(guide: &Guide) -> bool {
+    guide.slider.is_none() && guide.rolling.is_none()
 }
 
 /// The joints of links among themselves and with links that are not yet in equilibrium (`open`).
@@ -135,8 +160,7 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
         if here.is_empty() || parties(scene, p) < 2 {
             continue;
         }
-        let slots: Vec<usize> =
-            (0..scene.guides.len()).filter(|g| scene.guides[*g].pin == Some(p) && scene.guides[*g].slider.is_none()).collect();
+        let slots: Vec<usize> = (0..scene.guides.len()).filter(|g| is_slot(&scene.guides[*g]) && scene.guides[*g].pin == Some(p)).collect();
         let rods: Vec<usize> = (0..scene.drivers.len())
             .filter(|d| ends_of(*d).is_some_and(|ends| ends.contains(&p)))
             .filter(|d| !cylinder(*d).iter().any(|l| mine(*l)))
@@ -207,8 +231,23 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
             }
         }
     }
-    if scene.rolling.iter().any(|r| r.links.iter().any(|l| mine(*l)) && r.links.iter().any(|l| upstream(*l) || mine(*l))) {
-        return Err(both!("forces between gears and wheels are not drawn", "齿轮、滚轮之间的力不作图"));
+    for (r, pair) in scene.rolling.iter().enumerate() {
+        let rolling = RollingId(r);
+        let [a, b] = pair.links;
+        let (on, by) = match (mine(a), mine(b)) {
+            (true, true) => return Err(another_kind()),
+            (true, false) if upstream(b) => (a, b),
+            (false, true) if upstream(a) => (b, a),
+            _ => continue,
+        };
+        let place = pair.at[0];
+        if !matches!(pair.touch(), Touch::Point(_)) || at.points[place.0].is_none() {
+            return Err(both!("the pull of belts, chains and ropes is not drawn", "带、链、绳的拉力不作图"));
+        }
+        outer.push(match pair.guide() {
+            Some(_) => Outer::Pin { at: place, on, by: Party::Link(by) },
+            None => Outer::Mesh { rolling, at: place, on, by },
+        });
     }
     for (d, driver) in scene.drivers.iter().enumerate() {
         if let Some((link, against)) = driver.kind.turned() {

@@ -35,7 +35,7 @@ enum Kind {
     Block { link: LinkId, near: PointId },
     /// A pinned block that slides on the link, or in which the link slides.
     Sleeve { link: LinkId, guide: GuideId },
-    /// A pin in a slot, or a cylinder.
+    /// A pin in a slot, teeth, or a cylinder.
     Touch,
 }
 
@@ -117,7 +117,7 @@ impl Scribe<'_> {
         };
         let inner = |l: LinkId| joints.inner.iter().filter(move |p| has(p, l));
         let outer = |l: LinkId| joints.outer.iter().filter(move |o| carries(o) == Some(l));
-        let touches = |o: &Outer| matches!(o, Outer::Slot { .. } | Outer::Cylinder { .. });
+        let touches = |o: &Outer| matches!(o, Outer::Slot { .. } | Outer::Mesh { .. } | Outer::Cylinder { .. });
         let core = links.iter().copied().find(|l| inner(*l).count() + outer(*l).count() == 3 && outer(*l).all(touches))?;
         let place = |p: PointId| at.points[p.0];
         let square = |guide: GuideId, p: PointId| {
@@ -148,6 +148,9 @@ impl Scribe<'_> {
         for touch in outer(core) {
             let (at, (line, along)) = match *touch {
                 Outer::Slot { guide, at, .. } => (at, square(guide, at)),
+                Outer::Mesh { rolling, at: place, .. } => {
+                    (place, (self.line_of_action(rolling), at.normal(self.scene, rolling).map(Vec2::perp)))
+                }
                 Outer::Cylinder { at, far, .. } => (at, between(far, at)),
                 Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } | Outer::Balance { .. } | Outer::Push { .. } => return None,
             };

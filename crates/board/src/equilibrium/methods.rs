@@ -58,16 +58,19 @@ impl Scribe<'_> {
                     self.driven(*link, at, driver, against);
                     Ok(())
                 }
-                (pin @ Outer::Pin { .. }, touch @ (Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Balance { .. }))
-                | (touch @ (Outer::Slot { .. } | Outer::Cylinder { .. }), pin @ Outer::Pin { .. }) => {
+                (
+                    pin @ Outer::Pin { .. },
+                    touch @ (Outer::Slot { .. } | Outer::Mesh { .. } | Outer::Cylinder { .. } | Outer::Balance { .. }),
+                )
+                | (touch @ (Outer::Slot { .. } | Outer::Mesh { .. } | Outer::Cylinder { .. }), pin @ Outer::Pin { .. }) => {
                     self.on_a_pivot(*link, pin, touch);
                     Ok(())
                 }
                 (
                     slide @ Outer::Slide { .. },
-                    touch @ (Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Balance { .. } | Outer::Push { .. }),
+                    touch @ (Outer::Slot { .. } | Outer::Mesh { .. } | Outer::Cylinder { .. } | Outer::Balance { .. } | Outer::Push { .. }),
                 )
-                | (touch @ (Outer::Slot { .. } | Outer::Cylinder { .. }), slide @ Outer::Slide { .. }) => {
+                | (touch @ (Outer::Slot { .. } | Outer::Mesh { .. } | Outer::Cylinder { .. }), slide @ Outer::Slide { .. }) => {
                     self.in_a_guide(*link, slide, touch);
                     Ok(())
                 }
@@ -84,6 +87,7 @@ impl Scribe<'_> {
             Outer::Pin { at, .. } => vec![at, inner],
             Outer::Slide { .. }
             | Outer::Slot { .. }
+            | Outer::Mesh { .. }
             | Outer::Cylinder { .. }
             | Outer::Turn { .. }
             | Outer::Balance { .. }
@@ -125,9 +129,12 @@ impl Scribe<'_> {
         let along = |s: &Self, o: &Outer| match *o {
             Outer::Pin { at, .. } => Direction::of(Base::Arm { from: s.mark(inner), to: s.mark(at), known: false }),
             Outer::Slide { guide, .. } => normal(guide),
-            Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Turn { .. } | Outer::Balance { .. } | Outer::Push { .. } => {
-                Direction::of(Base::Given(Key(0)))
-            }
+            Outer::Slot { .. }
+            | Outer::Mesh { .. }
+            | Outer::Cylinder { .. }
+            | Outer::Turn { .. }
+            | Outer::Balance { .. }
+            | Outer::Push { .. } => Direction::of(Base::Given(Key(0))),
         };
         let directions = [along(self, &outer[0]), along(self, &outer[1])];
         let lines = [self.line(&mut p, start, directions[0]), self.line(&mut p, end, directions[1])];
@@ -159,7 +166,12 @@ impl Scribe<'_> {
                     let all: Vec<Acting> = acting[k].iter().copied().chain([inside]).collect();
                     self.offset(&mut p, outer[k], &all, whole);
                 }
-                Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Turn { .. } | Outer::Balance { .. } | Outer::Push { .. } => {}
+                Outer::Slot { .. }
+                | Outer::Mesh { .. }
+                | Outer::Cylinder { .. }
+                | Outer::Turn { .. }
+                | Outer::Balance { .. }
+                | Outer::Push { .. } => {}
             }
         }
         let kind = match outer.map(|o| matches!(o, Outer::Pin { .. })) {
@@ -328,6 +340,7 @@ impl Scribe<'_> {
         match *touch {
             Outer::Slot { guide, at, .. } => Some((Base::Normal(Key::of(guide.0), self.mark(at)), at)),
             Outer::Cylinder { at, far, .. } => Some((Base::Arm { from: self.mark(far), to: self.mark(at), known: false }, at)),
+            Outer::Mesh { rolling, at, .. } => Some((self.line_of_action(rolling), at)),
             Outer::Balance { at, .. } => Some((Base::Given(self.balance), at)),
             Outer::Push { guide, .. } => Some((tangent(guide), reference(self.scene, guide)?)),
             Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } => None,
@@ -383,6 +396,7 @@ impl Scribe<'_> {
     pub(super) fn touched(&mut self, p: &mut super::scribe::Polygon, touch: &Outer, ends: [MarkId; 2]) {
         match *touch {
             Outer::Slot { guide, at, on, by } => self.slotted(p, guide, on, by, at, ends),
+            Outer::Mesh { rolling, at, on, by } => self.meshed(p, rolling, [on, by], at, ends),
             Outer::Cylinder { driver, at, far, on } => self.pushed(p, driver, on, [at, far], ends),
             Outer::Push { driver, guide, on, by } => self.pushed_along(p, (driver, guide), [on, by], ends),
             Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } | Outer::Balance { .. } => {}
@@ -397,6 +411,7 @@ impl Scribe<'_> {
             Outer::Pin { .. }
             | Outer::Slide { .. }
             | Outer::Slot { .. }
+            | Outer::Mesh { .. }
             | Outer::Cylinder { .. }
             | Outer::Turn { .. }
             | Outer::Balance { .. } => reaction(&touch, Part::Whole),
@@ -436,6 +451,7 @@ pub(super) fn carries(outer: &Outer) -> Option<LinkId> {
         Outer::Pin { on, .. }
         | Outer::Slide { on, .. }
         | Outer::Slot { on, .. }
+        | Outer::Mesh { on, .. }
         | Outer::Cylinder { on, .. }
         | Outer::Balance { on, .. }
         | Outer::Turn { on, .. } => Some(on),
@@ -449,6 +465,7 @@ fn place(outer: &Outer) -> Option<PointId> {
         Outer::Pin { at, .. }
         | Outer::Slide { at, .. }
         | Outer::Slot { at, .. }
+        | Outer::Mesh { at, .. }
         | Outer::Balance { at, .. }
         | Outer::Cylinder { at, .. } => Some(at),
         Outer::Turn { .. } | Outer::Push { .. } => None,

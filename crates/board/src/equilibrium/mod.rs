@@ -28,11 +28,11 @@ use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::kind::{ByKind, Kind};
 use hodograph_mechanism::answer::Source;
-use hodograph_mechanism::force::{Load, completed, is_determined, loads, rubbing, settled, unit_balance, with_friction};
+use hodograph_mechanism::force::{Load, completed, is_determined, loads, pressure_angle, rubbing, settled, unit_balance, with_friction};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::quantity::{Forces, Wrench};
-use hodograph_scene::{GuideId, LinkId, PointId, Scene};
+use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
 /// A force in an equation of equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -185,6 +185,7 @@ pub struct Equilibrium {
 struct Answers {
     pins: Vec<(PointId, LinkId, NumberId)>,
     guides: Vec<(GuideId, NumberId, Option<NumberId>)>,
+    rolling: Vec<(RollingId, NumberId)>,
     drivers: Vec<(usize, NumberId)>,
     balance: Option<NumberId>,
 }
@@ -210,17 +211,26 @@ impl Equilibrium {
         let trial_scales: ByKind = [(Kind::Length, mu_l), (Kind::Force, 1.0)].into_iter().collect();
         let tried = |loads: Vec<Load>| {
             let written = scribe::written(scene, m, at, &loads);
-            let givens = Posed { scene, at, loads: &loads, extent: at.extent() };
-            let drawn = draw(&written.construction, &givens, &trial_scales, &mut Exact).ok()?;
-            let forces = read(scene, m, at, &loads, &written.answers, &drawn)?;
-            Some(Tried { loads, written, drawn, forces })
+            let mut senses = vec![1.0; scene.rolling.len()];
+            // Teeth press on one flank or the other; what a group does to its teeth does not depend on those before it.
+            for _ in 0..=scene.rolling.len() {
+                let givens = Posed { scene, at, loads: &loads, senses: &senses, extent: at.extent() };
+                let drawn = draw(&written.construction, &givens, &trial_scales, &mut Exact).ok()?;
+                let forces = read(scene, m, at, &loads, &written.answers, &drawn)?;
+                let pressed = senses_of(scene, at, &forces);
+                if pressed == senses {
+                    return Some(Tried { loads, written, senses, drawn, forces });
+                }
+                senses = pressed;
+            }
+            None
         };
         if !scene.loads.friction.is_empty() && !is_determined(scene, m) {
             return None;
         }
         let smooth = tried(given.clone())?;
         let (rubbing, _) = rubbing(scene, at, motion)?;
-        let (power, Tried { loads, written, drawn: trial, .. }) = if rubbing.is_empty() {
+        let (power, Tried { loads, written, senses, drawn: trial, .. }) = if rubbing.is_empty() {
             ((!scene.loads.friction.is_empty()).then_some(smooth.forces.power), smooth)
         } else {
             // Friction from the reactions of one polygon, the next polygon with this friction, until they stand.
@@ -228,7 +238,7 @@ impl Equilibrium {
             let read = |t: &Tried| (t.forces.pins.clone(), t.forces.guides.clone());
             (Some(smooth.forces.power), settled(scene, &rubbing, under, read).ok()??)
         };
-        let givens = Posed { scene, at, loads: &loads, extent: at.extent() };
+        let givens = Posed { scene, at, loads: &loads, senses: &senses, extent: at.extent() };
         let extent =
             written.groups.iter().map(|g| extent_of(g, &trial)).fold([0.0, 0.0], |[w, h], [x, y]| [f64::max(w, x), f64::max(h, y)]);
         let mu = fitted(&scene.paper, Kind::Force, extent, room);
@@ -317,6 +327,7 @@ impl Source<f64> for Equilibrium {
 struct Tried {
     loads: Vec<Load>,
     written: scribe::Written,
+    senses: Vec<f64>,
     drawn: Drawn,
     forces: Forces,
 }
@@ -338,6 +349,7 @@ fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answer
             Some((*g, Wrench { force: vector(force)?, couple }))
         })
         .collect();
+    let rolling: Vec<(RollingId, Vec2)> = answers.rolling.iter().filter_map(|(r, n)| Some((*r, vector(n)?))).collect();
     let mut drivers = Vec::new();
     for d in 0..scene.drivers.len() {
         let Some((_, n)) = answers.drivers.iter().find(|(own, _)| *own == d) else { break };
@@ -353,8 +365,17 @@ fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answer
         // The drivers do nothing beside it.
         drivers.fill(0.0);
     }
-    let reactions = Forces { determinate: is_determined(scene, m), pins, guides, drivers, power, balance, ..Forces::none() };
+    let reactions = Forces { determinate: is_determined(scene, m), pins, guides, rolling, drivers, power, balance, ..Forces::none() };
     Some(completed(scene, at, &loads, reactions))
+}
+
+/// The sense in which each pair presses along its tangent.
+fn senses_of(scene: &Scene, at: &Configuration, forces: &Forces) -> Vec<f64> {
+    let sense = |r: RollingId| {
+        let (_, force) = forces.rolling.iter().find(|(own, _)| *own == r)?;
+        Some(if force.dot(at.normal(scene, r)?.perp()) < 0.0 { -1.0 } else { 1.0 })
+    };
+    (0..scene.rolling.len()).map(|r| sense(RollingId(r)).unwrap_or(1.0)).collect()
 }
 
 /// The reason for which a group is not drawn.
@@ -367,6 +388,8 @@ struct Posed<'a> {
     scene: &'a Scene,
     at: &'a Configuration,
     loads: &'a [Load],
+    /// The sense in which each rolling pair presses along its tangent.
+    senses: &'a [f64],
     extent: f64,
 }
 
@@ -380,8 +403,16 @@ impl Givens<f64> for Posed<'_> {
     }
 
     fn vector(&self, key: Key) -> Option<Vec2> {
-        let balance = || Some(unit_balance(self.scene, self.at)?.wrench.force);
-        self.loads.get(key.index()).map_or_else(balance, |l| Some(l.wrench.force))
+        match key.index().checked_sub(self.loads.len()) {
+            None => Some(self.loads[key.index()].wrench.force),
+            Some(0) => Some(unit_balance(self.scene, self.at)?.wrench.force),
+            Some(k) => {
+                let rolling = RollingId(k - 1);
+                let n = self.at.normal(self.scene, rolling)?;
+                let angle = pressure_angle(&self.scene.rolling[rolling.0]);
+                (n.perp() + n * (self.senses[rolling.0] * libm::tan(angle))).unit()
+            }
+        }
     }
 
     fn path(&self, key: Key) -> Option<Track<f64>> {

@@ -1,6 +1,6 @@
 //! Writes the construction: what acts on each link, and the acts of polygons and moments.
 
-use super::joints::{Outer, joints, party, reference};
+use super::joints::{Outer, joints, party, reference, rolling_at};
 use super::{About, Answers, Gives, GroupForces, Moments, Part, Party, Side, Term, Undrawn};
 use crate::construction::{
     Base, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Vector, VectorId,
@@ -11,7 +11,7 @@ use hodograph_mechanism::force::Load;
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::{ROUNDING, parties};
-use hodograph_scene::{GuideId, LinkId, PointId, Scene};
+use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
 /// A construction with its meaning.
 pub(super) struct Written {
@@ -47,7 +47,7 @@ pub(super) struct Scribe<'a> {
     groups: Vec<GroupForces>,
     pub one: NumberId,
     pub plane: DiagramId,
-    /// The direction of the balancing force among what is given.
+    /// The direction of the balancing force among what is given; the lines of action of the rolling pairs follow.
     pub balance: Key,
     /// The crossings of lines of action on the mechanism.
     pub crossings: usize,
@@ -299,6 +299,9 @@ impl Scribe<'_> {
 
     /// Puts the force of a pin on a link among the answers, its opposite on what holds the pin, and hands that on.
     pub fn pinned(&mut self, p: &mut Polygon, at: PointId, on: LinkId, [from, to]: [MarkId; 2]) {
+        if let (Some(r), Party::Link(by)) = (rolling_at(self.scene, at), party(self.scene, at, on)) {
+            return self.meshed(p, r, [on, by], at, [from, to]);
+        }
         let (own, back) = (self.measured(p, from, to), self.measured(p, to, from));
         self.answers.pins.push((at, on, own));
         if let Party::Link(other) = party(self.scene, at, on) {
@@ -340,6 +343,21 @@ impl Scribe<'_> {
         let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
         let runner = if self.scene.guides[guide.0].on == on { back } else { own };
         self.answers.guides.push((guide, runner, None));
+        if by != self.scene.ground {
+            let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
+            self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
+        }
+    }
+
+    /// The line of action of teeth, as a given vector: that of the force on the second link.
+    pub fn line_of_action(&self, rolling: RollingId) -> Base {
+        Base::Given(Key::of(self.balance.index() + 1 + rolling.0))
+    }
+
+    /// The force of a rolling pair on a link of the group, and its opposite on the other link.
+    pub fn meshed(&mut self, p: &mut Polygon, rolling: RollingId, [on, by]: [LinkId; 2], at: PointId, ends: [MarkId; 2]) {
+        let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
+        self.answers.rolling.push((rolling, if self.scene.rolling[rolling.0].links[1] == on { own } else { back }));
         if by != self.scene.ground {
             let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
             self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
@@ -410,7 +428,7 @@ impl Scribe<'_> {
 pub(super) fn reaction(outer: &Outer, part: Part) -> Option<Term> {
     let (of, on) = match *outer {
         Outer::Pin { on, by, .. } => (by, on),
-        Outer::Slide { on, by, .. } | Outer::Slot { on, by, .. } => (Party::Link(by), on),
+        Outer::Slide { on, by, .. } | Outer::Slot { on, by, .. } | Outer::Mesh { on, by, .. } => (Party::Link(by), on),
         Outer::Cylinder { driver, on, .. } => (Party::Cylinder(driver), on),
         Outer::Balance { driver, on, .. } => (Party::Driver(driver), on),
         Outer::Turn { .. } | Outer::Push { .. } => return None,

@@ -8,7 +8,9 @@
 
 use super::Motion;
 use super::conditions::{Acting, Conditions, Reaction};
-use crate::force::{Cause, Load, Rubbing, between_teeth, completed, is_determined, loads, rubbing, settled, unit_balance, with_friction};
+use crate::force::{
+    Load, Rubbing, between_teeth, completed, is_determined, loads, pressed_apart, rubbing, settled, unit_balance, with_friction,
+};
 use crate::mechanism::{Demand, Form, Item, Mechanism, Passive, Runner};
 use crate::position::{Configuration, Path};
 use hodograph_base::geom::Vec2;
@@ -314,9 +316,7 @@ impl<N: Real> Posed<'_, N> {
                 Touch::Point(Normal::Centres(_) | Normal::Square { .. }) => apart.unwrap_or(Vec2::zero()),
                 Touch::Strand { .. } => Vec2::zero(),
             };
-            let second = self.scene.rolling[r].links[1];
-            let apart = teeth.iter().filter(|l| l.cause == Cause::Teeth(pair) && l.link == second).map(|l| l.wrench.force);
-            Some((pair, apart.fold(force? + toward, |sum, f| sum + f)))
+            Some((pair, force? + toward + pressed_apart(self.scene, &teeth, pair)))
         });
         let reactions = Forces {
             rolling: rolling.collect(),
