@@ -11,7 +11,7 @@ use hodograph::effort::truth;
 use hodograph::geom::Vec2;
 use hodograph::mechanism::Level;
 use hodograph::number::{Big, Real, within};
-use hodograph::scene::quantity::parties;
+use hodograph::scene::quantity::{Contact, contacts, parties};
 use hodograph::scene::{self, LinkId, PointId, Scene};
 use hodograph::worked::{Scope, Worked, work};
 use serde_json::{Value as Json, json};
@@ -83,6 +83,15 @@ fn asked(text: &str, scene: &Scene, loads: &[Load], balance: Option<Json>) -> St
         if let [a, b] = scene.carriers(p).collect::<Vec<_>>()[..] {
             find.push(format!("F_{},{}", name(a), name(b)));
         }
+    }
+    for pair in &scene.rolling {
+        let [a, b] = pair.links;
+        if let [Contact::Rolling(..)] = contacts(scene, a, b)[..] {
+            find.push(format!("F_{},{}", name(a), name(b)));
+        }
+    }
+    for p in (0..scene.points.len()).map(PointId).filter(|p| parties(scene, *p) > 2) {
+        find.extend(scene.carriers(p).map(|l| format!("F_{}{}", scene.point_name(p), name(l))));
     }
     for (d, driver) in scene.drivers.iter().enumerate() {
         let letter = if driver.kind.turns() && balance.is_none() { "M" } else { "F" };

@@ -5,12 +5,12 @@ use hodograph_base::diag::{Both, both};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::quantity::parties;
-use hodograph_scene::{Guide, GuideId, LinkId, PointId, RollingId, Scene, Touch};
+use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene, Touch};
 
 /// A joint by which a group is held from outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outer {
-    /// A pin, or the contact of a wheel that is held on its track: two unknowns.
+    /// A pin: two unknowns.
     Pin {
         /// The pin.
         at: PointId,
@@ -38,10 +38,10 @@ pub enum Outer {
         at: PointId,
         /// The link of the group.
         on: LinkId,
-        /// The other link.
-        by: LinkId,
+        /// The other link; of a slot on the link of the group whose pin joins several links, the pin.
+        by: Party,
     },
-    /// Teeth in mesh, or a friction wheel that an arm holds: a force along the line of action.
+    /// Teeth in mesh, or the friction of a wheel: a force along the line of action. A path that holds the wheel in touch presses on its centre.
     Mesh {
         /// The pair.
         rolling: RollingId,
@@ -122,27 +122,13 @@ pub(super) fn reference(scene: &Scene, g: GuideId) -> Option<PointId> {
     guide.pin.or_else(|| scene.links[guide.slider?.0].points.first().copied())
 }
 
-/// The rolling pair that touches in a point.
-pub(super) fn rolling_at(scene: &Scene, at: PointId) -> Option<RollingId> {
-    (0..scene.rolling.len()).map(RollingId).find(|r| scene.rolling[r.0].at.contains(&at))
-}
-
 /// Party that presses on a link at a pin: the other link, where there are no more; else the pin.
 pub(super) fn party(scene: &Scene, at: PointId, on: LinkId) -> Party {
-    if let Some(r) = rolling_at(scene, at) {
-        let [a, b] = scene.rolling[r.0].links;
-        return Party::Link(if a == on { b } else { a });
-    }
     let mut others = scene.carriers(at).filter(|l| *l != on);
     match (others.next(), others.next(), parties(scene, at)) {
         (Some(other), None, 2) => Party::Link(other),
         _ => Party::Pin(at),
     }
-}
-
-/// A slot for a pin; the path of a wheel that rolls is none.
-fn is_slot(guide: &Guide) -> bool {
-    guide.slider.is_none() && guide.rolling.is_none()
 }
 
 /// The joints of links among themselves and with links that are not yet in equilibrium (`open`).
@@ -160,7 +146,8 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
         if here.is_empty() || parties(scene, p) < 2 {
             continue;
         }
-        let slots: Vec<usize> = (0..scene.guides.len()).filter(|g| is_slot(&scene.guides[*g]) && scene.guides[*g].pin == Some(p)).collect();
+        let slots: Vec<usize> =
+            (0..scene.guides.len()).filter(|g| scene.guides[*g].pin == Some(p) && scene.guides[*g].slider.is_none()).collect();
         let rods: Vec<usize> = (0..scene.drivers.len())
             .filter(|d| ends_of(*d).is_some_and(|ends| ends.contains(&p)))
             .filter(|d| !cylinder(*d).iter().any(|l| mine(*l)))
@@ -181,10 +168,14 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
                 let [a, b] = scene.drivers[*d].kind.ends().unwrap_or([p, p]);
                 outer.push(Outer::Cylinder { driver: *d, at: p, far: if a == p { b } else { a }, on: *on });
             }
-            ([g], [], [on]) if held.is_empty() && parties(scene, p) == 2 => {
+            // The slot holds the pin with the last of its links.
+            ([g], [], [on]) if !held.is_empty() && !mine(scene.guides[*g].on) => {
+                outer.push(Outer::Pin { at: p, on: *on, by: Party::Pin(p) });
+            }
+            ([g], [], [on]) if held.is_empty() => {
                 let by = scene.guides[*g].on;
                 if upstream(by) {
-                    outer.push(Outer::Slot { guide: GuideId(*g), at: p, on: *on, by });
+                    outer.push(Outer::Slot { guide: GuideId(*g), at: p, on: *on, by: Party::Link(by) });
                 } else if mine(by) {
                     return Err(another_kind());
                 }
@@ -194,7 +185,7 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
     }
     for (g, guide) in scene.guides.iter().enumerate() {
         let id = GuideId(g);
-        if guide.rolling.is_some() || at.guides[g].is_none() || m.passive.len() <= guide.on.0 {
+        if at.guides[g].is_none() || m.passive.len() <= guide.on.0 {
             continue;
         }
         match guide.slider {
@@ -216,17 +207,12 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
             // The slot is on our link; its pin sits on a link that holds it.
             None => {
                 let Some(p) = guide.pin.filter(|_| mine(guide.on)) else { continue };
-                let by: Vec<LinkId> = scene.carriers(p).collect();
-                match by[..] {
-                    [by] if upstream(by) && parties(scene, p) == 2 => outer.push(Outer::Slot { guide: id, at: p, on: guide.on, by }),
-                    [by] if !open[by.0] || mine(by) => {}
-                    _ => {
-                        return Err(both!(
-                            "pin {} joins too many for a construction",
-                            "销 {} 连接的构件过多，无法作图",
-                            scene.point_name(p)
-                        ));
-                    }
+                if scene.carriers(p).any(mine) {
+                    return Err(both!("pin {} joins too many for a construction", "销 {} 连接的构件过多，无法作图", scene.point_name(p)));
+                }
+                if let Some(by) = scene.carriers(p).find(|l| upstream(*l)) {
+                    let by = if parties(scene, p) == 2 { Party::Link(by) } else { Party::Pin(p) };
+                    outer.push(Outer::Slot { guide: id, at: p, on: guide.on, by });
                 }
             }
         }
@@ -244,10 +230,7 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
         if !matches!(pair.touch(), Touch::Point(_)) || at.points[place.0].is_none() {
             return Err(both!("the pull of belts, chains and ropes is not drawn", "带、链、绳的拉力不作图"));
         }
-        outer.push(match pair.guide() {
-            Some(_) => Outer::Pin { at: place, on, by: Party::Link(by) },
-            None => Outer::Mesh { rolling, at: place, on, by },
-        });
+        outer.push(Outer::Mesh { rolling, at: place, on, by });
     }
     for (d, driver) in scene.drivers.iter().enumerate() {
         if let Some((link, against)) = driver.kind.turned() {

@@ -3,15 +3,17 @@
 //! A leg presses along one line, that of its bar or square to its guide, but for what its own loads add. Moments of the whole group about the
 //! crossing of two such lines give the force along the third; the polygon crosses the other two.
 
+use super::answers::{pressing, reaction};
 use super::joints::{Joints, Outer, Pair, reference};
 use super::methods::carries;
-use super::scribe::{Acting, Polygon, Scribe, reaction, square_to};
+use super::scribe::{Acting, Polygon, Scribe, square_to};
 use super::{About, Gives, Part, Party, Term, another_kind};
 use crate::construction::{Base, Direction, Key, Line, MarkId, Name, Number, NumberId, Op};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::position::{Configuration, Path};
-use hodograph_scene::{GuideId, LinkId, PointId};
+use hodograph_scene::quantity::parties;
+use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 
 /// A leg of the link.
 #[derive(Clone, Copy)]
@@ -79,8 +81,8 @@ impl Leg {
 
 impl Loaded {
     /// The force along the line.
-    fn axial(&self) -> Option<Term> {
-        reaction(&self.leg.outer, if self.across.is_some() { Part::Normal } else { Part::Whole })
+    fn axial(&self, scene: &Scene) -> Option<Term> {
+        if self.across.is_some() { reaction(&self.leg.outer, Part::Normal) } else { pressing(scene, &self.leg.outer) }
     }
 }
 
@@ -92,6 +94,10 @@ impl Scribe<'_> {
     pub(super) fn on_three_legs(&mut self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Result<(), Both> {
         let (core, legs) = self.legs(links, joints, at).ok_or_else(another_kind)?;
         for leg in &legs {
+            if matches!(leg.outer, Outer::Slot { .. }) && parties(self.scene, leg.at) > 2 {
+                let pin = self.scene.point_name(leg.at);
+                return Err(both!("pin {pin} joins too many for a construction", "销 {pin} 连接的构件过多，无法作图"));
+            }
             if let Kind::Sleeve { link, .. } = leg.kind
                 && self.all_on(link, &[leg.at]).iter().any(|a| a.force.is_some())
             {
@@ -177,7 +183,7 @@ impl Scribe<'_> {
         let inner_one = p.last;
         self.lay_all(&mut p, &one.on_pin);
         let third = p.last;
-        if let Some(term) = three.axial() {
+        if let Some(term) = three.axial(self.scene) {
             self.laid(&mut p, (term, three.leg.at), Direction::of(three.leg.line).unit(), size);
         }
         self.square(&mut p, three);
@@ -197,7 +203,7 @@ impl Scribe<'_> {
         let lines = [self.line(&mut p, start, Direction::of(one.leg.line)), self.line(&mut p, end, Direction::of(two.leg.line))];
         let x = self.meet(&mut p, lines);
         for (leg, ends, is_first) in [(one, [x, start], true), (two, [end, x], false)] {
-            if let Some(term) = leg.axial() {
+            if let Some(term) = leg.axial(self.scene) {
                 self.side(&mut p, (term, leg.leg.at), ends, is_first);
             }
         }
@@ -257,7 +263,9 @@ impl Scribe<'_> {
             all.extend(l.loads.iter().map(at_pin));
             all.extend(&l.on_pin);
         }
-        let (Some(a), Some(b), Some(given)) = (one.axial(), two.axial(), three.axial()) else { return self.one };
+        let (Some(a), Some(b), Some(given)) = (one.axial(self.scene), two.axial(self.scene), three.axial(self.scene)) else {
+            return self.one;
+        };
         let about = About::Crossing { at: crossing, of: [a, b] };
         let mut moments = self.moments(ops, links, &all, about, Gives::Force(given, three.leg.at));
         for l in legs {

@@ -11,10 +11,12 @@
 //! 孙桓, 陈作模, 葛文杰: 机械原理, ch. 4; R. L. Norton, *Design of Machinery*, ch. 11.
 
 mod acts;
+mod answers;
 mod joints;
 mod legs;
 mod lever;
 mod methods;
+mod one_link;
 mod scribe;
 mod two_bars;
 
@@ -349,7 +351,13 @@ fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answer
             Some((*g, Wrench { force: vector(force)?, couple }))
         })
         .collect();
-    let rolling: Vec<(RollingId, Vec2)> = answers.rolling.iter().filter_map(|(r, n)| Some((*r, vector(n)?))).collect();
+    // A path that holds a wheel in touch presses beside the teeth or the friction: the two are one force.
+    let held = |r: RollingId| match scene.rolling[r.0].guide() {
+        Some(guide) => guides.iter().find(|(own, _)| *own == guide).map(|(_, w)| w.force),
+        None => Some(Vec2::ZERO),
+    };
+    let pressed: Vec<(RollingId, Vec2)> = answers.rolling.iter().filter_map(|(r, n)| Some((*r, vector(n)?))).collect();
+    let rolling = pressed.iter().filter_map(|(r, force)| Some((*r, *force + held(*r)?))).collect();
     let mut drivers = Vec::new();
     for d in 0..scene.drivers.len() {
         let Some((_, n)) = answers.drivers.iter().find(|(own, _)| *own == d) else { break };

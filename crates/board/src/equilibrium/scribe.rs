@@ -1,6 +1,6 @@
 //! Writes the construction: what acts on each link, and the acts of polygons and moments.
 
-use super::joints::{Outer, joints, party, reference, rolling_at};
+use super::joints::joints;
 use super::{About, Answers, Gives, GroupForces, Moments, Part, Party, Side, Term, Undrawn};
 use crate::construction::{
     Base, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Vector, VectorId,
@@ -10,8 +10,8 @@ use hodograph_base::diagram::DiagramKind;
 use hodograph_mechanism::force::Load;
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::Configuration;
-use hodograph_scene::quantity::{ROUNDING, parties};
-use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
+use hodograph_scene::quantity::ROUNDING;
+use hodograph_scene::{LinkId, PointId, Scene};
 
 /// A construction with its meaning.
 pub(super) struct Written {
@@ -32,9 +32,9 @@ pub(super) struct Acting {
 
 /// A force on a pin, of a link in equilibrium or of the cylinder that moves one.
 #[derive(Clone, Copy)]
-struct OnPin {
-    of: Party,
-    force: NumberId,
+pub(super) struct OnPin {
+    pub of: Party,
+    pub force: NumberId,
 }
 
 pub(super) struct Scribe<'a> {
@@ -42,7 +42,7 @@ pub(super) struct Scribe<'a> {
     pub c: Construction,
     pub places: Vec<Option<MarkId>>,
     pub acting: Vec<Vec<Acting>>,
-    at_pin: Vec<Vec<OnPin>>,
+    pub at_pin: Vec<Vec<OnPin>>,
     pub answers: Answers,
     groups: Vec<GroupForces>,
     pub one: NumberId,
@@ -297,118 +297,6 @@ impl Scribe<'_> {
         acting
     }
 
-    /// Puts the force of a pin on a link among the answers, its opposite on what holds the pin, and hands that on.
-    pub fn pinned(&mut self, p: &mut Polygon, at: PointId, on: LinkId, [from, to]: [MarkId; 2]) {
-        if let (Some(r), Party::Link(by)) = (rolling_at(self.scene, at), party(self.scene, at, on)) {
-            return self.meshed(p, r, [on, by], at, [from, to]);
-        }
-        let (own, back) = (self.measured(p, from, to), self.measured(p, to, from));
-        self.answers.pins.push((at, on, own));
-        if let Party::Link(other) = party(self.scene, at, on) {
-            self.answers.pins.push((at, other, back));
-        }
-        self.at_pin[at.0].push(OnPin { of: Party::Link(on), force: back });
-    }
-
-    /// The force of an inner pin on both links.
-    pub fn inner_pin(&mut self, p: &mut Polygon, at: PointId, links: [LinkId; 2], [m1, x, m2]: [MarkId; 3]) {
-        for (sides, ends) in [(links, [m1, x]), ([links[1], links[0]], [x, m2])] {
-            self.inner_side(p, at, sides, ends);
-        }
-    }
-
-    /// The force of an inner pin on the first of two links.
-    pub fn inner_side(&mut self, p: &mut Polygon, at: PointId, [link, other]: [LinkId; 2], ends: [MarkId; 2]) {
-        let id = self.measured(p, ends[0], ends[1]);
-        self.answers.pins.push((at, link, id));
-        let of = if parties(self.scene, at) == 2 { Party::Link(other) } else { Party::Pin(at) };
-        self.diagonal(p, (Term::Reaction { of, on: link, part: Part::Whole }, at), ends);
-    }
-
-    /// The force and couple of a guide on a link of the group: answers, and the load of the other link.
-    pub fn guided(&mut self, p: &mut Polygon, slide: Outer, ends: [MarkId; 2], couple: NumberId) {
-        let Outer::Slide { guide, on, by, at } = slide else { return };
-        let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
-        let opposite = self.number(&mut p.ops, Number::Negative(couple));
-        let of_slider = self.scene.guides[guide.0].slider == Some(on);
-        self.answers.guides.push(if of_slider { (guide, own, Some(couple)) } else { (guide, back, Some(opposite)) });
-        if by != self.scene.ground {
-            let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
-            self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: Some(opposite) });
-        }
-    }
-
-    /// The force of a slot on a link of the group, or of its pin on a slot there.
-    pub fn slotted(&mut self, p: &mut Polygon, guide: GuideId, on: LinkId, by: LinkId, at: PointId, ends: [MarkId; 2]) {
-        let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
-        let runner = if self.scene.guides[guide.0].on == on { back } else { own };
-        self.answers.guides.push((guide, runner, None));
-        if by != self.scene.ground {
-            let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
-            self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
-        }
-    }
-
-    /// The line of action of teeth, as a given vector: that of the force on the second link.
-    pub fn line_of_action(&self, rolling: RollingId) -> Base {
-        Base::Given(Key::of(self.balance.index() + 1 + rolling.0))
-    }
-
-    /// The force of a rolling pair on a link of the group, and its opposite on the other link.
-    pub fn meshed(&mut self, p: &mut Polygon, rolling: RollingId, [on, by]: [LinkId; 2], at: PointId, ends: [MarkId; 2]) {
-        let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
-        self.answers.rolling.push((rolling, if self.scene.rolling[rolling.0].links[1] == on { own } else { back }));
-        if by != self.scene.ground {
-            let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
-            self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
-        }
-    }
-
-    /// The force of a cylinder on a link, and its opposite at the far pin.
-    pub fn pushed(&mut self, p: &mut Polygon, driver: usize, on: LinkId, [at, far]: [PointId; 2], ends: [MarkId; 2]) {
-        let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
-        let kind = &self.scene.drivers[driver].kind;
-        let parts = kind.parts().to_vec();
-        for part in parts {
-            let here = kind.ends_of(part).is_some_and(|[first, _]| first == at);
-            self.answers.pins.push(if here { (at, part, back) } else { (far, part, own) });
-        }
-        if parties(self.scene, at) == 2 {
-            self.answers.pins.push((at, on, own));
-        }
-        // A cylinder pushes its second end away from its first.
-        let [a, b] = kind.ends().unwrap_or([far, at]);
-        let along = Direction::of(Base::Arm { from: self.mark(a), to: self.mark(b), known: false });
-        let [from, to] = if at == b { ends } else { [ends[1], ends[0]] };
-        let size = self.number(&mut p.ops, Number::Along(from, to, along));
-        self.answers.drivers.push((driver, size));
-        p.drivers.push((driver, size));
-        self.at_pin[far.0].push(OnPin { of: Party::Cylinder(driver), force: back });
-    }
-
-    /// The force of a driver along its guide on a link, and its opposite on the link that holds it.
-    pub fn pushed_along(&mut self, p: &mut Polygon, (driver, guide): (usize, GuideId), [on, by]: [LinkId; 2], ends: [MarkId; 2]) {
-        // It counts on what slides, in the sense of the guide.
-        let [from, to] = if self.scene.guides[guide.0].on == on { [ends[1], ends[0]] } else { ends };
-        let size = self.number(&mut p.ops, Number::Along(from, to, Direction::of(Base::Tangent(Key::of(guide.0), None))));
-        self.answers.drivers.push((driver, size));
-        p.drivers.push((driver, size));
-        if let Some(at) = reference(self.scene, guide).filter(|_| by != self.scene.ground) {
-            let back = self.measured(p, ends[1], ends[0]);
-            let term = Term::Reaction { of: Party::Driver(driver), on: by, part: Part::Whole };
-            self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
-        }
-    }
-
-    /// A couple on a link that a driver's moment makes.
-    pub fn turned(&mut self, p: &mut Polygon, against: LinkId, of: LinkId, moment: NumberId) {
-        if against != self.scene.ground {
-            let opposite = self.number(&mut p.ops, Number::Negative(moment));
-            let term = Term::Reaction { of: Party::Link(of), on: against, part: Part::Whole };
-            self.acting[against.0].push(Acting { term, force: None, couple: Some(opposite) });
-        }
-    }
-
     /// Appends acts of the plane before the polygon as a step of their own.
     pub fn on_plane(&mut self, ops: Vec<Op>) {
         if !ops.is_empty() {
@@ -422,18 +310,6 @@ impl Scribe<'_> {
         self.c.step(diagram, None, ops);
         self.groups.push(GroupForces { links: links.to_vec(), kind, diagram, vertices, sides, diagonals, moments, drivers });
     }
-}
-
-/// The part of a reaction that an outer joint puts on its link.
-pub(super) fn reaction(outer: &Outer, part: Part) -> Option<Term> {
-    let (of, on) = match *outer {
-        Outer::Pin { on, by, .. } => (by, on),
-        Outer::Slide { on, by, .. } | Outer::Slot { on, by, .. } | Outer::Mesh { on, by, .. } => (Party::Link(by), on),
-        Outer::Cylinder { driver, on, .. } => (Party::Cylinder(driver), on),
-        Outer::Balance { driver, on, .. } => (Party::Driver(driver), on),
-        Outer::Turn { .. } | Outer::Push { .. } => return None,
-    };
-    Some(Term::Reaction { of, on, part })
 }
 
 /// A unit vector square to a vector of the plane.

@@ -4,8 +4,9 @@
 //! of each link about S give the part of its outer reaction square to the arm from S, and the polygon of the whole group crosses the other two parts, as in a dyad with its
 //! inner pin in S. The diagonal between the first link and the rest is what the bars put on it; their lines divide it.
 
+use super::answers::reaction;
 use super::joints::{Joints, Outer, Pair};
-use super::scribe::{Acting, Polygon, Scribe, reaction, square_to};
+use super::scribe::{Acting, Polygon, Scribe, square_to};
 use super::{About, Gives, Moments, Part, Party, Term, another_kind};
 use crate::construction::{Base, Direction, Key, Line, MarkId, Name, Number, NumberId, Op};
 use hodograph_base::diag::{Both, both};

@@ -44,10 +44,8 @@ impl Page<'_> {
         // Both parts of a reaction are drawn where they were found.
         let own = |s: &&Side| match s.term {
             Term::Load(k) => group.links.contains(&self.of.loads[k].link),
-            Term::Reaction { of, on, .. } => {
-                let inside = matches!(of, hodograph_board::equilibrium::Party::Link(l) if group.links.contains(&l));
-                group.links.contains(&on) && !inside
-            }
+            // The path of a wheel presses on the link that carries its centre.
+            Term::Reaction { of, .. } => !matches!(of, hodograph_board::equilibrium::Party::Link(l) if group.links.contains(&l)),
         };
         for side in group.sides.iter().filter(own) {
             self.side(&mut d, side, largest, &self.known_at(group, side));

@@ -62,9 +62,7 @@ impl ForceWriter<'_> {
         // Reactions of groups that are drawn before.
         let inside = |of: Party| matches!(of, Party::Link(l) if group.links.contains(&l));
         let whole = |s: &Side| match s.term {
-            Term::Reaction { of, on, .. } if group.links.contains(&on) && !inside(of) => {
-                Some(self.symbol(Term::Reaction { of, on, part: Part::Whole }))
-            }
+            Term::Reaction { of, on, .. } if !inside(of) => Some(self.symbol(Term::Reaction { of, on, part: Part::Whole })),
             Term::Reaction { .. } | Term::Load(_) => None,
         };
         let mut unknown: Vec<String> = Vec::new();

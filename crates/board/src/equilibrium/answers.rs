@@ -1,0 +1,165 @@
+//! The answers that a polygon gives, and what a group does to the links that hold it.
+
+use super::joints::{Outer, party, reference};
+use super::scribe::{Acting, OnPin, Polygon, Scribe};
+use super::{Part, Party, Term};
+use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId};
+use hodograph_scene::quantity::parties;
+use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
+
+impl Scribe<'_> {
+    /// Puts the force of a pin on a link among the answers, its opposite on what holds the pin, and hands that on.
+    pub fn pinned(&mut self, p: &mut Polygon, at: PointId, on: LinkId, [from, to]: [MarkId; 2]) {
+        let (own, back) = (self.measured(p, from, to), self.measured(p, to, from));
+        self.answers.pins.push((at, on, own));
+        if let Party::Link(other) = party(self.scene, at, on) {
+            self.answers.pins.push((at, other, back));
+        }
+        self.at_pin[at.0].push(OnPin { of: Party::Link(on), force: back });
+    }
+
+    /// The force of an inner pin on both links.
+    pub fn inner_pin(&mut self, p: &mut Polygon, at: PointId, links: [LinkId; 2], [m1, x, m2]: [MarkId; 3]) {
+        for (sides, ends) in [(links, [m1, x]), ([links[1], links[0]], [x, m2])] {
+            self.inner_side(p, at, sides, ends);
+        }
+    }
+
+    /// The force of an inner pin on the first of two links.
+    pub fn inner_side(&mut self, p: &mut Polygon, at: PointId, [link, other]: [LinkId; 2], ends: [MarkId; 2]) {
+        let id = self.measured(p, ends[0], ends[1]);
+        self.answers.pins.push((at, link, id));
+        let of = if parties(self.scene, at) == 2 { Party::Link(other) } else { Party::Pin(at) };
+        self.diagonal(p, (Term::Reaction { of, on: link, part: Part::Whole }, at), ends);
+    }
+
+    /// The force and couple of a guide on a link of the group: answers, and the load of the other link.
+    pub fn guided(&mut self, p: &mut Polygon, slide: Outer, ends: [MarkId; 2], couple: NumberId) {
+        let Outer::Slide { guide, on, by, at } = slide else { return };
+        let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
+        let opposite = self.number(&mut p.ops, Number::Negative(couple));
+        let of_slider = self.scene.guides[guide.0].slider == Some(on);
+        self.answers.guides.push(if of_slider { (guide, own, Some(couple)) } else { (guide, back, Some(opposite)) });
+        if by != self.scene.ground {
+            let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
+            self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: Some(opposite) });
+        }
+    }
+
+    /// The force of a slot on a link of the group, or of its pin on a slot there.
+    pub fn slotted(&mut self, p: &mut Polygon, guide: GuideId, on: LinkId, by: Party, at: PointId, ends: [MarkId; 2]) {
+        let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
+        let runner = if self.scene.guides[guide.0].on == on { back } else { own };
+        self.answers.guides.push((guide, runner, None));
+        match by {
+            Party::Link(by) if by != self.scene.ground => {
+                let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
+                self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
+            }
+            Party::Pin(at) => self.at_pin[at.0].push(OnPin { of: Party::Link(on), force: back }),
+            Party::Link(_) | Party::Cylinder(_) | Party::Driver(_) => {}
+        }
+    }
+
+    /// The force of a pin that runs in a slot on the last of its links, from what the others put on it to the force of the slot.
+    pub fn held_in_slot(&mut self, p: &mut Polygon, at: PointId, on: LinkId, ends: [MarkId; 2]) {
+        if parties(self.scene, at) > 2 {
+            let own = self.measured(p, ends[0], ends[1]);
+            self.answers.pins.push((at, on, own));
+        }
+    }
+
+    /// The line of action of teeth, as a given vector: that of the force on the second link.
+    pub fn line_of_action(&self, rolling: RollingId) -> Base {
+        Base::Given(Key::of(self.balance.index() + 1 + rolling.0))
+    }
+
+    /// The force of a rolling pair on a link of the group, and its opposite on the other link.
+    pub fn meshed(&mut self, p: &mut Polygon, rolling: RollingId, [on, by]: [LinkId; 2], at: PointId, ends: [MarkId; 2]) {
+        let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
+        self.answers.rolling.push((rolling, if self.scene.rolling[rolling.0].links[1] == on { own } else { back }));
+        if by != self.scene.ground {
+            let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
+            self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
+        }
+    }
+
+    /// The force of a cylinder on a link, and its opposite at the far pin.
+    pub fn pushed(&mut self, p: &mut Polygon, driver: usize, on: LinkId, [at, far]: [PointId; 2], ends: [MarkId; 2]) {
+        let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
+        let kind = &self.scene.drivers[driver].kind;
+        let parts = kind.parts().to_vec();
+        for part in parts {
+            let here = kind.ends_of(part).is_some_and(|[first, _]| first == at);
+            self.answers.pins.push(if here { (at, part, back) } else { (far, part, own) });
+        }
+        if parties(self.scene, at) == 2 {
+            self.answers.pins.push((at, on, own));
+        }
+        // A cylinder pushes its second end away from its first.
+        let [a, b] = kind.ends().unwrap_or([far, at]);
+        let along = Direction::of(Base::Arm { from: self.mark(a), to: self.mark(b), known: false });
+        let [from, to] = if at == b { ends } else { [ends[1], ends[0]] };
+        let size = self.number(&mut p.ops, Number::Along(from, to, along));
+        self.answers.drivers.push((driver, size));
+        p.drivers.push((driver, size));
+        self.at_pin[far.0].push(OnPin { of: Party::Cylinder(driver), force: back });
+    }
+
+    /// The force of a driver along its guide on a link, and its opposite on the link that holds it.
+    pub fn pushed_along(&mut self, p: &mut Polygon, (driver, guide): (usize, GuideId), [on, by]: [LinkId; 2], ends: [MarkId; 2]) {
+        // It counts on what slides, in the sense of the guide.
+        let [from, to] = if self.scene.guides[guide.0].on == on { [ends[1], ends[0]] } else { ends };
+        let size = self.number(&mut p.ops, Number::Along(from, to, Direction::of(Base::Tangent(Key::of(guide.0), None))));
+        self.answers.drivers.push((driver, size));
+        p.drivers.push((driver, size));
+        if let Some(at) = reference(self.scene, guide).filter(|_| by != self.scene.ground) {
+            let back = self.measured(p, ends[1], ends[0]);
+            let term = Term::Reaction { of: Party::Driver(driver), on: by, part: Part::Whole };
+            self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
+        }
+    }
+
+    /// A couple on a link that a driver's moment makes.
+    pub fn turned(&mut self, p: &mut Polygon, against: LinkId, of: LinkId, moment: NumberId) {
+        if against != self.scene.ground {
+            let opposite = self.number(&mut p.ops, Number::Negative(moment));
+            let term = Term::Reaction { of: Party::Link(of), on: against, part: Part::Whole };
+            self.acting[against.0].push(Acting { term, force: None, couple: Some(opposite) });
+        }
+    }
+}
+
+/// The part of a reaction that an outer joint puts on its link.
+pub(super) fn reaction(outer: &Outer, part: Part) -> Option<Term> {
+    let (of, on) = match *outer {
+        Outer::Pin { on, by, .. } | Outer::Slot { on, by, .. } => (by, on),
+        Outer::Slide { on, by, .. } | Outer::Mesh { on, by, .. } => (Party::Link(by), on),
+        Outer::Cylinder { driver, on, .. } => (Party::Cylinder(driver), on),
+        Outer::Balance { driver, on, .. } => (Party::Driver(driver), on),
+        Outer::Turn { .. } | Outer::Push { .. } => return None,
+    };
+    Some(Term::Reaction { of, on, part })
+}
+
+/// The force of a joint that presses along one line. Of a wheel on its track the friction and the force of the path that holds it are parts of one force.
+pub(super) fn pressing(scene: &Scene, outer: &Outer) -> Option<Term> {
+    match *outer {
+        Outer::Mesh { rolling, on, by, .. } if scene.rolling[rolling.0].guide().is_some() => {
+            Some(Term::Reaction { of: Party::Link(by), on, part: Part::Tangential })
+        }
+        Outer::Slot { guide, on, .. } if scene.guides[guide.0].rolling.is_some() => {
+            let [track, wheel] = scene.rolling[scene.guides[guide.0].rolling?.0].links;
+            let (of, on) = if on == track { (wheel, track) } else { (track, wheel) };
+            Some(Term::Reaction { of: Party::Link(of), on, part: Part::Normal })
+        }
+        Outer::Pin { .. }
+        | Outer::Slide { .. }
+        | Outer::Slot { .. }
+        | Outer::Mesh { .. }
+        | Outer::Cylinder { .. }
+        | Outer::Turn { .. }
+        | Outer::Balance { .. }
+        | Outer::Push { .. } => reaction(outer, Part::Whole),
+    }
+}

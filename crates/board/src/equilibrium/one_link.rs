@@ -1,0 +1,161 @@
+//! A link in equilibrium by itself: a driver, or a link with a pivot or a guide and one line of action.
+
+use super::answers::{pressing, reaction};
+use super::joints::{Outer, reference};
+use super::methods::{normal, tangent};
+use super::scribe::{Acting, Polygon, Scribe};
+use super::{About, Gives, Part, Party, Term};
+use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId, Op};
+use hodograph_scene::{LinkId, PointId};
+
+impl Scribe<'_> {
+    /// A link on a pivot that a driver turns.
+    pub(super) fn driven(&mut self, link: LinkId, pivot: PointId, driver: usize, against: LinkId) {
+        let acting = self.all_on(link, &[pivot]);
+        let mut ops = Vec::new();
+        let mut moments = self.moments(&mut ops, &[link], &acting, About::Point(pivot), Gives::Driver(driver));
+        let balance = self.balancing(&mut ops, &moments);
+        moments.value = balance;
+        self.on_plane(ops);
+        let mut p = self.polygon();
+        p.moments.push(moments);
+        let start = p.last;
+        self.lay_all(&mut p, &acting);
+        let end = p.last;
+        let of = super::joints::party(self.scene, pivot, link);
+        self.side(&mut p, (Term::Reaction { of, on: link, part: Part::Whole }, pivot), [end, start], false);
+        self.pinned(&mut p, pivot, link, [end, start]);
+        self.answers.drivers.push((driver, balance));
+        self.answers.balance = self.scene.loads.balance.as_ref().map(|_| balance);
+        p.drivers.push((driver, balance));
+        self.turned(&mut p, against, link, balance);
+        self.finish(p, &[link], "driver");
+    }
+
+    /// The line of action of a joint that presses along one line, and a point of it.
+    fn line_of(&self, touch: &Outer) -> Option<(Base, PointId)> {
+        match *touch {
+            Outer::Slot { guide, at, .. } => Some((Base::Normal(Key::of(guide.0), self.mark(at)), at)),
+            Outer::Cylinder { at, far, .. } => Some((Base::Arm { from: self.mark(far), to: self.mark(at), known: false }, at)),
+            Outer::Mesh { rolling, at, .. } => Some((self.line_of_action(rolling), at)),
+            Outer::Balance { at, .. } => Some((Base::Given(self.balance), at)),
+            Outer::Push { guide, .. } => Some((tangent(guide), reference(self.scene, guide)?)),
+            Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } => None,
+        }
+    }
+
+    /// A link on a pivot with one line of action.
+    pub(super) fn on_a_pivot(&mut self, link: LinkId, pin: Outer, touch: Outer) {
+        let (Outer::Pin { at: pivot, .. }, Some((line, at)), Some(term)) = (pin, self.line_of(&touch), pressing(self.scene, &touch)) else {
+            return;
+        };
+        let mut acting = self.all_on(link, &[pivot, at]);
+        let own = acting.len();
+        acting.extend(self.pin_loads_beside(&touch, at, link));
+        let mut ops = Vec::new();
+        let mut moments = self.moments(&mut ops, &[link], &acting, About::Point(pivot), Gives::Force(term, at));
+        let turning = self.balancing(&mut ops, &moments);
+        let size = self.by_arm(&mut ops, turning, line, self.mark(at), self.mark(pivot));
+        moments.value = size;
+        if let Outer::Balance { driver, .. } = touch {
+            // The moment that the force has about the pivot gives the power.
+            self.answers.drivers.push((driver, turning));
+            self.answers.balance = Some(size);
+        }
+        self.on_plane(ops);
+        let mut p = self.polygon();
+        p.moments.push(moments);
+        let start = p.last;
+        self.lay_all(&mut p, &acting[..own]);
+        let before = p.last;
+        self.lay_all(&mut p, &acting[own..]);
+        let loaded = p.last;
+        self.laid(&mut p, (term, at), Direction::of(line).unit(), size);
+        let end = p.last;
+        if matches!(touch, Outer::Slot { .. }) && self.scene.links[link.0].points.contains(&at) {
+            self.held_in_slot(&mut p, at, link, [before, end]);
+        }
+        if let Some(term) = reaction(&pin, Part::Whole) {
+            self.side(&mut p, (term, pivot), [end, start], false);
+        }
+        self.pinned(&mut p, pivot, link, [end, start]);
+        self.touched(&mut p, &touch, [loaded, end]);
+        self.finish(p, &[link], if matches!(touch, Outer::Balance { .. }) { "driver" } else { "RH" });
+    }
+
+    /// What other links put on a pin at which a slot or a balancing force acts on the link.
+    fn pin_loads_beside(&mut self, touch: &Outer, at: PointId, link: LinkId) -> Vec<Acting> {
+        let pinned = self.scene.links[link.0].points.contains(&at);
+        let counts = matches!(touch, Outer::Slot { .. } | Outer::Balance { .. });
+        if pinned && counts { self.pin_loads(at, link) } else { Vec::new() }
+    }
+
+    /// The force along a line through a mark that has a moment about another.
+    pub(super) fn by_arm(&mut self, ops: &mut Vec<Op>, turning: NumberId, line: Base, at: MarkId, about: MarkId) -> NumberId {
+        let unit = self.number(ops, Number::Moment { force: line, at, about });
+        let length = self.c.number(Number::Length(line));
+        let arm = self.c.number(Number::Quotient(unit, length));
+        self.number(ops, Number::Quotient(turning, arm))
+    }
+
+    /// Answers of a joint that presses along one line, and the load of what is on its other side.
+    pub(super) fn touched(&mut self, p: &mut Polygon, touch: &Outer, ends: [MarkId; 2]) {
+        match *touch {
+            Outer::Slot { guide, at, on, by } => self.slotted(p, guide, on, by, at, ends),
+            Outer::Mesh { rolling, at, on, by } => self.meshed(p, rolling, [on, by], at, ends),
+            Outer::Cylinder { driver, at, far, on } => self.pushed(p, driver, on, [at, far], ends),
+            Outer::Push { driver, guide, on, by } => self.pushed_along(p, (driver, guide), [on, by], ends),
+            Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } | Outer::Balance { .. } => {}
+        }
+    }
+
+    /// A link in a guide with one more line of action.
+    pub(super) fn in_a_guide(&mut self, link: LinkId, slide: Outer, touch: Outer) {
+        let (Outer::Slide { guide, at: counted, .. }, Some((line, at))) = (slide, self.line_of(&touch)) else { return };
+        let driver = match touch {
+            Outer::Push { driver, .. } => Some(Term::Reaction { of: Party::Driver(driver), on: link, part: Part::Whole }),
+            Outer::Pin { .. }
+            | Outer::Slide { .. }
+            | Outer::Slot { .. }
+            | Outer::Mesh { .. }
+            | Outer::Cylinder { .. }
+            | Outer::Turn { .. }
+            | Outer::Balance { .. } => pressing(self.scene, &touch),
+        };
+        let moved = matches!(touch, Outer::Push { .. } | Outer::Balance { .. });
+        let held = if moved { vec![] } else { vec![at] };
+        let mut acting = self.all_on(link, &held);
+        let own = acting.len();
+        if matches!(touch, Outer::Slot { .. }) {
+            acting.extend(self.pin_loads_beside(&touch, at, link));
+        }
+        let mut p = self.polygon();
+        let start = p.last;
+        self.lay_all(&mut p, &acting[..own]);
+        let before = p.last;
+        self.lay_all(&mut p, &acting[own..]);
+        let end = p.last;
+        let lines = [self.line(&mut p, start, normal(guide)), self.line(&mut p, end, Direction::of(line))];
+        let x = self.meet(&mut p, lines);
+        if let Some(term) = reaction(&slide, Part::Whole) {
+            self.side(&mut p, (term, counted), [x, start], true);
+        }
+        let mut all = acting.clone();
+        if let Some(term) = driver {
+            self.side(&mut p, (term, at), [end, x], false);
+            let force = self.measured(&mut p, end, x);
+            all.push(Acting { term, force: Some((Base::Measured(force), at)), couple: None });
+        }
+        if matches!(touch, Outer::Slot { .. }) && self.scene.links[link.0].points.contains(&at) {
+            self.held_in_slot(&mut p, at, link, [before, x]);
+        }
+        if let Outer::Balance { driver, .. } = touch {
+            self.answers.balance = Some(self.number(&mut p.ops, Number::Along(end, x, Direction::of(line))));
+            let along = self.number(&mut p.ops, Number::Along(end, x, Direction::of(tangent(guide))));
+            self.answers.drivers.push((driver, along));
+        }
+        self.touched(&mut p, &touch, [end, x]);
+        self.offset(&mut p, slide, &all, [x, start]);
+        self.finish(p, &[link], if moved { "driver" } else { "PH" });
+    }
+}
