@@ -2,7 +2,7 @@
 
 use super::answers::reaction;
 use super::joints::{Joints, Outer, Pair, reference};
-use super::scribe::{Acting, Scribe, square_to};
+use super::scribe::{Acting, Polygon, Scribe, square_to};
 use super::{About, Gives, Part, Party, Term, another_kind};
 use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId};
 use hodograph_base::diag::Both;
@@ -33,8 +33,17 @@ impl Scribe<'_> {
                 if !bears(&first) || !bears(&second) {
                     return Err(another_kind());
                 }
-                self.on_a_pin([*a, *b], *c, [first, second]);
+                self.on_a_pin([&[*a], &[*b]], *c, [first, second]);
                 Ok(())
+            }
+            ([_, _, _], [Pair::Pin(c), Pair::Slide { guide, slider, on }] | [Pair::Slide { guide, slider, on }, Pair::Pin(c)], [x, y]) => {
+                match self.ram(links, *c, (*guide, *slider, *on), [*x, *y]) {
+                    Some((ram, moved, outer)) => {
+                        self.on_a_ram(&ram, moved, *c, outer);
+                        Ok(())
+                    }
+                    None => self.on_three_legs(links, joints, at),
+                }
             }
             ([_, _], [Pair::Slide { guide, slider, on }], [x, y]) => {
                 let of = |link: LinkId| [x, y].into_iter().copied().find(|o| carries(o) == Some(link));
@@ -82,8 +91,24 @@ impl Scribe<'_> {
         }
     }
 
-    /// RRR, RRP, PRP: two links on an inner pin.
-    fn on_a_pin(&mut self, links: [LinkId; 2], inner: PointId, outer: [Outer; 2]) {
+    /// RRR, RRP, PRP: two links on an inner pin. Either may be two that a driver holds as one, the last of which has the pin.
+    fn on_a_pin(&mut self, bodies: [&[LinkId]; 2], inner: PointId, outer: [Outer; 2]) {
+        let kind = match outer.map(|o| matches!(o, Outer::Pin { .. })) {
+            [true, true] => "RRR",
+            [false, false] => "PRP",
+            _ => "RRP",
+        };
+        let (p, ..) = self.around_a_pin(bodies, inner, outer);
+        self.finish(p, &bodies.concat(), kind);
+    }
+
+    /// The polygon of two bodies on an inner pin, the loads of the last link of the first body, and the vertices around them and the force of the pin.
+    pub(super) fn around_a_pin(
+        &mut self,
+        bodies: [&[LinkId]; 2],
+        inner: PointId,
+        outer: [Outer; 2],
+    ) -> (Polygon, Vec<Acting>, [MarkId; 3]) {
         let held = |o: &Outer| match *o {
             Outer::Pin { at, .. } => vec![at, inner],
             Outer::Slide { .. }
@@ -94,7 +119,14 @@ impl Scribe<'_> {
             | Outer::Balance { .. }
             | Outer::Push { .. } => vec![inner],
         };
-        let acting = [0, 1].map(|k| self.all_on(links[k], &held(&outer[k])));
+        let links = bodies.map(|body| body[body.len() - 1]);
+        // The link with the inner pin stands beside it in the polygon.
+        let pinned = [0, 1].map(|k| self.all_on(links[k], &held(&outer[k])));
+        let others = [0, 1].map(|k| {
+            let others = &bodies[k][..bodies[k].len() - 1];
+            others.iter().flat_map(|l| self.all_on(*l, &held(&outer[k]))).collect::<Vec<Acting>>()
+        });
+        let acting = [[&others[0][..], &pinned[0]].concat(), [&pinned[1][..], &others[1]].concat()];
         let mut ops = Vec::new();
         let mut moments = Vec::new();
         // The part square to the bar, where something turns it about the inner pin.
@@ -104,7 +136,7 @@ impl Scribe<'_> {
                 return None;
             }
             let term = reaction(&outer[k], Part::Tangential)?;
-            let of = self.moments(&mut ops, &links[k..=k], &acting[k], About::Point(inner), Gives::Force(term, at));
+            let of = self.moments(&mut ops, bodies[k], &acting[k], About::Point(inner), Gives::Force(term, at));
             let bar = Base::Arm { from: self.mark(inner), to: self.mark(at), known: false };
             Some(((term, at), self.across(&mut ops, &mut moments, of, bar)?, bar))
         });
@@ -116,7 +148,9 @@ impl Scribe<'_> {
             self.laid(&mut p, term, square_to(bar), value);
         }
         let first = p.last;
-        self.lay_all(&mut p, &acting[0]);
+        self.lay_all(&mut p, &others[0]);
+        let between = p.last;
+        self.lay_all(&mut p, &pinned[0]);
         let before = p.last;
         let on_pin = self.pin_loads(inner, links[0]);
         self.lay_all(&mut p, &on_pin);
@@ -175,16 +209,12 @@ impl Scribe<'_> {
                 | Outer::Push { .. } => {}
             }
         }
-        let kind = match outer.map(|o| matches!(o, Outer::Pin { .. })) {
-            [true, true] => "RRR",
-            [false, false] => "PRP",
-            _ => "RRP",
-        };
-        self.finish(p, &links, kind);
+        let [loads, _] = pinned;
+        (p, loads, [between, before, x])
     }
 
     /// The couple of an outer guide about its point, from all else that acts on its link; answers, and the load of the other link.
-    pub(super) fn offset(&mut self, p: &mut super::scribe::Polygon, slide: Outer, acting: &[Acting], ends: [MarkId; 2]) {
+    pub(super) fn offset(&mut self, p: &mut Polygon, slide: Outer, acting: &[Acting], ends: [MarkId; 2]) {
         let Outer::Slide { guide, on, at, .. } = slide else { return };
         let mut moments = self.moments(&mut p.ops, &[on], acting, About::Point(at), Gives::Offset(guide));
         let couple = self.balancing(&mut p.ops, &moments);
@@ -243,7 +273,7 @@ impl Scribe<'_> {
     /// The couple of an inner guide on a link pinned at `pin`, and its answers; the force counts at `place`. Returns the couple.
     pub(super) fn inner_guide(
         &mut self,
-        p: &mut super::scribe::Polygon,
+        p: &mut Polygon,
         guide: GuideId,
         on: LinkId,
         (pin, place): (PointId, PointId),

@@ -17,6 +17,7 @@ mod legs;
 mod lever;
 mod methods;
 mod one_link;
+mod ram;
 mod scribe;
 mod two_bars;
 
