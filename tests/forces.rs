@@ -6,6 +6,8 @@ mod drawn;
 mod lever;
 #[path = "forces/sweeps.rs"]
 mod sweeps;
+#[path = "forces/wheels.rs"]
+mod wheels;
 
 use hodograph::answer::{Source, Value};
 use hodograph::certified::ladder::{Part, certify};

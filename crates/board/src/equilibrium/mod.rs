@@ -4,8 +4,8 @@
 //! crosses the other two. The forces on one link stand together in the polygon, so that the inner reaction is a diagonal. What a group does to those
 //! that it rests on is their load. The driver comes last, with the balancing moment.
 //!
-//! Methods: RRR, RRP, RPR, PRP and RPP dyads, a link with a pivot or a slide and one line of action (a pin in a slot, a cylinder), a link on three legs, two links that two
-//! bars join, and drivers. A group of another kind is not drawn, and neither is what rests on its reactions; [`Equilibrium::undrawn`] names it.
+//! Methods: RRR, RRP, RPR, PRP and RPP dyads, a ram that moves a link, a link with a pivot or a slide and one line of action (a pin in a slot, teeth, a cylinder),
+//! a link on three legs, two links that two bars join, and drivers. A group of another kind is not drawn, and neither is what rests on its reactions; [`Equilibrium::undrawn`] names it.
 //!
 //! # Source
 //! 孙桓, 陈作模, 葛文杰: 机械原理, ch. 4; R. L. Norton, *Design of Machinery*, ch. 11.
@@ -17,24 +17,27 @@ mod legs;
 mod lever;
 mod methods;
 mod one_link;
+mod posed;
 mod ram;
 mod scribe;
 mod two_bars;
+
+use posed::Posed;
 
 pub use acts::Act;
 pub use lever::{Lever, LeverForce};
 
 use crate::construct::scale::fitted;
 use crate::construction::pencil::Exact;
-use crate::construction::{Construction, DiagramId, Drawn, Givens, Key, MarkId, NumberId, Track, VectorId, draw};
+use crate::construction::{Construction, DiagramId, Drawn, MarkId, NumberId, VectorId, draw};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::kind::{ByKind, Kind};
 use hodograph_mechanism::answer::Source;
-use hodograph_mechanism::force::{Load, completed, is_determined, loads, pressure_angle, rubbing, settled, unit_balance, with_friction};
+use hodograph_mechanism::force::{Load, completed, is_determined, loads, rubbing, settled, unit_balance, with_friction};
 use hodograph_mechanism::mechanism::Mechanism;
-use hodograph_mechanism::position::{Configuration, Path};
-use hodograph_scene::quantity::{Forces, Wrench};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::quantity::{Forces, Wrench, parties};
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
 /// A force in an equation of equilibrium.
@@ -343,7 +346,16 @@ fn extent_of(group: &GroupForces, drawn: &Drawn) -> [f64; 2] {
 /// The forces that the drawing gives. Reactions of groups that are not drawn are missing.
 fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answers: &Answers, drawn: &Drawn) -> Option<Forces> {
     let vector = |n: &NumberId| drawn.vector(*n);
-    let pins: Vec<(PointId, LinkId, Vec2)> = answers.pins.iter().filter_map(|(p, l, n)| Some((*p, *l, vector(n)?))).collect();
+    let mut pins: Vec<(PointId, LinkId, Vec2)> = answers.pins.iter().filter_map(|(p, l, n)| Some((*p, *l, vector(n)?))).collect();
+    // What several links put on a pin of the ground, the ground bears.
+    for p in scene.links[scene.ground.0].points.iter().copied().filter(|p| parties(scene, *p) > 2) {
+        let others: Vec<LinkId> = scene.carriers(p).filter(|l| *l != scene.ground).collect();
+        let force = |l: &LinkId| pins.iter().find(|(at, on, _)| (*at, *on) == (p, *l)).map(|(.., force)| *force);
+        let all: Option<Vec<Vec2>> = others.iter().map(force).collect();
+        if let Some(all) = all.filter(|_| parties(scene, p) == others.len() + 1) {
+            pins.push((p, scene.ground, all.into_iter().fold(Vec2::ZERO, |sum, force| sum - force)));
+        }
+    }
     let guides: Vec<(GuideId, Wrench)> = answers
         .guides
         .iter()
@@ -390,58 +402,4 @@ fn senses_of(scene: &Scene, at: &Configuration, forces: &Forces) -> Vec<f64> {
 /// The reason for which a group is not drawn.
 fn another_kind() -> Both {
     both!("no construction is known for groups of this kind", "此类杆组没有作图方法")
-}
-
-/// The givens of a construction of forces: places, loads, guides.
-struct Posed<'a> {
-    scene: &'a Scene,
-    at: &'a Configuration,
-    loads: &'a [Load],
-    /// The sense in which each rolling pair presses along its tangent.
-    senses: &'a [f64],
-    extent: f64,
-}
-
-impl Givens<f64> for Posed<'_> {
-    fn place(&self, key: Key) -> Option<Point> {
-        self.at.points[key.index()]
-    }
-
-    fn number(&self, key: Key) -> f64 {
-        self.loads[key.index()].wrench.couple
-    }
-
-    fn vector(&self, key: Key) -> Option<Vec2> {
-        match key.index().checked_sub(self.loads.len()) {
-            None => Some(self.loads[key.index()].wrench.force),
-            Some(0) => Some(unit_balance(self.scene, self.at)?.wrench.force),
-            Some(k) => {
-                let rolling = RollingId(k - 1);
-                let n = self.at.normal(self.scene, rolling)?;
-                let angle = pressure_angle(&self.scene.rolling[rolling.0]);
-                (n.perp() + n * (self.senses[rolling.0] * libm::tan(angle))).unit()
-            }
-        }
-    }
-
-    fn path(&self, key: Key) -> Option<Track<f64>> {
-        Some(match self.at.guides[key.index()]? {
-            Path::Line { direction, .. } => Track::Line(direction),
-            Path::Arc { centre, radius } => Track::Arc { centre, radius },
-        })
-    }
-
-    fn reach(&self, _: Key) -> f64 {
-        self.extent
-    }
-
-    fn origin(&self) -> Point {
-        let of_ground = self.scene.links[self.scene.ground.0].points.iter();
-        let mut all = of_ground.chain(self.scene.links.iter().flat_map(|l| &l.points));
-        all.find_map(|p| self.at.points[p.0]).unwrap_or(Point::ORIGIN)
-    }
-
-    fn extent(&self) -> f64 {
-        self.extent
-    }
 }

@@ -1,0 +1,83 @@
+//! Gears and wheels under loads: drawing against rows, and the direction in which teeth press.
+
+use super::{answer, loaded};
+use hodograph::answer::Value;
+use hodograph::force::pressure_angle;
+use hodograph::scene::quantity::{Contact, contacts, parties};
+use hodograph::scene::{self, PointId, RollingId, Scene, driver_position, templates, with_driver_at};
+use hodograph::worked::{Scope, Worked, work};
+use serde_json::json;
+
+/// A template with forces and couples on all links, asked for the reactions of pins and contacts.
+fn asked(name: &str) -> Option<Scene> {
+    let text = templates::get(name).ok()?;
+    let plain = scene::read(text).ok()?.value;
+    let (mut json, _) = loaded(text, &plain);
+    let forces = json["forces"].as_array_mut()?;
+    for (k, link) in plain.links.iter().enumerate().filter(|(k, _)| *k != plain.ground.0) {
+        forces.push(json!({"on": link.name, "M": format!("{} N*m", 5.0 - 3.0 * k as f64)}));
+    }
+    let link = |l| plain.link_name(l);
+    let mut find: Vec<String> = Vec::new();
+    for a in 0..plain.links.len() {
+        for b in a + 1..plain.links.len() {
+            let [a, b] = [a, b].map(scene::LinkId);
+            if let [Contact::Pin(_) | Contact::Rolling(..)] = contacts(&plain, a, b)[..] {
+                find.push(format!("F_{},{}", link(a), link(b)));
+            }
+        }
+    }
+    for p in (0..plain.points.len()).map(PointId).filter(|p| parties(&plain, *p) > 2) {
+        find.extend(plain.carriers(p).map(|l| format!("F_{}{}", plain.point_name(p), link(l))));
+    }
+    find.push("P".into());
+    json["find"] = json!(find);
+    scene::read(json.to_string()).ok().map(|read| read.value)
+}
+
+/// How far the force of teeth is from the line of action: the tangent of its angle to the common tangent less that of the pressure angle.
+fn off_the_line_of_action(scene: &Scene, worked: &Worked, r: RollingId) -> Option<f64> {
+    let pair = &scene.rolling[r.0];
+    if !pair.kind.is_toothed() || pair.guide().is_some() {
+        return None;
+    }
+    let [a, b] = pair.links;
+    let names = [(a, b), (b, a)].map(|(a, b)| format!("F_{},{}", scene.link_name(a), scene.link_name(b)));
+    let Value::Vector(force) = names.iter().find_map(|find| answer(scene, worked, find))? else { return None };
+    let n = worked.configuration.normal(scene, r)?;
+    let along = force.dot(n.perp()).abs();
+    (along > 1e-6).then(|| force.dot(n).abs() / along - pressure_angle(pair).tan())
+}
+
+#[test]
+fn gears_and_wheels_are_drawn_as_the_rows_have_them() {
+    let names = ["gear-linkage", "geared-five-bar", "planetary-gear", "hypocycloid", "sun-and-planet", "wheel-in-groove"];
+    let (mut drawn, mut pressed) = (0, 0);
+    let mut failures = Vec::new();
+    for name in names {
+        let scene = asked(name).unwrap_or_else(|| panic!("{name}"));
+        for turned in [0.0, 0.7, 2.1, -1.3] {
+            let Some(start) = driver_position(&scene, 0) else { continue };
+            let there = with_driver_at(&scene, 0, start + turned);
+            let Ok(worked) = work(&there, Scope::Questions) else { continue };
+            let worked = worked.value;
+            for r in &worked.results {
+                let text = &there.find[r.find].text;
+                match r.agreement {
+                    Some(a) if a.holds() => drawn += 1,
+                    Some(a) => failures.push(format!("{name} at {turned}: {text} {a:?}")),
+                    None => failures.push(format!("{name} at {turned}: {text} is not drawn")),
+                }
+            }
+            for r in (0..there.rolling.len()).map(RollingId) {
+                let Some(off) = off_the_line_of_action(&there, &worked, r) else { continue };
+                pressed += 1;
+                if off.abs() > 1e-9 {
+                    failures.push(format!("{name} at {turned}: teeth {r:?} press {off} off their line of action"));
+                }
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
+    assert!(drawn >= 100 && pressed >= 12, "{drawn} drawn, {pressed} pressed");
+}
