@@ -4,6 +4,7 @@
 
 mod extra;
 mod fonts;
+mod forces;
 mod geared;
 mod legible;
 mod motion;
