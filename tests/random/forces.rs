@@ -1,6 +1,7 @@
 //! Random mechanisms under random loads: drawing = rows of the whole mechanism = virtual work, and the digits that are printed of the power of the drivers against 200 bits.
 
 use crate::emit::{self, Ask, Pose};
+use crate::free_bodies;
 use crate::properties::{mechanism, seeds, style};
 use crate::rng::Rng;
 use crate::wide::every;
@@ -20,13 +21,13 @@ use serde_json::{Value as Json, json};
 const DIGITS: usize = 10;
 
 /// The loads of a link: a force and a couple at a point, where its mass lies too.
-struct Load {
-    link: LinkId,
-    at: PointId,
-    force: [f64; 2],
-    couple: f64,
-    mass: f64,
-    inertia: f64,
+pub struct Load {
+    pub link: LinkId,
+    pub at: PointId,
+    pub force: [f64; 2],
+    pub couple: f64,
+    pub mass: f64,
+    pub inertia: f64,
 }
 
 /// Loads on some of the links that have points.
@@ -124,6 +125,22 @@ fn by_work(scene: &Scene, worked: &Worked, loads: &[Load]) -> Option<Big> {
     Some(big(0.0) - power)
 }
 
+/// The force that a question asks for, of the forces of pins on links: `F_a,b` of a pin of two links, `F_Pl` of one of more.
+fn of_pin(scene: &Scene, find: &str, all: &[(PointId, LinkId, Vec2<Big>)]) -> Option<Vec2<Big>> {
+    let asks = |(p, on, _): &&(PointId, LinkId, Vec2<Big>)| {
+        let link = scene.link_name(*on);
+        let alone = find == format!("F_{}{link}", scene.point_name(*p));
+        let others = scene.carriers(*p).filter(|l| l != on).map(|l| format!("F_{},{link}", scene.link_name(l)));
+        alone || parties(scene, *p) == 2 && others.into_iter().any(|text| text == find)
+    };
+    all.iter().find(asks).map(|(.., force)| *force)
+}
+
+/// The direction of a vector in degrees.
+fn degrees(v: Vec2<Big>) -> f64 {
+    (v.y.atan2(v.x) * Big::from_f64(180.0) / (Big::from_f64(0.0).atan2(Big::from_f64(-1.0)))).approx()
+}
+
 /// One unit of the last of so many significant digits.
 fn last_place(value: f64, digits: usize) -> f64 {
     10f64.powi(value.abs().log10().floor() as i32 + 1 - digits as i32)
@@ -131,7 +148,7 @@ fn last_place(value: f64, digits: usize) -> f64 {
 
 #[test]
 fn random_loads_are_balanced_three_ways() {
-    let (mut compared, mut drawn, mut balanced, mut proven, mut digits) = (0, 0, 0, 0, 0);
+    let (mut compared, mut drawn, mut balanced, mut proven, mut digits, mut reactions) = (0, 0, 0, 0, 0, 0);
     let mut failures = Vec::new();
     for seed in seeds(400) {
         let Some(m) = mechanism(seed).filter(|m| !m.coordinates_only && m.groups.len() <= 8) else { continue };
@@ -158,8 +175,26 @@ fn random_loads_are_balanced_three_ways() {
                 failures.push(format!("seed {seed}: {} {a:?}", scene.find[r.find].text));
             }
         }
-        let Some(k) = worked.results.iter().position(|r| scene.find[r.find].text == "P") else { continue };
         let told = certify(&scene, &worked, DIGITS);
+        if balance.is_none() {
+            within(truth::BITS, || {
+                let Some(true_values) = free_bodies::reactions(&scene, &worked, &loads) else { return };
+                for (r, c) in worked.results.iter().zip(&told) {
+                    let find = &scene.find[r.find].text;
+                    let Some(value) = of_pin(&scene, find, &true_values) else { continue };
+                    let numbers = [(Part::Magnitude, value.norm().approx()), (Part::Direction, degrees(value))];
+                    for (part, value) in numbers.into_iter().filter(|(_, value)| value.abs() > 1e-9) {
+                        let Some((printed, count)) = c.part(part).and_then(|n| n.text(DIGITS)) else { continue };
+                        reactions += 1;
+                        let off = (printed.parse::<f64>().unwrap() - value).abs();
+                        if off.min((off - 360.0).abs()) > 0.5001 * last_place(value, count) {
+                            failures.push(format!("seed {seed}: {find} is printed as {printed}, by the free bodies {value}"));
+                        }
+                    }
+                }
+            });
+        }
+        let Some(k) = worked.results.iter().position(|r| scene.find[r.find].text == "P") else { continue };
         within(truth::BITS, || {
             let Some(true_value) = by_work(&scene, &worked, &loads) else { return };
             let Value::Scalar(computed) = worked.results[k].computed else { return };
@@ -180,10 +215,16 @@ fn random_loads_are_balanced_three_ways() {
             }
         });
     }
-    println!("{compared} answers, {drawn} drawn, {balanced} balancing forces among them, {proven} powers by work, {digits} printed");
+    println!(
+        "{compared} answers, {drawn} drawn, {balanced} balancing forces among them, {proven} powers by work, {digits} printed, {reactions} printed numbers of reactions"
+    );
     assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
     assert!(
-        compared > 1500 / every(8) && drawn > 500 / every(8) && balanced > 4 / every(8) && digits > 100 / every(8),
-        "{compared} answers, {drawn} drawn, {digits} printed"
+        compared > 1500 / every(8)
+            && drawn > 500 / every(8)
+            && balanced > 4 / every(8)
+            && digits > 100 / every(8)
+            && reactions > 400 / every(8),
+        "{compared} answers, {drawn} drawn, {digits} powers and {reactions} numbers of reactions printed"
     );
 }

@@ -18,6 +18,7 @@ mod dead;
 mod digits;
 mod emit;
 mod forces;
+mod free_bodies;
 mod groups;
 mod grown;
 mod higher;
