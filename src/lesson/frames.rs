@@ -20,7 +20,7 @@ use crate::worked::{Worked, work_placed, work_pose};
 
 use super::curve;
 use super::split::{Split, split};
-use super::zoom::{Windows, Zoom};
+use super::zoom::{Ends, Windows, Zoom};
 use crate::sweep::follow::{Follower, Pose, Sweep, between};
 
 /// A pose with all that is known of it.
@@ -282,7 +282,7 @@ impl Maker<'_> {
             let (split, label_mm) = split(&own_poses, on, self.style, self.notation);
             let ends =
                 |w: &Worked, part| split.as_ref().map_or_else(Vec::new, |s: &Split| s.ends(w, on, part).into_iter().flatten().collect());
-            let parts: Option<&dyn Fn(&Worked, usize) -> Vec<Point>> = if split.is_some() { Some(&ends) } else { None };
+            let parts: Option<Ends> = if split.is_some() { Some(&ends) } else { None };
             (Zoom::of(&self.scene.paper, &poses, &common, on, boxes, parts, &label_mm), split)
         };
         let (mut zooms, mut splits) = (ByKind::default(), ByKind::default());

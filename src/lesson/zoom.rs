@@ -76,6 +76,9 @@ pub struct Windows {
     half: [f64; 2],
 }
 
+/// The ends of the vectors in a part of a pose's polygon (SI).
+pub type Ends<'a> = &'a dyn Fn(&Worked, usize) -> Vec<Point>;
+
 /// What a drawing of a pose's polygon holds.
 struct Sight {
     /// How far what moves has gone.
@@ -90,14 +93,14 @@ struct Sight {
 
 impl Zoom {
     /// That of a polygon that `common` has a scale for; `None` where there is no such polygon. Poses come with the driver's travel.
-    /// `parts` gives the ends of the vectors in a part of a pose's polygon (SI), where there are parts; `label_mm` is the type of each drawing.
+    /// `parts` gives the ends of the vectors of each part, where there are parts; `label_mm` is the type of each drawing.
     pub fn of(
         paper: &Paper,
         poses: &[(f64, &Worked)],
         common: &Scales,
         on: DiagramKind,
         boxes: Boxes,
-        parts: Option<&dyn Fn(&Worked, usize) -> Vec<Point>>,
+        parts: Option<Ends>,
         label_mm: &[f64],
     ) -> Option<Zoom> {
         let one = common.mu.get(on.kind())?;

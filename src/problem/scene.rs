@@ -5,6 +5,7 @@ use crate::attempts;
 use crate::certified::{Certified, certify, steps};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::fit;
+use crate::figure::forces::zhukovsky;
 use crate::figure::list::{self, Entry, Pages, Wanted};
 use crate::lesson;
 use crate::notation::Notation;
@@ -12,7 +13,7 @@ use crate::plan::text::Writer;
 use crate::report::answers::{self, Line};
 use crate::report::forces::ForceWriter;
 use crate::report::{construction, drafting, trains};
-use crate::scene::{Lang, Scene};
+use crate::scene::{DiagramKind, Lang, Scene};
 use crate::sweep::follow::course;
 use crate::worked::{NoAnswer, Scope, Unanswered, Worked, work};
 use crate::worksheet::{self, Document, Sides};
@@ -119,7 +120,11 @@ impl Answered for Mechanism {
         if with_steps {
             out += &format!("\n{}", construction::text(&w, &worked.construction, &steps));
             if let Some(of) = &worked.equilibrium {
-                out += &format!("\n{}", ForceWriter { scene, notation: &notation, lang, of }.text());
+                let forces = ForceWriter { scene, notation: &notation, lang, of };
+                out += &format!("\n{}", forces.text());
+                if let Some(lever) = zhukovsky(scene, worked) {
+                    out += &forces.check(&lever, &w.pole(DiagramKind::Velocity));
+                }
             }
         }
         out

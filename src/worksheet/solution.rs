@@ -72,8 +72,7 @@ impl Maker<'_> {
         drawing(self.scene, self.worked, self.options, on).map(|f| Block::Figure { name, figure: Box::new(f) })
     }
 
-    /// What laws of time give at the instant.
-    /// Each group's moments, force polygon and reactions, the last group first.
+    /// Each group's moments, force polygon and reactions, the last group first; then the check by Zhukovsky's lever.
     fn forces(&self, blocks: &mut Vec<Block>) {
         let Some(of) = self.worked.equilibrium.as_ref().filter(|of| !of.groups.is_empty()) else { return };
         let w = ForceWriter { scene: self.scene, notation: &self.options.notation, lang: self.lang(), of };
@@ -85,8 +84,14 @@ impl Maker<'_> {
             }
             blocks.push(Block::List { numbered: true, members: w.sentences(group) });
         }
+        if let Some(lever) = forces::zhukovsky(self.scene, self.worked) {
+            blocks.push(Block::Heading(3, w.check_heading().into()));
+            let pole = self.writer().pole(DiagramKind::Velocity);
+            blocks.push(Block::List { numbered: true, members: w.lever(&lever, &pole) });
+        }
     }
 
+    /// The rates that laws of time give at the instant.
     fn laws(&self, blocks: &mut Vec<Block>) {
         let members = self.givens().laws();
         if !members.is_empty() {

@@ -1,19 +1,18 @@
 //! Zhukovsky's lever against the force polygons, and the loads on the drawing of the mechanism.
 
-use hodograph::construct::source;
-use hodograph::equilibrium::Lever;
+use hodograph::figure::forces::zhukovsky;
 use hodograph::figure::sheet::{Options, drawing};
 use hodograph::scene::{self, DiagramKind, Lang, driver_position, templates, with_driver_at};
 use hodograph::worked::{Scope, Worked, work};
 use serde_json::{Value as Json, json};
 
-/// The balance that the lever gives beside that of the polygons.
-fn balances(scene: &scene::Scene, worked: &Worked) -> Option<[f64; 2]> {
+/// The power that the lever gives, in which all drivers take part, beside that of the polygons, and so the balance of the one driver.
+fn balances(scene: &scene::Scene, worked: &Worked) -> Option<[[f64; 2]; 2]> {
     let of = worked.equilibrium.as_ref()?;
-    let mu = worked.construction.polygon(DiagramKind::Velocity)?.mu;
-    let motion = source(scene, &worked.mechanism, &worked.plan, &worked.construction);
-    let lever = Lever::of(scene, &worked.configuration, of, &motion, mu)?;
-    Some([lever.balance(scene)?, *of.forces.drivers.first()?])
+    let lever = zhukovsky(scene, worked)?;
+    let power = [-lever.moment * lever.mu, of.forces.power];
+    let one = lever.balance(scene).and_then(|balance| Some([balance, *of.forces.drivers.first()?]));
+    Some([power, one.unwrap_or(power)])
 }
 
 #[test]
@@ -29,11 +28,14 @@ fn the_lever_balances_as_the_polygons_do() {
         for k in 0..if own { 4 } else { 1 } {
             let posed = with_driver_at(&scene, 0, start + 0.35 * f64::from(k));
             let Ok(worked) = work(&posed, Scope::Figure) else { continue };
-            let Some([lever, polygons]) = balances(&posed, &worked.value) else { continue };
+            let Some(all) = balances(&posed, &worked.value) else { continue };
             proven += 1;
-            let size = worked.value.equilibrium.as_ref().unwrap().loads.iter().map(|l| l.wrench.force.norm()).fold(0.0, f64::max);
-            if (lever - polygons).abs() > 1e-9 * polygons.abs().max(size) {
-                faults.push(format!("{} pose {k}: {lever} and {polygons}", t.name));
+            let forces = &worked.value.equilibrium.as_ref().unwrap().forces;
+            let sizes = [forces.largest_power, forces.largest];
+            for ([lever, polygons], size) in all.into_iter().zip(sizes) {
+                if polygons.is_finite() && (lever - polygons).abs() > 1e-9 * polygons.abs().max(size) {
+                    faults.push(format!("{} pose {k}: {lever} and {polygons}", t.name));
+                }
             }
         }
     }

@@ -21,15 +21,21 @@ const TEXT_MM: f64 = 150.0;
 /// An arm that is shorter has no room for its dimension.
 const SHORTEST_ARM_MM: f64 = 3.0;
 
-/// The lever with its moments; `None` where no forces are drawn, or nothing moves.
-pub fn lever(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure> {
+/// The loads on the turned velocity polygon; `None` where no forces are drawn, or nothing moves.
+pub fn zhukovsky(scene: &Scene, worked: &Worked) -> Option<Lever> {
     let of = worked.equilibrium.as_ref()?;
     let mu = worked.construction.polygon(DiagramKind::Velocity).filter(|p| !p.is_empty())?.mu;
     let motion = source(scene, &worked.mechanism, &worked.plan, &worked.construction);
-    let lever = Lever::of(scene, &worked.configuration, of, &motion, mu)?;
+    Lever::of(scene, &worked.configuration, of, &motion, mu)
+}
+
+/// The lever with its moments; `None` where no forces are drawn, or nothing moves.
+pub fn lever(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure> {
+    let of = worked.equilibrium.as_ref()?;
+    let lever = zhukovsky(scene, worked)?;
     let maker = Maker { scene, worked, options, certified: Vec::new() };
     let page = Page::of(&maker, of);
-    let scale = scale_formula(&scene.book, DiagramKind::Velocity, mu);
+    let scale = scale_formula(&scene.book, DiagramKind::Velocity, lever.mu);
     let caption = tr(options.lang, "Zhukovsky's lever: velocities turned clockwise by 90°", "茹可夫斯基杠杆：速度多边形顺时针转过 90°");
     let drawing = maker.titled(page.on_lever(&lever), Phrase::new(caption).label(), &scale, "lever");
     let words = page.text(&page.w.lever(&lever, &page.pole()), "moments", TEXT_MM);

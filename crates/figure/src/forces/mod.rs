@@ -8,7 +8,7 @@ mod given;
 mod lever;
 mod polygon;
 
-pub use lever::lever;
+pub use lever::{lever, zhukovsky};
 
 use crate::arrange::{Tree, put_together};
 use crate::sheet::{Maker, Options};
@@ -87,7 +87,10 @@ pub(crate) fn steps(maker: &Maker, width_mm: Option<f64>) -> Vec<GroupSteps> {
 
 /// Adds the given loads to the drawing of the mechanism.
 pub fn given_loads(scene: &Scene, worked: &Worked, options: &Options, d: &mut Drawing) {
-    on_page(scene, worked, options, |page| Some(page.given_loads(d)));
+    on_page(scene, worked, options, |page| {
+        page.given_loads(d);
+        Some(())
+    });
 }
 
 /// A group's links in their places with what acts on them, before labels are placed; `None` where the pose does not draw the group.

@@ -4,10 +4,24 @@ use super::{ForceWriter, NO_ARM_MM, Sum};
 use hodograph_base::digits::{inked, significant};
 use hodograph_board::equilibrium::{Lever, Term};
 use hodograph_board::plan::names::name_label;
-use hodograph_paper::paper::phrase::Phrase;
+use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{Kind, Lang};
 
 impl ForceWriter<'_> {
+    /// The check by the lever, as plain text.
+    pub fn check(&self, lever: &Lever, pole: &str) -> String {
+        let mut out = format!("  {}\n", self.check_heading());
+        for (k, sentence) in self.lever(lever, pole).iter().enumerate() {
+            out += &format!("  {:>3}. {}\n", k + 1, sentence.plain());
+        }
+        out
+    }
+
+    /// The heading of the check.
+    pub fn check_heading(&self) -> &'static str {
+        tr(self.lang, "Check by Zhukovsky's lever", "用茹可夫斯基杠杆校核")
+    }
+
     /// The moments of all loads about the pole, with arms as measured, and what they give. `pole` is the letter of the pole.
     pub fn lever(&self, lever: &Lever, pole: &str) -> Vec<Phrase> {
         let mut sum = Sum::default();
@@ -25,25 +39,36 @@ impl ForceWriter<'_> {
             Lang::En => format!("Moments of all loads about ${pole}$: {equation}."),
             Lang::Zh => format!("各载荷对 ${pole}$ 取矩：{equation}。"),
         };
-        let given = lever.balance(self.scene).map(|by_lever| {
-            let driver = &self.scene.drivers[0];
-            let (symbol, kind, rate) = match driver.kind.turned() {
-                Some((link, against)) => {
-                    let of = std::iter::once(link).chain((against != self.scene.ground).then_some(against));
-                    let names: String = of.map(|l| name_label(self.scene.link_name(l))).collect();
-                    (self.balance(0), Kind::Moment, format!("\\omega_{{{names}}}"))
-                }
-                None => ("F_{b}".to_owned(), Kind::Force, "v".to_owned()),
-            };
-            let relation = format!("${symbol} = -\\mu_v\\,\\Sigma M_{{{pole}}}/{rate} = {}$", self.amount(kind, by_lever));
-            let beside = self.of.forces.drivers.first().map(|value| self.amount(kind, *value));
-            match (self.lang, beside) {
-                (Lang::En, Some(value)) => format!("{relation}; the force polygons give ${value}$."),
-                (Lang::Zh, Some(value)) => format!("{relation}；力多边形得 ${value}$。"),
-                (Lang::En, None) => format!("{relation}."),
-                (Lang::Zh, None) => format!("{relation}。"),
+        // A balancing force at a point has an arm of its own on the lever.
+        let balance = self.scene.loads.balance.as_ref();
+        let by_lever = lever.balance(self.scene).filter(|_| balance.is_none_or(|b| b.force.is_none()));
+        let (relation, beside) = match by_lever {
+            Some(by_lever) => {
+                let driver = &self.scene.drivers[0];
+                let (symbol, kind, rate) = match driver.kind.turned() {
+                    Some((link, against)) => {
+                        let of = std::iter::once(link).chain((against != self.scene.ground).then_some(against));
+                        let names: String = of.map(|l| name_label(self.scene.link_name(l))).collect();
+                        (self.balance(0), Kind::Moment, format!("\\omega_{{{names}}}"))
+                    }
+                    None => ("F_{b}".to_owned(), Kind::Force, "v".to_owned()),
+                };
+                let of_polygons = if balance.is_some() { self.of.forces.balance } else { self.of.forces.drivers.first().copied() };
+                let relation = format!("${symbol} = -\\mu_v\\,\\Sigma M_{{{pole}}}/{rate} = {}$", self.amount(kind, by_lever));
+                (relation, of_polygons.map(|value| self.amount(kind, value)))
             }
-        });
-        std::iter::once(total).chain(given).map(|text| Phrase::new(&text)).collect()
+            None => {
+                let power = self.amount(Kind::Power, -lever.moment * lever.mu);
+                let of_polygons = Some(self.of.forces.power).filter(|power| power.is_finite());
+                (format!("$P = -\\mu_v\\,\\Sigma M_{{{pole}}} = {power}$"), of_polygons.map(|value| self.amount(Kind::Power, value)))
+            }
+        };
+        let given = match (self.lang, beside) {
+            (Lang::En, Some(value)) => format!("{relation}; the force polygons give ${value}$."),
+            (Lang::Zh, Some(value)) => format!("{relation}；力多边形得 ${value}$。"),
+            (Lang::En, None) => format!("{relation}."),
+            (Lang::Zh, None) => format!("{relation}。"),
+        };
+        [total, given].iter().map(|text| Phrase::new(text)).collect()
     }
 }
