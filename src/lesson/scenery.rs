@@ -90,7 +90,7 @@ pub struct Layout {
     pub group: Option<usize>,
 }
 
-/// What is seen through a window.
+/// A view of a drawing over all frames.
 struct View {
     mu: f64,
     seen: Rect,
@@ -199,7 +199,7 @@ impl<'a> Studio<'a> {
             // Arrows keep their length, so that the box does not grow as the scale does.
             for _ in 0..PASSES {
                 let Some([wide, high]) = around(mu).map(size) else { break };
-                mu = (mu * (wide / w).max(high / h)).clamp(own_mu / NEAREST, own_mu * FARTHEST);
+                mu = (mu * (wide / w).max(high / h)).max(own_mu / NEAREST).min(own_mu * FARTHEST);
             }
             let Some(lines) = around(mu) else { continue };
             let seen = about(lines.centre(), [w, h]);

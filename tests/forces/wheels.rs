@@ -35,7 +35,7 @@ fn asked(name: &str) -> Option<Scene> {
     scene::read(json.to_string()).ok().map(|read| read.value)
 }
 
-/// How far the force of teeth is from the line of action: the tangent of its angle to the common tangent less that of the pressure angle.
+/// The tangent of the angle between the force of teeth and the common tangent, less that of the pressure angle.
 fn off_the_line_of_action(scene: &Scene, worked: &Worked, r: RollingId) -> Option<f64> {
     let pair = &scene.rolling[r.0];
     if !pair.kind.is_toothed() || pair.guide().is_some() {

@@ -32,7 +32,7 @@ impl DiagramKind {
     /// Those of vectors that are drawn from a pole, in the order of drawing.
     pub const POLYGONS: [DiagramKind; 2] = [DiagramKind::Velocity, DiagramKind::Acceleration];
 
-    /// Those of vectors, in the order of drawing.
+    /// The diagrams of vectors, in the order of drawing.
     pub const VECTORS: [DiagramKind; 3] = [DiagramKind::Velocity, DiagramKind::Acceleration, DiagramKind::Force];
 
     /// The polygon of the derivatives of an order; the plane for positions.

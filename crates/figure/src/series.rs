@@ -65,7 +65,7 @@ pub fn ends(worked: &Worked, on: DiagramKind) -> impl Iterator<Item = Point> {
     of_motion.chain(forces.into_iter().flat_map(|of| of.groups.iter().flat_map(|group| of.vertices(group))))
 }
 
-/// How large a polygon is, of forces the largest (SI per mm of its box).
+/// The size of a polygon, of force polygons that of the largest (SI per mm of its box).
 pub fn size(worked: &Worked, on: DiagramKind, boxes: &Boxes) -> Option<f64> {
     let in_box = |[w, h]: [f64; 2]| (w / boxes.polygon[0]).max(h / boxes.polygon[1]);
     if on == DiagramKind::Force {

@@ -267,7 +267,7 @@ pub fn between_teeth<N: Real>(scene: &Scene, at: &Configuration<N>, tangential: 
 /// The force by which the teeth of a pair press its second link away from the first, of the loads of [`between_teeth`].
 pub fn pressed_apart<N: Real>(scene: &Scene, teeth: &[Load<N>], pair: RollingId) -> Vec2<N> {
     let second = scene.rolling[pair.0].links[1];
-    // Of a gear that stands still only the opposite is a load.
+    // A gear that stands still has no loads: there is only the opposite.
     let of_pair = teeth.iter().find(|l| l.cause == Cause::Teeth(pair));
     of_pair.map_or(Vec2::zero(), |l| if l.link == second { l.wrench.force } else { -l.wrench.force })
 }

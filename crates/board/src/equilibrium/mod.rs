@@ -347,7 +347,7 @@ fn extent_of(group: &GroupForces, drawn: &Drawn) -> [f64; 2] {
 fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answers: &Answers, drawn: &Drawn) -> Option<Forces> {
     let vector = |n: &NumberId| drawn.vector(*n);
     let mut pins: Vec<(PointId, LinkId, Vec2)> = answers.pins.iter().filter_map(|(p, l, n)| Some((*p, *l, vector(n)?))).collect();
-    // What several links put on a pin of the ground, the ground bears.
+    // The ground bears the sum of the forces that several links put on one of its pins.
     for p in scene.links[scene.ground.0].points.iter().copied().filter(|p| parties(scene, *p) > 2) {
         let others: Vec<LinkId> = scene.carriers(p).filter(|l| *l != scene.ground).collect();
         let force = |l: &LinkId| pins.iter().find(|(at, on, _)| (*at, *on) == (p, *l)).map(|(.., force)| *force);

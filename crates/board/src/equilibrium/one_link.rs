@@ -83,7 +83,7 @@ impl Scribe<'_> {
         self.finish(p, &[link], if matches!(touch, Outer::Balance { .. }) { "driver" } else { "RH" });
     }
 
-    /// What other links put on a pin at which a slot or a balancing force acts on the link.
+    /// The forces of other links on a pin at which a slot or a balancing force acts on the link.
     fn pin_loads_beside(&mut self, touch: &Outer, at: PointId, link: LinkId) -> Vec<Acting> {
         let pinned = self.scene.links[link.0].points.contains(&at);
         let counts = matches!(touch, Outer::Slot { .. } | Outer::Balance { .. });
