@@ -61,8 +61,8 @@ impl Scribe<'_> {
         }
     }
 
-    /// The force of a pin that runs in a slot on the last of its links, from what the others put on it to the force of the slot.
-    pub fn held_in_slot(&mut self, p: &mut Polygon, at: PointId, on: LinkId, ends: [MarkId; 2]) {
+    /// The force of a pin that a slot or a cylinder holds on the last of its links: the forces of the others on it, then that of the slot or the cylinder.
+    pub fn held_at(&mut self, p: &mut Polygon, at: PointId, on: LinkId, ends: [MarkId; 2]) {
         if parties(self.scene, at) > 2 {
             let own = self.measured(p, ends[0], ends[1]);
             self.answers.pins.push((at, on, own));

@@ -210,6 +210,11 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
                 if scene.carriers(p).any(mine) {
                     return Err(both!("pin {} joins too many for a construction", "销 {} 连接的构件过多，无法作图", scene.point_name(p)));
                 }
+                let pushed = scene.drivers.iter().any(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p)));
+                let slots = scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none()).count();
+                if pushed && slots > 1 {
+                    return Err(both!("pin {} joins too many for a construction", "销 {} 连接的构件过多，无法作图", scene.point_name(p)));
+                }
                 if let Some(by) = scene.carriers(p).find(|l| upstream(*l)) {
                     let by = if parties(scene, p) == 2 { Party::Link(by) } else { Party::Pin(p) };
                     outer.push(Outer::Slot { guide: id, at: p, on: guide.on, by });

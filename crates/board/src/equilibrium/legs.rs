@@ -94,7 +94,7 @@ impl Scribe<'_> {
     pub(super) fn on_three_legs(&mut self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Result<(), Both> {
         let (core, legs) = self.legs(links, joints, at).ok_or_else(another_kind)?;
         for leg in &legs {
-            if matches!(leg.outer, Outer::Slot { .. }) && parties(self.scene, leg.at) > 2 {
+            if matches!(leg.outer, Outer::Slot { .. } | Outer::Cylinder { .. }) && parties(self.scene, leg.at) > 2 {
                 let pin = self.scene.point_name(leg.at);
                 return Err(both!("pin {pin} joins too many for a construction", "销 {pin} 连接的构件过多，无法作图"));
             }

@@ -72,8 +72,8 @@ impl Scribe<'_> {
         let loaded = p.last;
         self.laid(&mut p, (term, at), Direction::of(line).unit(), size);
         let end = p.last;
-        if matches!(touch, Outer::Slot { .. }) && self.scene.links[link.0].points.contains(&at) {
-            self.held_in_slot(&mut p, at, link, [before, end]);
+        if matches!(touch, Outer::Slot { .. } | Outer::Cylinder { .. }) && self.scene.links[link.0].points.contains(&at) {
+            self.held_at(&mut p, at, link, [before, end]);
         }
         if let Some(term) = reaction(&pin, Part::Whole) {
             self.side(&mut p, (term, pivot), [end, start], false);
@@ -83,10 +83,10 @@ impl Scribe<'_> {
         self.finish(p, &[link], if matches!(touch, Outer::Balance { .. }) { "driver" } else { "RH" });
     }
 
-    /// The forces of other links on a pin at which a slot or a balancing force acts on the link.
+    /// The forces of others on a pin at which a slot, a cylinder or a balancing force acts on the link.
     fn pin_loads_beside(&mut self, touch: &Outer, at: PointId, link: LinkId) -> Vec<Acting> {
         let pinned = self.scene.links[link.0].points.contains(&at);
-        let counts = matches!(touch, Outer::Slot { .. } | Outer::Balance { .. });
+        let counts = matches!(touch, Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Balance { .. });
         if pinned && counts { self.pin_loads(at, link) } else { Vec::new() }
     }
 
@@ -126,7 +126,7 @@ impl Scribe<'_> {
         let held = if moved { vec![] } else { vec![at] };
         let mut acting = self.all_on(link, &held);
         let own = acting.len();
-        if matches!(touch, Outer::Slot { .. }) {
+        if matches!(touch, Outer::Slot { .. } | Outer::Cylinder { .. }) {
             acting.extend(self.pin_loads_beside(&touch, at, link));
         }
         let mut p = self.polygon();
@@ -146,8 +146,8 @@ impl Scribe<'_> {
             let force = self.measured(&mut p, end, x);
             all.push(Acting { term, force: Some((Base::Measured(force), at)), couple: None });
         }
-        if matches!(touch, Outer::Slot { .. }) && self.scene.links[link.0].points.contains(&at) {
-            self.held_in_slot(&mut p, at, link, [before, x]);
+        if matches!(touch, Outer::Slot { .. } | Outer::Cylinder { .. }) && self.scene.links[link.0].points.contains(&at) {
+            self.held_at(&mut p, at, link, [before, x]);
         }
         if let Outer::Balance { driver, .. } = touch {
             self.answers.balance = Some(self.number(&mut p.ops, Number::Along(end, x, Direction::of(line))));

@@ -97,7 +97,7 @@ pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &
         links.iter().chain(&rods).for_each(|l| open[l.0] = false);
         if let Err(why) = result {
             for l in (0..scene.links.len()).map(LinkId).filter(|l| open[l.0] && *l != scene.ground) {
-                broken[l.0] |= links.iter().any(|own| touches(scene, *own, l));
+                broken[l.0] |= links.iter().chain(&rods).any(|own| touches(scene, *own, l));
             }
             undrawn.push(Undrawn { links, why });
         }
@@ -113,13 +113,16 @@ fn touches(scene: &Scene, a: LinkId, b: LinkId) -> bool {
         g.on == l || g.slider == Some(l) || g.pin.is_some_and(|p| scene.links[l.0].points.contains(&p))
     };
     let guides = scene.guides.iter().any(|g| on(a, g) && on(b, g));
+    // A pin on no link presses on the slots in which it runs.
+    let slot = |l: LinkId, p: PointId| scene.guides.iter().any(|g| g.on == l && g.pin == Some(p));
+    let between_slots = (0..scene.points.len()).map(PointId).any(|p| slot(a, p) && slot(b, p));
     let rods = scene.drivers.iter().filter_map(|d| d.kind.ends()).any(|ends| {
         let carries = |l: LinkId| ends.iter().any(|p| scene.links[l.0].points.contains(p));
         carries(a) && carries(b)
     });
     let turned =
         scene.drivers.iter().any(|d| d.kind.turned().is_some_and(|(l, against)| [l, against].contains(&a) && [l, against].contains(&b)));
-    pins || guides || rods || turned || scene.rolling.iter().any(|r| r.links.contains(&a) && r.links.contains(&b))
+    pins || guides || between_slots || rods || turned || scene.rolling.iter().any(|r| r.links.contains(&a) && r.links.contains(&b))
 }
 
 /// A polygon that is being drawn.
