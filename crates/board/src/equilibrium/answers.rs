@@ -136,30 +136,25 @@ pub(super) fn reaction(outer: &Outer, part: Part) -> Option<Term> {
         Outer::Pin { on, by, .. } | Outer::Slot { on, by, .. } => (by, on),
         Outer::Slide { on, by, .. } | Outer::Mesh { on, by, .. } => (Party::Link(by), on),
         Outer::Cylinder { driver, on, .. } => (Party::Cylinder(driver), on),
-        Outer::Balance { driver, on, .. } => (Party::Driver(driver), on),
-        Outer::Turn { .. } | Outer::Push { .. } => return None,
+        Outer::Balance { driver, on, .. } | Outer::Push { driver, on, .. } => (Party::Driver(driver), on),
+        Outer::Turn { .. } => return None,
     };
     Some(Term::Reaction { of, on, part })
 }
 
 /// The force of a joint that presses along one line. Of a wheel on its track the friction and the force of the path that holds it are parts of one force.
 pub(super) fn pressing(scene: &Scene, outer: &Outer) -> Option<Term> {
-    match *outer {
-        Outer::Mesh { rolling, on, by, .. } if scene.rolling[rolling.0].guide().is_some() => {
-            Some(Term::Reaction { of: Party::Link(by), on, part: Part::Tangential })
-        }
-        Outer::Slot { guide, on, .. } if scene.guides[guide.0].rolling.is_some() => {
-            let [track, wheel] = scene.rolling[scene.guides[guide.0].rolling?.0].links;
-            let (of, on) = if on == track { (wheel, track) } else { (track, wheel) };
-            Some(Term::Reaction { of: Party::Link(of), on, part: Part::Normal })
-        }
-        Outer::Pin { .. }
-        | Outer::Slide { .. }
-        | Outer::Slot { .. }
-        | Outer::Mesh { .. }
-        | Outer::Cylinder { .. }
-        | Outer::Turn { .. }
-        | Outer::Balance { .. }
-        | Outer::Push { .. } => reaction(outer, Part::Whole),
+    if let Outer::Mesh { rolling, on, by, .. } = *outer
+        && scene.rolling[rolling.0].guide().is_some()
+    {
+        return Some(Term::Reaction { of: Party::Link(by), on, part: Part::Tangential });
     }
+    if let Outer::Slot { guide, on, .. } = *outer
+        && let Some(rolling) = scene.guides[guide.0].rolling
+    {
+        let [track, wheel] = scene.rolling[rolling.0].links;
+        let (of, on) = if on == track { (wheel, track) } else { (track, wheel) };
+        return Some(Term::Reaction { of: Party::Link(of), on, part: Part::Normal });
+    }
+    reaction(outer, Part::Whole)
 }

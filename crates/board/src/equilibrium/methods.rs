@@ -109,16 +109,7 @@ impl Scribe<'_> {
         inner: PointId,
         outer: [Outer; 2],
     ) -> (Polygon, Vec<Acting>, [MarkId; 3]) {
-        let held = |o: &Outer| match *o {
-            Outer::Pin { at, .. } => vec![at, inner],
-            Outer::Slide { .. }
-            | Outer::Slot { .. }
-            | Outer::Mesh { .. }
-            | Outer::Cylinder { .. }
-            | Outer::Turn { .. }
-            | Outer::Balance { .. }
-            | Outer::Push { .. } => vec![inner],
-        };
+        let held = |o: &Outer| if let Outer::Pin { at, .. } = *o { vec![at, inner] } else { vec![inner] };
         let links = bodies.map(|body| body[body.len() - 1]);
         // The link with the inner pin stands beside it in the polygon.
         let pinned = [0, 1].map(|k| self.all_on(links[k], &held(&outer[k])));

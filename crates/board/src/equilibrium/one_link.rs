@@ -4,7 +4,7 @@ use super::answers::{pressing, reaction};
 use super::joints::{Outer, reference};
 use super::methods::{normal, tangent};
 use super::scribe::{Acting, Polygon, Scribe};
-use super::{About, Gives, Part, Party, Term};
+use super::{About, Gives, Part, Term};
 use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId, Op};
 use hodograph_scene::{LinkId, PointId};
 
@@ -112,16 +112,6 @@ impl Scribe<'_> {
     /// A link in a guide with one more line of action.
     pub(super) fn in_a_guide(&mut self, link: LinkId, slide: Outer, touch: Outer) {
         let (Outer::Slide { guide, at: counted, .. }, Some((line, at))) = (slide, self.line_of(&touch)) else { return };
-        let driver = match touch {
-            Outer::Push { driver, .. } => Some(Term::Reaction { of: Party::Driver(driver), on: link, part: Part::Whole }),
-            Outer::Pin { .. }
-            | Outer::Slide { .. }
-            | Outer::Slot { .. }
-            | Outer::Mesh { .. }
-            | Outer::Cylinder { .. }
-            | Outer::Turn { .. }
-            | Outer::Balance { .. } => pressing(self.scene, &touch),
-        };
         let moved = matches!(touch, Outer::Push { .. } | Outer::Balance { .. });
         let held = if moved { vec![] } else { vec![at] };
         let mut acting = self.all_on(link, &held);
@@ -141,7 +131,7 @@ impl Scribe<'_> {
             self.side(&mut p, (term, counted), [x, start], true);
         }
         let mut all = acting.clone();
-        if let Some(term) = driver {
+        if let Some(term) = pressing(self.scene, &touch) {
             self.side(&mut p, (term, at), [end, x], false);
             let force = self.measured(&mut p, end, x);
             all.push(Acting { term, force: Some((Base::Measured(force), at)), couple: None });
