@@ -6,6 +6,8 @@ mod drawn;
 mod lever;
 #[path = "forces/sweeps.rs"]
 mod sweeps;
+#[path = "forces/templates.rs"]
+mod template_reactions;
 #[path = "forces/wheels.rs"]
 mod wheels;
 

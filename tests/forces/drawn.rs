@@ -157,3 +157,37 @@ fn a_pin_between_slots_hands_its_force_on() {
     }));
     assert!(found.is_empty() || found.len() == 3, "{found:?}");
 }
+
+/// A block in a curved guide turns about the centre of the arc: with the guide on the ground, on a rocker, and driven.
+#[test]
+fn blocks_in_curved_guides_are_drawn() {
+    let loads = json!({"3": {"m": "4 kg", "J": "0.01 kg*m^2", "at": "C"}, "2": {"m": "2 kg", "J": "0.02 kg*m^2", "at": "B"}});
+    let on_ground = drawn(json!({
+        "links": {"1": ["A", "B"], "2": ["B", "C"], "4": ["A", "K"]}, "ground": "4",
+        "points": {"A": [0, 0], "K": ["180 mm", "-140 mm"]}, "lengths": {"AB": "60 mm", "BC": "170 mm"},
+        "guides": [{"pin": "C", "slider": "3", "on": "4", "centre": "K", "radius": "170 mm"}],
+        "driver": {"link": "1", "angle": "50 deg", "omega": "10 rad/s"}, "sketch": {"C": ["200 mm", "25 mm"]},
+        "forces": [{"on": "2", "at": "C", "F": "300 N", "angle": "200 deg"}, {"on": "3", "M": "5 N*m"}],
+        "masses": loads.clone(), "gravity": [0, "-9.81 m/s^2"],
+        "find": ["F_43", "F_23", "F_12", "F_41", "M_b"]
+    }));
+    assert_eq!(on_ground.len(), 5, "{on_ground:?}");
+    let on_rocker = drawn(json!({
+        "links": {"1": ["A", "B"], "2": ["D", "K"], "4": ["A", "D"]}, "ground": "4",
+        "points": {"A": [0, 0], "D": ["200 mm", "-20 mm"]}, "lengths": {"AB": "60 mm", "DK": "90 mm"},
+        "guides": [{"pin": "B", "slider": "3", "on": "2", "centre": "K", "radius": "150 mm"}],
+        "driver": {"link": "1", "angle": "70 deg", "omega": "10 rad/s"}, "sketch": {"K": ["160 mm", "70 mm"]},
+        "forces": [{"on": "2", "M": "20 N*m"}, {"on": "3", "at": "B", "F": ["30 N", "-80 N"]}],
+        "find": ["F_42", "F_23", "F_13", "F_41", "M_b"]
+    }));
+    assert_eq!(on_rocker.len(), 5, "{on_rocker:?}");
+    let driven = drawn(json!({
+        "links": {"1": ["A", "B"], "2": ["B", "C"], "4": ["A", "K"]}, "ground": "4",
+        "points": {"A": [0, 0], "K": ["180 mm", "-140 mm"]}, "lengths": {"AB": "60 mm", "BC": "170 mm"},
+        "guides": [{"pin": "C", "slider": "3", "on": "4", "centre": "K", "radius": "170 mm"}],
+        "driver": {"slide": "C", "position": "250 mm", "velocity": "0.3 m/s"}, "sketch": {"B": ["40 mm", "45 mm"], "C": ["200 mm", "29 mm"]},
+        "forces": [{"on": "1", "M": "8 N*m"}], "masses": loads,
+        "find": ["F_43", "F_23", "F_12", "F_41", "F_b", "P"]
+    }));
+    assert_eq!(driven.len(), 6, "{driven:?}");
+}

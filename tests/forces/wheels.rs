@@ -1,39 +1,11 @@
 //! Gears and wheels under loads: drawing against rows, and the direction in which teeth press.
 
-use super::{answer, loaded};
+use super::answer;
+use super::template_reactions::asked;
 use hodograph::answer::Value;
 use hodograph::force::pressure_angle;
-use hodograph::scene::quantity::{Contact, contacts, parties};
-use hodograph::scene::{self, PointId, RollingId, Scene, driver_position, templates, with_driver_at};
+use hodograph::scene::{RollingId, Scene, driver_position, with_driver_at};
 use hodograph::worked::{Scope, Worked, work};
-use serde_json::json;
-
-/// A template with forces and couples on all links, asked for the reactions of pins and contacts.
-fn asked(name: &str) -> Option<Scene> {
-    let text = templates::get(name).ok()?;
-    let plain = scene::read(text).ok()?.value;
-    let (mut json, _) = loaded(text, &plain);
-    let forces = json["forces"].as_array_mut()?;
-    for (k, link) in plain.links.iter().enumerate().filter(|(k, _)| *k != plain.ground.0) {
-        forces.push(json!({"on": link.name, "M": format!("{} N*m", 5.0 - 3.0 * k as f64)}));
-    }
-    let link = |l| plain.link_name(l);
-    let mut find: Vec<String> = Vec::new();
-    for a in 0..plain.links.len() {
-        for b in a + 1..plain.links.len() {
-            let [a, b] = [a, b].map(scene::LinkId);
-            if let [Contact::Pin(_) | Contact::Rolling(..)] = contacts(&plain, a, b)[..] {
-                find.push(format!("F_{},{}", link(a), link(b)));
-            }
-        }
-    }
-    for p in (0..plain.points.len()).map(PointId).filter(|p| parties(&plain, *p) > 2) {
-        find.extend(plain.carriers(p).map(|l| format!("F_{}{}", plain.point_name(p), link(l))));
-    }
-    find.push("P".into());
-    json["find"] = json!(find);
-    scene::read(json.to_string()).ok().map(|read| read.value)
-}
 
 /// The tangent of the angle between the force of teeth and the common tangent, less that of the pressure angle.
 fn off_the_line_of_action(scene: &Scene, worked: &Worked, r: RollingId) -> Option<f64> {

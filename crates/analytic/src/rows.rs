@@ -9,6 +9,7 @@ use super::{LinkMotion, Solution};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::mechanism::{Demand, Form, Item, Level, Mechanism, Opened, Runner, constraints_of};
 use hodograph_mechanism::position::{Configuration, Path};
+use hodograph_scene::quantity::met_at;
 use hodograph_scene::{GuideId, LinkId, PointId, Relation as Linear, RollingId, Scene};
 use nalgebra::DVector;
 
@@ -65,12 +66,7 @@ impl Layout {
         // coordinates takes no digits.
         let mut origins = vec![None; scene.links.len()];
         for &l in links.iter().chain([&scene.ground]) {
-            origins[l.0] = scene.links[l.0]
-                .points
-                .iter()
-                .find_map(|p| at.points[p.0])
-                .or_else(|| scene.guides.iter().filter(|g| g.on == l).find_map(|g| at.points[g.pin?.0]))
-                .or_else(|| at.poses[l.0].map(|p| p.origin));
+            origins[l.0] = met_at(scene, l).find_map(|p| at.points[p.0]).or_else(|| at.poses[l.0].map(|p| p.origin));
         }
         let unknowns = 3 * links.len() + 2 * bare.len();
         let second = level == Level::Acceleration || (0..m.groups.len()).all(|g| deepest(demand, g));

@@ -1,35 +1,57 @@
 //! The answers that a polygon gives, and what a group does to the links that hold it.
 
-use super::joints::{Outer, party, reference};
+use super::joints::{Hinge, Outer, party, reference, sides};
 use super::scribe::{Acting, OnPin, Polygon, Scribe};
 use super::{Part, Party, Term};
 use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId};
 use hodograph_scene::quantity::parties;
-use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
+use hodograph_scene::{GuideId, LinkId, PointId, RollingId};
 
 impl Scribe<'_> {
-    /// Puts the force of a pin on a link among the answers, its opposite on what holds the pin, and hands that on.
-    pub fn pinned(&mut self, p: &mut Polygon, at: PointId, on: LinkId, [from, to]: [MarkId; 2]) {
-        let (own, back) = (self.measured(p, from, to), self.measured(p, to, from));
+    /// Puts the force of a hinge on a link among the answers, its opposite on what holds it, and hands that on.
+    pub fn pinned(&mut self, p: &mut Polygon, hinge: Hinge, on: LinkId, [from, to]: [MarkId; 2]) {
+        let (own, back, at) = (self.measured(p, from, to), self.measured(p, to, from), hinge.at);
+        if let Some([slider, carrier]) = hinge.arc.and_then(|g| sides(self.scene, g)) {
+            let by = if slider == on { carrier } else { slider };
+            self.on_arc(p, hinge, if slider == on { own } else { back });
+            if by != self.scene.ground {
+                let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
+                self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
+            }
+            return;
+        }
         self.answers.pins.push((at, on, own));
-        if let Party::Link(other) = party(self.scene, at, on) {
+        if let Party::Link(other) = party(self.scene, hinge, on) {
             self.answers.pins.push((at, other, back));
         }
         self.at_pin[at.0].push(OnPin { of: Party::Link(on), force: back });
     }
 
-    /// The force of an inner pin on both links.
-    pub fn inner_pin(&mut self, p: &mut Polygon, at: PointId, links: [LinkId; 2], [m1, x, m2]: [MarkId; 3]) {
+    /// The force of a curved guide on its slider: its line passes through the centre of the arc.
+    fn on_arc(&mut self, p: &mut Polygon, hinge: Hinge, force: NumberId) {
+        let Some((guide, place)) = hinge.arc.and_then(|guide| Some((guide, reference(self.scene, guide)?))) else { return };
+        let moment = Number::Moment { force: Base::Measured(force), at: self.mark(hinge.at), about: self.mark(place) };
+        let couple = self.number(&mut p.ops, moment);
+        self.answers.guides.push((guide, force, Some(couple)));
+    }
+
+    /// The force of an inner hinge on both links.
+    pub fn inner_pin(&mut self, p: &mut Polygon, hinge: Hinge, links: [LinkId; 2], [m1, x, m2]: [MarkId; 3]) {
         for (sides, ends) in [(links, [m1, x]), ([links[1], links[0]], [x, m2])] {
-            self.inner_side(p, at, sides, ends);
+            self.inner_side(p, hinge, sides, ends);
         }
     }
 
-    /// The force of an inner pin on the first of two links.
-    pub fn inner_side(&mut self, p: &mut Polygon, at: PointId, [link, other]: [LinkId; 2], ends: [MarkId; 2]) {
+    /// The force of an inner hinge on the first of two links.
+    pub fn inner_side(&mut self, p: &mut Polygon, hinge: Hinge, [link, other]: [LinkId; 2], ends: [MarkId; 2]) {
         let id = self.measured(p, ends[0], ends[1]);
-        self.answers.pins.push((at, link, id));
-        let of = if parties(self.scene, at) == 2 { Party::Link(other) } else { Party::Pin(at) };
+        let at = hinge.at;
+        match hinge.arc {
+            None => self.answers.pins.push((at, link, id)),
+            Some(guide) if self.scene.guides[guide.0].slider == Some(link) => self.on_arc(p, hinge, id),
+            Some(_) => {}
+        }
+        let of = if hinge.arc.is_some() || parties(self.scene, at) == 2 { Party::Link(other) } else { Party::Pin(at) };
         self.diagonal(p, (Term::Reaction { of, on: link, part: Part::Whole }, at), ends);
     }
 
@@ -110,10 +132,11 @@ impl Scribe<'_> {
     pub fn pushed_along(&mut self, p: &mut Polygon, (driver, guide): (usize, GuideId), [on, by]: [LinkId; 2], ends: [MarkId; 2]) {
         // It counts on what slides, in the sense of the guide.
         let [from, to] = if self.scene.guides[guide.0].on == on { [ends[1], ends[0]] } else { ends };
-        let size = self.number(&mut p.ops, Number::Along(from, to, Direction::of(Base::Tangent(Key::of(guide.0), None))));
+        let Some((along, at)) = self.push_along(guide) else { return };
+        let size = self.number(&mut p.ops, Number::Along(from, to, Direction::of(along)));
         self.answers.drivers.push((driver, size));
         p.drivers.push((driver, size));
-        if let Some(at) = reference(self.scene, guide).filter(|_| by != self.scene.ground) {
+        if by != self.scene.ground {
             let back = self.measured(p, ends[1], ends[0]);
             let term = Term::Reaction { of: Party::Driver(driver), on: by, part: Part::Whole };
             self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
@@ -128,6 +151,23 @@ impl Scribe<'_> {
             self.acting[against.0].push(Acting { term, force: None, couple: Some(opposite) });
         }
     }
+
+    /// The force of a joint that presses along one line. Of a wheel on its track the friction and the force of the path that holds it are parts of one force.
+    pub fn pressing(&self, outer: &Outer) -> Option<Term> {
+        if let Outer::Mesh { rolling, on, by, .. } = *outer
+            && self.m.path_of(self.scene, rolling).is_some()
+        {
+            return Some(Term::Reaction { of: Party::Link(by), on, part: Part::Tangential });
+        }
+        if let Outer::Slot { guide, on, .. } = *outer
+            && let Some(rolling) = self.scene.guides[guide.0].rolling
+        {
+            let [track, wheel] = self.scene.rolling[rolling.0].links;
+            let (of, on) = if on == track { (wheel, track) } else { (track, wheel) };
+            return Some(Term::Reaction { of: Party::Link(of), on, part: Part::Normal });
+        }
+        reaction(outer, Part::Whole)
+    }
 }
 
 /// The part of a reaction that an outer joint puts on its link.
@@ -140,21 +180,4 @@ pub(super) fn reaction(outer: &Outer, part: Part) -> Option<Term> {
         Outer::Turn { .. } => return None,
     };
     Some(Term::Reaction { of, on, part })
-}
-
-/// The force of a joint that presses along one line. Of a wheel on its track the friction and the force of the path that holds it are parts of one force.
-pub(super) fn pressing(scene: &Scene, outer: &Outer) -> Option<Term> {
-    if let Outer::Mesh { rolling, on, by, .. } = *outer
-        && scene.rolling[rolling.0].guide().is_some()
-    {
-        return Some(Term::Reaction { of: Party::Link(by), on, part: Part::Tangential });
-    }
-    if let Outer::Slot { guide, on, .. } = *outer
-        && let Some(rolling) = scene.guides[guide.0].rolling
-    {
-        let [track, wheel] = scene.rolling[rolling.0].links;
-        let (of, on) = if on == track { (wheel, track) } else { (track, wheel) };
-        return Some(Term::Reaction { of: Party::Link(of), on, part: Part::Normal });
-    }
-    reaction(outer, Part::Whole)
 }

@@ -3,17 +3,39 @@
 use super::{Party, another_kind};
 use hodograph_base::diag::{Both, both};
 use hodograph_mechanism::mechanism::Mechanism;
-use hodograph_mechanism::position::{Configuration, Path};
-use hodograph_scene::quantity::parties;
-use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene, Touch};
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::quantity::{met_at, parties};
+use hodograph_scene::{GuideId, GuidePath, LinkId, PointId, RollingId, Scene, Touch};
+
+/// A place about which one link turns on another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Hinge {
+    /// The pin, or the centre of the curved guide.
+    pub at: PointId,
+    /// The curved guide: its slider turns about the centre of the arc as about a pin.
+    pub arc: Option<GuideId>,
+}
+
+impl Hinge {
+    /// The pin, where it is one.
+    pub fn pin(self) -> Option<PointId> {
+        self.arc.is_none().then_some(self.at)
+    }
+}
+
+impl From<PointId> for Hinge {
+    fn from(at: PointId) -> Hinge {
+        Hinge { at, arc: None }
+    }
+}
 
 /// A joint by which a group is held from outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outer {
-    /// A pin: two unknowns.
+    /// A pin or a curved guide: two unknowns.
     Pin {
-        /// The pin.
-        at: PointId,
+        /// The place.
+        hinge: Hinge,
         /// The link of the group.
         on: LinkId,
         /// The party that holds it there.
@@ -97,9 +119,9 @@ pub enum Outer {
 /// The joint between the two links of a dyad.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pair {
-    /// A pin.
-    Pin(PointId),
-    /// A guide with its slider and the link that carries it.
+    /// A pin, or a curved guide.
+    Pin(Hinge),
+    /// A straight guide with its slider and the link that carries it.
     Slide {
         /// The guide.
         guide: GuideId,
@@ -110,20 +132,38 @@ pub enum Pair {
     },
 }
 
+/// True if a link turns about a hinge.
+pub(super) fn turns_on(scene: &Scene, link: LinkId, hinge: Hinge) -> bool {
+    match hinge.arc {
+        Some(guide) => sides(scene, guide).is_some_and(|sides| sides.contains(&link)),
+        None => scene.links[link.0].points.contains(&hinge.at),
+    }
+}
+
+/// A slider and the link that carries its guide.
+pub(super) fn sides(scene: &Scene, g: GuideId) -> Option<[LinkId; 2]> {
+    let guide = &scene.guides[g.0];
+    Some([guide.slider?, guide.on])
+}
+
 /// Joints of a group's links.
 pub(super) struct Joints {
     pub outer: Vec<Outer>,
     pub inner: Vec<Pair>,
 }
 
-/// The point from which the place of a guide's force counts: the pin that runs there, or the first point of the slider.
+/// The point from which the place of a guide's force counts: the pin that runs there, or the first at which the slider is met.
 pub(super) fn reference(scene: &Scene, g: GuideId) -> Option<PointId> {
     let guide = &scene.guides[g.0];
-    guide.pin.or_else(|| scene.links[guide.slider?.0].points.first().copied())
+    guide.pin.or_else(|| met_at(scene, guide.slider?).next())
 }
 
-/// Party that presses on a link at a pin: the other link, where there are no more; else the pin.
-pub(super) fn party(scene: &Scene, at: PointId, on: LinkId) -> Party {
+/// Party that presses on a link at a hinge: the other link, where there are no more; else the pin.
+pub(super) fn party(scene: &Scene, hinge: Hinge, on: LinkId) -> Party {
+    let at = hinge.at;
+    if let Some([slider, carrier]) = hinge.arc.and_then(|g| sides(scene, g)) {
+        return Party::Link(if slider == on { carrier } else { slider });
+    }
     let mut others = scene.carriers(at).filter(|l| *l != on);
     match (others.next(), others.next(), parties(scene, at)) {
         (Some(other), None, 2) => Party::Link(other),
@@ -146,8 +186,8 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
         if here.is_empty() || parties(scene, p) < 2 {
             continue;
         }
-        let slots: Vec<usize> =
-            (0..scene.guides.len()).filter(|g| scene.guides[*g].pin == Some(p) && scene.guides[*g].slider.is_none()).collect();
+        let runs = |g: &usize| scene.guides[*g].pin == Some(p) && scene.guides[*g].slider.is_none();
+        let slots: Vec<usize> = (0..scene.guides.len()).filter(|g| runs(g) && m.guide_holds(&scene.guides[*g], GuideId(*g))).collect();
         let rods: Vec<usize> = (0..scene.drivers.len())
             .filter(|d| ends_of(*d).is_some_and(|ends| ends.contains(&p)))
             .filter(|d| !cylinder(*d).iter().any(|l| mine(*l)))
@@ -156,13 +196,14 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
             .collect();
         let rod_links: Vec<LinkId> = rods.iter().flat_map(|d| cylinder(*d)).copied().collect();
         let held: Vec<LinkId> = scene.carriers(p).filter(|l| upstream(*l) && !rod_links.contains(l)).collect();
+        let pin = Hinge::from(p);
         match (&slots[..], &rods[..], &here[..]) {
-            ([], [], [on]) if !held.is_empty() => outer.push(Outer::Pin { at: p, on: *on, by: party(scene, p, *on) }),
-            ([], [], [..]) if !held.is_empty() => {
-                outer.extend(here.iter().map(|on| Outer::Pin { at: p, on: *on, by: party(scene, p, *on) }));
+            // A cylinder on the pin of a link that still holds it belongs to the group of that link.
+            ([], _, [..]) if !held.is_empty() => {
+                outer.extend(here.iter().map(|on| Outer::Pin { hinge: pin, on: *on, by: party(scene, pin, *on) }));
             }
             ([], [], [_]) => {}
-            ([], [], [_, _]) => inner.push(Pair::Pin(p)),
+            ([], [], [_, _]) => inner.push(Pair::Pin(pin)),
             // A cylinder belongs to the group that it moves.
             ([], [d], [on]) if held.is_empty() => {
                 let [a, b] = scene.drivers[*d].kind.ends().unwrap_or([p, p]);
@@ -170,7 +211,7 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
             }
             // The slot holds the pin with the last of its links.
             ([g], [], [on]) if !held.is_empty() && !mine(scene.guides[*g].on) => {
-                outer.push(Outer::Pin { at: p, on: *on, by: Party::Pin(p) });
+                outer.push(Outer::Pin { hinge: pin, on: *on, by: Party::Pin(p) });
             }
             ([g], [], [on]) if held.is_empty() => {
                 let by = scene.guides[*g].on;
@@ -185,22 +226,25 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
     }
     for (g, guide) in scene.guides.iter().enumerate() {
         let id = GuideId(g);
-        if at.guides[g].is_none() || m.passive.len() <= guide.on.0 {
+        if at.guides[g].is_none() || !m.guide_holds(guide, id) {
             continue;
         }
         match guide.slider {
             Some(slider) => {
-                let straight = matches!(at.guides[g], Some(Path::Line { .. }));
+                let arc = match guide.path {
+                    GuidePath::Arc { centre, .. } => Some(Hinge { at: centre, arc: Some(id) }),
+                    GuidePath::Line { .. } => None,
+                };
                 match (mine(slider), mine(guide.on)) {
-                    (true, true) if straight => inner.push(Pair::Slide { guide: id, slider, on: guide.on }),
+                    (true, true) => inner.push(arc.map_or(Pair::Slide { guide: id, slider, on: guide.on }, Pair::Pin)),
                     (true, false) | (false, true) => {
                         let (on, by) = if mine(slider) { (slider, guide.on) } else { (guide.on, slider) };
                         if upstream(by) {
-                            let at = reference(scene, id).filter(|_| straight).ok_or_else(another_kind)?;
-                            outer.push(Outer::Slide { guide: id, on, by, at });
+                            let at = reference(scene, id).ok_or_else(another_kind)?;
+                            let slide = Outer::Slide { guide: id, on, by, at };
+                            outer.push(arc.map_or(slide, |hinge| Outer::Pin { hinge, on, by: Party::Link(by) }));
                         }
                     }
-                    (true, true) => return Err(another_kind()),
                     (false, false) => {}
                 }
             }

@@ -3,8 +3,8 @@
 //! A leg presses along one line, that of its bar or square to its guide, but for what its own loads add. Moments of the whole group about the
 //! crossing of two such lines give the force along the third; the polygon crosses the other two.
 
-use super::answers::{pressing, reaction};
-use super::joints::{Joints, Outer, Pair, reference};
+use super::answers::reaction;
+use super::joints::{Hinge, Joints, Outer, Pair, reference, turns_on};
 use super::methods::carries;
 use super::scribe::{Acting, Polygon, Scribe, square_to};
 use super::{About, Gives, Part, Party, Term, another_kind};
@@ -13,7 +13,7 @@ use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::quantity::parties;
-use hodograph_scene::{GuideId, LinkId, PointId, Scene};
+use hodograph_scene::{GuideId, LinkId, PointId};
 
 /// A leg of the link.
 #[derive(Clone, Copy)]
@@ -31,10 +31,10 @@ struct Leg {
 
 #[derive(Clone, Copy)]
 enum Kind {
-    /// A bar, pinned to the link.
-    Bar { link: LinkId, near: PointId },
+    /// A bar, pinned to the link or sliding on it along an arc.
+    Bar { link: LinkId, near: Hinge },
     /// A slider in a guide outside the group, pinned to the link.
-    Block { link: LinkId, near: PointId },
+    Block { link: LinkId, near: Hinge },
     /// A pinned block that slides on the link, or in which the link slides.
     Sleeve { link: LinkId, guide: GuideId },
     /// A pin in a slot, teeth, or a cylinder.
@@ -70,19 +70,24 @@ impl Leg {
         }
     }
 
-    /// The pin that joins it to the link.
-    fn near(&self) -> Option<PointId> {
+    /// The hinge that joins it to the link.
+    fn near(&self) -> Option<Hinge> {
         match self.kind {
             Kind::Bar { near, .. } | Kind::Block { near, .. } => Some(near),
             Kind::Sleeve { .. } | Kind::Touch => None,
         }
     }
+
+    /// The place at its far end.
+    fn far(&self) -> Hinge {
+        if let Outer::Pin { hinge, .. } = self.outer { hinge } else { self.at.into() }
+    }
 }
 
 impl Loaded {
     /// The force along the line.
-    fn axial(&self, scene: &Scene) -> Option<Term> {
-        if self.across.is_some() { reaction(&self.leg.outer, Part::Normal) } else { pressing(scene, &self.leg.outer) }
+    fn axial(&self, scribe: &Scribe) -> Option<Term> {
+        if self.across.is_some() { reaction(&self.leg.outer, Part::Normal) } else { scribe.pressing(&self.leg.outer) }
     }
 }
 
@@ -99,7 +104,7 @@ impl Scribe<'_> {
                 return Err(both!("pin {pin} joins too many for a construction", "销 {pin} 连接的构件过多，无法作图"));
             }
             if let Kind::Sleeve { link, .. } = leg.kind
-                && self.all_on(link, &[leg.at]).iter().any(|a| a.force.is_some())
+                && self.all_on(link, &[leg.far()]).iter().any(|a| a.force.is_some())
             {
                 let name = self.scene.link_name(link);
                 return Err(both!("the sliding block {name} has loads of its own", "滑块 {name} 本身受载"));
@@ -118,7 +123,7 @@ impl Scribe<'_> {
     /// The link that three legs hold, and the legs.
     fn legs(&self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Option<(LinkId, [Leg; 3])> {
         let has = |pair: &Pair, l: LinkId| match *pair {
-            Pair::Pin(p) => self.scene.links[l.0].points.contains(&p),
+            Pair::Pin(hinge) => turns_on(self.scene, l, hinge),
             Pair::Slide { slider, on, .. } => slider == l || on == l,
         };
         let inner = |l: LinkId| joints.inner.iter().filter(move |p| has(p, l));
@@ -144,9 +149,11 @@ impl Scribe<'_> {
             let (mut held, mut joined) = (outer(link), inner(link));
             let (Some(held), None, Some(_), None) = (held.next(), held.next(), joined.next(), joined.next()) else { return None };
             let (kind, at, (line, along)) = match (*pair, *held) {
-                (Pair::Pin(near), Outer::Pin { at, .. }) => (Kind::Bar { link, near }, at, between(near, at)),
-                (Pair::Pin(near), Outer::Slide { at, guide, .. }) if at == near => (Kind::Block { link, near }, at, square(guide, near)),
-                (Pair::Slide { guide, .. }, Outer::Pin { at, .. }) => (Kind::Sleeve { link, guide }, at, square(guide, at)),
+                (Pair::Pin(near), Outer::Pin { hinge, .. }) => (Kind::Bar { link, near }, hinge.at, between(near.at, hinge.at)),
+                (Pair::Pin(near), Outer::Slide { at, guide, .. }) if Some(at) == near.pin() => {
+                    (Kind::Block { link, near }, at, square(guide, at))
+                }
+                (Pair::Slide { guide, .. }, Outer::Pin { hinge, .. }) => (Kind::Sleeve { link, guide }, hinge.at, square(guide, hinge.at)),
                 _ => return None,
             };
             legs.push(Leg { kind, outer: *held, at, line, along });
@@ -167,7 +174,7 @@ impl Scribe<'_> {
     }
 
     fn three_legs(&mut self, links: &[LinkId], core: LinkId, legs: [Leg; 3]) {
-        let held: Vec<PointId> = legs.iter().map(|leg| leg.near().unwrap_or(leg.at)).collect();
+        let held: Vec<Hinge> = legs.iter().map(|leg| leg.near().unwrap_or(leg.at.into())).collect();
         let own = self.all_on(core, &held);
         let (mut ops, mut found) = (Vec::new(), Vec::new());
         let legs = legs.map(|leg| self.loaded(&mut ops, &mut found, leg, core));
@@ -183,7 +190,7 @@ impl Scribe<'_> {
         let inner_one = p.last;
         self.lay_all(&mut p, &one.on_pin);
         let third = p.last;
-        if let Some(term) = three.axial(self.scene) {
+        if let Some(term) = three.axial(self) {
             self.laid(&mut p, (term, three.leg.at), Direction::of(three.leg.line).unit(), size);
         }
         self.square(&mut p, three);
@@ -203,7 +210,7 @@ impl Scribe<'_> {
         let lines = [self.line(&mut p, start, Direction::of(one.leg.line)), self.line(&mut p, end, Direction::of(two.leg.line))];
         let x = self.meet(&mut p, lines);
         for (leg, ends, is_first) in [(one, [x, start], true), (two, [end, x], false)] {
-            if let Some(term) = leg.axial(self.scene) {
+            if let Some(term) = leg.axial(self) {
                 self.side(&mut p, (term, leg.leg.at), ends, is_first);
             }
         }
@@ -220,12 +227,12 @@ impl Scribe<'_> {
 
     /// A leg with its loads, and the force square to its bar.
     fn loaded(&mut self, ops: &mut Vec<Op>, found: &mut Vec<super::Moments>, leg: Leg, core: LinkId) -> Loaded {
-        let held: Vec<PointId> = leg.near().into_iter().chain([leg.at]).collect();
+        let held: Vec<Hinge> = leg.near().into_iter().chain([leg.far()]).collect();
         let loads = leg.link().map_or_else(Vec::new, |link| self.all_on(link, &held));
-        let on_pin = leg.near().map_or_else(Vec::new, |near| self.pin_loads(near, core));
+        let on_pin = leg.near().and_then(Hinge::pin).map_or_else(Vec::new, |near| self.pin_loads(near, core));
         let across = match (leg.kind, reaction(&leg.outer, Part::Tangential)) {
             (Kind::Bar { link, near }, Some(term)) if !loads.is_empty() => {
-                let of = self.moments(ops, &[link], &loads, About::Point(near), Gives::Force(term, leg.at));
+                let of = self.moments(ops, &[link], &loads, About::Point(near.at), Gives::Force(term, leg.at));
                 self.across(ops, found, of, leg.line).map(|value| (term, value, leg.line))
             }
             _ => None,
@@ -257,13 +264,13 @@ impl Scribe<'_> {
         let mut all = own.to_vec();
         for l in legs {
             let at_pin = |a: &Acting| match l.leg.kind {
-                Kind::Block { near, .. } => Acting { force: a.force.map(|(force, _)| (force, near)), couple: None, ..*a },
+                Kind::Block { near, .. } => Acting { force: a.force.map(|(force, _)| (force, near.at)), couple: None, ..*a },
                 Kind::Bar { .. } | Kind::Sleeve { .. } | Kind::Touch => *a,
             };
             all.extend(l.loads.iter().map(at_pin));
             all.extend(&l.on_pin);
         }
-        let (Some(a), Some(b), Some(given)) = (one.axial(self.scene), two.axial(self.scene), three.axial(self.scene)) else {
+        let (Some(a), Some(b), Some(given)) = (one.axial(self), two.axial(self), three.axial(self)) else {
             return self.one;
         };
         let about = About::Crossing { at: crossing, of: [a, b] };
@@ -300,11 +307,11 @@ impl Scribe<'_> {
             self.inner_side(p, near, [core, link], ends.opposite);
         }
         match leg.kind {
-            Kind::Bar { link, .. } => self.pinned(p, leg.at, link, ends.whole),
+            Kind::Bar { link, .. } => self.pinned(p, leg.far(), link, ends.whole),
             Kind::Block { link, near } => {
                 let force = self.measured(p, ends.inner[0], ends.inner[1]);
                 let term = Term::Reaction { of: Party::Link(core), on: link, part: Part::Whole };
-                let inside = Acting { term, force: Some((Base::Measured(force), near)), couple: None };
+                let inside = Acting { term, force: Some((Base::Measured(force), near.at)), couple: None };
                 let all: Vec<Acting> = l.loads.iter().copied().chain([inside]).collect();
                 self.offset(p, leg.outer, &all, ends.whole);
             }
@@ -314,7 +321,7 @@ impl Scribe<'_> {
                 for (on, other, ends) in [(link, core, [to, from]), (core, link, [from, to])] {
                     self.diagonal(p, (Term::Reaction { of: Party::Link(other), on, part: Part::Whole }, place), ends);
                 }
-                self.pinned(p, leg.at, link, ends.whole);
+                self.pinned(p, leg.far(), link, ends.whole);
                 self.inner_guide(p, guide, link, (leg.at, place), &l.loads, [to, from]);
             }
             Kind::Touch => self.touched(p, &leg.outer, ends.whole),

@@ -1,7 +1,7 @@
 //! The methods: for each kind of group its moments and its polygon.
 
 use super::answers::reaction;
-use super::joints::{Joints, Outer, Pair, reference};
+use super::joints::{Hinge, Joints, Outer, Pair, reference};
 use super::scribe::{Acting, Polygon, Scribe, square_to};
 use super::{About, Gives, Part, Party, Term, another_kind};
 use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId};
@@ -48,8 +48,8 @@ impl Scribe<'_> {
             ([_, _], [Pair::Slide { guide, slider, on }], [x, y]) => {
                 let of = |link: LinkId| [x, y].into_iter().copied().find(|o| carries(o) == Some(link));
                 match (of(*slider), of(*on)) {
-                    (Some(Outer::Pin { at, .. }), Some(Outer::Pin { at: pivot, .. })) => {
-                        self.sliding([*slider, *on], *guide, [at, pivot]);
+                    (Some(Outer::Pin { hinge, .. }), Some(Outer::Pin { hinge: pivot, .. })) => {
+                        self.sliding([*slider, *on], *guide, [hinge, pivot]);
                         Ok(())
                     }
                     (Some(pin @ Outer::Pin { .. }), Some(slide @ Outer::Slide { .. })) => {
@@ -64,13 +64,13 @@ impl Scribe<'_> {
                 }
             }
             ([link], [], [x, y]) => match (*x, *y) {
-                (Outer::Pin { at, .. }, Outer::Turn { driver, against, .. }) => {
-                    self.driven(*link, at, driver, against);
+                (Outer::Pin { hinge, .. }, Outer::Turn { driver, against, .. }) => {
+                    self.driven(*link, hinge, driver, against);
                     Ok(())
                 }
                 (
                     pin @ Outer::Pin { .. },
-                    touch @ (Outer::Slot { .. } | Outer::Mesh { .. } | Outer::Cylinder { .. } | Outer::Balance { .. }),
+                    touch @ (Outer::Slot { .. } | Outer::Mesh { .. } | Outer::Cylinder { .. } | Outer::Balance { .. } | Outer::Push { .. }),
                 )
                 | (touch @ (Outer::Slot { .. } | Outer::Mesh { .. } | Outer::Cylinder { .. }), pin @ Outer::Pin { .. }) => {
                     self.on_a_pivot(*link, pin, touch);
@@ -92,7 +92,7 @@ impl Scribe<'_> {
     }
 
     /// RRR, RRP, PRP: two links on an inner pin. Either may be two that a driver holds as one, the last of which has the pin.
-    fn on_a_pin(&mut self, bodies: [&[LinkId]; 2], inner: PointId, outer: [Outer; 2]) {
+    fn on_a_pin(&mut self, bodies: [&[LinkId]; 2], inner: Hinge, outer: [Outer; 2]) {
         let kind = match outer.map(|o| matches!(o, Outer::Pin { .. })) {
             [true, true] => "RRR",
             [false, false] => "PRP",
@@ -103,13 +103,8 @@ impl Scribe<'_> {
     }
 
     /// The polygon of two bodies on an inner pin, the loads of the last link of the first body, and the vertices around them and the force of the pin.
-    pub(super) fn around_a_pin(
-        &mut self,
-        bodies: [&[LinkId]; 2],
-        inner: PointId,
-        outer: [Outer; 2],
-    ) -> (Polygon, Vec<Acting>, [MarkId; 3]) {
-        let held = |o: &Outer| if let Outer::Pin { at, .. } = *o { vec![at, inner] } else { vec![inner] };
+    pub(super) fn around_a_pin(&mut self, bodies: [&[LinkId]; 2], inner: Hinge, outer: [Outer; 2]) -> (Polygon, Vec<Acting>, [MarkId; 3]) {
+        let held = |o: &Outer| if let Outer::Pin { hinge, .. } = *o { vec![hinge, inner] } else { vec![inner] };
         let links = bodies.map(|body| body[body.len() - 1]);
         // The link with the inner pin stands beside it in the polygon.
         let pinned = [0, 1].map(|k| self.all_on(links[k], &held(&outer[k])));
@@ -122,13 +117,13 @@ impl Scribe<'_> {
         let mut moments = Vec::new();
         // The part square to the bar, where something turns it about the inner pin.
         let parts = [0, 1].map(|k| {
-            let Outer::Pin { at, .. } = outer[k] else { return None };
+            let Outer::Pin { hinge: Hinge { at, .. }, .. } = outer[k] else { return None };
             if acting[k].is_empty() {
                 return None;
             }
             let term = reaction(&outer[k], Part::Tangential)?;
-            let of = self.moments(&mut ops, bodies[k], &acting[k], About::Point(inner), Gives::Force(term, at));
-            let bar = Base::Arm { from: self.mark(inner), to: self.mark(at), known: false };
+            let of = self.moments(&mut ops, bodies[k], &acting[k], About::Point(inner.at), Gives::Force(term, at));
+            let bar = Base::Arm { from: self.mark(inner.at), to: self.mark(at), known: false };
             Some(((term, at), self.across(&mut ops, &mut moments, of, bar)?, bar))
         });
         self.on_plane(ops);
@@ -143,7 +138,7 @@ impl Scribe<'_> {
         let between = p.last;
         self.lay_all(&mut p, &pinned[0]);
         let before = p.last;
-        let on_pin = self.pin_loads(inner, links[0]);
+        let on_pin = inner.pin().map_or_else(Vec::new, |pin| self.pin_loads(pin, links[0]));
         self.lay_all(&mut p, &on_pin);
         let after = p.last;
         self.lay_all(&mut p, &acting[1]);
@@ -153,7 +148,7 @@ impl Scribe<'_> {
         }
         let end = p.last;
         let along = |s: &Self, o: &Outer| match *o {
-            Outer::Pin { at, .. } => Direction::of(Base::Arm { from: s.mark(inner), to: s.mark(at), known: false }),
+            Outer::Pin { hinge, .. } => Direction::of(Base::Arm { from: s.mark(inner.at), to: s.mark(hinge.at), known: false }),
             Outer::Slide { guide, .. } => normal(guide),
             Outer::Slot { .. }
             | Outer::Mesh { .. }
@@ -168,7 +163,7 @@ impl Scribe<'_> {
         for (k, ends, whole) in [(0, [x, start], [x, first]), (1, [end, x], [second, x])] {
             let split = parts[k].is_some();
             let part = if split { Part::Normal } else { Part::Whole };
-            let at = place(&outer[k]).unwrap_or(inner);
+            let at = place(&outer[k]).unwrap_or(inner.at);
             if let Some(term) = reaction(&outer[k], part) {
                 self.side(&mut p, (term, at), ends, k == 0);
             }
@@ -179,14 +174,14 @@ impl Scribe<'_> {
         self.inner_pin(&mut p, inner, links, [before, x, after]);
         for (k, whole) in [(0, [x, first]), (1, [second, x])] {
             match outer[k] {
-                Outer::Pin { at, on, .. } => self.pinned(&mut p, at, on, whole),
+                Outer::Pin { hinge, on, .. } => self.pinned(&mut p, hinge, on, whole),
                 Outer::Slide { on, .. } => {
                     let inner_ends = if k == 0 { [before, x] } else { [x, after] };
                     let force = self.measured(&mut p, inner_ends[0], inner_ends[1]);
                     let of = Party::Link(links[1 - k]);
                     let inside = Acting {
                         term: Term::Reaction { of, on, part: Part::Whole },
-                        force: Some((Base::Measured(force), inner)),
+                        force: Some((Base::Measured(force), inner.at)),
                         couple: None,
                     };
                     let all: Vec<Acting> = acting[k].iter().copied().chain([inside]).collect();
@@ -215,15 +210,16 @@ impl Scribe<'_> {
     }
 
     /// RPR: a slider pinned at `at` on a lever pinned at `pivot`.
-    fn sliding(&mut self, links: [LinkId; 2], guide: GuideId, [at, pivot]: [PointId; 2]) {
+    fn sliding(&mut self, links: [LinkId; 2], guide: GuideId, hinges: [Hinge; 2]) {
         let [slider, lever] = links;
+        let [at, pivot] = hinges.map(|hinge| hinge.at);
         let place = reference(self.scene, guide).unwrap_or(at);
-        let acting = [self.all_on(slider, &[at]), self.all_on(lever, &[pivot])];
+        let acting = [self.all_on(slider, &[hinges[0]]), self.all_on(lever, &[hinges[1]])];
         let mut p = self.polygon();
         let start = p.last;
         self.lay_all(&mut p, &acting[0]);
         let loaded = p.last;
-        let of = super::joints::party(self.scene, at, slider);
+        let of = super::joints::party(self.scene, hinges[0], slider);
         let part = |part| Term::Reaction { of, on: slider, part };
         let mut all: Vec<Acting> = acting.concat();
         if loaded != start {
@@ -247,7 +243,7 @@ impl Scribe<'_> {
         let held = p.last;
         self.lay_all(&mut p, &acting[1]);
         let end = p.last;
-        let by = super::joints::party(self.scene, pivot, lever);
+        let by = super::joints::party(self.scene, hinges[1], lever);
         self.side(&mut p, (Term::Reaction { of: by, on: lever, part: Part::Whole }, pivot), [end, start], false);
         if whole {
             self.diagonal(&mut p, (part(Part::Whole), at), [loaded, held]);
@@ -255,8 +251,8 @@ impl Scribe<'_> {
         for (on, other, ends) in [(slider, lever, [held, start]), (lever, slider, [start, held])] {
             self.diagonal(&mut p, (Term::Reaction { of: Party::Link(other), on, part: Part::Whole }, place), ends);
         }
-        self.pinned(&mut p, at, slider, [loaded, held]);
-        self.pinned(&mut p, pivot, lever, [end, start]);
+        self.pinned(&mut p, hinges[0], slider, [loaded, held]);
+        self.pinned(&mut p, hinges[1], lever, [end, start]);
         self.inner_guide(&mut p, guide, slider, (at, place), &acting[0], [held, start]);
         self.finish(p, &links, "RPR");
     }
@@ -297,10 +293,10 @@ impl Scribe<'_> {
 
     /// RPP: the first link is pinned and slides on the second, which slides in an outer guide.
     fn twice_sliding(&mut self, links: [LinkId; 2], guide: GuideId, outer: [Outer; 2]) {
-        let (Outer::Pin { at, .. }, Outer::Slide { guide: outside, at: counted, .. }) = (outer[0], outer[1]) else { return };
-        let [pinned, sliding] = links;
+        let (Outer::Pin { hinge, .. }, Outer::Slide { guide: outside, at: counted, .. }) = (outer[0], outer[1]) else { return };
+        let ([pinned, sliding], at) = (links, hinge.at);
         let place = reference(self.scene, guide).unwrap_or(at);
-        let acting = [self.all_on(pinned, &[at]), self.all_on(sliding, &[])];
+        let acting = [self.all_on(pinned, &[hinge]), self.all_on(sliding, &[])];
         let mut p = self.polygon();
         let start = p.last;
         self.lay_all(&mut p, &acting[1]);
@@ -320,7 +316,7 @@ impl Scribe<'_> {
         if let Some(term) = reaction(&outer[0], Part::Whole) {
             self.side(&mut p, (term, at), [close, start], false);
         }
-        self.pinned(&mut p, at, pinned, [close, start]);
+        self.pinned(&mut p, hinge, pinned, [close, start]);
         let couple = self.inner_guide(&mut p, guide, pinned, (at, place), &acting[0], [start, x]);
         let back = self.number(&mut p.ops, Number::Negative(couple));
         let force = self.measured(&mut p, x, start);
@@ -352,7 +348,7 @@ pub(super) fn carries(outer: &Outer) -> Option<LinkId> {
 /// A point on the line of action of an outer joint's force.
 fn place(outer: &Outer) -> Option<PointId> {
     match *outer {
-        Outer::Pin { at, .. }
+        Outer::Pin { hinge: Hinge { at, .. }, .. }
         | Outer::Slide { at, .. }
         | Outer::Slot { at, .. }
         | Outer::Mesh { at, .. }

@@ -347,13 +347,13 @@ fn extent_of(group: &GroupForces, drawn: &Drawn) -> [f64; 2] {
 fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answers: &Answers, drawn: &Drawn) -> Option<Forces> {
     let vector = |n: &NumberId| drawn.vector(*n);
     let mut pins: Vec<(PointId, LinkId, Vec2)> = answers.pins.iter().filter_map(|(p, l, n)| Some((*p, *l, vector(n)?))).collect();
-    // The ground bears the sum of the forces that several links put on one of its pins.
-    for p in scene.links[scene.ground.0].points.iter().copied().filter(|p| parties(scene, *p) > 2) {
-        let others: Vec<LinkId> = scene.carriers(p).filter(|l| *l != scene.ground).collect();
-        let force = |l: &LinkId| pins.iter().find(|(at, on, _)| (*at, *on) == (p, *l)).map(|(.., force)| *force);
-        let all: Option<Vec<Vec2>> = others.iter().map(force).collect();
-        if let Some(all) = all.filter(|_| parties(scene, p) == others.len() + 1) {
-            pins.push((p, scene.ground, all.into_iter().fold(Vec2::ZERO, |sum, force| sum - force)));
+    // The last link on a pin of several bears what the others put on it.
+    for p in (0..scene.points.len()).map(PointId).filter(|p| parties(scene, *p) > 2 && parties(scene, *p) == scene.carriers(*p).count()) {
+        let force = |l: LinkId| pins.iter().find(|(at, on, _)| (*at, *on) == (p, l)).map(|(.., force)| *force);
+        let missing: Vec<LinkId> = scene.carriers(p).filter(|l| force(*l).is_none()).collect();
+        if let [last] = missing[..] {
+            let sum = scene.carriers(p).filter_map(force).fold(Vec2::ZERO, |sum, force| sum - force);
+            pins.push((p, last, sum));
         }
     }
     let guides: Vec<(GuideId, Wrench)> = answers
@@ -365,7 +365,7 @@ fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answer
         })
         .collect();
     // A path that holds a wheel in touch presses beside the teeth or the friction: the two are one force.
-    let held = |r: RollingId| match scene.rolling[r.0].guide() {
+    let held = |r: RollingId| match m.path_of(scene, r) {
         Some(guide) => guides.iter().find(|(own, _)| *own == guide).map(|(_, w)| w.force),
         None => Some(Vec2::ZERO),
     };

@@ -1,17 +1,18 @@
 //! A link in equilibrium by itself: a driver, or a link with a pivot or a guide and one line of action.
 
-use super::answers::{pressing, reaction};
-use super::joints::{Outer, reference};
+use super::answers::reaction;
+use super::joints::{Hinge, Outer, reference};
 use super::methods::{normal, tangent};
 use super::scribe::{Acting, Polygon, Scribe};
 use super::{About, Gives, Part, Term};
 use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId, Op};
-use hodograph_scene::{LinkId, PointId};
+use hodograph_scene::{GuideId, LinkId, PointId};
 
 impl Scribe<'_> {
     /// A link on a pivot that a driver turns.
-    pub(super) fn driven(&mut self, link: LinkId, pivot: PointId, driver: usize, against: LinkId) {
-        let acting = self.all_on(link, &[pivot]);
+    pub(super) fn driven(&mut self, link: LinkId, hinge: Hinge, driver: usize, against: LinkId) {
+        let pivot = hinge.at;
+        let acting = self.all_on(link, &[hinge]);
         let mut ops = Vec::new();
         let mut moments = self.moments(&mut ops, &[link], &acting, About::Point(pivot), Gives::Driver(driver));
         let balance = self.balancing(&mut ops, &moments);
@@ -22,14 +23,20 @@ impl Scribe<'_> {
         let start = p.last;
         self.lay_all(&mut p, &acting);
         let end = p.last;
-        let of = super::joints::party(self.scene, pivot, link);
+        let of = super::joints::party(self.scene, hinge, link);
         self.side(&mut p, (Term::Reaction { of, on: link, part: Part::Whole }, pivot), [end, start], false);
-        self.pinned(&mut p, pivot, link, [end, start]);
+        self.pinned(&mut p, hinge, link, [end, start]);
         self.answers.drivers.push((driver, balance));
         self.answers.balance = self.scene.loads.balance.as_ref().map(|_| balance);
         p.drivers.push((driver, balance));
         self.turned(&mut p, against, link, balance);
         self.finish(p, &[link], "driver");
+    }
+
+    /// The line along which a driver pushes a slider, and its point.
+    pub(super) fn push_along(&self, guide: GuideId) -> Option<(Base, PointId)> {
+        let at = reference(self.scene, guide)?;
+        Some((Base::Tangent(Key::of(guide.0), Some(Key::of(at.0))), at))
     }
 
     /// The line of action of a joint that presses along one line, and a point of it.
@@ -39,17 +46,18 @@ impl Scribe<'_> {
             Outer::Cylinder { at, far, .. } => Some((Base::Arm { from: self.mark(far), to: self.mark(at), known: false }, at)),
             Outer::Mesh { rolling, at, .. } => Some((self.line_of_action(rolling), at)),
             Outer::Balance { at, .. } => Some((Base::Given(self.balance), at)),
-            Outer::Push { guide, .. } => Some((tangent(guide), reference(self.scene, guide)?)),
+            Outer::Push { guide, .. } => self.push_along(guide),
             Outer::Pin { .. } | Outer::Slide { .. } | Outer::Turn { .. } => None,
         }
     }
 
     /// A link on a pivot with one line of action.
     pub(super) fn on_a_pivot(&mut self, link: LinkId, pin: Outer, touch: Outer) {
-        let (Outer::Pin { at: pivot, .. }, Some((line, at)), Some(term)) = (pin, self.line_of(&touch), pressing(self.scene, &touch)) else {
+        let (Outer::Pin { hinge, .. }, Some((line, at)), Some(term)) = (pin, self.line_of(&touch), self.pressing(&touch)) else {
             return;
         };
-        let mut acting = self.all_on(link, &[pivot, at]);
+        let pivot = hinge.at;
+        let mut acting = self.all_on(link, &[hinge, at.into()]);
         let own = acting.len();
         acting.extend(self.pin_loads_beside(&touch, at, link));
         let mut ops = Vec::new();
@@ -59,7 +67,9 @@ impl Scribe<'_> {
         moments.value = size;
         if let Outer::Balance { driver, .. } = touch {
             // The moment that the force has about the pivot gives the power.
-            self.answers.drivers.push((driver, turning));
+            let pushed = hinge.arc.and_then(|guide| self.push_along(guide));
+            let of_driver = pushed.map_or(turning, |(line, at)| self.by_arm(&mut ops, turning, line, self.mark(at), self.mark(pivot)));
+            self.answers.drivers.push((driver, of_driver));
             self.answers.balance = Some(size);
         }
         self.on_plane(ops);
@@ -78,15 +88,15 @@ impl Scribe<'_> {
         if let Some(term) = reaction(&pin, Part::Whole) {
             self.side(&mut p, (term, pivot), [end, start], false);
         }
-        self.pinned(&mut p, pivot, link, [end, start]);
+        self.pinned(&mut p, hinge, link, [end, start]);
         self.touched(&mut p, &touch, [loaded, end]);
-        self.finish(p, &[link], if matches!(touch, Outer::Balance { .. }) { "driver" } else { "RH" });
+        self.finish(p, &[link], if matches!(touch, Outer::Balance { .. } | Outer::Push { .. }) { "driver" } else { "RH" });
     }
 
     /// The forces of others on a pin at which a slot, a cylinder or a balancing force acts on the link.
     fn pin_loads_beside(&mut self, touch: &Outer, at: PointId, link: LinkId) -> Vec<Acting> {
         let pinned = self.scene.links[link.0].points.contains(&at);
-        let counts = matches!(touch, Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Balance { .. });
+        let counts = matches!(touch, Outer::Slot { .. } | Outer::Cylinder { .. } | Outer::Balance { .. } | Outer::Push { .. });
         if pinned && counts { self.pin_loads(at, link) } else { Vec::new() }
     }
 
@@ -113,7 +123,7 @@ impl Scribe<'_> {
     pub(super) fn in_a_guide(&mut self, link: LinkId, slide: Outer, touch: Outer) {
         let (Outer::Slide { guide, at: counted, .. }, Some((line, at))) = (slide, self.line_of(&touch)) else { return };
         let moved = matches!(touch, Outer::Push { .. } | Outer::Balance { .. });
-        let held = if moved { vec![] } else { vec![at] };
+        let held = if moved { vec![] } else { vec![at.into()] };
         let mut acting = self.all_on(link, &held);
         let own = acting.len();
         if matches!(touch, Outer::Slot { .. } | Outer::Cylinder { .. }) {
@@ -131,7 +141,7 @@ impl Scribe<'_> {
             self.side(&mut p, (term, counted), [x, start], true);
         }
         let mut all = acting.clone();
-        if let Some(term) = pressing(self.scene, &touch) {
+        if let Some(term) = self.pressing(&touch) {
             self.side(&mut p, (term, at), [end, x], false);
             let force = self.measured(&mut p, end, x);
             all.push(Acting { term, force: Some((Base::Measured(force), at)), couple: None });

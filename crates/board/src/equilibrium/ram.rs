@@ -1,11 +1,11 @@
 //! A ram written as its two links, a slider and its guide, that moves a third: the two are one body, in which the driver pushes along the guide.
 
-use super::joints::{Outer, reference};
+use super::joints::{Hinge, Outer, reference, turns_on};
 use super::methods::{carries, normal, tangent};
 use super::scribe::{Acting, Scribe};
 use super::{Part, Party, Term};
 use crate::construction::{Base, Direction, Number};
-use hodograph_scene::{GuideId, LinkId, PointId};
+use hodograph_scene::{GuideId, LinkId};
 
 /// The two links of a ram and its driver.
 pub(super) struct Ram {
@@ -22,14 +22,14 @@ impl Scribe<'_> {
     pub(super) fn ram(
         &self,
         links: &[LinkId],
-        inner: PointId,
+        inner: Hinge,
         (guide, slider, on): (GuideId, LinkId, LinkId),
         outer: [Outer; 2],
     ) -> Option<(Ram, LinkId, [Outer; 2])> {
         // A balancing force of its own does not hold the two as one.
         let driver =
             self.scene.drivers.iter().position(|d| d.kind.guide() == Some(guide)).filter(|_| self.scene.loads.balance.is_none())?;
-        let pinned = |l: LinkId| self.scene.links[l.0].points.contains(&inner);
+        let pinned = |l: LinkId| turns_on(self.scene, l, inner);
         let (rod, barrel) = if pinned(slider) { (slider, on) } else { (on, slider) };
         let moved = links.iter().copied().find(|l| ![rod, barrel].contains(l)).filter(|l| pinned(*l) && pinned(rod))?;
         let of = |link: LinkId| outer.into_iter().find(|o| carries(o) == Some(link));
@@ -38,10 +38,10 @@ impl Scribe<'_> {
     }
 
     /// A dyad of a ram and the link that it moves.
-    pub(super) fn on_a_ram(&mut self, ram: &Ram, moved: LinkId, inner: PointId, outer: [Outer; 2]) {
+    pub(super) fn on_a_ram(&mut self, ram: &Ram, moved: LinkId, inner: Hinge, outer: [Outer; 2]) {
         let Ram { driver, guide, rod, barrel } = *ram;
         let (mut p, loads, [from, _, x]) = self.around_a_pin([&[barrel, rod], &[moved]], inner, outer);
-        let place = reference(self.scene, guide).unwrap_or(inner);
+        let place = reference(self.scene, guide).unwrap_or(inner.at);
         // The force of the barrel on the rod closes the forces on the rod: along the guide the driver pushes, square to it the guide presses.
         let lines = [self.line(&mut p, x, Direction::of(tangent(guide))), self.line(&mut p, from, normal(guide))];
         let corner = self.meet(&mut p, lines);
@@ -51,7 +51,7 @@ impl Scribe<'_> {
         let force = self.measured(&mut p, x, corner);
         let pushed = Acting { term: push, force: Some((Base::Measured(force), place)), couple: None };
         let all: Vec<Acting> = loads.into_iter().chain([pushed]).collect();
-        self.inner_guide(&mut p, guide, rod, (inner, place), &all, [corner, from]);
+        self.inner_guide(&mut p, guide, rod, (inner.at, place), &all, [corner, from]);
         // It counts on what slides, in the sense of the guide.
         let ends = if self.scene.guides[guide.0].slider == Some(rod) { [x, corner] } else { [corner, x] };
         let size = self.number(&mut p.ops, Number::Along(ends[0], ends[1], Direction::of(tangent(guide))));

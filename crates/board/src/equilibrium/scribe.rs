@@ -1,6 +1,6 @@
 //! Writes the construction: what acts on each link, and the acts of polygons and moments.
 
-use super::joints::joints;
+use super::joints::{Hinge, joints};
 use super::{About, Answers, Gives, GroupForces, Moments, Part, Party, Side, Term, Undrawn};
 use crate::construction::{
     Base, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Vector, VectorId,
@@ -39,6 +39,7 @@ pub(super) struct OnPin {
 
 pub(super) struct Scribe<'a> {
     pub scene: &'a Scene,
+    pub m: &'a Mechanism,
     pub c: Construction,
     pub places: Vec<Option<MarkId>>,
     pub acting: Vec<Vec<Acting>>,
@@ -76,8 +77,9 @@ pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &
     let answers = Answers::default();
     let at_pin = vec![Vec::new(); scene.points.len()];
     let balance = Key::of(loads.len());
-    let mut scribe = Scribe { scene, c, places, acting, at_pin, answers, groups: Vec::new(), one, plane, balance, crossings: 0 };
-    let mut open = vec![true; scene.links.len()];
+    let mut scribe = Scribe { scene, m, c, places, acting, at_pin, answers, groups: Vec::new(), one, plane, balance, crossings: 0 };
+    // Links for which nothing calls have no loads and press on nothing.
+    let mut open: Vec<bool> = (0..scene.links.len()).map(|l| at.poses[l].is_some() || l == scene.ground.0).collect();
     let mut broken = vec![false; scene.links.len()];
     let mut undrawn = Vec::new();
     for group in m.assur(scene).iter().rev() {
@@ -289,11 +291,11 @@ impl Scribe<'_> {
         self.at_pin[at.0].iter().map(of).collect()
     }
 
-    /// All that acts on a link: its loads, and what presses on pins that no other link holds.
-    pub fn all_on(&mut self, link: LinkId, held: &[PointId]) -> Vec<Acting> {
+    /// All that acts on a link: its loads, and what presses on its pins other than those at which it is held.
+    pub fn all_on(&mut self, link: LinkId, held: &[Hinge]) -> Vec<Acting> {
         let mut acting = self.acting[link.0].clone();
         for p in self.scene.links[link.0].points.clone() {
-            if !held.contains(&p) {
+            if !held.iter().any(|hinge| hinge.pin() == Some(p)) {
                 acting.extend(self.pin_loads(p, link));
             }
         }

@@ -5,19 +5,19 @@
 //! inner pin in S. The diagonal between the first link and the rest is what the bars put on it; their lines divide it.
 
 use super::answers::reaction;
-use super::joints::{Joints, Outer, Pair};
+use super::joints::{Hinge, Joints, Outer, Pair, turns_on};
 use super::scribe::{Acting, Polygon, Scribe, square_to};
 use super::{About, Gives, Moments, Part, Party, Term, another_kind};
 use crate::construction::{Base, Direction, Key, Line, MarkId, Name, Number, NumberId, Op};
 use hodograph_base::diag::{Both, both};
 use hodograph_mechanism::position::Configuration;
-use hodograph_scene::{LinkId, PointId};
+use hodograph_scene::LinkId;
 
 /// A bar with its pins on the first and on the second link.
 #[derive(Clone, Copy)]
 struct Bar {
     link: LinkId,
-    pins: [PointId; 2],
+    pins: [Hinge; 2],
 }
 
 /// A bar with its loads and the forces square to it that the links put on it; none without loads.
@@ -31,7 +31,7 @@ struct Loaded {
 struct Joined {
     links: [LinkId; 2],
     outer: [Outer; 2],
-    pivots: [PointId; 2],
+    pivots: [Hinge; 2],
     bars: [Bar; 2],
 }
 
@@ -46,11 +46,13 @@ impl Scribe<'_> {
     pub(super) fn on_two_bars(&mut self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Result<(), Both> {
         let group = self.joined(links, joints).ok_or_else(another_kind)?;
         let name = |k: usize| self.scene.link_name(group.bars[k].link);
-        if let Some(pin) = group.bars.iter().flat_map(|b| b.pins).find(|p| !self.pin_loads(*p, group.links[0]).is_empty()) {
+        if let Some(pin) =
+            group.bars.iter().flat_map(|b| b.pins).filter_map(Hinge::pin).find(|p| !self.pin_loads(*p, group.links[0]).is_empty())
+        {
             return Err(both!("a further group presses on pin {}", "销 {} 上还作用着另一杆组", self.scene.point_name(pin)));
         }
         let along = group.bars.map(|b| {
-            let [p, q] = b.pins.map(|p| at.points[p.0]);
+            let [p, q] = b.pins.map(|p| at.points[p.at.0]);
             p.zip(q).and_then(|(p, q)| (q - p).unit())
         });
         match along {
@@ -68,9 +70,11 @@ impl Scribe<'_> {
     }
 
     fn joined(&self, links: &[LinkId], joints: &Joints) -> Option<Joined> {
-        let [first @ Outer::Pin { on: a, at: p, .. }, second @ Outer::Pin { on: b, at: q, .. }] = joints.outer[..] else { return None };
-        let has = |l: LinkId, p: &PointId| self.scene.links[l.0].points.contains(p);
-        let inner: Vec<PointId> =
+        let [first @ Outer::Pin { on: a, hinge: p, .. }, second @ Outer::Pin { on: b, hinge: q, .. }] = joints.outer[..] else {
+            return None;
+        };
+        let has = |l: LinkId, hinge: &Hinge| turns_on(self.scene, l, *hinge);
+        let inner: Vec<Hinge> =
             joints.inner.iter().map(|pair| if let Pair::Pin(p) = pair { Some(*p) } else { None }).collect::<Option<_>>()?;
         let bars: Vec<Bar> = links
             .iter()
@@ -88,7 +92,7 @@ impl Scribe<'_> {
         let (mut ops, mut found) = (Vec::new(), Vec::new());
         let [one, two] = group.bars.map(|bar| self.loaded_bar(&mut ops, &mut found, bar, group.links));
         let lines = [&one, &two].map(|l| {
-            let [from, to] = l.bar.pins.map(|p| self.mark(p));
+            let [from, to] = l.bar.pins.map(|p| self.mark(p.at));
             let along = Direction::of(Base::Arm { from, to, known: false });
             let line = self.c.line(Line { on: self.plane, through: from, along, moved: false, carries: Vec::new() });
             ops.push(Op::Rule(line));
@@ -103,7 +107,7 @@ impl Scribe<'_> {
         let mut p = self.polygon();
         p.moments = found;
         let start = p.last;
-        let arms = group.pivots.map(|pivot| Base::Arm { from: crossing, to: self.mark(pivot), known: false });
+        let arms = group.pivots.map(|pivot| Base::Arm { from: crossing, to: self.mark(pivot.at), known: false });
         self.part(&mut p, group, 0, arms[0], square[0]);
         let first = p.last;
         self.lay_all(&mut p, &own[0]);
@@ -121,10 +125,10 @@ impl Scribe<'_> {
             let (outer, pivot) = (&group.outer[k], group.pivots[k]);
             let part = if square[k].is_some() { Part::Normal } else { Part::Whole };
             if let Some(term) = reaction(outer, part) {
-                self.side(&mut p, (term, pivot), ends, k == 0);
+                self.side(&mut p, (term, pivot.at), ends, k == 0);
             }
             if let (true, Some(term)) = (square[k].is_some(), reaction(outer, Part::Whole)) {
-                self.diagonal(&mut p, (term, pivot), whole);
+                self.diagonal(&mut p, (term, pivot.at), whole);
             }
             self.pinned(&mut p, pivot, group.links[k], whole);
         }
@@ -147,7 +151,7 @@ impl Scribe<'_> {
 
     /// From the pin on the other link to that on one.
     fn along(&self, l: &Loaded, k: usize) -> Base {
-        Base::Arm { from: self.mark(l.bar.pins[1 - k]), to: self.mark(l.bar.pins[k]), known: false }
+        Base::Arm { from: self.mark(l.bar.pins[1 - k].at), to: self.mark(l.bar.pins[k].at), known: false }
     }
 
     /// The force of a link on a bar, or that of the bar on the link, square to the bar.
@@ -162,8 +166,8 @@ impl Scribe<'_> {
         let mut l = Loaded { bar, loads, across: [None, None] };
         for k in [0, 1] {
             let (pin, other) = (bar.pins[k], bar.pins[1 - k]);
-            let gives = Gives::Force(Self::square_term(&l, links[k], true), pin);
-            let of = self.moments(ops, &[bar.link], &l.loads, About::Point(other), gives);
+            let gives = Gives::Force(Self::square_term(&l, links[k], true), pin.at);
+            let of = self.moments(ops, &[bar.link], &l.loads, About::Point(other.at), gives);
             l.across[k] = self.across(ops, found, of, self.along(&l, k));
         }
         l
@@ -181,22 +185,22 @@ impl Scribe<'_> {
     ) -> Option<NumberId> {
         let (link, pivot) = (group.links[k], group.pivots[k]);
         let axial = bars.map(|l| Term::Reaction { of: Party::Link(l.bar.link), on: link, part: Part::Normal });
-        let gives = Gives::Force(reaction(&group.outer[k], Part::Tangential)?, pivot);
+        let gives = Gives::Force(reaction(&group.outer[k], Part::Tangential)?, pivot.at);
         let mut moments = self.moments(ops, &[link], own, About::Crossing { at: crossing, of: axial }, gives);
         for l in bars {
             let (Some(value), pin) = (l.across[k], l.bar.pins[k]) else { continue };
             // A unit force square to the bar turns by the part of its arm along the bar; the bar presses the other way.
-            let arm = self.number(ops, Number::Along(crossing, self.mark(pin), Direction::of(self.along(l, k))));
+            let arm = self.number(ops, Number::Along(crossing, self.mark(pin.at), Direction::of(self.along(l, k))));
             let turned = self.number(ops, Number::Product(value, arm));
-            moments.of.push((Self::square_term(l, link, false), pin, self.number(ops, Number::Negative(turned))));
+            moments.of.push((Self::square_term(l, link, false), pin.at, self.number(ops, Number::Negative(turned))));
         }
-        self.across(ops, found, moments, Base::Arm { from: crossing, to: self.mark(pivot), known: false })
+        self.across(ops, found, moments, Base::Arm { from: crossing, to: self.mark(pivot.at), known: false })
     }
 
     /// Lays off the part of an outer reaction square to its arm.
     fn part(&mut self, p: &mut Polygon, group: &Joined, k: usize, arm: Base, value: Option<NumberId>) {
         if let (Some(value), Some(term)) = (value, reaction(&group.outer[k], Part::Tangential)) {
-            self.laid(p, (term, group.pivots[k]), square_to(arm), value);
+            self.laid(p, (term, group.pivots[k].at), square_to(arm), value);
         }
     }
 
@@ -206,7 +210,7 @@ impl Scribe<'_> {
         let times = if on_bar { value } else { self.number(&mut p.ops, Number::Negative(value)) };
         let (last, sides) = (p.last, p.sides.len());
         p.last = from;
-        self.laid(p, (Self::square_term(l, link, on_bar), l.bar.pins[0]), square_to(self.along(l, 0)), times);
+        self.laid(p, (Self::square_term(l, link, on_bar), l.bar.pins[0].at), square_to(self.along(l, 0)), times);
         p.diagonals.extend(p.sides.split_off(sides));
         std::mem::replace(&mut p.last, last)
     }

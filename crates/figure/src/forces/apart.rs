@@ -12,7 +12,7 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols;
-use hodograph_scene::{Friction, LinkId, PointId, Rub};
+use hodograph_scene::{Friction, Guide, GuidePath, LinkId, PointId, Rub};
 
 /// Lengths of the arrows of the smallest and of the largest force.
 const ARROW_MM: [f64; 2] = [9.0, 22.0];
@@ -96,8 +96,10 @@ impl Page<'_> {
         let at_point = Some((at, 0.0));
         let scene = self.maker.scene;
         let Term::Reaction { of: hodograph_board::equilibrium::Party::Link(by), on, .. } = side.term else { return at_point };
-        let joins =
-            |g: &hodograph_scene::Guide| g.slider.is_some() && (g.on == by && g.slider == Some(on) || g.on == on && g.slider == Some(by));
+        let joins = |g: &Guide| {
+            let straight = matches!(g.path, GuidePath::Line { .. });
+            straight && g.slider.is_some_and(|s| [s, g.on] == [on, by] || [s, g.on] == [by, on])
+        };
         let Some(guide) = scene.guides.iter().position(joins) else { return at_point };
         let Some((_, w)) = self.of.forces.guides.iter().find(|(g, _)| g.0 == guide) else { return at_point };
         let Some(n) = w.force.unit() else { return at_point };

@@ -8,7 +8,7 @@ use hodograph_base::notation::Notation;
 use hodograph_mechanism::mechanism::{Assur, Opened, Passive};
 use hodograph_paper::paper::drawing::Drawing;
 use hodograph_paper::paper::style::Style;
-use hodograph_scene::{GuideId, LinkId, PointId, Scene};
+use hodograph_scene::{Guide, GuideId, GuidePath, LinkId, PointId, Scene};
 use hodograph_worked::worked::Worked;
 
 /// What is shown of a mechanism.
@@ -73,7 +73,13 @@ pub fn links(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation,
     let shown: Vec<bool> = (0..scene.links.len()).map(|l| links.contains(&LinkId(l))).collect();
     let mut draft = Draft::new(style, scene, worked, notation, &course);
     draft.forms.iter_mut().zip(&shown).filter(|(_, shown)| !**shown).for_each(|(form, _)| *form = None::<Form>);
-    draft.only = Some(Only { links: shown, drivers: vec![false; scene.drivers.len()], pins: Vec::new() });
+    // Forces of a curved guide pass through its centre.
+    let centre = |g: &Guide| match g.path {
+        GuidePath::Arc { centre, .. } => g.slider.filter(|s| shown[s.0]).map(|_| centre),
+        GuidePath::Line { .. } => None,
+    };
+    let pins = scene.guides.iter().filter_map(centre).collect();
+    draft.only = Some(Only { links: shown, drivers: vec![false; scene.drivers.len()], pins });
     draft.pieces_of_it();
     draft.d
 }

@@ -134,6 +134,11 @@ impl Mechanism {
         self.keeps(id) && (guide.rolling.is_none() || self.constraints.iter().any(|c| c.item() == Item::Guide(id)))
     }
 
+    /// The path that keeps a rolling pair in touch, where it holds.
+    pub fn path_of(&self, scene: &Scene, pair: RollingId) -> Option<GuideId> {
+        scene.rolling[pair.0].guide().filter(|g| self.guide_holds(&scene.guides[g.0], *g))
+    }
+
     /// Guides between gears whose distance other pairs have to keep, without those along which a rack slides.
     pub fn kept_apart<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = GuideId> + 'a {
         holding(scene).filter(|g| !self.guide_holds(&scene.guides[g.0], *g) && self.keeps(*g))

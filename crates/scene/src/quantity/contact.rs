@@ -1,7 +1,7 @@
 //! Places where links press on each other.
 
-use crate::model::{GuideId, LinkId, PointId, Scene};
-use crate::rolling::{RollingId, Touch};
+use crate::model::{Guide, GuideId, LinkId, PointId, Scene};
+use crate::rolling::{RollingId, RollingKind, Touch};
 
 /// A place where two links press on each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,12 +15,22 @@ pub enum Contact {
 }
 
 /// The number of parties that press on a pin: links, bare guides in which it runs, cylinders of which no numbered part carries it.
+/// The line of a rope holds no pin.
 pub fn parties(scene: &Scene, p: PointId) -> usize {
-    let slots = scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none()).count();
+    let rope = |g: &Guide| g.rolling.is_some_and(|r| scene.rolling[r.0].kind == RollingKind::Rope);
+    let slots = scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none() && !rope(g)).count();
     let carried = |l: &LinkId| scene.links[l.0].points.contains(&p);
     let cylinders =
         scene.drivers.iter().filter(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p)) && !d.kind.parts().iter().any(carried));
     scene.carriers(p).count() + slots + cylinders.count()
+}
+
+/// Points at which a link is met: its own, then the pins that run in its guides, then its places of contact.
+pub fn met_at(scene: &Scene, l: LinkId) -> impl Iterator<Item = PointId> + '_ {
+    let own = scene.links[l.0].points.iter().copied();
+    let pins = scene.guides.iter().filter(move |g| g.on == l).filter_map(|g| g.pin);
+    let contacts = scene.rolling.iter().filter_map(move |r| r.links.iter().position(|own| *own == l).map(|k| r.at[k]));
+    own.chain(pins).chain(contacts)
 }
 
 /// The places where two links press on each other, with nothing between them.

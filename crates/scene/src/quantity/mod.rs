@@ -40,7 +40,7 @@ pub use cam::CamQuantity;
 pub use centre::InstantCentre;
 pub use combined::{Combined, Operand};
 pub use composite::Composite;
-pub use contact::{Contact, bar, contacts, parties};
+pub use contact::{Contact, bar, contacts, met_at, parties};
 pub use curvature::{Curvature, OfPath, OfPole};
 pub use entry::{Entry, Form, Of, Over};
 pub use force::{Along, ByMotion, Force};
