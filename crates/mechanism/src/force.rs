@@ -281,12 +281,19 @@ pub fn pressure_angle(pair: &Rolling) -> f64 {
 pub fn completed<N: Real>(scene: &Scene, at: &Configuration<N>, loads: &[Load<N>], reactions: Forces<N>) -> Forces<N> {
     let Forces { pins, guides, drivers, .. } = &reactions;
     let forces = loads.iter().map(|l| l.wrench.force).chain(pins.iter().map(|p| p.2)).chain(guides.iter().map(|g| g.1.force));
-    let largest = forces.map(|f| f.norm().approx()).fold(0.0, f64::max);
+    let largest = forces.map(|f| f.norm().approx()).fold(inertia_of_rounding(scene, at), f64::max);
     let turned = scene.drivers.iter().zip(drivers).filter(|(d, _)| d.kind.turns()).map(|(_, moment)| *moment);
     let couples = loads.iter().map(|l| l.wrench.couple).chain(guides.iter().map(|g| g.1.couple)).chain(turned);
     let largest_moment = couples.map(|c| c.approx().abs()).fold(largest * at.extent(), f64::max);
     let inertia = loads.iter().filter(|l| l.cause == Cause::Inertia).map(|l| (l.link, l.wrench)).collect();
     Forces { inertia, largest, largest_moment, largest_power: largest * fastest(scene, at), ..reactions }
+}
+
+/// The inertia force (N) that rounding makes where nothing accelerates: a force of no more is none.
+fn inertia_of_rounding<N: Real>(scene: &Scene, at: &Configuration<N>) -> f64 {
+    let heaviest = scene.loads.masses.iter().filter_map(|m| m.m.as_ref()).map(|m| m.value).fold(0.0, f64::max);
+    let speed = fastest(scene, at);
+    ROUNDING * heaviest * speed * speed / at.extent().max(f64::MIN_POSITIVE)
 }
 
 /// The speed (m/s) beside which a velocity is rounding: that of the drivers at the size of the mechanism.

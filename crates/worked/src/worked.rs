@@ -207,6 +207,9 @@ pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configur
 /// Room (mm) for the largest force polygon.
 const FORCES_MM: [f64; 2] = [110.0, 110.0];
 
+/// Rounding of a reaction, in that of one polygon.
+const POLYGONS: f64 = 10.0;
+
 /// By how much more than a length an acceleration may be off: a length enters it by its square, and by two links.
 const NEARLY: f64 = 64.0;
 
@@ -285,7 +288,8 @@ fn stages(
         let agreement = match (&drawn, level) {
             (Some(d), _) if matches!(find.what, Asked::Force(_)) => {
                 let crossings = equilibrium.as_ref().map_or(1.0, Equilibrium::magnified);
-                Some(compare(d.value, computed, scale, magnified(demand.level).max(crossings)))
+                // A reaction stands at the end of several polygons, each of which rests on those before.
+                Some(compare(d.value, computed, POLYGONS * scale, magnified(demand.level).max(crossings)))
             }
             (_, Level::Position) | (None, _) => None,
             (Some(d), _) => {
