@@ -1,7 +1,7 @@
 //! The answers that a polygon gives, and what a group does to the links that hold it.
 
-use super::joints::{Hinge, Outer, party, reference, sides};
-use super::scribe::{Acting, OnPin, Polygon, Scribe};
+use super::joints::{Held, Hinge, Outer, party, reference, sides};
+use super::scribe::{Acting, OnPin, Polygon, Scribe, square_to};
 use super::{Part, Party, Term};
 use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId};
 use hodograph_scene::quantity::parties;
@@ -11,25 +11,66 @@ impl Scribe<'_> {
     /// Puts the force of a hinge on a link among the answers, its opposite on what holds it, and hands that on.
     pub fn pinned(&mut self, p: &mut Polygon, hinge: Hinge, on: LinkId, [from, to]: [MarkId; 2]) {
         let (own, back, at) = (self.measured(p, from, to), self.measured(p, to, from), hinge.at);
-        if let Some([slider, carrier]) = hinge.arc.and_then(|g| sides(self.scene, g)) {
-            let by = if slider == on { carrier } else { slider };
-            self.on_arc(p, hinge, if slider == on { own } else { back });
-            if by != self.scene.ground {
-                let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
-                self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
+        let by = match hinge.held {
+            Held::Pin => {
+                self.answers.pins.push((at, on, own));
+                if let Party::Link(other) = party(self.scene, hinge, on) {
+                    self.answers.pins.push((at, other, back));
+                }
+                self.at_pin[at.0].push(OnPin { of: Party::Link(on), force: back });
+                return;
             }
-            return;
+            Held::Arc(guide) => {
+                let slider = self.scene.guides[guide.0].slider == Some(on);
+                self.on_arc(p, hinge, if slider { own } else { back });
+                sides(self.scene, guide).and_then(|sides| sides.into_iter().find(|l| *l != on))
+            }
+            Held::Driven { guide, driver } => {
+                let slot = self.scene.guides[guide.0].on;
+                if slot == on {
+                    self.along_slot(p, (guide, driver), [to, from]);
+                } else {
+                    // The pin hands on what slot, driver and the other links put on it.
+                    self.held_at(p, at, on, [from, to]);
+                    let loads = self.pin_loads(at, on);
+                    let (last, sides) = (std::mem::replace(&mut p.last, from), p.sides.len());
+                    self.lay_all(p, &loads);
+                    p.diagonals.extend(p.sides.split_off(sides));
+                    let loaded = std::mem::replace(&mut p.last, last);
+                    self.along_slot(p, (guide, driver), [loaded, to]);
+                }
+                if slot == on && parties(self.scene, at) > 2 {
+                    self.at_pin[at.0].push(OnPin { of: Party::Link(on), force: back });
+                    return;
+                }
+                if slot == on { self.scene.carriers(at).next() } else { Some(slot) }
+            }
+        };
+        if let Some(by) = by.filter(|by| *by != self.scene.ground) {
+            let term = Term::Reaction { of: Party::Link(on), on: by, part: Part::Whole };
+            self.acting[by.0].push(Acting { term, force: Some((Base::Measured(back), at)), couple: None });
         }
-        self.answers.pins.push((at, on, own));
-        if let Party::Link(other) = party(self.scene, hinge, on) {
-            self.answers.pins.push((at, other, back));
-        }
-        self.at_pin[at.0].push(OnPin { of: Party::Link(on), force: back });
+    }
+
+    /// The forces on a pin that a driver moves along a slot: the driver pushes along it, the slot presses square to it.
+    fn along_slot(&mut self, p: &mut Polygon, (guide, driver): (GuideId, usize), [from, to]: [MarkId; 2]) {
+        let Some((along, at)) = self.push_along(guide) else { return };
+        let Some(runner) = self.scene.carriers(at).next() else { return };
+        let lines = [self.line(p, from, Direction::of(along)), self.line(p, to, square_to(along))];
+        let corner = self.meet(p, lines);
+        let slot = self.scene.guides[guide.0].on;
+        self.diagonal(p, (Term::Reaction { of: Party::Driver(driver), on: runner, part: Part::Whole }, at), [from, corner]);
+        self.diagonal(p, (Term::Reaction { of: Party::Link(slot), on: runner, part: Part::Whole }, at), [corner, to]);
+        let pressed = self.measured(p, corner, to);
+        self.answers.guides.push((guide, pressed, None));
+        let size = self.number(&mut p.ops, Number::Along(from, corner, Direction::of(along)));
+        self.answers.drivers.push((driver, size));
+        p.drivers.push((driver, size));
     }
 
     /// The force of a curved guide on its slider: its line passes through the centre of the arc.
     fn on_arc(&mut self, p: &mut Polygon, hinge: Hinge, force: NumberId) {
-        let Some((guide, place)) = hinge.arc.and_then(|guide| Some((guide, reference(self.scene, guide)?))) else { return };
+        let Some((guide, place)) = hinge.arc().and_then(|guide| Some((guide, reference(self.scene, guide)?))) else { return };
         let moment = Number::Moment { force: Base::Measured(force), at: self.mark(hinge.at), about: self.mark(place) };
         let couple = self.number(&mut p.ops, moment);
         self.answers.guides.push((guide, force, Some(couple)));
@@ -46,12 +87,26 @@ impl Scribe<'_> {
     pub fn inner_side(&mut self, p: &mut Polygon, hinge: Hinge, [link, other]: [LinkId; 2], ends: [MarkId; 2]) {
         let id = self.measured(p, ends[0], ends[1]);
         let at = hinge.at;
-        match hinge.arc {
-            None => self.answers.pins.push((at, link, id)),
-            Some(guide) if self.scene.guides[guide.0].slider == Some(link) => self.on_arc(p, hinge, id),
-            Some(_) => {}
-        }
-        let of = if hinge.arc.is_some() || parties(self.scene, at) == 2 { Party::Link(other) } else { Party::Pin(at) };
+        let of = match hinge.held {
+            Held::Pin => {
+                self.answers.pins.push((at, link, id));
+                if parties(self.scene, at) == 2 { Party::Link(other) } else { Party::Pin(at) }
+            }
+            Held::Arc(guide) => {
+                if self.scene.guides[guide.0].slider == Some(link) {
+                    self.on_arc(p, hinge, id);
+                }
+                Party::Link(other)
+            }
+            Held::Driven { guide, driver } => {
+                if self.scene.guides[guide.0].on == link {
+                    self.along_slot(p, (guide, driver), [ends[1], ends[0]]);
+                } else {
+                    self.held_at(p, at, link, ends);
+                }
+                Party::Pin(at)
+            }
+        };
         self.diagonal(p, (Term::Reaction { of, on: link, part: Part::Whole }, at), ends);
     }
 

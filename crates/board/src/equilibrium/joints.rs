@@ -12,27 +12,51 @@ use hodograph_scene::{GuideId, GuidePath, LinkId, PointId, RollingId, Scene, Tou
 pub struct Hinge {
     /// The pin, or the centre of the curved guide.
     pub at: PointId,
-    /// The curved guide: its slider turns about the centre of the arc as about a pin.
-    pub arc: Option<GuideId>,
+    /// By what the links are held together there.
+    pub held: Held,
+}
+
+/// By what two links turn on each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Held {
+    /// A pin of both.
+    Pin,
+    /// A curved guide: its slider turns about the centre of the arc as about a pin.
+    Arc(GuideId),
+    /// A pin of one in a slot of the other, along which a driver moves it.
+    Driven {
+        /// The slot.
+        guide: GuideId,
+        /// The driver.
+        driver: usize,
+    },
 }
 
 impl Hinge {
     /// The pin, where it is one.
     pub fn pin(self) -> Option<PointId> {
-        self.arc.is_none().then_some(self.at)
+        match self.held {
+            Held::Pin | Held::Driven { .. } => Some(self.at),
+            Held::Arc(_) => None,
+        }
+    }
+
+    /// The curved guide, where it is one.
+    pub fn arc(self) -> Option<GuideId> {
+        if let Held::Arc(guide) = self.held { Some(guide) } else { None }
     }
 }
 
 impl From<PointId> for Hinge {
     fn from(at: PointId) -> Hinge {
-        Hinge { at, arc: None }
+        Hinge { at, held: Held::Pin }
     }
 }
 
 /// A joint by which a group is held from outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outer {
-    /// A pin or a curved guide: two unknowns.
+    /// A hinge: two unknowns.
     Pin {
         /// The place.
         hinge: Hinge,
@@ -119,7 +143,7 @@ pub enum Outer {
 /// The joint between the two links of a dyad.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pair {
-    /// A pin, or a curved guide.
+    /// A hinge.
     Pin(Hinge),
     /// A straight guide with its slider and the link that carries it.
     Slide {
@@ -134,9 +158,11 @@ pub enum Pair {
 
 /// True if a link turns about a hinge.
 pub(super) fn turns_on(scene: &Scene, link: LinkId, hinge: Hinge) -> bool {
-    match hinge.arc {
-        Some(guide) => sides(scene, guide).is_some_and(|sides| sides.contains(&link)),
-        None => scene.links[link.0].points.contains(&hinge.at),
+    let carries = scene.links[link.0].points.contains(&hinge.at);
+    match hinge.held {
+        Held::Pin => carries,
+        Held::Arc(guide) => sides(scene, guide).is_some_and(|sides| sides.contains(&link)),
+        Held::Driven { guide, .. } => carries || scene.guides[guide.0].on == link,
     }
 }
 
@@ -161,8 +187,14 @@ pub(super) fn reference(scene: &Scene, g: GuideId) -> Option<PointId> {
 /// Party that presses on a link at a hinge: the other link, where there are no more; else the pin.
 pub(super) fn party(scene: &Scene, hinge: Hinge, on: LinkId) -> Party {
     let at = hinge.at;
-    if let Some([slider, carrier]) = hinge.arc.and_then(|g| sides(scene, g)) {
-        return Party::Link(if slider == on { carrier } else { slider });
+    match hinge.held {
+        Held::Pin => {}
+        Held::Arc(guide) => {
+            let other = sides(scene, guide).and_then(|sides| sides.into_iter().find(|l| *l != on));
+            return other.map_or(Party::Pin(at), Party::Link);
+        }
+        // The slot and the driver press on the pin together.
+        Held::Driven { .. } => return Party::Pin(at),
     }
     let mut others = scene.carriers(at).filter(|l| *l != on);
     match (others.next(), others.next(), parties(scene, at)) {
@@ -214,14 +246,16 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
                 outer.push(Outer::Pin { hinge: pin, on: *on, by: Party::Pin(p) });
             }
             ([g], [], [on]) if held.is_empty() => {
-                let by = scene.guides[*g].on;
-                if upstream(by) {
-                    outer.push(Outer::Slot { guide: GuideId(*g), at: p, on: *on, by: Party::Link(by) });
-                } else if mine(by) {
-                    return Err(another_kind());
+                let (guide, by) = (GuideId(*g), scene.guides[*g].on);
+                match driven(scene, guide) {
+                    Some(hinge) if upstream(by) => outer.push(Outer::Pin { hinge, on: *on, by: Party::Pin(p) }),
+                    Some(hinge) if mine(by) => inner.push(Pair::Pin(hinge)),
+                    None if upstream(by) => outer.push(Outer::Slot { guide, at: p, on: *on, by: Party::Link(by) }),
+                    None if mine(by) => return Err(another_kind()),
+                    Some(_) | None => {}
                 }
             }
-            _ => return Err(both!("pin {} joins too many for a construction", "销 {} 连接的构件过多，无法作图", scene.point_name(p))),
+            _ => return Err(too_many(scene, p)),
         }
     }
     for (g, guide) in scene.guides.iter().enumerate() {
@@ -232,7 +266,7 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
         match guide.slider {
             Some(slider) => {
                 let arc = match guide.path {
-                    GuidePath::Arc { centre, .. } => Some(Hinge { at: centre, arc: Some(id) }),
+                    GuidePath::Arc { centre, .. } => Some(Hinge { at: centre, held: Held::Arc(id) }),
                     GuidePath::Line { .. } => None,
                 };
                 match (mine(slider), mine(guide.on)) {
@@ -251,17 +285,22 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
             // The slot is on our link; its pin sits on a link that holds it.
             None => {
                 let Some(p) = guide.pin.filter(|_| mine(guide.on)) else { continue };
+                let hinge = driven(scene, id);
                 if scene.carriers(p).any(mine) {
-                    return Err(both!("pin {} joins too many for a construction", "销 {} 连接的构件过多，无法作图", scene.point_name(p)));
+                    if hinge.is_some_and(|hinge| inner.contains(&Pair::Pin(hinge))) {
+                        continue;
+                    }
+                    return Err(too_many(scene, p));
                 }
                 let pushed = scene.drivers.iter().any(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p)));
                 let slots = scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none()).count();
                 if pushed && slots > 1 {
-                    return Err(both!("pin {} joins too many for a construction", "销 {} 连接的构件过多，无法作图", scene.point_name(p)));
+                    return Err(too_many(scene, p));
                 }
                 if let Some(by) = scene.carriers(p).find(|l| upstream(*l)) {
                     let by = if parties(scene, p) == 2 { Party::Link(by) } else { Party::Pin(p) };
-                    outer.push(Outer::Slot { guide: id, at: p, on: guide.on, by });
+                    let on = guide.on;
+                    outer.push(hinge.map_or(Outer::Slot { guide: id, at: p, on, by }, |hinge| Outer::Pin { hinge, on, by: Party::Pin(p) }));
                 }
             }
         }
@@ -289,7 +328,7 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
                 return Err(another_kind());
             }
         }
-        if let Some(guide) = driver.kind.guide() {
+        if let Some(guide) = driver.kind.guide().filter(|g| driven(scene, *g).is_none()) {
             let g = &scene.guides[guide.0];
             let runner = g.slider.or_else(|| scene.carriers(g.pin?).next());
             for (on, by) in runner.into_iter().flat_map(|runner| [(runner, g.on), (g.on, runner)]) {
@@ -300,6 +339,19 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
         }
     }
     Ok(Joints { outer, inner })
+}
+
+/// The reason for which a pin has no construction.
+pub(super) fn too_many(scene: &Scene, pin: PointId) -> Both {
+    both!("pin {} joins too many for a construction", "销 {} 连接的构件过多，无法作图", scene.point_name(pin))
+}
+
+/// The pin that a driver moves along a slot.
+fn driven(scene: &Scene, guide: GuideId) -> Option<Hinge> {
+    let g = &scene.guides[guide.0];
+    let at = g.pin.filter(|_| g.slider.is_none() && scene.loads.balance.is_none())?;
+    let driver = scene.drivers.iter().position(|d| d.kind.guide() == Some(guide))?;
+    Some(Hinge { at, held: Held::Driven { guide, driver } })
 }
 
 /// The balancing force on a driver's link, in place of its moment or its push.

@@ -4,7 +4,7 @@
 //! crossing of two such lines give the force along the third; the polygon crosses the other two.
 
 use super::answers::reaction;
-use super::joints::{Hinge, Joints, Outer, Pair, reference, turns_on};
+use super::joints::{Hinge, Joints, Outer, Pair, reference, too_many, turns_on};
 use super::methods::carries;
 use super::scribe::{Acting, Polygon, Scribe, square_to};
 use super::{About, Gives, Part, Party, Term, another_kind};
@@ -100,8 +100,7 @@ impl Scribe<'_> {
         let (core, legs) = self.legs(links, joints, at).ok_or_else(another_kind)?;
         for leg in &legs {
             if matches!(leg.outer, Outer::Slot { .. } | Outer::Cylinder { .. }) && parties(self.scene, leg.at) > 2 {
-                let pin = self.scene.point_name(leg.at);
-                return Err(both!("pin {pin} joins too many for a construction", "销 {pin} 连接的构件过多，无法作图"));
+                return Err(too_many(self.scene, leg.at));
             }
             if let Kind::Sleeve { link, .. } = leg.kind
                 && self.all_on(link, &[leg.far()]).iter().any(|a| a.force.is_some())

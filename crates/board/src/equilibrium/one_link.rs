@@ -67,7 +67,7 @@ impl Scribe<'_> {
         moments.value = size;
         if let Outer::Balance { driver, .. } = touch {
             // The moment that the force has about the pivot gives the power.
-            let pushed = hinge.arc.and_then(|guide| self.push_along(guide));
+            let pushed = hinge.arc().and_then(|guide| self.push_along(guide));
             let of_driver = pushed.map_or(turning, |(line, at)| self.by_arm(&mut ops, turning, line, self.mark(at), self.mark(pivot)));
             self.answers.drivers.push((driver, of_driver));
             self.answers.balance = Some(size);
