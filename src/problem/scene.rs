@@ -4,6 +4,7 @@ use super::{Answer, Answered, Kind, Lesson, Look, Options, Pictures, Solved, Ver
 use crate::attempts;
 use crate::certified::{Certified, certify, steps};
 use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::equilibrium::Whole;
 use crate::figure::fit;
 use crate::figure::forces::zhukovsky;
 use crate::figure::list::{self, Entry, Pages, Wanted};
@@ -122,9 +123,9 @@ impl Answered for Mechanism {
             if let Some(of) = &worked.equilibrium {
                 let forces = ForceWriter { scene, notation: &notation, lang, of };
                 out += &format!("\n{}", forces.text());
-                if let Some(lever) = zhukovsky(scene, worked) {
-                    out += &forces.check(&lever, &w.pole(DiagramKind::Velocity));
-                }
+                let (lever, pole) = (zhukovsky(scene, worked), w.pole(DiagramKind::Velocity));
+                let whole = Whole::of(scene, &worked.configuration, of);
+                out += &forces.checks_text(whole.as_ref(), lever.as_ref().map(|lever| (lever, pole.as_str())));
             }
         }
         out

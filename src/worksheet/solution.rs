@@ -4,6 +4,7 @@ use super::speak::Speak;
 use super::{Block, Maker, Table, TableKind};
 use crate::centres::Task;
 use crate::construct::Polygon;
+use crate::equilibrium::Whole;
 use crate::figure::forces;
 use crate::figure::sheet::drawing;
 use crate::figure::tables::special_words;
@@ -72,7 +73,7 @@ impl Maker<'_> {
         drawing(self.scene, self.worked, self.options, on).map(|f| Block::Figure { name, figure: Box::new(f) })
     }
 
-    /// Each group's moments, force polygon and reactions, the last group first; then the check by Zhukovsky's lever.
+    /// Each group's moments, force polygon and reactions, the last group first; then the checks.
     fn forces(&self, blocks: &mut Vec<Block>) {
         let Some(of) = self.worked.equilibrium.as_ref().filter(|of| !of.groups.is_empty()) else { return };
         let w = ForceWriter { scene: self.scene, notation: &self.options.notation, lang: self.lang(), of };
@@ -84,10 +85,11 @@ impl Maker<'_> {
             }
             blocks.push(Block::List { numbered: true, members: w.sentences(group) });
         }
-        if let Some(lever) = forces::zhukovsky(self.scene, self.worked) {
-            blocks.push(Block::Heading(3, w.check_heading().into()));
-            let pole = self.writer().pole(DiagramKind::Velocity);
-            blocks.push(Block::List { numbered: true, members: w.lever(&lever, &pole) });
+        let (lever, pole) = (forces::zhukovsky(self.scene, self.worked), self.writer().pole(DiagramKind::Velocity));
+        let whole = Whole::of(self.scene, &self.worked.configuration, of);
+        for (heading, members) in w.checks(whole.as_ref(), lever.as_ref().map(|lever| (lever, pole.as_str()))) {
+            blocks.push(Block::Heading(3, heading.into()));
+            blocks.push(Block::List { numbered: true, members });
         }
     }
 

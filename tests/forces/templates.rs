@@ -1,6 +1,7 @@
 //! The reactions of all templates: drawn, and equal to those of the rows.
 
 use super::loaded;
+use hodograph::equilibrium::Whole;
 use hodograph::scene::quantity::{Contact, contacts, parties};
 use hodograph::scene::{self, PointId, Scene, driver_position, templates, with_driver_at};
 use hodograph::worked::{Scope, work};
@@ -40,7 +41,7 @@ pub fn asked(name: &str) -> Option<Scene> {
 /// Every group of every template is drawn, but for those of which the reason is known.
 #[test]
 fn reactions_of_templates_are_drawn() {
-    let mut drawn = 0;
+    let (mut drawn, mut whole) = (0, 0);
     let mut failures = Vec::new();
     for name in templates::list().iter().map(|t| t.name) {
         let Some(scene) = asked(name) else { continue };
@@ -61,6 +62,13 @@ fn reactions_of_templates_are_drawn() {
                     break;
                 }
             }
+            match Whole::of(&there, &worked.configuration, of) {
+                Some(all) if (all.loads + all.ground).norm() > 1e-9 * of.forces.largest => {
+                    failures.push(format!("{name} at {turned}: the ground bears {:?}, the loads are {:?}", all.ground, all.loads));
+                }
+                Some(_) => whole += 1,
+                None => failures.push(format!("{name} at {turned}: a reaction of the ground is missing")),
+            }
             for r in &worked.results {
                 let text = &there.find[r.find].text;
                 match r.agreement {
@@ -72,5 +80,5 @@ fn reactions_of_templates_are_drawn() {
         }
     }
     assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
-    assert!(drawn >= 100, "{drawn} drawn");
+    assert!(drawn >= 100 && whole >= 100, "{drawn} drawn, {whole} in equilibrium as a whole");
 }

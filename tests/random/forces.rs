@@ -9,6 +9,7 @@ use hodograph::answer::{Source, Value};
 use hodograph::certified::certify;
 use hodograph::certified::ladder::Part;
 use hodograph::effort::truth;
+use hodograph::equilibrium::Whole;
 use hodograph::geom::Vec2;
 use hodograph::mechanism::Level;
 use hodograph::number::{Big, Real, within};
@@ -148,7 +149,7 @@ fn last_place(value: f64, digits: usize) -> f64 {
 
 #[test]
 fn random_loads_are_balanced_three_ways() {
-    let (mut compared, mut drawn, mut balanced, mut proven, mut digits, mut reactions) = (0, 0, 0, 0, 0, 0);
+    let (mut whole, mut compared, mut drawn, mut balanced, mut proven, mut digits, mut reactions) = (0, 0, 0, 0, 0, 0, 0);
     let mut failures = Vec::new();
     for seed in seeds(400) {
         let Some(m) = mechanism(seed).filter(|m| !m.coordinates_only && m.groups.len() <= 8) else { continue };
@@ -166,6 +167,14 @@ fn random_loads_are_balanced_three_ways() {
         let worked = worked.value;
         if worked.solution.condition > 1e4 {
             continue;
+        }
+        // All links together, where every reaction of the ground is drawn.
+        let together = worked.equilibrium.as_ref().and_then(|of| Some((of.forces.largest, Whole::of(&scene, &worked.configuration, of)?)));
+        if let Some((largest, all)) = together {
+            whole += 1;
+            if (all.loads + all.ground).norm() > 1e-9 * largest {
+                failures.push(format!("seed {seed}: the ground bears {:?}, the loads are {:?}", all.ground, all.loads));
+            }
         }
         for r in &worked.results {
             compared += 1;
@@ -216,7 +225,7 @@ fn random_loads_are_balanced_three_ways() {
         });
     }
     println!(
-        "{compared} answers, {drawn} drawn, {balanced} balancing forces among them, {proven} powers by work, {digits} printed, {reactions} printed numbers of reactions"
+        "{compared} answers, {drawn} drawn, {balanced} balancing forces among them, {proven} powers by work, {digits} printed, {reactions} printed numbers of reactions, {whole} mechanisms as a whole"
     );
     assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
     assert!(

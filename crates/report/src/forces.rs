@@ -1,7 +1,7 @@
 //! Forces in words: symbols, equations of equilibrium with their tables, moments, what the polygons give.
 
+mod checks;
 mod friction;
-mod lever;
 mod masses;
 mod plan;
 mod steps;

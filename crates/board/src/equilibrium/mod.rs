@@ -12,6 +12,7 @@
 
 mod acts;
 mod answers;
+mod ground;
 mod joints;
 mod legs;
 mod lever;
@@ -25,6 +26,7 @@ mod two_bars;
 use posed::Posed;
 
 pub use acts::Act;
+pub use ground::Whole;
 pub use lever::{Lever, LeverForce};
 
 use crate::construct::scale::fitted;

@@ -1,25 +1,56 @@
-//! Zhukovsky's lever in words: its moments about the pole, the balance that they give, and that of the force polygons.
+//! The checks of the force polygons in words: the equilibrium of all links together, and Zhukovsky's lever.
 
 use super::{ForceWriter, NO_ARM_MM, Sum};
-use hodograph_base::digits::{inked, significant};
-use hodograph_board::equilibrium::{Lever, Term};
+use hodograph_base::digits::{direction_degrees, inked, significant};
+use hodograph_base::geom::Vec2;
+use hodograph_board::equilibrium::{Lever, Term, Whole};
 use hodograph_board::plan::names::name_label;
 use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_scene::quantity::ROUNDING;
 use hodograph_scene::{Kind, Lang};
 
 impl ForceWriter<'_> {
-    /// The check by the lever, as plain text.
-    pub fn check(&self, lever: &Lever, pole: &str) -> String {
-        let mut out = format!("  {}\n", self.check_heading());
-        for (k, sentence) in self.lever(lever, pole).iter().enumerate() {
-            out += &format!("  {:>3}. {}\n", k + 1, sentence.plain());
+    /// The checks as plain text.
+    pub fn checks_text(&self, whole: Option<&Whole>, lever: Option<(&Lever, &str)>) -> String {
+        let mut out = String::new();
+        for (heading, sentences) in self.checks(whole, lever) {
+            out += &format!("  {heading}\n");
+            for (k, sentence) in sentences.iter().enumerate() {
+                out += &format!("  {:>3}. {}\n", k + 1, sentence.plain());
+            }
         }
         out
     }
 
-    /// The heading of the check.
-    pub fn check_heading(&self) -> &'static str {
-        tr(self.lang, "Check by Zhukovsky's lever", "用茹可夫斯基杠杆校核")
+    /// The checks, each with its heading: by the forces on all links together, and by the lever, with the letter of its pole.
+    pub fn checks(&self, whole: Option<&Whole>, lever: Option<(&Lever, &str)>) -> Vec<(&'static str, Vec<Phrase>)> {
+        let by_whole = whole.map(|whole| {
+            let heading = tr(self.lang, "Check by the equilibrium of all links together", "用整个机构的平衡校核");
+            (heading, vec![self.whole(whole)])
+        });
+        let by_lever = lever.map(|(lever, pole)| {
+            let heading = tr(self.lang, "Check by Zhukovsky's lever", "用茹可夫斯基杠杆校核");
+            (heading, self.lever(lever, pole))
+        });
+        by_whole.into_iter().chain(by_lever).collect()
+    }
+
+    /// The sum of the loads beside that of the reactions of the ground.
+    fn whole(&self, whole: &Whole) -> Phrase {
+        let largest = self.of.forces.largest;
+        let sum = |v: Vec2| match v.unit().filter(|_| v.norm() > ROUNDING * largest) {
+            Some(u) => format!(
+                "${}$ ∠ ${}$°",
+                self.amount(Kind::Force, v.norm()),
+                inked(&significant(direction_degrees(u.angle()), super::DIGITS))
+            ),
+            None => format!("${}$", self.amount(Kind::Force, 0.0)),
+        };
+        let (loads, ground) = (sum(whole.loads), sum(whole.ground));
+        Phrase::new(&match self.lang {
+            Lang::En => format!("The loads of all links add up to {loads}, the reactions of the ground on the links to {ground}."),
+            Lang::Zh => format!("各构件上的载荷之和为 {loads}，机架对各构件的反力之和为 {ground}。"),
+        })
     }
 
     /// The moments of all loads about the pole, with arms as measured, and what they give. `pole` is the letter of the pole.
