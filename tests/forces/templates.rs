@@ -8,7 +8,8 @@ use hodograph::worked::{Scope, work};
 use serde_json::json;
 
 /// Templates of which a group is not drawn, with words of the reason.
-const LEFT_OUT: [(&str, &str); 2] = [("belt-crank-rocker", "belts, chains and ropes"), ("double-butterfly", "no construction is known")];
+const LEFT_OUT: [(&str, &str); 2] =
+    [("belt-crank-rocker", "belts, chains and ropes"), ("double-butterfly", "there is no method for 6 links")];
 
 /// A template with forces and couples on all links but the parts of cylinders, asked for the reactions of pins and contacts.
 pub fn asked(name: &str) -> Option<Scene> {

@@ -1,6 +1,6 @@
 //! The joints of a group as forces see them: inside, and outside towards what it rests on.
 
-use super::{Party, another_kind};
+use super::Party;
 use hodograph_base::diag::{Both, both};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::Configuration;
@@ -178,6 +178,33 @@ pub(super) struct Joints {
     pub inner: Vec<Pair>,
 }
 
+impl Joints {
+    /// The reason for which a group is not drawn: no method has its joints.
+    pub fn no_method(&self, scene: &Scene, links: &[LinkId]) -> Both {
+        let point = |p: PointId| scene.point_name(p);
+        let slider = |g: GuideId| {
+            let name = scene.guides[g.0].slider.map_or("", |s| scene.link_name(s));
+            both!("slider {name}", "滑块 {name}")
+        };
+        let hinged = |hinge: Hinge| hinge.arc().map_or_else(|| both!("pin {}", "销 {}", point(hinge.at)), slider);
+        let outer = self.outer.iter().map(|o| match *o {
+            Outer::Pin { hinge, .. } => hinged(hinge),
+            Outer::Slide { guide, .. } => slider(guide),
+            Outer::Slot { at, .. } => both!("pin {} in a slot", "槽中的销 {}", point(at)),
+            Outer::Mesh { at, .. } => both!("contact {}", "接触点 {}", point(at)),
+            Outer::Cylinder { at, .. } => both!("cylinder at {}", "销 {} 处的液压缸", point(at)),
+            Outer::Balance { at, .. } => both!("balancing force at {}", "作用于 {} 的平衡力", point(at)),
+            Outer::Turn { driver, .. } | Outer::Push { driver, .. } => both!("driver {}", "驱动 {}", driver + 1),
+        });
+        let inner = self.inner.iter().map(|pair| match *pair {
+            Pair::Pin(hinge) => hinged(hinge),
+            Pair::Slide { guide, .. } => slider(guide),
+        });
+        let all = Both::listed(&outer.chain(inner).collect::<Vec<_>>());
+        both!("there is no method for {} links with {}", "没有适用于 {} 个构件、{}的作图方法", links.len(), all)
+    }
+}
+
 /// The point from which the place of a guide's force counts: the pin that runs there, or the first at which the slider is met.
 pub(super) fn reference(scene: &Scene, g: GuideId) -> Option<PointId> {
     let guide = &scene.guides[g.0];
@@ -251,7 +278,13 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
                     Some(hinge) if upstream(by) => outer.push(Outer::Pin { hinge, on: *on, by: Party::Pin(p) }),
                     Some(hinge) if mine(by) => inner.push(Pair::Pin(hinge)),
                     None if upstream(by) => outer.push(Outer::Slot { guide, at: p, on: *on, by: Party::Link(by) }),
-                    None if mine(by) => return Err(another_kind()),
+                    None if mine(by) => {
+                        let (pin, slot) = (scene.point_name(p), scene.link_name(by));
+                        return Err(both!(
+                            "pin {pin} runs in a slot of link {slot}, which belongs to the same group",
+                            "销 {pin} 在同组构件 {slot} 的槽中滑动"
+                        ));
+                    }
                     Some(_) | None => {}
                 }
             }
@@ -274,7 +307,9 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
                     (true, false) | (false, true) => {
                         let (on, by) = if mine(slider) { (slider, guide.on) } else { (guide.on, slider) };
                         if upstream(by) {
-                            let at = reference(scene, id).ok_or_else(another_kind)?;
+                            let at = reference(scene, id).ok_or_else(|| {
+                                both!("the slider {} meets nothing at a point", "滑块 {} 上没有任何连接点", scene.link_name(slider))
+                            })?;
                             let slide = Outer::Slide { guide: id, on, by, at };
                             outer.push(arc.map_or(slide, |hinge| Outer::Pin { hinge, on, by: Party::Link(by) }));
                         }
@@ -309,7 +344,10 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
         let rolling = RollingId(r);
         let [a, b] = pair.links;
         let (on, by) = match (mine(a), mine(b)) {
-            (true, true) => return Err(another_kind()),
+            (true, true) => {
+                let [a, b] = [a, b].map(|l| scene.link_name(l));
+                return Err(both!("its links {a} and {b} roll on each other", "组内构件 {a} 与 {b} 相互滚动"));
+            }
             (true, false) if upstream(b) => (a, b),
             (false, true) if upstream(a) => (b, a),
             _ => continue,
@@ -325,7 +363,8 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
             if mine(link) {
                 outer.push(balance(scene, d, link)?.unwrap_or(Outer::Turn { driver: d, on: link, against }));
             } else if mine(against) && open[link.0] {
-                return Err(another_kind());
+                let [of, on] = [against, link].map(|l| scene.link_name(l));
+                return Err(both!("a driver on its link {of} turns link {on}", "其构件 {of} 上的驱动使构件 {on} 转动"));
             }
         }
         if let Some(guide) = driver.kind.guide().filter(|g| driven(scene, *g).is_none()) {

@@ -7,7 +7,7 @@ use super::answers::reaction;
 use super::joints::{Hinge, Joints, Outer, Pair, reference, too_many, turns_on};
 use super::methods::carries;
 use super::scribe::{Acting, Polygon, Scribe, square_to};
-use super::{About, Gives, Part, Party, Term, another_kind};
+use super::{About, Gives, Part, Party, Term};
 use crate::construction::{Base, Direction, Key, Line, MarkId, Name, Number, NumberId, Op};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2};
@@ -97,7 +97,7 @@ impl Scribe<'_> {
     /// # Errors
     /// A group of another kind.
     pub(super) fn on_three_legs(&mut self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Result<(), Both> {
-        let (core, legs) = self.legs(links, joints, at).ok_or_else(another_kind)?;
+        let (core, legs) = self.legs(links, joints, at).ok_or_else(|| joints.no_method(self.scene, links))?;
         for leg in &legs {
             if matches!(leg.outer, Outer::Slot { .. } | Outer::Cylinder { .. }) && parties(self.scene, leg.at) > 2 {
                 return Err(too_many(self.scene, leg.at));

@@ -3,7 +3,7 @@
 use super::answers::reaction;
 use super::joints::{Hinge, Joints, Outer, Pair, reference};
 use super::scribe::{Acting, Polygon, Scribe, square_to};
-use super::{About, Gives, Part, Party, Term, another_kind};
+use super::{About, Gives, Part, Party, Term};
 use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId};
 use hodograph_base::diag::Both;
 use hodograph_mechanism::position::Configuration;
@@ -28,10 +28,10 @@ impl Scribe<'_> {
         match (links, &joints.inner[..], &joints.outer[..]) {
             ([a, b], [Pair::Pin(c)], [x, y]) => {
                 let on = |link: LinkId| [x, y].into_iter().copied().find(|o| carries(o) == Some(link));
-                let (Some(first), Some(second)) = (on(*a), on(*b)) else { return Err(another_kind()) };
+                let (Some(first), Some(second)) = (on(*a), on(*b)) else { return Err(joints.no_method(self.scene, links)) };
                 let bears = |o: &Outer| matches!(o, Outer::Pin { .. } | Outer::Slide { .. });
                 if !bears(&first) || !bears(&second) {
-                    return Err(another_kind());
+                    return Err(joints.no_method(self.scene, links));
                 }
                 self.on_a_pin([&[*a], &[*b]], *c, [first, second]);
                 Ok(())
@@ -60,7 +60,7 @@ impl Scribe<'_> {
                         self.twice_sliding([*on, *slider], *guide, [pin, slide]);
                         Ok(())
                     }
-                    _ => Err(another_kind()),
+                    _ => Err(joints.no_method(self.scene, links)),
                 }
             }
             ([link], [], [x, y]) => match (*x, *y) {
@@ -84,7 +84,7 @@ impl Scribe<'_> {
                     self.in_a_guide(*link, slide, touch);
                     Ok(())
                 }
-                _ => Err(another_kind()),
+                _ => Err(joints.no_method(self.scene, links)),
             },
             ([_, _, _, _], [_, _, _, _], [_, _]) => self.on_two_bars(links, joints, at),
             _ => self.on_three_legs(links, joints, at),

@@ -32,7 +32,7 @@ pub use lever::{Lever, LeverForce};
 use crate::construct::scale::fitted;
 use crate::construction::pencil::Exact;
 use crate::construction::{Construction, DiagramId, Drawn, MarkId, NumberId, VectorId, draw};
-use hodograph_base::diag::{Both, both};
+use hodograph_base::diag::Both;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::kind::{ByKind, Kind};
 use hodograph_mechanism::answer::Source;
@@ -399,9 +399,4 @@ fn senses_of(scene: &Scene, at: &Configuration, forces: &Forces) -> Vec<f64> {
         Some(if force.dot(at.normal(scene, r)?.perp()) < 0.0 { -1.0 } else { 1.0 })
     };
     (0..scene.rolling.len()).map(|r| sense(RollingId(r)).unwrap_or(1.0)).collect()
-}
-
-/// The reason for which a group is not drawn.
-fn another_kind() -> Both {
-    both!("no construction is known for groups of this kind", "此类杆组没有作图方法")
 }

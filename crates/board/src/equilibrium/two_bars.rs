@@ -7,7 +7,7 @@
 use super::answers::reaction;
 use super::joints::{Hinge, Joints, Outer, Pair, turns_on};
 use super::scribe::{Acting, Polygon, Scribe, square_to};
-use super::{About, Gives, Moments, Part, Party, Term, another_kind};
+use super::{About, Gives, Moments, Part, Party, Term};
 use crate::construction::{Base, Direction, Key, Line, MarkId, Name, Number, NumberId, Op};
 use hodograph_base::diag::{Both, both};
 use hodograph_mechanism::position::Configuration;
@@ -44,7 +44,7 @@ impl Scribe<'_> {
     /// # Errors
     /// A group of another kind; parallel bars; a further group at one of their pins.
     pub(super) fn on_two_bars(&mut self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Result<(), Both> {
-        let group = self.joined(links, joints).ok_or_else(another_kind)?;
+        let group = self.joined(links, joints).ok_or_else(|| joints.no_method(self.scene, links))?;
         let name = |k: usize| self.scene.link_name(group.bars[k].link);
         if let Some(pin) =
             group.bars.iter().flat_map(|b| b.pins).filter_map(Hinge::pin).find(|p| !self.pin_loads(*p, group.links[0]).is_empty())
