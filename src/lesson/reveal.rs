@@ -2,6 +2,7 @@
 
 use crate::diag::{Faults, Warned};
 use crate::figure::fit::{self, Room};
+use crate::figure::forces;
 use crate::figure::list::{Extras, Wanted};
 use crate::figure::sheet;
 use crate::geom::Point;
@@ -17,7 +18,7 @@ use crate::render::escaped;
 const GAP_MM: f64 = 6.0;
 
 /// The mechanism with its polygons side by side, as an SVG to paste into a slide: `<g class="fragment" data-fragment-index="n">` around
-/// what the n-th step draws, first of the velocities, then of the accelerations.
+/// what the n-th step draws, first of the velocities, then of the accelerations, then of the forces, group after group.
 ///
 /// # Errors
 /// Those of the SVG writer.
@@ -48,39 +49,48 @@ struct Drawings {
     size_mm: [f64; 2],
 }
 
-/// The drawings side by side or one below the other, and their size (mm) together.
+/// The drawings, those of the motion side by side and those of the forces below them, or one below the other; and their size (mm) together.
 fn drawings(scene: &Scene, worked: &Worked, options: &sheet::Options, stacked: bool) -> Result<(Drawings, [f64; 2]), Faults> {
-    let drawn = |on| Some((on, sheet::drawing(scene, worked, options, on)?));
-    let mut figures: Vec<_> = DiagramKind::ALL.into_iter().filter_map(drawn).collect();
-    let most = |side: fn(&Figure) -> f64| figures.iter().map(|(_, f)| side(f)).fold(0.0, f64::max);
-    let sum = |side: fn(&Figure) -> f64| figures.iter().map(|(_, f)| side(f) + GAP_MM).sum::<f64>() - GAP_MM;
-    let [width, height] = if stacked { [most(|f| f.width_mm), sum(|f| f.height_mm)] } else { [sum(|f| f.width_mm), most(|f| f.height_mm)] };
-    let (mut x, mut top) = (0.0, height);
+    let of_motion =
+        DiagramKind::ALL.into_iter().filter_map(|on| Some((on > DiagramKind::Plane, sheet::drawing(scene, worked, options, on)?)));
+    let groups = worked.equilibrium.as_ref().map_or(0, |of| of.groups.len());
+    let of_forces = (0..groups).filter_map(|k| Some((true, forces::group(scene, worked, options, k)?)));
+    let mut rows: Vec<Vec<(bool, Figure)>> = vec![of_motion.collect(), of_forces.collect()];
+    if stacked {
+        rows = rows.into_iter().flatten().map(|drawing| vec![drawing]).collect();
+    }
+    rows.retain(|row| !row.is_empty());
+    let widths = |row: &[(bool, Figure)]| row.iter().map(|(_, f)| f.width_mm + GAP_MM).sum::<f64>() - GAP_MM;
+    let tallest = |row: &[(bool, Figure)]| row.iter().map(|(_, f)| f.height_mm).fold(0.0, f64::max);
+    let width = rows.iter().map(|row| widths(row)).fold(0.0, f64::max);
+    let height = rows.iter().map(|row| tallest(row) + GAP_MM).sum::<f64>() - GAP_MM;
+    let mut top = height;
     let mut body = String::new();
     let mut elements = Elements::new(height);
     let mut done = 0;
-    for (on, figure) in &mut figures {
-        // Side by side all stand on one line, their captions at the bottom.
-        top -= figure.height_mm;
-        let corner = if stacked { Point::new((width - figure.width_mm) / 2.0, top) } else { Point::new(x, 0.0) };
-        crate::paper::extent::translate(&mut figure.items, corner - Point::ORIGIN);
-        x += figure.width_mm + GAP_MM;
-        top -= GAP_MM;
-        let list = elements.of(&figure.items)?;
-        // An item that several steps draw comes with the first.
-        let of: Vec<Option<usize>> = figure.items.iter().map(|i| i.steps().min().filter(|_| *on > DiagramKind::Plane)).collect();
-        let most = of.iter().flatten().max().map_or(0, |n| n + 1);
-        // What comes in one step stays together, in the order of the drawing; the order of steps is told by the index.
-        for (element, of) in list.iter().zip(&of) {
-            match of {
-                Some(n) => {
-                    let index = done + n;
-                    body.push_str(&format!("<g class=\"fragment\" data-fragment-index=\"{index}\">\n{element}\n</g>\n"));
+    for row in &mut rows {
+        // All stand on one line, their captions at the bottom.
+        let (mut x, bottom) = ((width - widths(row)) / 2.0, top - tallest(row));
+        top = bottom - GAP_MM;
+        for (has_steps, figure) in row {
+            crate::paper::extent::translate(&mut figure.items, Point::new(x, bottom) - Point::ORIGIN);
+            x += figure.width_mm + GAP_MM;
+            let list = elements.of(&figure.items)?;
+            // An item that several steps draw comes with the first.
+            let of: Vec<Option<usize>> = figure.items.iter().map(|i| i.steps().min().filter(|_| *has_steps)).collect();
+            let most = of.iter().flatten().max().map_or(0, |n| n + 1);
+            // What comes in one step stays together, in the order of the drawing; the order of steps is told by the index.
+            for (element, of) in list.iter().zip(&of) {
+                match of {
+                    Some(n) => {
+                        let index = done + n;
+                        body.push_str(&format!("<g class=\"fragment\" data-fragment-index=\"{index}\">\n{element}\n</g>\n"));
+                    }
+                    None => body.push_str(&format!("{element}\n")),
                 }
-                None => body.push_str(&format!("{element}\n")),
             }
+            done += most;
         }
-        done += most;
     }
     let size_mm = [width, height].map(|mm| mm.max(0.0));
     Ok((Drawings { body, letters: Elements::letters([&elements]), size_mm }, size_mm))

@@ -1,6 +1,8 @@
 //! Groups that are drawn, against the rows.
 
-use hodograph::scene::{self, templates};
+use hodograph::figure::sheet::Options;
+use hodograph::lesson::reveal;
+use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
 use serde_json::{Value as Json, json};
 
@@ -190,4 +192,25 @@ fn blocks_in_curved_guides_are_drawn() {
         "find": ["F_43", "F_23", "F_12", "F_41", "F_b", "P"]
     }));
     assert_eq!(driven.len(), 6, "{driven:?}");
+}
+
+/// A fragment for slides has a step for everything of the forces, after those of the motion.
+#[test]
+fn fragments_reveal_forces() {
+    let scene = scene::read(templates::get("press-forces").unwrap()).unwrap().value;
+    let worked = work(&scene, Scope::Figure).unwrap().value;
+    let svg = reveal(&scene, &worked, &Options::of_language(Lang::En)).unwrap().value;
+    let fragments: Vec<(usize, &str)> = svg
+        .split("data-fragment-index=\"")
+        .skip(1)
+        .map(|part| {
+            let (index, rest) = part.split_once('"').unwrap();
+            (index.parse().unwrap(), rest.split("</g>").next().unwrap())
+        })
+        .collect();
+    let steps = |of: &str| -> Vec<usize> { fragments.iter().filter(|(_, part)| part.contains(of)).map(|(n, _)| *n).collect() };
+    let (motion, forces) = (steps("class=\"acceleration "), steps("class=\"force"));
+    let groups = worked.equilibrium.as_ref().unwrap().groups.len();
+    assert!(groups == 3 && forces.len() > 3 * groups && !motion.is_empty(), "{} and {}", motion.len(), forces.len());
+    assert!(motion.iter().max() < forces.iter().min(), "{motion:?} {forces:?}");
 }

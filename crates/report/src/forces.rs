@@ -320,7 +320,10 @@ impl ForceWriter<'_> {
         for undrawn in &self.of.undrawn {
             let names: Vec<&str> = undrawn.links.iter().map(|l| self.scene.link_name(*l)).collect();
             out += &match self.lang {
-                Lang::En => format!("  Links {} are not drawn: {}\n", names.join(", "), undrawn.why.en),
+                Lang::En => {
+                    let (links, are) = if names.len() == 1 { ("Link", "is") } else { ("Links", "are") };
+                    format!("  {links} {} {are} not drawn: {}\n", names.join(", "), undrawn.why.en)
+                }
                 Lang::Zh => format!("  构件 {} 不作图：{}\n", names.join("、"), undrawn.why.zh),
             };
         }
