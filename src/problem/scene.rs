@@ -4,7 +4,6 @@ use super::{Answer, Answered, Kind, Lesson, Look, Options, Pictures, Solved, Ver
 use crate::attempts;
 use crate::certified::{Certified, certify, steps};
 use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::equilibrium::Whole;
 use crate::figure::fit;
 use crate::figure::forces::zhukovsky;
 use crate::figure::list::{self, Entry, Pages, Wanted};
@@ -124,8 +123,7 @@ impl Answered for Mechanism {
                 let forces = ForceWriter { scene, notation: &notation, lang, of };
                 out += &format!("\n{}", forces.text());
                 let (lever, pole) = (zhukovsky(scene, worked), w.pole(DiagramKind::Velocity));
-                let whole = Whole::of(scene, &worked.configuration, of);
-                out += &forces.checks_text(whole.as_ref(), lever.as_ref().map(|lever| (lever, pole.as_str())));
+                out += &forces.checks_text(&worked.configuration, lever.as_ref().map(|lever| (lever, pole.as_str())));
             }
         }
         out

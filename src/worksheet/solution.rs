@@ -4,7 +4,6 @@ use super::speak::Speak;
 use super::{Block, Maker, Table, TableKind};
 use crate::centres::Task;
 use crate::construct::Polygon;
-use crate::equilibrium::Whole;
 use crate::figure::forces;
 use crate::figure::sheet::drawing;
 use crate::figure::tables::special_words;
@@ -86,8 +85,7 @@ impl Maker<'_> {
             blocks.push(Block::List { numbered: true, members: w.sentences(group) });
         }
         let (lever, pole) = (forces::zhukovsky(self.scene, self.worked), self.writer().pole(DiagramKind::Velocity));
-        let whole = Whole::of(self.scene, &self.worked.configuration, of);
-        for (heading, members) in w.checks(whole.as_ref(), lever.as_ref().map(|lever| (lever, pole.as_str()))) {
+        for (heading, members) in w.checks(&self.worked.configuration, lever.as_ref().map(|lever| (lever, pole.as_str()))) {
             blocks.push(Block::Heading(3, heading.into()));
             blocks.push(Block::List { numbered: true, members });
         }

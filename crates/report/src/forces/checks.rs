@@ -5,15 +5,16 @@ use hodograph_base::digits::{direction_degrees, inked, significant};
 use hodograph_base::geom::Vec2;
 use hodograph_board::equilibrium::{Lever, Term, Whole};
 use hodograph_board::plan::names::name_label;
+use hodograph_mechanism::position::Configuration;
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::quantity::ROUNDING;
 use hodograph_scene::{Kind, Lang};
 
 impl ForceWriter<'_> {
     /// The checks as plain text.
-    pub fn checks_text(&self, whole: Option<&Whole>, lever: Option<(&Lever, &str)>) -> String {
+    pub fn checks_text(&self, at: &Configuration, lever: Option<(&Lever, &str)>) -> String {
         let mut out = String::new();
-        for (heading, sentences) in self.checks(whole, lever) {
+        for (heading, sentences) in self.checks(at, lever) {
             out += &format!("  {heading}\n");
             for (k, sentence) in sentences.iter().enumerate() {
                 out += &format!("  {:>3}. {}\n", k + 1, sentence.plain());
@@ -23,10 +24,10 @@ impl ForceWriter<'_> {
     }
 
     /// The checks, each with its heading: by the forces on all links together, and by the lever, with the letter of its pole.
-    pub fn checks(&self, whole: Option<&Whole>, lever: Option<(&Lever, &str)>) -> Vec<(&'static str, Vec<Phrase>)> {
-        let by_whole = whole.map(|whole| {
+    pub fn checks(&self, at: &Configuration, lever: Option<(&Lever, &str)>) -> Vec<(&'static str, Vec<Phrase>)> {
+        let by_whole = Whole::of(self.scene, at, self.of).map(|whole| {
             let heading = tr(self.lang, "Check by the equilibrium of all links together", "用整个机构的平衡校核");
-            (heading, vec![self.whole(whole)])
+            (heading, vec![self.whole(&whole)])
         });
         let by_lever = lever.map(|(lever, pole)| {
             let heading = tr(self.lang, "Check by Zhukovsky's lever", "用茹可夫斯基杠杆校核");

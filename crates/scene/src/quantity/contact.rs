@@ -1,7 +1,7 @@
 //! Places where links press on each other.
 
 use crate::model::{Guide, GuideId, LinkId, PointId, Scene};
-use crate::rolling::{RollingId, RollingKind, Touch};
+use crate::rolling::{RollingId, Touch};
 
 /// A place where two links press on each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,7 +17,7 @@ pub enum Contact {
 /// The number of parties that press on a pin: links, bare guides in which it runs, cylinders of which no numbered part carries it.
 /// The line of a rope holds no pin.
 pub fn parties(scene: &Scene, p: PointId) -> usize {
-    let rope = |g: &Guide| g.rolling.is_some_and(|r| scene.rolling[r.0].kind == RollingKind::Rope);
+    let rope = |g: &Guide| g.rolling.is_some_and(|r| scene.rolling[r.0].kind.is_flexible());
     let slots = scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none() && !rope(g)).count();
     let carried = |l: &LinkId| scene.links[l.0].points.contains(&p);
     let cylinders =
