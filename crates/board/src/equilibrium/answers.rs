@@ -1,6 +1,6 @@
 //! The answers that a polygon gives, and what a group does to the links that hold it.
 
-use super::joints::{Held, Hinge, Outer, party, reference, sides};
+use super::joints::{Held, Hinge, Outer, party, sides};
 use super::scribe::{Acting, OnPin, Polygon, Scribe, square_to};
 use super::{Part, Party, Term};
 use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId};
@@ -70,7 +70,7 @@ impl Scribe<'_> {
 
     /// The force of a curved guide on its slider: its line passes through the centre of the arc.
     fn on_arc(&mut self, p: &mut Polygon, hinge: Hinge, force: NumberId) {
-        let Some((guide, place)) = hinge.arc().and_then(|guide| Some((guide, reference(self.scene, guide)?))) else { return };
+        let Some((guide, place)) = hinge.arc().and_then(|guide| Some((guide, self.reference(guide)?))) else { return };
         let moment = Number::Moment { force: Base::Measured(force), at: self.mark(hinge.at), about: self.mark(place) };
         let couple = self.number(&mut p.ops, moment);
         self.answers.guides.push((guide, force, Some(couple)));

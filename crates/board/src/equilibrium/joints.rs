@@ -205,10 +205,10 @@ impl Joints {
     }
 }
 
-/// The point from which the place of a guide's force counts: the pin that runs there, or the first at which the slider is met.
-pub(super) fn reference(scene: &Scene, g: GuideId) -> Option<PointId> {
+/// The point from which the place of a guide's force counts: the pin that runs there, or the first at which the slider is met, where it is placed.
+pub(super) fn reference(scene: &Scene, g: GuideId, placed: impl Fn(PointId) -> bool) -> Option<PointId> {
     let guide = &scene.guides[g.0];
-    guide.pin.or_else(|| met_at(scene, guide.slider?).next())
+    guide.pin.filter(|p| placed(*p)).or_else(|| met_at(scene, guide.slider?).find(|p| placed(*p)))
 }
 
 /// Party that presses on a link at a hinge: the other link, where there are no more; else the pin.
@@ -307,7 +307,7 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
                     (true, false) | (false, true) => {
                         let (on, by) = if mine(slider) { (slider, guide.on) } else { (guide.on, slider) };
                         if upstream(by) {
-                            let at = reference(scene, id).ok_or_else(|| {
+                            let at = reference(scene, id, |p| at.points[p.0].is_some()).ok_or_else(|| {
                                 both!("the slider {} meets nothing at a point", "滑块 {} 上没有任何连接点", scene.link_name(slider))
                             })?;
                             let slide = Outer::Slide { guide: id, on, by, at };

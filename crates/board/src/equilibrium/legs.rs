@@ -4,7 +4,7 @@
 //! crossing of two such lines give the force along the third; the polygon crosses the other two.
 
 use super::answers::reaction;
-use super::joints::{Hinge, Joints, Outer, Pair, reference, too_many, turns_on};
+use super::joints::{Hinge, Joints, Outer, Pair, too_many, turns_on};
 use super::methods::carries;
 use super::scribe::{Acting, Polygon, Scribe, square_to};
 use super::{About, Gives, Part, Party, Term};
@@ -315,7 +315,7 @@ impl Scribe<'_> {
                 self.offset(p, leg.outer, &all, ends.whole);
             }
             Kind::Sleeve { link, guide } => {
-                let place = reference(self.scene, guide).unwrap_or(leg.at);
+                let place = self.reference(guide).unwrap_or(leg.at);
                 let [from, to] = ends.whole;
                 for (on, other, ends) in [(link, core, [to, from]), (core, link, [from, to])] {
                     self.diagonal(p, (Term::Reaction { of: Party::Link(other), on, part: Part::Whole }, place), ends);

@@ -1,7 +1,7 @@
 //! The methods: for each kind of group its moments and its polygon.
 
 use super::answers::reaction;
-use super::joints::{Hinge, Joints, Outer, Pair, reference};
+use super::joints::{Hinge, Joints, Outer, Pair};
 use super::scribe::{Acting, Polygon, Scribe, square_to};
 use super::{About, Gives, Part, Party, Term};
 use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId};
@@ -213,7 +213,7 @@ impl Scribe<'_> {
     fn sliding(&mut self, links: [LinkId; 2], guide: GuideId, hinges: [Hinge; 2]) {
         let [slider, lever] = links;
         let [at, pivot] = hinges.map(|hinge| hinge.at);
-        let place = reference(self.scene, guide).unwrap_or(at);
+        let place = self.reference(guide).unwrap_or(at);
         let acting = [self.all_on(slider, &[hinges[0]]), self.all_on(lever, &[hinges[1]])];
         let mut p = self.polygon();
         let start = p.last;
@@ -295,7 +295,7 @@ impl Scribe<'_> {
     fn twice_sliding(&mut self, links: [LinkId; 2], guide: GuideId, outer: [Outer; 2]) {
         let (Outer::Pin { hinge, .. }, Outer::Slide { guide: outside, at: counted, .. }) = (outer[0], outer[1]) else { return };
         let ([pinned, sliding], at) = (links, hinge.at);
-        let place = reference(self.scene, guide).unwrap_or(at);
+        let place = self.reference(guide).unwrap_or(at);
         let acting = [self.all_on(pinned, &[hinge]), self.all_on(sliding, &[])];
         let mut p = self.polygon();
         let start = p.last;

@@ -1,7 +1,7 @@
 //! A link in equilibrium by itself: a driver, or a link with a pivot or a guide and one line of action.
 
 use super::answers::reaction;
-use super::joints::{Hinge, Outer, reference};
+use super::joints::{Hinge, Outer};
 use super::methods::{normal, tangent};
 use super::scribe::{Acting, Polygon, Scribe};
 use super::{About, Gives, Part, Term};
@@ -35,7 +35,7 @@ impl Scribe<'_> {
 
     /// The line along which a driver pushes a slider, and its point.
     pub(super) fn push_along(&self, guide: GuideId) -> Option<(Base, PointId)> {
-        let at = reference(self.scene, guide)?;
+        let at = self.reference(guide)?;
         Some((Base::Tangent(Key::of(guide.0), Some(Key::of(at.0))), at))
     }
 

@@ -1,6 +1,6 @@
 //! A ram written as its two links, a slider and its guide, that moves a third: the two are one body, in which the driver pushes along the guide.
 
-use super::joints::{Hinge, Outer, reference, turns_on};
+use super::joints::{Hinge, Outer, turns_on};
 use super::methods::{carries, normal, tangent};
 use super::scribe::{Acting, Scribe};
 use super::{Part, Party, Term};
@@ -41,7 +41,7 @@ impl Scribe<'_> {
     pub(super) fn on_a_ram(&mut self, ram: &Ram, moved: LinkId, inner: Hinge, outer: [Outer; 2]) {
         let Ram { driver, guide, rod, barrel } = *ram;
         let (mut p, loads, [from, _, x]) = self.around_a_pin([&[barrel, rod], &[moved]], inner, outer);
-        let place = reference(self.scene, guide).unwrap_or(inner.at);
+        let place = self.reference(guide).unwrap_or(inner.at);
         // The force of the barrel on the rod closes the forces on the rod: along the guide the driver pushes, square to it the guide presses.
         let lines = [self.line(&mut p, x, Direction::of(tangent(guide))), self.line(&mut p, from, normal(guide))];
         let corner = self.meet(&mut p, lines);

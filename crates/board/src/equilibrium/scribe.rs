@@ -1,6 +1,6 @@
 //! Writes the construction: what acts on each link, and the acts of polygons and moments.
 
-use super::joints::{Hinge, joints};
+use super::joints::{Hinge, joints, reference};
 use super::{About, Answers, Gives, GroupForces, Moments, Part, Party, Side, Term, Undrawn};
 use crate::construction::{
     Base, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Vector, VectorId,
@@ -11,7 +11,7 @@ use hodograph_mechanism::force::Load;
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::ROUNDING;
-use hodograph_scene::{LinkId, PointId, Scene};
+use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 
 /// A construction with its meaning.
 pub(super) struct Written {
@@ -143,6 +143,11 @@ pub(super) struct Polygon {
 impl Scribe<'_> {
     pub fn mark(&self, p: PointId) -> MarkId {
         self.places[p.0].expect("a joint of a placed group is placed")
+    }
+
+    /// The point from which the place of a guide's force counts.
+    pub fn reference(&self, guide: GuideId) -> Option<PointId> {
+        reference(self.scene, guide, |p| self.places[p.0].is_some())
     }
 
     /// Begins a polygon with its first vertex.
