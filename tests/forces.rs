@@ -350,3 +350,24 @@ fn a_rod_is_told_as_two_masses() {
         assert!(told.contains(part), "{part} is missing in\n{told}");
     }
 }
+
+/// A couple on a slider moves the force of its guide off its pin: outside the length of the slider its two corners bear it, one in each sense.
+#[test]
+fn a_slider_tilts_where_its_guide_ends() {
+    let notes = |length: &str| -> Vec<String> {
+        let scene = json!({
+            "links": {"1": ["A", "B"], "2": ["B", "C"], "4": ["A"]}, "ground": "4", "points": {"A": [0, 0]},
+            "lengths": {"AB": "50 mm", "BC": "200 mm"}, "side": {"C": "right of AB"},
+            "guides": [{"pin": "C", "slider": "3", "on": "4", "through": "A", "angle": "0 deg", "length": length}],
+            "driver": {"link": "1", "angle": "60 deg", "omega": "1 rad/s"},
+            "forces": [{"on": "3", "at": "C", "F": "1000 N", "angle": "180 deg"}, {"on": "3", "M": "20 N*m"}],
+            "find": ["F_43", "h_43"]
+        });
+        let Warned { notes, .. } = work(&scene::read(scene.to_string()).unwrap().value, Scope::Questions).unwrap();
+        notes.into_iter().filter(|d| d.code == "guide-tilts").map(|d| d.message.en).collect()
+    };
+    // F_43 = 1000 N · tan β with sin β = 50 sin 60°/200: 221.8 N, at h = 90.2 mm from the pin.
+    assert_eq!(notes("190 mm"), Vec::<String>::new());
+    let told = notes("100 mm");
+    assert!(told.len() == 1 && ["slider 3", "310.9 N", "89.12 N"].iter().all(|part| told[0].contains(part)), "{told:?}");
+}

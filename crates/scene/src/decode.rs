@@ -260,7 +260,7 @@ fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
     let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
     let (pin, slider, on, line, centre) = (name("pin"), name("slider"), name("on"), name("line"), name("centre"));
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
-    let (angle, offset, radius) = (value("angle"), value("offset"), value("radius"));
+    let (angle, offset, radius, length) = (value("angle"), value("offset"), value("radius"), value("length"));
     let through = through(&f, faults);
     // A guide with a member that could not be read must not be judged by what is left of it.
     (faults.list.len() == before).then_some(RawGuide {
@@ -274,6 +274,7 @@ fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
         offset,
         centre,
         radius,
+        length,
         contact: false,
         span: node.span,
     })

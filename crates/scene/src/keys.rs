@@ -38,7 +38,7 @@ pub(super) const SCENE: &[&str] = &[
 ];
 pub(super) const PLACE_XY: &[&str] = &["base", "x", "y"];
 pub(super) const PLACE_POLAR: &[&str] = &["base", "length", "angle"];
-pub(super) const GUIDE: &[&str] = &["pin", "slider", "on", "line", "through", "angle", "offset", "centre", "radius"];
+pub(super) const GUIDE: &[&str] = &["pin", "slider", "on", "line", "through", "angle", "offset", "centre", "radius", "length"];
 pub(super) const GEAR: &[&str] = &[
     "links",
     "centres",

@@ -125,6 +125,8 @@ pub struct Guide {
     pub on: LinkId,
     /// Its shape.
     pub path: GuidePath,
+    /// The length (m) over which its slider bears, half of it on either side of the point from which the place of its force counts.
+    pub length: Option<Given>,
     /// The rolling pair whose second centre runs in it, where it is not the file's own guide: it keeps the two in touch, and a toothed
     /// pair's holds only what nothing else holds.
     pub rolling: Option<RollingId>,
@@ -426,16 +428,6 @@ impl Scene {
     /// Name of a link.
     pub fn link_name(&self, l: LinkId) -> &str {
         &self.links[l.0].name
-    }
-
-    /// The links in the order of their numbers; where not all are numbered, in that of the scene.
-    pub fn links_in_order(&self) -> Vec<LinkId> {
-        let mut links: Vec<LinkId> = (0..self.links.len()).map(LinkId).collect();
-        let numbers: Option<Vec<u64>> = self.links.iter().map(|l| l.name.parse().ok()).collect();
-        if let Some(numbers) = numbers {
-            links.sort_by_key(|l| numbers[l.0]);
-        }
-        links
     }
 
     /// The first moving link that carries a point.

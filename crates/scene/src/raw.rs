@@ -56,6 +56,7 @@ pub(super) struct RawGuide {
     pub offset: Option<RawQuantity>,
     pub centre: Option<Word>,
     pub radius: Option<RawQuantity>,
+    pub length: Option<RawQuantity>,
     /// Whether it stands for a contact of a cam: no guide that the author has written.
     pub contact: bool,
     pub span: Span,
@@ -75,6 +76,7 @@ impl RawGuide {
             offset: None,
             centre: None,
             radius: None,
+            length: None,
             contact: false,
             span,
         }

@@ -1,10 +1,20 @@
 //! How drivers and lengths of a scene are called when a person is told of them.
 
 use super::model::GuideId;
-use super::{DriverKind, Kind, PointId, Scene};
+use super::{DriverKind, Kind, LinkId, PointId, Scene};
 use hodograph_base::diag::{Both, both};
 
 impl Scene {
+    /// The links in the order of their numbers; where not all are numbered, in that of the scene.
+    pub fn links_in_order(&self) -> Vec<LinkId> {
+        let mut links: Vec<LinkId> = (0..self.links.len()).map(LinkId).collect();
+        let numbers: Option<Vec<u64>> = self.links.iter().map(|l| l.name.parse().ok()).collect();
+        if let Some(numbers) = numbers {
+            links.sort_by_key(|l| numbers[l.0]);
+        }
+        links
+    }
+
     /// The contact for which a guide stands, in the words of the file; `None` of the file's own guides.
     pub fn contact_words(&self, g: GuideId) -> Option<Both> {
         if let Some(cam) = self.cams.iter().find(|c| c.contact == Some(g)) {

@@ -59,7 +59,7 @@ pub fn slid(scene: &Scene, at: &Configuration, index: usize, frame: LinkId) -> O
     let angle = Given { value: Angle::Rad(tangent.angle()), radius: f64::EPSILON, text: format!("{} rad", tangent.angle()), span };
     let path = GuidePath::Line { through: Through::Pin, direction: Direction::Instant(angle), offset: None };
     let guide = cam.contact?.0;
-    wrong.guides[guide] = Guide { pin: Some(own), slider: None, on: frame, path, rolling: None, span };
+    wrong.guides[guide] = Guide { pin: Some(own), slider: None, on: frame, path, length: None, rolling: None, span };
     let pose = at.poses[frame.0]?;
     wrong_at.guides[guide] = Some(Path::Line { through: touched.at, direction: tangent });
     wrong_at.shapes.guides[guide] = Some(Path::Line { through: pose.to_local(touched.at), direction: pose.turn_back(tangent) });

@@ -122,6 +122,8 @@ members! { Guide:
     centre(point: &str) "centre" = json!(point);
     /// The radius of a slot along an arc.
     radius(value: Length) "radius" = value.json();
+    /// The length over which a slider bears in its guide.
+    length(value: Length) "length" = value.json();
 }
 
 /// A pair of gears, or a gear on its rack.

@@ -83,7 +83,14 @@ fn guide(c: &Context, raw: &RawGuide, places: &[Place], faults: &mut Faults) -> 
         Some(centre) => arc(c, raw, on, centre, faults),
         None => line(c, raw, on, pin, places, faults),
     };
-    let mut guide = Guide { pin, slider, on, path: path?, rolling: None, span: raw.span };
+    let length = raw.length.as_ref().map(|q| {
+        if slider.is_none() || raw.centre.is_some() {
+            let message = both!("`length` is that of a slider in a straight guide", "`length` 是直线导路中滑块的长度");
+            fault(Diagnostic::error("guide", message).at(q.span).help(both!("leave \"length\" away", "请去掉 \"length\"")), faults);
+        }
+        c.values.positive_length(q, both!("the length", "长度"), faults)
+    });
+    let mut guide = Guide { pin, slider, on, path: path?, length: transpose(length)?, rolling: None, span: raw.span };
     if !raw.contact {
         run_by_a_joint(c, &mut guide, places);
     }

@@ -111,7 +111,15 @@ fn pair(
         (Some(centre), Some(strand)) => (belts::round(c, raw, strand, [a.link, b.link], [centre, wheel], faults)?, None, None),
     };
     let id = RollingId(out.rolling.len());
-    out.guides.extend(path.map(|path| Guide { pin: Some(wheel), slider: None, on: a.link, path, rolling: Some(id), span: raw.span }));
+    out.guides.extend(path.map(|path| Guide {
+        pin: Some(wheel),
+        slider: None,
+        on: a.link,
+        path,
+        length: None,
+        rolling: Some(id),
+        span: raw.span,
+    }));
     Some(Rolling { links: [a.link, b.link], contours, at, kind: raw.kind, phase, flanks, span: raw.span })
 }
 

@@ -7,9 +7,9 @@ use hodograph_mechanism::answer::Source;
 use hodograph_mechanism::force::{Cause, Load, faults_of_strokes, is_determined, loads, rubbing};
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::motion;
-use hodograph_mechanism::position::Configuration;
-use hodograph_scene::quantity::Wrench;
-use hodograph_scene::{Applied, Asked, Find, Loads, Rub, Scene};
+use hodograph_mechanism::position::{Configuration, Path};
+use hodograph_scene::quantity::{ROUNDING, Wrench};
+use hodograph_scene::{Applied, Asked, Find, Guide, Kind, Loads, Rub, Scene};
 
 /// The reason for which forces have no value: the links of the group whose reactions no finite force balances.
 pub(super) fn unbalanced(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, find: &Find) -> Option<Both> {
@@ -72,6 +72,7 @@ pub(super) fn of_loads(scene: &Scene, at: &Configuration, solution: &Solution) -
     };
     let mut notes: Vec<Diagnostic> = loads(scene, at, solution).unwrap_or_default().iter().filter_map(resting).map(note).collect();
     notes.extend(of_friction(scene, at, solution));
+    notes.extend(of_guides(scene, at, solution));
     notes.extend(faults_of_strokes(scene).into_iter().map(|d| Diagnostic { severity: Severity::Warning, ..d }));
     notes
 }
@@ -102,6 +103,31 @@ fn of_friction(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Di
         notes.push(Diagnostic::note("self-locking", message).at(scene.loads.friction[worst.friction].span));
     }
     notes
+}
+
+/// Sliders on which the force of their guide acts outside the length over which they bear.
+fn of_guides(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Diagnostic> {
+    let Some(forces) = solution.forces() else { return Vec::new() };
+    let tilt = |(g, guide): (usize, &Guide)| {
+        let (slider, length) = (guide.slider?, guide.length.as_ref()?);
+        let (_, wrench) = forces.guides.iter().find(|(own, _)| own.0 == g)?;
+        let Some(Path::Line { direction, .. }) = at.guides[g] else { return None };
+        let normal = direction.perp().dot(wrench.force);
+        // Moments about the other corner.
+        let corners = [1.0, -1.0].map(|side| normal / 2.0 + side * wrench.couple / length.value);
+        let tilts = corners[0] * corners[1] < 0.0 && corners.iter().all(|force| force.abs() > ROUNDING * forces.largest);
+        let newtons = |force: f64| scene.book.text(Kind::Force, &significant(scene.book.value(Kind::Force, force.abs()), 4));
+        let message = both!(
+            "slider {} tilts in its guide: the force of the guide acts outside the length {}; its corners press with {} and {}, in opposite senses",
+            "滑块 {} 在导路中歪斜：导路反力作用在长度 {} 之外，两角的压力为 {} 和 {}，方向相反",
+            scene.link_name(slider),
+            length.text,
+            newtons(corners[0]),
+            newtons(corners[1])
+        );
+        tilts.then(|| Diagnostic::note("guide-tilts", message).at(length.span))
+    };
+    scene.guides.iter().enumerate().filter_map(tilt).collect()
 }
 
 /// A pair that rubs: `pin B`, `the guide of link 3`.
