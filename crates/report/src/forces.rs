@@ -10,7 +10,7 @@ mod symbols;
 use hodograph_base::digits::{inked, significant};
 use hodograph_base::geom::Vec2;
 use hodograph_base::notation::Notation;
-use hodograph_board::construction::MarkId;
+use hodograph_board::construction::{MarkId, NumberId};
 use hodograph_board::equilibrium::{About, Equilibrium, Gives, GroupForces, Moments, Party, Side, Term};
 use hodograph_board::plan::names::name_label;
 use hodograph_paper::paper::phrase::{Phrase, tr};
@@ -149,6 +149,8 @@ impl ForceWriter<'_> {
             ("III", Lang::Zh) => "Ⅲ级杆组",
             ("IV", Lang::En) => "class IV",
             ("IV", Lang::Zh) => "Ⅳ级杆组",
+            ("VI", Lang::En) => "class VI",
+            ("VI", Lang::Zh) => "Ⅵ级杆组",
             (kind, _) => kind,
         };
         match (self.lang, names.len()) {
@@ -164,7 +166,7 @@ impl ForceWriter<'_> {
         format!("{}\\,{unit}", inked(&significant(si * per_si, DIGITS)))
     }
 
-    fn number(&self, id: hodograph_board::construction::NumberId) -> f64 {
+    fn number(&self, id: NumberId) -> f64 {
         self.of.drawn.number(id).unwrap_or(f64::NAN)
     }
 
@@ -238,6 +240,7 @@ impl ForceWriter<'_> {
                 let symbol = self.balance(d);
                 (symbol.clone(), format!("{symbol} = {}", self.amount(Kind::Moment, value)))
             }
+            Gives::Trial { force, tried, left } => return self.trial(m, force, [tried, left]),
         };
         let equation = if sum.terms == 0 { format!("{given} = 0") } else { format!("{given} + ({}) = 0", sum.text) };
         match self.lang {
@@ -247,6 +250,37 @@ impl ForceWriter<'_> {
                 names.join(", ")
             ),
             Lang::Zh => format!("构件 {} 对 {about} 取矩：${equation}$，得 ${result}$。", names.join("、")),
+        }
+    }
+
+    /// A force that is tried twice: the moments that are left on the last link of the ring, and the force that leaves none.
+    fn trial(&self, m: &Moments, force: Term, [tried, left]: [[NumberId; 2]; 2]) -> String {
+        let (symbol, about) = (self.symbol(force), self.about(m.about));
+        let tried = tried.map(|id| self.amount(Kind::Force, self.number(id)));
+        let left = left.map(|id| self.amount(Kind::Moment, self.number(id)));
+        let value = self.amount(Kind::Force, self.number(m.value));
+        let names = m.links.iter().skip(1).map(|l| self.scene.link_name(*l)).collect::<Vec<_>>();
+        let last = m.links.first().map_or("", |l| self.scene.link_name(*l));
+        match self.lang {
+            Lang::En => format!(
+                "${symbol}$ is tried twice. The moments of link{} {} with the bars about {} pivot{} give the forces along the other bars; those of link {last} about ${about}$ then leave ${}$ for ${symbol} = {}$ and ${}$ for ${symbol} = {}$. They are linear in ${symbol}$, hence ${symbol} = {value}$.",
+                if names.len() > 1 { "s" } else { "" },
+                names.join(", "),
+                if names.len() > 1 { "their" } else { "its" },
+                if names.len() > 1 { "s" } else { "" },
+                left[0],
+                tried[0],
+                left[1],
+                tried[1]
+            ),
+            Lang::Zh => format!(
+                "对 ${symbol}$ 试取两次：构件 {} 连同各杆依次对其铰链取矩，得其余各杆的轴向力；构件 {last} 对 ${about}$ 的力矩剩余，在 ${symbol} = {}$ 时为 ${}$，在 ${symbol} = {}$ 时为 ${}$；剩余与 ${symbol}$ 成线性关系，得 ${symbol} = {value}$。",
+                names.join("、"),
+                tried[0],
+                left[0],
+                tried[1],
+                left[1]
+            ),
         }
     }
 

@@ -87,6 +87,7 @@ impl Scribe<'_> {
                 _ => Err(joints.no_method(self.scene, links)),
             },
             ([_, _, _, _], [_, _, _, _], [_, _]) => self.on_two_bars(links, joints, at),
+            (_, inner, outer) if outer.len() > 2 && inner.len() == 2 * outer.len() => self.on_a_ring(links, joints),
             _ => self.on_three_legs(links, joints, at),
         }
     }

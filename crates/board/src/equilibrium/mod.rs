@@ -20,6 +20,7 @@ mod methods;
 mod one_link;
 mod posed;
 mod ram;
+mod ring;
 mod scribe;
 mod two_bars;
 
@@ -135,6 +136,15 @@ pub enum Gives {
     Offset(GuideId),
     /// The balancing moment of a driver.
     Driver(usize),
+    /// A force that is tried twice; the moment that is left is linear in it.
+    Trial {
+        /// The force.
+        force: Term,
+        /// The amounts that are tried (N).
+        tried: [NumberId; 2],
+        /// The moments that are left (N·m).
+        left: [NumberId; 2],
+    },
 }
 
 /// The equilibrium of a group.

@@ -52,6 +52,8 @@ pub(super) struct Scribe<'a> {
     pub balance: Key,
     /// The crossings of lines of action on the mechanism.
     pub crossings: usize,
+    /// The largest load (N), a couple as its force at the size of the mechanism.
+    pub largest: f64,
 }
 
 /// Writes the forces of all groups.
@@ -77,7 +79,9 @@ pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &
     let answers = Answers::default();
     let at_pin = vec![Vec::new(); scene.points.len()];
     let balance = Key::of(loads.len());
-    let mut scribe = Scribe { scene, m, c, places, acting, at_pin, answers, groups: Vec::new(), one, plane, balance, crossings: 0 };
+    let largest = largest.max(couples / at.extent());
+    let mut scribe =
+        Scribe { scene, m, c, places, acting, at_pin, answers, groups: Vec::new(), one, plane, balance, crossings: 0, largest };
     // Links for which nothing calls have no loads and press on nothing.
     let mut open: Vec<bool> = (0..scene.links.len()).map(|l| at.poses[l].is_some() || l == scene.ground.0).collect();
     let mut broken = vec![false; scene.links.len()];

@@ -45,7 +45,6 @@ impl Scribe<'_> {
     /// A group of another kind; parallel bars; a further group at one of their pins.
     pub(super) fn on_two_bars(&mut self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Result<(), Both> {
         let group = self.joined(links, joints).ok_or_else(|| joints.no_method(self.scene, links))?;
-        let name = |k: usize| self.scene.link_name(group.bars[k].link);
         if let Some(pin) =
             group.bars.iter().flat_map(|b| b.pins).filter_map(Hinge::pin).find(|p| !self.pin_loads(*p, group.links[0]).is_empty())
         {
@@ -60,12 +59,7 @@ impl Scribe<'_> {
                 self.two_bars(links, &group);
                 Ok(())
             }
-            _ => Err(both!(
-                "the bars {} and {} are parallel: moments about their crossing tell nothing",
-                "连杆 {} 与 {} 平行，无法对其交点取矩",
-                name(0),
-                name(1)
-            )),
+            _ => self.on_a_ring(links, joints),
         }
     }
 

@@ -77,7 +77,9 @@ impl Page<'_> {
     /// The class of the step after which a force is known: of its moments, or of its measuring. Loads and the reactions of groups before are known from the start.
     fn known_at(&self, group: &GroupForces, side: &Side) -> String {
         self.step(group, |act| match act {
-            Act::Moments(k) => matches!(group.moments[*k].gives, Gives::Force(term, _) if term == side.term),
+            Act::Moments(k) => {
+                matches!(group.moments[*k].gives, Gives::Force(term, _) | Gives::Trial { force: term, .. } if term == side.term)
+            }
             Act::Read(own) => own.vector == side.vector,
             Act::Free | Act::Friction | Act::Lay(_) | Act::Cross(_) => false,
         })

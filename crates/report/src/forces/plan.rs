@@ -63,6 +63,9 @@ impl ForceWriter<'_> {
     fn moments_planned(&self, m: &Moments) -> String {
         let names: Vec<&str> = m.links.iter().map(|l| self.scene.link_name(*l)).collect();
         let (about, given) = (formula(&self.about(m.about)), formula(&self.given(m)));
+        if matches!(m.gives, Gives::Trial { .. }) {
+            return format!("{}{given}", tr(self.lang, "two trials: ", "两次试算："));
+        }
         match self.lang {
             Lang::En => format!("moments of link{} {} about {about}: {given}", if names.len() > 1 { "s" } else { "" }, names.join(", ")),
             Lang::Zh => format!("构件 {} 对 {about} 取矩：{given}", names.join("、")),
@@ -80,7 +83,7 @@ impl ForceWriter<'_> {
     /// The result of moments, in the label language.
     fn given(&self, m: &Moments) -> String {
         match m.gives {
-            Gives::Force(term, _) => self.symbol(term),
+            Gives::Force(term, _) | Gives::Trial { force: term, .. } => self.symbol(term),
             Gives::Offset(guide) => format!("h_{{{}}}", name_label(&self.pair(guide))),
             Gives::Driver(d) => self.balance(d),
         }
