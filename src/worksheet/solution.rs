@@ -85,7 +85,7 @@ impl Maker<'_> {
             blocks.push(Block::List { numbered: true, members: w.sentences(group) });
         }
         let (lever, pole) = (forces::zhukovsky(self.scene, self.worked), self.writer().pole(DiagramKind::Velocity));
-        for (heading, members) in w.checks(&self.worked.configuration, lever.as_ref().map(|lever| (lever, pole.as_str()))) {
+        if let Some((heading, members)) = w.checks(&self.worked.configuration, lever.as_ref().map(|lever| (lever, pole.as_str()))) {
             blocks.push(Block::Heading(3, heading.into()));
             blocks.push(Block::List { numbered: true, members });
         }

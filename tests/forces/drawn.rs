@@ -215,10 +215,10 @@ fn fragments_reveal_forces() {
     assert!(motion.iter().max() < forces.iter().min(), "{motion:?} {forces:?}");
 }
 
-/// Links that bars join in a ring, loaded everywhere: two with parallel bars (class IV), three (class VI). The force along one bar is found by two trials.
+/// Links that bars join in a ring, loaded everywhere: two with parallel bars, or with a bar and a block (class IV), three (class VI). The force along one bar is found by two trials.
 #[test]
 fn rings_of_bars_are_drawn() {
-    for (name, count) in [("class4-parallel", 8), ("class6-ring", 11)] {
+    for (name, count) in [("class4-parallel", 8), ("class4-slot", 8), ("class6-ring", 11)] {
         let file = std::fs::read_to_string(format!("tests/cases/higher-{name}.json")).unwrap();
         let mut scene = serde_json::from_str::<Json>(&file).unwrap()["scene"].clone();
         let links = scene["links"].as_object().unwrap().clone();
@@ -229,11 +229,15 @@ fn rings_of_bars_are_drawn() {
             let force = json!({"on": l, "at": points(l).last(), "F": [format!("{} N", 40 + 13 * k), format!("{} N", 17 * k as i32 - 50)]});
             [force, json!({"on": l, "M": format!("{} N*m", 5 + 3 * k)})]
         });
-        let forces: Vec<Json> = forces.collect();
+        let mut forces: Vec<Json> = forces.collect();
         let joined = |a: &str, b: &str| points(a).iter().any(|p| points(b).contains(p));
         let pairs = names.iter().enumerate().flat_map(|(k, a)| names[k + 1..].iter().map(move |b| (*a, *b)));
         let mut find: Vec<String> = pairs.filter(|(a, b)| joined(a, b)).map(|(a, b)| format!("F_{a},{b}")).collect();
         find.push("P".into());
+        if scene["guides"].is_array() {
+            forces.extend([json!({"on": "4", "at": "C", "F": ["33 N", "-71 N"]}), json!({"on": "4", "M": "9 N*m"})]);
+            find.extend(["F_54".into(), "h_54".into()]);
+        }
         scene["forces"] = json!(forces);
         scene["find"] = json!(find);
         assert_eq!(drawn(scene), find, "{name}");

@@ -39,12 +39,12 @@ struct Joined {
 const PARALLEL: f64 = 1e-6;
 
 impl Scribe<'_> {
-    /// Writes the equilibrium of two links that two bars join.
+    /// Writes the equilibrium of two links that two bars join; of parallel bars, or with a block for a bar, as a ring.
     ///
     /// # Errors
-    /// A group of another kind; parallel bars; a further group at one of their pins.
+    /// A group of another kind; a further group at one of their pins.
     pub(super) fn on_two_bars(&mut self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Result<(), Both> {
-        let group = self.joined(links, joints).ok_or_else(|| joints.no_method(self.scene, links))?;
+        let Some(group) = self.joined(links, joints) else { return self.on_a_ring(links, joints) };
         if let Some(pin) =
             group.bars.iter().flat_map(|b| b.pins).filter_map(Hinge::pin).find(|p| !self.pin_loads(*p, group.links[0]).is_empty())
         {

@@ -13,27 +13,24 @@ use hodograph_scene::{Kind, Lang};
 impl ForceWriter<'_> {
     /// The checks as plain text.
     pub fn checks_text(&self, at: &Configuration, lever: Option<(&Lever, &str)>) -> String {
-        let mut out = String::new();
-        for (heading, sentences) in self.checks(at, lever) {
-            out += &format!("  {heading}\n");
-            for (k, sentence) in sentences.iter().enumerate() {
-                out += &format!("  {:>3}. {}\n", k + 1, sentence.plain());
-            }
-        }
-        out
+        let Some((heading, sentences)) = self.checks(at, lever) else { return String::new() };
+        let lines = sentences.iter().enumerate().map(|(k, sentence)| format!("  {:>3}. {}\n", k + 1, sentence.plain()));
+        format!("  {heading}\n") + &lines.collect::<String>()
     }
 
-    /// The checks, each with its heading: by the forces on all links together, and by the lever, with the letter of its pole.
-    pub fn checks(&self, at: &Configuration, lever: Option<(&Lever, &str)>) -> Vec<(&'static str, Vec<Phrase>)> {
-        let by_whole = Whole::of(self.scene, at, self.of).map(|whole| {
-            let heading = tr(self.lang, "Check by the equilibrium of all links together", "用整个机构的平衡校核");
-            (heading, vec![self.whole(&whole)])
-        });
-        let by_lever = lever.map(|(lever, pole)| {
-            let heading = tr(self.lang, "Check by Zhukovsky's lever", "用茹可夫斯基杠杆校核");
-            (heading, self.lever(lever, pole))
-        });
-        by_whole.into_iter().chain(by_lever).collect()
+    /// The checks under their heading: the forces on all links together, and the lever with the letter of its pole.
+    pub fn checks(&self, at: &Configuration, lever: Option<(&Lever, &str)>) -> Option<(&'static str, Vec<Phrase>)> {
+        let whole = Whole::of(self.scene, at, self.of).map(|whole| self.whole(&whole));
+        let by_lever = lever.map(|(lever, pole)| self.lever(lever, pole)).unwrap_or_default();
+        let heading = if whole.is_some() {
+            tr(self.lang, "Checks: all links together, Zhukovsky's lever", "校核：整个机构的平衡、茹可夫斯基杠杆")
+        } else {
+            tr(self.lang, "Check by Zhukovsky's lever", "用茹可夫斯基杠杆校核")
+        };
+        let heading =
+            if by_lever.is_empty() { tr(self.lang, "Check: all links together", "校核：整个机构的平衡") } else { heading };
+        let all: Vec<Phrase> = whole.into_iter().chain(by_lever).collect();
+        (!all.is_empty()).then_some((heading, all))
     }
 
     /// The sum of the loads beside that of the reactions of the ground.
