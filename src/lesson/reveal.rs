@@ -79,7 +79,7 @@ fn drawings(scene: &Scene, worked: &Worked, options: &sheet::Options, stacked: b
             // An item that several steps draw comes with the first.
             let of: Vec<Option<usize>> = figure.items.iter().map(|i| i.steps().min().filter(|_| *has_steps)).collect();
             let most = of.iter().flatten().max().map_or(0, |n| n + 1);
-            // What comes in one step stays together, in the order of the drawing; the order of steps is told by the index.
+            // Items of one step stay together, in the order of the drawing; the index tells the order of steps.
             for (element, of) in list.iter().zip(&of) {
                 match of {
                     Some(n) => {
