@@ -1,6 +1,6 @@
 //! The answers that a polygon gives, and what a group does to the links that hold it.
 
-use super::joints::{Held, Hinge, Outer, party, sides};
+use super::joints::{Hinge, HingeKind, Outer, party, sides};
 use super::scribe::{Acting, OnPin, Polygon, Scribe, square_to};
 use super::{Part, Party, Term};
 use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId};
@@ -11,8 +11,8 @@ impl Scribe<'_> {
     /// Puts the force of a hinge on a link among the answers, its opposite on what holds it, and hands that on.
     pub fn pinned(&mut self, p: &mut Polygon, hinge: Hinge, on: LinkId, [from, to]: [MarkId; 2]) {
         let (own, back, at) = (self.measured(p, from, to), self.measured(p, to, from), hinge.at);
-        let by = match hinge.held {
-            Held::Pin => {
+        let by = match hinge.kind {
+            HingeKind::Pin => {
                 self.answers.pins.push((at, on, own));
                 if let Party::Link(other) = party(self.scene, hinge, on) {
                     self.answers.pins.push((at, other, back));
@@ -20,12 +20,12 @@ impl Scribe<'_> {
                 self.at_pin[at.0].push(OnPin { of: Party::Link(on), force: back });
                 return;
             }
-            Held::Arc(guide) => {
+            HingeKind::Arc(guide) => {
                 let slider = self.scene.guides[guide.0].slider == Some(on);
                 self.on_arc(p, hinge, if slider { own } else { back });
                 sides(self.scene, guide).and_then(|sides| sides.into_iter().find(|l| *l != on))
             }
-            Held::Driven { guide, driver } => {
+            HingeKind::Driven { guide, driver } => {
                 let slot = self.scene.guides[guide.0].on;
                 if slot == on {
                     self.along_slot(p, (guide, driver), [to, from]);
@@ -87,18 +87,18 @@ impl Scribe<'_> {
     pub fn inner_side(&mut self, p: &mut Polygon, hinge: Hinge, [link, other]: [LinkId; 2], ends: [MarkId; 2]) {
         let id = self.measured(p, ends[0], ends[1]);
         let at = hinge.at;
-        let of = match hinge.held {
-            Held::Pin => {
+        let of = match hinge.kind {
+            HingeKind::Pin => {
                 self.answers.pins.push((at, link, id));
                 if parties(self.scene, at) == 2 { Party::Link(other) } else { Party::Pin(at) }
             }
-            Held::Arc(guide) => {
+            HingeKind::Arc(guide) => {
                 if self.scene.guides[guide.0].slider == Some(link) {
                     self.on_arc(p, hinge, id);
                 }
                 Party::Link(other)
             }
-            Held::Driven { guide, driver } => {
+            HingeKind::Driven { guide, driver } => {
                 if self.scene.guides[guide.0].on == link {
                     self.along_slot(p, (guide, driver), [ends[1], ends[0]]);
                 } else {

@@ -13,12 +13,12 @@ pub struct Hinge {
     /// The pin, or the centre of the curved guide.
     pub at: PointId,
     /// By what the links are held together there.
-    pub held: Held,
+    pub kind: HingeKind,
 }
 
 /// By what two links turn on each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Held {
+pub enum HingeKind {
     /// A pin of both.
     Pin,
     /// A curved guide: its slider turns about the centre of the arc as about a pin.
@@ -35,21 +35,21 @@ pub enum Held {
 impl Hinge {
     /// The pin, where it is one.
     pub fn pin(self) -> Option<PointId> {
-        match self.held {
-            Held::Pin | Held::Driven { .. } => Some(self.at),
-            Held::Arc(_) => None,
+        match self.kind {
+            HingeKind::Pin | HingeKind::Driven { .. } => Some(self.at),
+            HingeKind::Arc(_) => None,
         }
     }
 
     /// The curved guide, where it is one.
     pub fn arc(self) -> Option<GuideId> {
-        if let Held::Arc(guide) = self.held { Some(guide) } else { None }
+        if let HingeKind::Arc(guide) = self.kind { Some(guide) } else { None }
     }
 }
 
 impl From<PointId> for Hinge {
     fn from(at: PointId) -> Hinge {
-        Hinge { at, held: Held::Pin }
+        Hinge { at, kind: HingeKind::Pin }
     }
 }
 
@@ -159,10 +159,10 @@ pub enum Pair {
 /// True if a link turns about a hinge.
 pub(super) fn turns_on(scene: &Scene, link: LinkId, hinge: Hinge) -> bool {
     let carries = scene.links[link.0].points.contains(&hinge.at);
-    match hinge.held {
-        Held::Pin => carries,
-        Held::Arc(guide) => sides(scene, guide).is_some_and(|sides| sides.contains(&link)),
-        Held::Driven { guide, .. } => carries || scene.guides[guide.0].on == link,
+    match hinge.kind {
+        HingeKind::Pin => carries,
+        HingeKind::Arc(guide) => sides(scene, guide).is_some_and(|sides| sides.contains(&link)),
+        HingeKind::Driven { guide, .. } => carries || scene.guides[guide.0].on == link,
     }
 }
 
@@ -214,14 +214,14 @@ pub(super) fn reference(scene: &Scene, g: GuideId, placed: impl Fn(PointId) -> b
 /// Party that presses on a link at a hinge: the other link, where there are no more; else the pin.
 pub(super) fn party(scene: &Scene, hinge: Hinge, on: LinkId) -> Party {
     let at = hinge.at;
-    match hinge.held {
-        Held::Pin => {}
-        Held::Arc(guide) => {
+    match hinge.kind {
+        HingeKind::Pin => {}
+        HingeKind::Arc(guide) => {
             let other = sides(scene, guide).and_then(|sides| sides.into_iter().find(|l| *l != on));
             return other.map_or(Party::Pin(at), Party::Link);
         }
         // The slot and the driver press on the pin together.
-        Held::Driven { .. } => return Party::Pin(at),
+        HingeKind::Driven { .. } => return Party::Pin(at),
     }
     let mut others = scene.carriers(at).filter(|l| *l != on);
     match (others.next(), others.next(), parties(scene, at)) {
@@ -299,7 +299,7 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
         match guide.slider {
             Some(slider) => {
                 let arc = match guide.path {
-                    GuidePath::Arc { centre, .. } => Some(Hinge { at: centre, held: Held::Arc(id) }),
+                    GuidePath::Arc { centre, .. } => Some(Hinge { at: centre, kind: HingeKind::Arc(id) }),
                     GuidePath::Line { .. } => None,
                 };
                 match (mine(slider), mine(guide.on)) {
@@ -390,7 +390,7 @@ fn driven(scene: &Scene, guide: GuideId) -> Option<Hinge> {
     let g = &scene.guides[guide.0];
     let at = g.pin.filter(|_| g.slider.is_none() && scene.loads.balance.is_none())?;
     let driver = scene.drivers.iter().position(|d| d.kind.guide() == Some(guide))?;
-    Some(Hinge { at, held: Held::Driven { guide, driver } })
+    Some(Hinge { at, kind: HingeKind::Driven { guide, driver } })
 }
 
 /// The balancing force on a driver's link, in place of its moment or its push.

@@ -8,13 +8,13 @@ use super::answers::reaction;
 use super::joints::{Hinge, Joints, Outer, Pair, too_many, turns_on};
 use super::scribe::{Acting, Scribe, square_to};
 use super::{About, Gives, Moments, Part, Party, Term};
-use crate::construction::{Base, Direction, Key, MarkId, Number, NumberId, Op};
+use crate::construction::{Base, Direction, Key, Number, NumberId, Op};
 use hodograph_base::diag::Both;
 use hodograph_scene::{GuideId, LinkId, PointId};
 
 /// A link of the ring with its pivot, and the bar or block between it and the next link.
 #[derive(Clone, Copy)]
-struct Core {
+struct RingLink {
     link: LinkId,
     outer: Outer,
     pivot: Hinge,
@@ -35,7 +35,7 @@ enum Far {
 }
 
 /// A bar with what acts on it.
-struct Bar {
+struct RingBar {
     loads: Vec<Acting>,
     /// The force of the next link square to the bar.
     across: Option<NumberId>,
@@ -45,7 +45,7 @@ struct Bar {
 }
 
 /// A link with its bar, before the force along any bar is known.
-struct Known {
+struct RingMoments {
     loads: Vec<Acting>,
     /// Moments about the pivot of all but the forces along bars, and their sum with the sign reversed.
     moments: Moments,
@@ -54,7 +54,7 @@ struct Known {
     arms: [NumberId; 2],
 }
 
-impl Core {
+impl RingLink {
     /// A point on the line of the bar, where the next link presses on it.
     fn touch(&self) -> PointId {
         if let Far::Pin(p) = self.far { p } else { self.near.at }
@@ -92,8 +92,8 @@ impl Scribe<'_> {
         let mut ops = Vec::new();
         let count = ring.len();
         let before = |i: usize| (i + count - 1) % count;
-        let bars: Vec<Bar> = ring.iter().map(|core| self.bar(&mut ops, core)).collect();
-        let known: Vec<Known> =
+        let bars: Vec<RingBar> = ring.iter().map(|core| self.bar(&mut ops, core)).collect();
+        let known: Vec<RingMoments> =
             (0..count).map(|i| self.known(&mut ops, [&ring[before(i)], &ring[i]], [&bars[before(i)], &bars[i]])).collect();
         let handy = libm::exp10(libm::floor(libm::log10(self.largest.clamp(1.0, 1e9))));
         let tried = [0, handy as i32].map(|amount| self.number(&mut ops, Number::Plain(amount)));
@@ -128,7 +128,7 @@ impl Scribe<'_> {
     }
 
     /// The ring, by the first bars in the order of the links that close it.
-    fn ring(&self, links: &[LinkId], joints: &Joints) -> Option<Vec<Core>> {
+    fn ring(&self, links: &[LinkId], joints: &Joints) -> Option<Vec<RingLink>> {
         let pivots: Vec<(LinkId, Outer, Hinge)> = joints
             .outer
             .iter()
@@ -142,7 +142,7 @@ impl Scribe<'_> {
             Pair::Pin(hinge) => hinge == hinge.at.into() && turns_on(self.scene, a, hinge) && turns_on(self.scene, b, hinge),
             Pair::Slide { slider, on, .. } => (slider, on) == (a, b),
         };
-        let mut out: Vec<Core> = Vec::new();
+        let mut out: Vec<RingLink> = Vec::new();
         let mut at = pivots[0];
         for _ in 0..count {
             let near = |bar: LinkId| joints.inner.iter().find(|pair| matches!(pair, Pair::Pin(_)) && joins(pair, bar, at.0));
@@ -154,21 +154,21 @@ impl Scribe<'_> {
                 Pair::Pin(hinge) => Far::Pin(hinge.at),
                 Pair::Slide { guide, .. } => Far::Slide(*guide),
             };
-            out.push(Core { link: at.0, outer: at.1, pivot: at.2, bar, near: *hinge, far, next: next.0 });
+            out.push(RingLink { link: at.0, outer: at.1, pivot: at.2, bar, near: *hinge, far, next: next.0 });
             at = next;
         }
         (at.0 == pivots[0].0 && bars.is_empty()).then_some(out)
     }
 
     /// The line of a bar, from the link to the next; square to its guide of a block.
-    fn line_of_bar(&self, core: &Core) -> Base {
+    fn line_of_bar(&self, core: &RingLink) -> Base {
         match core.far {
             Far::Pin(p) => Base::Arm { from: self.mark(core.near.at), to: self.mark(p), known: false },
             Far::Slide(guide) => Base::Normal(Key::of(guide.0), self.mark(core.near.at)),
         }
     }
 
-    fn bar(&mut self, ops: &mut Vec<Op>, core: &Core) -> Bar {
+    fn bar(&mut self, ops: &mut Vec<Op>, core: &RingLink) -> RingBar {
         let held: Vec<Hinge> = [core.near, core.touch().into()].into();
         let loads = self.all_on(core.bar, &held);
         let mut moments = Vec::new();
@@ -180,10 +180,10 @@ impl Scribe<'_> {
             Far::Slide(_) if of.of.is_empty() && of.couples.is_empty() => {}
             Far::Slide(_) => couple = Some(self.balancing(ops, &of)),
         }
-        Bar { loads, across, couple, moments }
+        RingBar { loads, across, couple, moments }
     }
 
-    fn known(&mut self, ops: &mut Vec<Op>, [before, core]: [&Core; 2], bars: [&Bar; 2]) -> Known {
+    fn known(&mut self, ops: &mut Vec<Op>, [before, core]: [&RingLink; 2], bars: [&RingBar; 2]) -> RingMoments {
         let (pivot, about) = (self.mark(core.pivot.at), About::Point(core.pivot.at));
         let loads = self.all_on(core.link, &[core.pivot, core.near, before.touch().into()]);
         let gives = Gives::Force(core.on_bar(core.axial()), core.touch());
@@ -210,11 +210,11 @@ impl Scribe<'_> {
             let length = self.c.number(Number::Length(line));
             self.number(ops, Number::Quotient(unit, length))
         });
-        Known { loads, moments, turning, arms }
+        RingMoments { loads, moments, turning, arms }
     }
 
     /// The force of the next link along the bar of a link on which the bar before pushes, and the moment of that push.
-    fn passed_on(&mut self, ops: &mut Vec<Op>, known: &Known, push: NumberId) -> (NumberId, NumberId) {
+    fn passed_on(&mut self, ops: &mut Vec<Op>, known: &RingMoments, push: NumberId) -> (NumberId, NumberId) {
         let turned = self.number(ops, Number::Product(push, known.arms[0]));
         let back = self.number(ops, Number::Negative(turned));
         let sum = self.number(ops, Number::Sum(known.turning, back));
@@ -222,7 +222,7 @@ impl Scribe<'_> {
     }
 
     /// The moment that is left on the first link of the ring where its bar pushes the next one with a force.
-    fn remainder(&mut self, ops: &mut Vec<Op>, known: &[Known], amount: NumberId) -> NumberId {
+    fn remainder(&mut self, ops: &mut Vec<Op>, known: &[RingMoments], amount: NumberId) -> NumberId {
         let mut push = amount;
         for k in &known[1..] {
             let (along, _) = self.passed_on(ops, k, push);
@@ -240,7 +240,7 @@ impl Scribe<'_> {
     /// The polygon of a link and its bar: the bar before, the next link and the loads, closed by the reaction of the pivot.
     fn link_and_bar(
         &mut self,
-        [(before, bar_before, push), (core, bar, own_push)]: [(&Core, &Bar, NumberId); 2],
+        [(before, bar_before, push), (core, bar, own_push)]: [(&RingLink, &RingBar, NumberId); 2],
         loads: &[Acting],
         moments: Vec<Moments>,
         kind: &'static str,
@@ -273,25 +273,14 @@ impl Scribe<'_> {
         if matches!(before.far, Far::Pin(_)) {
             self.diagonal(&mut p, (before.on_next(Part::Whole), before.touch()), [pushed, middle]);
         }
-        for (sides, ends) in [([core.bar, core.link], [end, middle]), ([core.link, core.bar], [middle, end])] {
-            self.inner_side(&mut p, core.near, sides, ends);
-        }
-        self.met(&mut p, core, bar, [held, end]);
-        self.finish(p, &[core.link, core.bar], kind);
-    }
-
-    /// The reaction of the next link on a bar, and its opposite.
-    fn met(&mut self, p: &mut super::scribe::Polygon, core: &Core, bar: &Bar, [from, to]: [MarkId; 2]) {
+        self.inner_pin(&mut p, core.near, [core.bar, core.link], [end, middle, end]);
         match core.far {
-            Far::Pin(pin) => {
-                for (sides, ends) in [([core.bar, core.next], [from, to]), ([core.next, core.bar], [to, from])] {
-                    self.inner_side(p, pin.into(), sides, ends);
-                }
-            }
+            Far::Pin(pin) => self.inner_pin(&mut p, pin.into(), [core.bar, core.next], [held, end, held]),
             Far::Slide(guide) => {
                 let place = self.reference(guide).unwrap_or(core.near.at);
-                self.inner_guide(p, guide, core.bar, (core.near.at, place), &bar.loads, [from, to]);
+                self.inner_guide(&mut p, guide, core.bar, (core.near.at, place), &bar.loads, [held, end]);
             }
         }
+        self.finish(p, &[core.link, core.bar], kind);
     }
 }

@@ -22,13 +22,11 @@ impl ForceWriter<'_> {
     pub fn checks(&self, at: &Configuration, lever: Option<(&Lever, &str)>) -> Option<(&'static str, Vec<Phrase>)> {
         let whole = Whole::of(self.scene, at, self.of).map(|whole| self.whole(&whole));
         let by_lever = lever.map(|(lever, pole)| self.lever(lever, pole)).unwrap_or_default();
-        let heading = if whole.is_some() {
-            tr(self.lang, "Checks: all links together, Zhukovsky's lever", "校核：整个机构的平衡、茹可夫斯基杠杆")
-        } else {
-            tr(self.lang, "Check by Zhukovsky's lever", "用茹可夫斯基杠杆校核")
+        let heading = match (whole.is_some(), by_lever.is_empty()) {
+            (true, false) => tr(self.lang, "Checks: all links together, Zhukovsky's lever", "校核：整个机构的平衡、茹可夫斯基杠杆"),
+            (true, true) => tr(self.lang, "Check: all links together", "校核：整个机构的平衡"),
+            (false, _) => tr(self.lang, "Check by Zhukovsky's lever", "用茹可夫斯基杠杆校核"),
         };
-        let heading =
-            if by_lever.is_empty() { tr(self.lang, "Check: all links together", "校核：整个机构的平衡") } else { heading };
         let all: Vec<Phrase> = whole.into_iter().chain(by_lever).collect();
         (!all.is_empty()).then_some((heading, all))
     }
