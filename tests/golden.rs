@@ -16,7 +16,7 @@ mod worksheet;
 
 use files::{
     ASKED, CAM, CENTRES, CURVATURE, CURVES, DESIGNS, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POLAR, POSES, SHOWN, accept,
-    check_png, check_text, finish, golden, kept,
+    check_png, check_text, finish, golden, has_pixels, kept,
 };
 use hodograph::cam::Survey;
 use hodograph::centres;
@@ -68,6 +68,37 @@ fn folded(svg: &str) -> String {
     }
     out.push_str(rest);
     out
+}
+
+/// The words of a picture: title, description, and every label with its place.
+fn words(svg: &str) -> String {
+    let attribute = |tag: &str, name: &str| {
+        let value = tag.split_once(&format!("{name}=\""))?.1;
+        value.split_once('"').map(|(value, _)| value.to_owned())
+    };
+    let told = |line: &str| {
+        let line = line.trim();
+        if line.starts_with("<title>") || line.starts_with("<desc>") {
+            return Some(line.to_owned());
+        }
+        let (label, place) = (attribute(line, "aria-label")?, attribute(line, "transform")?);
+        Some(format!("{label}  {}", place.split("scale").next().unwrap_or_default()))
+    };
+    let lines: Vec<String> = svg.lines().filter_map(told).collect();
+    lines.join("\n") + "\n"
+}
+
+/// Compares a figure with its files: in English the SVG (outlines folded) and the pixels, in Chinese its words and their places, and
+/// for a few sheets the pixels of the Chinese letters too.
+fn check_figure(folder: &str, name: &str, lang: Lang, svg: &str, dpi: f64, failures: &mut Vec<String>) {
+    let (text, suffix) = match lang {
+        Lang::En => (folded(svg), "en"),
+        Lang::Zh => (words(svg), "zh"),
+    };
+    check_text(&golden(folder, &format!("{name}.{suffix}.svg.txt")), &text, failures);
+    if has_pixels(folder, name, suffix) {
+        check_png(&golden(folder, &format!("{name}.{suffix}.png")), &raster::render(svg, dpi).unwrap(), failures);
+    }
 }
 
 /// A lesson: its markup with outlines folded, its data with what is packed folded; style and script are files of their own.
@@ -146,8 +177,7 @@ fn templates_look_as_accepted() {
             }
             let drawn = svg::write(&figure).unwrap_or_else(|f| panic!("{}: {f}", t.name));
             assert!(drawn.notes.is_empty(), "{}: {:?}", t.name, drawn.notes);
-            check_text(&file(format!("sheet.{suffix}.svg.txt")), &folded(&drawn.value), &mut failures);
-            check_png(&file(format!("sheet.{suffix}.png")), &raster::render(&drawn.value, 110.0).unwrap(), &mut failures);
+            check_figure(t.name, "sheet", lang, &drawn.value, 110.0, &mut failures);
         }
     }
     finish(&failures);
@@ -187,14 +217,14 @@ fn pictures_asked_for_look_as_accepted() {
     for (name, figure) in ASKED {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
-        for (lang, suffix) in LANGS {
+        for (lang, _) in LANGS {
             let options = Options::of_language(lang);
             let extras = Extras { dimensions: figure == "dimensions", ..Extras::default() };
             let entry = list::named(figure).unwrap_or(list::MECHANISM);
             let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &extras };
             let pages = (entry.draw)(&wanted).unwrap_or_else(|f| panic!("{name} {figure}: {f}")).value;
             let drawn = svg::write(&pages.last().unwrap().1).unwrap().value;
-            check_png(&golden(name, &format!("{figure}.{suffix}.png")), &raster::render(&drawn, 110.0).unwrap(), &mut failures);
+            check_figure(name, figure, lang, &drawn, 110.0, &mut failures);
         }
     }
     finish(&failures);
@@ -214,7 +244,7 @@ fn centres_look_as_accepted() {
             let page = (list::named("centres").unwrap().draw)(&wanted).unwrap().value.swap_remove(0).1;
             let drawn = svg::write(&page).unwrap();
             assert!(drawn.notes.is_empty(), "{name}: {:?}", drawn.notes);
-            check_png(&golden(name, &format!("centres.{suffix}.png")), &raster::render(&drawn.value, 110.0).unwrap(), &mut failures);
+            check_figure(name, "centres", lang, &drawn.value, 110.0, &mut failures);
             check_text(&golden(name, &format!("centres.{suffix}.txt")), &report_of_centres::text(&found, lang), &mut failures);
         }
     }
@@ -228,14 +258,14 @@ fn curvature_looks_as_accepted() {
     for (name, figures) in CURVATURE {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
-        for (lang, suffix) in LANGS {
+        for (lang, _) in LANGS {
             let options = Options::of_language(lang);
             let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
             for figure in figures {
                 let page = (list::named(figure).unwrap().draw)(&wanted).unwrap().value.swap_remove(0).1;
                 let drawn = svg::write(&page).unwrap();
                 assert!(drawn.notes.is_empty(), "{name} {figure}: {:?}", drawn.notes);
-                check_png(&golden(name, &format!("{figure}.{suffix}.png")), &raster::render(&drawn.value, 110.0).unwrap(), &mut failures);
+                check_figure(name, figure, lang, &drawn.value, 110.0, &mut failures);
             }
         }
     }
@@ -250,13 +280,13 @@ fn cams_look_as_accepted() {
     let cam = &scene.cams[0];
     let turning = cam.disc.as_ref().unwrap();
     let report = Report { scene: &scene, cam, turning, survey: &Survey::of(&turning.disc) };
-    for (lang, suffix) in LANGS {
+    for (lang, _) in LANGS {
         for (kind, figure) in
             [("motion", motion::figure(&report, &Style::default(), lang)), ("profile", inversion::figure(&report, &Style::default(), lang))]
         {
             let drawn = svg::write(&figure).unwrap();
             assert!(drawn.notes.is_empty(), "{kind}: {:?}", drawn.notes);
-            check_png(&golden(CAM, &format!("{kind}.{suffix}.png")), &raster::render(&drawn.value, 80.0).unwrap(), &mut failures);
+            check_figure(CAM, kind, lang, &drawn.value, 80.0, &mut failures);
         }
     }
     finish(&failures);
@@ -270,12 +300,11 @@ fn designs_look_as_accepted() {
         let (_, figure) = DESIGNS.iter().find(|d| d.0 == kind.name).unwrap_or_else(|| panic!("add {} to DESIGNS", kind.name));
         let task = synthesis::read(synthesis::templates::get(kind.name).unwrap()).unwrap().value;
         let design = synthesis::solve(&task).unwrap();
-        for (lang, suffix) in LANGS {
+        for (lang, _) in LANGS {
             let all = designs::figures(&task, &design.candidates[0], &Style::default(), lang).unwrap();
             let drawn = svg::write(&all.iter().find(|f| f.0 == *figure).unwrap().1).unwrap();
             assert!(drawn.notes.is_empty(), "{}: {:?}", kind.name, drawn.notes);
-            let file = golden("synthesis", &format!("{}-{figure}.{suffix}.png", kind.name));
-            check_png(&file, &raster::render(&drawn.value, 80.0).unwrap(), &mut failures);
+            check_figure("synthesis", &format!("{}-{figure}", kind.name), lang, &drawn.value, 80.0, &mut failures);
         }
     }
     finish(&failures);
@@ -291,14 +320,10 @@ fn line_diagrams_look_as_accepted() {
     let mechanism = Mechanism::new(&scene).unwrap().value;
     let placed = Placed::new(&scene, &mechanism).unwrap();
     let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 360), Width::Widest).unwrap();
-    for (lang, suffix) in LANGS {
+    for (lang, _) in LANGS {
         let diagram = Diagram::of(&placed, 0, &table, &Notation::of_language(lang));
         let figure = curves::figure(&scene, &diagram, &Style::default(), lang);
-        check_png(
-            &golden(name, &format!("curves.{suffix}.png")),
-            &raster::render(&svg::write(&figure).unwrap().value, 110.0).unwrap(),
-            &mut failures,
-        );
+        check_figure(name, "curves", lang, &svg::write(&figure).unwrap().value, 110.0, &mut failures);
         // The ram stands where the lever turns back: its extremes are those that `limits` locates by Newton's method.
         let limits = extreme::limits(&scene, &mechanism, 0).unwrap();
         let stroke = diagram.panels[0].curves[0]
@@ -321,12 +346,12 @@ fn polar_diagrams_look_as_accepted() {
     let mechanism = Mechanism::new(&scene).unwrap().value;
     let placed = Placed::new(&scene, &mechanism).unwrap();
     let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 360), Width::Widest).unwrap();
-    for (lang, suffix) in LANGS {
+    for (lang, _) in LANGS {
         let notation = Notation::of_language(lang);
         let figure = curves::polar(&scene, Swept::Driver(0), &table, &Style::default(), &notation, lang).unwrap();
         let drawn = svg::write(&figure).unwrap();
         assert!(drawn.notes.is_empty(), "{:?}", drawn.notes);
-        check_png(&golden(POLAR, &format!("polar.{suffix}.png")), &raster::render(&drawn.value, 110.0).unwrap(), &mut failures);
+        check_figure(POLAR, "polar", lang, &drawn.value, 110.0, &mut failures);
     }
     finish(&failures);
 }
@@ -341,12 +366,12 @@ fn pictures_of_motion_look_as_accepted() {
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let of = |name: &&str| PointId(scene.points.iter().position(|p| p.name == **name).unwrap());
         let wanted = path::Wanted { points: points.iter().map(of).collect(), swept: Swept::Driver(0), marks: 12, poses };
-        for (lang, suffix) in LANGS {
+        for (lang, _) in LANGS {
             let options = Options { style: Style::named(style).unwrap(), ..Options::of_language(lang) };
             let figure = path::figure(&scene, &worked, &options, &wanted).unwrap_or_else(|f| panic!("{name}: {f}")).value;
             let drawn = svg::write(&figure).unwrap();
             assert!(drawn.notes.is_empty(), "{name}: {:?}", drawn.notes);
-            check_png(&golden(name, &format!("path.{suffix}.png")), &raster::render(&drawn.value, 110.0).unwrap(), &mut failures);
+            check_figure(name, "path", lang, &drawn.value, 80.0, &mut failures);
         }
     }
     for (name, point, count) in POSES {
@@ -354,11 +379,11 @@ fn pictures_of_motion_look_as_accepted() {
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let of = |name: &str| PointId(scene.points.iter().position(|p| p.name == name).unwrap());
         let wanted = poses::Wanted { count, swept: Swept::Driver(0), points: point.map(of).into_iter().collect() };
-        for (lang, suffix) in LANGS {
+        for (lang, _) in LANGS {
             let pages = poses::sheets(&scene, &worked, &Options::of_language(lang), &wanted).unwrap_or_else(|f| panic!("{name}: {f}"));
             let drawn = svg::write(&pages.value[0]).unwrap();
             assert!(drawn.notes.is_empty(), "{name}: {:?}", drawn.notes);
-            check_png(&golden(name, &format!("poses.{suffix}.png")), &raster::render(&drawn.value, 60.0).unwrap(), &mut failures);
+            check_figure(name, "poses", lang, &drawn.value, 60.0, &mut failures);
         }
     }
     finish(&failures);
@@ -372,10 +397,10 @@ fn motions_look_as_they_are_drawn() {
     for name in particle::templates::names() {
         let problem = particle::read(particle::templates::get(name).unwrap()).unwrap().value;
         let (solved, drawn) = (particle::solve(&problem).unwrap(), particle::board::draw(&problem).unwrap());
-        for (lang, suffix) in [(Lang::En, "en"), (Lang::Zh, "zh")] {
+        for (lang, _) in LANGS {
             for (_, figure) in figures(&problem, &solved, &drawn, &Style::default(), lang).unwrap() {
                 let drawn = svg::write(&figure).unwrap().value;
-                check_png(&golden("motions", &format!("{name}.{suffix}.png")), &raster::render(&drawn, 110.0).unwrap(), &mut failures);
+                check_figure("motions", name, lang, &drawn, 110.0, &mut failures);
             }
         }
     }

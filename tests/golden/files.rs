@@ -134,6 +134,14 @@ pub const MOTIONS: [&str; 4] = ["pursuit", "pursuit-of-a-ship", "plate-in-space"
 
 pub const WORKSHEETS: [&str; 4] = ["crank-rocker", "shaper", "class-iii-six-bar", "pump-jack"];
 
+/// Sheets whose Chinese letters are compared as pixels; elsewhere the words and their places suffice.
+const CHINESE: [&str; 2] = ["crank-rocker", "shaper"];
+
+/// True if the pixels of a figure are compared: in English, and of the sheets of [`CHINESE`].
+pub fn has_pixels(folder: &str, figure: &str, lang: &str) -> bool {
+    lang == "en" || figure == "sheet" && CHINESE.contains(&folder)
+}
+
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("golden")
 }
@@ -144,27 +152,38 @@ pub fn kept() -> BTreeSet<String> {
     let mut in_both = |template: &str, files: &[&str]| {
         all.extend(LANGS.iter().flat_map(|(_, lang)| files.iter().map(move |f| format!("{template}/{}", f.replace("LANG", lang)))));
     };
-    templates::list()
-        .iter()
-        .for_each(|t| in_both(t.name, &["plan.LANG.txt", "construction.LANG.txt", "sheet.LANG.svg.txt", "sheet.LANG.png"]));
+    templates::list().iter().for_each(|t| in_both(t.name, &["plan.LANG.txt", "construction.LANG.txt"]));
     DRAFTED.iter().for_each(|t| in_both(t, &["drafting.LANG.txt"]));
     LESSONS.iter().for_each(|t| in_both(t, &["lesson.html.txt", "reveal.html.txt"]));
     KINDS.iter().for_each(|(t, kind, _)| in_both(t, &[&format!("{kind}.png")]));
-    ASKED.iter().for_each(|(t, figure)| in_both(t, &[&format!("{figure}.LANG.png")]));
-    CURVES.iter().for_each(|t| in_both(t, &["curves.LANG.png"]));
-    in_both(POLAR, &["polar.LANG.png"]);
-    PATHS.iter().for_each(|(t, ..)| in_both(t, &["path.LANG.png"]));
-    POSES.iter().for_each(|(t, ..)| in_both(t, &["poses.LANG.png"]));
-    CENTRES.iter().for_each(|t| in_both(t, &["centres.LANG.png", "centres.LANG.txt"]));
-    for (t, figures) in CURVATURE {
-        figures.iter().for_each(|f| in_both(t, &[&format!("{f}.LANG.png")]));
-    }
-    DESIGNS.iter().for_each(|(kind, figure)| in_both("synthesis", &[&format!("{kind}-{figure}.LANG.png")]));
-    in_both(CAM, &["motion.LANG.png", "profile.LANG.png"]);
+    CENTRES.iter().for_each(|t| in_both(t, &["centres.LANG.txt"]));
     MOBILITY.iter().for_each(|t| in_both(t, &["mobility.LANG.md", "mobility.LANG.typ", "mobility.LANG.html"]));
-    MOTIONS.iter().for_each(|t| in_both("motions", &[&format!("{t}.LANG.png")]));
     WORKSHEETS.iter().for_each(|t| in_both(t, &["worksheet.LANG.md", "worksheet.LANG.typ", "worksheet.LANG.html"]));
+    for (folder, figure) in figures() {
+        in_both(&folder, &[&format!("{figure}.LANG.svg.txt")]);
+        let pixels = LANGS.iter().filter(|(_, lang)| has_pixels(&folder, &figure, lang));
+        pixels.for_each(|(_, lang)| in_both(&folder, &[&format!("{figure}.{lang}.png")]));
+    }
     all.extend(PLANS_AS_JSON.iter().map(|(t, lang)| format!("{t}/plan.{lang}.json")));
+    all
+}
+
+/// Every figure that is compared in both languages: folder and name.
+fn figures() -> Vec<(String, String)> {
+    let mut all: Vec<(String, String)> = templates::list().iter().map(|t| (t.name.to_owned(), "sheet".to_owned())).collect();
+    let mut add = |folder: &str, figure: &str| all.push((folder.to_owned(), figure.to_owned()));
+    ASKED.iter().for_each(|(t, figure)| add(t, figure));
+    CURVES.iter().for_each(|t| add(t, "curves"));
+    add(POLAR, "polar");
+    PATHS.iter().for_each(|(t, ..)| add(t, "path"));
+    POSES.iter().for_each(|(t, ..)| add(t, "poses"));
+    CENTRES.iter().for_each(|t| add(t, "centres"));
+    for (t, figures) in CURVATURE {
+        figures.iter().for_each(|f| add(t, f));
+    }
+    DESIGNS.iter().for_each(|(kind, figure)| add("synthesis", &format!("{kind}-{figure}")));
+    ["motion", "profile"].iter().for_each(|f| add(CAM, f));
+    MOTIONS.iter().for_each(|t| add("motions", t));
     all
 }
 

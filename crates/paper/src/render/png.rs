@@ -60,6 +60,8 @@ pub(super) fn encode(pixmap: &tiny_skia::Pixmap, dpi: f64) -> Result<Vec<u8>, pn
     encoder.set_color(if grey { png::ColorType::Grayscale } else { png::ColorType::Rgb });
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Balanced);
+    // Lines on white compress best as they are.
+    encoder.set_filter(png::Filter::NoFilter);
     let per_metre = (dpi / INCH_MM * 1000.0).round() as u32;
     encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit: png::Unit::Meter }));
     encoder.write_header()?.write_image_data(&samples)?;
