@@ -68,7 +68,7 @@ fn mate(rolling: &Rolling) -> Mate {
     }
 }
 
-/// The order in which a pair is drawn: of two gears the driven one (by a driver) first; otherwise
+/// The order in which a pair is drawn: of two gears, first the one that a driver turns; otherwise
 /// the gear before ring or rack.
 fn order(scene: &Scene, rolling: &Rolling) -> [usize; 2] {
     let driven = |l: LinkId| scene.drivers.iter().any(|d| d.kind.turned().is_some_and(|(link, _)| link == l));

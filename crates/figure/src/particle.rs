@@ -40,11 +40,11 @@ const SCALE_MM: f64 = 5.6;
 
 /// The data common to all drawings.
 pub struct Maker<'a> {
-    /// The file.
+    /// The problem.
     pub problem: &'a Problem,
     /// The solution: the end of a pursuit.
     pub solved: &'a Solved,
-    /// Weights, sizes and fonts.
+    /// Line widths, sizes and fonts.
     pub style: &'a Style,
     /// The language of the notation.
     pub lang: Lang,

@@ -1,5 +1,5 @@
-//! Constructs the profile by inversion 反转法: the cam is fixed and the follower goes round it in the
-//! opposite sense, in twelve numbered stations.
+//! Constructs the profile by inversion 反转法: the cam is fixed and the follower goes round it in
+//! the opposite sense, in twelve numbered stations.
 
 use super::{heading, words_at};
 use hodograph_base::cam::{Disc, Follower, Motion, Side, Station, Touch, round};

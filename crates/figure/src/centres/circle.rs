@@ -1,5 +1,5 @@
-//! The circle diagram (瞬心多边形): links as points on a circle, a chord for each centre. Chords of the
-//! pairs are solid; those of the other centres are dashed and numbered in the order in which the
+//! The circle diagram (瞬心多边形): links as points on a circle, a chord for each centre. Chords of
+//! the pairs are solid; those of the other centres are dashed and numbered in the order in which the
 //! centres are found. A list beside the circle gives the lines that find them.
 
 use crate::list::Wanted;

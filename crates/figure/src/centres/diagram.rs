@@ -105,7 +105,7 @@ impl Over<'_, '_> {
         }
     }
 
-    /// Draws the measure that reopens a stalled closure: two velocities of a link, and their
+    /// Draws the step that reopens a stalled closure: two velocities of a link, and their
     /// normals, which cross in the centre.
     fn normals(&mut self) {
         let style = &self.w.options.style;

@@ -47,7 +47,7 @@ impl Draft<'_> {
         }
     }
 
-    /// The wheels of a belt in its order.
+    /// The wheels of a belt, in their order along it.
     fn wheels_of(&self, strands: &[&Rolling]) -> Option<Vec<Wheel>> {
         let mut wheels: Vec<Wheel> = Vec::with_capacity(strands.len() + 1);
         for pair in strands {
@@ -66,7 +66,7 @@ impl Draft<'_> {
     }
 }
 
-/// The strand from one wheel to another.
+/// The ends of the strand from one wheel to another.
 fn tangent(from: &Wheel, to: &Wheel) -> Option<[Point; 2]> {
     let line = to.centre - from.centre;
     let [cos, sin] = belt::normal([from.radius_mm, -to.radius_mm], line.norm())?;

@@ -29,7 +29,8 @@ struct Bar {
 
 impl Bar {
     /// The offset of the other bar to the left of this one, where the two are farthest apart;
-    /// `None` if they do not overlap, that is if their centre lines are `apart_mm` or more apart.
+    /// `None` if they do not overlap: their centre lines are `apart_mm` or more apart, or they share
+    /// less than [`OVER_MM`].
     fn over(&self, other: &Bar, apart_mm: f64) -> Option<f64> {
         let u = (self.b - self.a).unit()?;
         let [mut p, mut q] = [other.a, other.b].map(|e| ((e - self.a).dot(u), u.cross(e - self.a)));

@@ -25,7 +25,7 @@ const LEAST_MM: f64 = 4.0;
 /// drawn.
 const LARGEST: f64 = 1.5;
 /// Half the angle of the arc drawn of a circle that is too large: on either side of the contact it
-/// deviates by an eighth of its length.
+/// deviates from its tangent by an eighth of the arc's length.
 const ARC_RAD: f64 = 0.5;
 
 /// The image of a pitch circle, on paper.
