@@ -1,4 +1,5 @@
-//! Where the parts of a sheet stand: a few arrangements that textbooks use, measured, and the one taken that fills a page best.
+//! Arranges the parts of a sheet: measures a few arrangements common in textbooks and takes the one
+//! that fills a page best.
 
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::geom::Point;
@@ -12,37 +13,37 @@ pub(super) struct Pieces {
     pub title: Option<Part>,
     /// Mechanism and polygons, with their captions.
     pub drawings: Vec<Part>,
-    /// Equations with their heading, for each polygon.
+    /// The heading and the equations of each polygon.
     pub equations: Vec<(Part, Vec<Part>)>,
     /// The results.
     pub results: Part,
-    /// For each group of forces: its links apart, its polygon, the text.
+    /// For each group of forces: the separated links, the force polygon and the text.
     pub forces: Vec<[Part; 3]>,
 }
 
-/// Between drawings, and between drawings and text.
+/// Gap between drawings, and between drawings and text.
 const GAP_MM: f64 = 10.0;
-/// Between equations.
+/// Gap between equations.
 const LINE_GAP_MM: f64 = 2.4;
-/// Above a heading in the middle of a column.
+/// Extra space above a heading in the middle of a column.
 const HEADING_AIR_MM: f64 = 3.0;
-/// A4 across: the page that sheets aim at.
+/// Size of A4 landscape, the target for sheets.
 pub(super) const AIM_MM: [f64; 2] = [297.0, 210.0];
-/// What a third of an empty page costs against a sheet that is as much larger.
+/// Weight of the empty part of a page against the relative size of the sheet.
 const EMPTY_COST: f64 = 0.35;
 
-/// How a box's children stand.
+/// The direction in which the children of a box are placed.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Along {
     Row,
     Column,
 }
 
-/// A tree of boxes; leaves are parts by index.
+/// A tree of boxes; the leaves are indices of parts.
 #[derive(Clone)]
 pub(super) enum Tree {
     Leaf(usize),
-    /// Air in a column.
+    /// Vertical space in a column (mm).
     Air(f64),
     Group {
         along: Along,
@@ -69,7 +70,7 @@ impl Tree {
         Tree::Group { along: Along::Column, gap_mm: LINE_GAP_MM, children, centred: false }
     }
 
-    /// Width and height (mm).
+    /// Returns width and height (mm).
     pub fn size(&self, parts: &[Part]) -> [f64; 2] {
         match self {
             Tree::Leaf(k) => [parts[*k].bounds.width_mm(), parts[*k].bounds.height_mm()],
@@ -87,7 +88,7 @@ impl Tree {
         }
     }
 
-    /// Puts the parts into a box whose upper left corner is `at`.
+    /// Places the parts in a box with its upper left corner at `at`.
     pub fn put(&self, parts: &mut [Part], at: Point) {
         match self {
             Tree::Leaf(k) => parts[*k].stand_at(at),
@@ -147,8 +148,9 @@ pub(super) fn arrange(pieces: Pieces, paper: Option<[f64; 2]>, margin_mm: f64) -
     Ok((parts.into_iter().flat_map(|p| p.items).collect(), size))
 }
 
-/// Arranges the parts in a width, as low as it goes, in one of the textbooks' arrangements or in rows as a text is set in lines; where
-/// nothing is narrow enough, as narrow as it goes. Returns all items and the size of what they take, without a border.
+/// Arranges the parts within a width at the least height. The candidates are the textbook
+/// arrangements, and rows filled like lines of text. If nothing is narrow enough, the narrowest
+/// candidate is taken. Returns all items and the size that they take, without a border.
 pub(super) fn arrange_in(pieces: Pieces, width_mm: f64) -> (Vec<Item>, [f64; 2]) {
     let layout = Layout::of(pieces);
     let cost = |tree: &Tree| {
@@ -164,11 +166,13 @@ pub(super) fn arrange_in(pieces: Pieces, width_mm: f64) -> (Vec<Item>, [f64; 2])
     (parts.into_iter().flat_map(|p| p.items).collect(), size)
 }
 
-/// Blocks, of which the first so many are drawings, in rows of at most this width and of the least height in sum: the shortest way from
-/// the first block to the last. A block that is wider has a row of its own.
+/// Breaks blocks, the first `drawings` of them drawings, into rows of at most this width with the
+/// least total height: the shortest path from the first block to the last. A wider block gets a row
+/// of its own.
 fn lines(blocks: Vec<Tree>, drawings: usize, width_mm: f64, parts: &[Part]) -> Vec<Tree> {
     let sizes: Vec<[f64; 2]> = blocks.iter().map(|tree| tree.size(parts)).collect();
-    // For each number of blocks: the least height of their rows, and where the last of these begins.
+    // For each number of blocks: the least height of their rows, and the index at which the last
+    // row begins.
     let mut least = vec![(0.0_f64, 0)];
     for end in 1..=blocks.len() {
         let (mut wide, mut high) = (-GAP_MM, 0.0_f64);
@@ -199,13 +203,13 @@ fn lines(blocks: Vec<Tree>, drawings: usize, width_mm: f64, parts: &[Part]) -> V
     .collect()
 }
 
-/// Parts as one, standing as the tree says.
+/// Places the parts as the tree says and joins them into one.
 pub(super) fn put_together(tree: Tree, mut parts: Vec<Part>) -> Part {
     tree.put(&mut parts, Point::ORIGIN);
     Part::of(parts.into_iter().flat_map(|p| p.items).collect())
 }
 
-/// The equations of all polygons, one below the other; `None` where there are none.
+/// Returns the equations of all polygons one below the other, or `None` if there are none.
 pub(super) fn column(equations: Vec<(Part, Vec<Part>)>) -> Option<Part> {
     let mut parts = Vec::new();
     let mut tree = Vec::new();
@@ -251,8 +255,9 @@ impl Layout {
         Layout { parts, title, drawings, equations, results, forces }
     }
 
-    /// The parts in their order, in rows: the drawings; the equations of each polygon, or of all in columns side by side; the results. At
-    /// last everything below one another.
+    /// The parts in their order, in rows: the drawings; the equations, either one column for each
+    /// polygon or all in columns side by side; the results. The last candidate has everything one
+    /// below the other.
     fn in_rows(&self, width_mm: f64) -> Vec<Tree> {
         let by_level = || self.equations.iter().map(|e| Tree::text_column(e.iter().map(|k| Tree::Leaf(*k)).collect())).collect();
         let beside = |columns| vec![Tree::text_row(self.text_columns(columns))];
@@ -266,7 +271,7 @@ impl Layout {
         all.map(|equations| rows(equations, width_mm)).chain([rows(beside(1), 0.0)]).collect()
     }
 
-    /// How much larger than the page, plus how much of it stays empty.
+    /// The size relative to the page, plus the weighted empty part of it.
     fn cost(&self, tree: &Tree, aim: [f64; 2]) -> f64 {
         let [w, h] = tree.size(&self.parts);
         let scale = (w / aim[0]).max(h / aim[1]);
@@ -281,19 +286,19 @@ impl Layout {
         let diagram = || Tree::Leaf(self.drawings[0]);
         let results = || Tree::Leaf(self.results);
         for columns in 1..=4 {
-            // Drawings above, everything written below.
+            // Drawings above, all text below.
             let mut text = self.text_columns(columns);
             text.push(results());
             all.push(vec![Tree::row(self.drawings.iter().map(leaf).collect()), Tree::text_row(text)]);
-            // The mechanism at the left with the results below it; polygons and equations at the right.
+            // Mechanism on the left with the results below it; polygons and equations on the right.
             let right = Tree::column(vec![Tree::row(polygons()), Tree::text_row(self.text_columns(columns))]);
             all.push(vec![Tree::text_row(vec![Tree::column(vec![diagram(), results()]), right])]);
-            // The same with the results at the right.
+            // Mechanism alone on the left; polygons, equations and results on the right.
             let mut text = self.text_columns(columns);
             text.push(results());
             let right = Tree::column(vec![Tree::row(polygons()), Tree::text_row(text)]);
             all.push(vec![Tree::row(vec![diagram(), right])]);
-            // All drawings at the left, one below the other; the text at the right.
+            // All drawings on the left, one below the other; text on the right.
             let mut text = self.text_columns(columns);
             text.push(results());
             all.push(vec![Tree::row(vec![Tree::column(self.drawings.iter().map(leaf).collect()), Tree::text_row(text)])]);
@@ -319,7 +324,7 @@ impl Layout {
         all.iter().flat_map(|rest| forces.iter().flat_map(|forces| both(rest, forces))).collect()
     }
 
-    /// The forces of all groups: each in a row, or in two rows, in columns side by side.
+    /// The forces of all groups: each group in one row, or in two rows in columns side by side.
     fn forces(&self) -> Vec<Tree> {
         if self.forces.is_empty() {
             return Vec::new();
@@ -334,7 +339,8 @@ impl Layout {
         vec![rows, columns(1), columns(2), columns(3)]
     }
 
-    /// All equations in so many columns of about the same height; a column never begins with the last line of a polygon.
+    /// Splits all equations into `columns` columns of about the same height. A column never begins
+    /// with the last line of a polygon.
     fn text_columns(&self, columns: usize) -> Vec<Tree> {
         let lines: Vec<usize> = self.equations.iter().flatten().copied().collect();
         let height = |k: &usize| self.parts[*k].bounds.height_mm() + LINE_GAP_MM;
@@ -344,7 +350,8 @@ impl Layout {
         for (n, k) in lines.iter().enumerate() {
             let h = height(k);
             let heading = self.equations.iter().any(|e| e[0] == *k);
-            // A line goes where its middle falls; a heading goes with the line after it.
+            // A line goes to the column that holds its middle; a heading goes with the line after
+            // it.
             let middle = done + if heading { h + lines.get(n + 1).map_or(0.0, height) / 2.0 } else { h / 2.0 };
             let column = ((middle / total * columns as f64) as usize).min(columns - 1);
             if column >= out.len() {

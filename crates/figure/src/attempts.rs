@@ -1,5 +1,6 @@
-//! A wrong solution drawn over the right one: from the same pole, to the same μ, the wrong vectors dashed and red, the gap between the
-//! tips red and named; below the equation with the missing or wrong vector in a frame, and what it gives.
+//! Draws a wrong solution over the right one, from the same pole and to the same μ: the wrong
+//! vectors are dashed and red, the gap between the tips is red and named. Below are the equation
+//! with the missing or wrong vector in a frame, and its consequence.
 
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::{Point, Vec2};
@@ -28,23 +29,23 @@ use hodograph_paper::paper::style::{Captioned, Style};
 use hodograph_paper::paper::text::set;
 use hodograph_report::amount::scale_formula;
 
-/// Each wrong solution on a page.
+/// Each wrong solution on its own page.
 pub const ENTRY: Entry =
     Entry {
         name: "attempts", about: ["Wrong solutions over the right one, a page for each", "错误解法与正确解法对照，每种一页"], draw
     };
 
-/// What is wrong.
+/// Colour of the wrong parts.
 const RED: Colour = Colour::rgb(200, 20, 30);
-/// Two marks nearer than this are one.
+/// Marks closer than this are one.
 const SAME_MM: f64 = 0.05;
-/// Around what is framed.
+/// Distance of a frame from its content.
 const FRAME_MM: f64 = 0.9;
-/// Distance of the lines of text.
+/// Line spacing of the text.
 const ROW_MM: f64 = 5.8;
-/// Rows of the equation.
+/// Row heights of the equation.
 const TABLE_MM: [f64; 2] = [7.0, 6.0];
-/// A line of text is no wider.
+/// Maximum width of a line of text.
 const PAGE_MM: f64 = 150.0;
 
 fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
@@ -63,7 +64,7 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     Ok(Warned { value: pages, notes: Vec::new() })
 }
 
-/// The page of one wrong solution.
+/// Draws the page of one wrong solution.
 fn figure(w: &Wanted, words: &Words, a: &Attempt) -> Figure {
     let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let mut parts = vec![text(w, &[words.heading_set(a)], "heading", w.options.style.caption_mm)];
@@ -80,7 +81,7 @@ fn figure(w: &Wanted, words: &Words, a: &Attempt) -> Figure {
     figure
 }
 
-/// The right polygon with the wrong one over it.
+/// Draws the right polygon with the wrong one over it.
 fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part> {
     let on = a.gap.on;
     let (right, wrong) = (a.right.worked.construction.polygon(on)?, a.wrong.worked.construction.polygon(on)?);
@@ -91,7 +92,7 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
     let mut lettered: Vec<Point> = right.images.iter().flatten().copied().chain([Point::ORIGIN]).collect();
     let whole = right.images.iter().flatten().map(|tip| (Point::ORIGIN, *tip));
     let right_edges: Vec<(Point, Point)> = right.edges.iter().map(|e| (e.from.1, e.to.1)).chain(whole).collect();
-    // What lies over another vector is drawn beside it, joined to where it belongs.
+    // A vector over another one is drawn beside it, joined to its true position.
     let mut placed = right_edges.clone();
     let mut beside = |d: &mut Drawing, name: &str, (from, to): (Point, Point), width_mm: f64| {
         let by = lane((from, to), &placed, width_mm);
@@ -131,7 +132,7 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
             continue;
         }
         lettered.push(at);
-        // Found by image, no equation leads there: the whole vector does.
+        // No equation leads to a point that is found as an image point: its whole vector is drawn.
         if !drawn.iter().any(|(a, b)| a.distance(at) < SAME_MM || b.distance(at) < SAME_MM) {
             drawn.push((Point::ORIGIN, at));
             arrow(&mut d, (Point::ORIGIN, at), (&wrong_words.vector_key(v), &wrong_words.vector(on, v)));
@@ -146,7 +147,7 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
     let owner = d.shape("gap", "gap", Shape::Line { from, to, stroke: gap });
     let label = Label::math(gap_symbol(&wrong_words, a));
     d.label("gap", "gap", LabelRequest::along(label, style.label_mm, from, to, gap.width_mm / 2.0).owned(owner));
-    // Beside a wrong solution many times as large the right one may shrink to a spot.
+    // Beside a much larger wrong solution the right one may shrink to a spot.
     d.thin_out(&[Point::ORIGIN, tips[0], tips[1], from + (to - from) * 0.5]);
     let caption = words.frame_of_drawing(a);
     Some(maker.titled(d.finish(), Label::text(caption), &scale_formula(&w.scene.book, on, right.mu), "attempt"))
@@ -164,7 +165,7 @@ fn gap_tips(right: &Polygon, wrong: &Polygon, a: &Attempt) -> Option<[Point; 2]>
     Some([right.images[a.gap.right.0]?, wrong.images[a.gap.wrong.0]?])
 }
 
-/// The equation with its frame, or the statement in its.
+/// The equation with the wrong column framed, or the statement in a frame.
 fn equation(w: &Wanted, words: &Words, a: &Attempt) -> Option<Part> {
     let style = &w.options.style;
     let cell = |label: Label, size_mm: f64, anchor: Anchor, id: String| {
@@ -209,7 +210,7 @@ fn frame(around: &[Item]) -> Item {
     Item::new("attempt frame", Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None })
 }
 
-/// What the frame means, below.
+/// Adds the meaning of the frame below the items.
 fn noted(w: &Wanted, words: &Words, a: &Attempt, mut items: Vec<Item>) -> Part {
     let style = &w.options.style;
     let low = Part::of(items.clone()).bounds.min.y;
@@ -220,7 +221,7 @@ fn noted(w: &Wanted, words: &Words, a: &Attempt, mut items: Vec<Item>) -> Part {
     Part::of(items)
 }
 
-/// Lines of text.
+/// Sets lines of text.
 fn text(w: &Wanted, lines: &[Phrase], what: &str, size_mm: f64) -> Part {
     let style = &w.options.style;
     let row = |(i, line): (usize, &Phrase)| {
@@ -237,7 +238,8 @@ fn text(w: &Wanted, lines: &[Phrase], what: &str, size_mm: f64) -> Part {
     Part::of(grid::set(&rows, 0.0))
 }
 
-/// Sentences in lines that are not wider than a page: they break at spaces, between Chinese characters, and beside formulas.
+/// Breaks sentences into lines no wider than a page: at spaces, between Chinese characters, and
+/// beside formulas.
 fn folded(style: &Style, lines: &[Phrase]) -> Vec<Phrase> {
     let width = |p: &Piece| set(&Phrase::of_pieces(vec![p.clone()]).label().in_fonts(&style.fonts)).width_em * style.small_mm;
     let mut out = Vec::new();
@@ -245,7 +247,7 @@ fn folded(style: &Style, lines: &[Phrase]) -> Vec<Phrase> {
         let (mut here, mut used): (Vec<Piece>, f64) = (Vec::new(), 0.0);
         for piece in line.pieces().iter().flat_map(parted) {
             let wide = width(&piece);
-            // A stop does not begin a line.
+            // Punctuation does not begin a line.
             let stop = matches!(&piece, Piece::Words(w) if w.starts_with(['，', '。', '；', '：', '）', '、', '.', ',', ';', ')']));
             if used + wide > PAGE_MM && !here.is_empty() && !stop {
                 out.push(Phrase::of_pieces(std::mem::take(&mut here)));
@@ -259,7 +261,7 @@ fn folded(style: &Style, lines: &[Phrase]) -> Vec<Phrase> {
     out
 }
 
-/// The pieces between which a line may break.
+/// Splits a piece into the pieces between which a line may break.
 fn parted(piece: &Piece) -> Vec<Piece> {
     let Piece::Words(words) = piece else { return vec![piece.clone()] };
     let mut out: Vec<String> = vec![String::new()];
@@ -275,7 +277,8 @@ fn parted(piece: &Piece) -> Vec<Piece> {
     out.into_iter().map(Piece::Words).collect()
 }
 
-/// The polygon of a wrong solution as its author would draw it, with nothing that tells it from a right one.
+/// Draws the polygon of a wrong solution as its author would draw it, without any mark of the
+/// error.
 pub fn as_printed(a: &Attempt, options: &Options) -> Option<Figure> {
     let maker = Maker { scene: &a.wrong.scene, worked: &a.wrong.worked, options, certified: Vec::new() };
     let on = a.gap.on;
@@ -285,7 +288,7 @@ pub fn as_printed(a: &Attempt, options: &Options) -> Option<Figure> {
     Some(figure)
 }
 
-/// The page of a wrong solution, for documents.
+/// Draws the page of a wrong solution for documents.
 pub fn page_of(scene: &Scene, worked: &Worked, options: &Options, a: &Attempt) -> Figure {
     let certified = certify(scene, worked, options.digits);
     let words = Words { scene, worked, certified: &certified, notation: &options.notation, lang: options.lang, digits: options.digits };

@@ -1,4 +1,5 @@
-//! The cognates of a four-bar over it: parallelograms, the three similar triangles, the third pivot, and the path that all three describe.
+//! Draws the cognates of a four-bar over it: parallelograms, the three similar triangles, the third
+//! pivot, and the common coupler curve.
 
 use hodograph_base::diag::{Diagnostic, Faults, Warned};
 use hodograph_base::geom::{Point, Vec2};
@@ -74,7 +75,7 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     page(ENTRY.name, Some(figure))
 }
 
-/// The path of the coupler point, in pieces where the crank does not go round.
+/// The path of the coupler point, in several pieces if the crank does not turn fully.
 fn curve(found: &Cognates, to_paper: &dyn Fn(Point) -> Point) -> Vec<Vec<Point>> {
     let given = &found.given;
     let start = (given.b - given.a).angle();

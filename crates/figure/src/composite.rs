@@ -1,6 +1,7 @@
-//! Composite motion of a point: for each moving point and frame a column, v_a = v_e + v_r at the point on the mechanism as a parallelogram
-//! whose diagonal is v_a, the parts of the acceleration at the point, their polygon, and the projections in words. Several solutions of one
-//! problem stand side by side, to one μ.
+//! Draws the composite motion of a point. For each moving point and frame there is one column: v_a
+//! = v_e + v_r at the point on the mechanism, as a parallelogram with the diagonal v_a; the
+//! components of the acceleration at the point; their polygon; and the projections in words.
+//! Several solutions of one problem are side by side, to one μ.
 
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::{Point, Vec2};
@@ -27,26 +28,26 @@ use hodograph_paper::paper::shown::{Length, Shown};
 use hodograph_paper::paper::style::Captioned;
 use hodograph_report::amount::scale_formula;
 
-/// The parallelograms and the parts of the accelerations.
+/// The parallelograms and the components of the accelerations.
 pub const ENTRY: Entry = Entry {
     name: "composite",
     about: ["Composite motion of a point: its parallelogram and its parts", "点的合成运动：动点处的速度平行四边形和加速度各分量"],
     draw,
 };
 
-/// Columns where the scene names no moving point.
+/// Maximum number of columns if the scene names no moving point.
 const MOST: usize = 1;
-/// Room for the longest vector.
+/// Space for the longest vector.
 const VECTOR_MM: f64 = 60.0;
-/// Between drawings.
+/// Gap between drawings.
 const GAP_MM: f64 = 10.0;
-/// Values to a line below a drawing.
+/// Values per line below a drawing.
 const PER_LINE: usize = 2;
-/// Distance of lines of text.
+/// Line spacing of the text.
 const ROW_MM: f64 = 5.6;
-/// The smallest type on the printed page that is read at ease.
+/// The smallest comfortable type size on the printed page.
 const TYPE_MM: f64 = 2.3;
-/// Shorter vectors are not drawn.
+/// Minimum length of a vector that is drawn.
 const SHORTEST_MM: f64 = mechanism::SHORTEST_MM;
 
 fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
@@ -60,7 +61,7 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     page(ENTRY.name, (!each.is_empty()).then(|| figure(&staged, &worked, &each)))
 }
 
-/// The scales of all columns: SI per mm.
+/// The scales of all columns (SI units per mm).
 struct Scales {
     velocity: f64,
     acceleration: Option<f64>,
@@ -106,8 +107,9 @@ fn figure(w: &Wanted, worked: &Worked, each: &[Solved]) -> Figure {
     figure
 }
 
-/// One solution fills a page across: drawings in a row, the text below; in shorter rows where a long mechanism would make the type on the
-/// page too small. Several solutions stand side by side; below one another where that would make the type too small.
+/// Arranges one solution across a page: drawings in a row, text below; in shorter rows if a long
+/// mechanism would make the type on the page too small. Several solutions are side by side, or one
+/// below the other if that would make the type too small.
 fn arrange(parts: &mut [Part], columns: &[Vec<usize>], type_mm: f64) {
     let [one] = columns else {
         let row = |k: usize| columns.iter().map(|column| column[k]).collect();
@@ -137,7 +139,7 @@ fn arrange(parts: &mut [Part], columns: &[Vec<usize>], type_mm: f64) {
     stand(parts, &in_rows_of(best.1));
 }
 
-/// The part of its size at which what stands together fits on A4 with its margins, upright or across.
+/// Reduction factor at which the parts fit on A4 with its margins, portrait or landscape.
 fn printed(parts: &[Part]) -> f64 {
     let Some(all) = parts.iter().map(|p| p.bounds).reduce(Rect::union) else { return 1.0 };
     let [width, height] = [all.width_mm(), all.height_mm()].map(|side| side + 2.0 * MARGIN_MM);
@@ -146,7 +148,8 @@ fn printed(parts: &[Part]) -> f64 {
     fits(long, short).max(fits(short, long)).min(1.0)
 }
 
-/// Puts parts into rows and columns: each row as high as its highest part, each column as wide as its widest.
+/// Places parts in rows and columns: each row as high as its highest part, each column as wide as
+/// its widest.
 fn stand(parts: &mut [Part], rows: &[Vec<usize>]) {
     let many = rows.iter().map(Vec::len).max().unwrap_or(0);
     // A row of one part does not widen the first column of the others.
@@ -158,7 +161,8 @@ fn stand(parts: &mut [Part], rows: &[Vec<usize>]) {
         let mut x = 0.0;
         let height = row.iter().map(|p| parts[*p].bounds.height_mm()).fold(0.0, f64::max);
         for (p, wide) in row.iter().zip(&widths) {
-            // Captions of a row are on one line: the parts stand on their feet, text on its head.
+            // Captions of a row are on one line: drawings are aligned at the bottom, text at the
+            // top.
             let part = &mut parts[*p];
             let drop = if part.items.iter().any(|i| i.id.contains("caption")) { height - part.bounds.height_mm() } else { 0.0 };
             part.stand_at(Point::new(x, y - drop));
@@ -168,7 +172,7 @@ fn stand(parts: &mut [Part], rows: &[Vec<usize>]) {
     }
 }
 
-/// The vectors of a polygon on paper, the absolute first.
+/// The vectors of a polygon on paper, the absolute one first.
 fn vectors(w: &Wanted, s: &Solved, on: DiagramKind, mu: f64) -> Vec<Vector> {
     let notation = &w.options.notation;
     let vector = |part: Option<Piece>, v: Vec2| {
@@ -185,7 +189,7 @@ fn vectors(w: &Wanted, s: &Solved, on: DiagramKind, mu: f64) -> Vec<Vector> {
     }
 }
 
-/// The key of a part of the motion, in ids.
+/// The key of a component of the motion, for ids.
 fn key(part: Option<Piece>) -> &'static str {
     match part {
         None => "abs",
@@ -199,7 +203,7 @@ fn key(part: Option<Piece>) -> &'static str {
     }
 }
 
-/// A part of the motion as `find` writes it: `ve_A/2`, `a_A`.
+/// A component of the motion in the notation of `find`: `ve_A/2`, `a_A`.
 fn quantity(scene: &Scene, s: &Solved, part: Option<Piece>, on: DiagramKind) -> String {
     let letters = match part {
         None => "",
@@ -239,7 +243,8 @@ fn accelerations(w: &Wanted, maker: &Maker, mu: f64, s: &Solved, k: usize) -> Pa
     )
 }
 
-/// The parts one after another from the pole, and the absolute vector from the pole to their end.
+/// Draws the components one after another from the pole, and the absolute vector from the pole to
+/// their end.
 fn polygon(w: &Wanted, maker: &Maker, mu: f64, s: &Solved, k: usize) -> Part {
     let style = &w.options.style;
     let mut d = Drawing::new("composite", style.clone());
@@ -273,7 +278,7 @@ fn polygon(w: &Wanted, maker: &Maker, mu: f64, s: &Solved, k: usize) -> Part {
     )
 }
 
-/// What is told below the drawings.
+/// The text below the drawings.
 fn text(w: &Wanted, words: &Words, s: &Solved, k: usize) -> Part {
     let style = &w.options.style;
     let row = |(i, line): (usize, hodograph_paper::paper::phrase::Phrase)| {
@@ -285,7 +290,7 @@ fn text(w: &Wanted, words: &Words, s: &Solved, k: usize) -> Part {
     Part::of(grid::set(&rows, 0.0))
 }
 
-/// The part with names of its own: those of one column are not those of another.
+/// Prefixes the ids of a part, so that they differ between columns.
 fn named(mut part: Part, what: &str, k: usize) -> Part {
     let name = |item: &mut Item| {
         if !item.id.is_empty() {

@@ -1,6 +1,8 @@
-//! What the drawings of a series have in common: how far each runner goes in its guide, and on which side the ground lies.
+//! Features that the drawings of a series share: the travel of each runner in its guide, and the
+//! side of the ground.
 //!
-//! Decided here: that the ground stands still. Not decided here: which side is best in one pose.
+//! This module keeps the ground the same in all drawings. It does not choose the best side for one
+//! pose.
 
 use hodograph_base::budget::here;
 use rayon::prelude::*;
@@ -15,7 +17,7 @@ use hodograph_worked::worked::Worked;
 use super::mechanism::Course;
 use hodograph_paper::paper::style::Style;
 
-/// The course of each pose.
+/// Returns the course of each pose.
 pub fn courses(poses: &[(&Scene, &Worked)], style: &Style, notation: &Notation) -> Vec<Course> {
     let here = here();
     let of_one = |(scene, worked): &(&Scene, &Worked)| here.enter(|| Course::of_one(style, scene, worked, notation));
@@ -39,7 +41,8 @@ pub fn courses(poses: &[(&Scene, &Worked)], style: &Style, notation: &Notation) 
     poses.iter().enumerate().map(of_pose).collect()
 }
 
-/// Pin and block of a guide, and the link that carries it: by these a guide is known in every pose. The contact of a cam is a guide in some poses only.
+/// Pin and block of a guide, and the link that carries it: together they identify the guide in
+/// every pose. The contact of a cam is a guide in some poses only.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Runs<'a> {
     pin: Option<&'a str>,
@@ -53,7 +56,7 @@ impl<'a> Runs<'a> {
     }
 }
 
-/// The value that most poses have; of equals the first.
+/// The most frequent value; the first one among equals.
 fn usual<T: PartialEq + Copy>(values: impl Iterator<Item = T>) -> Option<T> {
     let mut counts: Vec<(T, usize)> = Vec::new();
     for v in values {
@@ -66,19 +69,19 @@ fn usual<T: PartialEq + Copy>(values: impl Iterator<Item = T>) -> Option<T> {
     counts.into_iter().find(|c| c.1 == most).map(|c| c.0)
 }
 
-/// From the least to the greatest place, seen from that of pose `k`.
+/// The least and the greatest position along the guide, relative to that of pose `k`.
 fn travel(way: &[Option<f64>], k: usize) -> [f64; 2] {
     let Some(here) = way[k] else { return [0.0, 0.0] };
     let known = way.iter().flatten();
     [known.clone().fold(here, |a, b| a.min(*b)) - here, known.fold(here, |a, b| a.max(*b)) - here]
 }
 
-/// Where a guide's runner is along it in each pose, in mm of paper.
+/// Position of a guide's runner along the guide in each pose (mm of paper).
 fn way(poses: &[(&Scene, &Worked)], runs: Runs) -> Vec<Option<f64>> {
     let mut last: Option<f64> = None;
     let places = poses.iter().map(|(scene, worked)| {
         let (s, round) = place(scene, worked, runs)?;
-        // On a circle the place goes on where the angle begins anew.
+        // On a circle the position continues past a full turn.
         let s = match (last, round) {
             (Some(last), Some(round)) => s + ((last - s) / round).round() * round,
             _ => s,
@@ -89,7 +92,7 @@ fn way(poses: &[(&Scene, &Worked)], runs: Runs) -> Vec<Option<f64>> {
     places.collect()
 }
 
-/// A runner's place along its guide, and the way once round on a circle (mm).
+/// Position of a runner along its guide, and the circumference if the guide is a circle (mm).
 fn place(scene: &Scene, worked: &Worked, runs: Runs) -> Option<(f64, Option<f64>)> {
     let at = &worked.configuration;
     let (g, guide) = scene.guides.iter().enumerate().find(|(_, g)| Runs::of(scene, g) == runs)?;

@@ -1,13 +1,14 @@
-//! The description of a figure for readers who do not see it: the drawings on it, with the links of the mechanism and the vectors of the polygons.
+//! Describes a figure for readers who cannot see it: the drawings on it, with the links of the
+//! mechanism and the vectors of the polygons.
 
 use hodograph_paper::paper::item::{Item, Shape};
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Lang, Scene};
 
-/// Names of one kind that are told; the others are counted.
+/// Maximum number of names of one kind; the others are counted.
 const TOLD: usize = 16;
 
-/// A sentence, after the title, that says which drawings these items show.
+/// Returns a sentence that gives the title and the drawings that these items show.
 pub fn described(scene: &Scene, lang: Lang, title: &str, items: &[Item]) -> String {
     let first = |kind: &str| items.iter().any(|i| i.class.split(' ').next() == Some(kind));
     let word = |what: &str| items.iter().any(|i| i.class.split(' ').any(|w| w == what));
@@ -46,7 +47,7 @@ pub fn described(scene: &Scene, lang: Lang, title: &str, items: &[Item]) -> Stri
     if shown.is_empty() { format!("{title}{end}") } else { format!("{title}{colon}{}{end}", shown.join(between)) }
 }
 
-/// The symbols of a polygon's vectors, as its labels have them.
+/// The symbols of a polygon's vectors, taken from its labels.
 fn vectors(items: &[Item], kind: &str) -> Vec<String> {
     let mut out: Vec<String> = Vec::new();
     for item in items {

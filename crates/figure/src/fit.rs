@@ -1,7 +1,9 @@
-//! A figure in a given width, or on a given paper: first everything smaller, type only as far as it can be read; then fewer things; then
-//! a diagnosis that says what would be needed. The page is never larger than asked.
+//! Fits a figure to a given width or paper. First everything is reduced, type only as far as it
+//! stays legible; then some content is left out; at last a diagnostic states the space needed. The
+//! page is never larger than requested.
 //!
-//! Decided here: the order of the attempts. A smaller drawing is drawn again to coarser scales μ, so that what stands on it stays true.
+//! This module decides the order of the attempts. A reduced drawing is drawn again to coarser
+//! scales μ, so that its scales remain true.
 
 use hodograph_base::diag::{Both, Diagnostic, Faults, Warned, both};
 use hodograph_base::geom::Vec2;
@@ -15,23 +17,24 @@ use super::sheet::{Fewer, Options, drawing, sheet_in};
 use hodograph_paper::paper::extent::{bounds, translate};
 use hodograph_paper::paper::item::Figure;
 
-/// Parts of the usual size that are tried, one after the other: steps of about the series of scales. The last drawings are as wide as a
-/// thumb.
+/// Size factors that are tried one after the other, in steps of about the series of scales. The
+/// last drawings are as wide as a thumb.
 const PARTS: [f64; 7] = [1.0, 0.8, 0.64, 0.5, 0.4, 0.32, 0.25];
-/// From this part on type does not become smaller: what is written is as wide as ever, and things are left out.
+/// Below this factor the type does not become smaller: text keeps its width, and content is left
+/// out.
 const LEAST_TYPE: f64 = 0.64;
-/// Border of a page that stands in a column of a book.
+/// Border of a page in a column of a book.
 const BORDER_MM: f64 = 2.0;
-/// Border of a sheet of paper: what a printer cannot reach.
+/// Border of a sheet of paper: the strip that a printer cannot reach.
 const MARGIN_MM: f64 = super::sheet::MARGIN_MM;
 
-/// The room that pages have.
+/// The space for pages.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Room {
-    /// A column: pages are exactly so wide (mm), and as high as they become.
+    /// A column: pages have exactly this width (mm); their height is free.
     Column(f64),
-    /// A sheet of paper (mm): pages are exactly that.
+    /// A sheet of paper (mm): pages have exactly this size.
     Paper([f64; 2]),
 }
 
@@ -43,7 +46,7 @@ impl Room {
         }
     }
 
-    /// What is left within the border.
+    /// The space within the border.
     fn inner(self) -> [f64; 2] {
         match self {
             Room::Column(w) => [w - 2.0 * BORDER_MM, f64::INFINITY],
@@ -51,7 +54,7 @@ impl Room {
         }
     }
 
-    /// The page around ink of this size (mm).
+    /// The size of the page around ink of this size (mm).
     fn sides(self, ink: [f64; 2]) -> [f64; 2] {
         match self {
             Room::Column(w) => [w, ink[1] + 2.0 * self.border_mm()],
@@ -59,10 +62,10 @@ impl Room {
         }
     }
 
-    /// The figure in the middle of a page of this room.
+    /// Centres the figure on a page of this size.
     ///
     /// # Errors
-    /// How large its ink is, where it is too large.
+    /// The size of its ink (mm) if it is too large.
     pub fn page(self, mut figure: Figure) -> Result<Figure, [f64; 2]> {
         let Some(ink) = bounds(&figure.items) else { return Ok(figure) };
         let (size, inner) = ([ink.width_mm(), ink.height_mm()], self.inner());
@@ -76,11 +79,11 @@ impl Room {
     }
 }
 
-/// The pages of a figure: in a column of this width, else on the paper that the scene gives, if any; where the figure as it is fits on
-/// that, it is that.
+/// Draws the pages of a figure: in a column of this width, or else on the scene's paper, if any. A
+/// figure that fits that paper is returned unchanged.
 ///
 /// # Errors
-/// Those of [`pages`].
+/// The errors of [`pages`].
 pub fn drawn(entry: &Entry, w: &Wanted, width_mm: Option<f64>) -> Result<Warned<Pages>, Faults> {
     if let Some(width_mm) = width_mm {
         return pages(entry, w, Room::Column(width_mm));
@@ -95,10 +98,11 @@ pub fn drawn(entry: &Entry, w: &Wanted, width_mm: Option<f64>) -> Result<Warned<
     }
 }
 
-/// The pages of a figure in a room.
+/// Draws the pages of a figure in a given space.
 ///
 /// # Errors
-/// `paper-too-small` where the smallest legible figure is larger than the room; and what the figure itself has.
+/// `paper-too-small` if the smallest legible figure is larger than the space; and the errors of the
+/// figure itself.
 ///
 /// ```
 /// use hodograph_figure::{fit::{Room, pages}, list::{Extras, Wanted, named}, sheet::Options};
@@ -137,10 +141,11 @@ pub fn pages(entry: &Entry, w: &Wanted, room: Room) -> Result<Warned<Pages>, Fau
     Err(too_small(name, needs, room).into())
 }
 
-/// The steps of the construction, a page for each; in a column of this width all of one size, so that slides do not jump.
+/// Draws the steps of the construction, one page each. In a column of this width all pages have one
+/// size, so that slides do not jump.
 ///
 /// # Errors
-/// `paper-too-small` where the smallest legible pages are wider than the column.
+/// `paper-too-small` if the smallest legible pages are wider than the column.
 pub fn steps(w: &Wanted, width_mm: Option<f64>) -> Result<Pages, Faults> {
     let named = |all: Vec<Figure>| -> Pages { (1..).zip(all).map(|(k, figure)| (format!("step-{k:02}"), figure)).collect() };
     let Some(room) = width_mm.map(Room::Column) else { return Ok(named(super::steps::figures(w.scene, w.worked, w.options))) };
@@ -150,20 +155,21 @@ pub fn steps(w: &Wanted, width_mm: Option<f64>) -> Result<Pages, Faults> {
     })
 }
 
-/// Room between the margins of a page, and how drawings stand in it.
+/// The space between the margins of a page, and the arrangement of drawings in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Within {
-    /// Its width (mm).
+    /// The width (mm).
     pub width_mm: f64,
-    /// One below the other, not side by side.
+    /// True if drawings are one below the other, false if side by side.
     pub stacked: bool,
 }
 
-/// The first of the ways that are tried in which something fits: drawings side by side as long as their type can be read without effort,
-/// else one below the other (`true`), each at smaller and smaller sizes. `draw` returns the size (mm) of what does not fit.
+/// Returns the first attempt that fits: drawings side by side as long as their type is easily
+/// legible, then one below the other (`true`), each at decreasing sizes. `draw` returns the size
+/// (mm) of a drawing that does not fit.
 ///
 /// # Errors
-/// `paper-too-small` where the smallest legible one does not fit; those of `draw`.
+/// `paper-too-small` if the smallest legible one does not fit; and the errors of `draw`.
 pub fn first_that_fits<T>(
     name: &str,
     w: &Wanted,
@@ -182,16 +188,16 @@ pub fn first_that_fits<T>(
     Err(too_small(name, needs, room).help(help).into())
 }
 
-/// Finished figures of one size in a room, all shifted alike.
+/// Places finished figures of one size in a given space, all shifted alike.
 ///
 /// # Errors
-/// `paper-too-small` where one of them is larger.
+/// `paper-too-small` if one of them is larger.
 pub fn placed_alike(figures: Pages, room: Room) -> Result<Pages, Faults> {
     let name = figures.first().map(|(word, _)| word.clone()).unwrap_or_default();
     alike(figures, room).map_err(|size| too_small(&name, size, room).into())
 }
 
-/// [`placed_alike`] with the size (mm) of all ink together as its error.
+/// Works like [`placed_alike`], but returns the size (mm) of all ink together as its error.
 fn alike(mut figures: Pages, room: Room) -> Result<Pages, [f64; 2]> {
     let ink = figures.iter().filter_map(|(_, f)| bounds(&f.items)).reduce(|a, b| a.union(b));
     let Some(ink) = ink else { return Ok(figures) };
@@ -208,25 +214,27 @@ fn alike(mut figures: Pages, room: Room) -> Result<Pages, [f64; 2]> {
     Ok(figures)
 }
 
-/// The sheet of this part of its size, where the room holds it.
+/// The sheet at this size factor, if it fits.
 fn sheet_of(w: &Wanted, part: f64, room: Room) -> Result<Warned<Pages>, [f64; 2]> {
     let (figure, out) = sheet_in(w.scene, w.worked, w.options, room.inner()[0], fewer(part));
     let figure = room.page(figure)?;
     Ok(Warned { value: vec![(String::new(), figure)], notes: left_out(&out, room).into_iter().collect() })
 }
 
-/// The same in a column, whose height is free: each drawing as large as the column holds it by itself, type of this part. `None` where
-/// the room is no column, nothing grows, or all together become too wide.
+/// The sheet at this size factor in a column of free height, with each drawing as large as the
+/// column holds by itself. `None` if the space is not a column, nothing can be enlarged, or
+/// everything together becomes too wide.
 fn grown(w: &Wanted, part: f64, room: Room) -> Result<Option<Warned<Pages>>, Faults> {
     let Room::Column(_) = room else { return Ok(None) };
     let mut parts = ByKind::default();
     for on in DiagramKind::OF_MOTION {
-        // Upwards to the first that is too wide: crowded names, which take longest to place, are sought seldom.
+        // Upwards to the first factor that is too wide: the slow placing of crowded names is then
+        // rare.
         for larger in PARTS.into_iter().rev().filter(|p| *p > part) {
             let tried = Smaller::of(w, part, &ByKind::default().with(on.kind(), Some(larger)))?;
             let wanted = tried.wanted(w.extras);
             let fits = |width_mm: f64| width_mm <= room.inner()[0];
-            // Lines that are too wide need no names.
+            // Drawings with lines that are too wide need no names.
             let lines_fit = wanted.worked.construction.polygon(on).is_none_or(|p| fits(p.extent()[0] / p.mu));
             let drawn = || drawing(wanted.scene, wanted.worked, wanted.options, on);
             let links_fit = || on != DiagramKind::Plane || fits(forces::widest_mm(wanted.scene, wanted.worked, wanted.options));
@@ -243,7 +251,7 @@ fn grown(w: &Wanted, part: f64, room: Room) -> Result<Option<Warned<Pages>>, Fau
     Ok(sheet_of(&smaller.wanted(w.extras), part, room).ok())
 }
 
-/// What may be left out of a sheet of this part of its size.
+/// The content that may be left out of a sheet at this size factor.
 fn fewer(part: f64) -> Fewer {
     if part > LEAST_TYPE {
         Fewer::No
@@ -254,7 +262,7 @@ fn fewer(part: f64) -> Fewer {
     }
 }
 
-/// Finished figures in a room, as they are.
+/// Places finished figures in a given space, at their size.
 ///
 /// # Errors
 /// `paper-too-small` for each that is larger.
@@ -297,15 +305,15 @@ fn left_out(what: &[Both], room: Room) -> Option<Diagnostic> {
     })
 }
 
-/// A scene drawn to scales at which everything is at most this part of its size, those that it fixes excepted; `None` where it cannot be
-/// worked again.
+/// Returns the scene at scales at which everything has at most this size factor, except scales that
+/// the scene fixes; `None` if the solution fails at these scales.
 pub fn to_part(scene: &Scene, worked: &Worked, options: &Options, part: f64) -> Option<(Scene, Worked)> {
     let extras = Extras::default();
     let Smaller { scene, worked, .. } = Smaller::of(&Wanted { scene, worked, options, extras: &extras }, part, &ByKind::default()).ok()?;
     Some((scene, worked?))
 }
 
-/// Everything for a part of the usual size.
+/// Everything for a figure at a given size factor.
 struct Smaller {
     scene: Scene,
     worked: Option<Worked>,
@@ -314,10 +322,10 @@ struct Smaller {
 }
 
 impl Smaller {
-    /// Ink of this part of its size, and all diagrams but those that have another part.
+    /// Reduces the ink to this factor, and all diagrams except those with a factor in `others`.
     fn of(w: &Wanted, part: f64, others: &ByKind) -> Result<Smaller, Faults> {
         let mut scene = w.scene.clone();
-        // The room is kept here, so the sheet is free.
+        // The size of the paper is checked here, so the sheet itself has no fixed size.
         scene.paper.size_mm = None;
         let options = Options { style: w.options.style.reduced(part), ..w.options.clone() };
         if part < 1.0 {

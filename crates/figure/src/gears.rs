@@ -1,9 +1,12 @@
-//! Gear pairs as books draw them: involute flanks around the pitch point, all circles, the line of action with N and B, the points in
-//! contact; beside it a table of their sizes. Two gears, a gear in a ring, a gear on a rack.
+//! Draws gear pairs as in textbooks: involute flanks around the pitch point, all circles, the line
+//! of action with N and B, the points in contact; beside the drawing a table of sizes. A pair is
+//! two gears, a gear in a ring, or a gear on a rack.
 //!
-//! The line of centres stands upright, the driver below and turning clockwise, two flanks touching in the pitch point; in a ring and on a
-//! rack the gear is drawn as the driver. Large gears are drawn around the pitch point alone. [`hodograph_methods::gears`] has the geometry; decided
-//! here: what a scene means by it, and what a maker should be told; [`drawing`] draws, [`table`] tells.
+//! The line of centres is vertical, the driver is below and turns clockwise, and two flanks touch
+//! in the pitch point. In a ring and on a rack the gear is drawn as the driver. Large gears are
+//! drawn around the pitch point only. The geometry is in [`hodograph_methods::gears`]. This module
+//! reads the sizes from the scene and warns about defects of the gears; [`drawing`] draws the pair,
+//! [`table`] writes its sizes.
 
 mod drawing;
 mod table;
@@ -20,16 +23,16 @@ use super::sheet::Maker;
 use hodograph_paper::paper::drawing::Part;
 use hodograph_paper::paper::item::Figure;
 
-/// Two lengths this much apart (relative) are two lengths in a file.
+/// Relative difference up to which two lengths in a file are equal.
 const SAME: f64 = 1e-4;
-/// Between the drawing and the table.
+/// Gap between the drawing and the table.
 const TABLE_MM: f64 = 14.0;
 
-/// One page for each pair with numbers of teeth.
+/// Draws one page for each pair with numbers of teeth.
 ///
 /// # Errors
-/// `gear-no-teeth` where pairs have radii only; `gear-shift` where both profile shifts are given and the centres are not as far apart as
-/// they make them; `gear-teeth` where no teeth can be made with what is given.
+/// `gear-no-teeth` if pairs have radii only; `gear-shift` if both profile shifts are given but do
+/// not fit the centre distance; `gear-teeth` if the given sizes allow no teeth.
 pub(super) fn pairs(maker: &Maker) -> Result<Warned<Pages>, Faults> {
     let scene = maker.scene;
     let all: Vec<(&Rolling, &Flanks)> = scene.rolling.iter().filter_map(|r| Some((r, r.flanks.as_ref()?))).collect();
@@ -56,7 +59,7 @@ pub(super) fn pairs(maker: &Maker) -> Result<Warned<Pages>, Faults> {
     if faults.has_errors() { Err(faults) } else { Ok(Warned { value: pages, notes }) }
 }
 
-/// What a gear of a pair meshes with.
+/// The kind of the second member of a pair.
 fn mate(rolling: &Rolling) -> Mate {
     match (rolling.touch(), rolling.hollow()) {
         (Touch::Point(Normal::Square { .. }), _) => Mate::Rack,
@@ -65,7 +68,8 @@ fn mate(rolling: &Rolling) -> Mate {
     }
 }
 
-/// The order in which a pair is drawn: of two gears the one that a driver turns first, else the gear before ring or rack.
+/// The order in which a pair is drawn: of two gears, first the one that a driver turns; otherwise
+/// the gear before ring or rack.
 fn order(scene: &Scene, rolling: &Rolling) -> [usize; 2] {
     let driven = |l: LinkId| scene.drivers.iter().any(|d| d.kind.turned().is_some_and(|(link, _)| link == l));
     let second_first = match (mate(rolling), rolling.hollow()) {
@@ -76,7 +80,7 @@ fn order(scene: &Scene, rolling: &Rolling) -> [usize; 2] {
     if second_first { [1, 0] } else { [0, 1] }
 }
 
-/// The pair that a scene means at the distance of its centres (m).
+/// The pair that a scene defines, at the distance of its centres (m).
 fn meant(maker: &Maker, rolling: &Rolling, flanks: &Flanks) -> Result<Pair, Diagnostic> {
     let scene = maker.scene;
     let fault = |code, message| Diagnostic::error(code, message).at(rolling.span);
@@ -96,7 +100,7 @@ fn meant(maker: &Maker, rolling: &Rolling, flanks: &Flanks) -> Result<Pair, Diag
             p.distance(q)
         }
     };
-    // In the order of the links; of a rack the gear's alone.
+    // Given in the order of the links; for a rack, the gear's shift only.
     let shifts = |given: &[f64]| match mate {
         Mate::Rack => [given.first().copied().unwrap_or(0.0), 0.0],
         Mate::Gear | Mate::Ring => [i, j].map(|k| given.get(k).copied().unwrap_or(0.0)),
@@ -104,12 +108,12 @@ fn meant(maker: &Maker, rolling: &Rolling, flanks: &Flanks) -> Result<Pair, Diag
     let given = shifts(&flanks.shifts);
     let sum = mate.shift(given);
     let (module, shifts) = match (flanks.module, &flanks.shifts[..]) {
-        // Teeth alone: the module that the distance asks for.
+        // Only teeth are given: the module follows from the distance.
         (None, _) => (distance / distance_of(&unit(1.0), mate, teeth, sum).ok_or_else(impossible)?, given),
         (Some(module), &[first]) if mate != Mate::Rack => {
             let angle = operating(&unit(module), mate, teeth, distance).ok_or_else(impossible)?;
             let sum = sum_of_shifts(&unit(module), mate, teeth, angle);
-            // The shift that is given belongs to the first link; x₂ = Σ − x₁, in a ring Δ + x₁ or x₁ − Δ.
+            // The given shift belongs to the first link; x₂ = Σ − x₁, in a ring Δ + x₁ or x₁ − Δ.
             let other = match (mate, i) {
                 (Mate::Ring, 0) => sum + first,
                 (Mate::Ring, _) => first - sum,
@@ -139,7 +143,7 @@ fn meant(maker: &Maker, rolling: &Rolling, flanks: &Flanks) -> Result<Pair, Diag
     Pair::new(unit(module), mate, teeth, shifts, distance).ok_or_else(impossible)
 }
 
-/// What a maker of the gears should know.
+/// Warnings for the manufacture of the gears.
 fn remarks(scene: &Scene, rolling: &Rolling, pair: &Pair) -> Vec<Diagnostic> {
     let at = scene.point_name(rolling.at[0]);
     let note = |code, message| Diagnostic::warning(code, message).at(rolling.span);
@@ -209,7 +213,7 @@ struct Drawn<'a> {
     maker: &'a Maker<'a>,
     rolling: &'a Rolling,
     pair: Pair,
-    /// Which of the two links is drawn first.
+    /// The order in which the two links are drawn.
     order: [usize; 2],
 }
 
@@ -222,7 +226,7 @@ impl Drawn<'_> {
         self.maker.alone(Part::of(part.items))
     }
 
-    /// The name of a gear's link, of the driver for 0.
+    /// The name of a gear's link; index 0 is the driver.
     fn name(&self, i: usize) -> &str {
         self.maker.scene.link_name(self.rolling.links[self.order[i]])
     }
@@ -305,7 +309,7 @@ mod tests {
         let pages = pairs(&Maker { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) }).unwrap();
         assert_eq!(pages.value.len(), 2);
         assert!(pages.value.iter().all(|(_, f)| teeth(f) == 2 && f.items.iter().all(Item::is_finite)));
-        // Pairs by radii have none: the figure says what is missing.
+        // Pairs with radii have no teeth: the diagnostic states the missing field.
         let bare = drawn(r#""radii": [13.5, 27]"#, 40.5, Lang::En).unwrap_err();
         assert_eq!(bare.list[0].code, "gear-no-teeth");
     }

@@ -1,5 +1,6 @@
-//! The groups drawn apart 拆杆组: what is driven with the ground, then every group in its pose with its class, from left to right in solving
-//! order; the number in front counts from the far end, in the order in which groups are taken off.
+//! Draws the Assur groups apart 拆杆组: the driven part with the ground, then every group in its
+//! pose with its class, from left to right in solving order. The number in front counts from the
+//! far end, in the order in which groups are removed.
 
 use super::mechanism::{Piece, apart};
 use hodograph_base::geom::{Point, Vec2};
@@ -15,16 +16,16 @@ use hodograph_report::plan::{dyad, grade};
 use hodograph_scene::{Lang, Scene};
 use hodograph_worked::worked::Worked;
 
-/// Between parts, and around them.
+/// Gap between parts, and around them.
 const GAP_MM: f64 = 16.0;
-/// From a part to its name.
+/// Distance from a part to its name.
 const NAME_MM: f64 = 9.0;
-/// Rows are no wider than this where more than one part stands in them: A4 across without its margins.
+/// Maximum width of a row with more than one part: A4 landscape without its margins.
 const WIDE_MM: f64 = 281.0;
 /// Border of the figure.
 const MARGIN_MM: f64 = 8.0;
 
-/// The figure; `worked` is to hold all positions.
+/// Draws the figure; `worked` must hold all positions.
 pub fn figure(scene: &Scene, worked: &Worked, style: &Style, notation: &Notation, lang: Lang) -> Figure {
     let parts = apart(style, scene, worked, notation);
     let groups = parts.iter().filter(|(piece, _)| matches!(piece, Piece::Group(_))).count();
@@ -40,7 +41,7 @@ pub fn figure(scene: &Scene, worked: &Worked, style: &Style, notation: &Notation
             Piece::Repeats => tr(lang, "virtual constraint", "虚约束").to_owned(),
         };
         let (mut part, baseline) = with_name(drawing.finish(), &name, style);
-        // A pair between two parts is shown in both, under names of their own.
+        // A pair between two parts is shown in both, with separate ids.
         let of = named.len();
         part.items.iter_mut().for_each(|i| i.id = format!("part-{of}-{}", i.id));
         named.push((part, baseline));
@@ -73,7 +74,7 @@ fn group_name(g: &Assur, lang: Lang) -> String {
     }
 }
 
-/// The part with its name below, and the baseline of that.
+/// The part with its name below, and the baseline of the name.
 fn with_name(part: Part, name: &str, style: &Style) -> (Part, f64) {
     let label = Label::text(name).in_fonts(&style.fonts);
     let at = Point::new(part.bounds.centre().x, part.bounds.min.y - NAME_MM);
@@ -83,7 +84,8 @@ fn with_name(part: Part, name: &str, style: &Style) -> (Part, f64) {
     (Part::of(items), at.y)
 }
 
-/// The parts side by side, their names on one line, in as many rows as it takes; and the size of the figure.
+/// Arranges the parts side by side, their names on one line, in as many rows as needed; returns the
+/// items and the size of the figure.
 fn rows(parts: Vec<(Part, f64)>) -> (Vec<Item>, f64, f64) {
     let mut lines: Vec<Vec<(Part, f64)>> = Vec::new();
     let mut width = f64::INFINITY;

@@ -1,7 +1,8 @@
-//! A hodograph: the curve that the tip of a vector runs along when it is drawn from one pole through a whole motion.
+//! Draws a hodograph: the curve traced by the tip of a vector from a fixed pole through a whole
+//! motion.
 //!
-//! Decided here: axes with their ticks, what of a curve that grows beyond all bounds is on the paper, and how the numbered
-//! positions are marked. The vectors come from [`hodograph_sweep::points`].
+//! This module draws the axes with their ticks, selects the part of an unbounded curve on the
+//! paper, and marks the numbered positions. The vectors come from [`hodograph_sweep::points`].
 
 use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
@@ -17,52 +18,53 @@ use hodograph_paper::paper::shown::{Shown, question_id};
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
 
-/// Ticks are at least so far apart, so that their numbers stand clear of one another.
+/// Minimum distance of the ticks, so that their numbers stay apart.
 const TICK_MM: f64 = 15.0;
-/// Half a tick.
+/// Half the length of a tick.
 const TICK_HALF_MM: f64 = 0.9;
-/// How far an axis goes on beyond the curve.
+/// Extension of an axis beyond the curve.
 const BEYOND_MM: f64 = 7.0;
-/// Axes stand back behind the curve.
+/// Colour of the axes in the background of the curve.
 const AXIS: Colour = Colour::grey(120);
-/// A vector shorter than this is a dot at the pole.
+/// A shorter vector is a dot at the pole.
 const SHORTEST_MM: f64 = 0.6;
 
 /// The vector of one point through a motion.
 pub struct Hodograph<'a> {
-    /// Velocities or accelerations.
+    /// The diagram of the vector: velocities, accelerations or forces.
     pub on: DiagramKind,
-    /// The vector as `find` writes it.
+    /// The vector in the notation of `find`.
     pub quantity: &'a str,
     /// The pole's letter.
     pub pole: &'a str,
-    /// The link to which the point belongs.
+    /// The link of the point.
     pub link: Option<usize>,
-    /// The vector (SI) at each pose in order; `None` where it has no value.
+    /// The vector (SI units) at each pose in order; `None` if it has no value.
     pub curve: &'a [Option<Vec2>],
-    /// Whether the last is followed by the first.
+    /// True if the first pose follows the last one.
     pub closed: bool,
     /// The vectors at the numbered positions.
     pub marks: &'a [Option<Vec2>],
-    /// Longer vectors than this (SI) leave the paper.
+    /// Limit (SI units) beyond which vectors leave the paper.
     pub most: f64,
-    /// SI per mm.
+    /// The scale (SI units per mm).
     pub mu: f64,
     /// Units of the numbers at the axes.
     pub book: &'a Book,
 }
 
-/// The runs of a curve on the paper (SI); where it leaves the paper, a run ends at the edge. Whether any does.
+/// Returns the runs of a curve on the paper (SI units), and true if any part leaves the paper; a
+/// run ends at the edge where the curve leaves.
 pub fn runs(curve: &[Option<Vec2>], closed: bool, most: f64) -> (Vec<Vec<Vec2>>, bool) {
     let inside = |v: &Option<Vec2>| v.filter(|v| v.norm() <= most);
     let n = curve.len();
     let Some(start) = (0..n).find(|&k| inside(&curve[k]).is_none()) else {
-        // All of it: a closed curve comes back to its first place.
+        // The whole curve: a closed one returns to its first place.
         let all = curve.iter().flatten().copied();
         let again = curve.first().copied().flatten().filter(|_| closed);
         return (vec![all.chain(again).collect()], false);
     };
-    // A closed curve is cut where it is not on the paper, so that no run is cut at the first pose.
+    // A closed curve is cut where it is off the paper, so that no run is cut at the first pose.
     let order: Vec<usize> = if closed { (0..=n).map(|k| (start + k) % n).collect() } else { (0..n).collect() };
     let mut out: Vec<Vec<Vec2>> = Vec::new();
     let mut run: Vec<Vec2> = Vec::new();
@@ -87,7 +89,7 @@ pub fn runs(curve: &[Option<Vec2>], closed: bool, most: f64) -> (Vec<Vec<Vec2>>,
     (out, true)
 }
 
-/// Where the way from a vector on the paper to one beyond is as long as the longest.
+/// Point between a vector on the paper and one beyond it at which the length equals the limit.
 fn edge(inner: Vec2, outer: Vec2, most: f64) -> Vec2 {
     let d = outer - inner;
     let (a, b, c) = (d.norm2(), inner.dot(d), inner.norm2() - most * most);
@@ -96,7 +98,7 @@ fn edge(inner: Vec2, outer: Vec2, most: f64) -> Vec2 {
     inner + d * t
 }
 
-/// Draws it; the pole lies in the origin.
+/// Draws a hodograph with the pole at the origin.
 pub fn hodograph(style: &Style, h: &Hodograph) -> Part {
     let mut d = Drawing::new("hodograph", style.clone());
     let key = question_id(h.quantity);
@@ -128,7 +130,7 @@ pub fn hodograph(style: &Style, h: &Hodograph) -> Part {
     d.finish()
 }
 
-/// The axes through the pole, with the ticks of one step.
+/// Draws the axes through the pole, with ticks at equal steps.
 fn axes(d: &mut Drawing, style: &Style, h: &Hodograph, runs: &[Vec<Vec2>]) {
     let kind = h.on.kind();
     let step = scale::choose_in(h.book.size(kind), [TICK_MM * h.mu, 0.0], [1.0, 1.0]);
@@ -153,7 +155,7 @@ fn axes(d: &mut Drawing, style: &Style, h: &Hodograph, runs: &[Vec<Vec2>]) {
             let owner = d.shape(&format!("{name}-tick"), "tick", line);
             let request =
                 LabelRequest::at_point(Label::math(inked(&shortest(h.book.value(kind, value)))), style.small_mm, at, TICK_HALF_MM);
-            // A number may be missing where the curve runs: its neighbours tell the step.
+            // A number may be omitted at the curve: its neighbours show the step.
             d.label(&format!("{name}-{tick}"), "tick", request.owned(owner).towards(-along.perp()).optional(true));
         }
     }
@@ -166,13 +168,13 @@ mod tests {
     #[test]
     fn a_curve_that_leaves_the_paper_ends_at_its_edge() {
         let v = |x: f64, y: f64| Some(Vec2::new(x, y));
-        // Out along x beyond 2, and back from nowhere.
+        // Out along x beyond 2, and back after a gap.
         let curve = [v(0.0, 1.0), v(1.0, 0.0), v(3.0, 0.0), None, v(0.0, -1.0)];
         let (open, cut) = runs(&curve, false, 2.0);
         assert!(cut);
         assert_eq!(open.len(), 1);
         assert_eq!(open[0].last(), Some(&Vec2::new(2.0, 0.0)));
-        // Closed, the last pose goes on to the first.
+        // In a closed curve the first pose follows the last.
         let (closed, _) = runs(&curve, true, 2.0);
         assert_eq!(closed.len(), 1);
         assert_eq!((closed[0][0], closed[0].len()), (Vec2::new(0.0, -1.0), 4));

@@ -1,4 +1,5 @@
-//! The inversions of a chain side by side: one pose, another ground in each, with type and turning links below.
+//! Draws the inversions of a chain side by side: the same pose with a different ground in each,
+//! with type and rotating links below.
 
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::Point;
@@ -19,18 +20,19 @@ pub const ENTRY: Entry =
         name: "inversions", about: ["Each link of the chain as ground in turn", "机构的倒置：依次以各构件为机架"], draw
     };
 
-/// Between drawings.
+/// Gap between drawings.
 const GAP_MM: f64 = 14.0;
-/// Most drawings to a page; where there are more, a page has fewer: such chains have many links, and need the room.
+/// Maximum number of drawings on a page. If there are more, each page has fewer: such chains have
+/// many links and need the space.
 const PER_PAGE: usize = 6;
 const FEWER: usize = 4;
-/// Drawings to a row: four links stand two by two, six three by two.
+/// Drawings per row: four in rows of two, six in rows of three.
 const PER_ROW: [usize; 2] = [2, 3];
 
 fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     let Warned { value: all, notes } = inversions(w.scene)?;
     let numbered: Vec<(usize, &Inversion)> = all.iter().enumerate().collect();
-    // Equal pages: twelve as three of four.
+    // Pages of equal size: twelve drawings as three pages of four.
     let count = numbered.len().div_ceil(PER_PAGE).max(1);
     let count = if count > 1 { numbered.len().div_ceil(FEWER) } else { count };
     let mut pages = Pages::new();
@@ -41,7 +43,7 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     Ok(Warned { value: pages, notes })
 }
 
-/// Some of them on a page.
+/// Draws some of the inversions on a page.
 fn sheet(w: &Wanted, some: &[(usize, &Inversion)]) -> Figure {
     let mut parts: Vec<Part> = some.iter().map(|(k, i)| part(w, i, *k)).collect();
     let columns = PER_ROW[usize::from(parts.len() > 4)];
@@ -52,7 +54,7 @@ fn sheet(w: &Wanted, some: &[(usize, &Inversion)]) -> Figure {
     figure
 }
 
-/// One of them, with its name.
+/// Draws one inversion, with its name.
 fn part(w: &Wanted, i: &Inversion, k: usize) -> Part {
     let maker = Maker { scene: &i.scene, worked: &i.worked, options: w.options, certified: Vec::new() };
     let drawing = mechanism::numbered(&w.options.style, &i.scene, &i.worked, &w.options.notation).finish();
@@ -64,14 +66,14 @@ fn part(w: &Wanted, i: &Inversion, k: usize) -> Part {
     part
 }
 
-/// Names of one drawing are not those of another.
+/// Prefixes the id of an item, so that it differs between drawings.
 fn named(item: &mut Item, k: usize) {
     if !item.id.is_empty() {
         item.id = format!("inversion-{}-{}", k + 1, item.id);
     }
 }
 
-/// In rows, captions of a row on one line, columns as wide as their widest.
+/// Arranges parts in rows: captions of a row on one line, columns as wide as their widest part.
 fn stand(parts: &mut [Part], columns: usize) {
     let width = |k: usize| parts.iter().skip(k).step_by(columns).map(|p| p.bounds.width_mm()).fold(0.0, f64::max);
     let widths: Vec<f64> = (0..columns).map(width).collect();

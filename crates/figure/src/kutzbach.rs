@@ -1,9 +1,10 @@
-//! Kutzbach's plan of a gear train: velocities square to the line of centres (线速度图), rates on a parallel (转速图); beside it Willis'
-//! table.
+//! Kutzbach's plan of a gear train: velocities perpendicular to the line of centres (线速度图),
+//! angular velocities on a parallel line (转速图), and Willis' table beside them.
 //!
-//! The line of centres stands upright. The velocities of a link along it end on one straight line, its ray: two known points draw it, and
-//! where two pitch circles touch two rays meet. Parallels to the rays through one pole cut the rates out of a level line. Decided here:
-//! the plan and what is written beside it; [`hodograph_methods::trains`] has the rates.
+//! The line of centres is vertical. The velocities of a link along it end on one straight line, its
+//! ray. Two known points define a ray; where two pitch circles touch, two rays intersect. Parallels
+//! to the rays through one pole cut the angular velocities off a horizontal line. This module draws
+//! the plan and the text beside it; [`hodograph_methods::trains`] computes the angular velocities.
 //!
 //! # Source
 //! K. Kutzbach, *Mehrgliedrige Radgetriebe und ihre Gesetze*, 1927.
@@ -25,21 +26,22 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::symbols as sym;
 use hodograph_report::amount::{scale, scale_formula};
 
-/// Between the circles and the plan of velocities: the arrows of the plan and a name fit in.
+/// Gap between the circles and the plan of velocities: space for the plan's arrows and a name.
 const APART_MM: f64 = 12.0;
-/// From the plan of velocities down to the pole of the rates.
+/// Distance from the plan of velocities down to the pole of the angular velocities.
 const BELOW_MM: f64 = 12.0;
-/// Pole distances, the longest first: 转速图 as wide as the paper of the velocities, to a scale that is read easily.
+/// Pole distances, the longest first: 转速图 as wide as the plan of velocities, to an easily read
+/// scale.
 const POLE_MM: [f64; 5] = [50.0, 40.0, 25.0, 20.0, 10.0];
-/// The plan of rates is at most so wide to one side.
+/// Maximum extent of the plan of angular velocities to one side.
 const RATES_MM: f64 = 60.0;
-/// Rays go on beyond their last point.
+/// Extension of rays beyond their last point.
 const BEYOND_MM: f64 = 6.0;
 /// Shorter vectors are points.
 const ZERO_MM: f64 = 0.05;
-/// Centres off one line by more than this have no plan: a tenth of a line's width.
+/// Centres that deviate from one line by more than this have no plan: a tenth of a line width.
 const IN_LINE_MM: f64 = 0.02;
-/// Between the drawing and the table, and between its columns and rows.
+/// Gap between the drawing and the table, and between columns and rows of the table.
 const TABLE_MM: f64 = 14.0;
 const GAP_MM: f64 = 5.0;
 const ROW_MM: f64 = 7.2;
@@ -47,14 +49,14 @@ const ROW_MM: f64 = 7.2;
 /// A point on the line of centres, on paper.
 struct Station {
     name: String,
-    /// How far along the line.
+    /// The position along the line (mm).
     s: f64,
-    /// The links that have it.
+    /// The links with this point.
     links: Vec<LinkId>,
 }
 
-/// The plan of each train of the scene, with the names of their arms; trains whose centres do not lie in one line, or turn about an axis
-/// that moves, have their table alone.
+/// Draws the plan of each train of the scene, with the name of its arm. Trains with centres that
+/// are not collinear, or with a moving axis, have only their table.
 pub(super) fn plans(maker: &Maker) -> Vec<(String, Figure)> {
     let scene = maker.scene;
     let all = trains(scene);
@@ -87,12 +89,13 @@ impl Plan<'_> {
         }
     }
 
-    /// The rate of a link of the train.
+    /// The angular velocity of a link of the train.
     fn rate(&self, link: LinkId) -> f64 {
         self.train.gear(link).map_or(self.turns.arm, |g| self.train.rate(g, self.turns))
     }
 
-    /// Centres and contacts on the line of centres, from the axis on; `None` where they do not lie in one line.
+    /// Centres and contacts on the line of centres, measured from the axis; `None` if they are not
+    /// collinear.
     fn stations(&self) -> Option<Vec<Station>> {
         let (scene, worked, train) = (self.maker.scene, self.maker.worked, self.train);
         let place = |p: PointId| worked.configuration.points[p.0];
@@ -134,7 +137,8 @@ impl Plan<'_> {
         let style = &maker.options.style;
         let stations = self.stations()?;
         let (mu_l, mu_v) = (maker.worked.construction.diagram.mu, maker.worked.construction.polygon(DiagramKind::Velocity)?.mu);
-        // A link that turns to the left moves to the left above its centre: the plan is the mechanism turned upright.
+        // A link that turns to the left moves to the left above its centre: the plan is the
+        // mechanism turned upright.
         let speed = |link: LinkId, s: f64| self.speed(&stations, link, s) * (-mu_l / mu_v);
         let mut d = Drawing::new("kutzbach", style.clone());
         let (low, high) = stations.iter().fold((0.0_f64, 0.0_f64), |(a, b), s| (a.min(s.s), b.max(s.s)));
@@ -173,7 +177,7 @@ impl Plan<'_> {
             let name = format!("v_{{{}}}", name_label(&s.name));
             d.label_along(&format!("vel-{}", s.name), "vector", &name, (from, to), style.vector.width_mm / 2.0, owner);
         }
-        // One ray a link.
+        // One ray for each link.
         for link in self.links() {
             let own: Vec<f64> = stations.iter().filter(|s| s.links.contains(&link)).map(|s| s.s).collect();
             let (a, b) = own.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(*s), b.max(*s)));
@@ -211,7 +215,8 @@ impl Plan<'_> {
         all
     }
 
-    /// The velocity of a link's point on the line of centres, to the left, over that of one mm of paper at one rad/s.
+    /// Velocity of a link's point on the line of centres, positive to the left, in mm of paper
+    /// times rad/s.
     fn speed(&self, stations: &[Station], link: LinkId, s: f64) -> f64 {
         let centre = self.train.gear(link).map(|g| self.maker.scene.point_name(self.train.gears[g].centre));
         let at = centre.and_then(|c| stations.iter().find(|t| t.name == c)).map_or(0.0, |t| t.s);
@@ -230,7 +235,8 @@ impl Plan<'_> {
         [0, 1].into_iter().filter_map(circle).collect()
     }
 
-    /// The pole distance of the plan of the rates, and how far it goes to the left and to the right. `slope` is the rate of a ray at 45°.
+    /// The pole distance of the plan of angular velocities, and the plan's extent to the left and
+    /// to the right. `slope` is the angular velocity of a ray at 45°.
     fn rates_mm(&self, slope: f64) -> (f64, [f64; 2]) {
         let rates: Vec<f64> = self.links().into_iter().map(|l| -self.rate(l) / slope).collect();
         let [a, b] = rates.iter().fold([0.0_f64; 2], |[a, b], x| [a.min(*x), b.max(*x)]);
@@ -238,7 +244,8 @@ impl Plan<'_> {
         (pole_mm, [a * pole_mm, b * pole_mm])
     }
 
-    /// The plan of the rates, its pole at the height `top`; returns its scale ((rad/s)/mm).
+    /// Draws the plan of angular velocities, with its pole at the height `top`; returns its scale
+    /// ((rad/s)/mm).
     fn rates(&self, d: &mut Drawing, top: f64, slope: f64) -> f64 {
         let (maker, style) = (self.maker, &self.maker.options.style);
         let links = self.links();
@@ -275,7 +282,7 @@ impl Plan<'_> {
         slope / pole_mm
     }
 
-    /// Willis' table, with what follows from it below.
+    /// Willis' table, with its results below.
     fn table(&self) -> Part {
         let (maker, style, lang) = (self.maker, &self.maker.options.style, self.maker.options.lang);
         let table = table(maker.scene, self.train, self.turns, lang, maker.options.digits);

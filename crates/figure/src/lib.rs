@@ -1,12 +1,14 @@
 //! The figure as typed items in millimetres of paper.
 //!
-//! Everything here is y up and knows no file format; the room `render` turns a [`hodograph_paper::paper::item::Figure`] into ink.
+//! All coordinates are y up and independent of any file format; the crate `render` turns a
+//! [`hodograph_paper::paper::item::Figure`] into ink.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
-// clippy.toml lists the functions of f64 whose last bit the platform decides; tests may use them.
+// clippy.toml lists the functions of f64 with a platform-dependent last bit; tests may use them.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
-// The maps name private rooms too; `cargo doc --document-private-items` follows those links.
+// The module maps also link to private modules; `cargo doc --document-private-items` resolves these
+// links.
 #![allow(rustdoc::private_intra_doc_links)]
 
 mod arrange;

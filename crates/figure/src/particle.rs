@@ -1,7 +1,9 @@
-//! Motions without a mechanism: the course of a pursuit with its lines of sight, velocities and accelerations at the instant; a plate that turns in space in
-//! two views, square to it and along its axis, with the parts of velocity and acceleration at the point.
+//! Draws motions without a mechanism: the course of a pursuit with its lines of sight, velocities
+//! and accelerations at the instant; and a plate that turns in space in two views, perpendicular to
+//! it and along its axis, with the components of velocity and acceleration at the point.
 //!
-//! What is drawn comes from [`hodograph_methods::particle::board`]; decided here are scales of the course, captions and where the parts stand.
+//! The content comes from [`hodograph_methods::particle::board`]; this module chooses the scales of
+//! the course, the captions and the arrangement.
 
 mod chase;
 mod plate;
@@ -32,49 +34,51 @@ use hodograph_paper::paper::words::words;
 
 /// Width of the text below.
 const TEXT_MM: f64 = 165.0;
-/// Below a drawing: its caption, then its scale.
+/// Distance from a drawing down to its caption, and from there to its scale.
 const CAPTION_MM: f64 = 6.0;
 const SCALE_MM: f64 = 5.6;
 
-/// What all drawings need.
+/// The data common to all drawings.
 pub struct Maker<'a> {
-    /// The file.
+    /// The problem.
     pub problem: &'a Problem,
-    /// Its answers: how a pursuit ends.
+    /// The solution: the end of a pursuit.
     pub solved: &'a Solved,
-    /// Weights, sizes and fonts.
+    /// Line widths, sizes and fonts.
     pub style: &'a Style,
-    /// The language of marks.
+    /// The language of the notation.
     pub lang: Lang,
-    /// Places for which the two views of a plate leave room, beside what is drawn: of other instants.
+    /// Places of other instants for which the two views of a plate leave space.
     pub also: &'a [Vec<Point>; 2],
 }
 
-/// No places beside what is drawn.
+/// No additional places.
 pub const ALONE: [Vec<Point>; 2] = [Vec::new(), Vec::new()];
 
-/// A view of a motion, in coordinates of its own.
+/// A view of a motion, in its own coordinates.
 pub struct View {
-    /// What is drawn; what a step of the construction brings has its number in its class (`step-2`).
+    /// The drawing; items that a step of the construction adds have its number in their class
+    /// (`step-2`).
     pub part: Part,
-    /// Its caption.
+    /// The caption.
     pub caption: Both,
-    /// Its scales.
+    /// The scales.
     pub scales: Vec<(DiagramKind, f64)>,
 }
 
 impl View {
-    /// The scales in a line, in the label language.
+    /// Returns the scales in a line, in the label language.
     pub fn scale(&self, book: &Book) -> String {
         let told: Vec<String> = self.scales.iter().map(|(on, mu)| scale_formula(book, *on, *mu)).collect();
         told.join(",\\quad ")
     }
 }
 
-/// The figures, one for each motion that has something to draw, each with the word that names its file.
+/// Draws the figures, one for each motion with anything to draw, each with the word for its file
+/// name.
 ///
 /// # Errors
-/// Laws without a value on the way.
+/// A law without a value during the motion.
 pub fn figures(
     problem: &Problem,
     solved: &Solved,
@@ -87,18 +91,19 @@ pub fn figures(
     board.iter().map(|d| Ok((name(d), maker.figure(d, true)?))).collect()
 }
 
-/// The figure of one motion without title and answers, for documents.
+/// Draws the figure of one motion without title and answers, for documents.
 ///
 /// # Errors
-/// Laws without a value on the way.
+/// A law without a value during the motion.
 pub fn within_text(problem: &Problem, solved: &Solved, drawn: &Drawn, style: &Style, lang: Lang) -> Result<Figure, Diagnostic> {
     Maker { problem, solved, style, lang, also: &ALONE }.figure(drawn, false)
 }
 
-/// The motion as a problem gives it: where a pursuit begins and how the target goes on, a plate in both views, without anything that is wanted.
+/// Draws the motion as a problem gives it, without any unknowns: the start of a pursuit with the
+/// path of the target, or a plate in both views.
 ///
 /// # Errors
-/// Laws without a value on the way.
+/// A law without a value during the motion.
 pub fn as_given(problem: &Problem, solved: &Solved, drawn: &Drawn, style: &Style, lang: Lang) -> Result<Figure, Diagnostic> {
     let maker = Maker { problem, solved, style, lang, also: &ALONE };
     let views = match &drawn.views {
@@ -119,7 +124,7 @@ pub fn as_given(problem: &Problem, solved: &Solved, drawn: &Drawn, style: &Style
     Ok(figure)
 }
 
-/// The notation of a language with the marks of a style.
+/// Returns the notation of a language with the marks of a style.
 pub fn notation(style: &Style, lang: Lang) -> Notation {
     style.marks.over(&Notation::of_language(lang))
 }
@@ -133,11 +138,11 @@ impl Maker<'_> {
         report::lines(self.problem, self.solved, DIGITS, self.lang, &self.notation())
     }
 
-    /// The views of a motion: the course, the velocities, the accelerations of a pursuit; of a plate both views with the velocities, then
-    /// with the accelerations.
+    /// Returns the views of a motion: for a pursuit the course, the velocities and the
+    /// accelerations; for a plate both views with the velocities, then both with the accelerations.
     ///
     /// # Errors
-    /// Laws without a value on the way.
+    /// A law without a value during the motion.
     pub fn views(&self, d: &Drawn) -> Result<Vec<View>, Diagnostic> {
         match &d.views {
             Views::Chase { .. } => Ok(self.course(d, true).into_iter().chain(self.polygons(d)).collect()),
@@ -153,7 +158,7 @@ impl Maker<'_> {
 
     fn figure(&self, d: &Drawn, whole: bool) -> Result<Figure, Diagnostic> {
         let mut parts: Vec<Part> = self.views(d)?.into_iter().map(|v| self.captioned(v)).collect();
-        // A pursuit: its course over the two polygons; a plate: both views in a row.
+        // A pursuit: its course above the two polygons; a plate: both views in a row.
         let first = if matches!(d.views, Views::Chase { .. }) { 1 } else { 2 };
         let row = |range: std::ops::Range<usize>| Tree::row(range.map(Tree::Leaf).collect());
         let mut rows = vec![row(0..first), row(first..parts.len())];
@@ -189,14 +194,14 @@ impl Maker<'_> {
         Item::new(class, Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK })
     }
 
-    /// A view with its caption, and its scales below.
+    /// Adds the caption of a view, and its scales below.
     fn captioned(&self, view: View) -> Part {
         let scale = view.scale(&self.problem.book);
         let part = view.part;
         let (x, y) = (part.bounds.centre().x, part.bounds.min.y - CAPTION_MM);
         let mut items = part.items;
         let on = view.scales.last().map_or(DiagramKind::Plane, |(on, _)| *on);
-        // Views of one kind, with the velocities and with the accelerations, are told apart.
+        // Ids of the same view with the velocities and with the accelerations must differ.
         if on != DiagramKind::Plane {
             items.iter_mut().for_each(|i| i.id = format!("{}-{}", on.prefix(), i.id.trim_start_matches("polygon-")));
         }
@@ -219,7 +224,8 @@ impl Maker<'_> {
         Part::of(grid::set(&labels.map(row).collect::<Vec<_>>(), 0.0))
     }
 
-    /// Draws a vector to a scale (SI per mm); `on_plate` is the point of a plate whose motion it is.
+    /// Draws a vector to a scale (SI units per mm); `on_plate` is the point of a plate to which the
+    /// motion belongs.
     fn arrow(&self, d: &mut Drawing, a: &Arrow, mu: f64, on_plate: Option<&str>) {
         let style = self.style;
         let width_mm = if a.whole { style.vector.width_mm } else { style.vector.width_mm * 0.7 };
@@ -241,7 +247,7 @@ impl Maker<'_> {
         d.label(&id, &class, LabelRequest::along(Label::math(&symbol), style.label_mm, a.from, a.to, width_mm / 2.0).owned(owner));
     }
 
-    /// Draws a line, whose class begins with its name.
+    /// Draws a line; its name is the first word of its class.
     fn line(&self, d: &mut Drawing, class: &str, points: Vec<Point>, stroke: Stroke) {
         let name = class.split(' ').next().unwrap_or(class);
         d.shape(name, class, Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None });
@@ -258,14 +264,15 @@ impl Maker<'_> {
     }
 }
 
-/// The name of a vector as `find` writes it: `v_A` of a pursuit, `aen_M` of a point of a plate. A projection has none.
+/// The name of a vector in the notation of `find`: `v_A` of a pursuit, `aen_M` of a point of a
+/// plate. A projection has no name.
 fn quantity(symbol: &str, on_plate: Option<&str>) -> Option<String> {
     let Some(point) = on_plate else { return Some(symbol.to_owned()) };
     let (letter, part) = symbol.split_once('_').filter(|_| !symbol.contains('\''))?;
     Some(format!("{letter}{}_{point}", part.replace('^', "")))
 }
 
-/// The word by which an item says which step brings it, counted from 0.
+/// The class of the step that adds an item, counted from 0.
 fn step(k: usize) -> String {
     format!("step-{k}")
 }

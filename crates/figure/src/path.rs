@@ -1,8 +1,10 @@
-//! The motion of points as one figure: their paths on the mechanism, the hodographs of their velocities and accelerations, and
-//! a table of the positions that are numbered alike in all of them.
+//! Draws the motion of points as one figure: their paths on the mechanism, the hodographs of their
+//! velocities and accelerations, and a table of the positions, which are numbered alike in all of
+//! them.
 //!
-//! Decided here: scales, captions and where the parts stand. [`super::hodograph`] draws one hodograph, [`super::mechanism`] the
-//! mechanism with what lies over it, [`hodograph_sweep::points`] follows the points.
+//! This module chooses scales, captions and the arrangement. [`super::hodograph`] draws one
+//! hodograph, [`super::mechanism`] the mechanism with its overlay, [`hodograph_sweep::points`]
+//! follows the points.
 
 use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
 use hodograph_base::digits::direction_degrees;
@@ -28,35 +30,36 @@ use hodograph_report::amount::scale_formula;
 use hodograph_report::amount::{number, symbol};
 use hodograph_sweep::follow::Follower;
 
-/// Positions that are numbered unless others are asked for: as many as the months, as in textbooks' course work.
+/// Default number of numbered positions: 12, common in textbooks' course work.
 pub const MARKS: usize = 12;
-/// Most positions that are numbered: every 5° of a turn.
+/// Maximum number of numbered positions: every 5° of a turn.
 pub const MOST_MARKS: usize = 72;
-/// Digits in the table: what a line diagram tells too.
+/// Digits in the table, the same as in a line diagram.
 const DIGITS: usize = 4;
-/// Positions in one row of the table: what stands side by side on A4.
+/// Positions in one row of the table: as many as fit side by side on A4.
 const IN_ROW: usize = 12;
-/// Distance of the table's baselines, and between its columns.
+/// Distance of the table's baselines, and gap between its columns.
 const ROW_MM: f64 = 6.0;
 const COLUMN_MM: f64 = 3.2;
 
-/// What is drawn of a motion.
+/// The content of the figure of a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wanted {
-    /// Whose paths.
+    /// The points with their paths drawn.
     pub points: Vec<PointId>,
-    /// What moves; drivers that do not, stand.
+    /// The moving driver, or time; other drivers are at rest.
     pub swept: Swept,
-    /// So many positions are numbered, at equal steps of the driver.
+    /// Number of numbered positions, at equal steps of the driver.
     pub marks: usize,
-    /// The mechanism in so many positions, one over another.
+    /// Number of superimposed positions of the mechanism.
     pub poses: usize,
 }
 
-/// The figure; notes tell what of the motion it does not show.
+/// Draws the figure; notes name the parts of the motion that it does not show.
 ///
 /// # Errors
-/// `no-driver`, `no-path` (a point that stands still), `no-motion` where the mechanism cannot be followed from its pose.
+/// `no-driver`, `no-path` (a fixed point), `no-motion` if the mechanism cannot be followed from its
+/// pose.
 ///
 /// ```
 /// use hodograph_figure::{path, sheet::Options};
@@ -74,7 +77,7 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
     check(scene, wanted)?;
     let motion_of_cams = work_motion(scene)?;
     let (scene, worked) = motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
-    // Each velocity is then tangent to the path that is drawn.
+    // Each velocity is then tangent to the drawn path.
     let alone = alone(scene, wanted.swept);
     let moved = motion(
         &alone,
@@ -95,7 +98,7 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
         return Err(d.help(both!("give another pose, or move another driver with --over", "请改变位置，或用 --over 另选原动件")).into());
     }
     let poses = poses(scene, worked, wanted);
-    // All that is drawn of the mechanism fits its box.
+    // Everything drawn of the mechanism fits its box.
     let mut fitted = scene.clone();
     let ghosts = poses.iter().chain([&worked.configuration]).flat_map(|c| c.points.iter().flatten().copied());
     let places = moved.moments.iter().flat_map(|m| moved.points.iter().filter_map(|p| m.configuration.points[p.0]));
@@ -156,12 +159,12 @@ fn poses(scene: &Scene, worked: &Worked, wanted: &Wanted) -> Vec<hodograph_mecha
     at_equal_steps(&follower, &sweep, wanted.poses.min(MOST_MARKS)).into_iter().map(|p| p.configuration).collect()
 }
 
-/// The figure in the making.
+/// The figure under construction.
 struct Page<'a> {
     maker: Maker<'a>,
     moved: &'a Motion,
     swept: Swept,
-    /// Whether a hodograph leaves the paper.
+    /// True if a hodograph leaves the paper.
     cut: bool,
 }
 
@@ -191,7 +194,7 @@ impl Page<'_> {
         maker.titled(part, Phrase::new(&words).label(), &mu, "mechanism")
     }
 
-    /// Velocity and acceleration hodograph of each point, those of one kind to one scale.
+    /// Velocity and acceleration hodograph of each point; all of one kind are to one scale.
     fn hodographs(&mut self, boxes: &Boxes) -> Vec<Part> {
         let paper = self.scene().paper.clone();
         let mut parts = Vec::new();
@@ -223,7 +226,7 @@ impl Page<'_> {
                 };
                 let part = hodograph(&self.maker.options.style, &h);
                 let name = self.scene().point_name(point);
-                // Several points have captions of one scale.
+                // Several points have captions with the same scale.
                 let id = format!("{}-hodograph-{}", on.prefix(), escaped(name));
                 let (vector, point) = (on.vector(), point_label(name));
                 let words = match self.maker.options.lang {
@@ -236,7 +239,8 @@ impl Page<'_> {
         parts
     }
 
-    /// The numbered positions: where the driver stands, the magnitudes of the vectors; and what is to be said of them.
+    /// The table of numbered positions: the place of the driver, the magnitudes of the vectors; and
+    /// remarks.
     fn text(&self) -> Part {
         let (style, lang) = (&self.maker.options.style, self.maker.options.lang);
         let book = &self.scene().book;
@@ -302,7 +306,7 @@ impl Page<'_> {
         said
     }
 
-    /// What the figure shows, in words.
+    /// The description of the figure, in words.
     fn described(&self) -> String {
         let lang = self.maker.options.lang;
         let mut said = Vec::new();
@@ -342,15 +346,15 @@ impl Page<'_> {
     }
 }
 
-/// An angle as it is written beside a crank, in a unit of which a radian has so many: less than a turn, and not less than zero, where
-/// the crank turns fully.
+/// An angle as written beside a crank, in a unit with `factor` units per radian; from zero to less
+/// than a turn if the crank turns fully.
 pub(super) fn turned(radians: f64, factor: f64, full: bool) -> f64 {
     let shown = (radians * factor * 1e8).round() / 1e8;
     if full { shown.rem_euclid(std::f64::consts::TAU * factor) } else { shown }
 }
 
-/// Title, drawings and table on the page: the mechanism beside the hodographs, these in one row or one column for each kind,
-/// whichever comes nearer to A4.
+/// Arranges title, drawings and table on the page: the mechanism beside the hodographs, with one
+/// row or one column for each kind, whichever is closer to A4.
 fn stand(title: Option<Part>, drawings: Vec<Part>, text: Part) -> (Vec<Item>, [f64; 2]) {
     let per_level = drawings.len().saturating_sub(1) / 2;
     let mut parts = drawings;
@@ -360,7 +364,7 @@ fn stand(title: Option<Part>, drawings: Vec<Part>, text: Part) -> (Vec<Item>, [f
     parts.push(text);
     parts.extend(title);
     let drawn = |k: usize| leaves(1 + k * per_level, per_level);
-    // Levels side by side, the points of each below one another; or the other way.
+    // Kinds side by side, the points of each one below the other; or the other way round.
     let rows = || Tree::row((0..levels).map(|k| Tree::column(drawn(k))).collect());
     let columns = || Tree::column((0..levels).map(|k| Tree::row(drawn(k))).collect());
     let layouts = [rows(), columns()].map(|right| {

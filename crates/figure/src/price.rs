@@ -1,5 +1,6 @@
-//! The work-precision figure: error against time of every way to the answer, and error against the distance from a toggle.
-//! Both axes are logarithmic; a lower error for less time lies lower and farther left.
+//! The work-precision figure: error against time for every method of solution, and error against
+//! the distance from a toggle position. Both axes are logarithmic; a lower error in less time is
+//! lower and farther left.
 
 use super::plot::{Axis, Plot};
 use hodograph_base::geom::{Point, Vec2};
@@ -15,19 +16,22 @@ use hodograph_scene::{Lang, Scene};
 use hodograph_worked::accuracy::Rung;
 use hodograph_worked::effort::ways::{Measured, Near, Way};
 
-/// A plot's size, in mm.
+/// Size of a plot (mm).
 const PLOT_MM: [f64; 2] = [150.0, 110.0];
-/// Room for the axes' numbers and titles at the left, and for the legend at the right.
+/// Space for the numbers and titles of the axes on the left, for the legend on the right, and above
+/// and below.
 const LEFT_MM: f64 = 24.0;
 const RIGHT_MM: f64 = 62.0;
 const ABOVE_MM: f64 = 14.0;
 const BELOW_MM: f64 = 20.0;
-/// Errors below are drawn on the lower edge: no figure needs to tell them apart.
+/// Logarithm of the error below which points are drawn at the lower edge: no figure needs to
+/// distinguish them.
 const FLOOR: f64 = -42.0;
-/// Lines that join the points of a family: thinner than their symbols' outlines.
+/// Stroke of the lines that join the points of a family: thinner than the outlines of their
+/// symbols.
 const JOINED: Stroke = Stroke::new(0.2);
 
-/// A family of ways: one symbol, one line.
+/// A family of methods: one symbol, one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Family {
     Drawing,
@@ -61,7 +65,7 @@ impl Family {
         }
     }
 
-    /// Told apart by shape, so that a grey print keeps them.
+    /// The symbol of a family; symbols differ in shape, so that they stay distinct in a grey print.
     fn symbol(self, at: Point) -> Shape {
         const R: f64 = 1.1;
         let line = Some(Stroke::new(0.35));
@@ -82,7 +86,7 @@ impl Family {
     }
 }
 
-/// What stands beside a point.
+/// The label beside a point.
 fn short(way: Way) -> Label {
     match way {
         Way::Paper(mm) => Label::text(format!("{mm} mm")),
@@ -94,7 +98,7 @@ fn short(way: Way) -> Label {
     }
 }
 
-/// The error shown: of the accelerations where they are asked for, else of the velocities.
+/// The error shown: of the accelerations if they are computed, otherwise of the velocities.
 fn shown(m: &Measured) -> Option<f64> {
     m.errors[1].or(m.errors[0]).filter(|e| e.is_finite())
 }
@@ -103,7 +107,8 @@ fn log_error(e: f64) -> f64 {
     if e > 0.0 { libm::log10(e).clamp(FLOOR, 1.0) } else { FLOOR }
 }
 
-/// The figure of all ways, and below it that of the series of poses where there is one.
+/// Draws the figure of all methods, and below it the figure of the series of poses, if there is
+/// one.
 pub fn figure(scene: &Scene, ways: &[Measured], series: &[Near], style: &Style, lang: Lang) -> Figure {
     let panels = if series.iter().any(|n| !n.ways.is_empty()) { 2.0 } else { 1.0 };
     let panel_mm = PLOT_MM[1] + ABOVE_MM + BELOW_MM;
@@ -146,7 +151,7 @@ pub fn figure(scene: &Scene, ways: &[Measured], series: &[Near], style: &Style, 
     figure
 }
 
-/// What both plots have in common.
+/// The common features of both plots.
 struct Look<'a> {
     style: &'a Style,
     /// The name of the vertical axis.
@@ -182,7 +187,7 @@ impl Look<'_> {
         plot.finish(frame)
     }
 
-    /// Below the names of the pencils, which stand at their lines.
+    /// Draws the legend below the names of the pencils, which are at their lines.
     fn legend(&self, plot: &mut Plot) {
         let small = self.style.small_mm;
         for (k, family) in Family::ALL.into_iter().enumerate() {
@@ -212,12 +217,12 @@ impl Look<'_> {
     }
 }
 
-/// From a power of ten below all errors to ten.
+/// The axis from a power of ten below all errors to ten.
 fn errors_axis(errors: impl Iterator<Item = f64>) -> Axis {
     Axis::powers(libm::floor(errors.map(log_error).fold(0.0, f64::min)), 1.0)
 }
 
-/// Symbols joined by a thin line.
+/// Draws symbols joined by a thin line.
 fn joined(plot: &mut Plot, family: Family, points: &[Point]) {
     if points.len() > 1 {
         let line = Shape::Polyline { points: points.to_vec(), closed: false, stroke: Some(JOINED), fill: None };

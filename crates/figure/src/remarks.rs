@@ -1,5 +1,5 @@
-//! What a sheet says of its own worth: crossings under a bad angle with what helps, what its tolerances are, and what is
-//! singular in its pose.
+//! Remarks of a sheet on its own accuracy: intersections at a bad angle with remedies, tolerances,
+//! and singularities of the pose.
 
 use hodograph_analytic::SingularKind;
 use hodograph_base::diag::Both;
@@ -22,7 +22,7 @@ use super::tables::constraint_line;
 use hodograph_paper::paper::words::Words;
 use hodograph_report::amount::{amount, number, sense, symbol};
 
-/// The remarks, one a line.
+/// Returns the remarks, one per line.
 pub fn remarks(answers: &Answers) -> Vec<Phrase> {
     let Answers { scene, worked, words, .. } = *answers;
     let mut lines = singular(answers);
@@ -36,7 +36,8 @@ pub fn remarks(answers: &Answers) -> Vec<Phrase> {
     lines.iter().map(|l| Phrase::new(l)).collect()
 }
 
-/// What a pencil makes of the results: the largest tolerance, and what is lost in it; nothing where each has its own beside it.
+/// The effect of a pencil on the results: the largest tolerance, and the results lost in it; empty
+/// if each result has its own tolerance beside it.
 pub(crate) fn pencil(answers: &Answers) -> Vec<Phrase> {
     let Answers { scene, worked, notation, words, .. } = *answers;
     if worked.drafting.is_some() {
@@ -56,13 +57,15 @@ pub(crate) fn pencil(answers: &Answers) -> Vec<Phrase> {
     worst.into_iter().chain(lost).map(|line| Phrase::new(&line)).collect()
 }
 
-/// To how many digits drawing and loop equations agree; `None` where there is nothing to compare.
+/// Returns the number of digits to which drawing and loop equations agree; `None` if there is
+/// nothing to compare.
 pub fn agreement(worked: &Worked, words: &Words) -> Option<Phrase> {
     let digits = libm::floor(-libm::log10(worst(worked)?.max(f64::EPSILON / 2.0)));
     Some(Phrase::new(&fill(words.agreement, &[("", &format!("{:.0}", digits.max(0.0)))])))
 }
 
-/// What only repeats what the others fix, why, and what the paper shows of the conditions that no crossing used.
+/// The redundant part, the reason, and the values on paper of the conditions that no intersection
+/// used.
 fn repeats(answers: &Answers, repeats: &Checked) -> Vec<String> {
     let Answers { scene, worked, words, .. } = *answers;
     let what = repeats.what(scene);
@@ -83,7 +86,7 @@ fn repeats(answers: &Answers, repeats: &Checked) -> Vec<String> {
     });
     let checked: Vec<String> = checked.collect();
     let said = match repeats.opened {
-        // The touching of a wheel is a point of contact, which is drawn as any other.
+        // The contact of a wheel is a point of contact, which is drawn like any other.
         Opened::Guide(g) if scene.guides[g.0].rolling.is_some() => words.repeats_alike,
         Opened::Link(_) | Opened::Guide(_) => words.repeats,
         Opened::Rolling(_) | Opened::Pin(..) => words.repeats_alike,
@@ -92,7 +95,8 @@ fn repeats(answers: &Answers, repeats: &Checked) -> Vec<String> {
     [said, checked.join(words.semicolon)].into_iter().filter(|line| !line.is_empty()).collect()
 }
 
-/// What is singular in the pose, and the first answer that is another on the other motion; all of them `solve` tells.
+/// The singularities of the pose, and the first answer that differs on the other motion; `solve`
+/// prints all of them.
 fn singular(answers: &Answers) -> Vec<String> {
     let Answers { scene, worked, certified, notation, words, digits } = *answers;
     let mut lines = Vec::new();
@@ -115,7 +119,8 @@ fn singular(answers: &Answers) -> Vec<String> {
     lines
 }
 
-/// One crossing, and below it each thing that helps. Angles and lengths are told to two digits, for they are advice.
+/// One intersection, and below it each remedy. Angles and lengths have two digits, because they are
+/// advice.
 fn bad_angle(scene: &Scene, worked: &Worked, words: &Words, bad: &BadAngle) -> Vec<String> {
     let two = |x: f64| significant(x, 2).replace('-', "−");
     let name = point_label(&vertex_name(scene, &worked.plan, bad.crossing.target));

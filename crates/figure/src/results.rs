@@ -1,5 +1,5 @@
-//! The results: for each question the length measured, the scale, the value with unit and sense; then how far drawing
-//! and loop equations are apart.
+//! The results: for each question the measured length, the scale, the value with unit and sense;
+//! then the difference between drawing and loop equations.
 
 use hodograph_base::digits::inked;
 use hodograph_base::notation::Notation;
@@ -29,33 +29,33 @@ use hodograph_paper::paper::shown::question_id;
 use hodograph_paper::paper::style::{Captioned, Style};
 use hodograph_paper::paper::words::Words;
 
-/// Distance of the rows' baselines: scripts of one must not touch those of the next.
+/// Distance of the rows' baselines: subscripts of one must not touch superscripts of the next.
 const ROW_MM: f64 = 6.4;
-/// From the first row up to the heading.
+/// Distance from the first row up to the heading.
 const HEADING_MM: f64 = 2.2;
-/// Distance of a value below the length measured, as a part of that.
+/// Distance of a value below the measured length, as a part of the row distance.
 const BELOW: f64 = 0.9;
 /// Distance of the lines of remarks below.
 const REMARK_MM: f64 = 5.2;
-/// Between columns.
+/// Gap between columns.
 const GAP_MM: f64 = 1.8;
-/// Digits shown unless others are asked for: one more than a ruler gives, so that rounding is not mistaken for the
+/// Default number of digits: one more than a ruler gives, so that rounding is not mistaken for the
 /// drawing's error.
 pub const DIGITS: usize = 4;
 
-/// What the block of results shows.
+/// The content of the block of results.
 pub struct Answers<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// Its answers.
+    /// The answers.
     pub worked: &'a Worked,
-    /// How many of their digits are true.
+    /// The number of certain digits of each answer.
     pub certified: &'a [Certified],
-    /// Marks.
+    /// The notation.
     pub notation: &'a Notation,
-    /// Words.
+    /// The words of the language.
     pub words: &'static Words,
-    /// Significant digits asked for.
+    /// The requested number of significant digits.
     pub digits: usize,
 }
 
@@ -65,13 +65,14 @@ impl<'a> Answers<'a> {
     }
 }
 
-/// The block of results.
+/// Draws the block of results.
 pub fn results(style: &Style, answers: &Answers) -> drawing::Part {
     block(style, answers, None)
 }
 
-/// The block of results in a column of this width, and whether it is whole: remarks take more lines; where that is not enough values
-/// stand below the lengths measured, and at last these are left out.
+/// Draws the block of results in a column of this width; the `bool` is true if it is complete.
+/// Remarks take more lines; if that is not enough, values are below the measured lengths, and at
+/// last these are left out.
 pub fn results_in(style: &Style, answers: &Answers, width_mm: f64) -> (drawing::Part, bool) {
     let set = |measured| block(style, answers, Some(Column { width_mm, measured }));
     let tries = [Measured::Before, Measured::Above].map(set).into_iter().find(|part| part.bounds.width_mm() <= width_mm);
@@ -88,18 +89,18 @@ struct Column {
     measured: Measured,
 }
 
-/// Where the lengths measured stand.
+/// The place of the measured lengths.
 #[derive(Clone, Copy, PartialEq)]
 enum Measured {
-    /// Before the value in its row.
+    /// Before the value in the same row.
     Before,
-    /// In a row of their own, the value below.
+    /// In a separate row, with the value below.
     Above,
-    /// They are left out.
+    /// Left out.
     Nowhere,
 }
 
-/// The block; in a column of a width remarks are broken into lines.
+/// The block; in a column, remarks are broken to its width.
 fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::Part {
     let Answers { scene, worked, certified, notation, words, digits } = *answers;
     let row_mm = style.leading(ROW_MM);
@@ -132,7 +133,7 @@ fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::P
             }
         };
         let find = &scene.find[r.find];
-        // A singular pose is told once for all, below.
+        // A singular pose is stated once for all answers, below.
         if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, Why::NextOrder(_))) {
             let symbol = format!("${}$", symbol(find, notation));
             let text = fill(words.uncertain, &[("", &symbol), ("why", &why.words(words.lang()))]);
@@ -142,7 +143,7 @@ fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::P
         let cell = |text: Label, anchor, what: &str| Some(cell(style, text, anchor, format!("{id}-{what}")));
         let sign = |what: &str| cell(Label::math("="), Anchor::Middle, what);
         let value = r.value();
-        // Where nothing moves there is no polygon to measure.
+        // If nothing moves, there is no polygon to measure.
         let nothing = worked.construction.is_empty(find.what.diagram());
         let by_lines = || by_lines(centres.as_ref()?, find, words);
         let measured = if placed == Measured::Nowhere {
@@ -159,7 +160,7 @@ fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::P
         let towards = sense(find, value, c, words, digits);
         let sure = tolerance(&scene.book, worked, r, find);
         if placed == Measured::Above {
-            // Value, sense and tolerance run on, so that no column is wider than what stands in it.
+            // Value, sense and tolerance run on, so that no column is wider than its content.
             let gap = || Label::math("\\quad");
             let whole = [Some(towards), sure].into_iter().flatten().fold(found, |line, next| line.then(gap()).then(next));
             let mut row = |first, from, what: &str| {
@@ -178,7 +179,8 @@ fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::P
             Some(m) => [cell(m, Anchor::Start, "measured"), sign("equals")],
             None => [None, None],
         };
-        // Without a measurement the value follows the first sign, so that the column of values stays in line.
+        // Without a measurement the value follows the first sign, so that the column of values
+        // stays aligned.
         let first = if from.is_some() { sign("is") } else { None };
         let second = equals.or_else(|| sign("is"));
         rows.push(Row {
@@ -218,7 +220,7 @@ fn block(style: &Style, answers: &Answers, column: Option<Column>) -> drawing::P
     drawing::Part::of(items)
 }
 
-/// The drawing of the centres, where one of them is asked.
+/// Returns the drawing of the centres, if a question asks for one of them.
 pub fn drawn_centres(scene: &Scene) -> Option<Centres> {
     let asks = scene.find.iter().any(|f| matches!(f.what, Asked::InstantCentre(_)));
     asks.then(|| centres(scene).ok()).flatten().map(|found| found.value)
@@ -231,14 +233,15 @@ fn by_ruler<'a>(found: &'a Centres, find: &Find) -> Option<&'a Centre> {
     matches!(c.origin, Some(Origin::Pair | Origin::Crossing(_))).then_some(c)
 }
 
-/// How the ruler finds a centre: `23·34 × 12·14`.
+/// Returns the lines by which the ruler finds a centre: `23·34 × 12·14`.
 pub fn by_lines(found: &Centres, find: &Find, words: &Words) -> Option<Label> {
     let c = by_ruler(found, find)?;
     let told = report_of_centres::Words::new(found, words.lang());
     Some(told.found_by(c).label())
 }
 
-/// How far the centres that the ruler finds are from those that the velocities of the loop equations tell, as a part of the mechanism's size.
+/// Returns the agreement between the centres that the ruler finds and those from the velocities of
+/// the loop equations, in digits relative to the mechanism's size.
 pub fn crossings_agree(found: &Centres, scene: &Scene, worked: &Worked, words: &Words) -> Option<Phrase> {
     let size = worked.configuration.extent();
     let off = |r: &Outcome| {
@@ -258,7 +261,7 @@ fn cell(style: &Style, label: Label, anchor: Anchor, id: String) -> Cell {
     Cell { label: label.in_fonts(&style.fonts), size_mm: style.caption_mm, anchor, class: "result".into(), id }
 }
 
-/// All results in one sentence, for readers who do not see the figure.
+/// Returns all results in one sentence, for readers who cannot see the figure.
 pub fn sentence(answers: &Answers) -> String {
     let Answers { scene, worked, certified, notation, words, digits } = *answers;
     let each = by_question(worked, certified).into_iter().map(|line| {
@@ -280,7 +283,7 @@ pub fn sentence(answers: &Answers) -> String {
     each.collect::<Vec<_>>().join("; ")
 }
 
-/// A question whose answer is words.
+/// A row for a question with an answer in words.
 fn told(style: &Style, notation: &Notation, find: &Find, words: &str) -> Row {
     let (id, symbol) = (format!("result-{}", question_id(&find.text)), symbol(find, notation));
     let cell = |text: Label, anchor, what: &str| Some(cell(style, text, anchor, format!("{id}-{what}")));
@@ -296,8 +299,8 @@ fn told(style: &Style, notation: &Notation, find: &Find, words: &str) -> Row {
     }
 }
 
-/// The symbol of an answer: the question's, and where the drawing names the vector otherwise, as it is named there: `v_{CB} = v_C`,
-/// `v^{r}_{B2B3} = −v^{r}_{B3B2}`.
+/// Returns the symbol of an answer: the question's, followed by the symbol in the drawing if the
+/// vector has another name there: `v_{CB} = v_C`, `v^{r}_{B2B3} = −v^{r}_{B3B2}`.
 pub fn named(w: &Writer, find: &Find, r: &Outcome) -> String {
     let asked = symbol(find, w.notation);
     let on = find.what.diagram();
@@ -314,7 +317,8 @@ pub fn named(w: &Writer, find: &Find, r: &Outcome) -> String {
     }
 }
 
-/// The tolerance of drawing by hand: `± 0.62 %`; nothing where it was not asked for, and for what is given.
+/// The tolerance of drawing by hand: `± 0.62 %`; `None` if it is not requested, and for given
+/// values.
 fn tolerance(book: &Book, worked: &Worked, r: &Outcome, find: &Find) -> Option<Label> {
     let t = worked.drafting.as_ref()?.tolerances[r.find].as_ref()?;
     let number = |value| number(value, drafting::DIGITS);
@@ -324,7 +328,7 @@ fn tolerance(book: &Book, worked: &Worked, r: &Outcome, find: &Find) -> Option<L
     })
 }
 
-/// `ω_2`, for a link that turns as another does.
+/// `ω_2`, for a link that turns with the same angular velocity as another.
 fn as_another(answers: &Answers, find: &Find) -> Option<Label> {
     let Some(Meaning::Turning(link, None)) = find.what.meaning(answers.scene) else { return None };
     let on = find.what.diagram();
@@ -335,7 +339,8 @@ fn as_another(answers: &Answers, find: &Find) -> Option<Label> {
     Some(Label::math(answers.writer().turning(on, Body::Link(other?))))
 }
 
-/// What the ruler gave: `48.32 mm · μ_v`, for angular rates over the link's length.
+/// Returns the reading of the ruler: `48.32 mm · μ_v`; for angular velocities and accelerations
+/// divided by the link's length.
 pub fn measured(book: &Book, r: &Outcome, c: &Certified, find: &Find, words: &Words) -> Option<Label> {
     let on = find.what.diagram();
     if on == DiagramKind::Plane {
@@ -346,7 +351,7 @@ pub fn measured(book: &Book, r: &Outcome, c: &Certified, find: &Find, words: &Wo
     };
     let measured = drawn.measured.as_ref()?;
     let mm = measured.length_mm;
-    // Less than a thousandth of a millimetre is nothing that a ruler gives.
+    // A ruler cannot read less than a thousandth of a millimetre.
     let certain = |n: Option<&Number>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| inked(&t.0));
     let mm_text = match certain(c.reading.as_ref().map(|r| &r.length_mm)) {
         Some(text) => text,

@@ -1,5 +1,5 @@
-//! One set of scales for a series of poses: everything fits the paper, but what stands next to a limit, where vectors grow beyond
-//! all bounds.
+//! One set of scales for a series of poses: everything fits the paper, except poses next to a
+//! limit, where vectors grow without bound.
 
 use hodograph_base::geom::Point;
 use hodograph_board::construct::scale::{self, Boxes, extent};
@@ -10,16 +10,17 @@ use hodograph_worked::worked::Worked;
 /// One scale for each drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scales {
-    /// Of the mechanism and of the polygons that there are, SI per mm.
+    /// The scales of the mechanism and of the polygons that exist (SI units per mm).
     pub mu: ByKind,
-    /// The largest polygons (in boxes, SI) that the paper holds.
+    /// The largest polygons that the paper holds (in boxes, SI units).
     most: ByKind,
     boxes: Boxes,
 }
 
 impl Scales {
-    /// The scales at which all poses fit their boxes, but those next to a limit; what the paper fixes stays. Poses come with
-    /// the driver's travel; the one with travel 0 is shown in any case.
+    /// Returns the scales at which all poses fit their boxes, except those next to a limit; scales
+    /// that the paper fixes are kept. Poses come with the driver's travel; the one with travel 0 is
+    /// shown in any case.
     pub fn of(paper: &Paper, poses: &[(f64, &Worked)], unlimited: bool, boxes: Boxes) -> Scales {
         let places = poses.iter().flat_map(|(_, w)| w.configuration.points.iter().flatten().copied());
         let lengths = scale::fitted(paper, Kind::Length, extent(places), boxes.diagram);
@@ -38,12 +39,13 @@ impl Scales {
         scales
     }
 
-    /// Whether the paper holds a pose's polygon (there is one, and it is not next to a limit).
+    /// Returns true if the paper holds a pose's polygon (it exists, and the pose is not next to a
+    /// limit).
     pub fn holds(&self, worked: &Worked, on: DiagramKind) -> bool {
         size(worked, on, &self.boxes).is_some_and(|s| s <= self.most.get(on.kind()).unwrap_or(f64::INFINITY))
     }
 
-    /// The diagonal of the room for a polygon (mm): no vector on the paper is longer.
+    /// Returns the diagonal of the space for a polygon (mm): no vector on the paper is longer.
     pub fn longest_mm(&self) -> f64 {
         libm::hypot(self.boxes.polygon[0], self.boxes.polygon[1])
     }
@@ -54,7 +56,8 @@ impl Scales {
     }
 }
 
-/// The ends of all vectors of a pose's polygon, seen from the pole; of force polygons their vertices, seen from the first (SI).
+/// Returns the ends of all vectors of a pose's polygon, relative to the pole; for force polygons
+/// their vertices, relative to the first one (SI units).
 pub fn ends(worked: &Worked, on: DiagramKind) -> impl Iterator<Item = Point> {
     let of_motion = worked.construction.polygon(on).into_iter().flat_map(|p| {
         let mu = p.mu;
@@ -65,7 +68,8 @@ pub fn ends(worked: &Worked, on: DiagramKind) -> impl Iterator<Item = Point> {
     of_motion.chain(forces.into_iter().flat_map(|of| of.groups.iter().flat_map(|group| of.vertices(group))))
 }
 
-/// The size of a polygon, of force polygons that of the largest (SI per mm of its box).
+/// Returns the size of a polygon; for force polygons, of the largest one (SI units per mm of its
+/// box).
 pub fn size(worked: &Worked, on: DiagramKind, boxes: &Boxes) -> Option<f64> {
     let in_box = |[w, h]: [f64; 2]| (w / boxes.polygon[0]).max(h / boxes.polygon[1]);
     if on == DiagramKind::Force {

@@ -1,6 +1,7 @@
-//! The whole sheet: title, mechanism, polygons, equations and results, arranged by their measured sizes.
+//! Draws the whole sheet: title, mechanism, polygons, equations and results, arranged by their
+//! measured sizes.
 //!
-//! Decided here: which parts there are and what stands under them. [`super::arrange`] decides where they stand.
+//! This module selects the parts and writes their captions. [`super::arrange`] arranges them.
 
 use hodograph_base::diag::{Both, Faults, both};
 use hodograph_base::geom::Point;
@@ -30,39 +31,39 @@ use hodograph_paper::paper::style::{Captioned, Style};
 use hodograph_paper::paper::words::{Words, words};
 use hodograph_worked::certified::{Certified, Steps, certify, steps};
 
-/// How a sheet is written.
+/// The options of a sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// Language of all words.
+    /// The language of all words.
     pub lang: Lang,
-    /// Marks.
+    /// The notation.
     pub notation: Notation,
     /// Significant digits of the results, as far as they are certain.
     pub digits: usize,
-    /// Weights, sizes and colours. Its marks are already in `notation`.
+    /// Line widths, sizes and colours. The marks of the style are already in `notation`.
     pub style: Style,
 }
 
 impl Options {
-    /// The usual look of a language's textbooks.
+    /// Returns the usual style of a language's textbooks.
     pub fn of_language(lang: Lang) -> Options {
         Options { lang, notation: Notation::of_language(lang), digits: results::DIGITS, style: Style::default() }
     }
 }
 
-/// Border of a sheet: what a printer cannot reach on most paper.
+/// Border of a sheet: the strip that a printer cannot reach on most paper.
 pub(super) const MARGIN_MM: f64 = 8.0;
-/// The least width of the list of what is given.
+/// Minimum width of the list of given values.
 const GIVEN_MM: f64 = 90.0;
-/// From a drawing to its caption's baseline.
+/// Distance from a drawing to its caption's baseline.
 const CAPTION_MM: f64 = 8.0;
-/// From the caption's baseline to the scale's.
+/// Distance from the caption's baseline to the scale's.
 const SCALE_MM: f64 = 5.6;
 
-/// The whole sheet.
+/// Draws the whole sheet.
 ///
 /// # Errors
-/// `paper-too-small` when the scene fixes a size of paper on which the parts do not fit.
+/// `paper-too-small` if the scene fixes a size of paper on which the parts do not fit.
 pub fn sheet(scene: &Scene, worked: &Worked, options: &Options) -> Result<Figure, Faults> {
     let certified = certify(scene, worked, options.digits);
     let maker = Maker { scene, worked, options, certified };
@@ -75,18 +76,19 @@ pub fn sheet(scene: &Scene, worked: &Worked, options: &Options) -> Result<Figure
     Ok(maker.figure(items, size))
 }
 
-/// What may be left out of a sheet where it is too wide.
+/// The content that may be left out of a sheet that is too wide.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Fewer {
     /// Nothing.
     No,
-    /// What is written.
+    /// Equations, results and forces.
     Words,
-    /// Polygons too.
+    /// Also polygons.
     Drawings,
 }
 
-/// The whole sheet in a width, as high as it becomes. What is left out of it is told.
+/// Draws the whole sheet in a given width with free height; also returns the names of the content
+/// left out.
 pub fn sheet_in(scene: &Scene, worked: &Worked, options: &Options, width_mm: f64, fewer: Fewer) -> (Figure, Vec<Both>) {
     let certified = certify(scene, worked, options.digits);
     let maker = Maker { scene, worked, options, certified };
@@ -143,8 +145,7 @@ pub fn sheet_in(scene: &Scene, worked: &Worked, options: &Options, width_mm: f64
     (maker.figure(items, size), out)
 }
 
-/// A diagram alone, with its caption and scale; `None` where the scene
-/// does not call for it.
+/// Draws a diagram alone, with its caption and scale; `None` if the scene does not need it.
 pub fn drawing(scene: &Scene, worked: &Worked, options: &Options, on: DiagramKind) -> Option<Figure> {
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
     let part = match on {
@@ -154,19 +155,19 @@ pub fn drawing(scene: &Scene, worked: &Worked, options: &Options, on: DiagramKin
     Some(maker.alone(maker.captioned(part, "", on)))
 }
 
-/// All equations alone; `None` where the scene calls for none.
+/// Draws all equations alone; `None` if the scene needs none.
 pub fn equations(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure> {
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
     Some(maker.alone(column(maker.equations(&steps(scene, worked, None), None))?))
 }
 
-/// The results alone.
+/// Draws the results alone.
 pub fn results(scene: &Scene, worked: &Worked, options: &Options) -> Figure {
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
     maker.alone(results::results(&options.style, &maker.answers()))
 }
 
-/// The mechanism with vectors at its points, other positions behind it, or paths of points.
+/// Draws the mechanism with vectors at its points, other positions behind it, or paths of points.
 pub fn diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Overlay) -> Figure {
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
     let part = mechanism::overlaid(&options.style, scene, worked, &maker.writer(), overlay);
@@ -178,14 +179,14 @@ pub fn diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Over
     maker.alone(if overlay.dimensions { maker.with_givens(titled) } else { titled })
 }
 
-/// The mechanism with what is drawn over it, and no list below: the document around it has one.
+/// Draws the mechanism with its overlay, without a list below: the surrounding document has one.
 pub fn problem_diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Overlay) -> Figure {
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
     let part = mechanism::overlaid(&options.style, scene, worked, &maker.writer(), overlay);
     maker.alone(maker.captioned(part, "", DiagramKind::Plane))
 }
 
-/// Makes the parts of a sheet.
+/// Draws the parts of a sheet.
 pub(super) struct Maker<'a> {
     pub scene: &'a Scene,
     pub worked: &'a Worked,
@@ -207,15 +208,15 @@ impl Maker<'_> {
         Writer { scene: self.scene, plan: &self.worked.plan, notation: &self.options.notation, lang: self.options.lang }
     }
 
-    /// The equations of each polygon with their heading; nothing where there are none. `steps` are the certified numbers of the
-    /// construction; in a column of a width long ones are broken.
+    /// The equations of each polygon with their heading; empty if there are none. `steps` are the
+    /// certified numbers of the construction; long equations are broken to a given width.
     pub fn equations(&self, steps: &Steps, width_mm: Option<f64>) -> Vec<(Part, Vec<Part>)> {
         let writer = self.writer();
         let tables = Tables { width_mm, ..self.tables(&writer, steps) };
         DiagramKind::POLYGONS.map(|l| (self.heading(l), tables.parts(l))).into()
     }
 
-    /// What the tables are made from.
+    /// The input of the tables.
     pub fn tables<'t>(&'t self, writer: &'t Writer<'t>, steps: &'t Steps) -> Tables<'t> {
         let worked = self.worked;
         Tables { style: &self.options.style, writer, construction: &worked.construction, steps, width_mm: None }
@@ -248,7 +249,7 @@ impl Maker<'_> {
             .collect()
     }
 
-    /// What is written at a drawing or a list.
+    /// The caption of a drawing or a list.
     pub fn name(&self, what: Captioned) -> &str {
         self.options.style.captions.of(what, self.options.lang)
     }
@@ -279,12 +280,13 @@ impl Maker<'_> {
         self.titled(part, Phrase::new(&format!("{letter}{words}")).label(), &mu, id)
     }
 
-    /// A part with its name and its scales below; `id` tells these labels from those of other parts.
+    /// A part with its name and its scales below; `id` distinguishes these labels from those of
+    /// other parts.
     pub fn titled(&self, part: Part, words: Label, mu: &str, id: &str) -> Part {
         titled(&self.options.style, part, words, mu, id)
     }
 
-    /// Below a dimensioned drawing, all that is given and not drawn as a dimension.
+    /// Adds, below a dimensioned drawing, all given values that are not drawn as dimensions.
     fn with_givens(&self, part: Part) -> Part {
         let scene = self.scene;
         let drawn = |a, b| part.items.iter().any(|i| i.id == dimensions::id_of(scene, a, b));
@@ -315,7 +317,7 @@ impl Maker<'_> {
         (!title.is_empty()).then(|| self.line("title", Label::text(title), self.options.style.caption_mm * 4.0 / 3.0))
     }
 
-    /// The title in as many lines as it takes.
+    /// The title, broken to as many lines as needed.
     fn title_in(&self, width_mm: f64) -> Option<Part> {
         let size_mm = self.options.style.caption_mm * 4.0 / 3.0;
         let lines = wrapped(&Phrase::new(self.scene.title.get(self.options.lang)), width_mm, size_mm, &self.options.style.fonts);
@@ -359,7 +361,8 @@ impl Maker<'_> {
     }
 }
 
-/// A part with its name and its scales below; `id` tells these labels from those of other parts.
+/// A part with its name and its scales below; `id` distinguishes these labels from those of other
+/// parts.
 pub(super) fn titled(style: &Style, mut part: Part, words: Label, mu: &str, id: &str) -> Part {
     let x = part.bounds.centre().x;
     let y = part.bounds.min.y - style.leading(CAPTION_MM);
@@ -374,7 +377,8 @@ pub(super) fn titled(style: &Style, mut part: Part, words: Label, mu: &str, id: 
     Part { placements, left_out, ..Part::of(part.items) }
 }
 
-/// What goes on from pose to pose in the label language, and what it is: `\varphi_{1}` an angle, `s_{B}` or `l_{BC}` a length, `t` a time.
+/// Returns the symbol of the quantity that changes from pose to pose, in the label language, and
+/// its kind: `\varphi_{1}` an angle, `s_{B}` or `l_{BC}` a length, `t` a time.
 pub fn swept_symbol(scene: &Scene, swept: impl Into<Swept>) -> (String, Kind) {
     let (name, kind) = swept.into().name(scene);
     let symbol = match name.split_once('_') {

@@ -1,5 +1,6 @@
-//! The construction as a series of pictures: the mechanism, or of forces the links that are drawn apart, the polygon as it has grown so far with what the
-//! step draws in full ink, the equation that is being solved, and the step's sentence. All pictures have one size, so that slides do not jump.
+//! Draws the construction as a series of figures: the mechanism (for forces, the separated links),
+//! the polygon drawn so far with the vectors of the present step in full ink, the equation being
+//! solved, and the sentence of the step. All figures have one size, so that slides do not jump.
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::Polygon;
@@ -19,24 +20,26 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::lines::wrapped;
 use hodograph_paper::paper::style::Palette;
 
-/// Between the drawings, and between them and what is written below.
+/// Gap between the drawings, and between them and the text below.
 const GAP_MM: f64 = 12.0;
-/// From the sentence to the equation above it.
+/// Distance from the sentence to the equation above it.
 const LINE_MM: f64 = 5.0;
-/// From line to line of a sentence, in sizes of its type.
+/// Line spacing of a sentence, in type sizes.
 const LEADING: f64 = 1.5;
-/// How far what earlier steps drew stands back.
+/// Colour of the ink of earlier steps.
 const EARLIER: Colour = Colour::grey(135);
 
-/// One picture for each step of the velocity and the acceleration polygon, the poles first, then of the forces of each group.
+/// Draws one figure for each step of the velocity and the acceleration polygon, starting with the
+/// poles, then for each step of the forces of each group.
 pub fn figures(scene: &Scene, worked: &Worked, options: &Options) -> Vec<Figure> {
     figures_in(scene, worked, options, None)
 }
 
-/// [`figures`] within so much room: sentences and equations are broken into lines. What is wider all the same sticks out.
+/// Works like [`figures`] within a given space: sentences and equations are broken into lines.
+/// Anything that is still wider sticks out.
 pub fn figures_in(scene: &Scene, worked: &Worked, options: &Options, room: Option<Within>) -> Vec<Figure> {
     let width_mm = room.map(|room| room.width_mm);
-    // Nothing of the results is shown: they need no digits.
+    // No results are shown: they need no digits.
     let maker = Maker { scene, worked, options, certified: Vec::new() };
     let told = certified::steps(scene, worked, None);
     let levels: Vec<Steps> = DiagramKind::POLYGONS
@@ -99,11 +102,11 @@ pub fn figures_in(scene: &Scene, worked: &Worked, options: &Options, room: Optio
 
 /// The steps of one polygon.
 struct Steps {
-    /// In place of the mechanism.
+    /// The separated links, in place of the mechanism.
     apart: Option<Part>,
     polygon: Part,
     sentences: Vec<Phrase>,
-    /// Their lines.
+    /// The lines of the sentences.
     lines: Vec<Vec<Label>>,
     /// For each sentence, the equation being solved.
     equations: Vec<Option<Part>>,
@@ -115,8 +118,8 @@ impl Steps {
         let polygon = maker.captioned(maker.polygon(p), "", p.on);
         let sentences = sentences(&maker.writer(), &maker.worked.construction, p, told);
         let finds = |part: &Part| part.items.iter().flat_map(Item::steps).max();
-        // The pole has no equation; an action belongs to the first equation that is solved at it or after it. What is
-        // only read off belongs to none.
+        // The pole has no equation; an action belongs to the first equation that is solved at it or
+        // after it. An action that only reads a value belongs to none.
         let equation = |k: usize| {
             let action = k.checked_sub(1)?;
             if p.actions[action].reads() {
@@ -157,7 +160,7 @@ impl Steps {
             items.push(Item::new("sentence", shape).with_id(&id));
         }
         let mut part = Part::of(items);
-        // From its upper left corner, whatever its first letter looks like.
+        // From the upper left corner, independent of the shape of the first letter.
         part.bounds = Rect::new(part.bounds.min, Point::ORIGIN + Vec2::new(part.bounds.max.x, 0.0));
         part
     }
@@ -178,7 +181,8 @@ fn lines(maker: &Maker, sentences: &[Phrase], width_mm: Option<f64>) -> Vec<Vec<
     sentences.iter().map(broken).collect()
 }
 
-/// A drawing when `k` actions are done: later ones are not there, earlier ones stand back. What belongs to no action is there from the start.
+/// A drawing after `k` actions: later ones are missing, earlier ones are in the background. Items
+/// that belong to no action are present from the start.
 fn at(part: &Part, k: usize) -> Part {
     let faded = Palette { ink: EARLIER, ..Palette::default() };
     let mut part = part.clone();

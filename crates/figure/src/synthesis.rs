@@ -1,4 +1,5 @@
-//! Figures of a synthesis: the construction with numbered steps, the linkage in its wanted positions, wanted against real.
+//! Figures of a synthesis: the construction with numbered steps, the linkage in its prescribed
+//! positions, and the comparison of required and actual function.
 
 mod positions;
 
@@ -24,28 +25,30 @@ use hodograph_synthesis::board::{Board, Stroke as Drawn, Weight};
 use hodograph_synthesis::candidate::symbol;
 use hodograph_synthesis::{Candidate, Task, construct};
 
-/// Room of a drawing (mm): an A4 sheet with its margins, and text below.
+/// Space for a drawing (mm): an A4 sheet with its margins, and text below.
 const ROOM_MM: [f64; 2] = [150.0, 120.0];
 const MARGIN_MM: f64 = 10.0;
-/// Construction lines go on for so much beyond what is marked.
+/// Extension of construction lines beyond the marked points.
 const BEYOND_MM: f64 = 14.0;
 /// Width of the text below.
 const TEXT_MM: f64 = 165.0;
-/// Widths of the three kinds of stroke: given strong, construction thin, result like a vector.
+/// Width of construction strokes, the thinnest of three kinds: given ones are strong, results are
+/// drawn like a vector.
 const THIN: Stroke = Stroke::new(0.13);
 
-/// How a figure is set.
+/// The settings of a figure.
 #[derive(Clone, Copy, Debug)]
 pub struct Set<'a> {
-    /// Weights, sizes, fonts, colours.
+    /// Line widths, sizes, fonts, colours.
     pub style: &'a Style,
-    /// The language of its words.
+    /// The language of the words.
     pub lang: Lang,
-    /// Whether it stands for itself: with its title, and the sentences of the steps below. Else what is around it says them.
+    /// True for a self-contained figure, with its title and the sentences of the steps below;
+    /// otherwise the surrounding document contains them.
     pub whole: bool,
 }
 
-/// All figures of a candidate, each with the word that names its file.
+/// Draws all figures of a candidate, each with the word for its file name.
 ///
 /// # Errors
 /// Drawing and formula disagree.
@@ -60,7 +63,7 @@ pub fn figures(task: &Task, candidate: &Candidate, style: &Style, lang: Lang) ->
     Ok(out)
 }
 
-/// The construction to a round scale that fits the paper, or to the scale that the file asks for.
+/// Constructs to a round scale that fits the paper, or to the scale given in the file.
 ///
 /// # Errors
 /// Drawing and formula disagree.
@@ -68,13 +71,13 @@ pub fn to_scale(task: &Task, candidate: &Candidate) -> Result<Option<Board>, Fau
     if let Some(mu) = task.paper.scales.get(Kind::Length) {
         return construct(task, candidate, mu);
     }
-    // A first drawing in millimetres tells how large it is.
+    // A first drawing in millimetres gives the size.
     let Some(board) = construct(task, candidate, 1e-3)? else { return Ok(None) };
     let Some(window) = window(&board) else { return Ok(None) };
     construct(task, candidate, choose([window.width_mm() * 1e-3, window.height_mm() * 1e-3], ROOM_MM))
 }
 
-/// A picture for each step of a construction: later steps are not there yet.
+/// Returns a figure for each step of a construction, without the later steps.
 pub fn growing(construction: &Figure) -> Vec<(String, Figure)> {
     let last = construction.items.iter().flat_map(Item::steps).max().unwrap_or(0);
     let at = |k: usize| {
@@ -85,7 +88,7 @@ pub fn growing(construction: &Figure) -> Vec<(String, Figure)> {
     (0..=last).map(at).collect()
 }
 
-/// What is marked, and the lines of the linkage.
+/// The box around the marks and the lines of the linkage.
 fn window(board: &Board) -> Option<Rect> {
     let marks = board.steps.iter().flat_map(|s| s.marks.iter().map(|m| m.1));
     let ends = board.steps.iter().flat_map(|s| &s.strokes).filter(|(_, w)| *w != Weight::Thin).flat_map(|(stroke, _)| match *stroke {
@@ -93,7 +96,7 @@ fn window(board: &Board) -> Option<Rect> {
         Drawn::Circle(c, r) | Drawn::Arc(c, r, _) => vec![c - Vec2::new(r, r), c + Vec2::new(r, r)],
     });
     let own = around(marks.chain(ends))?;
-    // Where the compasses strike, too, as long as that makes the drawing little larger.
+    // The places where the compasses strike are included if they enlarge the drawing only a little.
     let struck = board.steps.iter().flat_map(|s| &s.strokes).filter_map(|(stroke, _)| match *stroke {
         Drawn::Arc(c, r, at) => Some(c + Vec2::from_angle(at) * r),
         Drawn::Line(..) | Drawn::Circle(..) => None,
@@ -102,7 +105,7 @@ fn window(board: &Board) -> Option<Rect> {
     Some(struck.fold(own, |window, at| Some(window.union(Rect::new(at, at))).filter(|w| room(*w)).unwrap_or(window)))
 }
 
-/// So much larger a drawing may become to show where the compasses strike.
+/// Maximum enlargement of a drawing to show where the compasses strike.
 const MORE: f64 = 1.2;
 
 fn around(points: impl Iterator<Item = Point>) -> Option<Rect> {
@@ -127,7 +130,7 @@ fn clipped(points: &[Point], window: Rect) -> Vec<Vec<Point>> {
 /// Half the angle of the arc that the compasses strike at a crossing (rad).
 const ARC: f64 = 0.2;
 
-/// A stroke as chains of points: fine enough that no corner shows.
+/// Converts a stroke to a chain of points, fine enough to show no corners.
 fn chain(stroke: &Drawn) -> Vec<Point> {
     const STEPS: usize = 720;
     match *stroke {
@@ -140,7 +143,7 @@ fn chain(stroke: &Drawn) -> Vec<Point> {
     }
 }
 
-/// The construction with its steps numbered.
+/// Draws the construction with its steps numbered.
 pub fn construction(task: &Task, candidate: &Candidate, board: &Board, set: Set) -> Figure {
     let Set { style, lang, whole } = set;
     let window = window(board).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(BEYOND_MM);
@@ -158,10 +161,11 @@ pub fn construction(task: &Task, candidate: &Candidate, board: &Board, set: Set)
         for (stroke, weight) in &step.strokes {
             let whole = chain(stroke);
             let pieces = clipped(&whole, window);
-            // Of an arc at the edge a piece would tell nothing: it is all there, or not at all.
+            // A piece of an arc at the edge would be meaningless: the arc is drawn completely or
+            // not at all.
             let cut = matches!(stroke, Drawn::Arc(..)) && pieces.iter().map(Vec::len).sum::<usize>() < whole.len();
             for points in pieces.into_iter().filter(|_| !cut) {
-                // The number of the step stands at its first stroke.
+                // The number of the step is at its first stroke.
                 if !numbered && points.len() > 4 {
                     let at = points.len() / 3;
                     let number = Label::text(format!("({})", k + 1)).in_fonts(&style.fonts);
@@ -221,7 +225,7 @@ fn scale_of(mu_l: f64) -> Label {
     Label::math(format!("\\mu_l = {}\\,\\text{{m/mm}}", inked(&shortest(mu_l))))
 }
 
-/// What is done in each step, and what is read off the paper.
+/// The instruction of each step, and the values read off the paper.
 fn sentences(candidate: &Candidate, board: &Board, Set { style, lang, .. }: Set) -> Vec<Label> {
     let mut lines: Vec<Label> = Vec::new();
     let mut add = |sentence: &str| lines.extend(wrapped(&Phrase::new(sentence), TEXT_MM, style.small_mm, &style.fonts));
@@ -255,7 +259,7 @@ fn page(task: &Task, part: &str, items: Vec<Item>, room: Rect, text: (Option<Lab
     laid_out(task, part, items, room, text, set).0
 }
 
-/// The same, and how far everything was moved.
+/// A figure with title, drawing, caption and text, and the displacement of all items.
 fn laid_out(
     task: &Task,
     part: &str,
@@ -272,7 +276,7 @@ fn laid_out(
     let heading = Label::text(title.as_str()).in_fonts(&style.fonts);
     let wide = if whole { text::set(&heading).width_em * large } else { 0.0 };
     let text_mm = if lines.is_empty() { 0.0 } else { TEXT_MM };
-    // Inside a document the margins are the document's.
+    // Inside a document the margins are those of the document.
     let (margin, head) = if whole { (MARGIN_MM, 14.0) } else { (1.0, 1.0) };
     let width_mm = room.width_mm().max(wide).max(text_mm) + 2.0 * margin;
     let line = small * 1.5;

@@ -1,5 +1,5 @@
-//! The equations of a polygon as they are written beside the polygon: tables for equations with two chains, one line for
-//! everything else.
+//! The equations of a polygon as written beside it: tables for equations with two chains, one line
+//! for everything else.
 
 use hodograph_worked::certified::Steps;
 use std::ops::Range;
@@ -23,39 +23,41 @@ use hodograph_paper::paper::words::{Words, words};
 use hodograph_report::amount::number;
 use hodograph_report::equation::mate;
 
-/// From a symbol's baseline to the row below it, and between rows.
+/// Distance from a symbol's baseline to the row below it, and between rows.
 const ROW_MM: f64 = 7.2;
-/// From the top of a table to its symbols' baseline: superscripts go this high.
+/// Distance from the top of a table to its symbols' baseline: the height of superscripts.
 const TOP_MM: f64 = 5.6;
-/// Below the last baseline: subscripts go this low.
+/// Space below the last baseline: the depth of subscripts.
 const BOTTOM_MM: f64 = 1.8;
-/// Between the columns of a table: a binary operator's space.
+/// Gap between the columns of a table: the space of a binary operator.
 const GAP_MM: f64 = 2.6;
-/// A statement in one line.
+/// Height of a statement in one line.
 const LINE_MM: f64 = 6.6;
 
-/// What the tables are made from.
+/// The input of the tables.
 #[derive(Clone, Copy)]
 pub struct Tables<'a> {
-    /// Sizes.
+    /// The style.
     pub style: &'a Style,
-    /// Names and symbols.
+    /// The writer of names and symbols.
     pub writer: &'a Writer<'a>,
-    /// The alternatives that were drawn.
+    /// The construction, with the alternatives that are drawn.
     pub construction: &'a Drawing,
-    /// The certified numbers of its steps.
+    /// The certified numbers of the steps.
     pub steps: &'a Steps,
-    /// A column's width: longer equations go on in a further table, longer statements in a further line.
+    /// The width of a column: longer equations continue in another table, longer statements in
+    /// another line.
     pub width_mm: Option<f64>,
 }
 
 impl Tables<'_> {
-    /// One part for each step of a polygon, in the order of solving.
+    /// Returns one part for each step of a polygon, in solving order.
     pub fn parts(&self, on: DiagramKind) -> Vec<Part> {
         self.parts_of(on, |_| true)
     }
 
-    /// The same of some groups only, by their places in the mechanism's list.
+    /// Returns one part for each step of some groups, selected by their indices in the mechanism's
+    /// list.
     pub fn parts_of(&self, on: DiagramKind, wanted: impl Fn(usize) -> bool) -> Vec<Part> {
         let Some(polygon) = self.construction.polygon(on) else { return Vec::new() };
         let mut parts = Vec::new();
@@ -109,7 +111,7 @@ impl Tables<'_> {
         let (w, book) = (self.writer, &self.writer.scene.book);
         if let [chain] = chains {
             let [term] = chain.known[..] else {
-                // Nothing is added: the point moves as one known before.
+                // Nothing is added: the point moves like a known one.
                 if chain.known.is_empty() {
                     let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.summand(on, chain.start) };
                     let formula = format!("{} = {start}", w.summand(on, target));
@@ -119,9 +121,9 @@ impl Tables<'_> {
             };
             if w.plan.vertex(chain.start).fixed {
                 let (whole, part) = (w.vector(on, target), w.symbol(on, &term));
-                // On the drawing it is the whole vector that is named.
+                // The drawing names the total vector.
                 let head = if whole == part { whole } else { format!("{whole} = {part}") };
-                // What a driver gives is a number, not a formula.
+                // A value given by a driver is a number, not a formula.
                 let magnitude = match (w.magnitude(on, &term), self.construction.vector(on, target)) {
                     (known, Some(v)) if known == w.notation.known => {
                         let certain = self.steps.vector(on, target).and_then(|n| n.text(DIGITS)).map(|(text, _)| inked(&text));
@@ -137,12 +139,14 @@ impl Tables<'_> {
         self.table(on, target, chains, step)
     }
 
-    /// The table of an equation; in a column, as many as it takes, each going on before a sign.
+    /// The table of an equation; in a column, as many tables as needed, each continued before a
+    /// sign.
     fn table(&self, on: DiagramKind, target: VertexId, chains: &[Chain], step: &str) -> Vec<Part> {
         let columns = self.writer.columns(on, target, chains);
         let set = |ends: Range<usize>| self.part_of_table(on, target, &columns, ends, step);
         let Some(width_mm) = self.width_mm else {
-            // One that would make the sheet wide goes on in a second row, before a sign of equality.
+            // A table that would make the sheet wide continues in a second row, before a sign of
+            // equality.
             let second = columns.iter().rposition(|c| c.joint == "=").filter(|k| columns.len() > MOST_COLUMNS && *k > 1);
             return second.map_or_else(|| vec![set(0..columns.len())], |k| vec![set(0..k), set(k..columns.len())]);
         };
@@ -150,7 +154,8 @@ impl Tables<'_> {
         while start < columns.len() {
             let fits = |end: &usize| set(start..*end).bounds.width_mm() <= width_mm;
             let most = (start + 1..=columns.len()).rev().find(fits).unwrap_or(start + 1);
-            // A sum of several terms is not parted from itself: it ends at the sign of equality, if what follows fits.
+            // A sum of several terms is not broken: the table ends at the sign of equality, if the
+            // rest fits.
             let at_equality = |k: &usize| columns[*k].joint == "=" && set(*k..columns.len()).bounds.width_mm() <= width_mm;
             let end = if most < columns.len() { (start + 2..=most).rev().find(at_equality).unwrap_or(most) } else { most };
             parts.push(set(start..end));
@@ -186,7 +191,8 @@ impl Tables<'_> {
         self.boxed(grid::set(&rows, style.leading(GAP_MM)), top + 2.0 * row + bottom)
     }
 
-    /// A part whose box is as high as its rows, whatever stands in them, so that stacked tables keep their rhythm.
+    /// A part with a box as high as its rows, independent of their content, so that stacked tables
+    /// are evenly spaced.
     fn boxed(&self, items: Vec<Item>, height_mm: f64) -> Part {
         let mut part = Part::of(items);
         part.bounds.max.y = part.bounds.max.y.max(0.0);
@@ -199,13 +205,13 @@ impl Tables<'_> {
         let class = format!("{} statement {step}", kind(on));
         let mut cells = vec![Some(self.cell(Label::math(formula), self.style.label_mm, Anchor::Start, name.clone(), &class))];
         if let Some(why) = why {
-            // A quad keeps formula and reason apart.
+            // A quad separates formula and reason.
             cells.push(Some(self.cell(why, self.style.caption_mm, Anchor::Start, format!("{name}-why"), &class)));
         }
         self.statement(vec![cells], self.style.label_mm)
     }
 
-    /// Statements below each other, their cells a gap apart.
+    /// Statements one below the other, with a gap between their cells.
     fn statement(&self, rows: Vec<Vec<Option<Cell>>>, gap_mm: f64) -> Part {
         let [top, line] = [TOP_MM, LINE_MM].map(|mm| self.style.leading(mm));
         let height = line * rows.len() as f64;
@@ -218,7 +224,7 @@ impl Tables<'_> {
         let w = self.writer;
         let images = format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, target));
         let points = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(target));
-        // Three points in line make no triangle: their image is a ratio.
+        // Three collinear points form no triangle: their image is a ratio.
         let in_line = self.construction.diagram.in_line([from.0, from.1, target]);
         let head = Label::math(format!("{}: \\quad", w.vector(on, target)));
         let similar = if in_line {
@@ -226,7 +232,7 @@ impl Tables<'_> {
             let images = ratio([from.0, from.1, target].map(|v| w.image(on, v)));
             head.then(Label::math(format!("{images} = {}", ratio([from.0, from.1, target].map(|v| w.spot(v))))))
         } else {
-            // No embedded font has the sign △; a capital delta has its shape.
+            // No embedded font contains the sign △; a capital delta has its shape.
             let similar = Label::math(w.notation.similar.as_str());
             let sides = [Label::text("Δ"), Label::math(images), Label::text(" "), similar, Label::text(" Δ"), Label::math(points)];
             sides.into_iter().fold(head, Label::then)
@@ -241,7 +247,7 @@ impl Tables<'_> {
         self.statement(vec![cells], self.style.label_mm)
     }
 
-    /// What a special point is.
+    /// The statement that defines a special point.
     fn special(&self, on: DiagramKind, target: VertexId, special: &Special, step: &str) -> Part {
         let (text, link) = (special_words(self.writer, self.words(), target, special), self.writer.scene.link_name(special.link));
         let name = match special.legs {
@@ -251,7 +257,7 @@ impl Tables<'_> {
         self.told(&text, id(kind(on), &name), format!("{} statement special {step}", kind(on)))
     }
 
-    /// A sentence, as wide as there is room.
+    /// A sentence, broken to the available width.
     fn told(&self, text: &str, id: String, class: String) -> Part {
         let size_mm = self.style.caption_mm;
         let told = Phrase::new(text);
@@ -267,7 +273,7 @@ impl Tables<'_> {
     }
 }
 
-/// The words that introduce a special point.
+/// Returns the words that introduce a special point.
 pub fn special_words(w: &Writer, words: &Words, target: VertexId, special: &Special) -> String {
     let [a, b] = special.lines.each_ref().map(|line| special_line(w, words, line));
     let [link, with] = [Some(special.link), special.with].map(|l| l.map_or("", |l| w.scene.link_name(l)));
@@ -295,10 +301,10 @@ pub(crate) fn constraint_line(scene: &Scene, words: &Words, line: ConstraintLine
     }
 }
 
-/// More columns than these make a table of two rows.
+/// Maximum number of columns before a table has two rows.
 const MOST_COLUMNS: usize = 12;
 
-/// A row's heading, with the air that parts it from the first column.
+/// A row's heading, with the space before the first column.
 fn heading(word: &str) -> Label {
     Label::text(word).then(Label::math("\\quad"))
 }
@@ -307,12 +313,12 @@ fn kind(on: DiagramKind) -> &'static str {
     on.word()
 }
 
-/// The class word of the action that finds a vertex.
+/// The class of the action that finds a vertex.
 fn step_class(p: &Polygon, v: VertexId) -> String {
     found_by(p, v).map(|n| format!("step-{n}")).unwrap_or_default()
 }
 
-/// The action of a polygon that finds a vertex.
+/// Returns the index of the action of a polygon that finds a vertex.
 pub fn found_by(p: &Polygon, v: VertexId) -> Option<usize> {
     let finds = |a: &Action| match a {
         Action::Cross { target, .. }

@@ -1,4 +1,5 @@
-//! The profile by inversion 反转法: the cam stands and the follower goes round it the other way, in twelve numbered stations.
+//! Constructs the profile by inversion 反转法: the cam is fixed and the follower goes round it in
+//! the opposite sense, in twelve numbered stations.
 
 use super::{heading, words_at};
 use hodograph_base::cam::{Disc, Follower, Motion, Side, Station, Touch, round};
@@ -17,29 +18,29 @@ use hodograph_report::cam::Report;
 use hodograph_scene::{Kind, Lang};
 use std::f64::consts::TAU;
 
-/// Stations in a turn.
+/// Stations in a full turn.
 const STATIONS: usize = 12;
-/// The drawing's larger side, about, in mm.
+/// Approximate length of the drawing's larger side (mm).
 const SIZE_MM: f64 = 165.0;
-/// Around the drawing, above it and below it, in mm.
+/// Space around, above and below the drawing (mm).
 const MARGIN_MM: f64 = 9.0;
 const ABOVE_MM: f64 = 16.0;
 const BELOW_MM: f64 = 20.0;
-/// Points of the curves: one for each half degree.
+/// Points of each curve: one for each half degree.
 const STEPS: usize = 720;
 
-/// Between what is drawn and the arrow of the sense outside of it, in mm: a number fits between.
+/// Distance from the drawing to the arrow of the sense outside it (mm): leaves space for a number.
 const ARROW_MM: f64 = 9.0;
-/// How much wider than the arrow the sector is in which it looks (rad).
+/// Extra angle on either side of the arrow within which it keeps clear of the drawing (rad).
 const ARROW_AIR: f64 = 0.12;
-/// Points looked at on each line.
+/// Sample points on each line.
 const SAMPLES: usize = 32;
 
-/// The drawing under way: items in mm about the centre of the cam.
+/// The drawing under construction: items in mm about the centre of the cam.
 struct Drawing<'a> {
     report: &'a Report<'a>,
     style: &'a Style,
-    /// mm of paper for a metre.
+    /// Millimetres of paper per metre.
     scale: f64,
     items: Vec<Item>,
     wanted: Vec<LabelRequest>,
@@ -66,7 +67,7 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     let mut items = d.items;
     let title = heading(report.scene, tr(lang, "profile by inversion", "反转法绘制凸轮廓线"), lang);
     let (scale, caption) = (scale_text(report, mu), legend(disc, lang));
-    // A small drawing stands on a paper as wide as its words.
+    // For a small drawing the text defines the width of the paper.
     let wide = |text: &str, size_mm: f64| text::set(&Label::text(text).in_fonts(&style.fonts)).width_em * size_mm + 2.0 * MARGIN_MM;
     let words_mm = wide(&title, style.caption_mm * 4.0 / 3.0).max(wide(&caption, style.small_mm));
     let (width_mm, height_mm) = ((2.0 * half).max(words_mm), 2.0 * half + ABOVE_MM + BELOW_MM);
@@ -91,13 +92,14 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     figure
 }
 
-/// The circle of the roller's centre on the base circle, drawn where the profile comes from a law of motion.
+/// Radius (m) of the circle of the roller's centre on the base circle; `None` without a roller or
+/// where the profile does not come from a law of motion.
 fn prime_m(disc: &Disc) -> Option<f64> {
     let radius = if let Touch::Point { radius } = disc.touch { radius } else { 0.0 };
     (radius > 0.0 && matches!(disc.motion, Motion::Law { .. })).then(|| disc.base() + radius)
 }
 
-/// What the lines are, in words: those that this cam has.
+/// The legend of the line types that this cam has.
 fn legend(disc: &Disc, lang: Lang) -> String {
     let rolling = matches!(disc.touch, Touch::Point { radius } if radius > 0.0);
     let offset = matches!(disc.follower, Follower::Translating { offset, .. } if offset != 0.0);
@@ -124,7 +126,7 @@ fn legend(disc: &Disc, lang: Lang) -> String {
     parts.join(between)
 }
 
-/// The largest distance from the centre of what is drawn (m).
+/// The largest distance from the cam's centre to anything drawn (m).
 fn reach(disc: &Disc) -> f64 {
     let stations = round(disc, STEPS / 4).into_iter().filter_map(|(phi, side)| disc.station(phi, side));
     let end = match disc.touch {
@@ -162,7 +164,7 @@ impl Drawing<'_> {
 
     fn circle(&mut self, class: &str, radius: f64, stroke: Stroke) {
         let radius_mm = radius * self.scale;
-        // Smaller than a dot it is none.
+        // A circle smaller than a dot is not drawn.
         if radius_mm > 0.5 {
             self.draw(class, Shape::Circle { centre: Point::ORIGIN, radius_mm, stroke: Some(stroke), fill: None }, None);
         }
@@ -174,7 +176,7 @@ impl Drawing<'_> {
         self.wanted.push(if towards == Vec2::ZERO { request } else { request.towards(towards) });
     }
 
-    /// Profile and pitch curve.
+    /// Draws profile and pitch curve.
     fn curves(&mut self) {
         let disc = self.disc().clone();
         let link = Some(self.report.cam.cam.0);
@@ -191,7 +193,8 @@ impl Drawing<'_> {
         }
     }
 
-    /// Base circle, the circle of the roller's centre on it, offset circle, circle of the pivots.
+    /// Draws the base circle, the circle of the roller's centre on it, the offset circle, and the
+    /// circle of the pivots.
     fn circles(&mut self) {
         let disc = self.disc().clone();
         let base = disc.base();
@@ -200,7 +203,7 @@ impl Drawing<'_> {
         if let Some(radius) = prime_m(&disc) {
             self.circle("pitch-circle", radius, dashed);
         }
-        // Radii are drawn where the follower does not stand: between two stations.
+        // Radii are drawn between two stations, clear of the follower.
         let radius = |d: &mut Drawing, name: &str, r: f64, angle: f64| {
             let to = d.at(Vec2::from_angle(angle) * r);
             let (stroke, head) = (d.style.thin, d.style.thin_head);
@@ -223,7 +226,7 @@ impl Drawing<'_> {
         self.label(&name, Point::ORIGIN, 1.2, Vec2::new(-1.0, 1.0));
     }
 
-    /// The follower in its stations, the first one in thick lines.
+    /// Draws the follower in its stations, the first one in thick lines.
     fn stations(&mut self) {
         let disc = self.disc().clone();
         for k in 0..STATIONS {
@@ -284,7 +287,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// How far the line of a translating follower goes beyond its point (mm).
+    /// Length of a translating follower's line beyond its point (mm).
     fn beyond(&self, disc: &Disc) -> f64 {
         match disc.touch {
             Touch::Point { radius } => (radius * self.scale + 3.0).max(6.0),
@@ -292,7 +295,8 @@ impl Drawing<'_> {
         }
     }
 
-    /// In which sense the follower goes round: against the cam. The arrow stands outside of what is drawn there.
+    /// Draws an arrow in the sense in which the follower goes round, opposite to the cam's, outside
+    /// the drawing at that place.
     fn turning(&mut self) {
         let sense = -self.disc().sense;
         let from_rad = 0.25 * TAU + sense * 0.12;

@@ -1,4 +1,5 @@
-//! Figures of a disc cam: the motion of its follower over a turn ([`motion`]), its profile by inversion ([`inversion`]).
+//! Figures of a disc cam: the motion of its follower over a turn ([`motion`]) and its profile by
+//! inversion ([`inversion`]).
 
 pub mod inversion;
 pub mod motion;
@@ -9,7 +10,7 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::style::Style;
 use hodograph_scene::{Lang, Scene};
 
-/// Title of a figure, or what it is where the scene has none.
+/// The title of a figure: the scene's title, if any, and the kind of figure.
 fn heading(scene: &Scene, otherwise: &str, lang: Lang) -> String {
     let title = scene.title.get(lang);
     match (title.is_empty(), lang) {
@@ -19,7 +20,7 @@ fn heading(scene: &Scene, otherwise: &str, lang: Lang) -> String {
     }
 }
 
-/// Words at a given place.
+/// Text at a given point.
 fn words_at(class: &str, at: Point, label: Label, size_mm: f64, anchor: Anchor, style: &Style) -> Item {
     Item::new(class, Shape::Label { at, label: label.in_fonts(&style.fonts), size_mm, anchor, colour: Colour::BLACK })
 }

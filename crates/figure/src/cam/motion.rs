@@ -1,4 +1,5 @@
-//! s, v, a of the follower over a turn of the cam: three plots over one another, stages parted, jumps dashed and shocks marked.
+//! Plots s, v and a of the follower over a turn of the cam, one above the other, with stages
+//! separated, jumps dashed and shocks marked.
 
 use super::super::plot::{Axis, Plot, over};
 use super::{heading, words_at};
@@ -16,7 +17,7 @@ use hodograph_report::amount::number;
 use hodograph_report::cam::{Report, dwell};
 use hodograph_scene::{Book, Kind, Lang};
 
-/// A plot's size, room around it, in mm.
+/// Size of a plot and the space around it (mm).
 const PLOT_MM: [f64; 2] = [160.0, 58.0];
 const LEFT_MM: f64 = 28.0;
 const RIGHT_MM: f64 = 10.0;
@@ -25,10 +26,11 @@ const ABOVE_MM: f64 = 26.0;
 const BELOW_MM: f64 = 20.0;
 /// Steps of a line over a turn: one for each half degree.
 const STEPS: usize = 720;
-/// Digits of the extremes.
+/// Significant digits of the extremes.
 const DIGITS: usize = 4;
 
-/// One plot: the order of the derivative, its symbol and unit, and the factor from it to that unit.
+/// One plot: the order of the derivative, its symbol and unit, and the factor that converts to this
+/// unit.
 struct Kept {
     order: usize,
     symbol: &'static str,
@@ -40,7 +42,7 @@ struct Kept {
 pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     let height_mm = ABOVE_MM + 3.0 * PLOT_MM[1] + 2.0 * BETWEEN_MM + BELOW_MM;
     let title = heading(report.scene, tr(lang, "motion of the follower", "从动件运动线图"), lang);
-    // A long title stands on a paper as wide as it is.
+    // A long title widens the paper.
     let title_mm = text::set(&Label::text(title.as_str()).in_fonts(&style.fonts)).width_em * style.caption_mm * 4.0 / 3.0 + 2.0 * RIGHT_MM;
     let width_mm = (LEFT_MM + PLOT_MM[0] + RIGHT_MM).max(title_mm);
     let left = LEFT_MM + (width_mm - LEFT_MM - PLOT_MM[0] - RIGHT_MM) / 2.0;
@@ -78,7 +80,7 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     figure
 }
 
-/// The three plots. Without a rate of the cam there are s′ and s″.
+/// The three plots; s′ and s″ if the cam has no angular velocity.
 fn panels(report: &Report) -> [Kept; 3] {
     let swings = matches!(report.turning.disc.follower, Follower::Oscillating { .. });
     let book: &Book = &report.scene.book;
@@ -108,7 +110,7 @@ fn panels(report: &Report) -> [Kept; 3] {
 }
 
 impl Kept {
-    /// The value at an angle.
+    /// The value at a cam angle.
     fn at(&self, report: &Report, phi: f64, side: Side) -> Option<f64> {
         Some(report.survey.lift(&report.turning.disc, phi, side)?[self.order] * self.factor)
     }
@@ -118,12 +120,12 @@ fn axis(report: &Report, kept: &Kept) -> Axis {
     let samples = round(&report.turning.disc, STEPS);
     let mut values: Vec<f64> = samples.into_iter().filter_map(|(phi, side)| kept.at(report, phi, side)).chain([0.0]).collect();
     let most = values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
-    // What is nothing but rounding is zero.
+    // Values within rounding error are zero.
     values.iter_mut().filter(|v| v.abs() < 1e-12 * most).for_each(|v| *v = 0.0);
     Axis::of(&values, kept.unit == "\\degree", 6)
 }
 
-/// The line, parted at jumps.
+/// Draws the line, broken at jumps.
 fn line(plot: &mut Plot, report: &Report, kept: &Kept) {
     let mut run: Vec<Point> = Vec::new();
     let jumps: Vec<f64> = report.survey.jumps.iter().filter(|j| order(j.shock) == kept.order).map(|j| in_turn(j.phi)).collect();
@@ -145,7 +147,7 @@ fn line(plot: &mut Plot, report: &Report, kept: &Kept) {
         run.push(plot.at(phi.to_degrees(), value));
     }
     runs.push(run);
-    // A jump over the start stands at both ends of the turn.
+    // A jump at the start of the turn is drawn at both ends.
     let ends = [(0.0, Side::After), (std::f64::consts::TAU, Side::Before)].map(|(phi, side)| kept.at(report, phi, side));
     if let ([Some(first), Some(last)], true) = (ends, jumps.iter().any(|j| *j < 1e-9)) {
         plot.line("jump", plot.at(0.0, first), plot.at(0.0, last), plot.style.thin.dashed(Dash::Dashed));
@@ -156,7 +158,7 @@ fn line(plot: &mut Plot, report: &Report, kept: &Kept) {
     }
 }
 
-/// The derivative that jumps.
+/// The order of the derivative that jumps.
 fn order(shock: Shock) -> usize {
     match shock {
         Shock::Rigid => 1,
@@ -164,7 +166,8 @@ fn order(shock: Shock) -> usize {
     }
 }
 
-/// Shocks by a mark at the line of zero of the acceleration: a rigid one there is infinite.
+/// Marks the shocks in the plot of the acceleration: a soft shock at the middle of its jump, a
+/// rigid one (infinite acceleration) by an arrow from the zero line.
 fn shocks(plot: &mut Plot, report: &Report, kept: &Kept, lang: Lang, said: &mut Vec<String>) {
     if kept.order != 2 {
         return;
@@ -193,12 +196,12 @@ fn shocks(plot: &mut Plot, report: &Report, kept: &Kept, lang: Lang, said: &mut 
     }
 }
 
-/// An angle in degrees as short as six digits allow.
+/// Writes an angle, rounded to 1e-4 degree, in the shortest form.
 fn shortest(degrees: f64) -> String {
     hodograph_base::digits::shortest((degrees * 1e4).round() / 1e4)
 }
 
-/// The least and the greatest value with their places.
+/// Marks the least and the greatest value.
 fn extremes(plot: &mut Plot, report: &Report, kept: &Kept, said: &mut Vec<String>) {
     let style = plot.style;
     let s = report.survey;
@@ -209,7 +212,7 @@ fn extremes(plot: &mut Plot, report: &Report, kept: &Kept, said: &mut Vec<String
     };
     let mut marks: Vec<(f64, f64)> = found.into_iter().map(|(phi, v)| (phi.to_degrees(), v * kept.factor)).collect();
     if kept.order == 0 {
-        // The stroke, in the middle of the outer dwell or at the top.
+        // The stroke, marked at the end of the rise.
         let top = s.phases.iter().find(|p| p.way == 1).map_or(0.0, |p| p.to);
         marks.push((in_turn(top).to_degrees(), s.stroke * kept.factor));
     }
@@ -224,7 +227,7 @@ fn extremes(plot: &mut Plot, report: &Report, kept: &Kept, said: &mut Vec<String
     }
 }
 
-/// The angles of the stages above the uppermost plot.
+/// Writes the angles of the stages above the uppermost plot.
 fn stages(plot: &mut Plot, report: &Report, lang: Lang) {
     let style = plot.style;
     let y = plot.frame.max.y + 5.0;
@@ -243,7 +246,7 @@ fn stages(plot: &mut Plot, report: &Report, lang: Lang) {
             (_, Lang::En) => "dwell",
             (_, Lang::Zh) => dwell(p.out, lang),
         };
-        // A stage over the start stands at its longer piece.
+        // A stage across the start of the turn has its text at its longer piece.
         let turn = std::f64::consts::TAU;
         let (from, to) = (p.from, p.to);
         let pieces = if to > turn + 1e-9 { vec![(from, turn), (0.0, to - turn)] } else { vec![(from, to)] };

@@ -1,5 +1,6 @@
-//! The circle diagram (瞬心多边形): links on a circle, a chord for each centre, solid for those of the pairs, dashed and numbered in the order
-//! of finding for the others; beside it the list of the lines that find them.
+//! The circle diagram (瞬心多边形): links as points on a circle, a chord for each centre. Chords of
+//! the pairs are solid; those of the other centres are dashed and numbered in the order in which the
+//! centres are found. A list beside the circle gives the lines that find them.
 
 use crate::list::Wanted;
 use hodograph_base::geom::{Point, Vec2};
@@ -16,25 +17,28 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::symbol;
 
-/// Radius of the circle for each link: the numbers on the chords have room.
+/// Radius of the circle per link: leaves space for the numbers on the chords.
 const RADIUS_PER_LINK_MM: f64 = 5.2;
-/// The smallest and the largest circle.
+/// The least and the greatest radius of the circle.
 const RADIUS_MM: [f64; 2] = [22.0, 75.0];
-/// Between the circle and the list, and between two columns of it.
+/// Gap between circle and list, and between two columns of the list.
 const GAP_MM: f64 = 8.0;
-/// More rows than this make two columns.
+/// Maximum number of rows in one column.
 const ROWS: usize = 22;
-/// Numbers of the order, as a part of the small type: two digits stand in a disc that is no taller than a line of the list.
+/// Size of the order numbers as a part of the small type: the disc of a two-digit number is no
+/// taller than a line of the list.
 const NUMBER_PART: f64 = 0.85;
-/// Where on its chord a number may stand, in steps of a fiftieth: not at the ends, where chords run together.
+/// Candidate places of a number on its chord, in fiftieths of the chord: not at the ends, where
+/// chords converge.
 const STATIONS: std::ops::RangeInclusive<usize> = 8..=42;
 
-/// The diagram with its list.
+/// Draws the diagram with its list.
 pub fn part(w: &Wanted, found: &Centres) -> Part {
     drawn(w, found, false)
 }
 
-/// The same; each item of a centre has its place in the order of finding as its step.
+/// Draws the diagram with its list; each item of a centre has the centre's place in the order of
+/// finding as its step.
 pub fn stepped(w: &Wanted, found: &Centres) -> Part {
     drawn(w, found, true)
 }
@@ -47,22 +51,23 @@ fn drawn(w: &Wanted, found: &Centres, stepped: bool) -> Part {
     Part { placements: diagram.placements, left_out: diagram.left_out, ..Part::of(items) }
 }
 
-/// The centres that are not of a pair, numbered from 1 on, each behind its place in the order of finding.
+/// The centres that are not of a pair, numbered from 1, each with its index in the order of
+/// finding.
 fn numbered(found: &Centres) -> impl Iterator<Item = (usize, (usize, &Centre))> {
     let later = found.list.iter().enumerate().filter(|(_, c)| !matches!(c.step.how, How::Primary(_)));
     later.enumerate().map(|(k, (place, c))| (place, (k + 1, c)))
 }
 
-/// The class of an item that a centre brings.
+/// The class of an item drawn for a centre.
 fn class(word: &str, stepped: bool, place: usize) -> String {
     if stepped { format!("{word} step-{place}") } else { word.to_owned() }
 }
 
-/// A number in its disc.
+/// A number in a disc.
 fn badge(style: &Style, at: Point, k: usize) -> Vec<Item> {
     let size_mm = style.small_mm * NUMBER_PART;
     let disc = Shape::Circle { centre: at, radius_mm: radius_of_badge(style), stroke: Some(style.thin), fill: Some(Colour::WHITE) };
-    // Digits are some two thirds of their em tall.
+    // Digits are about two thirds of their em tall.
     let label = Label::math(k.to_string()).in_fonts(&style.fonts);
     let at = Point::new(at.x, at.y - size_mm / 3.0);
     let number = Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
@@ -73,15 +78,15 @@ fn radius_of_badge(style: &Style) -> f64 {
     style.small_mm * NUMBER_PART * 0.72
 }
 
-/// How far a place is from a line.
+/// Distance of a point from a segment.
 fn distance(p: Point, (a, b): (Point, Point)) -> f64 {
     let u = b - a;
     let t = (u.dot(p - a) / u.norm2()).clamp(0.0, 1.0);
     (a + u * t).distance(p)
 }
 
-/// For each numbered chord (an index) the place of its number: as far as can be from other chords, and from the numbers before it; of
-/// two that are as good the one nearer to the middle.
+/// For each numbered chord (an index) the place of its number: as far as possible from other chords
+/// and from the numbers already placed; among equals the one nearer to the middle.
 fn stations(chords: &[(Point, Point)], numbered: &[usize], disc_mm: f64) -> Vec<Point> {
     let mut placed: Vec<Point> = Vec::new();
     for k in numbered {
@@ -89,7 +94,7 @@ fn stations(chords: &[(Point, Point)], numbered: &[usize], disc_mm: f64) -> Vec<
         let worth = |p: Point| {
             let others = chords.iter().enumerate().filter(|(l, _)| l != k).map(|(_, c)| distance(p, *c));
             let numbers = placed.iter().map(|q| (p.distance(*q) - disc_mm) / 1.5);
-            // Farther than a disc and a half from all others is far enough.
+            // A distance of one and a half discs from all others is enough.
             others.chain(numbers).fold(1.5 * disc_mm, f64::min)
         };
         let at = |t: usize| a + (b - a) * (t as f64 / 50.0);
@@ -140,7 +145,7 @@ fn chords(w: &Wanted, found: &Centres, stepped: bool) -> Part {
     d.finish()
 }
 
-/// The list: a row for each numbered centre; its upper left corner stands at `corner`.
+/// The list, with a row for each numbered centre and its upper left corner at `corner`.
 fn list(w: &Wanted, found: &Centres, corner: Point, stepped: bool) -> Vec<Item> {
     let style = &w.options.style;
     let words = Words::new(found, w.options.lang);

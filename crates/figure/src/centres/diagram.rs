@@ -1,4 +1,5 @@
-//! The mechanism with its centres: dots, the lines that find them, arrows to those that the paper does not hold.
+//! The mechanism with its centres: dots, the lines that find them, and arrows to centres off the
+//! paper.
 
 use crate::list::Wanted;
 use crate::mechanism;
@@ -17,27 +18,29 @@ use hodograph_paper::paper::symbols as sym;
 use super::rays::{Paper, Plate, Ray, Spot, clipped, holds};
 use super::symbol;
 
-/// How far around the mechanism centres are still drawn where they are: half of an A4 page's height.
+/// Distance around the mechanism within which centres are drawn in place: half the height of an A4
+/// page.
 const REACH_MM: f64 = 85.0;
-/// Paper around the outermost centre: lines that pass through it are seen to go on.
+/// Margin around the outermost centre, so that lines visibly pass through it.
 const EDGE_MM: f64 = 6.0;
-/// Centres nearer to one another than this have one dot and one label.
+/// Centres closer than this share one dot and one label.
 const SAME_MM: f64 = 0.6;
-/// Of what is left of a line behind its last centre, the part at which the name of the centre off the paper stands.
+/// Position of the name of a centre off the paper, as a part of the line behind its last centre.
 const LAST_PART: f64 = 0.7;
 /// Length of the arrow to a centre at infinity that no line leads to.
 const ARROW_MM: f64 = 16.0;
-/// The longer of two velocities whose normals give a centre.
+/// Length of the longer of two velocities whose normals give a centre.
 const VELOCITY_MM: f64 = 16.0;
-/// How far lines stand back behind the mechanism.
+/// Colour of lines in the background of the mechanism.
 const LINES: Colour = Colour::grey(120);
 
-/// The mechanism with the centres of a plate.
+/// Draws the mechanism with the centres of a plate.
 pub fn part(w: &Wanted, found: &Centres, plate: &Plate) -> Part {
     drawn(w, found, plate, REACH_MM, false)
 }
 
-/// The mechanism with all centres no farther than `reach_mm` around it; each item of a centre has its place in the order of finding as its step.
+/// Draws the mechanism with all centres within `reach_mm` around it; each item of a centre has the
+/// centre's place in the order of finding as its step.
 pub fn stepped(w: &Wanted, found: &Centres, reach_mm: f64) -> Part {
     drawn(w, found, &Plate::default(), reach_mm, true)
 }
@@ -58,7 +61,7 @@ fn drawn(w: &Wanted, found: &Centres, plate: &Plate, reach_mm: f64, stepped: boo
     d.finish()
 }
 
-/// The paper that is used: the mechanism, and all centres that are not far from it.
+/// The part of the paper that is used: the mechanism, and all centres near it.
 fn window(found: &Centres, plate: &Plate, (lines, reach_mm): (Rect, f64), to_paper: &dyn Fn(Point) -> Point) -> Rect {
     let reach = lines.grown(reach_mm);
     let shown = found.list.iter().enumerate().filter(|(k, _)| plate.shows(found, *k)).map(|(_, c)| c);
@@ -72,19 +75,19 @@ struct Over<'a, 'b> {
     paper: &'a Paper<'a>,
     d: &'b mut Drawing,
     plate: &'a Plate,
-    /// Whether items tell the step that brings them.
+    /// True if the class of an item names the step that draws it.
     stepped: bool,
-    /// For each centre whether it has its label.
+    /// For each centre, true if it has its label.
     told: Vec<bool>,
 }
 
 impl Over<'_, '_> {
-    /// The class of an item that a centre brings.
+    /// The class of an item drawn for a centre.
     fn class(&self, word: &str, k: usize) -> String {
         if self.stepped { format!("{word} step-{k}") } else { word.to_owned() }
     }
 
-    /// The lines, behind the mechanism.
+    /// Draws the lines behind the mechanism.
     fn lines(&mut self) {
         let rays = self.paper.rays(self.plate);
         let thin = self.w.options.style.thin.coloured(LINES);
@@ -102,7 +105,8 @@ impl Over<'_, '_> {
         }
     }
 
-    /// What opens a stalled closure: two velocities of a link, and their normals, which cross in the centre.
+    /// Draws the step that reopens a stalled closure: two velocities of a link, and their
+    /// normals, which cross in the centre.
     fn normals(&mut self) {
         let style = &self.w.options.style;
         let thin = style.thin.coloured(LINES).dashed(Dash::DashDot);
@@ -131,10 +135,10 @@ impl Over<'_, '_> {
         }
     }
 
-    /// The arrows at the edge of the paper, each centre named once.
+    /// Draws the arrows at the edge of the paper and names each centre once.
     fn arrows(&mut self, ray: &Ray, owner: u32) {
         for a in &ray.arrows {
-            // What is named is the end behind the last centre on the line.
+            // The name is at the end of the line, behind its last centre.
             let back = a.last - a.tip;
             let Some(along) = back.unit() else { continue };
             let base = a.tip + along * ARROW_MM.min(LAST_PART * back.norm());
@@ -142,7 +146,8 @@ impl Over<'_, '_> {
         }
     }
 
-    /// The head of an arrow at the edge, with the name of its centre, and the step that brings it; the line is there.
+    /// Draws the arrowhead at the edge, with the name of its centre and the step that draws it.
+    /// With an `owner` the line is already drawn; without one the arrow has its own shaft.
     fn arrow(&mut self, (k, step): (usize, usize), measured: Option<usize>, [base, to]: [Point; 2], owner: u32) {
         let class = self.class("centre far", step);
         let style = &self.w.options.style;
@@ -150,7 +155,7 @@ impl Over<'_, '_> {
         let name = c.step.pair.name(self.w.scene);
         let stroke = style.thin.coloured(LINES);
         let along = (to - base).unit().unwrap_or(Vec2::ZERO);
-        // A shaft over the line would make it darker.
+        // A shaft over the line would make the line darker.
         let from = if owner > 0 { to - along * style.thin_head.length_mm * 1.5 } else { base };
         self.d.shape(&format!("to-{name}"), &class, Shape::Arrow { from, to, stroke, head: style.thin_head });
         let again = std::mem::replace(&mut self.told[k], true);
@@ -159,14 +164,16 @@ impl Over<'_, '_> {
         self.d.label(&name, &class, request.owned(owner).optional(again));
     }
 
-    /// `P_{12}P_{13} = 6.83 m`: how far it is from another centre on the line; a centre at infinity has the sign for it.
+    /// `P_{12}P_{13} = 6.83 m`: the distance from another centre on the line. A centre at infinity
+    /// has the infinity sign.
     fn far_label(&self, c: &Centre, measured: Option<usize>) -> Label {
         let symbol = symbol(self.w.scene, c.step.pair);
         let from = measured.and_then(|k| Some((&self.found.list[k], self.found.list[k].place?.point()?)));
         match (c.place, from) {
             (Some(Place::Infinity(_)), _) => Label::math(format!("{symbol}^{{\\infty}}")),
             (Some(Place::At(p)), Some((other, from))) => {
-                // Air at both ends: beside the number of a link the distance would be read on.
+                // Space at both ends: without it the distance would run together with a link number
+                // beside it.
                 let air = || Label::math("\\,\\,");
                 let other = self::symbol(self.w.scene, other.step.pair);
                 air()
@@ -178,7 +185,7 @@ impl Over<'_, '_> {
         }
     }
 
-    /// Dots and names of the centres on the paper; those at one place share them.
+    /// Draws the dots and names of the centres on the paper; centres at one place share them.
     fn spots(&mut self) {
         let style = &self.w.options.style;
         let mut places: Vec<(Point, Vec<usize>)> = Vec::new();
@@ -199,7 +206,7 @@ impl Over<'_, '_> {
             let first = members[0];
             let class = self.class("centre", first);
             if !joint {
-                // What an earlier plate has found is given here.
+                // A centre found on an earlier plate is given here.
                 let new = members.iter().any(|k| self.plate.finds(*k));
                 if new {
                     self.d.draw(&name, &class, sym::dot(style, at));
@@ -209,7 +216,7 @@ impl Over<'_, '_> {
                 }
             }
             if measured {
-                // A ring tells the one that no lines find.
+                // A ring marks a centre that no lines find.
                 let ring = Shape::Circle { centre: at, radius_mm: 2.0 * style.dot_radius_mm, stroke: Some(style.thin), fill: None };
                 self.d.shape(&format!("{name}-ring"), &class, ring);
             }
@@ -220,7 +227,8 @@ impl Over<'_, '_> {
         }
     }
 
-    /// Arrows to the centres that no line has told yet: primary ones at infinity stand at their slider.
+    /// Draws arrows to the centres not yet named by a line; a primary centre at infinity is drawn
+    /// at its slider.
     fn far(&mut self) {
         for k in 0..self.found.list.len() {
             let c = &self.found.list[k];
@@ -243,14 +251,14 @@ impl Over<'_, '_> {
         }
     }
 
-    /// The last piece of the way to a place, up to the edge of the paper.
+    /// The last piece of the line to a point, up to the edge of the paper.
     fn to_edge(&self, at: Point, p: Point) -> Option<(Point, Point)> {
         let along: Vec2 = (p - at).unit()?;
         let [_, high] = clipped(self.paper.window, at, along)?;
         Some((at + along * (high - ARROW_MM).max(0.0), at + along * high))
     }
 
-    /// Where the slider of a centre stands.
+    /// Position of the slider (or other pair) of a primary centre.
     fn anchor(&self, c: &Centre) -> Option<Point> {
         let configuration = &self.found.worked.configuration;
         let at = match c.step.how {

@@ -1,7 +1,8 @@
-//! The instantaneous centres: the mechanism with all of them and the lines that find them, and the circle diagram (瞬心多边形).
+//! Draws the instantaneous centres: the mechanism with all centres and the lines that find them,
+//! and the circle diagram (瞬心多边形).
 //!
-//! [`diagram`] draws over the mechanism, [`rays`] says which lines it needs and how far they go, [`circle`] draws the diagram of links and
-//! centres with its list.
+//! [`diagram`] draws over the mechanism, [`rays`] selects the lines and their lengths, [`circle`]
+//! draws the circle diagram with its list.
 
 mod circle;
 mod diagram;
@@ -22,9 +23,9 @@ use hodograph_paper::paper::drawing::Part;
 use hodograph_paper::paper::item::Figure;
 use hodograph_paper::paper::label::Label;
 
-/// Centres found by lines that one drawing holds: those of a six-bar.
+/// Maximum number of centres found by lines in a single drawing: those of a six-bar.
 const MOST: usize = 12;
-/// Those of a drawing where there are more.
+/// Centres per drawing if there are more.
 const PER_PLATE: usize = 5;
 
 /// All centres with the circle diagram.
@@ -33,20 +34,21 @@ pub const ENTRY: Entry =
 
 fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     let Warned { value: found, notes } = centres(w.scene)?;
-    // What is to be said of the pose is said of the scene's own questions already.
+    // The notes about the pose already appear with the scene's own questions.
     let notes = notes.into_iter().filter(|d| d.code.starts_with("centre-")).collect();
     let plates = plates(&found);
     let pages = if plates.len() > 1 { parted(w, &found, plates) } else { page(ENTRY.name, Some(figure(w, &found)))?.value };
     Ok(Warned { value: pages, notes })
 }
 
-/// The mechanism with its centres no farther than `reach_mm` around it, and the circle diagram; what a centre brings has its place in the order of finding
-/// in its class (`step-2`).
+/// The mechanism with its centres within `reach_mm` around it, and the circle diagram. The class of
+/// each item of a centre names the centre's place in the order of finding (`step-2`).
 pub fn stepped(w: &Wanted, found: &Centres, reach_mm: f64) -> [Part; 2] {
     [diagram::stepped(w, found, reach_mm), circle::stepped(w, found)]
 }
 
-/// The centres that are found by lines, in their order, so many to a drawing as its lines can be told apart.
+/// The centres that are found by lines, in their order, with only as many per drawing as keep its
+/// lines distinct.
 fn plates(found: &Centres) -> Vec<Plate> {
     let by_lines = |how: &How| matches!(how, How::Lines(_) | How::Velocities);
     // The list is in the order of finding.
@@ -91,7 +93,7 @@ fn figure(w: &Wanted, found: &Centres) -> Figure {
     let second = maker.titled(circle::part(w, found), Label::text(format!("(b) {}", words.circle_diagram)), "", "circle");
     let mut parts = [first, second];
     let trees = [Tree::row(vec![Tree::Leaf(0), Tree::Leaf(1)]), Tree::column(vec![Tree::Leaf(0), Tree::Leaf(1)])];
-    // The one that fills a page best, upright or across.
+    // The arrangement that fills a page best, portrait or landscape.
     let fits = |[w, h]: [f64; 2]| {
         let [a, b] = AIM_MM.map(|mm| mm - 2.0 * MARGIN_MM);
         (a / w).min(b / h).max((b / w).min(a / h))

@@ -1,6 +1,7 @@
-//! The lines that find centres, on paper: which there are, each once, and how far each goes.
+//! Selects the lines that find centres on paper, each once, and computes their lengths.
 //!
-//! A line goes from the first to the last centre on it that is on the paper; toward one that is not it goes on to the edge, with an arrow.
+//! A line extends from the first to the last centre on the paper. Towards a centre off the paper it
+//! continues to the edge, with an arrow.
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::position::Path;
@@ -9,36 +10,38 @@ use hodograph_scene::GuideId;
 
 use hodograph_paper::paper::extent::Rect;
 
-/// Lines nearer to one another than this all over the paper are drawn once.
+/// Lines closer than this over the whole paper are drawn once.
 const SAME_MM: f64 = 0.2;
-/// How far a line goes on behind its last centre, so that it is seen to pass through it.
+/// Extension of a line beyond its last centre, so that it visibly passes through it.
 const BEYOND_MM: f64 = 4.0;
 
-/// A centre as it is on paper.
+/// A centre on paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Spot {
     /// On the paper (mm).
     On(Point),
     /// In the plane, but off the paper (mm).
     Off(Point),
-    /// At infinity in this direction, and in the opposite one.
+    /// At infinity, in this direction and in the opposite one.
     Infinite(Vec2),
 }
 
-/// Which centres a drawing finds, by their places in the list; all of them where there is but one drawing.
+/// The centres that a drawing finds, by their indices in the list; all of them if there is only one
+/// drawing.
 #[derive(Clone, Debug, Default)]
 pub struct Plate {
-    /// Those whose lines are drawn, in the order of finding.
+    /// The centres with their lines drawn, in the order of finding; `None` for all.
     pub found: Option<Vec<usize>>,
 }
 
 impl Plate {
-    /// Whether the lines of a centre are drawn.
+    /// True if the lines of a centre are drawn.
     pub fn finds(&self, k: usize) -> bool {
         self.found.as_ref().is_none_or(|all| all.contains(&k))
     }
 
-    /// Whether a centre is shown: it is found here, or a line of one that is goes through it.
+    /// True if a centre is shown: the plate finds it, or a line of a centre that the plate finds
+    /// passes through it.
     pub fn shows(&self, found: &Centres, k: usize) -> bool {
         let Some(all) = &self.found else { return true };
         let own = found.list[k].step.pair;
@@ -62,41 +65,41 @@ impl Plate {
 pub struct Ray {
     /// One end (mm).
     pub from: Point,
-    /// The other.
+    /// The other end (mm).
     pub to: Point,
-    /// Whether it is a normal, not a line through two centres.
+    /// True if the line is a normal, not a line through two centres.
     pub normal: bool,
-    /// The centre (index) for which it is drawn first.
+    /// The centre (index) that the line is first drawn for.
     pub by: usize,
     /// The ends with an arrow.
     pub arrows: Vec<Arrow>,
 }
 
-/// The end of a line that leads to a centre off the paper.
+/// The end of a line towards a centre off the paper.
 #[derive(Clone, Copy, Debug)]
 pub struct Arrow {
-    /// Its tip (mm).
+    /// The tip (mm).
     pub tip: Point,
-    /// The last centre before it, or where the line begins (mm).
+    /// The last centre before the tip, or the start of the line (mm).
     pub last: Point,
-    /// The centre (index).
+    /// The centre off the paper (index).
     pub to: usize,
-    /// The centre (index) on this line from which the other is measured.
+    /// The centre (index) on this line that the distance is measured from.
     pub from: Option<usize>,
 }
 
-/// The paper that centres are drawn on.
+/// The paper with the centres.
 pub struct Paper<'a> {
     /// The centres.
     pub found: &'a Centres,
-    /// From the plane (m) to paper (mm).
+    /// Maps the plane (m) to paper (mm).
     pub to_paper: &'a dyn Fn(Point) -> Point,
-    /// What of the paper is used.
+    /// The part of the paper that is used.
     pub window: Rect,
 }
 
 impl Paper<'_> {
-    /// Where a centre is on paper; `None` where it has no place.
+    /// Position of a centre on paper; `None` if it has no place.
     pub fn spot(&self, c: &Centre) -> Option<Spot> {
         Some(match c.place? {
             Place::At(p) => {
@@ -107,7 +110,7 @@ impl Paper<'_> {
         })
     }
 
-    /// All lines that find the centres of a plate, and what lies on them.
+    /// All lines that find the centres of a plate, with the centres on them.
     pub fn rays(&self, plate: &Plate) -> Vec<Ray> {
         let mut lines: Vec<Drawn> = Vec::new();
         for (k, c) in self.found.list.iter().enumerate().filter(|(k, _)| plate.finds(*k)) {
@@ -134,7 +137,7 @@ impl Paper<'_> {
                     Some(Spot::On(p) | Spot::Off(p)) => Some(p),
                     Some(Spot::Infinite(_)) | None => None,
                 };
-                // The farther two of the places that it is drawn through tell the direction best.
+                // The two known centres define the direction.
                 let [a, b] = [members[0], members[1]];
                 let direction = match (finite(&a), finite(&b)) {
                     (Some(p), Some(q)) => q - p,
@@ -157,7 +160,7 @@ impl Paper<'_> {
         }
     }
 
-    /// Where the normal of a slot stands (as a vector from the origin) and its direction.
+    /// The foot of a slot's normal (as a vector from the origin) and the normal's direction.
     fn normal(&self, g: GuideId) -> Option<[Vec2; 2]> {
         let at = &self.found.worked.configuration;
         let pin = at.points[self.found.scene.guides[g.0].pin?.0]?;
@@ -168,7 +171,7 @@ impl Paper<'_> {
         Some([(self.to_paper)(pin).to_vec2(), along])
     }
 
-    /// How far a line goes.
+    /// The visible part of a line, with its arrows.
     fn ray(&self, line: &Drawn) -> Option<Ray> {
         let [low, high] = clipped(self.window, line.through, line.along)?;
         let position = |p: Point| (p - line.through).dot(line.along);
@@ -185,7 +188,7 @@ impl Paper<'_> {
         if first > last {
             (first, last) = (low, high);
         }
-        // At infinity is either end: the one with more room.
+        // A centre at infinity is towards either end: take the one with more space.
         if let (Some(k), [None, None]) = (infinite, ends) {
             ends[usize::from(high - last > first - low)] = Some(k);
         }
@@ -203,31 +206,32 @@ impl Paper<'_> {
     }
 }
 
-/// A line without ends.
+/// An infinite line.
 struct Drawn {
     through: Point,
     along: Vec2,
-    /// The centres on it, as indices.
+    /// The centres on the line, as indices.
     members: Vec<usize>,
     normal: bool,
-    /// The centre (index) for which it is drawn first.
+    /// The centre (index) that the line is first drawn for.
     by: usize,
 }
 
 impl Drawn {
-    /// Whether both are one on paper.
+    /// True if both lines coincide on the paper.
     fn is(&self, other: &Drawn, window: Rect) -> bool {
         let Some([low, high]) = clipped(window, other.through, other.along) else { return false };
         [low, high].iter().all(|t| self.along.cross(other.through + other.along * *t - self.through).abs() < SAME_MM)
     }
 }
 
-/// Whether the paper holds a place.
+/// True if the paper holds a point.
 pub fn holds(window: Rect, p: Point) -> bool {
     (window.min.x..=window.max.x).contains(&p.x) && (window.min.y..=window.max.y).contains(&p.y)
 }
 
-/// The part of a line that lies on the paper (Liang-Barsky), as positions along it from its place; `None` where it misses the paper.
+/// The part of a line on the paper (Liang-Barsky), as positions along it from `through`; `None` if
+/// the line misses the paper.
 pub fn clipped(window: Rect, through: Point, along: Vec2) -> Option<[f64; 2]> {
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for (at, step, min, max) in [(through.x, along.x, window.min.x, window.max.x), (through.y, along.y, window.min.y, window.max.y)] {

@@ -1,4 +1,5 @@
-//! The lines that find Ball's point: rectangles on pole tangent and normal, the line of their corners, and what it cuts off.
+//! The lines that find Ball's point: rectangles on pole tangent and pole normal, the line through
+//! their corners, and its intersections.
 
 use super::construction::Over;
 use hodograph_base::geom::{Point, Vec2};
@@ -7,14 +8,14 @@ use hodograph_methods::curvature::plane::End;
 use hodograph_paper::paper::item::Dash;
 use hodograph_scene::PointId;
 
-/// The corners of a point's rectangle: on the tangent, opposite to the pole, on the normal.
+/// Three corners of a point's rectangle: on the tangent, opposite the pole, on the normal.
 fn rectangle(rays: &Rays, corner: Point) -> [Point; 3] {
     let normal = rays.normal().unit().unwrap_or(Vec2::ZERO);
     let up = normal * (corner - rays.pole).dot(normal);
     [corner - up, corner, rays.pole + up]
 }
 
-/// All places of the construction.
+/// All points of the construction.
 pub(super) fn places(rays: &Rays) -> Vec<Point> {
     let Some(ball) = rays.ball() else { return Vec::new() };
     let rectangles = ball.corners.iter().flat_map(|corner| rectangle(rays, *corner));
@@ -22,7 +23,8 @@ pub(super) fn places(rays: &Rays) -> Vec<Point> {
 }
 
 impl Over<'_, '_> {
-    /// The construction of Ball's point in the letters of its steps, where the paper holds all of it: lines that lead off it explain nothing.
+    /// Draws the construction of Ball's point with the letters of its steps, if the paper holds all
+    /// of it: lines that lead off the paper explain nothing.
     pub(super) fn ball(&mut self, rays: &Rays, ball: &Ball) {
         if !places(rays).iter().all(|p| self.board.holds(self.at(*p))) {
             return;
@@ -50,7 +52,7 @@ impl Over<'_, '_> {
         self.spot(self.words.foot(), foot);
     }
 
-    /// Tangent and normal as far as the corners on them, where they are not drawn so far.
+    /// Extends tangent and normal to the corners on them where they are shorter.
     fn axes(&mut self, pole: Point, on_tangent: Point, on_normal: Point) {
         let normal = self.board.cut(pole, on_normal);
         self.board.line("ball-normal", "curvature line", normal, self.thin);

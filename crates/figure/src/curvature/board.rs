@@ -1,4 +1,5 @@
-//! Lines, circles and curves over a mechanism, cut at the edge of the paper; places off the paper get an arrow with their distance.
+//! Draws lines, circles and curves over a mechanism, cut at the edge of the paper; places off the
+//! paper get an arrow with their distance.
 
 use crate::centres::rays::{clipped, holds};
 use hodograph_base::geom::{Point, Vec2};
@@ -11,24 +12,24 @@ use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
 use std::f64::consts::TAU;
 
-/// Places nearer to one another than this have one dot and one label.
+/// Places closer than this share one dot and one label.
 const SAME_MM: f64 = 0.6;
 /// Length of the arrow to a place off the paper.
 const ARROW_MM: f64 = 14.0;
-/// Chords of a circle: their sag cannot be seen.
+/// Length of a circle's chords: their sag is invisible.
 const CHORD_MM: f64 = 1.0;
-/// Most of them: a page holds no longer arc.
+/// Maximum number of chords: a page holds no longer arc.
 const CHORDS: usize = 2000;
 
-/// Paper over a mechanism; all places are in mm.
+/// Paper over a mechanism; all positions are in mm.
 pub struct Board<'a> {
-    /// How things look.
+    /// The style of lines and labels.
     pub style: &'a Style,
-    /// What is drawn.
+    /// The drawing.
     pub d: Drawing,
-    /// What of the paper is used.
+    /// The part of the paper that is used.
     pub window: Rect,
-    /// Places with their names, to be drawn at the end.
+    /// Named places, drawn at the end.
     spots: Vec<Spot>,
 }
 
@@ -36,29 +37,29 @@ struct Spot {
     name: String,
     label: Label,
     at: Point,
-    /// Whether a joint's circle stands there.
+    /// True if a joint's circle is drawn at this place.
     joint: bool,
 }
 
 impl<'a> Board<'a> {
-    /// A board over a drawing.
+    /// Creates a board over a drawing.
     pub fn new(style: &'a Style, d: Drawing, window: Rect) -> Board<'a> {
         Board { style, d, window, spots: Vec::new() }
     }
 
-    /// Whether the paper holds a place.
+    /// True if the paper holds a point.
     pub fn holds(&self, p: Point) -> bool {
         holds(self.window, p)
     }
 
-    /// A line across the paper; `None` where it misses it.
+    /// The part of a line on the paper; `None` if the line misses the paper.
     pub fn across(&self, through: Point, along: Vec2) -> Option<[Point; 2]> {
         let u = along.unit()?;
         let [low, high] = clipped(self.window, through, u)?;
         Some([through + u * low, through + u * high])
     }
 
-    /// The part of a segment that lies on the paper.
+    /// The part of a segment on the paper.
     pub fn cut(&self, a: Point, b: Point) -> Option<[Point; 2]> {
         let u = (b - a).unit()?;
         let [low, high] = clipped(self.window, a, u)?;
@@ -66,7 +67,8 @@ impl<'a> Board<'a> {
         (low < high).then(|| [a + u * low, a + u * high])
     }
 
-    /// Draws a line between two places, as far as the paper holds it, behind the mechanism; returns its owner for labels.
+    /// Draws a line between two points behind the mechanism; returns its owner for labels (0 if
+    /// `ends` is `None`).
     pub fn line(&mut self, name: &str, class: &str, ends: Option<[Point; 2]>, stroke: Stroke) -> u32 {
         let Some([from, to]) = ends else { return 0 };
         let mut owner = 0;
@@ -74,7 +76,8 @@ impl<'a> Board<'a> {
         owner
     }
 
-    /// Draws a circle as far as the paper holds it.
+    /// Draws a circle as far as the paper holds it; returns a chord in the middle of its longest
+    /// arc.
     pub fn circle(&mut self, name: &str, class: &str, centre: Point, radius_mm: f64, stroke: Stroke) -> Option<(Point, Point)> {
         let mut longest: Option<(Point, Point)> = None;
         let arcs = arcs(self.window, centre, radius_mm);
@@ -101,12 +104,12 @@ impl<'a> Board<'a> {
         longest
     }
 
-    /// Names a place; several at one place share dot and label.
+    /// Names a place; several names at one place share dot and label.
     pub fn spot(&mut self, name: &str, label: Label, at: Point, joint: bool) {
         self.spots.push(Spot { name: name.to_owned(), label, at, joint });
     }
 
-    /// Draws all named places that the paper holds.
+    /// Draws all named places on the paper.
     pub fn spots(&mut self) {
         let mut places: Vec<(Point, Vec<Spot>)> = Vec::new();
         for spot in std::mem::take(&mut self.spots) {
@@ -131,7 +134,7 @@ impl<'a> Board<'a> {
         }
     }
 
-    /// The end of a line that leads to a place off the paper, with its name.
+    /// Draws the end of a line towards a place off the paper, with its name.
     pub fn arrow(&mut self, name: &str, label: Label, from: Point, toward: Vec2, stroke: Stroke) {
         let Some(u) = toward.unit() else { return };
         let Some([_, high]) = clipped(self.window, from, u) else { return };
@@ -143,7 +146,7 @@ impl<'a> Board<'a> {
     }
 }
 
-/// The arcs of a circle that a window holds, from angle to angle.
+/// The arcs of a circle within a window, as pairs of angles.
 fn arcs(window: Rect, centre: Point, radius: f64) -> Vec<[f64; 2]> {
     let mut angles: Vec<f64> = Vec::new();
     for x in [window.min.x, window.max.x] {
@@ -176,11 +179,11 @@ mod tests {
         let window = Rect::new(Point::ORIGIN, Point::new(10.0, 10.0));
         assert_eq!(arcs(window, Point::new(5.0, 5.0), 3.0), [[0.0, TAU]]);
         assert!(arcs(window, Point::new(5.0, 5.0), 30.0).is_empty());
-        // A corner on the circle's centre holds a quarter.
+        // A window with a corner at the circle's centre holds a quarter.
         let quarter = arcs(window, Point::ORIGIN, 4.0);
         let total: f64 = quarter.iter().map(|[a, b]| b - a).sum();
         assert!((total - TAU / 4.0).abs() < 1e-12, "{quarter:?}");
-        // A circle so large that it is a line across.
+        // A circle so large that it appears as a straight line.
         let flat = arcs(window, Point::new(5.0, 1e7 + 5.0), 1e7);
         let length: f64 = flat.iter().map(|[a, b]| (b - a) * 1e7).sum();
         assert!((length - 10.0).abs() < 1e-6, "{flat:?}");

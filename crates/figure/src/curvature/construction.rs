@@ -1,7 +1,10 @@
-//! The construction of pole, inflection circle and centres of curvature over the mechanism; its steps and values as text below.
+//! Draws the construction of pole, inflection circle and centres of curvature over the mechanism,
+//! with its steps and values as text below.
 //!
-//! Rays, collineation axis and helping points stand where the ruler finds them ([`hodograph_methods::curvature::drawing`]); pole, inflection circle, poles of the
-//! motion and centres of curvature stand where the analysis has them, so the figure says that they are calculated and proves nothing.
+//! Rays, collineation axis and auxiliary points are at the places that the ruler finds
+//! ([`hodograph_methods::curvature::drawing`]). Pole, inflection circle, poles of the motion and
+//! centres of curvature are at the places that the analysis computes; the figure therefore states
+//! that they are calculated, and is no independent proof.
 
 use crate::list::Wanted;
 use crate::mechanism;
@@ -27,29 +30,29 @@ use hodograph_scene::{DiagramKind, Link, PointId};
 use super::ball;
 use super::board::Board;
 
-/// How far around the mechanism places are still drawn where they are.
+/// Distance around the mechanism within which places are drawn in position.
 const REACH_MM: f64 = 80.0;
-/// Paper around the outermost place.
+/// Margin around the outermost place.
 const EDGE_MM: f64 = 7.0;
-/// Places of a construction nearer than this (m) to a joint are the joint.
+/// Places of a construction closer than this (m) to a joint are the joint.
 const SAME_M: f64 = 1e-9;
-/// Mechanisms with more links have names only where the construction speaks of them.
+/// In mechanisms with more links only the names that the construction uses are written.
 const LINKS_NAMED: usize = 7;
-/// How far lines stand back.
+/// Colour of lines in the background.
 const LINES: Colour = Colour::grey(120);
-/// How far a line goes on behind its last place.
+/// Extension of a line beyond its last place.
 const BEYOND_MM: f64 = 4.0;
-/// Half the length of the pole tangent, at most.
+/// Maximum half length of the pole tangent.
 const TANGENT_MM: f64 = 60.0;
-/// Length of the arrow of the pole velocity, which has no scale.
+/// Length of the arrow of the pole velocity, which is not to scale.
 const SENSE_MM: f64 = 14.0;
-/// The text below: its width, and its lines' distance.
+/// Width and line spacing of the text below.
 const TEXT_MM: f64 = 170.0;
 const ROW_MM: f64 = 5.2;
-/// Between drawing and text.
+/// Gap between drawing and text.
 const GAP_MM: f64 = 9.0;
 
-/// The figure of one link.
+/// Draws the figure of one link.
 pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Figure {
     let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let words = Words { found, lang: w.options.lang };
@@ -67,7 +70,7 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Figure {
     figure
 }
 
-/// Steps and values, wrapped.
+/// Steps and values as wrapped text.
 fn text(w: &Wanted, words: &Words, of: &OfLink) -> Part {
     let style = &w.options.style;
     let mut lines: Vec<Label> = Vec::new();
@@ -111,7 +114,8 @@ fn part(w: &Wanted, words: &Words, of: &OfLink) -> Part {
     over.board.d.finish()
 }
 
-/// Of a large mechanism only what the construction speaks of has names: the link, its joints, and what holds them.
+/// In a large mechanism keeps only the names that the construction uses: the link, its joints, and
+/// the links that hold them.
 fn only_named_what_is_used(w: &Wanted, of: &OfLink, d: &mut Drawing) {
     let scene = w.scene;
     let rays = match &of.drawing {
@@ -197,7 +201,7 @@ impl Over<'_, '_> {
         self.board.spot(&name, Label::math(label), at, joint);
     }
 
-    /// A line from the first to the last of some places that lie on it, and a little beyond.
+    /// Draws a line from the first to the last of some collinear places, extended a little.
     pub(super) fn chain(&mut self, name: &str, places: &[Point]) -> u32 {
         let Some((from, to)) = ends(places) else { return 0 };
         let beyond = (to - from).unit().unwrap_or(Vec2::ZERO) * BEYOND_MM;
@@ -211,7 +215,8 @@ impl Over<'_, '_> {
         self.board.line("ray", "curvature line", across, self.thin);
     }
 
-    /// Rays, collineation axis, the points of the rays whose paths are straight, and their perpendiculars.
+    /// Draws rays, collineation axis, the points of the rays with straight paths, and their
+    /// perpendiculars.
     fn rays(&mut self, rays: &Rays) {
         let (pole, j) = (self.at(rays.pole), self.at(rays.inflection));
         let stands = rays.normal() == Vec2::ZERO;
@@ -269,7 +274,7 @@ impl Over<'_, '_> {
         }
     }
 
-    /// Inflection circle, pole tangent and normal, Bresse's circle, and the poles.
+    /// Draws inflection circle, pole tangent and normal, Bresse's circle, and the poles.
     fn circles(&mut self, pole: hodograph_methods::curvature::motion::Turning) {
         let style = self.board.style;
         let mu = self.w.worked.construction.diagram.mu;
@@ -321,13 +326,13 @@ impl Over<'_, '_> {
         }
     }
 
-    /// Half of the length of the tangent (mm), the pole in its middle.
+    /// Half of the length of the tangent (mm); the pole is in its middle.
     pub(super) fn half_tangent(&self) -> f64 {
         let diameter_mm = self.of.pole().map_or(0.0, |pole| pole.diameter()) / self.w.worked.construction.diagram.mu;
         TANGENT_MM.min(diameter_mm.max(2.0 * SENSE_MM))
     }
 
-    /// The pole tangent, with the sense of the pole's motion.
+    /// Draws the pole tangent and an arrow in the direction of the pole velocity.
     fn tangent(&mut self, at: Point, normal: Vec2, u: Vec2) {
         let style = self.board.style;
         let (Some(t), true) = (normal.perp().unit(), self.board.holds(at)) else { return };
@@ -351,7 +356,7 @@ impl Over<'_, '_> {
         );
     }
 
-    /// The centres of the points' paths, with the lines that find them.
+    /// Draws the centres of the points' paths, with the lines that find them.
     fn centres(&mut self) {
         let Some(pole) = self.of.pole() else { return };
         let (p, j) = (self.at(pole.pole), self.at(pole.inflection_pole()));
@@ -374,7 +379,7 @@ impl Over<'_, '_> {
                 && let End::At(h) = drawn.helper
             {
                 let h = self.at(h);
-                // Only where the paper holds it: a helper far off explains nothing.
+                // Only if the paper holds it: a distant auxiliary point explains nothing.
                 if self.board.holds(h) && h.distance(p) > 1.0 && matches!(self.of.drawing, Ruler::Rays(_) | Ruler::Rolling(_)) {
                     self.chain("helper", &[p, h]);
                     let to_j = self.board.cut(e, j);
@@ -400,12 +405,13 @@ impl Over<'_, '_> {
         Label::math(format!("{from}{symbol} = ")).then(Label::text(self.w.scene.length_words(m)))
     }
 
-    /// The name of a point as it stands in formulas.
+    /// The name of a point in formulas.
     fn named(&self, p: PointId) -> String {
         name_label(self.w.scene.point_name(p))
     }
 
-    /// An arrow to a pole that the paper does not hold: from the first point, with the distance, else from the middle.
+    /// Draws an arrow to a pole off the paper: from the first point, with the distance, or else
+    /// from the middle of the paper.
     fn far(&mut self, symbol: &str, at: Point) {
         let own = self.of.points.first().map(|q| (self.named(q.point), self.at(q.at))).filter(|(_, p)| self.board.holds(*p));
         let mu = self.w.worked.construction.diagram.mu;
@@ -417,7 +423,7 @@ impl Over<'_, '_> {
     }
 }
 
-/// The two of some places on a line that are farthest apart.
+/// The two of some collinear places that are farthest apart.
 fn ends(places: &[Point]) -> Option<(Point, Point)> {
     let mut best: Option<(f64, Point, Point)> = None;
     for (i, a) in places.iter().enumerate() {

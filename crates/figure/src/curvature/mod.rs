@@ -1,7 +1,8 @@
-//! Curvature on paper: pole, inflection circle and centres of curvature with the lines that find them, a page for each link; and the
-//! centrodes.
+//! Curvature on paper: pole, inflection circle and centres of curvature with the lines that find
+//! them, a page for each link; and the centrodes.
 //!
-//! [`construction`] draws the first, with [`ball`] for Ball's point, [`rolling`] the paths of the pole, both on a [`board`] that cuts what the paper does not hold.
+//! [`construction`] draws the former, with [`ball`] for Ball's point; [`rolling`] draws the
+//! centrodes. Both draw on a [`board`] that cuts everything at the edge of the paper.
 
 mod ball;
 mod board;
@@ -27,17 +28,18 @@ pub const CENTRODES: Entry = Entry {
     draw: paths,
 };
 
-/// Pages of one scene: a mechanism of more couplers names those that matter by `--path`.
+/// Maximum number of pages of one scene: for a mechanism with more couplers, `--path` names the
+/// relevant ones.
 const MOST: usize = 6;
 
-/// The links that are drawn: those with the points that are asked for, else all couplers.
+/// The links to draw: those with the selected points, or else all couplers.
 fn links(w: &Wanted) -> Vec<LinkId> {
     let points = &w.extras.points;
     let carries = |l: &LinkId| points.is_empty() || points.iter().any(|p| w.scene.links[l.0].points.contains(p));
     couplers(w.scene).into_iter().filter(carries).take(MOST).collect()
 }
 
-/// The name of a page: with the link where there are several.
+/// The name of a page, with the link if there are several.
 fn named(w: &Wanted, name: &str, all: usize, link: LinkId) -> String {
     if all > 1 { format!("{name}-{}", w.scene.link_name(link)) } else { name.to_owned() }
 }

@@ -1,8 +1,9 @@
-//! The centrodes on paper: the path of the pole in the fixed plane, and that in the moving plane where the link stands now. They touch in
-//! the pole and roll on one another.
+//! Draws the centrodes: the path of the pole in the fixed plane, and the path in the moving plane
+//! at the present position of the link. They touch in the pole and roll on each other.
 //!
-//! Between two positions the pole runs through infinity where ω changes its sign: the stations are ratios, and what lies between them is
-//! drawn from numerators and denominators that go evenly, so that each branch reaches the edge of the paper.
+//! Between two positions the pole runs through infinity if ω changes its sign. The stations are
+//! therefore ratios, and intermediate places are interpolated in numerators and denominators, so
+//! that each branch reaches the edge of the paper.
 
 use crate::centres::rays::{clipped, holds};
 use crate::list::Wanted;
@@ -22,28 +23,29 @@ use hodograph_scene::{DiagramKind, Lang};
 use super::board::Board;
 use std::f64::consts::TAU;
 
-/// Paper around the mechanism for the branches.
+/// Space around the mechanism for the branches.
 const REACH_MM: f64 = 45.0;
-/// Centrodes that take no more than this are drawn whole.
+/// Centrodes up to this size are drawn in full.
 const WHOLE_MM: f64 = 240.0;
-/// A path whose places are all so near to a circle is one.
+/// Tolerance within which a path counts as a circle.
 const SAME_MM: f64 = 1e-6;
-/// Where the letter of such a circle stands.
+/// Range of angles for the letter of such a circle.
 const LETTERED_RAD: [f64; 2] = [4.2, 5.2];
-/// Parts of the way between two stations.
+/// Intermediate steps between two stations.
 const PARTS: usize = 8;
 
-/// From a mark to the name of a path: less, and the name reads as that of the mark.
+/// Clearance between a mark and the name of a path: any closer, the name reads as that of the mark.
 const ROOM_MM: f64 = 8.0;
 
-/// A path by its name: the numerator of its places, and its line.
+/// A kind of path: its name, the numerator of its places, and its stroke.
 type Kind = (&'static str, fn(&Station) -> Vec2, Stroke);
 
-/// A part of a path beside which its name has room: the nearest one to its first third that is [`ROOM_MM`] from everything `around`, else
-/// the one that is farthest from it. `None` of a path of one point.
+/// A part of a path with space for the path's name: the part nearest to its first third that is
+/// [`ROOM_MM`] from everything `around`, or else the part farthest from it. `None` for a path of
+/// one point.
 fn free_part(path: &[Point], around: &[Point]) -> Option<(Point, Point)> {
     let clearance = |p: Point| around.iter().map(|q| q.distance(p)).fold(f64::INFINITY, f64::min);
-    // The ends lie at the edge of the paper.
+    // The ends are at the edge of the paper.
     let end = path.len() / 8;
     let mut parts: Vec<(usize, Point, Point)> = path.windows(2).enumerate().map(|(k, ends)| (k, ends[0], ends[1])).collect();
     parts.truncate(parts.len().saturating_sub(end).max(1));
@@ -54,7 +56,7 @@ fn free_part(path: &[Point], around: &[Point]) -> Option<(Point, Point)> {
     Some((*from, *to))
 }
 
-/// The figure of one link.
+/// Draws the figure of one link.
 pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faults> {
     let paths = centrodes(&found.scene, &found.worked, of.link, found.against, STEPS)?;
     let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
@@ -62,7 +64,7 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
     let (style, diagram) = (&w.options.style, &w.worked.construction.diagram);
     let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu)).to_point();
     let d = mechanism::rolling(style, w.scene, w.worked, &w.options.notation, [of.link, found.against]);
-    // Branches that stay near need no more paper than they take.
+    // Branches that stay near define the size of the paper.
     let all = || paths.stations.iter().flatten().flat_map(|s| [s.fixed, s.moving].map(|v| to_paper((v * (1.0 / s.omega)).to_point())));
     let whole = all().fold(d.bounds(), |all, p| all.union(Rect::new(p, p)));
     let reach = if whole.width_mm().max(whole.height_mm()) < WHOLE_MM { whole } else { d.bounds().grown(REACH_MM) };
@@ -128,12 +130,14 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
     Ok(figure)
 }
 
-/// The circle that a path goes round, once or several times: drawn once, for rounds of dashes would fill each other's gaps.
+/// The circle that a path traverses, once or several times. It is drawn once, because the dashes of
+/// several turns would fill each other's gaps.
 fn whole_circle(stations: &[Option<(Vec2, f64)>], window: Rect, to_paper: &dyn Fn(Point) -> Point) -> Option<(Point, f64)> {
     let place = |s: &Option<(Vec2, f64)>| s.map(|(over, omega)| to_paper((over * (1.0 / omega)).to_point()));
     let places: Vec<Point> = stations.iter().map(place).collect::<Option<_>>()?;
     let [a, .., _] = places[..] else { return None };
-    // The perpendicular bisectors of two chords: the longest from the first place, and that to the place farthest from it.
+    // Perpendicular bisectors of two chords: the longest from the first place, and the chord to the
+    // place farthest from it.
     let b = places.iter().copied().max_by(|p, q| a.distance(*p).total_cmp(&a.distance(*q)))?;
     let off = |p: &Point| (*p - a).cross(b - a).abs();
     let c = places.iter().copied().max_by(|p, q| off(p).total_cmp(&off(q)))?;
@@ -146,7 +150,7 @@ fn whole_circle(stations: &[Option<(Vec2, f64)>], window: Rect, to_paper: &dyn F
     (even && held && around.abs() > TAU * (1.0 - 2.0 / STEPS as f64)).then_some((centre, radius))
 }
 
-/// The pieces of a path that the paper holds.
+/// The pieces of a path on the paper.
 fn runs(stations: &[Option<(Vec2, f64)>], closed: bool, window: Rect, to_paper: &dyn Fn(Point) -> Point) -> Vec<Vec<Point>> {
     let mut out: Vec<Vec<Point>> = Vec::new();
     let mut run: Vec<Point> = Vec::new();
@@ -171,7 +175,7 @@ fn runs(stations: &[Option<(Vec2, f64)>], closed: bool, window: Rect, to_paper: 
             let place = |(over, omega): (Vec2, f64)| {
                 Some(to_paper((over * (1.0 / omega)).to_point())).filter(|p| p.x.is_finite() && p.y.is_finite())
             };
-            // Through infinity: the one branch ends at the edge, the other begins there.
+            // Through infinity: one branch ends at the edge, the other begins there.
             let through = p.1 * q.1 <= 0.0;
             let (from, to) = (place(p), place(q));
             if through {
@@ -217,10 +221,10 @@ mod tests {
         let path: Vec<Point> = (0..60).map(|k| Point::new(f64::from(k), 0.0)).collect();
         let third = free_part(&path, &[]).unwrap();
         assert_eq!(third, (path[20], path[21]));
-        // From a pin at that place it goes as far as it must.
+        // With a pin at that place, the name is moved as far as necessary.
         let (from, _) = free_part(&path, &[path[20]]).unwrap();
         assert!((ROOM_MM..ROOM_MM + 1.5).contains(&from.distance(path[20])), "{from:?}");
-        // Where no part is free, the freest one.
+        // If no part is free, the freest one.
         let pins: Vec<Point> = (0..60).filter(|k| (k - 40_i32).abs() > 2).map(|k| path[k as usize]).collect();
         assert_eq!(free_part(&path, &pins).unwrap().0, path[40]);
         assert_eq!(free_part(&path[..1], &pins), None);

@@ -1,4 +1,4 @@
-//! What a line diagram shows: the answers of a sweep as panels of curves, with their extremes.
+//! The content of a line diagram: the answers of a sweep as panels of curves, with their extremes.
 
 use crate::sheet::swept_symbol;
 use hodograph_base::notation::Notation;
@@ -8,34 +8,36 @@ use hodograph_scene::{Asked, DiagramKind, Kind, Scene, Swept};
 use hodograph_sweep::{Placed, Table, of_values, zoom};
 use std::f64::consts::TAU;
 
-/// The degree, upright in the label language: its axes have ticks of their own.
+/// The degree, upright in the label language: its axes have special tick steps.
 pub(super) const DEGREE: &str = "\\degree";
-/// What is smaller than this part of a line's largest value is where it passes zero: a magnitude's kink is found to 1e-6 of a step.
+/// Values below this part of a line's largest value count as zero: the kink of a magnitude is
+/// located to 1e-6 of a step.
 const ZERO: f64 = 1e-6;
 /// One line of a diagram.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// Its symbol, in the label language.
+    /// The symbol, in the label language.
     pub symbol: String,
-    /// Its values in the unit of its panel, one for each place of the driver.
+    /// The values in the unit of the panel, one for each place of the driver.
     pub values: Vec<f64>,
-    /// Its highest and lowest point: place of the driver and value.
+    /// The highest and the lowest point: place of the driver and value.
     pub extremes: Vec<(f64, f64)>,
-    /// The link whose motion it shows.
+    /// The link of which the curve shows the motion.
     pub link: Option<usize>,
 }
 
-/// Lines of one kind.
+/// Curves of one kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
     /// The unit, in the label language.
     pub unit: String,
-    /// The lines.
+    /// The curves.
     pub curves: Vec<Curve>,
 }
 
 impl Panel {
-    /// What is shown, in the label language: the symbol of its one curve, or the letters of several.
+    /// Returns the quantity in the label language: the symbol of a single curve, or the letters of
+    /// several.
     pub fn quantity(&self) -> String {
         if let [one] = &self.curves[..] {
             return one.symbol.clone();
@@ -51,32 +53,34 @@ impl Panel {
     }
 }
 
-/// What is drawn.
+/// The content of a diagram.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagram {
     /// The driver's symbol and unit, in the label language.
     pub driver: [String; 2],
-    /// Its places, increasing; where a step is longer than the usual one nothing is known between.
+    /// The driver's places, increasing; a step longer than the usual one is a gap without values.
     pub places: Vec<f64>,
     /// The panels, from top to bottom.
     pub panels: Vec<Panel>,
 }
 
 impl Diagram {
-    /// Whether there is nothing to draw.
+    /// True if there is nothing to draw.
     pub fn is_empty(&self) -> bool {
         self.panels.is_empty()
     }
 
-    /// The answers of a sweep of one driver: see [`Diagram::swept`].
+    /// Returns the answers of a sweep of one driver: see [`Diagram::swept`].
     pub fn of(placed: &Placed, driver: usize, table: &Table, notation: &Notation) -> Diagram {
         let swept_at = |values| of_values(placed, driver, values);
         Diagram::swept(placed.scene, Swept::Driver(driver), table, &swept_at, notation)
     }
 
-    /// The answers of a sweep of one driver, or of the time: displacements, angles, velocities, angular rates, accelerations, their rates, a
-    /// panel each. A vector along one axis all the time (a slider's) is shown with its sign, any other by its magnitude.
-    /// `swept_at` sweeps other values, for the extremes between those of the table.
+    /// Returns the answers of a sweep of one driver, or of time, with a panel each for
+    /// displacements, angles, velocities, angular velocities, accelerations and angular
+    /// accelerations. A vector that is parallel to one axis throughout (a slider's) is shown with
+    /// its sign, any other by its magnitude. `swept_at` sweeps other values, for the extremes
+    /// between those of the table.
     pub fn swept(scene: &Scene, swept: Swept, table: &Table, swept_at: &dyn Fn(Vec<f64>) -> Option<Table>, notation: &Notation) -> Diagram {
         let column = |name: &str| table.column(name).map(|c| c.values.clone());
         let first = table.columns.first();
@@ -91,7 +95,8 @@ impl Diagram {
             let turning = kind == Kind::Angle;
             let parts = [".x", ".y"].map(|part| format!("{}{part}", find.text));
             let own = symbol(find, notation);
-            // A component is named as one, and a magnitude as one: both stand in one panel. A place has no magnitude, only its coordinates.
+            // Components and magnitudes are named as such: both appear in one panel. A position has
+            // no magnitude, only coordinates.
             let [x, y] = [0, 1].map(|k| (parts[k].as_str(), component(&own, ['x', 'y'][k])));
             let wanted = match parts.each_ref().map(|p| column(p)) {
                 [Some(_), Some(_)] if column(&find.text).is_none() => vec![x, y],
@@ -110,13 +115,14 @@ impl Diagram {
                     let by = |a: &usize, b: &usize| if highest { shown[*a].total_cmp(&shown[*b]) } else { shown[*b].total_cmp(&shown[*a]) };
                     let Some(k) = (0..shown.len()).max_by(by) else { continue };
                     let around = [si[k.saturating_sub(1)], si[(k + 1).min(si.len() - 1)]];
-                    // An angle is sought on the turn on which the line has it, so not across its jump.
+                    // The extreme of an angle is sought on the turn of the line, not across its
+                    // jump.
                     let found = zoom::extreme(swept_at, name, around, highest).filter(|(_, v)| !turning || (v - values[k]).abs() < 1.0);
                     let (at, value) = found.unwrap_or((si[k], values[k]));
                     let value = if value.abs() < ZERO * most { 0.0 } else { value };
                     extremes.push((at * factor, shown[k] + (value - values[k]) * times));
                 }
-                // A curve that does not rise or fall has one value.
+                // A constant curve has one value.
                 if extremes.len() == 2 && extremes[0].1 - extremes[1].1 <= ZERO * most * times.abs() {
                     extremes.pop();
                 }
@@ -132,7 +138,7 @@ impl Diagram {
     }
 }
 
-/// The symbol of a vector's component: `v_{C}` → `v_{C,x}`.
+/// Returns the symbol of a vector's component: `v_{C}` → `v_{C,x}`.
 fn component(symbol: &str, axis: char) -> String {
     match symbol.strip_suffix('}') {
         Some(before) => format!("{before},{axis}}}"),
@@ -140,14 +146,15 @@ fn component(symbol: &str, axis: char) -> String {
     }
 }
 
-/// The panel of a quantity, from the top: diagram by diagram, that of the links below that of the points, each kind in its own unit.
+/// The panel order of a quantity, from the top: diagram by diagram, links below points, each kind
+/// in its own unit.
 fn order(what: &Asked) -> (DiagramKind, bool, Kind) {
     let kind = what.kind();
     let on = DiagramKind::of(kind.level());
     (on, kind != on.kind(), kind)
 }
 
-/// The link whose motion it is: of a pin's links the first that moves.
+/// The link to which the motion belongs: for a pin the first moving link.
 fn link(scene: &Scene, what: &Asked) -> Option<usize> {
     let link = match what.of() {
         Of::Link(l) => Some(l),
@@ -157,13 +164,13 @@ fn link(scene: &Scene, what: &Asked) -> Option<usize> {
     link.map(|l| l.0)
 }
 
-/// Whether one component is nothing but rounding beside the other.
+/// True if one component is only rounding error beside the other.
 fn vanishes(small: &[f64], large: &[f64]) -> bool {
     let most = |v: &[f64]| v.iter().filter(|x| x.is_finite()).fold(0.0, |m: f64, x| m.max(x.abs()));
     most(small) <= 1e-9 * most(large)
 }
 
-/// Angles without their jumps by a whole turn, in the unit of that turn.
+/// Angles without jumps by a full turn, in the unit of that turn.
 fn unwound(angles: &[f64], turn: f64) -> Vec<f64> {
     let mut out: Vec<f64> = Vec::with_capacity(angles.len());
     for d in angles {

@@ -1,7 +1,9 @@
-//! Line diagrams: what a sweep found, against the position of the driver. One panel for each kind of quantity, all over one
-//! another with the same axis below, extremes marked.
+//! Line diagrams: the results of a sweep against the position of the driver. There is one panel for
+//! each kind of quantity; all are one above the other with a common axis below and their extremes
+//! marked.
 //!
-//! Decided here: where panels, names and marks stand. [`diagram`] says what is shown, the [`plot`](super::plot) how a plot looks.
+//! This module places panels, names and marks. [`diagram`] selects the content,
+//! [`plot`](super::plot) draws a plot.
 
 mod diagram;
 mod polar;
@@ -22,29 +24,29 @@ use hodograph_paper::paper::words::words;
 use hodograph_report::amount::number;
 use hodograph_scene::{Lang, Scene};
 
-/// A panel's plot, in mm.
+/// Size of a panel's plot (mm).
 const PLOT_MM: [f64; 2] = [150.0, 62.0];
-/// Room for the numbers of the vertical axis, and right of the plot for names.
+/// Space for the numbers of the vertical axis, and for names on the right of the plot.
 const LEFT_MM: f64 = 30.0;
 const RIGHT_MM: f64 = 24.0;
-/// Between panels, above the first and below the last.
+/// Space between panels, above the first and below the last.
 const BETWEEN_MM: f64 = 12.0;
 const ABOVE_MM: f64 = 18.0;
 const BELOW_MM: f64 = 18.0;
-/// Lines of one panel are told apart without colour.
+/// Dash patterns that distinguish the lines of one panel without colour.
 const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDot, Dash::Dotted];
-/// Zero is near a panel's values where it is off them by less than this part of their range.
+/// Zero is near a panel's values if its distance from them is less than this part of their range.
 const ZERO_NEAR: f64 = 0.5;
-/// Extremes so near to one another are one point of the diagram (mm).
+/// Extremes closer than this are one point of the diagram (mm).
 const SAME_MM: f64 = 0.3;
-/// Digits of the extremes: more than can be read off a diagram, and fewer than a sweep in `f64` has.
+/// Digits of the extremes: more than a diagram can be read to, fewer than a sweep in `f64` has.
 const DIGITS: usize = 4;
 
-/// A4 upright, and how many panels stand on it.
+/// A4 portrait, and the number of panels on it.
 const A4_MM: [f64; 2] = [210.0, 297.0];
 const ON_A4: usize = 3;
 
-/// Draws a diagram as one figure, all panels over one another.
+/// Draws a diagram as one figure, all panels one above the other.
 pub fn figure(scene: &Scene, diagram: &Diagram, style: &Style, lang: Lang) -> Figure {
     let n = diagram.panels.len().max(1) as f64;
     let size_mm = [LEFT_MM + PLOT_MM[0] + RIGHT_MM, ABOVE_MM + n * PLOT_MM[1] + (n - 1.0) * BETWEEN_MM + BELOW_MM];
@@ -56,7 +58,7 @@ pub fn pages(scene: &Scene, diagram: &Diagram, style: &Style, lang: Lang) -> Vec
     diagram.panels.chunks(ON_A4).map(|panels| page(scene, diagram, panels, A4_MM, style, lang)).collect()
 }
 
-/// Some panels of a diagram over one another, below a title.
+/// Draws some panels of a diagram one above the other, below a title.
 fn page(scene: &Scene, diagram: &Diagram, panels: &[Panel], [width_mm, height_mm]: [f64; 2], style: &Style, lang: Lang) -> Figure {
     let left_mm = LEFT_MM + (width_mm - LEFT_MM - PLOT_MM[0] - RIGHT_MM) / 2.0;
     let x = Axis::of(&diagram.places, diagram.driver[1] == DEGREE, 12);
@@ -77,7 +79,8 @@ fn page(scene: &Scene, diagram: &Diagram, panels: &[Panel], [width_mm, height_mm
         let frame = Rect::new(Point::new(left_mm, top - PLOT_MM[1]), Point::new(left_mm + PLOT_MM[0], top));
         let mut values: Vec<f64> = panel.curves.iter().flat_map(|c| c.values.iter().copied()).filter(|v| v.is_finite()).collect();
         let (lo, hi) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
-        // Zero belongs to the diagram where it is near: only then is seen what changes its sense. From afar it would press the lines flat.
+        // Zero is included if it is near: it shows the changes of sign. A distant zero would
+        // flatten the lines.
         if lo.max(-hi) < ZERO_NEAR * (hi - lo) {
             values.push(0.0);
         }
@@ -98,14 +101,14 @@ fn page(scene: &Scene, diagram: &Diagram, panels: &[Panel], [width_mm, height_mm
     figure
 }
 
-/// Lines with their names, and their extremes with their values.
+/// Draws lines with their names, and their extremes with their values.
 fn curves(plot: &mut Plot, panel: &Panel, diagram: &Diagram, said: &mut Vec<String>) {
     let (style, places) = (plot.style, &diagram.places);
     let usual = places.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
-    // What several curves have in one point is written once.
+    // A value that several curves share at one point is written once.
     let mut marked: Vec<(Point, String)> = Vec::new();
     for (k, curve) in panel.curves.iter().enumerate() {
-        // Beyond the kinds of dashes the lines are thin.
+        // Lines beyond the available dash patterns are thin.
         let line = if k < DASHES.len() { style.vector } else { style.thin };
         let stroke = line.dashed(DASHES[k % DASHES.len()]);
         let known: Vec<(f64, f64)> = places.iter().copied().zip(curve.values.iter().copied()).filter(|(_, v)| v.is_finite()).collect();
@@ -136,7 +139,7 @@ fn curves(plot: &mut Plot, panel: &Panel, diagram: &Diagram, said: &mut Vec<Stri
             let request = LabelRequest::at_point(label, style.small_mm, at, style.dot_radius_mm);
             plot.label(request, curve.link);
         }
-        // The name beside the line's highest lobe, where it is read first.
+        // The name is beside the line's highest lobe, where it is read first.
         let Some(&(x, y)) = known.get(known.len() / 5 + (k * known.len() / 7) % known.len().max(1) / 2) else { continue };
         plot.label(LabelRequest::at_point(Label::math(curve.symbol.as_str()), style.label_mm, plot.at(x, y), 0.4), curve.link);
     }

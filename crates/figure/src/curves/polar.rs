@@ -1,7 +1,8 @@
-//! Polar diagrams: each vector of a sweep drawn from one pole, so that its tip runs along a curve: the force on a bearing, the hodograph of a
-//! velocity.
+//! Polar diagrams: each vector of a sweep is drawn from one pole, and its tip traces a curve, such
+//! as the force on a bearing or the hodograph of a velocity.
 //!
-//! Decided here: scales, numbered positions and captions. [`hodograph`](super::super::hodograph) draws one curve.
+//! This module chooses scales, numbered positions and captions.
+//! [`hodograph`](super::super::hodograph) draws one curve.
 
 use super::diagram::DEGREE;
 use crate::arrange::{Tree, put_together};
@@ -22,18 +23,19 @@ use hodograph_report::amount::{scale_formula, symbol};
 use hodograph_scene::{DiagramKind, Lang, Scene, Swept};
 use hodograph_sweep::{Table, points::bounded};
 
-/// Room of one curve.
+/// Space for one curve.
 const BOX_MM: [f64; 2] = [100.0, 100.0];
 /// Numbered positions of a sweep.
 const POSITIONS: usize = 12;
-/// Curves side by side.
+/// Number of curves side by side.
 const IN_ROW: usize = 2;
 
-/// The polar diagrams of all vectors of a sweep; `None` where it has no vectors.
+/// Draws the polar diagrams of all vectors of a sweep; `None` if it has no vectors.
 pub fn polar(scene: &Scene, swept: Swept, table: &Table, style: &Style, notation: &Notation, lang: Lang) -> Option<Figure> {
     let places = &table.columns.first()?.values;
     let last = places.len().checked_sub(1)?;
-    // Positions at equal steps; those of the last row are those of the first where the sweep is a full turn.
+    // Positions at equal steps without the last row, which repeats the first in a sweep over a full
+    // turn.
     let marked: Vec<usize> = (0..POSITIONS.min(last)).map(|k| k * last / POSITIONS.min(last)).collect();
     let usual = places.windows(2).map(|w| (w[1] - w[0]).abs()).fold(f64::INFINITY, f64::min);
     let mut drawings = Vec::new();
@@ -105,7 +107,7 @@ pub fn polar(scene: &Scene, swept: Swept, table: &Table, style: &Style, notation
     Some(figure)
 }
 
-/// The places of the numbered positions in words.
+/// The driver's places at the numbered positions, in words.
 fn positions(scene: &Scene, swept: Swept, places: &[f64], lang: Lang) -> String {
     let (driver, kind) = swept_symbol(scene, swept);
     let (unit, factor) = scene.book.fine(kind);

@@ -1,4 +1,5 @@
-//! A group's links apart, with what acts on them and the arms of its moments.
+//! Draws the links of a group apart, with the forces and couples on them and the arms of the
+//! moments.
 
 use super::Page;
 use crate::mechanism::{self, special::REACH};
@@ -14,17 +15,17 @@ use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols;
 use hodograph_scene::{Friction, Guide, GuidePath, LinkId, PointId, Rub};
 
-/// Lengths of the arrows of the smallest and of the largest force.
+/// Arrow lengths of the smallest and the largest force.
 const ARROW_MM: [f64; 2] = [9.0, 22.0];
-/// A force that is less than this part of the largest is not drawn.
+/// A force below this part of the largest one is not drawn.
 const NO_FORCE: f64 = 1e-9;
 /// Radius of the bent arrow of a couple.
 const COUPLE_MM: f64 = 6.0;
-/// An arm that is shorter has no room for its dimension.
+/// A shorter arm has no space for its dimension.
 const SHORTEST_ARM_MM: f64 = 3.0;
-/// A force of a guide that acts farther from its pin is drawn there, with its couple.
+/// Distance of a guide's force from its pin beyond which it is drawn at the pin, with its couple.
 const FARTHEST_MM: f64 = 45.0;
-/// Links stand back behind the forces.
+/// Colour of the links in the background of the forces.
 const LINKS: Colour = Colour::grey(150);
 
 impl Page<'_> {
@@ -36,15 +37,15 @@ impl Page<'_> {
         let before: Vec<(usize, &Moments)> =
             group.moments.iter().enumerate().filter(|(_, m)| !matches!(m.gives, Gives::Offset(_))).collect();
         for (k, (index, moments)) in before.iter().enumerate() {
-            // A force has one arm on the drawing: that of its own link.
+            // A force has one arm in the drawing, with the first moment equation that contains it.
             let has_arm = |term: Term| before[..k].iter().any(|(_, m)| m.of.iter().any(|(own, ..)| *own == term));
             let step = self.step(group, |act| *act == Act::Moments(*index));
             self.arms(&mut d, moments, has_arm, &step);
         }
-        // Both parts of a reaction are drawn where they were found.
+        // Both components of a reaction are drawn where they are found.
         let own = |s: &&Side| match s.term {
             Term::Load(k) => group.links.contains(&self.of.loads[k].link),
-            // The path of a wheel presses on the link that carries its centre.
+            // The path of a wheel presses on the link that carries the wheel's centre.
             Term::Reaction { of, .. } => !matches!(of, hodograph_board::equilibrium::Party::Link(l) if group.links.contains(&l)),
         };
         for side in group.sides.iter().filter(own) {
@@ -74,7 +75,8 @@ impl Page<'_> {
         d
     }
 
-    /// The class of the step after which a force is known: of its moments, or of its measuring. Loads and the reactions of groups before are known from the start.
+    /// The class of the step after which a force is known: its moment equation, or its measurement.
+    /// Loads and the reactions of earlier groups are known from the start.
     fn known_at(&self, group: &GroupForces, side: &Side) -> String {
         self.step(group, |act| match act {
             Act::Moments(k) => {
@@ -85,14 +87,15 @@ impl Page<'_> {
         })
     }
 
-    /// A place of the mechanism on paper.
+    /// Position of a point of the mechanism on paper.
     pub(super) fn place(&self, p: PointId) -> Option<Point> {
         let worked = self.maker.worked;
         let diagram = &worked.construction.diagram;
         Some(((worked.configuration.points[p.0]? - diagram.origin) * (1.0 / diagram.mu)).to_point())
     }
 
-    /// The place at which a force of a guide acts, beside its point by h, or its point and the couple about it where that is too far.
+    /// The point at which a force of a guide acts, at distance h from its pin; or the pin and the
+    /// couple about it if that distance is too large.
     fn on_line(&self, side: &Side) -> Option<(Point, f64)> {
         let at = self.place(side.at)?;
         let at_point = Some((at, 0.0));
@@ -124,7 +127,8 @@ impl Page<'_> {
         self.force(d, (side.term, &format!("force{step}")), at, force, largest);
     }
 
-    /// A force at a place, as an arrow whose length grows with its part of the largest.
+    /// Draws a force at a point, as an arrow with a length that grows with its part of the largest
+    /// force.
     pub(super) fn force(&self, d: &mut Drawing, (term, class): (Term, &str), at: Point, force: Vec2, largest: f64) {
         let style = self.style();
         let (size, Some(u)) = (force.norm(), force.unit()) else { return };
@@ -134,7 +138,8 @@ impl Page<'_> {
         let length = ARROW_MM[0] + (ARROW_MM[1] - ARROW_MM[0]) * (size / largest).sqrt();
         let stroke = self.stroke(term);
         let arrow = |from: Point, to: Point| Shape::Arrow { from, to, stroke, head: style.head };
-        // Loads and reactions end at their point, where that is not over the link.
+        // The arrow ends at its point (pushing), or starts there (pulling) if it then covers less
+        // of the drawing.
         let (pressing, pulling) = ([at - u * (length + 1.0), at - u], [at + u, at + u * (length + 1.0)]);
         let met = |ends: [Point; 2]| d.met_by(&[Item::new("", arrow(ends[0], ends[1]))], 1.0);
         let presses = met(pressing) <= met(pulling);
@@ -153,7 +158,7 @@ impl Page<'_> {
         }
     }
 
-    /// The friction circle of a pin, with the couple where the other link is not in the group.
+    /// Draws the friction circle of a pin, with the couple if the other link is not in the group.
     fn friction(&self, d: &mut Drawing, group: &GroupForces, (load, friction): (usize, usize)) {
         let scene = self.maker.scene;
         let Rub::Pin { point, circle, .. } = &scene.loads.friction[friction].at else { return };
@@ -170,7 +175,7 @@ impl Page<'_> {
         }
     }
 
-    /// A bent arrow about a point, counter-clockwise where the value is positive.
+    /// Draws a bent arrow about a point, counter-clockwise for a positive value.
     fn bent(&self, d: &mut Drawing, (key, class): (&str, &str), symbol: &str, (about, radius_mm): (PointId, f64), value: f64) {
         let style = self.style();
         let Some(centre) = self.place(about).filter(|_| value != 0.0) else { return };
@@ -183,7 +188,7 @@ impl Page<'_> {
         d.label(&format!("couple-{key}"), class, request.owned(owner));
     }
 
-    /// The crossing of two lines of action with the lines; `None` where it is too far away to be drawn.
+    /// Draws the intersection of two lines of action and the lines; `None` if it is too far away.
     fn crossing(&self, d: &mut Drawing, moments: &Moments, at: MarkId, step: &str) -> Option<Point> {
         let style = self.style();
         let centre = self.of.drawn.marks[at.index()]?;
@@ -213,7 +218,7 @@ impl Page<'_> {
         Some(centre)
     }
 
-    /// Lines of action with their arms about a point.
+    /// Draws lines of action with their arms about a point.
     fn arms(&self, d: &mut Drawing, moments: &Moments, has_arm: impl Fn(Term) -> bool, step: &str) {
         let style = self.style();
         let about = match moments.about {

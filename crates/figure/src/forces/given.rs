@@ -1,6 +1,6 @@
-//! The given loads on the mechanism: weights, applied forces and couples, springs.
+//! Draws the given loads on the mechanism: weights, applied forces and couples, springs.
 //!
-//! Inertia and reactions stand at the links that are drawn apart.
+//! Inertia forces and reactions are drawn at the separated links.
 
 use super::Page;
 use hodograph_board::equilibrium::Term;
@@ -17,7 +17,7 @@ impl Page<'_> {
         let is_given = |cause: Cause| matches!(cause, Cause::Weight | Cause::Applied(_));
         let size = |k: usize| self.of.loads[k].wrench.force.norm();
         let mut given: Vec<usize> = (0..self.of.loads.len()).filter(|k| is_given(self.of.loads[*k].cause)).collect();
-        // The smaller of two forces on one line gives way.
+        // The smaller of two forces on one line is placed after the larger one.
         given.sort_by(|a, b| size(*b).total_cmp(&size(*a)));
         let largest = given.first().map_or(0.0, |k| size(*k));
         for k in given {
@@ -32,14 +32,15 @@ impl Page<'_> {
         }
     }
 
-    /// The point about which the couple of a link is drawn: its pivot on ground, else its first.
+    /// The point about which the couple of a link is drawn: its pivot on the ground, or else its
+    /// first point.
     fn centre(&self, link: LinkId) -> Option<PointId> {
         let scene = self.maker.scene;
         let points = &scene.links[link.0].points;
         points.iter().find(|p| scene.links[scene.ground.0].points.contains(p)).or(points.first()).copied()
     }
 
-    /// A spring between its ends, and the ground that holds it.
+    /// Draws a spring between its ends, and the ground that holds it.
     fn spring(&self, d: &mut Drawing, k: usize, spring: &Spring) {
         let [Some(from), Some(to)] = spring.ends.map(|(p, _)| self.place(p)) else { return };
         let (id, style) = (format!("spring-{}", k + 1), self.style());

@@ -1,4 +1,5 @@
-//! Zhukovsky's lever: the images of the loaded points, turned by a right angle, with the loads and their arms about the pole.
+//! Zhukovsky's lever: the image points of the loaded points, turned by a right angle, with the
+//! loads and their arms about the pole.
 
 use super::Page;
 use crate::arrange::{Tree, put_together};
@@ -18,10 +19,11 @@ use hodograph_worked::worked::Worked;
 
 /// Width of the sentences below the lever.
 const TEXT_MM: f64 = 150.0;
-/// An arm that is shorter has no room for its dimension.
+/// A shorter arm has no space for its dimension.
 const SHORTEST_ARM_MM: f64 = 3.0;
 
-/// The loads on the turned velocity polygon; `None` where no forces are drawn, or nothing moves.
+/// Returns the loads on the turned velocity polygon; `None` if no forces are drawn or nothing
+/// moves.
 pub fn zhukovsky(scene: &Scene, worked: &Worked) -> Option<Lever> {
     let of = worked.equilibrium.as_ref()?;
     let mu = worked.construction.polygon(DiagramKind::Velocity).filter(|p| !p.is_empty())?.mu;
@@ -29,7 +31,7 @@ pub fn zhukovsky(scene: &Scene, worked: &Worked) -> Option<Lever> {
     Lever::of(scene, &worked.configuration, of, &motion, mu)
 }
 
-/// The lever with its moments; `None` where no forces are drawn, or nothing moves.
+/// Draws the lever with its moments; `None` if no forces are drawn or nothing moves.
 pub fn lever(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure> {
     let of = worked.equilibrium.as_ref()?;
     let lever = zhukovsky(scene, worked)?;

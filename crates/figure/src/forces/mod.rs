@@ -1,7 +1,8 @@
-//! Forces as textbooks draw them: each group's links apart with what acts on them and the arms of its moments, the force polygon, the equations.
+//! Draws forces as textbooks do: for each group the separated links with the forces on them and the
+//! arms of their moments, the force polygon, and the equations.
 //!
-//! Decided here: what stands in a row, and how loads differ from reactions: weights thin, inertia dashed, applied loads and reactions full. The places are those
-//! of [`Equilibrium`].
+//! This module arranges the rows and distinguishes loads from reactions: weights are thin, inertia
+//! forces dashed, applied loads and reactions full. The positions are those of [`Equilibrium`].
 
 mod apart;
 mod given;
@@ -32,10 +33,10 @@ use std::ops::Range;
 const TEXT_MM: f64 = 190.0;
 /// Width of the sentences beside the drawings of a sheet.
 const BESIDE_MM: f64 = 110.0;
-/// Between a table and its next lines, beside their gaps.
+/// Gap between a table and the next lines, in addition to their own gaps.
 const TABLE_AIR_MM: f64 = 0.1;
 
-/// The forces of all groups on one page; `None` where none are drawn.
+/// Draws the forces of all groups on one page; `None` if no forces are drawn.
 pub fn forces(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure> {
     let of = worked.equilibrium.as_ref().filter(|of| !of.groups.is_empty())?;
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
@@ -43,7 +44,8 @@ pub fn forces(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figur
     Some(maker.alone(page.all()))
 }
 
-/// The free bodies of a group beside its force polygon, without words below; `None` where there is no such group.
+/// Draws the free bodies of a group beside its force polygon, without text below; `None` if there
+/// is no such group.
 pub fn group(scene: &Scene, worked: &Worked, options: &Options, k: usize) -> Option<Figure> {
     on_page(scene, worked, options, |page| {
         let group = page.of.groups.get(k)?;
@@ -52,7 +54,8 @@ pub fn group(scene: &Scene, worked: &Worked, options: &Options, k: usize) -> Opt
     })
 }
 
-/// For each group its links apart, its polygon and its text, as parts of a sheet; in a width, tables are broken.
+/// Returns for each group its separated links, its polygon and its text as parts of a sheet; tables
+/// are broken to a given width.
 pub(crate) fn pieces(maker: &Maker, width_mm: Option<f64>) -> Vec<[Part; 3]> {
     let Some(of) = &maker.worked.equilibrium else { return Vec::new() };
     let page = Page::of(maker, of);
@@ -60,19 +63,19 @@ pub(crate) fn pieces(maker: &Maker, width_mm: Option<f64>) -> Vec<[Part; 3]> {
     of.groups.iter().enumerate().map(|(k, group)| parts(group).map(|part| named(part, k))).collect()
 }
 
-/// The steps of a group's equilibrium as pictures.
+/// The steps of a group's equilibrium as drawings.
 pub(crate) struct GroupSteps {
-    /// Its links apart, with their caption.
+    /// The separated links, with their caption.
     pub apart: Part,
-    /// Its polygon, with its caption.
+    /// The force polygon, with its caption.
     pub polygon: Part,
     /// The sentence of each step.
     pub sentences: Vec<Phrase>,
-    /// For each sentence, the equation to which its step adds a side.
+    /// For each sentence, the equation to which its step adds a term.
     pub equations: Vec<Option<Part>>,
 }
 
-/// The steps of all groups, equations in a width.
+/// Returns the steps of all groups, with equations broken to a given width.
 pub(crate) fn steps(maker: &Maker, width_mm: Option<f64>) -> Vec<GroupSteps> {
     let Some(of) = &maker.worked.equilibrium else { return Vec::new() };
     let page = Page::of(maker, of);
@@ -93,12 +96,14 @@ pub fn given_loads(scene: &Scene, worked: &Worked, options: &Options, d: &mut Dr
     });
 }
 
-/// A group's links in their places with what acts on them, before labels are placed; `None` where the pose does not draw the group.
+/// Draws a group's links in position with the forces on them, before labels are placed; `None` if
+/// the pose does not draw the group.
 pub fn free_bodies(scene: &Scene, worked: &Worked, options: &Options, links: &[LinkId]) -> Option<Drawing> {
     on_page(scene, worked, options, |page| Some(page.apart(page.of.group_of(links)?)))
 }
 
-/// The force polygon of a group, before labels are placed; `None` where the pose does not draw the group.
+/// Draws the force polygon of a group, before labels are placed; `None` if the pose does not draw
+/// the group.
 pub fn polygon(scene: &Scene, worked: &Worked, options: &Options, links: &[LinkId]) -> Option<Drawing> {
     on_page(scene, worked, options, |page| Some(page.polygon(page.of.group_of(links)?)))
 }
@@ -108,13 +113,13 @@ fn on_page<T>(scene: &Scene, worked: &Worked, options: &Options, made: impl FnOn
     made(&Page::of(&Maker { scene, worked, options, certified: Vec::new() }, of))
 }
 
-/// The width (mm) of the widest group of links that are drawn apart.
+/// Returns the width (mm) of the widest drawing of a group's separated links.
 pub(crate) fn widest_mm(scene: &Scene, worked: &Worked, options: &Options) -> f64 {
     let widths = |page: &Page| page.of.groups.iter().map(|group| page.links_apart(group).bounds.width_mm()).fold(0.0, f64::max);
     on_page(scene, worked, options, |page| Some(widths(page))).unwrap_or(0.0)
 }
 
-/// Two parts side by side.
+/// Places two parts side by side.
 fn beside(left: Part, right: Part) -> Part {
     put_together(Tree::row(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![left, right])
 }
@@ -140,13 +145,14 @@ impl<'a> Page<'a> {
         put_together(Tree::text_column((0..parts.len()).map(Tree::Leaf).collect()), parts)
     }
 
-    /// A group: its links apart beside its polygon, what is said of it below.
+    /// A group: its separated links beside its polygon, the text below.
     fn row(&self, k: usize, group: &GroupForces) -> Part {
         let parts = vec![beside(self.links_apart(group), self.force_polygon(group)), self.words(group, TEXT_MM, None)];
         named(put_together(Tree::text_column((0..parts.len()).map(Tree::Leaf).collect()), parts), k)
     }
 
-    /// Moments, equations and results of a group: sentences as wide as given, tables as wide as they are or as the room.
+    /// Moments, equations and results of a group: sentences in the given width; tables in their
+    /// natural width or broken to the available width.
     fn words(&self, group: &GroupForces, width_mm: f64, room_mm: Option<f64>) -> Part {
         let room_mm = room_mm.unwrap_or(f64::INFINITY);
         let tables = self.w.equations(group).iter().enumerate().flat_map(|(k, sides)| self.table(sides, k, room_mm)).collect::<Vec<_>>();
@@ -157,21 +163,22 @@ impl<'a> Page<'a> {
         put_together(Tree::text_column(lines.take((2 * parts.len()).saturating_sub(1)).collect()), parts)
     }
 
-    /// The links of a group apart, with their caption.
+    /// The separated links of a group, with their caption.
     fn links_apart(&self, group: &GroupForces) -> Part {
         let words = self.w.heading(group);
         let scale = scale_formula(&self.maker.scene.book, DiagramKind::Plane, self.maker.worked.construction.diagram.mu);
         self.maker.titled(self.apart(group).finish(), Phrase::new(&words).label(), &scale, "apart")
     }
 
-    /// The polygon of a group, with its caption.
+    /// The force polygon of a group, with its caption.
     fn force_polygon(&self, group: &GroupForces) -> Part {
         let scale = scale_formula(&self.maker.scene.book, DiagramKind::Force, self.of.mu());
         let caption = DiagramKind::Force.caption(self.maker.options.lang);
         self.maker.titled(self.polygon(group).finish(), Phrase::new(caption).label(), &scale, "polygon")
     }
 
-    /// An equation of forces over its table of magnitudes and directions, in as few tables as the width holds.
+    /// An equation of forces over its table of magnitudes and directions, in as few tables as fit
+    /// the width.
     fn table(&self, sides: &[Side], k: usize, width_mm: f64) -> Vec<Part> {
         let columns = self.w.columns(sides);
         let tables = |pieces: usize| -> Vec<Part> {
@@ -183,7 +190,7 @@ impl<'a> Page<'a> {
         (1..=columns.len()).map(tables).find(|parts| fits(parts)).unwrap_or_else(|| tables(1))
     }
 
-    /// For each step of a group, the table of the equation to which it adds a side.
+    /// For each step of a group, the table of the equation to which it adds a term.
     fn equations_of_steps(&self, group: &GroupForces, width_mm: f64) -> Vec<Option<Part>> {
         let equations = self.w.equations(group);
         let part = |k: usize| {
@@ -237,7 +244,7 @@ impl<'a> Page<'a> {
         Part::of(grid::set(&rows, 3.0))
     }
 
-    /// Sentences, one below the other.
+    /// Sets sentences one below the other.
     fn text(&self, sentences: &[Phrase], name: &str, width_mm: f64) -> Part {
         let style = self.style();
         let lines = sentences.iter().flat_map(|s| wrapped(s, width_mm, style.small_mm, &style.fonts));
@@ -254,7 +261,7 @@ impl<'a> Page<'a> {
         Part::of(grid::set(&lines.enumerate().map(row).collect::<Vec<_>>(), 0.0))
     }
 
-    /// The stroke of a force by what it is.
+    /// The stroke of a force by its kind.
     fn stroke(&self, term: Term) -> Stroke {
         let vector = self.style().vector;
         let thin = Stroke { width_mm: vector.width_mm * 0.7, ..vector };
@@ -268,19 +275,20 @@ impl<'a> Page<'a> {
         }
     }
 
-    /// The class of the step of a group that a condition finds, with a space before it: ` step-3`. Nothing of the first step, or where none is found.
+    /// The class of the step of a group that a condition finds, with a space before it: ` step-3`.
+    /// Empty for the first step, or if the condition finds none.
     fn step(&self, group: &GroupForces, found: impl Fn(&Act) -> bool) -> String {
         let step = self.of.acts(group).iter().position(found).and_then(|k| k.checked_sub(1));
         step.map_or_else(String::new, |k| format!(" step-{k}"))
     }
 
-    /// The name of a force in ids, alike in all languages and notations.
+    /// The name of a force in ids, independent of language and notation.
     fn key(&self, term: Term) -> String {
         self.w.plain(term).replace('_', "-")
     }
 }
 
-/// A part whose items have names of their own.
+/// Prefixes the ids of a part with the number of its group.
 fn named(mut part: Part, k: usize) -> Part {
     let name = |item: &mut Item| {
         if !item.id.is_empty() {

@@ -1,4 +1,5 @@
-//! The force polygon of a group. Items carry the class `step-N` of the step that draws them, the first after the links are drawn apart being 0.
+//! Draws the force polygon of a group. Items carry the class `step-N` of the step that draws them;
+//! step 0 is the first one after the links are separated.
 
 use super::Page;
 use hodograph_base::geom::Point;
@@ -11,16 +12,16 @@ use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::shown::Shown;
 use hodograph_paper::paper::symbols;
 
-/// Shorter than this a force has neither head nor direction for the eye.
+/// Below this length a force has neither a visible head nor a visible direction.
 const SHORTEST_MM: f64 = 0.3;
-/// A line of known direction goes on so far beyond the vertex in which it crosses another.
+/// Extension of a line of known direction beyond the vertex in which it crosses another.
 const BEYOND_MM: f64 = 5.0;
 
 impl Page<'_> {
     pub(super) fn polygon(&self, group: &GroupForces) -> Drawing {
         let style = self.style();
         let mut d = Drawing::new("force", style.clone());
-        // Lines of known direction, a little longer than what is drawn on them.
+        // Lines of known direction, a little longer than the vectors on them.
         for (line, mark) in self.crossed(group) {
             let class = format!("direction{}", self.step(group, |act| *act == Act::Cross(mark)));
             d.shape("direction", &class, Shape::Line { from: line[0], to: line[1], stroke: style.thin });
@@ -51,7 +52,8 @@ impl Page<'_> {
         if from.distance(to) <= SHORTEST_MM {
             return;
         }
-        // One arrow for two names of one vector; an inner reaction and its opposite have one line.
+        // Two names of one vector share one arrow; an internal reaction and its opposite share one
+        // line.
         let same = |ends: &[Point; 2]| ends[0].distance(from) < SHORTEST_MM && ends[1].distance(to) < SHORTEST_MM;
         let opposite = |ends: &[Point; 2]| ends[1].distance(from) < SHORTEST_MM && ends[0].distance(to) < SHORTEST_MM;
         if drawn.iter().any(|ends| same(ends) || diagonal && opposite(ends)) {
@@ -69,7 +71,8 @@ impl Page<'_> {
         d.label(&key, class, request.owned(owner));
     }
 
-    /// The lines that cross in a vertex of the group, from the vertex through which they are drawn to beyond the crossing, and that vertex.
+    /// The crossing lines of the group's vertices: each from the vertex that it is drawn through to
+    /// beyond the crossing, with the vertex in which it crosses.
     fn crossed(&self, group: &GroupForces) -> Vec<([Point; 2], MarkId)> {
         let c = &self.of.construction;
         let mut out = Vec::new();

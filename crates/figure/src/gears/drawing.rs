@@ -17,22 +17,25 @@ use hodograph_scene::{Kind, Lang};
 
 use super::Drawn;
 
-/// Room for the pair: a page with its table beside it, as large as a sheet.
+/// Space for the pair: a page with the table beside it, as large as a sheet.
 const ROOM_MM: [f64; 2] = [240.0, 240.0];
-/// Centres farther apart than so many modules are not on the drawing: a tooth would be lower than its letters.
+/// Largest distance of the centres (modules) at which both are in the drawing: beyond it a tooth
+/// would be smaller than its letters.
 const WHOLE_MODULES: f64 = 45.0;
-/// The same of a ring's centre and its teeth.
+/// Largest distance (modules) of a ring's centre from its teeth at which the centre is in the
+/// drawing.
 const RING_MODULES: f64 = 25.0;
-/// Of such a pair, what lies within so many modules of the pitch point is drawn.
+/// Distance from the pitch point (modules) within which a larger pair is drawn.
 const NEAR_MODULES: f64 = 8.0;
-/// So many teeth are drawn to both sides of the pitch point: more than are ever in contact.
+/// Number of teeth drawn on either side of the pitch point: more than are ever in contact.
 const TEETH: i32 = 3;
-/// The line of action is drawn so far, in parts of half the height of the drawing.
+/// Extent of the line of action, as a part of half the height of the drawing.
 const FAR: f64 = 1.4;
-/// Points of a flank: chords of a tooth as high as a hand are off by less than a line's width.
+/// Points of a flank: for a tooth as high as a hand the chords deviate by less than a line width.
 const FLANK_POINTS: usize = 16;
 
-/// To each side of the line of centres, the angle over which a gear is drawn: as far as there are teeth, one of which stands aside.
+/// Angle over which a gear is drawn on either side of the line of centres (rad): as far as its
+/// teeth extend, which are offset to one side.
 fn sector(g: &Gear) -> f64 {
     TAU * (f64::from(TEETH) + 0.9) / f64::from(g.teeth)
 }
@@ -42,7 +45,8 @@ impl Drawn<'_> {
         let (maker, pair) = (self.maker, &self.pair);
         let style = &maker.options.style;
         let m = pair.basic.module;
-        // From the pitch point (in modules of the file): the centres, how far the drawing goes down and up, and whether it holds them.
+        // Relative to the pitch point (m): the centres, the extent of the drawing downwards and
+        // upwards, and whether it holds the centres.
         let centres = match pair.mate {
             Mate::Gear => vec![-pair.gears[0].pitch, pair.gears[1].pitch],
             Mate::Ring => vec![-pair.gears[0].pitch, -pair.gears[1].pitch],
@@ -50,11 +54,12 @@ impl Drawn<'_> {
         };
         let lowest = centres.iter().copied().fold(0.0, f64::min);
         let highest = centres.iter().copied().fold(0.0, f64::max);
-        // A ring's centre lies where nothing else is: it is shown of small rings alone, and the gear's without it.
+        // The space around a ring's centre is empty: the centre is shown for small rings only; the
+        // gear's centre may be shown without it.
         let farthest = if pair.mate == Mate::Ring { RING_MODULES } else { WHOLE_MODULES } * m;
         let whole = highest - lowest <= farthest;
         let shown = |y: f64| whole || pair.mate == Mate::Ring && y.abs() <= NEAR_MODULES * 2.0 * m;
-        // Where no centre is there are teeth, or the ring's rim.
+        // Where there is no centre, there are teeth or the ring's rim.
         let side = |centre: f64| if centre == 0.0 { 3.0 * m } else { centre.abs() };
         let [down, up] = if whole {
             [side(lowest), side(highest)]
@@ -73,11 +78,12 @@ impl Drawn<'_> {
         d.shape("centres", "line", Shape::Line { from, to, stroke: style.thin.dashed(Dash::DashDot) });
         for (i, (g, y)) in rounds.iter().zip(&centres).enumerate() {
             let centre = Point::new(0.0, y * k);
-            // The pitch point seen from the centre.
+            // Direction of the pitch point from the centre.
             let toward = if *y < 0.0 { FRAC_PI_2 } else { -FRAC_PI_2 };
             self.circles(&mut d, (i, centre, toward), reach, k);
             let pitch_angle = TAU / f64::from(g.teeth);
-            // The driver's right flank, the driven gear's left one: seen from its centre the first tooth (of a ring: space) lies ahead.
+            // The driver's right flank, the driven gear's left one: seen from the centre, the first
+            // tooth (for a ring: space) is ahead.
             let first = toward + g.half_tooth(&pair.basic, g.pitch);
             let most = TEETH.min((g.teeth as i32 - 1) / 2);
             let points = (-most..=most)
@@ -113,7 +119,7 @@ impl Drawn<'_> {
         maker.titled(d.finish(), Label::text(words), &mu_words, "gears")
     }
 
-    /// An outline of teeth.
+    /// Draws an outline of teeth.
     fn teeth(&self, d: &mut Drawing, i: usize, points: Vec<Point>) {
         d.of_link(Some(self.rolling.links[self.order[i]].0));
         let stroke = Some(self.maker.options.style.outline);
@@ -121,7 +127,7 @@ impl Drawn<'_> {
         d.of_link(None);
     }
 
-    /// The teeth of a rack with its pitch line, tip line and root line, each named at its end.
+    /// Draws the teeth of a rack with pitch line, tip line and root line, each named at its end.
     fn rack(&self, d: &mut Drawing, k: f64) {
         let style = &self.maker.options.style;
         let points = self.pair.rack_teeth(TEETH).into_iter().map(|p| (p.to_vec2() * k).to_point()).collect();
@@ -143,15 +149,15 @@ impl Drawn<'_> {
         }
     }
 
-    /// The circles of a gear as arcs about the line of centres, each named at its end.
+    /// Draws the circles of a gear as arcs about the line of centres, each named at its end.
     fn circles(&self, d: &mut Drawing, (i, centre, toward): (usize, Point, f64), reach: f64, k: f64) {
         let style = &self.maker.options.style;
         let g = &self.pair.gears[i];
-        // As far as there are teeth, one of which stands aside, and past N where it is on the drawing.
+        // As far as the teeth extend, and past N if N is in the drawing.
         let tangent = self.pair.tangents()[i].abs() * k <= FAR * reach;
         let past = if tangent { self.pair.operating + 0.12 } else { 0.0 };
         let half = sector(g).max(past).min(PI);
-        // Names on both sides in turn, so that neighbours do not meet.
+        // Names alternate between the two sides, so that neighbours do not collide.
         let rings: [(&str, &str, f64, Stroke, f64); 4] = [
             ("root", "r_{f", g.root, style.thin, 1.0),
             ("base", "r_{b", g.base, style.thin.dashed(Dash::Dashed), -1.0),
@@ -171,10 +177,10 @@ impl Drawn<'_> {
         }
     }
 
-    /// The line of action with its points, and the contacts on it; within `reach` of the pitch point.
+    /// Draws the line of action with its points and contacts, within `reach` of the pitch point.
     fn action(&self, d: &mut Drawing, reach: f64, k: f64) {
         let (pair, style) = (&self.pair, &self.maker.options.style);
-        // The driver turns clockwise and pushes to the right, and up.
+        // The driver turns clockwise and pushes to the right and upwards.
         let along = Vec2::from_angle(pair.operating);
         let at = |t: f64| (along * (t * k)).to_point();
         let [n1, n2] = pair.tangents();
@@ -194,7 +200,7 @@ impl Drawn<'_> {
                 d.label_at(&name, "point", &name, at(t), style.dot_radius_mm, Some(side * up));
             }
         }
-        // Contacts: one base pitch apart, of which one is the pitch point now.
+        // Contacts, one base pitch apart; one of them is at the pitch point.
         let p_b = pair.base_pitch();
         for n in -3..=3 {
             let t = f64::from(n) * p_b;

@@ -1,4 +1,4 @@
-//! The table of a gear pair: what each gear has, and what both have.
+//! The table of a gear pair: the sizes of each gear, and the sizes of the pair.
 
 use hodograph_base::digits::{inked, significant};
 use hodograph_base::geom::Point;
@@ -12,12 +12,12 @@ use hodograph_scene::Kind;
 
 use super::Drawn;
 
-/// Between columns, and between the baselines of rows.
+/// Gap between columns, and distance between the baselines of rows.
 const GAP_MM: f64 = 5.0;
 const ROW_MM: f64 = 7.0;
 
 impl Drawn<'_> {
-    /// A length of the table: in the unit of the answers, else in mm.
+    /// A length in the table: in the unit of the answers, or else in mm.
     fn length(&self, m: f64) -> String {
         let (book, digits) = (&self.maker.scene.book, self.maker.options.digits + 1);
         match book.chosen(Kind::Length) {
@@ -48,7 +48,7 @@ impl Drawn<'_> {
                 id,
             })
         };
-        // A rack has none of what each gear has.
+        // A rack has no sizes of a gear.
         let rounds = if pair.mate == Mate::Rack { 1 } else { 2 };
         let of = |f: &dyn Fn(&Gear) -> String| pair.gears.iter().take(rounds).map(f).collect::<Vec<_>>();
         // A ring is not cut by a rack.
@@ -131,7 +131,7 @@ impl Drawn<'_> {
                 ],
                 height_mm: ROW_MM,
             };
-            // A gap parts what both have from what each has.
+            // A gap separates the sizes of the pair from those of each gear.
             row.height_mm += if r == 0 { ROW_MM / 2.0 } else { 0.0 };
             rows.push(row);
         }

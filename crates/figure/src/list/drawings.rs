@@ -1,4 +1,4 @@
-//! The mechanism alone, with what is drawn over it, and each polygon alone.
+//! The mechanism alone, with its overlays, and each polygon alone.
 
 use crate::sheet::{diagram, drawing};
 use hodograph_base::diag::{Faults, Warned};

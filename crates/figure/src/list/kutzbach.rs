@@ -7,7 +7,7 @@ use hodograph_worked::certified::certify;
 
 use super::{Entry, Pages, Wanted};
 
-/// Gear trains: velocities over the line of centres, rates, and the table.
+/// Gear trains: velocities over the line of centres, angular velocities, and the table.
 pub const ENTRY: Entry =
     Entry {
         name: "kutzbach", about: ["Gear trains: Kutzbach's plan and Willis' table", "轮系：线速度图、转速图和列表法"], draw

@@ -1,7 +1,7 @@
-//! The figures that are asked for by name, one file and one entry each.
+//! The figures that can be requested by name, one file and one entry each.
 //!
-//! What a new figure needs: a file that draws it and says its name, and its entry in [`LIST`]. The command line reads its choices and
-//! their help from the list.
+//! A new figure needs a file that draws it and gives its name, and an entry in [`LIST`]. The
+//! command line takes its choices and their help from this list.
 
 mod drawings;
 mod equations;
@@ -26,21 +26,22 @@ use super::mechanism::Overlay;
 use super::sheet::Options;
 use hodograph_paper::paper::item::Figure;
 
-/// A figure that can be asked for.
+/// A figure that can be requested.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
-    /// Its name on the command line and in the names of files.
+    /// The name on the command line and in file names.
     pub name: &'static str,
-    /// What it shows, in English and in Chinese.
+    /// The content, in English and in Chinese.
     pub about: [&'static str; 2],
-    /// Draws it: pages with the words that their files are named after; none where the scene does not call for it.
+    /// Draws the figure: pages with the words for their file names; no pages if the scene does not
+    /// apply.
     pub draw: fn(&Wanted) -> Result<Warned<Pages>, Faults>,
 }
 
-/// Pages, each with the word that its file is named after; an empty word for the figure that is meant when none is named.
+/// Pages, each with the word for its file name; the word is empty for the default figure.
 pub type Pages = Vec<(String, Figure)>;
 
-/// All figures, in the order in which they are offered.
+/// All figures, in the order of the help.
 pub const LIST: &[&Entry] = &[
     &sheet::ENTRY,
     &drawings::MECHANISM,
@@ -62,54 +63,54 @@ pub const LIST: &[&Entry] = &[
     &cognates::ENTRY,
 ];
 
-/// The figure that is drawn when none is named.
+/// The default figure.
 pub const USUAL: &Entry = &sheet::ENTRY;
 
 /// The figure on which vectors, dimensions and paths are drawn.
 pub const MECHANISM: &Entry = &drawings::MECHANISM;
 
-/// The figure of a name.
+/// Returns the figure with a name.
 pub fn named(name: &str) -> Option<&'static Entry> {
     LIST.iter().find(|e| e.name == name).copied()
 }
 
-/// What a figure is drawn from.
+/// The input of a figure.
 pub struct Wanted<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// The same worked through, with all positions.
+    /// The worked scene, with all positions.
     pub worked: &'a Worked,
-    /// How it is written.
+    /// The options of style and language.
     pub options: &'a Options,
-    /// What is drawn with the mechanism.
+    /// The additions to the mechanism.
     pub extras: &'a Extras,
 }
 
-/// What is drawn with the mechanism.
+/// Additions to the drawing of the mechanism.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Extras {
-    /// Vectors of this polygon at its points.
+    /// Vectors of this polygon at the mechanism's points.
     pub vectors: Option<DiagramKind>,
-    /// The given lengths as dimensions.
+    /// True if the given lengths are drawn as dimensions.
     pub dimensions: bool,
-    /// So many positions of the first driver.
+    /// Number of positions of the first driver.
     pub poses: usize,
-    /// Points whose paths are shown.
+    /// Points with their paths shown.
     pub points: Vec<PointId>,
 }
 
 impl Extras {
-    /// Whether there is anything.
+    /// Returns true if there is any addition.
     pub fn any(&self) -> bool {
         self.vectors.is_some() || self.dimensions || self.poses > 0 || !self.points.is_empty()
     }
 
-    /// Whether the mechanism alone can show it: positions have a sheet of their own.
+    /// Returns true if the mechanism alone can show the additions: positions have a separate sheet.
     pub fn of_mechanism_alone(&self) -> bool {
         self.vectors.is_some() || self.dimensions || self.poses == 0 && !self.points.is_empty()
     }
 
-    /// The same as lines over and behind the mechanism.
+    /// Returns the additions as lines over and behind the mechanism.
     pub fn overlay(&self, scene: &Scene, worked: &Worked) -> Overlay {
         let overlay = Overlay { vectors: self.vectors, dimensions: self.dimensions, ..Overlay::default() };
         if self.poses > 0 || !self.points.is_empty() {
@@ -119,7 +120,7 @@ impl Extras {
     }
 }
 
-/// One page, or none.
+/// Returns one page, or none.
 pub(super) fn page(name: &str, figure: Option<Figure>) -> Result<Warned<Pages>, Faults> {
     Ok(Warned { value: figure.into_iter().map(|f| (name.to_owned(), f)).collect(), notes: Vec::new() })
 }

@@ -1,4 +1,5 @@
-//! The polygons of a mechanism with many links, split by group: a page of A4 for what each group adds, with its equations.
+//! The polygons of a mechanism with many links, split by group: an A4 page for the additions of
+//! each group, with its equations.
 
 use crate::arrange::{Tree, put_together};
 use crate::polygon::plates;

@@ -1,4 +1,4 @@
-//! The whole sheet; with positions, the table of them.
+//! The whole sheet; with positions, the sheet of their table.
 
 use crate::{poses, sheet};
 use hodograph_base::diag::{Faults, Warned};

@@ -1,6 +1,8 @@
-//! The mechanism drawn apart 拆杆组: what is driven with its ground, every group by itself, and what only repeats others, each in its pose.
+//! Draws the mechanism apart 拆杆组: the driven part with its ground, every group by itself, and
+//! links that are redundant, each in its pose.
 //!
-//! A pair between two parts is shown in both: the pin as a circle, the block on its guide. Only what is driven stands on its supports.
+//! A pair between two parts is shown in both: the pin as a circle, the block on its guide. Only the
+//! driven part has its supports.
 
 use super::form::Form;
 use super::{Course, Draft};
@@ -11,27 +13,27 @@ use hodograph_paper::paper::style::Style;
 use hodograph_scene::{Guide, GuideId, GuidePath, LinkId, PointId, Scene};
 use hodograph_worked::worked::Worked;
 
-/// What is shown of a mechanism.
+/// The part of a mechanism that is shown.
 #[derive(Clone, Debug, Default)]
 pub struct Only {
     links: Vec<bool>,
     drivers: Vec<bool>,
-    /// Pins of the part that sit on none of its links.
+    /// Pins of the part that belong to none of its links.
     pins: Vec<PointId>,
 }
 
-/// What a part of the mechanism is.
+/// The kind of a part of the mechanism.
 #[derive(Clone, Debug)]
 pub enum Piece<'a> {
-    /// What is driven, with the ground.
+    /// The driven links, with the ground.
     Driven,
-    /// A group.
+    /// An Assur group.
     Group(Assur<'a>),
-    /// What only repeats others.
+    /// A redundant link (virtual constraint).
     Repeats,
 }
 
-/// The parts in solving order, before their labels are placed.
+/// Returns the parts in solving order, before their labels are placed.
 pub fn apart<'a>(style: &Style, scene: &Scene, worked: &'a Worked, notation: &Notation) -> Vec<(Piece<'a>, Drawing)> {
     let course = Course::of_one(style, scene, worked, notation);
     let m = &worked.mechanism;
@@ -67,7 +69,7 @@ pub fn apart<'a>(style: &Style, scene: &Scene, worked: &'a Worked, notation: &No
     parts
 }
 
-/// Some links with their joints, before their labels are placed.
+/// Draws some links with their joints, before their labels are placed.
 pub fn links(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, links: &[LinkId]) -> Drawing {
     let course = Course::of_one(style, scene, worked, notation);
     let shown: Vec<bool> = (0..scene.links.len()).map(|l| links.contains(&LinkId(l))).collect();
@@ -85,7 +87,7 @@ pub fn links(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation,
 }
 
 impl Only {
-    /// A group with its blocks, and with the drivers that belong to it.
+    /// Adds a group with its blocks and with its drivers.
     fn add(&mut self, scene: &Scene, worked: &Worked, g: &Assur) {
         let m = &worked.mechanism;
         g.links.iter().for_each(|l| self.links[l.0] = true);
@@ -104,29 +106,29 @@ impl Only {
 }
 
 impl Draft<'_> {
-    /// Whether a link is shown.
+    /// True if a link is shown.
     pub(super) fn shows(&self, l: LinkId) -> bool {
         self.only.as_ref().is_none_or(|o| o.links[l.0])
     }
 
-    /// Whether what drives it is shown.
+    /// True if a driver is shown.
     pub(super) fn shows_driver(&self, d: usize) -> bool {
         self.only.as_ref().is_none_or(|o| o.drivers[d])
     }
 
-    /// Whether a point is one of a moving link that is shown, or a pin of the part.
+    /// True if a point belongs to a moving link that is shown, or is a pin of the part.
     pub(super) fn shows_point(&self, p: PointId) -> bool {
         let Some(only) = &self.only else { return true };
         only.pins.contains(&p) || self.scene.carriers(p).any(|l| l != self.scene.ground && only.links[l.0])
     }
 
-    /// Whether what runs in a guide is shown.
+    /// True if the runner of a guide is shown.
     pub(super) fn shows_runner(&self, g: GuideId) -> bool {
         let guide = &self.scene.guides[g.0];
         guide.pin.is_none_or(|p| self.shows_point(p)) && guide.slider.is_none_or(|s| self.shows(s))
     }
 
-    /// The part, from back to front.
+    /// Draws the part, from back to front.
     fn pieces_of_it(&mut self) {
         self.ground_guides();
         self.wheels();

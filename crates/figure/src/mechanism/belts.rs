@@ -1,5 +1,5 @@
-//! Belts and chains: the strands, tangents from each wheel to the next; ropes from their drum to the load. The wheels are circles as those of other
-//! pairs are ([`super::wheels`]).
+//! Draws belts and chains as strands, tangent to successive wheels, and ropes from their drum to
+//! the load. The wheels are circles like those of other pairs ([`super::wheels`]).
 
 use super::Draft;
 use hodograph_base::geom::{Point, Vec2};
@@ -7,14 +7,15 @@ use hodograph_mechanism::position::{Path, belt};
 use hodograph_paper::paper::item::Shape;
 use hodograph_scene::{Contours, GuideId, Rolling};
 
-/// A wheel in its belt, on paper: its radius is negative where the belt runs round it counter-clockwise.
+/// A wheel in its belt, on paper; its radius is negative if the belt runs round it
+/// counter-clockwise.
 struct Wheel {
     centre: Point,
     radius_mm: f64,
 }
 
 impl Draft<'_> {
-    /// The strands of all belts and chains, where their wheels are shown.
+    /// Draws the strands of all belts and chains with visible wheels.
     pub(super) fn belts(&mut self) {
         let scene = self.scene;
         let mut strands: Vec<&Rolling> = scene.rolling.iter().filter(|p| p.belt().is_some()).collect();
@@ -33,7 +34,7 @@ impl Draft<'_> {
         }
     }
 
-    /// A rope, from where it leaves the drum as far as its load.
+    /// Draws a rope, from the drum to its load.
     pub(super) fn rope(&mut self, pair: &Rolling, guide: GuideId) {
         let (Some(at), Some(Path::Line { direction, .. })) = (self.point(pair.at[0]), self.guide(guide)) else { return };
         let held = self.scene.links[pair.links[0].0].points.iter().filter_map(|p| self.point(*p));
@@ -46,7 +47,7 @@ impl Draft<'_> {
         }
     }
 
-    /// The wheels of a belt in its order.
+    /// The wheels of a belt, in their order along it.
     fn wheels_of(&self, strands: &[&Rolling]) -> Option<Vec<Wheel>> {
         let mut wheels: Vec<Wheel> = Vec::with_capacity(strands.len() + 1);
         for pair in strands {
@@ -65,7 +66,7 @@ impl Draft<'_> {
     }
 }
 
-/// The strand from one wheel to another.
+/// The ends of the strand from one wheel to another.
 fn tangent(from: &Wheel, to: &Wheel) -> Option<[Point; 2]> {
     let line = to.centre - from.centre;
     let [cos, sin] = belt::normal([from.radius_mm, -to.radius_mm], line.norm())?;

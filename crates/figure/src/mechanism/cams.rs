@@ -1,4 +1,5 @@
-//! Disc cams: the real profile with roller, edge or face of the follower, and, thin, the linkage that stands for them 高副替代机构.
+//! Draws disc cams: the actual profile with roller, edge or face of the follower, and, in thin
+//! lines, the equivalent linkage 高副替代机构.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -17,31 +18,34 @@ use hodograph_scene::{Asked, Cam, DiagramKind, Direction, Follows, GuideId, Guid
 use super::Draft;
 use super::letters::NumberPlace;
 
-/// Points round a profile: one for each degree.
+/// Points of a profile: one for each degree.
 const STEPS: usize = 360;
-/// From the end of a follower to the middle of its guide.
+/// Distance from the end of a follower to the middle of its guide.
 const ROD_MM: f64 = 16.0;
-/// A face goes on so far beyond its contact.
+/// Extension of a face beyond its contact.
 const BEYOND_MM: f64 = 7.0;
-/// A centre of curvature farther off than this part of the drawing's usual size is not drawn: the profile is nearly straight there.
+/// A centre of curvature farther away than this is not drawn: the profile is nearly straight there.
 const FAR_MM: f64 = 120.0;
-/// The arrow of a roller's spin: so far outside it, and to both sides of the middle of what is free.
+/// The arrow of a roller's rotation: distance from the roller, and half angle about the middle of
+/// the free side.
 const SPIN_OFF_MM: f64 = 2.0;
 const SPIN_RAD: f64 = 0.8;
 
-/// Pieces of a rim beside which its number may stand, counted from here: below the middle, at the left.
+/// Number of pieces of a rim for the number, and the angle of the first one: below the middle, on
+/// the left.
 const PLACES: usize = 12;
 const NUMBER_FROM_RAD: f64 = 3.6;
-/// Farther than this from all joints one piece is as good as another.
+/// Beyond this distance from all joints all pieces are equally good.
 const FAR_ENOUGH_MM: f64 = 22.0;
 
 impl Draft<'_> {
-    /// Whether a guide only stands for the contact of a cam.
+    /// True if a guide only represents the contact of a cam.
     pub(super) fn is_contact(&self, g: GuideId) -> bool {
         self.scene.cams.iter().any(|c| c.contact == Some(g))
     }
 
-    /// Whether a link is nothing but a cam, or a lever with a flat face: it has no joint but its own pivot.
+    /// True if a link is only a cam, or only a lever with a flat face: it has no joint except its
+    /// own pivot.
     pub(super) fn is_profile(&self, l: LinkId) -> bool {
         let faced = |c: &Cam| c.follower == l && matches!(c.follows, Follows::Face(_));
         let named = self.scene.cams.iter().any(|c| c.cam == l || faced(c));
@@ -49,12 +53,12 @@ impl Draft<'_> {
         named && !self.scene.links[l.0].points.iter().any(joint)
     }
 
-    /// Whether a point is a pin only because it runs in the guide that stands for a contact.
+    /// True if a point is a pin only because it runs in the guide that represents a contact.
     fn stands_for(&self, p: PointId) -> bool {
         self.scene.cams.iter().any(|c| c.contact.is_some_and(|g| self.scene.guides[g.0].pin == Some(p)) && self.on_cam(c, p))
     }
 
-    /// Whether a flat face is named by a line through this point: tables say ∥CF.
+    /// True if a flat face is named by a line through this point: tables write ∥CF.
     pub(super) fn on_face(&self, p: PointId) -> bool {
         let along = |g: GuideId| match self.scene.guides[g.0].path {
             GuidePath::Line { direction: Direction::Along(a, b, _), .. } => a == p || b == p,
@@ -71,14 +75,14 @@ impl Draft<'_> {
         self.scene.links[c.cam.0].points.contains(&p)
     }
 
-    /// By how much the block and the guide of a cam's follower stand away from its end.
+    /// Offset of the block and the guide of a cam's follower from the follower's end.
     pub(super) fn raised(&self, g: GuideId, tangent: Vec2) -> Vec2 {
         let guide = &self.scene.guides[g.0];
         let of = |c: &&Cam| guide.slider == Some(c.follower) && guide.pin == Some(c.follows.point());
         self.scene.cams.iter().find(of).map_or(Vec2::ZERO, |c| tangent * (ROD_MM + self.mm(c.follows.radius().unwrap_or(0.0))))
     }
 
-    /// Of the knife edge of a follower that no joint is at: the direction in which the follower goes on from it.
+    /// For a knife edge that is at no joint: the direction in which the follower extends from it.
     pub(super) fn knife_edge(&self, p: PointId) -> Option<Vec2> {
         let c = self.scene.cams.iter().find(|c| matches!(c.follows, Follows::Edge(q) if q == p))?;
         if self.scene.carriers(p).any(|l| l != c.follower) {
@@ -98,7 +102,7 @@ impl Draft<'_> {
         length / self.worked.construction.diagram.mu
     }
 
-    /// From the frame of the pieces that a pose places to paper.
+    /// Maps the frame of a pose's profile pieces to paper.
     fn of_pieces(&self, pieces: &Pieces) -> Option<impl Fn(Vec2) -> Point + use<'_>> {
         let [from, to] = pieces.frame.map(|p| self.point(p));
         let (from, mu) = (from?, self.worked.construction.diagram.mu);
@@ -106,7 +110,7 @@ impl Draft<'_> {
         Some(move |v: Vec2| from + v.rotate_by(axis) * (1.0 / mu))
     }
 
-    /// From the frame of a cam to paper, the cam as it stands at the instant.
+    /// Maps the frame of a cam to paper, with the cam in its present position.
     fn of_cam(&self, c: &Cam) -> Option<impl Fn(Vec2) -> Point + use<'_>> {
         let t = c.disc.as_ref()?;
         let centre = self.point(t.pivot)?;
@@ -114,7 +118,8 @@ impl Draft<'_> {
         Some(move |v: Vec2| centre + v.rotate_by(turn) * (1.0 / mu))
     }
 
-    /// The direction of the x axis of a cam's frame as it stands: turned with the cam in its carrier, and with the carrier.
+    /// The direction of the x axis of a cam's frame in its present position: turned with the cam in
+    /// its carrier, and with the carrier.
     fn turned(&self, t: &Turning) -> Option<Vec2> {
         let carrier = match t.axis(self.scene) {
             Some([a, b]) => (self.point(b)? - self.point(a)?).unit()?,
@@ -123,7 +128,7 @@ impl Draft<'_> {
         Some(Vec2::from_angle(t.disc.sense * t.phi).rotate_by(carrier))
     }
 
-    /// What is known of the contact at the instant.
+    /// The known data of the contact at the instant.
     fn station(&self, c: &Cam) -> Option<Station> {
         let t = c.disc.as_ref()?;
         t.disc.station(t.phi, t.side)
@@ -135,7 +140,8 @@ impl Draft<'_> {
         Some((self.paper(touch.at), self.centre(c)))
     }
 
-    /// The centre of curvature of the profile where it is touched, on paper; `None` of what is nearly straight there.
+    /// The centre of curvature of the profile at the contact, on paper; `None` if the profile is
+    /// nearly straight there.
     fn centre(&self, c: &Cam) -> Option<Point> {
         if let (Some(s), Some(at)) = (self.station(c), self.of_cam(c)) {
             let k = s.centre();
@@ -151,20 +157,22 @@ impl Draft<'_> {
         }
     }
 
-    /// Profiles, behind the links.
+    /// Draws the profiles behind the links.
     pub(super) fn cams(&mut self) {
         let scene = self.scene;
         scene.cams.iter().for_each(|c| self.profile(c));
     }
 
-    /// Ends of the followers, over the plates: a plate that holds a roller at its corner would hide half of it.
+    /// Draws the ends of the followers over the plates: a plate with a roller at its corner would
+    /// hide half of the roller.
     pub(super) fn followers(&mut self) {
         let scene = self.scene;
         scene.cams.iter().for_each(|c| self.end(c));
     }
 
-    /// Of pieces of a rim the one whose number is farthest from joints and their supports, beside which it would be read as theirs; up to
-    /// a distance that is far enough for all, the first.
+    /// The piece of a rim with its number farthest from joints and supports, because a number near
+    /// these would be read as theirs. Distances that are large enough count as equal; the first
+    /// piece wins.
     fn freest(&self, pieces: impl Iterator<Item = [Point; 2]>) -> [Point; 2] {
         let joints = (0..self.scene.points.len()).map(PointId).filter_map(|p| Some((p, self.point(p)?)));
         let busy: Vec<Point> = joints.flat_map(|(p, at)| [at, at + self.support_side(p) * self.style.pivot_height_mm]).collect();
@@ -207,7 +215,7 @@ impl Draft<'_> {
         }
     }
 
-    /// The roller, the round end or the face.
+    /// Draws the roller, the round end or the face.
     fn end(&mut self, c: &Cam) {
         let id = format!("follower-{}", self.scene.link_name(c.follower));
         let stroke = self.style.outline;
@@ -238,7 +246,7 @@ impl Draft<'_> {
         self.d.of_link(None);
     }
 
-    /// The sense in which a roller turns, where it is asked for and the velocities are drawn.
+    /// Draws the sense in which a roller turns, if it is requested and the velocities are drawn.
     fn spin(&mut self, c: &Cam, centre: Point, radius_mm: f64) {
         if self.worked.construction.polygon(DiagramKind::Velocity).is_none() {
             return;
@@ -264,7 +272,8 @@ impl Draft<'_> {
         self.d.label(&id, "rotation", request.owned(owner));
     }
 
-    /// A flat face from level with its point to beyond the contact, and the arm that holds it.
+    /// Draws a flat face from the foot of its point to beyond the contact, and the arm that holds
+    /// it.
     fn face(&mut self, c: &Cam, p: PointId, id: &str) {
         let (Some(through), Some(touch)) = (self.point(p), self.worked.configuration.touch(self.scene, c)) else { return };
         let (contact, n) = (self.paper(touch.at), touch.normal);
@@ -272,7 +281,7 @@ impl Draft<'_> {
         let along = contact - foot;
         let u = along.unit().unwrap_or(n.perp());
         let slides = self.scene.guides.iter().any(|g| g.slider == Some(c.follower));
-        // Points that name the face lie on it, or on the arm that it makes with them.
+        // Points that name the face are on it, or on the arm that it makes with them.
         let named = self.scene.links[c.follower.0].points.iter().filter(|p| self.on_face(**p)).filter_map(|p| self.point(*p));
         let farthest = named.filter(|p| (*p - foot).dot(n).abs() < super::SAME_MM).map(|p| (p - foot).dot(u)).fold(0.0, f64::max);
         let reach = (along.norm() + BEYOND_MM).max(farthest);
@@ -300,7 +309,8 @@ impl Draft<'_> {
         }
     }
 
-    /// The equivalent linkage in thin lines: pivot – centre of curvature – follower; and the contact on it.
+    /// Draws the equivalent linkage in thin lines: pivot – centre of curvature – follower; and the
+    /// contact on it.
     pub(super) fn equivalents(&mut self) {
         for i in 0..self.scene.cams.len() {
             let c = &self.scene.cams[i];

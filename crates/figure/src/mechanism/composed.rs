@@ -1,4 +1,5 @@
-//! The vectors of a composite motion at the moving point: with two parts the parallelogram whose diagonal is the absolute vector.
+//! The vectors of a composite motion at the moving point: two components form a parallelogram with
+//! the absolute vector as its diagonal.
 
 use hodograph_base::geom::Vec2;
 use hodograph_base::notation::Notation;
@@ -13,24 +14,24 @@ use hodograph_worked::worked::Worked;
 
 use super::{Course, Draft};
 
-/// A vector shorter than this has neither head nor direction for the eye.
+/// Below this length a vector has neither a visible head nor a visible direction.
 pub const SHORTEST_MM: f64 = 0.4;
 
-/// Bars stand back behind the vectors.
+/// Colour of bars in the background of the vectors.
 const BARS: Colour = Colour::grey(165);
 
 /// A vector on paper.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vector {
-    /// Its symbol in the label language.
+    /// The symbol in the label language.
     pub symbol: String,
-    /// Its key, in ids.
+    /// The key, for ids.
     pub key: String,
-    /// The quantity that it shows.
+    /// The quantity that the vector shows.
     pub shown: Shown,
-    /// What it is (mm).
+    /// The components (mm).
     pub mm: Vec2,
-    /// Whether it is the absolute one, the sum of the others.
+    /// True for the absolute vector, the sum of the others.
     pub absolute: bool,
 }
 
@@ -39,16 +40,16 @@ pub struct Vector {
 pub struct Composed {
     /// The moving point.
     pub at: PointId,
-    /// The absolute vector and its parts.
+    /// The absolute vector and its components.
     pub vectors: Vec<Vector>,
-    /// Whether dashed lines close the parallelogram of two parts.
+    /// True if dashed lines close the parallelogram of two components.
     pub parallelogram: bool,
 }
 
-/// The mechanism with the vectors.
+/// Draws the mechanism with the vectors.
 pub fn composed(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, what: &Composed) -> Part {
     let alone = Course::default();
-    // A vector often lies along a bar, and would not be seen on it.
+    // A vector along a bar would be invisible on a dark bar.
     let style = &Style { link: style.link.coloured(BARS), ..style.clone() };
     let mut draft = Draft::new(style, scene, worked, notation, &alone);
     draft.everything();
@@ -64,7 +65,7 @@ impl Draft<'_> {
             let stroke = style.thin.dashed(Dash::Dashed);
             for (start, along) in [(a.mm, b.mm), (b.mm, a.mm)] {
                 let (start, end) = (from + start, from + start + along);
-                // Over the vectors themselves it would be another line.
+                // Parallel vectors would be covered by the closing line.
                 if along.norm() > SHORTEST_MM && a.mm.cross(b.mm).abs() > SHORTEST_MM * a.mm.norm().max(b.mm.norm()) {
                     self.d.shape("parallelogram", "closing", Shape::Line { from: start, to: end, stroke });
                 }

@@ -1,5 +1,5 @@
-//! A block in the slots of two moving links (十字滑块, the disc of Oldham's coupling): one rigid body with an arm along each slot, and no
-//! joint where they meet.
+//! Draws a block in the slots of two moving links (十字滑块, the disc of Oldham's coupling): one
+//! rigid body with an arm along each slot, and no joint where the arms meet.
 
 use hodograph_base::geom::{Vec2, cross_lines};
 use hodograph_paper::paper::item::{Colour, Dash, Item, Shape};
@@ -8,9 +8,9 @@ use hodograph_scene::{Guide, GuideId, GuidePath, PointId};
 use super::Draft;
 use super::letters::NumberPlace;
 
-/// Half the length of an arm: of two arms this much shows beyond the other one's width.
+/// Half the length of an arm: this part of an arm shows beyond the width of the other one.
 pub(super) const ARM_MM: f64 = 6.0;
-/// Slots that cross more flatly than this (sine) have no arms of their own.
+/// Slots that cross at a smaller angle (sine) have no separate arms.
 const SQUARE_SINE: f64 = 0.8;
 
 impl Draft<'_> {
@@ -28,14 +28,15 @@ impl Draft<'_> {
         (sine > SQUARE_SINE).then_some(o)
     }
 
-    /// Whether a point is where the arms of such a block meet and nothing is joined: a place of one body.
+    /// True if a point is where the arms of such a block meet and nothing is joined: a point of one
+    /// body.
     pub(super) fn in_cross(&self, p: PointId) -> bool {
         let here = |g: &GuideId| self.scene.guides[g.0].pin == Some(p) && self.crossing(*g).is_some();
         let Some(g) = (0..self.scene.guides.len()).map(GuideId).find(here) else { return false };
         self.scene.carriers(p).all(|l| Some(l) == self.scene.guides[g.0].slider)
     }
 
-    /// The block, once for its two slots.
+    /// Draws the block, once for its two slots.
     pub(super) fn cross(&mut self, g: GuideId, other: GuideId) {
         let (Some((at, u)), Some((_, v)), Some(slider)) = (self.runner(g), self.runner(other), self.scene.guides[g.0].slider) else {
             return;
@@ -46,10 +47,10 @@ impl Draft<'_> {
         let id = self.link_id(slider.0);
         self.d.of_link(Some(slider.0));
         let half = self.style.block_width_mm / 2.0;
-        // The second direction to the left of the first one.
+        // The second direction is to the left of the first one.
         let v = if u.cross(v) > 0.0 { v } else { -v };
         let corner = |one: Vec2, next: Vec2| {
-            // Where the left side of one arm meets the right side of the next.
+            // The intersection of the left side of one arm and the right side of the next.
             let inner = cross_lines(at + one.perp() * half, one, at - next.perp() * half, next).at;
             [at + one * ARM_MM - one.perp() * half, at + one * ARM_MM + one.perp() * half, inner]
         };

@@ -1,9 +1,11 @@
-//! The given lengths as dimensions (GB/T 4458.4, ISO 129-1): numbers stand along their lines, to be read from below or from the right, and
-//! on no body.
+//! Draws the given lengths as dimensions (GB/T 4458.4, ISO 129-1): numbers run along their lines,
+//! readable from below or from the right, and cover no body.
 //!
-//! Decided here: on which side of its points and how far off each dimension stands: the first place where its number covers nothing and
-//! its lines cross least. A dimension without such a place is not drawn; the list of given values names it instead. More than a hundred
-//! are placed on a raster of what is taken: what one of them costs in time then does not depend on how many others there are.
+//! This module chooses the side and the distance of each dimension: the first place at which its
+//! number covers nothing and its lines cross least. A dimension without such a place is not drawn;
+//! the list of given values contains it instead. More than a hundred dimensions are placed on a
+//! raster of occupied cells, so that the time for one dimension does not depend on the number of
+//! others.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -19,48 +21,51 @@ use hodograph_scene::{Given, GuidePath, Kind, Place, PointId, Scene, Through, To
 
 use super::{Draft, form};
 
-/// The nearest dimension line, clear of the joints' letters, and the distance of the next ones.
+/// Distance of the nearest dimension line, clear of the letters of the joints, distance of the next
+/// ones, and their number.
 const FIRST_MM: f64 = 9.0;
 const NEXT_MM: f64 = 5.0;
 const LEVELS: i32 = 9;
-/// From the dimension line up to its number.
+/// Distance from the dimension line up to its number.
 const GAP_MM: f64 = 0.8;
-/// Air around a number.
+/// Clear space around a number.
 const AIR_MM: f64 = 0.7;
-/// What speaks against a place: to cross a line with the dimension line or an extension line, to lead the dimension line over a body, to be one step farther off, to be on the side
-/// of the mechanism's middle, to have the number away from the middle of its line or beyond its end.
+/// Costs of a place: a dimension or extension line crosses another line; the dimension line passes
+/// over a body; one step farther away; on the side of the mechanism's middle; the number away from
+/// the middle of its line; the number beyond the end of its line.
 const CROSSED_COST: f64 = 3.0;
 const OVER_COST: f64 = 5.0;
 const FAR_COST: f64 = 1.0;
 const INSIDE_COST: f64 = 2.5;
 const ASIDE_COST: f64 = 0.8;
 const BEYOND_COST: f64 = 2.0;
-/// Around all that is drawn and all places of dimensions: a number beyond the end of its line.
+/// Space around the drawing and around all places of dimensions: a number beyond the end of its
+/// line.
 const BORDER_MM: f64 = 20.0;
-/// Where along its line a number may stand, as parts of it; then beyond either end.
+/// Positions of a number along its line, as parts of it; after these, beyond either end.
 const STATIONS: [f64; 5] = [0.5, 0.35, 0.65, 0.22, 0.78];
 
-/// The name of the dimension of two points.
+/// Returns the name of the dimension between two points.
 pub fn name_of(scene: &Scene, a: PointId, b: PointId) -> String {
     format!("dimension-{}-{}", scene.point_name(a), scene.point_name(b))
 }
 
-/// The name that the line of a dimension has in a drawing.
+/// Returns the id of a dimension's line in a drawing.
 pub fn id_of(scene: &Scene, a: PointId, b: PointId) -> String {
     id("mechanism", &name_of(scene, a, b))
 }
 
-/// The places that a dimension is between, its name, and its number.
+/// The two end points of a dimension, its name, and its number.
 type Wanted = (Point, Point, String, String);
 
-/// A dimension in a place.
+/// A placed dimension.
 struct Placed {
     lines: Vec<Item>,
     number: Item,
 }
 
-/// A place of a number: the foot of its middle and its direction, what speaks against it, and the line that goes on under it where it
-/// stands beyond an end.
+/// A place of a number: its base point and its direction, its cost, and the line that continues
+/// under it if it is beyond an end.
 struct Spot {
     at: Point,
     angle_rad: f64,
@@ -68,7 +73,7 @@ struct Spot {
     beyond: Option<[Point; 2]>,
 }
 
-/// What no number stands on.
+/// Bodies that no number may cover.
 struct Bodies {
     areas: Vec<Vec<Point>>,
     discs: Vec<(Point, f64)>,
@@ -80,11 +85,11 @@ impl Bodies {
     }
 }
 
-/// How what is in the way is found.
+/// The method that finds obstacles.
 enum Ways {
-    /// By comparing with all that is drawn.
+    /// By comparison with everything drawn.
     Each(Bodies),
-    /// By the cells that are taken.
+    /// By occupied cells.
     Cells(Raster),
 }
 
@@ -99,7 +104,7 @@ impl Ways {
         Ways::Cells(raster)
     }
 
-    /// What speaks against the lines of a dimension.
+    /// The cost of the lines of a dimension.
     fn crossed(&mut self, d: &Drawing, (p, q): (Point, Point), lines: &[Item]) -> f64 {
         match self {
             Ways::Each(bodies) => {
@@ -119,7 +124,7 @@ impl Ways {
         }
     }
 
-    /// Whether a number with these corners stands on nothing.
+    /// True if a number with these corners covers nothing.
     fn is_free(&mut self, d: &Drawing, [a, b, c, e]: [Point; 4]) -> bool {
         let part = |p: Point, q: Point, t: f64| p + (q - p) * t;
         match self {
@@ -135,7 +140,7 @@ impl Ways {
         }
     }
 
-    /// A dimension has been drawn.
+    /// Records a dimension that has been drawn.
     fn take(&mut self, placed: &Placed) {
         if let Ways::Cells(raster) = self {
             raster.add(&Obstacles::of(&placed.lines));
@@ -144,14 +149,14 @@ impl Ways {
     }
 }
 
-/// The corners of a number in a place.
+/// The corners of a number at a place.
 fn turned(level: &[Point; 4], spot: &Spot) -> [Point; 4] {
     let turn = Vec2::from_angle(spot.angle_rad);
     level.map(|corner| spot.at + corner.to_vec2().rotate_by(turn))
 }
 
 impl Draft<'_> {
-    /// All dimensions.
+    /// Draws all dimensions.
     pub(super) fn dimensions(&mut self) {
         let wanted = self.lengths();
         let mut ways = Ways::new(&self.d, self.bodies(), wanted.len());
@@ -171,9 +176,9 @@ impl Draft<'_> {
         }
     }
 
-    /// What is given between two places: these, a name, and the number.
+    /// The given lengths between two points: these points, a name, and the number.
     fn lengths(&self) -> Vec<Wanted> {
-        // The longest come last, as they stand farthest out.
+        // The longest come last, because they are farthest out.
         let mut wanted: Vec<Wanted> = Vec::new();
         let of_cam = |p: PointId| self.scene.cams.iter().any(|c| c.span == self.scene.points[p.0].span);
         for length in self.scene.lengths.iter().filter(|l| !of_cam(l.a) && !of_cam(l.b)) {
@@ -213,7 +218,8 @@ impl Draft<'_> {
         wanted
     }
 
-    /// The offsets of guides, from the point that the guide would pass through without.
+    /// The offsets of guides, measured from the point that the guide would pass through without an
+    /// offset.
     fn offsets(&self) -> Vec<Wanted> {
         let mut out = Vec::new();
         for (g, guide) in self.scene.guides.iter().enumerate().filter(|(_, g)| g.rolling.is_none()) {
@@ -297,11 +303,12 @@ impl Draft<'_> {
         Some(Placed { lines, number: Item::new("", shape) })
     }
 
-    /// The places of a number along its line; `level` has the corners of its box where it is level.
+    /// The places of a number along its line; `level` has the corners of its box in horizontal
+    /// position.
     fn spots(&self, (p, q): (Point, Point), level: &[Point; 4]) -> Vec<Spot> {
         let length = p.distance(q);
         let Some(along) = (q - p).unit() else { return Vec::new() };
-        // Read from below, or from the right.
+        // Readable from below, or from the right.
         let mut angle_rad = along.angle();
         if angle_rad > FRAC_PI_2 + 1e-6 {
             angle_rad -= PI;
@@ -325,7 +332,8 @@ impl Draft<'_> {
         out
     }
 
-    /// A given length at its dimension line: millimetres to the micrometre without their name, all else with its unit.
+    /// A given length at its dimension line: millimetres, rounded to a micrometre, without their
+    /// name; all else with its unit.
     fn dimension(&self, given: &Given) -> String {
         let number = |value: f64| inked(&shortest((value * 1e3).round() / 1e3));
         match self.scene.told(Kind::Length, &given.text, given.value) {
@@ -359,7 +367,8 @@ mod tests {
         scene::read(&text).unwrap().value
     }
 
-    /// More than a hundred dimensions: twice as many are twice the work, and they are told as placed coarsely.
+    /// More than a hundred dimensions: twice as many take twice the work, and their class says that
+    /// they are placed coarsely.
     #[test]
     fn work_grows_with_the_number_of_dimensions() {
         let (style, notation, course) =

@@ -1,4 +1,5 @@
-//! Directions that the equation tables name t: guides along no line of two named points.
+//! Marks directions that the equation tables name t: guides that are not along a line of two named
+//! points.
 
 use super::Draft;
 use hodograph_board::plan::text::Writer;
@@ -10,7 +11,7 @@ const FROM_MM: f64 = 9.0;
 const TO_MM: f64 = 17.0;
 
 impl Draft<'_> {
-    /// Marks the guides whose direction an equation calls t.
+    /// Marks the guides with a direction that an equation names t.
     pub(super) fn directions(&mut self) {
         let plan = &self.worked.plan;
         let w = Writer { scene: self.scene, plan, notation: self.notation, lang: Lang::En };
@@ -21,7 +22,7 @@ impl Draft<'_> {
             .collect();
         for (g, name) in named {
             let Some((at, tangent)) = self.runner(g) else { continue };
-            // Away from the next point of the link that carries the guide, where there is room.
+            // Away from the nearest point of the link that carries the guide, where there is space.
             let others = &self.scene.links[self.scene.guides[g.0].on.0].points;
             let nearest = others.iter().filter_map(|p| self.point(*p)).min_by(|p, q| p.distance(at).total_cmp(&q.distance(at)));
             let u = if nearest.is_some_and(|p| (p - at).dot(tangent) > 0.0) { tangent * -1.0 } else { tangent };

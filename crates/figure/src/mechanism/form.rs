@@ -1,4 +1,5 @@
-//! What a link looks like: bars between its points, a plate, the bars along its guides, and its rigid corners.
+//! The form of a link: bars between its points, a plate, the bars along its guides, and its rigid
+//! corners.
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::position::Path;
@@ -9,13 +10,14 @@ use super::Draft;
 /// A link on paper.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Form {
-    /// Corners of the plate of a link with three or more points that are not in line; else empty.
+    /// Corners of the plate of a link with three or more points that are not collinear; otherwise
+    /// empty.
     pub plate: Vec<Point>,
     /// Plain bars.
     pub bars: Vec<(Point, Point)>,
     /// Bars along guides: blocks slide on them.
     pub guide_bars: Vec<(Point, Point)>,
-    /// Slots for bare pins: outermost places of the pin.
+    /// Slots for bare pins: outermost positions of the pin.
     pub slots: Vec<(Point, Point)>,
     /// Slots along arcs: centre, radius, angles.
     pub arcs: Vec<(Point, f64, [f64; 2])>,
@@ -24,7 +26,7 @@ pub(super) struct Form {
 }
 
 impl Form {
-    /// All straight lines of the form, plates' edges included.
+    /// Returns all straight lines of the form, including the edges of plates.
     pub fn segments(&self) -> Vec<(Point, Point)> {
         let mut all: Vec<(Point, Point)> = self.bars.iter().chain(&self.guide_bars).copied().collect();
         for k in 0..self.plate.len() {
@@ -34,16 +36,16 @@ impl Form {
     }
 }
 
-/// Three points are in line when the middle one is no farther off than half a link's width.
+/// Three points are collinear if the middle one deviates by no more than half a link's width.
 const IN_LINE_MM: f64 = 0.35;
-/// A guide goes on this far beyond the block, so that it is seen that the block can slide.
+/// Extension of a guide beyond the block, which shows that the block can slide.
 const BEYOND_BLOCK_MM: f64 = 7.0;
-/// Half of a slot's length, unless a joint of the link is nearer.
+/// Half the length of a slot, unless a joint of the link is nearer.
 const SLOT_HALF_MM: f64 = 11.0;
-/// Between the end of a slot and the next joint's centre.
+/// Distance between the end of a slot and the centre of the next joint.
 const SLOT_TO_JOINT_MM: f64 = 4.0;
 
-/// Whether `p` lies on the segment a–b, to within `tolerance_mm`.
+/// Returns true if `p` is on the segment a–b, within `tolerance_mm`.
 pub(super) fn on_segment(p: Point, a: Point, b: Point, tolerance_mm: f64) -> bool {
     let d = b - a;
     if d.norm2() <= 0.0 {
@@ -53,23 +55,26 @@ pub(super) fn on_segment(p: Point, a: Point, b: Point, tolerance_mm: f64) -> boo
     p.distance(a + d * t) < tolerance_mm
 }
 
-/// Whether `p` lies in a convex polygon whose corners are counter-clockwise; never in an empty one.
+/// Returns true if `p` is in a convex polygon with counter-clockwise corners; false for an empty
+/// one.
 pub(super) fn inside(p: Point, corners: &[Point]) -> bool {
     let n = corners.len();
     n > 2 && (0..n).all(|k| (corners[(k + 1) % n] - corners[k]).cross(p - corners[k]) >= 0.0)
 }
 
-/// Whether an arc from `from` through `sweep` passes the direction `angle` or its reference line lies there.
+/// Returns true if an arc from `from` through `sweep`, or its reference line, passes the support in
+/// the direction `angle`.
 pub(super) fn sweeps(from: f64, sweep: f64, angle: f64) -> bool {
     use std::f64::consts::TAU;
     let turned = ((angle - from) * sweep.signum()).rem_euclid(TAU);
-    // Half of the support's hatching seen from the joint.
+    // Half the angle of the support's hatching, seen from the joint.
     let half = 0.95;
     turned < sweep.abs() + half || turned > TAU - half
 }
 
 impl Draft<'_> {
-    /// The form of a link; `None` for ground, for blocks and cylinder parts, and for what has no place.
+    /// The form of a link; `None` for the ground, for blocks and cylinder parts, and for links
+    /// without a position.
     pub(super) fn form(&self, l: LinkId) -> Option<Form> {
         let (rods, blocks): (Vec<_>, Vec<_>) = self.swings().into_iter().filter(|s| s.rod == l || s.block == l).partition(|s| s.rod == l);
         if !rods.is_empty() {
@@ -82,14 +87,14 @@ impl Draft<'_> {
             return None;
         }
         let link = &self.scene.links[l.0];
-        // A cam and a flat face are drawn as what they are.
+        // A cam and a flat face have their own drawings.
         if self.is_profile(l) {
             return None;
         }
         let drawn = |g: &GuideId| self.scene.guides[g.0].rolling.is_none() && !self.is_contact(*g);
         let own_guides: Vec<GuideId> =
             (0..self.scene.guides.len()).map(GuideId).filter(|g| self.scene.guides[g.0].on == l && drawn(g)).collect();
-        // The centre of a slot is no part of the body, unless something is pinned there.
+        // The centre of a slot is not part of the body, unless something is pinned there.
         let centre_only = |p| {
             !self.is_pin(p)
                 && own_guides.iter().any(|g| matches!(self.scene.guides[g.0].path, GuidePath::Arc { centre, .. } if centre == p))
@@ -114,17 +119,18 @@ impl Draft<'_> {
             let (a, b) = ends(&points);
             let covered = |(p, q): &(Point, Point)| on_segment(a, *p, *q, IN_LINE_MM) && on_segment(b, *p, *q, IN_LINE_MM);
             let held = |p: &Point| form.bars.iter().any(|(a, b)| on_segment(*p, *a, *b, IN_LINE_MM));
-            // The arm of an offset guide, or of a slot, holds one of the points; the others hang on that.
+            // The arm of an offset guide, or of a slot, holds one of the points; the bar to the
+            // others starts there.
             if !form.guide_bars.iter().any(covered) && (form.bars.is_empty() || !points.iter().all(held)) {
                 form.bars.push((a, b));
             }
         }
-        // A yoke glides on rods of its own, which `slides` draws.
+        // A yoke slides on its own rods, which `slides` draws.
         let empty = form == Form::default();
         (!empty).then_some(form)
     }
 
-    /// The middle of an arm that carries wheels round a point: a plate would hide what they mesh with.
+    /// The middle of an arm that carries wheels round a point: a plate would hide their contacts.
     fn spider(&self, l: LinkId, points: &[Point], corners: &[Point]) -> Option<Point> {
         let mut within = points.iter().filter(|p| corners.iter().all(|c| c.distance(**p) > super::SAME_MM));
         let (middle, None) = (within.next()?, within.next()) else { return None };
@@ -152,7 +158,7 @@ impl Draft<'_> {
         if on_line.is_empty()
             && let Some(near) = points.iter().copied().min_by(|p, q| off(*p).total_cmp(&off(*q)))
         {
-            // No joint on the line: an arm square to the guide holds it.
+            // No joint is on the line: an arm perpendicular to the guide holds it.
             form.bars.push((near, foot(near)));
             form.corners.push((foot(near), near, at));
             on_line.push(foot(near));
@@ -161,7 +167,7 @@ impl Draft<'_> {
         if guide.slider.is_some() {
             let [back, on] = self.travel(g);
             let own = |sign: f64| self.style.block_length_mm / 2.0 + BEYOND_BLOCK_MM + if sign > 0.0 { on } else { -back };
-            // A known end of the lever is its end; otherwise it goes on past the block.
+            // A known end of the lever is its end; otherwise the bar continues past the block.
             let far = |sign: f64| {
                 let ends_there = on_line.iter().any(|p| along(*p) * sign > self.style.block_length_mm / 2.0);
                 if ends_there { reach(sign, 0.0) } else { reach(sign, own(sign)) }
@@ -199,14 +205,14 @@ impl Draft<'_> {
         let ends = angles.map(|a| centre + Vec2::from_angle(a) * radius);
         let pairs = points.iter().flat_map(|p| ends.map(|e| (*p, e)));
         if let Some((p, e)) = pairs.min_by(|x, y| x.0.distance(x.1).total_cmp(&y.0.distance(y.1))) {
-            // The arm ends at the slot's wall: within, it would look like a second pin.
+            // The arm ends at the slot's wall: inside the slot it would look like a second pin.
             let wall = (p - e).unit().map_or(e, |u| e + u * (self.style.slot_width_mm / 2.0).min(p.distance(e)));
             form.bars.push((p, wall));
         }
     }
 }
 
-/// The two points farthest apart.
+/// The two points that are farthest apart.
 fn ends(points: &[Point]) -> (Point, Point) {
     let mut best = (points[0], points[1]);
     for (i, a) in points.iter().enumerate() {
@@ -224,7 +230,8 @@ fn in_line(points: &[Point]) -> bool {
     points.iter().all(|p| on_segment(*p, a, b, IN_LINE_MM))
 }
 
-/// The convex hull, counter-clockwise (Andrew's monotone chain); points inside or on an edge are no corners.
+/// The convex hull, counter-clockwise (Andrew's monotone chain); points inside or on an edge are
+/// not corners.
 fn hull(points: &[Point]) -> Vec<Point> {
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));

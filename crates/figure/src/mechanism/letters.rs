@@ -1,4 +1,4 @@
-//! Numbers of links and letters of points.
+//! Places the numbers of links and the letters of points.
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::{name_label, point_label};
@@ -8,26 +8,28 @@ use hodograph_scene::PointId;
 
 use super::Draft;
 
-/// Where the number of a block, a yoke or a cylinder's part belongs.
+/// The place for the number of a block, a yoke or a cylinder's part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum NumberPlace {
     /// Along a rod.
     Along(Point, Point, u32),
-    /// Around a block with this middle, rather on this side.
+    /// Around a block with this middle, preferably on this side.
     Around(Point, Option<Vec2>),
-    /// Beside something so wide to each side.
+    /// Beside something with this half width.
     Wide(Point, Point, f64, u32),
 }
 
-/// The right end of the ground's hatching is its number's, unless the left one is so much farther from all arrows.
+/// The ground's number is at the right end of the hatching, unless the left end is farther from all
+/// arrows by more than this.
 const NO_NEARER_MM: f64 = 2.0;
-/// How far from a plate's middle to its corner its number may stand.
+/// Position of a plate's number from its middle towards a corner, as a part of that distance.
 const NEAR_CORNER: f64 = 0.4;
-/// Directions that cancel to less than this leave no side to prefer.
+/// Directions with a resultant below this leave no preferred side.
 const NO_SIDE: f64 = 0.2;
 
 impl Draft<'_> {
-    /// Link numbers: beside the longest bar, inside a plate, beside a block; that of the ground beside a support.
+    /// Places link numbers: beside the longest bar, inside a plate, beside a block; the ground's
+    /// number beside a support.
     pub(super) fn numbers(&mut self) {
         for l in 0..self.scene.links.len() {
             let name = self.scene.links[l].name.clone();
@@ -40,7 +42,7 @@ impl Draft<'_> {
                 continue;
             }
             let half = self.style.link.width_mm / 2.0;
-            // Nearly to the corners: along a side the number stands a little off.
+            // Nearly as far as the corners: along a side the number is a little off.
             let block = 0.9 * libm::hypot(self.style.block_width_mm, self.style.block_length_mm) / 2.0;
             match self.number_at[l] {
                 Some(NumberPlace::Along(a, b, owner)) => self.number(&id, &name, (a, b), half, owner),
@@ -55,7 +57,7 @@ impl Draft<'_> {
                         let length = |s: &(Point, Point)| s.0.distance(s.1);
                         let longest = self.pieces(l).into_iter().max_by(|a, b| length(a).total_cmp(&length(b)));
                         if let Some(s) = longest {
-                            // The link's own lines may be near, as those of any other link may not.
+                            // The link's own lines may be near, unlike those of any other link.
                             self.number(&id, &name, s, half, 0);
                         }
                     } else {
@@ -79,7 +81,7 @@ impl Draft<'_> {
         self.d.label(id, "number", request.owned(owner).read_as(Reads::Number));
     }
 
-    /// The bars of a link between neighbouring points of it.
+    /// The bars of a link between its neighbouring points.
     fn pieces(&self, l: usize) -> Vec<(Point, Point)> {
         let Some(form) = &self.forms[l] else { return Vec::new() };
         let points: Vec<Point> = self.scene.links[l].points.iter().filter_map(|p| self.point(*p)).collect();
@@ -101,12 +103,12 @@ impl Draft<'_> {
         let all: Vec<Point> = (0..self.scene.points.len()).filter_map(|p| self.point(PointId(p))).collect();
         let alone = |p: Point| all.iter().map(|q| p.distance(*q)).filter(|d| *d > super::SAME_MM).fold(f64::INFINITY, f64::min);
         let driven = |p: Point| self.turned_at.iter().any(|(centre, _)| centre.distance(p) < super::SAME_MM);
-        // A support without arrows, the one with most air around it; of equals the first.
+        // A support without arrows, the one with the most space around it; the first among equals.
         let pivots = (0..self.scene.points.len()).map(PointId).filter(|p| self.is_fixed_pivot(*p));
         let mut places: Vec<(Point, Vec2)> = pivots.filter_map(|p| Some((self.point(p)?, self.support_side(p)))).collect();
         places.sort_by(|(a, _), (b, _)| driven(*a).cmp(&driven(*b)).then(alone(*b).total_cmp(&alone(*a))));
         let beside: Vec<(Point, Vec2)> = places.into_iter().flat_map(|(at, down)| self.beside_hatching(at, down)).collect();
-        // Its hatching tells the ground: where there is no clear place the number is left out.
+        // The hatching identifies the ground: if there is no clear place, the number is left out.
         let number = |end: Point, clear_mm: f64, out: Vec2| {
             LabelRequest::at_point(Label::math(name_label(name)), self.style.label_mm, end, clear_mm).towards(out).optional(true)
         };
@@ -124,15 +126,17 @@ impl Draft<'_> {
         }
     }
 
-    /// Asks for a number at the first of these places with room, else at the one with most.
+    /// Requests a number at the first of these places with enough space, or else at the one with
+    /// the most space.
     fn label_with_room(&mut self, id: &str, requests: Vec<LabelRequest>) {
         if let Some(request) = roomiest(requests, |r| free_places(&r, self.d.obstacles())) {
             self.d.label(id, "number", request.read_as(Reads::Number));
         }
     }
 
-    /// The ends of a support's hatching and the middle below it, and the way out: first that from which the arrows are farther, as a number behind the name of a rate
-    /// would be read as a factor.
+    /// The ends of a support's hatching and the middle below it, each with its outward direction.
+    /// The end farther from the arrows comes first, because a number behind the name of an angular
+    /// velocity would be read as a factor.
     fn beside_hatching(&self, at: Point, down: Vec2) -> [(Point, Vec2); 3] {
         let foot = at + down * (self.style.pivot_height_mm + self.style.hatch_depth_mm / 2.0);
         let end = |side: f64| (foot + down.perp() * (side * self.style.ground_half_mm), down.perp() * side);
@@ -141,7 +145,7 @@ impl Draft<'_> {
         if free(left.0) > free(right.0) + NO_NEARER_MM { [left, right, (foot, down)] } else { [right, left, (foot, down)] }
     }
 
-    /// Letters of points, away from the links that meet there.
+    /// Places the letters of points, away from the links that meet there.
     pub(super) fn letters(&mut self) {
         for p in (0..self.scene.points.len()).map(PointId) {
             let Some(at) = self.point(p).filter(|_| self.shows_point(p)) else { continue };

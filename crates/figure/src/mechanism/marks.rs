@@ -1,4 +1,5 @@
-//! The drivers: given angles, and where the arrows of given rates go; [`rates`](super::rates) draws them.
+//! Draws the drivers: given angles, and the places of the arrows of given rates;
+//! [`rates`](super::rates) draws these arrows.
 
 use std::f64::consts::TAU;
 
@@ -16,55 +17,58 @@ use hodograph_scene::{Driver, DriverKind, GuideId, Lang, LinkId, PointId};
 use super::rates::{ARROW_MM, Slides, Turns};
 use super::{Draft, form};
 
-/// Radius of a given angle's arc: part of the crank, within what can be read and does not hide the mechanism.
+/// Radius of a given angle's arc: as a part of the crank, and between a readable and an unobtrusive
+/// radius.
 const ANGLE_PART: f64 = 0.5;
 const ANGLE_MM: [f64; 2] = [8.5, 13.0];
-/// An arc shorter than this has its radius made larger, up to this part of the crank and this radius.
+/// A shorter arc gets a larger radius, up to this part of the crank and this radius.
 const ANGLE_ARC_MM: f64 = 9.0;
 const SMALL_ANGLE_PART: f64 = 0.8;
 const SMALL_ANGLE_MM: f64 = 24.0;
 /// Radius of the arrow of a rotation; it clears the support's triangle (6.2 mm with its hatching).
 const ROTATION_PART: f64 = 0.4;
 const ROTATION_MM: [f64; 2] = [7.0, 9.5];
-/// Where the arrow of a rotation begins and ends, seen from the crank.
+/// Start and end of the arrow of a rotation, measured from the crank.
 const ROTATION_RAD: [f64; 2] = [0.45, 1.9];
-/// How much farther out a second driver's arrows are: its label fits between.
+/// Additional radius of a second driver's arrows: its label fits between.
 pub(super) const NEXT_MM: f64 = 6.0;
-/// Between a support's hatching and the arc of an angle round it.
+/// Distance between a support's hatching and the arc of an angle round it.
 const HATCHING_AIR_MM: f64 = 0.8;
-/// How finely an arc is looked at, what of its end is its head, and how its other radii are tried.
+/// Sampling step of an arc, length of its head, step of the other radii that are tried, and their
+/// excess over the usual limit.
 const ARC_STEP_MM: f64 = 0.2;
 const HEAD_MM: f64 = 2.5;
 const RADIUS_STEP_MM: f64 = 0.5;
 const FARTHER_MM: f64 = 3.0;
-/// An arc all of which is hidden against a radius that is so much larger or smaller.
+/// Cost of a fully hidden arc, against 1 per mm of change of the radius.
 const HIDDEN_COST: f64 = 100.0;
-/// Farther apart than this (sine) the end of a given angle and the line that is drawn of the link are two lines.
+/// Sine of the angle beyond which the side of a given angle and the drawn line of the link are two
+/// lines.
 const OWN_LINE: f64 = 0.01;
-/// A given angle smaller than this has no room for its arrow.
+/// A smaller given angle has no space for its arrow.
 const ANGLE_LEAST_RAD: f64 = 0.12;
-/// How far outside its rim the arrow of a wheel stands, and half its length.
+/// Distance of the arrow of a wheel from the rim, and half its length.
 const RIM_OFF_MM: f64 = 2.5;
 const RIM_ARROW_MM: f64 = 8.0;
-/// Distance of a straight arrow from the thing that moves.
+/// Distance of a straight arrow from the moving part.
 const ARROW_OFF_MM: f64 = 3.0;
 
 /// The names of a mark: in ids and on paper, with its kind.
 pub(super) struct Called<'a> {
-    /// In ids.
+    /// The name in ids.
     pub id: &'a str,
-    /// On paper, in the label language.
+    /// The name on paper, in the label language.
     pub symbol: &'a str,
-    /// The last word of its class.
+    /// The last word of the class.
     pub class: &'a str,
 }
 
 impl Draft<'_> {
-    /// All drivers.
+    /// Draws all drivers.
     pub(super) fn drivers(&mut self) {
         let mut centres: Vec<Point> = Vec::new();
         for k in 0..self.scene.drivers.len() {
-            // A follower whose motion a cam's law gives is no driver.
+            // A follower that a cam's law moves is no driver.
             if !self.shows_driver(k) || self.scene.is_led(k) {
                 continue;
             }
@@ -83,7 +87,7 @@ impl Draft<'_> {
         }
     }
 
-    /// Given angles whose arcs are around a point: where they begin and how far they go.
+    /// Given angles with arcs around a point: start angle and sweep.
     pub(super) fn given_angles(&self, p: PointId) -> Vec<(f64, f64)> {
         let at_point = |d: &Driver| match d.kind {
             DriverKind::Turn { link, against, line, angle: Some(ref angle), .. } if against == self.scene.ground => {
@@ -103,7 +107,7 @@ impl Draft<'_> {
         };
         let ends = line.or_else(|| first_two(link)).and_then(|(a, b)| Some((self.point(a)?, self.point(b)?)));
         let ends = ends.or_else(|| self.lever(link)).or_else(|| self.turned_block(link));
-        // The arrow of a wheel without a line of its own stands outside its rim.
+        // The arrow of a wheel without a line of its own is outside its rim.
         let wheel = self.free_side(link).filter(|_| ends.is_none());
         let Some((at, to)) = ends.or_else(|| wheel.map(|(c, u, r)| (c, c + u * r))) else { return };
         let Some(u) = (to - at).unit() else { return };
@@ -119,7 +123,7 @@ impl Draft<'_> {
         if let Some(sweep) = written.filter(|s| s.abs() > ANGLE_LEAST_RAD && ends.is_some()) {
             side = sweep.signum();
             let radius = (ANGLE_PART * crank).clamp(ANGLE_MM[0], ANGLE_MM[1]);
-            // A small angle is measured farther out, where its arc has room for a head.
+            // A small angle has a larger radius, so that its arc has space for a head.
             let radius = radius.max((ANGLE_ARC_MM / sweep.abs()).min(SMALL_ANGLE_PART * crank).min(SMALL_ANGLE_MM)) + wider_mm;
             // Round a support's hatching, not through it, if the link is long enough.
             let round = self.hatching_mm() + HATCHING_AIR_MM;
@@ -134,7 +138,7 @@ impl Draft<'_> {
             };
             let radius = self.radius_off_hatching(at, (radius, crank), [reference, reference + sweep]);
             let mut arc = sym::angle(self.style, at, radius, reference, reference + sweep);
-            // A cam that is no circle has no line of its own there.
+            // A cam that is not a circle has no line of its own there.
             let own = Vec2::from_angle(reference + sweep);
             let round = self.scene.cams.iter().any(|c| c.cam == link && c.circle.is_some());
             if own.cross(u).abs() > OWN_LINE || self.is_profile(link) && !round {
@@ -163,7 +167,7 @@ impl Draft<'_> {
         self.d.of_link(None);
     }
 
-    /// The parts of an arc that no hatching hides; its head is always seen.
+    /// The parts of an arc that no hatching hides; its head is always visible.
     fn seen_parts(&self, at: Point, radius: f64, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
         let length = radius * (to - from).abs();
         let head = HEAD_MM / length;
@@ -171,7 +175,8 @@ impl Draft<'_> {
         seen((length / ARC_STEP_MM).ceil() as usize, |t| t < 1.0 - head && self.d.obstacles().is_barred(on(t), HATCHING_AIR_MM))
     }
 
-    /// The radius next to this one at which the least part of a given angle's arc is in hatching.
+    /// The radius nearest to this one at which the least part of a given angle's arc is in
+    /// hatching.
     fn radius_off_hatching(&self, at: Point, (radius, crank): (f64, f64), angles: [f64; 2]) -> f64 {
         let most = radius.max((SMALL_ANGLE_PART * crank).min(SMALL_ANGLE_MM)) + FARTHER_MM;
         let head = |r: f64| self.d.obstacles().is_barred(on_circle(at, r, angles[1]), HEAD_MM / 2.0);
@@ -185,7 +190,7 @@ impl Draft<'_> {
         if hidden(radius) == 0.0 { radius } else { others.fold(radius, |best, r| if cost(r) < cost(best) { r } else { best }) }
     }
 
-    /// An angle's items, its arc broken where hatching hides it.
+    /// An angle's items, with its arc broken where hatching hides it.
     fn behind_hatching(&self, mut items: Vec<Item>, at: Point, radius: f64, [from, to]: [f64; 2]) -> Vec<Item> {
         let parts = self.seen_parts(at, radius, [from, to]);
         let angle = |t: f64| from + (to - from) * t;
@@ -201,13 +206,14 @@ impl Draft<'_> {
         items
     }
 
-    /// From a fixed pivot to the farthest corner of its support's hatching.
+    /// Distance from a fixed pivot to the farthest corner of its support's hatching.
     fn hatching_mm(&self) -> f64 {
         let style = self.style;
         libm::hypot(style.ground_half_mm + style.hatch_depth_mm, style.pivot_height_mm + style.hatch_depth_mm)
     }
 
-    /// Of a link that is its pivot and a slot through it: the pivot, and a place of the slot.
+    /// For a link that consists of its pivot and a slot through it: the pivot, and a point of the
+    /// slot.
     fn lever(&self, l: LinkId) -> Option<(Point, Point)> {
         let [pivot] = self.scene.links[l.0].points[..] else { return None };
         let slot = |g: &GuideId| self.scene.guides[g.0].on == l && self.scene.guides[g.0].rolling.is_none();
@@ -216,7 +222,7 @@ impl Draft<'_> {
         (from.distance(runner) > super::SAME_MM && (runner - from).cross(along).abs() < super::SAME_MM).then_some((from, runner))
     }
 
-    /// Of a block that turns about its joint: the joint, and an end of the block.
+    /// For a block that turns about its joint: the joint, and an end of the block.
     fn turned_block(&self, l: LinkId) -> Option<(Point, Point)> {
         let [joint] = self.scene.links[l.0].points[..] else { return None };
         let own = |g: &GuideId| self.scene.guides[g.0].slider == Some(l) && self.scene.guides[g.0].pin == Some(joint);
@@ -246,11 +252,11 @@ impl Draft<'_> {
             (None, Some(s)) => self.scene.link_name(s).to_owned(),
             (None, None) => return,
         };
-        // Above the block, as the hatching is below.
+        // Above the block, because the hatching is below.
         let normal = if tangent.perp().y >= 0.0 { tangent.perp() } else { -tangent.perp() };
         let (who, name) = (name.clone(), name_label(&name));
         let link = |l: LinkId| name_label(self.scene.link_name(l));
-        // Along a guide that moves, the driver gives the motion in the guide.
+        // In a guide that moves, the driver gives the motion relative to the guide.
         let symbol = |quantity: &str| match (guide.on == self.scene.ground, guide.pin) {
             (true, _) => format!("{quantity}_{{{name}}}"),
             (false, Some(_)) => {
@@ -277,7 +283,7 @@ impl Draft<'_> {
         let (Some(base), Some(tip)) = (self.point(a), self.point(b)) else { return };
         let Some(u) = (tip - base).unit() else { return };
         let (na, nb) = (name_label(self.scene.point_name(a)), name_label(self.scene.point_name(b)));
-        // Beside the rod; the arrow goes the way the rod goes.
+        // Beside the rod; the arrow points in the direction of the rod's motion.
         let rod = base + (tip - base) * 0.75 + u.perp() * ARROW_OFF_MM;
         let from = if driver.rate.value >= 0.0 { rod - u * (ARROW_MM / 2.0) } else { rod + u * (ARROW_MM / 2.0) };
         let symbols = ["v", "a"].map(|q| format!("{q}^{{{}}}_{{{nb}{na}}}", self.notation.sliding));

@@ -1,9 +1,13 @@
-//! The kinematic diagram to scale μ_l, from topology and positions alone.
+//! The kinematic diagram to scale μ_l, from topology and positions only.
 //!
-//! Decided here: the order of drawing and the names. [`form`] says what each link looks like, [`parted`] which bars are moved aside, [`slides`] draws guides,
-//! blocks and cylinders, [`wheels`] what rolls, [`marks`] the drivers' angles, [`rates`] their arrows, [`special`] the special points of triads, [`supports`] the side of a pivot's support, [`swings`] swinging blocks, [`crosses`] blocks in two slots, [`dimensions`] the given lengths, [`directions`] guides
-//! that tables call t, [`letters`] numbers and letters, [`overlay`] what is drawn over and behind it, [`composed`] the vectors of a composite motion.
-//! Links and points without a place are left out.
+//! This module decides the drawing order and the names. [`form`] gives the form of each link,
+//! [`parted`] displaces overlapping bars, [`slides`] draws guides, blocks and cylinders, [`wheels`]
+//! rolling bodies, [`marks`] the drivers' angles, [`rates`] their arrows, [`special`] the special
+//! points of triads, [`supports`] chooses the side of a pivot's support, [`swings`] draws swinging
+//! blocks, [`crosses`] blocks in two slots, [`dimensions`] the given lengths, [`directions`] guides
+//! that tables call t, [`letters`] numbers and letters, [`overlay`] everything over and behind the
+//! mechanism, [`composed`] the vectors of a composite motion. Links and points without a position
+//! are left out.
 
 mod apart;
 mod belts;
@@ -41,35 +45,36 @@ use hodograph_paper::paper::symbols as sym;
 pub use apart::{Piece, apart, links};
 pub use overlay::{Overlay, Track, overlaid};
 
-/// Two places nearer than this on paper are one: a tenth of a link's width.
+/// Two places closer than this on paper are one: a tenth of a link's width.
 const SAME_MM: f64 = 0.07;
 
-/// Where a bar crosses another, this much of the lower one is left out beside the upper one.
+/// Gap in the lower bar on either side of a bar that crosses it.
 const GAP_MM: f64 = 0.9;
-/// Bars that cross more flatly than this (sine), or nearer to one of their ends, have no gap: it would reach the joint.
+/// Bars that cross at a smaller angle (sine), or nearer to one of their ends, have no gap: it would
+/// reach the joint.
 const CROSSING_SINE: f64 = 0.25;
 const CROSSING_FREE_MM: f64 = 5.0;
 
-/// Draws the mechanism; the diagram's origin lies in the origin.
+/// Draws the mechanism with the diagram's origin at the origin.
 pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> Part {
     drawing(style, scene, worked, notation, &Course::default()).finish()
 }
 
-/// What a drawing that is one of a series takes from all of them, so that the ground stands still and no link changes its
-/// form; each list may be empty.
+/// Features that a drawing takes from the whole series, so that the ground remains unchanged and no
+/// link changes its form; each list may be empty.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Course {
-    /// For each guide, how far (mm) its runner goes on behind and ahead of where it is, along the guide: zero or less, zero or
-    /// more.
+    /// For each guide, the travel (mm) of its runner behind and ahead of its present position,
+    /// along the guide: the first ≤ 0, the second ≥ 0.
     pub travel_mm: Vec<[f64; 2]>,
     /// For each point, the side of its support.
     pub supports: Vec<Vec2>,
-    /// For each guide on the ground with hatching at one side, that side.
+    /// For each guide on the ground with hatching on one side, that side.
     pub hatched: Vec<Option<Vec2>>,
 }
 
 impl Course {
-    /// The sides that a drawing would choose by itself.
+    /// Returns the sides that a single drawing chooses.
     pub fn of_one(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> Course {
         let alone = Course::default();
         let mut draft = Draft::new(style, scene, worked, notation, &alone);
@@ -79,14 +84,15 @@ impl Course {
     }
 }
 
-/// The same before its labels are placed.
+/// Draws the mechanism, before its labels are placed.
 pub fn drawing(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, course: &Course) -> Drawing {
     let mut draft = Draft::new(style, scene, worked, notation, course);
     draft.everything();
     draft.d
 }
 
-/// The same with its links numbered, and without what belongs to the polygons: special points and directions.
+/// Draws the mechanism with its links numbered, and without special points and directions, which
+/// belong to the polygons; labels are not yet placed.
 pub fn numbered(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> Drawing {
     let alone = Course::default();
     let mut draft = Draft::new(style, scene, worked, notation, &alone);
@@ -96,7 +102,8 @@ pub fn numbered(style: &Style, scene: &Scene, worked: &Worked, notation: &Notati
     draft.d
 }
 
-/// The same without the contours by which one of its links rolls on another: they are its centrodes.
+/// Draws the mechanism without the contours on which one of its links rolls on another, which are
+/// its centrodes; labels are not yet placed.
 pub fn rolling(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, links: [LinkId; 2]) -> Drawing {
     let alone = Course::default();
     let mut draft = Draft::new(style, scene, worked, notation, &alone);
@@ -107,34 +114,35 @@ pub fn rolling(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
     draft.d
 }
 
-/// The diagram in the making.
+/// The diagram under construction.
 struct Draft<'a> {
     style: &'a Style,
     scene: &'a Scene,
     worked: &'a Worked,
     notation: &'a Notation,
     d: Drawing,
-    /// What each link looks like; `None` for ground and what has no place.
+    /// The form of each link; `None` for the ground and for links without a position.
     forms: Vec<Option<Form>>,
-    /// By how much the bars of each link are moved aside, as they lie over another's.
+    /// The displacement of the bars of each link that overlap those of another.
     parted: Vec<Vec<Vec2>>,
-    /// On which side of each point its support stands, if it is a fixed pivot.
+    /// The side of the support of each point, used for fixed pivots.
     supports: Vec<Vec2>,
-    /// Where each link's number goes.
+    /// The place of each link's number.
     number_at: Vec<Option<letters::NumberPlace>>,
-    /// For each guide on the ground with hatching at one side, that side.
+    /// For each guide on the ground with hatching on one side, that side.
     hatched: Vec<Option<Vec2>>,
-    /// The arrows of rates that turn: their centres, and where their names belong.
+    /// The arrows of rotations: their centres, and the places of their names.
     turned_at: Vec<(Point, Point)>,
-    /// What is the same in a whole series.
+    /// The features shared by a whole series.
     course: &'a Course,
-    /// Whether it belongs to a construction: links are numbered, special points and directions named.
+    /// True if the diagram belongs to a construction: links are numbered, special points and
+    /// directions named.
     constructed: bool,
-    /// Whether given angles are written with their values.
+    /// True if given angles are written with their values.
     dimensioned: bool,
-    /// Two links whose contours are left out where they roll on one another: the first moves.
+    /// Two links with their contours left out where they roll on each other; the first one moves.
     rolling: Option<[LinkId; 2]>,
-    /// What is shown of a mechanism that is drawn apart; `None`: all of it.
+    /// The part that is shown of a mechanism drawn apart; `None` for all of it.
     only: Option<apart::Only>,
 }
 
@@ -191,13 +199,13 @@ impl<'a> Draft<'a> {
         self.letters();
     }
 
-    /// From the plane (m) to paper (mm).
+    /// Maps the plane (m) to paper (mm).
     fn paper(&self, p: Point) -> Point {
         let diagram = &self.worked.construction.diagram;
         ((p - diagram.origin) * (1.0 / diagram.mu)).to_point()
     }
 
-    /// A point's place on paper.
+    /// Position of a point on paper.
     fn point(&self, p: PointId) -> Option<Point> {
         self.worked.configuration.points[p.0].map(|p| self.paper(p))
     }
@@ -211,12 +219,12 @@ impl<'a> Draft<'a> {
         })
     }
 
-    /// How far (mm) a guide's runner goes on behind and ahead of where it is, in a series.
+    /// Travel (mm) of a guide's runner behind and ahead of its present position, in a series.
     fn travel(&self, g: GuideId) -> [f64; 2] {
         self.course.travel_mm.get(g.0).copied().unwrap_or([0.0, 0.0])
     }
 
-    /// Where a guide's pin or block stands, and the tangent there.
+    /// Position of a guide's pin or block, and the tangent there.
     fn runner(&self, g: GuideId) -> Option<(Point, Vec2)> {
         let guide = &self.scene.guides[g.0];
         let path = self.guide(g)?;
@@ -230,7 +238,7 @@ impl<'a> Draft<'a> {
         Some((at, path.tangent_at(at)))
     }
 
-    /// Items of a pair, dashed where it only repeats what the others fix.
+    /// Items of a pair, dashed if the pair is redundant.
     fn as_opened(&self, what: Opened, items: Vec<Item>) -> Vec<Item> {
         if self.worked.mechanism.is_opened(&what) { sym::dashed(items) } else { items }
     }
@@ -243,14 +251,15 @@ impl<'a> Draft<'a> {
         self.scene.links[self.scene.ground.0].points.contains(&p)
     }
 
-    /// Whether the point is a revolute joint on the ground.
+    /// True if the point is a revolute joint on the ground.
     fn is_fixed_pivot(&self, p: PointId) -> bool {
         let cylinder_end = self.scene.drivers.iter().filter_map(|d| d.kind.ends()).any(|ends| ends.contains(&p));
         let joined = self.scene.carriers(p).any(|l| l != self.scene.ground) || cylinder_end;
         self.on_ground(p) && joined && self.shows(self.scene.ground) && self.shows_point(p)
     }
 
-    /// Whether a point is named by a guide, or by the direction of a flat face: then it is shown as a dot.
+    /// True if a guide, or the direction of a flat face, names the point: it is then shown as a
+    /// dot.
     fn is_reference(&self, p: PointId) -> bool {
         if self.on_face(p) {
             return true;
@@ -261,13 +270,13 @@ impl<'a> Draft<'a> {
         })
     }
 
-    /// Whether the point runs, as a bare pin, in a slot of the ground.
+    /// True if the point runs, as a bare pin, in a slot of the ground.
     fn in_fixed_slot(&self, p: PointId) -> bool {
         let slot = |g: &Guide| g.pin == Some(p) && g.slider.is_none() && g.rolling.is_none() && g.on == self.scene.ground;
         self.scene.guides.iter().any(slot)
     }
 
-    /// The guide whose block stands around the point.
+    /// The guide with its block around the point.
     fn block_at(&self, p: PointId) -> Option<GuideId> {
         let block = |g: &GuideId| {
             let guide = &self.scene.guides[g.0];
@@ -305,7 +314,8 @@ impl<'a> Draft<'a> {
         out
     }
 
-    /// Plates with guides lie under the blocks that slide on them, all others over the blocks that they are pinned to.
+    /// Draws plates: those with guides under the blocks that slide on them, all others over the
+    /// blocks that they are pinned to.
     fn plates(&mut self, with_guides: bool) {
         for l in 0..self.forms.len() {
             let Some(Form { plate, .. }) = &self.forms[l] else { continue };
@@ -319,7 +329,7 @@ impl<'a> Draft<'a> {
         self.d.of_link(None);
     }
 
-    /// Bars that are not guides, and the marks of their rigid corners.
+    /// Draws bars that are not guides, and the marks of their rigid corners.
     fn bars(&mut self) {
         for l in 0..self.forms.len() {
             let Some(form) = self.forms[l].clone() else { continue };
@@ -340,7 +350,8 @@ impl<'a> Draft<'a> {
         self.d.of_link(None);
     }
 
-    /// Interrupts the bars of earlier links where a bar passes over them, as two bars that only cross are not joined.
+    /// Interrupts the bars of earlier links where a bar passes over them, because two bars that
+    /// only cross are not joined.
     fn gaps(&mut self, l: usize, (a, b): (Point, Point)) {
         let Some(u) = (b - a).unit() else { return };
         let width = self.style.link.width_mm;
@@ -367,7 +378,7 @@ impl<'a> Draft<'a> {
         format!("link-{}", self.scene.links[l].name)
     }
 
-    /// Supports, pins and dots, over everything else.
+    /// Draws supports, pins and dots, over everything else.
     fn joints(&mut self) {
         for p in (0..self.scene.points.len()).map(PointId) {
             let Some(at) = self.point(p).filter(|_| self.shows_point(p)) else { continue };
@@ -388,7 +399,7 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// A bar that goes on through a joint in its middle is one link: it is drawn across the joint's circle.
+    /// Draws a bar across the circle of a joint in its middle: the bar is one link.
     fn through_bars(&mut self, p: PointId, at: Point, name: &str) {
         let others = self.scene.carriers(p).filter(|l| *l != self.scene.ground).count();
         let supported = self.is_fixed_pivot(p);
@@ -406,7 +417,7 @@ impl<'a> Draft<'a> {
                 across.extend(bars.filter(through).take(1).map(|(k, bar)| (l, k, *bar)));
             }
         }
-        // Two bars that both go on would look welded: then the circle stays empty.
+        // Two bars that both continue would look welded: the circle then stays empty.
         if let [(l, k, (a, b))] = across[..] {
             let u = (b - a).unit().unwrap_or(Vec2::ZERO) * self.style.pin_radius_mm;
             let at = at + self.aside(l, k);

@@ -1,4 +1,5 @@
-//! What can be drawn with the mechanism besides itself: vectors at its points, other positions behind it, paths of points.
+//! Additions to the drawing of the mechanism: vectors at its points, other positions behind it,
+//! paths of points.
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale;
@@ -19,44 +20,46 @@ use hodograph_worked::worked::{Worked, work_motion};
 
 use super::{Course, Draft};
 
-/// Positions along a path: a chord of a full turn's circle is then off it by less than a thousandth of its radius.
+/// Positions along a path: for a full circle a chord then deviates by less than a thousandth of the
+/// radius.
 const PATH_STEPS: usize = 180;
-/// Room for the longest vector: a third of the usual diagram.
+/// Space for the longest vector: a third of the usual diagram.
 const VECTOR_MM: f64 = 45.0;
-/// A vector shorter than this has neither head nor direction for the eye.
+/// Below this length a vector has neither a visible head nor a visible direction.
 const SHORTEST_MM: f64 = 0.4;
-/// How far other positions and paths stand back.
+/// Colour of other positions and paths in the background.
 const BEHIND: Colour = Colour::grey(150);
 
-/// What is drawn besides the mechanism.
+/// Additions to the drawing of the mechanism.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Overlay {
-    /// Vectors of this polygon at the points.
+    /// The polygon with its vectors drawn at the points, if any.
     pub vectors: Option<DiagramKind>,
-    /// Other positions of everything.
+    /// Other positions of the whole mechanism.
     pub poses: Vec<Configuration>,
-    /// The given lengths as dimensions.
+    /// True if the given lengths are drawn as dimensions.
     pub dimensions: bool,
-    /// Where points go (m), and whether they come back to where they began.
+    /// Paths of points (m).
     pub paths: Vec<Track>,
 }
 
 /// The path of a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
-    /// Whose path.
+    /// The point.
     pub point: PointId,
-    /// Its places (m).
+    /// The places on the path (m).
     pub places: Vec<Point>,
-    /// Whether the last place is followed by the first.
+    /// True if the first place follows the last one.
     pub closed: bool,
-    /// Places to be numbered, from 1 on. A path that has some is the subject of its figure, any other stands back behind the
-    /// mechanism.
+    /// Places to be numbered from 1. A path with such places is the subject of its figure; any
+    /// other is in the background of the mechanism.
     pub marks: Vec<Point>,
 }
 
 impl Overlay {
-    /// The same with so many positions through the travel of the first driver, and the paths of these points.
+    /// Adds `poses` positions through the travel of the first driver, and the paths of these
+    /// points.
     pub fn with_motion(mut self, scene: &Scene, worked: &Worked, poses: usize, points: &[PointId]) -> Overlay {
         let motion_of_cams = work_motion(scene).ok().flatten();
         let (scene, worked) = motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
@@ -69,7 +72,7 @@ impl Overlay {
         self
     }
 
-    /// The scale of the vectors (SI per mm); `None` where none are drawn.
+    /// Returns the scale of the vectors (SI units per mm); `None` if no vectors are drawn.
     pub fn mu(&self, scene: &Scene, worked: &Worked) -> Option<f64> {
         let p = worked.construction.polygon(self.vectors?)?;
         let most = shown(worked, self.vectors?).map(|(_, at)| at).fold([0.0_f64; 2], |[x, y], v| [x.max(v.x.abs()), y.max(v.y.abs())]);
@@ -77,7 +80,7 @@ impl Overlay {
     }
 }
 
-/// The points of the mechanism that have a vector on paper, and the vector (mm of the polygon).
+/// The points of the mechanism that have a vector on paper, with the vector (mm of the polygon).
 fn shown(worked: &Worked, on: DiagramKind) -> impl Iterator<Item = (VertexId, Vec2)> + '_ {
     let images = worked.construction.polygon(on).into_iter().flat_map(|p| p.images.iter().enumerate());
     images.filter_map(|(v, at)| {
@@ -87,11 +90,11 @@ fn shown(worked: &Worked, on: DiagramKind) -> impl Iterator<Item = (VertexId, Ve
     })
 }
 
-/// The mechanism with what is drawn over and behind it.
+/// Draws the mechanism with the additions over and behind it.
 pub fn overlaid(style: &Style, scene: &Scene, worked: &Worked, w: &Writer, overlay: &Overlay) -> Part {
     let alone = Course::default();
     let mut draft = Draft::new(style, scene, worked, w.notation, &alone);
-    // Numbers of positions and numbers of links would be taken for one another.
+    // Numbers of positions and numbers of links would be confused.
     draft.constructed = overlay.paths.iter().all(|path| path.marks.is_empty());
     draft.dimensioned = overlay.dimensions;
     draft.behind(overlay);
@@ -105,7 +108,7 @@ pub fn overlaid(style: &Style, scene: &Scene, worked: &Worked, w: &Writer, overl
 }
 
 impl Draft<'_> {
-    /// Other positions and paths, thin and grey.
+    /// Draws other positions and paths, thin and grey.
     fn behind(&mut self, overlay: &Overlay) {
         let thin = self.style.thin.coloured(BEHIND);
         for (k, configuration) in overlay.poses.iter().enumerate() {
@@ -127,7 +130,7 @@ impl Draft<'_> {
         overlay.paths.iter().filter(|path| path.marks.is_empty()).for_each(|path| self.path(path));
     }
 
-    /// A path: behind the mechanism thin, as the subject of a figure over it, and thick.
+    /// Draws a path: thin behind the mechanism, or thick over it as the subject of the figure.
     fn path(&mut self, path: &Track) {
         let behind = path.marks.is_empty();
         let points: Vec<Point> = path.places.iter().map(|p| self.paper(*p)).collect();
@@ -139,7 +142,7 @@ impl Draft<'_> {
         self.d.of_link(None);
     }
 
-    /// The numbered places of paths.
+    /// Draws the numbered places of paths.
     fn marks(&mut self, overlay: &Overlay) {
         for path in overlay.paths.iter().filter(|path| !path.marks.is_empty()) {
             self.path(path);

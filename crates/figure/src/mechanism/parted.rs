@@ -1,32 +1,36 @@
-//! Bars of two links that lie over one another are moved aside, each by as much, so that two lines are seen; their ends stay
-//! under the joints' circles.
+//! Displaces overlapping bars of two links, each by the same amount, so that two lines are visible;
+//! their ends stay under the circles of the joints.
 //!
-//! Decided here: which bars lie over one another, and by how much each is moved. Their places on the paper are otherwise true.
+//! This module decides which bars overlap and how far each is displaced. Otherwise their positions
+//! on the paper are true.
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_scene::LinkId;
 
 use super::Draft;
 
-/// White between two bars side by side: less, and they close up in print.
+/// Clear space between two bars side by side: with less they merge in print.
 const AIR_MM: f64 = 0.4;
-/// Bars that share less than this meet at a joint.
+/// Bars that share less than this length meet at a joint.
 const OVER_MM: f64 = 4.0;
-/// A bar that is moved farther leaves the circles of its joints, as a part of their radius.
+/// Maximum displacement of a bar, as a part of the radius of its joints' circles; beyond it the bar
+/// would leave them.
 const IN_JOINT: f64 = 0.78;
 
 /// A straight line of a link on paper.
 struct Bar {
     link: usize,
-    /// Its number among the link's bars, those along guides last; `None` for what stays where it is (the edge of a plate, a slot).
+    /// The index among the link's bars, those along guides last; `None` for a line that is not
+    /// displaced (the edge of a plate, a slot).
     index: Option<usize>,
     a: Point,
     b: Point,
 }
 
 impl Bar {
-    /// How far the other lies to the left of this one, where the two are farthest apart; `None` where they do not lie over one
-    /// another, so that less than `apart_mm` is between their middles.
+    /// The offset of the other bar to the left of this one, where the two are farthest apart;
+    /// `None` if they do not overlap: their centre lines are `apart_mm` or more apart, or they share
+    /// less than [`OVER_MM`].
     fn over(&self, other: &Bar, apart_mm: f64) -> Option<f64> {
         let u = (self.b - self.a).unit()?;
         let [mut p, mut q] = [other.a, other.b].map(|e| ((e - self.a).dot(u), u.cross(e - self.a)));
@@ -45,7 +49,8 @@ impl Bar {
 }
 
 impl Draft<'_> {
-    /// For each link, by how much each of its bars is moved aside: plain ones first, then those along guides.
+    /// For each link, the displacement of each of its bars: plain ones first, then those along
+    /// guides.
     pub(super) fn parted(&self) -> Vec<Vec<Vec2>> {
         let count = |l: usize| self.forms[l].as_ref().map_or(0, |f| f.bars.len() + f.guide_bars.len());
         let mut out: Vec<Vec<Vec2>> = (0..self.forms.len()).map(|l| vec![Vec2::ZERO; count(l)]).collect();
@@ -57,7 +62,8 @@ impl Draft<'_> {
             if done[first] {
                 continue;
             }
-            // All that lie over the first, over one of those, and so on: they are nearly parallel.
+            // All bars that overlap the first one, or one of those, and so on: they are nearly
+            // parallel.
             let mut together = vec![first];
             let mut k = 0;
             while k < together.len() {
@@ -67,7 +73,7 @@ impl Draft<'_> {
             }
             together.iter().for_each(|i| done[*i] = true);
             let Some(along) = (bars[first].b - bars[first].a).unit().filter(|_| together.len() > 1) else { continue };
-            // From right to left as they already lie.
+            // From right to left in their present order.
             let left_of = |i: usize, j: usize| {
                 let sense = (bars[j].b - bars[j].a).dot(along).signum();
                 over(j, i).map_or(0.0, |d| d * sense)
@@ -87,7 +93,8 @@ impl Draft<'_> {
             let step = apart_mm.min(self.style.pin_radius_mm * IN_JOINT / most);
             for &(i, lane) in &lanes {
                 let Some(index) = bars[i].index else { continue };
-                // The farther apart they already are, the less: bars that swing over one another part and close smoothly.
+                // The displacement decreases with the distance already present: bars that swing
+                // over each other separate and close smoothly.
                 let nearest =
                     together.iter().filter_map(|j| if *j == i { None } else { over(*j, i) }).map(f64::abs).fold(apart_mm, f64::min);
                 out[bars[i].link][index] = along.perp() * ((lane as f64 - middle) * step * (1.0 - nearest / apart_mm));
@@ -111,7 +118,7 @@ impl Draft<'_> {
         bars
     }
 
-    /// By how much a bar is moved aside; plain ones are counted first, then those along guides.
+    /// The displacement of a bar; plain bars are counted first, then those along guides.
     pub(super) fn aside(&self, l: LinkId, index: usize) -> Vec2 {
         self.parted[l.0].get(index).copied().unwrap_or(Vec2::ZERO)
     }

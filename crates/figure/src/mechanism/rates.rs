@@ -1,5 +1,6 @@
-//! The arrows of what drivers are given: a rate and an acceleration are two arrows, each in its own sense, as a driver that slows down has
-//! them opposed; what is zero has no arrow and no name.
+//! Draws the arrows of the drivers' given rates. A velocity and an acceleration are two arrows,
+//! each in its own sense, which are opposite for a driver that slows down; a zero rate has no arrow
+//! and no name.
 
 use std::f64::consts::TAU;
 
@@ -14,60 +15,63 @@ use hodograph_scene::Driver;
 use super::Draft;
 use super::marks::{Called, NEXT_MM};
 
-/// Places for the arrow of a rotation: so many turned about its centre, each at so many radii.
+/// Places for the arrow of a rotation: number of turned positions about its centre, number of
+/// radii, and their step.
 const TURNS: i32 = 24;
 const OUTS: usize = 6;
 const OUT_MM: f64 = 1.6;
-/// Air around it: a line beside it would be read as part of it.
+/// Clear space around an arrow: a line beside it would be read as part of it.
 const ARC_AIR_MM: f64 = 0.8;
-/// What speaks against one: a line crossed is worse than any place; a step outward is as bad as a turn of 75°, a turn of twice that four
-/// times as bad, as the eye looks for the arrow at the link.
+/// Costs of a place: a crossed line outweighs any displacement; one step outward costs as much as a
+/// turn of 75°, and a turn of twice that four times as much, because the eye looks for the arrow at
+/// the link.
 const CROSSED_COST: f64 = 60.0;
 const OUT_COST: f64 = 1.5;
 const TURN_COST: f64 = 0.06;
-/// The second arrow keeps this far from the first one, whose label fits between.
+/// Distance of the second arrow from the first one: its label fits between.
 const APART_MM: f64 = NEXT_MM;
-/// It also looks for a place that is free for its label and for what is named nearby, such as the ground's number under a support: to be
-/// nearer to anything than this is as bad as four steps outward.
+/// The second arrow also prefers a place with clear space for its label and for nearby names, such
+/// as the ground's number under a support: a distance below this from anything costs as much as
+/// four steps outward.
 const FREE_MM: f64 = 3.0;
 const FREE_COST: f64 = 6.0;
-/// What room for its name is worth.
+/// Additional cost accepted for a place with space for the name.
 const ROOM_COST: f64 = 12.0;
 /// The owner of an arrow that is not drawn yet.
 const OWN: u32 = u32::MAX;
-/// Length of a straight arrow, and the gap to the other one of its driver in the same line.
+/// Length of a straight arrow, and its gap to the driver's other arrow in the same line.
 pub(super) const ARROW_MM: f64 = 12.0;
 const IN_LINE_MM: f64 = 3.0;
 
-/// Where the arrows of a link that turns are looked for.
+/// The candidate places for the arrows of a link that turns.
 pub(super) struct Turns {
     pub centre: Point,
     pub radius: f64,
-    /// Where the first arrow begins and ends in a counter-clockwise sense, or clockwise.
+    /// Start and end angle of the first arrow (rad), in either sense.
     pub angles: [f64; 2],
-    /// The direction beyond which the second one is looked for.
+    /// The direction about which the place of the second arrow is mirrored (rad).
     pub mirror: f64,
 }
 
-/// Where the arrows of a thing that slides are.
+/// The places of the arrows of a part that slides.
 pub(super) struct Slides {
-    /// The tail of the first one.
+    /// The tail of the first arrow.
     pub from: Point,
     /// The positive sense.
     pub along: Vec2,
-    /// Away from the thing.
+    /// The direction away from the part.
     pub outward: Vec2,
     /// The moving link or point, in ids.
     pub who: String,
 }
 
-/// The rate that the file gives; of one that it leaves free none.
+/// The rate given in the file; 0 if the file leaves it free.
 fn told_rate(driver: &Driver) -> f64 {
     if driver.rate_told { driver.rate.value } else { 0.0 }
 }
 
 impl Draft<'_> {
-    /// The arrows of ω and α.
+    /// Draws the arrows of ω and α.
     pub(super) fn rotations(&mut self, driver: &Driver, index: &str, t: Turns) {
         let name = name_label(index);
         let given = [("rotation", "omega", told_rate(driver)), ("angular-acceleration", "alpha", acceleration(driver))];
@@ -75,7 +79,7 @@ impl Draft<'_> {
         for (thing, letter, value) in given.into_iter().filter(|g| g.2 != 0.0) {
             let [low, high] = sorted(t.angles);
             let (low, high) = if first.is_some() { (2.0 * t.mirror - high, 2.0 * t.mirror - low) } else { (low, high) };
-            // The head is at the end that the link turns to, or is urged to.
+            // The head is at the end towards which the link turns or accelerates.
             let ends = if value > 0.0 { [low, high] } else { [high, low] };
             let symbol = format!("\\{letter}_{{{name}}}");
             let (radius, [from, to]) = self.clear_arc(&symbol, t.centre, (t.radius, ends), first.as_deref());
@@ -88,8 +92,10 @@ impl Draft<'_> {
         }
     }
 
-    /// Where the arrow of a rotation crosses least and has room for its name: where it is asked for, else turned about its centre or farther
-    /// out, as little as may be. In a series it does not look for room, as it would jump from one figure to the next.
+    /// The place of a rotation's arrow with the fewest crossings and space for its name: as
+    /// requested, or else turned about its centre or farther out by as little as possible. In a
+    /// series the space for the name is ignored, because the arrow would jump from one figure to
+    /// the next.
     fn clear_arc(&self, symbol: &str, centre: Point, (radius, [from, to]): (f64, [f64; 2]), beside: Option<&[Item]>) -> (f64, [f64; 2]) {
         let beside = beside.map(Obstacles::of);
         let place = |out: usize, turn: i32| {
@@ -118,7 +124,7 @@ impl Draft<'_> {
         if in_series { cheapest.1 } else { roomiest(affordable.map(|p| p.1), room).unwrap_or(cheapest.1) }
     }
 
-    /// The arrows of a velocity and an acceleration along a line, with their symbols.
+    /// Draws the arrows of a velocity and an acceleration along a line, with their symbols.
     pub(super) fn translations(&mut self, driver: &Driver, symbols: &[String; 2], s: Slides) {
         let (rate, acceleration) = (told_rate(driver), acceleration(driver));
         if rate != 0.0 {
@@ -134,7 +140,7 @@ impl Draft<'_> {
         } else if (rate > 0.0) == (acceleration > 0.0) {
             vec![s.from + towards * (ARROW_MM + IN_LINE_MM), beside(1.0), s.from - towards * (ARROW_MM + IN_LINE_MM), beside(2.0)]
         } else {
-            // Tail to tail: the two point away from one another.
+            // Tail to tail: the two arrows point away from each other.
             vec![s.from + towards * IN_LINE_MM, beside(1.0) - towards * ARROW_MM, beside(2.0) - towards * ARROW_MM]
         };
         let crossed = |from: &Point| self.d.met_by(&[self.arrow(*from, towards)], ARC_AIR_MM);

@@ -1,4 +1,4 @@
-//! Guides, slots, blocks, rods of yokes, and cylinders.
+//! Draws guides, slots, blocks, rods of yokes, and cylinders.
 
 use hodograph_base::geom::{Point, Vec2, cross_lines};
 use hodograph_mechanism::mechanism::Opened;
@@ -11,31 +11,32 @@ use super::Draft;
 use super::letters::NumberPlace;
 use super::wheels::RACK_HALF_MM;
 
-/// Length of a fixed guide: three blocks and a little.
+/// Length of a fixed guide: a little more than three blocks.
 pub(super) const GUIDE_MM: f64 = 26.0;
-/// From a yoke's slot to the bushing of its rod.
+/// Distance from a yoke's slot to the bushing of its rod.
 const BUSHING_MM: f64 = 20.0;
-/// Between the end of a rack and its bushing.
+/// Distance between the end of a rack and its bushing.
 const BUSHING_FREE_MM: f64 = 5.0;
 /// Length of a bushing.
 const BUSHING_LENGTH_MM: f64 = 11.0;
-/// How far the slotted bar of a yoke goes on beyond its rod.
+/// Extension of the slotted bar of a yoke beyond its rod.
 const BEYOND_ROD_MM: f64 = 8.0;
-/// Part of a cylinder's length that is its barrel: the rod shows also when it is far in.
+/// Length of a cylinder's barrel, as a part of the cylinder's length: the rod shows also when it is
+/// far in.
 const BARREL_PART: f64 = 0.5;
-/// A link that leaves the block more steeply than this (sine) decides on which side the guide is hatched.
+/// A link that leaves the block at a larger angle (sine) decides the hatched side of the guide.
 const STEEP: f64 = 0.35;
-/// Half of a fixed curved slot's length.
+/// Half the length of a fixed curved slot.
 const FIXED_SLOT_HALF_MM: f64 = 13.0;
 
 impl Draft<'_> {
-    /// The guides that are drawn as such: what rolls has its own picture.
+    /// The guides that are drawn as guides: rolling pairs have their own drawing.
     fn guides(&self) -> impl Iterator<Item = GuideId> + use<> {
         let drawn: Vec<GuideId> = (0..self.scene.guides.len()).map(GuideId).filter(|g| self.scene.guides[g.0].rolling.is_none()).collect();
         drawn.into_iter()
     }
 
-    /// Guides on the ground: hatched lines along the block, or a slot for a bare pin.
+    /// Draws guides on the ground: hatched lines along the block, or a slot for a bare pin.
     pub(super) fn ground_guides(&mut self) {
         for g in self.guides() {
             let guide = &self.scene.guides[g.0];
@@ -57,7 +58,8 @@ impl Draft<'_> {
     fn hatched_line(&mut self, g: GuideId, p: PointId, direction: Vec2) {
         let Some(at) = self.point(p) else { return };
         self.axis(g, p, at, direction);
-        // Hatched at the right-hand side of its direction: below, or away from a link that comes from there.
+        // Hatched on the right-hand side of its direction: below, or away from a link that comes
+        // from there.
         let rightward = direction.x > 1e-9 || direction.x.abs() <= 1e-9 && direction.y > 0.0;
         let mut u = if rightward { direction } else { -direction };
         let pull: f64 = self.leaving(p).iter().map(|v| u.cross(*v)).sum();
@@ -76,7 +78,7 @@ impl Draft<'_> {
         self.d.draw(&format!("guide-{}", self.scene.point_name(p)), "", items);
     }
 
-    /// The line from a named point of the ground on which the block moves.
+    /// Draws the line from a named point of the ground along which the block moves.
     fn axis(&mut self, g: GuideId, p: PointId, at: Point, direction: Vec2) {
         let GuidePath::Line { through: Through::Point(q), offset, .. } = &self.scene.guides[g.0].path else { return };
         let (Some(from), None) = (self.point(*q), offset) else { return };
@@ -100,7 +102,7 @@ impl Draft<'_> {
         self.d.draw(&id, "", sym::ground_line(self.style, at + u + n, at - u + n));
     }
 
-    /// A curved slot of the ground, and the line from its centre that tells its radius.
+    /// Draws a curved slot of the ground, and the radius from its centre.
     fn fixed_arc(&mut self, g: GuideId, p: PointId, centre: Point, radius: f64) {
         let Some(at) = self.point(p) else { return };
         let (middle, half) = ((at - centre).angle(), (FIXED_SLOT_HALF_MM / radius).min(1.5));
@@ -114,7 +116,7 @@ impl Draft<'_> {
         self.d.shape(&format!("{id}-radius"), "centre", shape);
     }
 
-    /// A slider without a pin (a yoke): a rod through a hatched bushing.
+    /// Draws a slider without a pin (a yoke): a rod through a hatched bushing.
     fn bushing(&mut self, g: GuideId, u: Vec2) {
         let Some(slider) = self.scene.guides[g.0].slider else { return };
         let Some((root, taken)) = self.rod_root(slider.0, g, u) else { return };
@@ -124,7 +126,8 @@ impl Draft<'_> {
         let middle = root + u * ((back + on) / 2.0);
         let away: f64 = pivots.map(|p| (middle - p).dot(u)).sum();
         let (u, ahead) = if away < 0.0 { (-u, -back) } else { (u, on) };
-        // The bushing stands where the yoke never comes; the rod reaches through it when the yoke is farthest off.
+        // The bushing is where the yoke never comes; the rod reaches through it when the yoke is
+        // farthest away.
         let before = BUSHING_MM.max(taken + BUSHING_FREE_MM);
         let centre = root + u * (ahead + before + BUSHING_LENGTH_MM / 2.0);
         let end = root + u * (on - back + before + BUSHING_LENGTH_MM + 8.0);
@@ -138,8 +141,9 @@ impl Draft<'_> {
         self.number_at[slider.0] = Some(NumberPlace::Along(root, root + u * (before - taken), owner));
     }
 
-    /// Where the rod of a yoke begins: on its slot, level with a fixed pivot; at a point of it; where a wheel rolls on it; or where its guide
-    /// lies; and how far the body that holds it reaches to both sides.
+    /// The start of a yoke's rod: on its slot, level with a fixed pivot; at one of its points; at a
+    /// wheel's contact; or on its guide. The second value is the half length of the body that holds
+    /// the rod.
     fn rod_root(&self, slider: usize, g: GuideId, u: Vec2) -> Option<(Point, f64)> {
         let link = &self.scene.links[slider];
         let slot = self.forms[slider].as_ref().and_then(|f| f.guide_bars.first().copied());
@@ -157,7 +161,7 @@ impl Draft<'_> {
         own.is_none().then(rolled).flatten().map(|at| (at, RACK_HALF_MM)).or_else(along)
     }
 
-    /// Guides carried by moving links: bars, and slots over them.
+    /// Draws guides carried by moving links: bars, and slots over them.
     pub(super) fn carriers(&mut self) {
         for l in 0..self.forms.len() {
             let Some(mut form) = self.forms[l].take() else { continue };
@@ -185,7 +189,7 @@ impl Draft<'_> {
         self.d.of_link(None);
     }
 
-    /// The slotted bar of a yoke reaches its rod.
+    /// Extends the slotted bar of a yoke to its rod.
     fn extend_yoke(&self, l: usize, form: &mut super::Form) {
         let glides = |g: &GuideId| self.scene.guides[g.0].slider.is_some_and(|s| s.0 == l) && self.scene.guides[g.0].pin.is_none();
         let Some(g) = self.guides().find(glides) else { return };
@@ -203,7 +207,7 @@ impl Draft<'_> {
         form.guide_bars[0] = (a + u * (t - BEYOND_ROD_MM).min(0.0), a + u * (t + BEYOND_ROD_MM).max(a.distance(b)));
     }
 
-    /// Blocks of numbered sliders that have a pin.
+    /// Draws the blocks of numbered sliders with a pin.
     pub(super) fn blocks(&mut self) {
         for g in self.guides() {
             let guide = &self.scene.guides[g.0];
@@ -229,7 +233,7 @@ impl Draft<'_> {
         self.d.of_link(None);
     }
 
-    /// Cylinders: barrel at their first point, rod at their second.
+    /// Draws cylinders: the barrel at their first point, the rod at their second.
     pub(super) fn cylinders(&mut self) {
         for k in 0..self.scene.drivers.len() {
             let kind = &self.scene.drivers[k].kind;

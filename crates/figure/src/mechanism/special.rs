@@ -1,4 +1,4 @@
-//! Special points: where two lines meet along which a link is held.
+//! Draws special points: the intersections of two lines along which a link is held.
 
 use super::Draft;
 use hodograph_base::geom::Point;
@@ -9,8 +9,8 @@ use hodograph_paper::paper::item::{Dash, Shape};
 use hodograph_paper::paper::symbols as sym;
 use hodograph_scene::DiagramKind;
 
-/// A special point further from the mechanism than this part of its size is only told in words: drawn, it would make the
-/// mechanism small.
+/// Largest distance of a drawn special point from the mechanism, as a part of the mechanism's size.
+/// A farther one is only described in words, because it would reduce the scale of the mechanism.
 pub(crate) const REACH: f64 = 0.8;
 
 impl Draft<'_> {

@@ -1,4 +1,4 @@
-//! On which side of a fixed pivot its support stands.
+//! Chooses the side of a fixed pivot for its support.
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_paper::paper::extent::Rect;
@@ -6,27 +6,30 @@ use hodograph_scene::PointId;
 
 use super::{Draft, form};
 
-/// A link this near to the direction of a support's triangle (cosine) would be drawn over it.
+/// A link nearer to the direction of a support's triangle than this (cosine) would cover it.
 const OVER_SUPPORT: f64 = 0.6;
-/// What speaks against a side for a support, most gravely first: a link over the triangle, another support's hatching, a plate behind it, a given
-/// angle's arc across it, and that it is not below, where readers look for the ground.
+/// Costs of a side for a support, in decreasing order: a link over the triangle, another support's
+/// hatching, a plate behind it, the arc of a given angle across it, and any side but below, where
+/// readers look for the ground.
 const LINK_COST: f64 = 4.0;
 const HATCHING_COST: f64 = 3.5;
 const PLATE_COST: f64 = 3.0;
 const ANGLE_COST: f64 = 2.0;
 const OTHER_COST: f64 = 1.0;
-/// Pivots farther apart than this have room for two supports side by side.
+/// Pivots farther apart than this have space for two supports side by side.
 const NEAR_MM: f64 = 22.0;
-/// Where readers look for the ground.
+/// The direction in which readers look for the ground.
 const DOWN: Vec2 = Vec2::new(0.0, -1.0);
 
 impl Draft<'_> {
-    /// From a fixed pivot to its ground: down, unless something is in the way and another side is freer.
+    /// The direction from a fixed pivot to its ground: down, unless something is in the way and
+    /// another side is freer.
     pub(super) fn support_side(&self, p: PointId) -> Vec2 {
         self.course.supports.get(p.0).or_else(|| self.supports.get(p.0)).copied().unwrap_or(DOWN)
     }
 
-    /// The side of each point's support, in the order of the scene: those of pivots near by that come first keep their side.
+    /// The side of each point's support, in the order of the scene: of neighbouring pivots the
+    /// first ones keep their side.
     pub(super) fn support_sides(&self) -> Vec<Vec2> {
         let mut boxes: Vec<(Point, Rect)> = Vec::new();
         (0..self.scene.points.len())

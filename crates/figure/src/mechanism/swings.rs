@@ -1,8 +1,10 @@
-//! Swinging blocks: a link of one joint, with a guide through that joint for another link's rod (曲柄摇块, an oscillating cylinder).
+//! Draws swinging blocks: a link with one joint, and a guide through that joint for another link's
+//! rod (曲柄摇块, an oscillating cylinder).
 //!
-//! Decided here: such a link is the block and the runner is the rod, drawn from its pin through the block and beyond. A link with
-//! another point on it is a lever, on which a block slides ([`slides`](super::slides)); so is one that a driver turns, and one whose runner
-//! carries a guide itself.
+//! Such a link is drawn as the block, and the runner as the rod, from its pin through the block and
+//! beyond. A link with another point on it is a lever on which a block slides
+//! ([`slides`](super::slides)); so is a link that a driver turns, and a link with a runner that
+//! itself carries a guide.
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::position::Path;
@@ -12,14 +14,14 @@ use hodograph_scene::{GuideId, GuidePath, LinkId, PointId};
 use super::Draft;
 use super::letters::NumberPlace;
 
-/// How far the rod goes on behind the block.
+/// Extension of the rod beyond the block.
 const BEYOND_MM: f64 = 6.0;
 
 /// A swinging block on paper.
 pub(super) struct Swing {
     /// The block.
     pub block: LinkId,
-    /// The link that slides through it.
+    /// The link that slides through the block.
     pub rod: LinkId,
     /// The block's joint.
     pub centre: Point,
@@ -28,7 +30,8 @@ pub(super) struct Swing {
 }
 
 impl Draft<'_> {
-    /// Whether a guide is the bore of a swinging block: its carrier has one point, on the guide.
+    /// True if a guide is the bore of a swinging block: its carrier has one point, which is on the
+    /// guide.
     pub(super) fn is_bore(&self, g: GuideId) -> bool {
         let guide = &self.scene.guides[g.0];
         let [joint] = self.scene.links[guide.on.0].points[..] else { return false };
@@ -48,7 +51,7 @@ impl Draft<'_> {
         }
     }
 
-    /// All of them.
+    /// All swinging blocks.
     pub(super) fn swings(&self) -> Vec<Swing> {
         (0..self.scene.guides.len()).map(GuideId).filter(|g| self.is_bore(*g)).filter_map(|g| self.swing(g)).collect()
     }
@@ -72,7 +75,7 @@ impl Draft<'_> {
         here.flat_map(|s| [s.ends.0, s.ends.1].map(|e| e - at)).filter_map(Vec2::unit).collect()
     }
 
-    /// The blocks, over their rods and supports.
+    /// Draws the blocks, over their rods and supports.
     pub(super) fn swinging(&mut self) {
         let shown: Vec<Swing> = self.swings().into_iter().filter(|s| self.shows(s.block)).collect();
         for s in shown {

@@ -1,6 +1,8 @@
-//! Rolling pairs: pitch circles of gears in chain lines, wheels and their tracks in full ones, and the place of contact.
+//! Draws rolling pairs: pitch circles of gears in chain lines, wheels and their tracks in full
+//! lines, and the contacts.
 //!
-//! Teeth are not drawn: the pitch circle is what rolls. What is hollow, or part of the ground, is hatched on the side of its material.
+//! Teeth are not drawn: the pitch circle is the rolling contour. Hollow contours, and those on the
+//! ground, are hatched on the side of their material.
 
 use hodograph_board::construct::scale::DWARFS;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
@@ -20,19 +22,21 @@ use super::slides::GUIDE_MM;
 
 /// Half the side of the cross at a contact.
 const CROSS_MM: f64 = 1.1;
-/// How far a ring's rim lies outside its pitch circle.
+/// Distance of a ring's rim outside its pitch circle.
 const RIM_MM: f64 = 1.6;
-/// Half of the angle over which the rim of the ground is hatched beside a contact.
+/// Half the angle over which the rim of the ground is hatched beside a contact.
 const HATCHED_RAD: f64 = FRAC_PI_4;
-/// A rack goes on so far to either side of the contact.
+/// Length of a rack on either side of the contact.
 pub(super) const RACK_HALF_MM: f64 = 22.0;
 
-/// Half of that arc, in parts of the rest of the figure: it passes behind all of it.
+/// Half length of the arc drawn of a ring too large for the figure, as a part of the rest of the
+/// figure: the arc passes behind all of it.
 const ARC_PART: f64 = 0.6;
-/// Where the number of teeth is written, seen from the middle of the side that is turned away from the contact.
+/// Range of angles for the number of teeth, measured from the middle of the side away from the
+/// contact.
 const TEETH_RAD: [f64; 2] = [0.3, 1.1];
 
-/// One round contour of a pair, on paper.
+/// A round contour of a pair, on paper.
 struct Round {
     link: LinkId,
     centre: Point,
@@ -53,7 +57,8 @@ impl Draft<'_> {
         [0, 1].into_iter().filter_map(round).collect()
     }
 
-    /// The largest circle about a link's centre that rolls, if it has one: centre and radius, of a ring that of its rim.
+    /// The largest rolling circle about a link's centre, if any: centre and radius; for a ring, the
+    /// radius of its rim.
     pub(super) fn wheel(&self, l: LinkId) -> Option<(Point, f64)> {
         let of_link = |hollow| move |r: &Round| r.link == l && r.hollow == hollow;
         let largest = |hollow: bool| {
@@ -64,7 +69,8 @@ impl Draft<'_> {
         largest(false).map(|r| (r.centre, r.radius_mm)).or_else(|| largest(true).map(rim))
     }
 
-    /// The angles over which a circle is drawn: all around, or about the contact where it would dwarf the figure.
+    /// The range of angles over which a circle is drawn: the full circle, or an arc about the
+    /// contact if the circle would dwarf the figure.
     fn span(&self, pair: &Rolling, round: &Round) -> [f64; 2] {
         let points = (0..self.scene.points.len()).filter_map(|p| self.point(PointId(p)));
         let wheels = self.scene.rolling.iter().flat_map(|p| self.rounds(p)).filter(|r| !r.hollow);
@@ -79,13 +85,13 @@ impl Draft<'_> {
         }
     }
 
-    /// All wheels and tracks, behind the links.
+    /// Draws all wheels and tracks, behind the links.
     pub(super) fn wheels(&mut self) {
         let scene = self.scene;
         let mut drawn: Vec<(LinkId, Point, f64)> = Vec::new();
         for pair in &scene.rolling {
             for round in self.rounds(pair).into_iter().filter(|r| self.shows(r.link)).collect::<Vec<_>>() {
-                // The gears of one link about one centre that mesh twice are drawn once.
+                // Gears of one link about one centre that mesh twice are drawn once.
                 let same = |d: &(LinkId, Point, f64)| {
                     d.0 == round.link && d.1.distance(round.centre) < super::SAME_MM && (d.2 - round.radius_mm).abs() < super::SAME_MM
                 };
@@ -109,12 +115,12 @@ impl Draft<'_> {
         self.belts();
     }
 
-    /// What rolls is drawn in full, the pitch line of teeth in a chain line.
+    /// The stroke of a contour: a chain line for the pitch line of teeth, otherwise a full line.
     pub(super) fn contour_stroke(&self, pair: &Rolling) -> Stroke {
         if pair.kind.is_toothed() { self.style.outline.dashed(Dash::DashDot) } else { self.style.outline }
     }
 
-    /// Whether a wheel on a moving axis has a mesh that only repeats what the others fix.
+    /// True if a wheel on a moving axis has a redundant mesh.
     fn repeats(&self, round: &Round) -> bool {
         let still = self.scene.links[round.link.0].points.iter().any(|p| self.on_ground(*p));
         let opened = |(k, pair): (usize, &Rolling)| {
@@ -123,16 +129,16 @@ impl Draft<'_> {
         round.link != self.scene.ground && !still && self.scene.rolling.iter().enumerate().any(opened)
     }
 
-    /// The circle itself.
+    /// Draws the circle itself.
     fn round(&mut self, pair: &Rolling, round: &Round) {
         let ground = round.link == self.scene.ground;
         let l = (!ground).then_some(round.link.0);
         let id = format!("wheel-{}", self.scene.link_name(round.link));
         let class = if ground { "ground wheel" } else { "wheel" };
-        // A planet that only repeats another one stands back.
+        // A redundant planet is in the background.
         let stroke = if self.repeats(round) { self.style.thin.dashed(Dash::Dashed) } else { self.contour_stroke(pair) };
         self.d.of_link(l);
-        // A line and no disc: labels may stand inside.
+        // A line, not a disc: labels may be inside.
         let [from_rad, to_rad] = self.span(pair, round);
         let circle = |radius_mm, stroke| Shape::Arc { centre: round.centre, radius_mm, from_rad, to_rad, stroke };
         let traced = self.rolling.is_some_and(|links| round.link == links[0] && pair.links.iter().all(|l| links.contains(l)));
@@ -149,7 +155,7 @@ impl Draft<'_> {
             self.d.label(&format!("teeth-{}", self.scene.link_name(round.link)), "teeth", request.owned(owner).optional(true));
         }
         self.d.of_link(None);
-        // A wheel that is no bar has its number inside its rim, away from the contact.
+        // A wheel without a bar has its number inside its rim, away from the contact.
         let has_bars = self.forms.get(round.link.0).is_some_and(|f| f.as_ref().is_some_and(|f| !f.segments().is_empty()));
         if !ground && !has_bars && self.number_at[round.link.0].is_none() {
             let along = away.rotate_by(Vec2::from_angle(-FRAC_PI_4));
@@ -159,14 +165,15 @@ impl Draft<'_> {
         }
     }
 
-    /// Hatching of a rim beside its contact: outside a hollow one, inside a full one.
+    /// Hatches a rim beside its contact: outside a hollow one, inside a full one.
     fn hatched_rim(&mut self, pair: &Rolling, round: &Round) {
         let at = pair.at_of(round.link);
         let Some(contact) = self.point(at) else { return };
         let middle = (contact - round.centre).angle();
         let (sign, base) = if round.hollow { (1.0, round.radius_mm) } else { (-1.0, round.radius_mm) };
         let half = HATCHED_RAD.min(GUIDE_MM / round.radius_mm);
-        // The strokes stand still while the contact goes along the rim: each is drawn where its stretch of the rim is next to it.
+        // The strokes remain fixed while the contact moves along the rim: each is drawn when its
+        // part of the rim is near the contact.
         let around = (TAU * round.radius_mm / self.style.hatch_pitch_mm).floor().max(1.0);
         let step = TAU / around;
         let count = (2.0 * half / step).floor().max(1.0) as i64;
@@ -186,7 +193,7 @@ impl Draft<'_> {
         self.d.shape(&id, "ground line", arc);
     }
 
-    /// A straight track or rack under its wheel.
+    /// Draws a straight track or rack under its wheel.
     fn track(&mut self, pair: &Rolling, guide: GuideId) {
         let (Some(at), Some(hodograph_mechanism::position::Path::Line { direction, .. })) = (self.point(pair.at[0]), self.guide(guide))
         else {
@@ -197,19 +204,19 @@ impl Draft<'_> {
         let half = (self.wheel(pair.links[1]).map_or(0.0, |w| w.1) / 2.0).max(GUIDE_MM / 2.0);
         let id = format!("track-{}", self.scene.point_name(pair.at[0]));
         if on == self.scene.ground {
-            // The material lies to the right of the direction, as the wheel lies to its left.
+            // The material is on the right of the direction, because the wheel is on its left.
             let items = sym::ground_line(self.style, at + direction * (back - half), at + direction * (ahead + half));
             self.d.draw(&id, "", items);
             return;
         }
         self.d.of_link(Some(on.0));
         let half = half.max(RACK_HALF_MM);
-        // It reaches as far as the points of its link, which it holds by a stem where none lies on it.
+        // The rack extends to the points of its link, and holds them by a stem if none is on it.
         let held: Vec<Point> = self.scene.links[on.0].points.iter().filter_map(|p| self.point(*p)).collect();
         let foot = |p: &Point| at + direction * (*p - at).dot(direction);
         let reach = held.iter().map(|p| (*p - at).dot(direction)).fold([back - half, ahead + half], |[a, b], s| [a.min(s), b.max(s)]);
         let [from, to] = reach.map(|s| at + direction * s);
-        // As a ring is: the pitch line in chain, the body behind it in full.
+        // Like a ring: the pitch line as a chain line, the body behind it as a full line.
         let toothed = pair.kind.is_toothed();
         let behind = if toothed { -direction.perp() * RIM_MM } else { Vec2::ZERO };
         let owner = if toothed {
@@ -231,11 +238,12 @@ impl Draft<'_> {
         }
     }
 
-    /// Crosses at the contacts, their arms between the normal and the tangent: along either they would be hidden by bars and contours.
+    /// Draws crosses at the contacts, with their arms between the normal and the tangent: along
+    /// either direction bars and contours would hide them.
     pub(super) fn contacts(&mut self) {
         let scene = self.scene;
         for pair in &scene.rolling {
-            // Both ends of a strand, and of a contact its one point.
+            // Both ends of a strand; of a contact its one point.
             for p in pair.at.into_iter().skip(usize::from(pair.contact().is_some())) {
                 let Some(at) = self.point(p) else { continue };
                 let normal = self.rounds(pair).first().map_or(0.0, |r| (at - r.centre).angle());
@@ -247,7 +255,8 @@ impl Draft<'_> {
         }
     }
 
-    /// Where the arrow of a driven wheel without a line of its own goes: its centre, a direction free of contacts, and the radius.
+    /// The place for the arrow of a driven wheel without a line of its own: its centre, a direction
+    /// free of contacts, and the radius.
     pub(super) fn free_side(&self, l: LinkId) -> Option<(Point, Vec2, f64)> {
         let (centre, radius) = self.wheel(l)?;
         let contacts: Vec<Vec2> = self

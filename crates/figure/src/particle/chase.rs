@@ -1,4 +1,4 @@
-//! The drawings of a pursuit: the course from the start to the meeting, the polygons at the instant.
+//! Draws a pursuit: the course from the start to the meeting, and the polygons at the instant.
 
 use super::{Maker, View, step};
 use hodograph_base::diag::{Both, both};
@@ -27,12 +27,13 @@ fn caption(until: f64, meets: bool) -> Both {
     }
 }
 
-/// Nearer to a letter's point than this a number would stand at the letter.
+/// Distance from a lettered point within which a number would be read with the letter.
 const BESIDE_MM: f64 = 3.0;
 
 impl Maker<'_> {
-    /// The course of pursuer and target from the start to the meeting, with lines of sight at equal times; the two at the instant, if wanted (in a
-    /// lesson they move: [`Maker::pair`]).
+    /// Draws the course of pursuer and target from the start to the meeting, with lines of sight at
+    /// equal times, and the two points at the instant if `with_now` is true (in a lesson they move:
+    /// [`Maker::pair`]).
     pub fn course(&self, drawn: &Drawn, with_now: bool) -> Option<View> {
         let motion = &self.problem.motions[drawn.motion];
         let Views::Chase { course, until, meets, places, .. } = &drawn.views else { return None };
@@ -62,7 +63,7 @@ impl Maker<'_> {
         })
     }
 
-    /// Pursuer and target at the start, with the way that the target takes.
+    /// Draws pursuer and target at the start, with the path of the target.
     pub(super) fn start(&self, drawn: &Drawn) -> Option<View> {
         let Views::Chase { course, .. } = &drawn.views else { return None };
         let motion = &self.problem.motions[drawn.motion];
@@ -77,7 +78,7 @@ impl Maker<'_> {
         Some(View { part: d.finish(), caption, scales: vec![(DiagramKind::Plane, drawn.scale(DiagramKind::Plane))] })
     }
 
-    /// The two at the instant and the line between them.
+    /// Draws the two points at the instant and the line between them.
     pub fn pair(&self, drawn: &Drawn) -> Part {
         let mut d = Drawing::new("course", self.style.clone());
         let motion = &self.problem.motions[drawn.motion];
@@ -89,7 +90,8 @@ impl Maker<'_> {
         d.finish()
     }
 
-    /// The two paths, lines of sight and numbers at equal times: beside a letter none, which would be read as its exponent.
+    /// Draws the two paths, lines of sight and numbers at equal times. Beside a letter there is no
+    /// number: it would be read as an exponent.
     fn sights(&self, d: &mut Drawing, course: &[[Point; 2]], lettered: &[Point]) {
         let style = self.style;
         for [a, b] in course.iter().step_by(FINE).copied() {
@@ -111,7 +113,7 @@ impl Maker<'_> {
         }
     }
 
-    /// Both polygons from their poles.
+    /// Draws both polygons from their poles.
     pub fn polygons(&self, drawn: &Drawn) -> Vec<View> {
         let Views::Chase { velocities, foot, accelerations, .. } = &drawn.views else { return Vec::new() };
         vec![
@@ -131,7 +133,7 @@ impl Maker<'_> {
         }
         if let (Some(foot), Some(b)) = (foot, arrows.get(1)) {
             let tip_a = arrows[0].to;
-            // v_A's line goes on to the foot where it ends before.
+            // The line of v_A is extended to the foot if it ends before it.
             if foot.to_vec2().norm() > tip_a.to_vec2().norm() || foot.to_vec2().dot(tip_a.to_vec2()) < 0.0 {
                 self.line(&mut d, &format!("beyond {}", step(2)), vec![tip_a, foot], style.thin);
             }

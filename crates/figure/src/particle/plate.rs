@@ -1,4 +1,4 @@
-//! The two views of a plate that turns in space: square to it, and along its axis.
+//! Draws the two views of a plate that turns in space: perpendicular to it, and along its axis.
 
 use super::{Maker, View, step};
 use hodograph_base::diag::{Diagnostic, both};
@@ -13,11 +13,11 @@ use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::symbols as sym;
 use hodograph_scene::DiagramKind;
 
-/// A plate seen on its edge lies behind the vectors along it.
+/// Colour of a plate seen edge-on, in the background of the vectors along it.
 const PLATE: Colour = Colour::grey(175);
 
 impl Maker<'_> {
-    /// The view on the plate: its axis upward, the path, v_r or a_r at the point.
+    /// Draws the view on the plate: its axis upwards, the path, v_r or a_r at the point.
     pub(super) fn on_plate(&self, drawn: &Drawn, on: DiagramKind, arrows: &[Arrow]) -> Result<View, Diagnostic> {
         let style = self.style;
         let mut d = Drawing::new("front", style.clone());
@@ -54,7 +54,8 @@ impl Maker<'_> {
         Ok(View { part: d.finish(), caption, scales: self.scales(drawn, on) })
     }
 
-    /// The path on the plate in millimetres: a line beyond the point and its beginning, a whole circle, a stretch of another way.
+    /// The path on the plate (mm): a line beyond the point and its start, a full circle, or part of
+    /// another path.
     fn path(&self, way: &Way, mu: f64) -> Result<Vec<Point>, Diagnostic> {
         let t = self.problem.instant();
         let place = |t: f64| -> Result<Point, Diagnostic> {
@@ -84,7 +85,8 @@ impl Maker<'_> {
         })
     }
 
-    /// The view along the axis: the plate as a line, and all that is square to the axis.
+    /// Draws the view along the axis: the plate as a line, and all components perpendicular to the
+    /// axis.
     pub(super) fn along_axis(&self, drawn: &Drawn, on: DiagramKind, arrows: &[Arrow]) -> View {
         let style = self.style;
         let mut d = Drawing::new("top", style.clone());
@@ -115,7 +117,7 @@ impl Maker<'_> {
         if foot.distance(o) > 0.5 {
             self.line(&mut d, "offset", vec![o, foot], style.thin.dashed(Dash::Dashed));
         }
-        // The axis comes toward the reader.
+        // The axis points towards the reader.
         d.shape("axis", "axis", Shape::Circle { centre: o, radius_mm: 1.4, stroke: Some(style.outline), fill: Some(Colour::WHITE) });
         d.draw("axis", "axis", sym::dot(style, o));
         d.label("axis", "axis", LabelRequest::at_point(Label::math(plate.axis.letter()), style.label_mm, o, 1.6));

@@ -1,40 +1,41 @@
-//! An axis, linear or of powers of ten: its range, its ticks and their names.
+//! An axis, linear or in powers of ten: its range, its ticks and their labels.
 
 use hodograph_report::amount::number;
 
-/// Steps between the ticks of an axis that people read without thinking, of a power of ten; for degrees their own.
+/// Easily read steps between ticks, times a power of ten; and the steps for degrees.
 const STEPS: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
 const DEGREES: [f64; 8] = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0];
-/// More decades than these have a tick at every fifth only.
+/// With more decades than this, only every fifth has a tick.
 const DECADES_MAX: f64 = 12.0;
-/// More values than these at one place, and more than a tenth of all, and a curve stays there.
+/// A curve stays at a place if more values than this, and more than a tenth of all, are there.
 const STAYS: usize = 8;
-/// What differs by less than this part of itself is one value: between its rounded numbers there is no room for ticks.
+/// Relative difference below which values are equal: between their rounded numbers there is no
+/// space for ticks.
 const ONE_VALUE: f64 = 1e-9;
-/// An axis ends at these numbers at most, so that its length is a number too.
+/// Limit of an axis, so that its length is a finite number.
 const FARTHEST: f64 = 1e307;
-/// A shorter axis has no numbers for its ticks.
+/// A shorter axis has no numbers at its ticks.
 const SHORTEST: f64 = 1e-290;
 
 /// A range with ticks.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Axis {
-    /// The value where it begins, at the left or below; that where it ends may be less.
+    /// The value at the start, on the left or below; the value at the end may be less.
     pub from: f64,
-    /// The value where it ends.
+    /// The value at the end.
     pub to: f64,
-    /// Between ticks: of the values, or of their powers of ten.
+    /// The step between ticks: of the values, or of their powers of ten.
     step: f64,
     powers: bool,
 }
 
 impl Axis {
-    /// The range of these values, widened to ticks; at most `most` steps.
+    /// Returns the range of these values, extended to ticks, with at most `most` steps.
     pub fn of(values: &[f64], degrees: bool, most: usize) -> Axis {
         let finite = || values.iter().copied().filter(|v| v.is_finite()).map(|v| v.clamp(-FARTHEST, FARTHEST));
         let lo = finite().fold(f64::INFINITY, f64::min);
         let hi = finite().fold(f64::NEG_INFINITY, f64::max);
-        // Nothing, or one value alone: a range around it.
+        // Without values, or with only one: a range around it.
         let (lo, hi) = if hi - lo > (ONE_VALUE * lo.abs().max(hi.abs())).max(SHORTEST) {
             (lo, hi)
         } else if lo.is_finite() {
@@ -48,9 +49,10 @@ impl Axis {
         let decade = libm::floor(libm::log10(least)) as i32;
         let steps = (decade..=decade + 1).flat_map(|e| STEPS.map(|s| s * libm::pow(10.0, f64::from(e))));
         let step = own.or_else(|| steps.into_iter().find(|s| round(*s))).unwrap_or(least);
-        // A hair beyond a tick is at the tick: 360.00000000000006° ends at 360°.
+        // A rounding error beyond a tick counts as the tick: 360.00000000000006° ends at 360°.
         let (from, to) = (libm::floor(lo / step + 1e-9) * step, libm::ceil(hi / step - 1e-9) * step);
-        // A curve that stays at an end would lie on the frame; at zero it is the frame that is meant.
+        // A curve that stays at an end would coincide with the frame; at zero the frame is
+        // intended.
         let stays = |end: f64| {
             let there = values.iter().filter(|v| (**v - end).abs() < step * 1e-6).count();
             end != 0.0 && there > STAYS.max(values.len() / 10)
@@ -59,39 +61,40 @@ impl Axis {
         Axis { from, to, step, powers: false }
     }
 
-    /// From one power of ten to another.
+    /// Returns an axis from one power of ten to another.
     pub fn powers(from: f64, to: f64) -> Axis {
         let step = if (to - from).abs() > DECADES_MAX { 5.0 } else { 1.0 };
         Axis { from: libm::pow(10.0, from), to: libm::pow(10.0, to), step, powers: true }
     }
 
-    /// A value as the axis is divided: itself, or its power of ten.
+    /// A value in the units of the axis: itself, or its power of ten.
     fn scaled(&self, value: f64) -> f64 {
         if self.powers { libm::log10(value) } else { value }
     }
 
-    /// Where a value stands, from 0 to 1; what lies outside stands at the end, zero on an axis of powers at the lower one.
+    /// Returns the position of a value, from 0 to 1. Values outside are at the ends; zero on an
+    /// axis of powers is at the start.
     pub fn part(&self, value: f64) -> f64 {
         let [from, to, value] = [self.from, self.to, value].map(|v| self.scaled(v));
         let part = (value - from) / (to - from);
         if part.is_nan() { 0.0 } else { part.clamp(0.0, 1.0) }
     }
 
-    /// The values at the ticks, upwards.
+    /// Returns the values at the ticks, in increasing order.
     pub fn ticks(&self) -> impl Iterator<Item = f64> + '_ {
         let [from, to] = [self.from, self.to].map(|v| self.scaled(v) / self.step);
-        // A hair beyond a tick is at the tick.
+        // A rounding error beyond a tick counts as the tick.
         let (first, last) = (libm::ceil(from.min(to) - 1e-9), libm::floor(from.max(to) + 1e-9));
         let value = |k: f64| if self.powers { libm::pow(10.0, k) } else { k };
         (0..=(last - first) as usize).map(move |k| value((first + k as f64) * self.step))
     }
 
-    /// Whether the value lies between the ends, at neither of them.
+    /// Returns true if the value is strictly between the ends.
     pub fn holds(&self, value: f64) -> bool {
         self.from.min(self.to) < value && value < self.from.max(self.to)
     }
 
-    /// A tick's number, with no more places than the step has.
+    /// Returns a tick's number, with no more decimals than the step needs.
     pub fn name(&self, tick: f64) -> String {
         if self.powers {
             let power = libm::round(libm::log10(tick));
@@ -119,7 +122,7 @@ mod tests {
         let few = Axis::powers(-2.0, 1.0);
         assert_eq!(names(&few), ["10^{−2}", "10^{−1}", "1", "10^{1}"]);
         assert!((few.part(0.1) - 1.0 / 3.0).abs() < 1e-12 && few.part(0.0) == 0.0 && few.part(1e9) == 1.0);
-        // Toward the right ever smaller.
+        // Decreasing to the right.
         let back = Axis::powers(0.0, -14.0);
         assert_eq!(names(&back), ["10^{−10}", "10^{−5}", "1"]);
         assert!(back.part(1.0) == 0.0 && back.part(1e-14) == 1.0 && back.holds(1e-3) && !back.holds(2.0));
@@ -136,7 +139,7 @@ mod tests {
         assert!((Axis::of(&constant, false, 6).to - 1.4).abs() < 1e-12);
         assert_eq!(Axis::of(&[[0.0; 20], [1.2; 20]].concat()[..21], false, 6).from, 0.0);
         assert!(Axis::of(&[], false, 6).ticks().all(f64::is_finite));
-        // Values that differ by rounding alone, numbers at the ends of their range, and no numbers.
+        // Values that differ by rounding only, numbers at the ends of their range, and no numbers.
         for [a, b] in [
             [7.000000000007, 7.000000000007001],
             [-1e308, 1e308],

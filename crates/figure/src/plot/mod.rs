@@ -1,7 +1,9 @@
-//! A plot: two axes with a frame and a grid, lines and marks in it, names that find their places or stand at the right.
+//! A plot: two axes with a frame and a grid, with lines and marks, and names that are placed
+//! automatically or are on the right.
 //!
-//! Decided here: what all plots have in common: where numbers, titles and names stand, and that labels keep off everything but
-//! the grid. [`axis`] says where the ticks are; what is plotted is decided by who draws it.
+//! This module contains the common features of all plots: the places of numbers, titles and names;
+//! labels keep clear of everything except the grid. [`axis`] computes the ticks; the callers choose
+//! the content.
 
 mod axis;
 
@@ -14,36 +16,38 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::{LabelRequest, Obstacles, place};
 use hodograph_paper::paper::style::Style;
 
-/// From the frame to the numbers at it.
+/// Distance from the frame to its numbers.
 const NUMBER_MM: f64 = 1.6;
-/// From the frame up to the baseline of what the vertical axis tells: its descenders clear the number at the corner.
+/// Distance from the frame up to the baseline of the vertical axis's quantity: its descenders clear
+/// the number at the corner.
 const UNIT_MM: f64 = 3.0;
-/// Room that the numbers of a vertical axis take.
+/// Space for the numbers of a vertical axis.
 const NUMBERS_MM: f64 = 14.0;
-/// Grid, leader lines.
+/// Stroke of grid and leader lines.
 const GRID: Stroke = Stroke::new(0.12);
-/// Between the baselines of names at the right, in em.
+/// Distance between the baselines of names on the right (em).
 const NAME_EM: f64 = 1.4;
-/// From the frame to the names at its right: room for their leader lines.
+/// Distance from the frame to the names on its right: space for their leader lines.
 const NAMES_MM: f64 = 4.0;
 
-/// A quantity over its unit, as numbers at axes and in tables are told: `v_C/(m/s)`, `s/mm` (ISO 80000-1, GB/T 3101).
+/// Returns a quantity over its unit, as written at axes and in tables: `v_C/(m/s)`, `s/mm` (ISO
+/// 80000-1, GB/T 3101).
 pub(super) fn over(symbol: &str, unit: &str) -> String {
     let composed = unit.contains(['/', '·', '^']) || unit == "\\degree";
     if composed { format!("{symbol}/({unit})") } else { format!("{symbol}/{unit}") }
 }
 
-/// A plot in the making.
+/// A plot under construction.
 pub(super) struct Plot<'a> {
     pub style: &'a Style,
     /// The frame.
     pub frame: Rect,
-    /// Horizontal and vertical.
+    /// The horizontal and the vertical axis.
     pub axes: [Axis; 2],
-    /// The first word of its items' names.
+    /// The first word of the items' ids.
     name: String,
     items: Vec<Item>,
-    /// Labels that want a place, and the link of each.
+    /// Labels to be placed, and the link of each.
     wanted: Vec<(LabelRequest, Option<usize>)>,
 }
 
@@ -52,13 +56,13 @@ impl<'a> Plot<'a> {
         Plot { style, frame, axes, name, items: Vec::new(), wanted: Vec::new() }
     }
 
-    /// Where a pair of values stands.
+    /// Returns the position of a pair of values.
     pub fn at(&self, x: f64, y: f64) -> Point {
         let [u, v] = [self.axes[0].part(x), self.axes[1].part(y)];
         self.frame.min + Vec2::new(u * self.frame.width_mm(), v * self.frame.height_mm())
     }
 
-    /// Draws a thing of a link, or of none.
+    /// Draws a shape for a link, or for none.
     pub fn draw(&mut self, class: &str, shape: Shape, link: Option<usize>) {
         let id = format!("{}-{class}-{}", self.name, self.items.len());
         let item = Item { link, ..Item::new(class, shape).with_id(id) };
@@ -69,19 +73,20 @@ impl<'a> Plot<'a> {
         self.draw(class, Shape::Line { from, to, stroke }, None);
     }
 
-    /// Words whose place is given.
+    /// Draws text at a given place.
     pub fn words(&mut self, class: &str, at: Point, label: Label, size_mm: f64, anchor: Anchor) {
         self.draw(class, Shape::Label { at, label, size_mm, anchor, colour: Colour::BLACK }, None);
     }
 
-    /// Asks for a label; it is placed when all is drawn.
+    /// Requests a label; it is placed when everything is drawn.
     pub fn label(&mut self, mut request: LabelRequest, link: Option<usize>) {
         request.label = request.label.in_fonts(&self.style.fonts);
         self.wanted.push((request, link));
     }
 
-    /// Grid, frame, numbers, the line of zero; the horizontal axis without numbers where it has no title, as it is then that of the
-    /// plot below. The vertical one is named above its numbers.
+    /// Draws grid, frame, numbers and the zero line. Without a title the horizontal axis has no
+    /// numbers, because it is shared with the plot below. The vertical axis is named above its
+    /// numbers.
     pub fn axes(&mut self, below: Option<Label>, above: Label) {
         let (style, frame) = (self.style, self.frame);
         let small = style.small_mm;
@@ -98,7 +103,7 @@ impl<'a> Plot<'a> {
         for tick in y.ticks() {
             let (left, right) = (self.at(x.from, tick), self.at(x.to, tick));
             self.line("grid", left, right, grid);
-            // Its middle at the line.
+            // Vertically centred on the line.
             let at = left - Vec2::new(NUMBER_MM, small * 0.33);
             self.words("number", at, Label::math(y.name(tick)), small, Anchor::End);
         }
@@ -108,7 +113,7 @@ impl<'a> Plot<'a> {
             self.line("zero", self.at(x.from, 0.0), self.at(x.to, 0.0), style.thin);
         }
         let corner = Point::new(frame.min.x, frame.max.y) + Vec2::new(-NUMBER_MM, UNIT_MM);
-        // Words wider than the numbers would leave the paper: they begin where those do.
+        // Text wider than the numbers would leave the paper: it starts where the numbers start.
         let wide = hodograph_paper::paper::text::set(&above.clone().in_fonts(&style.fonts)).width_em * small > NUMBERS_MM;
         let (back, anchor) = if wide { (NUMBERS_MM, Anchor::Start) } else { (0.0, Anchor::End) };
         self.words("unit", corner - Vec2::new(back, 0.0), above, small, anchor);
@@ -118,10 +123,11 @@ impl<'a> Plot<'a> {
         }
     }
 
-    /// Names at the right, each joined to its point by a thin line, in the order of the points and no nearer than a line.
+    /// Draws names on the right, each joined to its point by a thin line, in the order of the
+    /// points and at least a line apart.
     pub fn names(&mut self, mut ends: Vec<(Point, Label)>) {
         let small = self.style.small_mm;
-        // Points that no one tells apart keep their order.
+        // Points that are not visibly distinct keep their order.
         ends.sort_by_key(|e| (-100.0 * e.0.y).round() as i64);
         let mut y = f64::INFINITY;
         for (end, name) in ends {
@@ -132,7 +138,7 @@ impl<'a> Plot<'a> {
         }
     }
 
-    /// Places the labels within `bounds` and hands everything over.
+    /// Places the labels within `bounds` and returns all items.
     pub fn finish(mut self, bounds: Rect) -> Vec<Item> {
         let ink: Vec<Item> = self.items.iter().filter(|i| i.class != "grid").cloned().collect();
         let (requests, links): (Vec<LabelRequest>, Vec<Option<usize>>) = std::mem::take(&mut self.wanted).into_iter().unzip();

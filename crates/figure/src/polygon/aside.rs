@@ -1,29 +1,31 @@
-//! Vectors that lie over one another on paper are drawn side by side: one keeps its place, the others are moved square to themselves, and
-//! thin lines join their ends to the points where they belong.
+//! Draws overlapping vectors side by side: one keeps its place, the others are displaced
+//! perpendicular to themselves, and thin lines join their ends to the true points.
 //!
-//! Decided here: which vectors lie over one another, and how far each is moved. Lengths and directions stay true, and so do the marks;
-//! a figure of a series is drawn without it, as vectors would jump from one figure to the next.
+//! This module decides which vectors overlap, and how far each is displaced. Lengths, directions
+//! and marks remain true. A figure of a series is drawn without displacement, because vectors would
+//! jump from one figure to the next.
 
 use hodograph_base::geom::{Point, Vec2};
 
 use super::{Arrow, Draft, LABEL_ROOM_MM, SAME_MM, covers, is_one};
 
-/// White between two vectors side by side: less, and they close up in print.
+/// Clear space between two vectors side by side: with less they merge in print.
 const AIR_MM: f64 = 0.7;
-/// Nearer than so much white they are read as one.
+/// Vectors with less clear space than this are read as one.
 const CLOSED_MM: f64 = 0.3;
-/// Two vectors that lie over one another along less than this are told apart by their ends.
+/// Two vectors that overlap along less than this are distinguished by their ends.
 const OVER_MM: f64 = 3.0;
-/// The same as a part of the shorter one.
+/// The overlap limit as a part of the shorter vector.
 const OVER_PART: f64 = 0.6;
-/// To each side of the place that is true.
+/// Number of lanes on either side of the true place.
 const LANES: i32 = 3;
 
 /// A straight line on paper.
 type Ends = (Point, Point);
 
 impl Draft<'_> {
-    /// Moves vectors aside that would lie over others: those from the pole and the long ones keep their places.
+    /// Displaces vectors that would cover others; those from the pole and the long ones keep their
+    /// places.
     pub(super) fn side_by_side(&mut self, width_mm: f64) {
         let length = |a: &Arrow| a.from.distance(a.to);
         let mut order: Vec<usize> = (0..self.arrows.len()).collect();
@@ -37,39 +39,40 @@ impl Draft<'_> {
     }
 }
 
-/// How far a line is moved square to itself so that it lies over none of the others.
+/// The perpendicular displacement of a line that makes it overlap none of the others.
 pub(crate) fn lane(line: Ends, others: &[Ends], width_mm: f64) -> Vec2 {
     let over = |by: Vec2| others.iter().find_map(|other| lies_over((line.0 + by, line.1 + by), *other, width_mm));
     let (Some(left_mm), Some(along)) = (over(Vec2::ZERO), (line.1 - line.0).unit()) else { return Vec2::ZERO };
-    // To the side on which it lies already.
+    // Towards the side on which it already is.
     let side = along.perp() * if left_mm < -SAME_MM { -1.0 } else { 1.0 };
     let mut lanes = (1..=LANES).flat_map(|n| [n, -n]).map(|n| side * (f64::from(n) * (width_mm + AIR_MM)));
     lanes.find(|by| over(*by).is_none()).unwrap_or(Vec2::ZERO)
 }
 
 impl Arrow {
-    /// The ends between which it is drawn.
+    /// The ends between which the vector is drawn.
     pub(super) fn drawn(&self) -> Ends {
         (self.from + self.aside, self.to + self.aside)
     }
 
-    /// From the true ends to those drawn; none where they are the same.
+    /// The lines from the true ends to the drawn ones; empty if they coincide.
     pub(super) fn joins(&self) -> Vec<Ends> {
         let ends = if self.aside == Vec2::ZERO { vec![] } else { vec![self.from, self.to] };
         ends.into_iter().map(|p| (p, p + self.aside)).collect()
     }
 }
 
-/// How far to the left of one line another lies over it; `None` where both are seen. One that begins where a longer one begins, and goes
-/// the same way, is seen by its head.
+/// The signed offset (mm, positive to the left in its own direction) of a line `one` that overlaps
+/// `other`; `None` if both are visible. A line that starts where a longer one starts, and runs the
+/// same way, is visible by its head.
 fn lies_over(one: Ends, other: Ends, width_mm: f64) -> Option<f64> {
     let near = width_mm + CLOSED_MM;
-    // Most are far apart, which is seen without a root.
+    // Most are far apart, which needs no square root to detect.
     let apart = |a: f64, b: f64, c: f64, d: f64| a.max(b) + near < c.min(d) || c.max(d) + near < a.min(b);
     if apart(one.0.x, one.1.x, other.0.x, other.1.x) || apart(one.0.y, one.1.y, other.0.y, other.1.y) {
         return None;
     }
-    // At an angle θ they are near to one another along 2 · near/sin θ at most.
+    // At an angle θ they are close along 2 · near/sin θ at most.
     let (a, b) = (other.1 - other.0, one.1 - one.0);
     let enough2 = (OVER_MM * OVER_MM).max(OVER_PART * OVER_PART * a.norm2().min(b.norm2()));
     if a.cross(b) * a.cross(b) * enough2 > 4.0 * near * near * a.norm2() * b.norm2() {
@@ -90,7 +93,7 @@ fn lies_over(one: Ends, other: Ends, width_mm: f64) -> Option<f64> {
     if to <= from {
         return None;
     }
-    // How far it is off is linear along the other one.
+    // The offset is linear along the other line.
     let slope = (q.1 - p.1) / (q.0 - p.0);
     let (mut lo, mut hi) = (from, to);
     if slope == 0.0 {

@@ -1,8 +1,10 @@
-//! Image circles: what rolls on the mechanism is a circle in the polygon too.
+//! Draws image circles: a circle that rolls on the mechanism is also a circle in the polygon.
 //!
-//! By the principle of images the pitch circle of a link is a circle about the image of its centre through the image of its point of
-//! contact: its radius is |ω| r/μ_v, and r √(α² + ω⁴)/μ_a. In velocities those of a pair touch in the image of the contact, as its two
-//! points have one velocity; in accelerations they need not, as only the parts along the common tangent agree.
+//! By the image theorem the image of a link's pitch circle is a circle about the image point of its
+//! centre through the image point of its contact. Its radius is |ω| r/μ_v, and r √(α² + ω⁴)/μ_a. In
+//! the velocity polygon the circles of a pair touch in the image point of the contact, because its
+//! two points have the same velocity; in the acceleration polygon they need not touch, because only
+//! the components along the common tangent agree.
 
 use std::f64::consts::TAU;
 
@@ -15,23 +17,26 @@ use hodograph_scene::{LinkId, PointId};
 
 use super::{Draft, SAME_MM};
 
-/// A smaller circle is hidden by the letters at its middle.
+/// A smaller circle is hidden by the letters at its centre.
 const LEAST_MM: f64 = 4.0;
-/// So much larger than the polygon a whole circle may be: one about the pole through the farthest image is twice as large, and leaves
-/// the vectors, which are what is read, in a corner of their paper. Of a larger circle the arc at the contact is drawn.
+/// Maximum diameter of a complete circle, relative to the polygon: a circle about the pole through
+/// the farthest image point is twice as large as the polygon, and would leave the vectors, which
+/// are to be read, in a corner of the paper. Of a larger circle only the arc at the contact is
+/// drawn.
 const LARGEST: f64 = 1.5;
-/// Half of the arc that is drawn of a circle too large: to both sides of the contact it bends by an eighth of its length.
+/// Half the angle of the arc drawn of a circle that is too large: on either side of the contact it
+/// deviates from its tangent by an eighth of the arc's length.
 const ARC_RAD: f64 = 0.5;
 
 /// The image of a pitch circle, on paper.
 pub(super) struct Circle {
     pub centre: Point,
-    /// The image of the contact.
+    /// The image point of the contact.
     pub through: Point,
     link: LinkId,
-    /// The action after which both are there.
+    /// The index of the action after which both are known.
     step: usize,
-    /// Whether there is room for all of it.
+    /// True if there is space for the complete circle.
     whole: bool,
 }
 
@@ -40,7 +45,7 @@ impl Circle {
         self.centre.distance(self.through)
     }
 
-    /// Corners of the box around what is drawn of it: of an arc its ends and its middle.
+    /// Returns the corners of the box around the drawn part: for an arc its ends and its middle.
     pub fn corners(&self) -> Vec<Point> {
         let r = self.radius_mm();
         if self.whole {
@@ -77,7 +82,7 @@ impl Draft<'_> {
         all
     }
 
-    /// The image of a point of a link, and the action that finds it.
+    /// The image point of a point of a link, and the index of the action that finds it.
     fn image_of(&self, p: PointId, link: LinkId) -> Option<(Point, usize)> {
         let (scene, plan) = (self.w.scene, self.w.plan);
         if scene.links[scene.ground.0].points.contains(&p) {
@@ -87,14 +92,14 @@ impl Draft<'_> {
         Some((self.p.images[v.0]?, found_by(self.p, v).unwrap_or(0)))
     }
 
-    /// The longer side of the box around the images.
+    /// The longer side of the box around the image points.
     fn size_mm(&self) -> f64 {
         let all = || self.letters.iter().map(|l| l.at);
         let side = |of: fn(Point) -> f64| all().map(of).fold(f64::NEG_INFINITY, f64::max) - all().map(of).fold(f64::INFINITY, f64::min);
         side(|p| p.x).max(side(|p| p.y))
     }
 
-    /// Draws the image circles, behind the vectors.
+    /// Draws the image circles behind the vectors.
     pub(super) fn circles(&self, d: &mut Drawing, style: &Style) {
         for c in self.image_circles() {
             let along = (c.through - c.centre).angle();
@@ -116,7 +121,7 @@ mod tests {
     use hodograph_scene::{DiagramKind, Lang, read};
     use hodograph_worked::worked::{Scope, work};
 
-    /// A planet on a sun that turns, inside a ring that turns: all circles but that of the arm.
+    /// A planet on a sun that turns, inside a ring that turns: all circles except that of the arm.
     const DIFFERENTIAL: &str = r#"{"units": {"length": "mm", "angle": "deg"},
         "links": {"1": ["O"], "2": ["O", "Q"], "3": ["Q"], "4": ["O"], "5": ["O"]}, "ground": "1", "points": {"O": [0, 0], "Q": [42, 56]},
         "gears": [{"links": ["4", "3"], "centres": ["O", "Q"], "radii": [40, 30], "at": "K"},
@@ -124,7 +129,8 @@ mod tests {
         "driver": [{"link": "4", "omega": "7 rad/s", "alpha": "-3 rad/s^2"}, {"link": "5", "omega": "-2 rad/s", "alpha": "4 rad/s^2"}],
         "find": ["omega_2", "omega_3", "alpha_2", "alpha_3", "a_K3", "a_K4", "a_E3", "a_E5"]}"#;
 
-    /// For each circle of a polygon: link, centre, image of the contact, radius; and the polygon's scale.
+    /// For each circle of a polygon: link, centre, image point of the contact, radius; and the
+    /// polygon's scale.
     fn circles(text: &str, on: DiagramKind) -> (Vec<(String, Circle)>, f64) {
         let scene = read(text).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
@@ -157,7 +163,7 @@ mod tests {
         let of = |name: &str| all.iter().find(|(n, _)| n == name).map(|(_, c)| (c.centre, c.radius_mm())).unwrap();
         let ((o, sun), (q, planet), (_, ring)) = (of("4"), of("3"), of("5"));
         let apart = o.distance(q);
-        // The sense in which two circles touch is that of the rates: outside one another or one inside the other.
+        // Two circles touch externally or internally, depending on the angular velocities.
         let touch = |a: f64, b: f64| (apart - a - b).abs().min((apart - (a - b).abs()).abs()) < 1e-9 * (a + b);
         assert!(touch(sun, planet) && touch(planet, ring), "{apart} {sun} {planet} {ring}");
     }

@@ -1,4 +1,5 @@
-//! Insets: a cluster of vectors too small for their names, drawn once more beside the polygon to a scale of its own.
+//! Draws insets: a cluster of vectors too small for their names is drawn again beside the polygon,
+//! to its own scale.
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale;
@@ -11,39 +12,39 @@ use hodograph_report::amount::scale_formula;
 use super::names::Shown;
 use super::{Draft, SAME_MM, ZERO_MM, middle};
 
-/// A vector longer than this carries its name itself, or nothing near it does.
+/// A longer vector has space for its name.
 const SHORT_MM: f64 = 10.0;
-/// Shorter, and a vector is a head without a shaft.
+/// A shorter vector is a head without a shaft.
 const HEADLESS_MM: f64 = 1.2;
-/// Vectors in trouble nearer than this are one cluster.
+/// Crowded vectors closer than this form one cluster.
 const NEAR_MM: f64 = 9.0;
-/// More insets than this, and the figure is a collection of them.
+/// Maximum number of insets.
 const INSETS_MAX: usize = 2;
-/// Room for an enlarged cluster.
+/// Space for an enlarged cluster.
 const ROOM_MM: f64 = 42.0;
-/// Smaller enlargements are not worth a second drawing.
+/// A smaller enlargement is not worth a second drawing.
 const LEAST: f64 = 2.0;
-/// Air around a cluster in the inset: room for the letters at its ends.
+/// Space around a cluster in the inset, for the letters at its ends.
 const AIR_MM: f64 = 7.0;
-/// From the polygon to the inset.
+/// Distance from the polygon to the inset.
 const GAP_MM: f64 = 9.0;
 
-/// A cluster and where its enlargement goes.
+/// A cluster and the place of its enlargement.
 pub(super) struct Inset {
-    /// The arrows in it.
+    /// The indices of its arrows.
     pub arrows: Vec<usize>,
-    /// The middle of the cluster, and the radius that holds it with its letters.
+    /// The centre of the cluster, and the radius that includes its letters.
     centre: Point,
     radius_mm: f64,
-    /// The scale of the enlargement (SI per mm), and how many times larger it is.
+    /// The scale of the enlargement (SI units per mm), and the magnification.
     mu: f64,
     times: f64,
-    /// The middle of the enlargement.
+    /// The centre of the enlargement.
     at: Point,
 }
 
 impl Inset {
-    /// Whether a point belongs to the cluster and to no vector outside it.
+    /// Returns true if a point belongs to the cluster and to no vector outside it.
     pub fn has_alone(&self, draft: &Draft, p: Point) -> bool {
         let ends = |k: usize| {
             let a = &draft.arrows[k];
@@ -62,7 +63,8 @@ impl Inset {
 }
 
 impl Draft<'_> {
-    /// The clusters that need an inset, as the names of some of their vectors found no place: two at most, the gravest ones.
+    /// The clusters that need an inset because the names of some of their vectors found no place:
+    /// the largest [`INSETS_MAX`].
     pub(super) fn insets(&self, unnamed: impl Fn(usize) -> bool) -> Vec<Inset> {
         let length = |k: usize| self.arrows[k].from.distance(self.arrows[k].to);
         let short: Vec<usize> = (0..self.arrows.len()).filter(|&k| (ZERO_MM..SHORT_MM).contains(&length(k))).collect();
@@ -73,7 +75,7 @@ impl Draft<'_> {
             clusters = apart;
             clusters.push(together.into_iter().flatten().chain([k]).collect());
         }
-        // One vector that its ends name needs no second drawing.
+        // A single vector that its ends name needs no second drawing.
         clusters.retain(|c| c.len() > 1 || c.iter().any(|k| length(*k) < HEADLESS_MM));
         clusters.sort_by_key(|c| (std::cmp::Reverse(c.len()), c[0]));
         let mut insets: Vec<Inset> = Vec::new();
@@ -88,14 +90,15 @@ impl Draft<'_> {
         insets
     }
 
-    /// How far the ends of two vectors are apart at least.
+    /// The least distance between the ends of two vectors.
     fn apart_mm(&self, a: usize, b: usize) -> f64 {
         let (a, b) = (&self.arrows[a], &self.arrows[b]);
         let pairs = [(a.from, b.from), (a.from, b.to), (a.to, b.from), (a.to, b.to)];
         pairs.into_iter().map(|(p, q)| p.distance(q)).fold(f64::INFINITY, f64::min)
     }
 
-    /// Where a cluster's enlargement goes: right, left or below the polygon and the insets before, whichever is nearest.
+    /// Places a cluster's enlargement to the right, to the left or below the polygon and the
+    /// previous insets, whichever is nearest.
     fn enlarged(&self, arrows: Vec<usize>, before: &[Inset]) -> Option<Inset> {
         let ends: Vec<Point> = arrows.iter().flat_map(|k| [self.arrows[*k].from, self.arrows[*k].to]).collect();
         let (lo, hi) = around(ends.iter().copied());
@@ -116,13 +119,13 @@ impl Draft<'_> {
         let off = inset.outer_mm() + GAP_MM;
         let sides = [Point::new(hi.x + off, centre.y), Point::new(lo.x - off, centre.y), Point::new(centre.x, lo.y - off)];
         let at = sides.into_iter().min_by(|a, b| a.distance(centre).total_cmp(&b.distance(centre))).unwrap_or(centre);
-        // Clear of the ring around the cluster, which may reach beyond the polygon.
+        // Clear of the ring around the cluster, which may extend beyond the polygon.
         let u = (at - centre).unit().unwrap_or(Vec2::new(1.0, 0.0));
         inset.at = centre + u * at.distance(centre).max(inset.radius_mm + inset.outer_mm() + GAP_MM / 2.0);
         Some(inset)
     }
 
-    /// Draws a cluster once more, larger.
+    /// Draws the enlargement of a cluster.
     pub(super) fn inset(&self, d: &mut Drawing, style: &Style, inset: &Inset) {
         let steps: Vec<usize> = inset.arrows.iter().flat_map(|k| self.arrows[*k].steps.iter().copied()).collect();
         let class = steps.iter().fold("inset".to_owned(), |class, step| format!("{class} step-{step}"));
@@ -137,7 +140,7 @@ impl Draft<'_> {
         d.shape("inset-lead", &class, lead);
         let ends: Vec<Point> = inset.arrows.iter().flat_map(|k| [self.arrows[*k].from, self.arrows[*k].to]).collect();
         let inner = middle(ends.iter().map(|p| inset.map(*p)));
-        // What else passes through, without a name.
+        // Other vectors that pass through, without names.
         for (_, a) in self.arrows.iter().enumerate().filter(|(k, _)| !inset.arrows.contains(k)) {
             let Some((from, to)) = within(a.from, a.to, inset.centre, near) else { continue };
             d.of_link(a.link);
@@ -160,7 +163,7 @@ impl Draft<'_> {
             self.name(d, style, a, Shown { ends: (from, to), owner, middle: inner, within: "inset" });
         }
         d.of_link(None);
-        // What the enlargement shows apart has names apart.
+        // Marks that the enlargement separates have separate names.
         for (k, l) in self.letters(SAME_MM / inset.times).iter().enumerate() {
             if l.at.distance(inset.centre) < near {
                 let at = inset.map(l.at);

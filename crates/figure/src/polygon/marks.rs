@@ -8,7 +8,8 @@ use hodograph_paper::paper::drawing::id;
 use hodograph_paper::paper::shown::Shown;
 use hodograph_scene::DiagramKind;
 
-/// All marks of a polygon between which something can be measured, each once: the pole, images, ends of parts.
+/// Returns all marks of a polygon for measurements, each once: the pole, image points, ends of
+/// components.
 pub(super) fn marks(w: &Writer, p: &Polygon) -> Vec<(Mark, Point)> {
     let images = p.images.iter().enumerate().filter_map(|(v, at)| Some((p.mark(w.plan, VertexId(v)), (*at)?)));
     let mut all = vec![(Mark::Pole, Point::ORIGIN)];
@@ -20,7 +21,7 @@ pub(super) fn marks(w: &Writer, p: &Polygon) -> Vec<(Mark, Point)> {
     all
 }
 
-/// The key of a mark: `pole`, `image-B`, `normal-C-B`.
+/// Returns the key of a mark: `pole`, `image-B`, `normal-C-B`.
 pub(super) fn key(w: &Writer, on: DiagramKind, mark: &Mark) -> String {
     match mark {
         Mark::Pole => "pole".into(),
@@ -31,7 +32,7 @@ pub(super) fn key(w: &Writer, on: DiagramKind, mark: &Mark) -> String {
     }
 }
 
-/// The quantity of a mark: the vector that ends there.
+/// Returns the quantity of a mark: the vector that ends there.
 pub(super) fn shown_by(w: &Writer, on: DiagramKind, mark: &Mark) -> Shown {
     let pole = || format!("pole-{}", on.letter());
     Shown::mark(match mark {
@@ -43,7 +44,7 @@ pub(super) fn shown_by(w: &Writer, on: DiagramKind, mark: &Mark) -> Shown {
     })
 }
 
-/// The id of a mark's element in the SVG: `acc-mark-normal-C-B`.
+/// Returns the id of a mark's element in the SVG: `acc-mark-normal-C-B`.
 pub fn mark_id(w: &Writer, on: DiagramKind, mark: &Mark) -> String {
     let kind = on.word();
     id(kind, &format!("mark-{}", key(w, on, mark)))

@@ -1,9 +1,11 @@
-//! A velocity or acceleration polygon, from the drawing board's actions to ink.
+//! Draws a velocity or acceleration polygon from the actions of the drawing board.
 //!
-//! Decided here: which vectors are drawn and once only, what is thin, how points and vectors are marked. ([`inset`] enlarges
-//! what is too small for its names, [`aside`] draws side by side what lies over another, [`circles`] are the images of what rolls, [`names`] says what is written at them, [`mod@plates`] splits one of many vectors.) The places are
-//! those of the board. Every item carries the class `step-N`, the index of the action that draws it, so that a lesson
-//! can show the polygon as it grows.
+//! This module decides which vectors are drawn, each only once, which are thin, and how points and
+//! vectors are marked. [`inset`] enlarges vectors too small for their names, [`aside`] draws
+//! overlapping vectors side by side, [`circles`] draws the images of rolling circles, [`names`]
+//! writes the names, [`mod@plates`] splits a polygon of many vectors. The positions are those of
+//! the board. Every item carries the class `step-N`, the index of the action that draws it, so that
+//! a lesson can show the growing polygon.
 
 pub(crate) mod aside;
 mod circles;
@@ -28,37 +30,38 @@ use marks::{marks, shown_by};
 use names::{Letter, Name, Shown};
 pub use plates::{Plate, Share, is_full_share, plates, share_drawing, shares};
 
-/// Shorter than this a vector has neither head nor direction for the eye: it is a dot with a note that says zero.
+/// Below this length a vector has neither a visible head nor a visible direction: it is a dot with
+/// a note that says zero.
 const ZERO_MM: f64 = 0.05;
-/// A vector this much shorter than the longest is rounding, not a small vector.
+/// A vector this much shorter than the longest is a rounding error, not a small vector.
 const ROUNDING: f64 = 1e-11;
-/// Two ends nearer than half a line's width are one point on paper.
+/// Two ends closer than half a line width are one point on paper.
 const SAME_MM: f64 = 0.1;
-/// How far a construction line goes on beyond its crossing: to be seen past an arrowhead's barbs.
+/// Extension of a construction line beyond its intersection: visible past an arrowhead's barbs.
 const BEYOND_MM: f64 = 4.0;
-/// A part of a vector shorter than this has no room for its name.
+/// A shorter part of a vector has no space for a name.
 const LABEL_ROOM_MM: f64 = 5.0;
 
-/// A vector to be drawn, with all names that it has.
+/// A vector to be drawn, with all its names.
 struct Arrow {
     from: Point,
     to: Point,
-    /// All its names; the last is that of a whole vector, if it is one.
+    /// All names; the last one is that of a total vector, if it is one.
     symbols: Vec<Name>,
-    /// Names of vectors that only paper does not tell from it.
+    /// Names of vectors that coincide with it only within the precision of the paper.
     nearly: Vec<Name>,
     class: &'static str,
-    /// The actions that draw it; two vectors of one place are one arrow.
+    /// The actions that draw it; two vectors at one place are one arrow.
     steps: Vec<usize>,
-    /// The link whose motion it shows.
+    /// The link of which it shows the motion.
     link: Option<usize>,
-    /// Black; grey where a plate only starts from it.
+    /// Black; grey for a vector from which a plate only starts.
     colour: Colour,
-    /// By how much it is drawn beside its place.
+    /// The displacement from its true place.
     aside: Vec2,
 }
 
-/// A vector of no length: where it is, its key, what is noted, the step.
+/// A vector of zero length: its place, its key, its note, the step.
 struct Zero {
     at: Point,
     key: String,
@@ -74,14 +77,15 @@ struct Draft<'a> {
     zeros: Vec<Zero>,
     lines: Vec<(Point, Point, usize)>,
     copies: Vec<([VertexId; 3], usize)>,
-    /// What no two numbers of this polygon differ by for another reason than rounding.
+    /// Differences between numbers of this polygon up to this (mm) are rounding errors.
     rounding_mm: f64,
 }
 
-/// More arrows than this, and vectors from the pole that nothing asks for are left out; the names become smaller.
+/// Above this number of arrows, vectors from the pole that nothing requests are left out, and the
+/// names become smaller.
 const MANY_ARROWS: usize = 16;
 
-/// Draws a polygon; its pole lies in the origin. A cluster too small for its names gets an inset.
+/// Draws a polygon with its pole at the origin. A cluster too small for its names gets an inset.
 pub fn polygon(style: &Style, w: &Writer, p: &Polygon) -> Part {
     let (mut draft, style) = Draft::new(style, w, p, false);
     draft.side_by_side(style.vector.width_mm);
@@ -95,20 +99,20 @@ pub fn polygon(style: &Style, w: &Writer, p: &Polygon) -> Part {
     if insets.is_empty() { part } else { finished(draft.draw(&style, &insets).0) }
 }
 
-/// The same without insets and before its labels are placed, for series of drawings: those of which one is `full` ([`is_full`]) are
-/// all lettered alike.
+/// Draws a polygon without insets and before its labels are placed, for series of drawings: with
+/// `full` ([`is_full`] for any of the series) all are lettered alike.
 pub fn drawing(style: &Style, w: &Writer, p: &Polygon, full: bool) -> Drawing {
     let (draft, style) = Draft::new(style, w, p, full);
     draft.draw(&style, &[]).0
 }
 
-/// Whether a polygon has so many vectors that not all are named, and in smaller type.
+/// Returns true if a polygon has so many vectors that only some are named, in smaller type.
 pub fn is_full(w: &Writer, p: &Polygon) -> bool {
     Draft::of(w, p).arrows.len() > MANY_ARROWS
 }
 
 impl<'a> Draft<'a> {
-    /// A polygon's things.
+    /// The elements of a polygon.
     fn of(w: &'a Writer<'a>, p: &'a Polygon) -> Draft<'a> {
         let rounding_mm = ROUNDING * p.largest() / p.mu;
         let mut draft = Draft { w, p, arrows: vec![], letters: vec![], zeros: vec![], lines: vec![], copies: vec![], rounding_mm };
@@ -117,7 +121,7 @@ impl<'a> Draft<'a> {
         draft
     }
 
-    /// A polygon's things as far as they are drawn, and the style that suits their number.
+    /// The elements of a polygon that are drawn, and the style that suits their number.
     fn new(style: &Style, w: &'a Writer<'a>, p: &'a Polygon, full: bool) -> (Draft<'a>, Style) {
         let mut draft = Draft::of(w, p);
         let mut style = style.clone();
@@ -131,7 +135,8 @@ impl<'a> Draft<'a> {
 }
 
 impl Draft<'_> {
-    /// Symbols of the vectors from the pole that a question asks for or an equation starts with.
+    /// Symbols of the vectors from the pole that a question requests or that an equation starts
+    /// with.
     fn needed(&self) -> Vec<String> {
         let (w, on) = (self.w, self.p.on);
         let asked = w.scene.find.iter().filter(|f| f.what.diagram() == on).filter_map(|f| match f.what.meaning(w.scene)? {
@@ -143,7 +148,7 @@ impl Draft<'_> {
         asked.chain(starts).map(|v| w.vector(on, v)).collect()
     }
 
-    /// Goes through the board's actions.
+    /// Follows the actions of the board.
     fn follow(&mut self) {
         let p = self.p;
         let mut open: Vec<(Point, Vec2, usize)> = Vec::new();
@@ -154,7 +159,7 @@ impl Draft<'_> {
                 Action::Cross { target, edges, .. } => {
                     for ((through, direction, at), e) in open.drain(..).zip(edges) {
                         let end = p.edges[*e].to.1;
-                        // Without a length the direction itself is shown, both ways.
+                        // For zero length the direction itself is shown, both ways.
                         let along = (end - through).unit().filter(|_| end.distance(through) > ZERO_MM);
                         let (from, out) = along.map_or((through - direction * BEYOND_MM, direction), |u| (through, u));
                         self.lines.push((from, end + out * BEYOND_MM, at));
@@ -183,7 +188,7 @@ impl Draft<'_> {
                 }
                 Action::Join(e) => self.edge(*e, step),
                 Action::Perpendicular { edges, direction } => {
-                    // The line on which the perpendicular is dropped goes on past its foot.
+                    // The line to which the perpendicular is dropped is extended beyond its foot.
                     let [along, _] = edges.map(|e| &p.edges[e]);
                     let out = (along.to.1 - along.from.1).unit().unwrap_or(*direction);
                     self.lines.push((along.from.1, along.to.1 + out * BEYOND_MM, step));
@@ -217,7 +222,7 @@ impl Draft<'_> {
         }
     }
 
-    /// The link whose turning or sliding makes a vector.
+    /// The link of which the rotation or sliding produces a vector.
     fn link_of_term(&self, term: &Term) -> Option<usize> {
         let scene = self.w.scene;
         match term.by {
@@ -263,7 +268,7 @@ impl Draft<'_> {
         }
     }
 
-    /// Marks an image and draws its vector from the pole, if it is not there already.
+    /// Marks an image point and draws its vector from the pole, if it is not there already.
     fn image(&mut self, v: VertexId, step: usize) {
         let vertex = self.w.plan.vertex(v);
         let Some(at) = self.p.images[v.0] else { return };
@@ -271,7 +276,7 @@ impl Draft<'_> {
             return;
         }
         self.letter(at, Mark::Image(v), step);
-        // The special point belongs to the construction: its vector answers nothing.
+        // The special point belongs to the construction: its vector answers no question.
         if matches!(vertex.spot, Spot::Special(_)) || vertex.trial.is_some() {
             return;
         }
@@ -285,12 +290,13 @@ impl Draft<'_> {
         }
     }
 
-    /// Whether a vector too short to be drawn is nothing but rounding, or merely small.
+    /// The sign before zero for a vector too short to be drawn: `=` within rounding, otherwise `≈`.
     fn zero_sign(&self, length_mm: f64) -> &'static str {
         if length_mm <= self.rounding_mm { "=" } else { "\\approx" }
     }
 
-    /// Draws everything; for each arrow the name of its label. What is named in an inset is not named in the polygon.
+    /// Draws everything, and returns for each arrow the name of its label. Names in an inset are
+    /// not repeated in the polygon.
     fn draw(&self, style: &Style, insets: &[Inset]) -> (Drawing, Vec<String>) {
         let kind = self.p.on.word();
         let mut d = Drawing::new(kind, style.clone());
@@ -310,7 +316,7 @@ impl Draft<'_> {
                 }
             }
         }
-        // The small vectors last, so that their heads lie over the large ones.
+        // Small vectors last, so that their heads are over the large ones.
         let mut order: Vec<usize> = (0..self.arrows.len()).collect();
         let length = |k: usize| self.arrows[k].from.distance(self.arrows[k].to);
         order.sort_by(|&a, &b| length(b).total_cmp(&length(a)));
@@ -330,7 +336,7 @@ impl Draft<'_> {
             }
         }
         d.of_link(None);
-        // Where all of them are zero the caption says so.
+        // If all vectors are zero, the caption says so.
         let zeros = if self.p.is_empty() { &[][..] } else { &self.zeros };
         for Zero { at, key, note, step } in zeros {
             let class = format!("zero step-{step}");
@@ -354,7 +360,7 @@ impl Draft<'_> {
 }
 
 impl Arrow {
-    /// What it is, and the steps that draw it.
+    /// The class of the vector, with the steps that draw it.
     fn classes(&self) -> String {
         self.steps.iter().fold(self.class.to_owned(), |class, step| format!("{class} step-{step}"))
     }
@@ -365,13 +371,13 @@ fn middle(points: impl Iterator<Item = Point> + Clone) -> Point {
     points.fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / n))
 }
 
-/// Whether two ends are one point on paper.
+/// True if two ends are one point on paper.
 fn is_one(p: Point, q: Point) -> bool {
-    // Most are far apart, which is seen without a root.
+    // Most are far apart, which needs no square root to detect.
     (p.x - q.x).abs() < SAME_MM && (p.y - q.y).abs() < SAME_MM && p.distance(q) < SAME_MM
 }
 
-/// Whether a point lies on a segment.
+/// True if a point is on a segment.
 fn covers((a, b): (Point, Point), p: Point) -> bool {
     let apart = |p: f64, a: f64, b: f64| p < a.min(b) - SAME_MM || p > a.max(b) + SAME_MM;
     if apart(p.x, a.x, b.x) || apart(p.y, a.y, b.y) {
@@ -414,7 +420,8 @@ mod tests {
     fn a_vector_that_is_an_edge_is_drawn_once() {
         let mut names = drawn("offset-slider-crank", DiagramKind::Velocity);
         names.sort_by(|a, b| a.0.cmp(&b.0));
-        // v_B and v_C are edges from the pole; v_S is found by an image and has its arrow from the pole.
+        // v_B and v_C are edges from the pole; v_S is found as an image point and has its arrow
+        // from the pole.
         assert_eq!(arrows(&names), ["vel-abs-B", "vel-abs-C", "vel-abs-S", "vel-rel-C-B"]);
     }
 
@@ -443,7 +450,7 @@ mod tests {
     #[test]
     fn three_points_of_a_link_show_their_image() {
         let items = drawn("crank-rocker", DiagramKind::Velocity);
-        // b–c is an edge already: the triangle needs two more lines.
+        // b–c is already an edge: the triangle needs two more lines.
         assert_eq!(items.iter().filter(|(id, _)| id.starts_with("vel-image")).count(), 2);
     }
 }

@@ -1,7 +1,8 @@
-//! What is written at a polygon: the letters of its points and the names of its vectors.
+//! The names in a polygon: letters of points and names of vectors.
 //!
-//! Decided here: which names share a place, and with which sign between them. Two points that only paper does not tell apart share
-//! their letters in the polygon, and part in an inset that shows them apart.
+//! This module decides which names share a place, and the sign between them. Two points that
+//! coincide within the precision of the paper share their letters in the polygon, and are separate
+//! in an inset that separates them.
 
 use hodograph_base::geom::Point;
 use hodograph_board::construct::{Edge, Mark};
@@ -22,28 +23,28 @@ use super::{Arrow, Draft, LABEL_ROOM_MM, covers, is_one};
 /// The name of a vector on paper and for programs.
 #[derive(Clone)]
 pub(super) struct Name {
-    /// On paper, in the notation of the figure.
+    /// The name on paper, in the notation of the figure.
     pub symbol: String,
-    /// In ids.
+    /// The name in ids.
     pub key: String,
-    /// In questions.
+    /// The name in questions.
     pub quantity: String,
 }
 
 impl PartialEq for Name {
-    /// One vector has one key, whatever the notation makes of it.
+    /// One vector has one key, independent of the notation.
     fn eq(&self, other: &Name) -> bool {
         self.key == other.key
     }
 }
 
 impl Name {
-    /// That of a vector from the pole.
+    /// The name of a vector from the pole.
     pub fn whole(w: &Writer, on: DiagramKind, v: VertexId) -> Name {
         Name { symbol: w.vector(on, v), key: w.vector_key(v), quantity: w.vector_quantity(on, v) }
     }
 
-    /// That of terms drawn as one.
+    /// The name of terms drawn as one.
     pub fn sum(w: &Writer, on: DiagramKind, terms: &[Term]) -> Name {
         let all = |of: &dyn Fn(&Term) -> String, sign: &str| terms.iter().map(of).collect::<Vec<_>>().join(sign);
         Name { symbol: all(&|t| w.symbol(on, t), " + "), key: all(&|t| w.key(on, t), "-and-"), quantity: all(&|t| w.quantity(on, t), "+") }
@@ -52,40 +53,41 @@ impl Name {
 
 /// A point to be marked.
 pub(super) struct Letter {
-    /// Where it is.
+    /// The position.
     pub at: Point,
     name: String,
     key: String,
     step: usize,
 }
 
-/// All points that are one on a drawing.
+/// All points that coincide in a drawing.
 pub(super) struct Spot<'a> {
-    /// Where the first of them is.
+    /// The position of the first one.
     pub at: Point,
-    /// Their letters.
+    /// The letters.
     pub names: Vec<&'a str>,
-    /// Their keys.
+    /// The keys.
     pub keys: Vec<&'a str>,
     step: usize,
 }
 
 impl Spot<'_> {
-    /// What it is, and the step that marks it; the first of a polygon is the pole.
+    /// Returns the class of the spot, with the step that marks it; the first spot of a polygon is
+    /// the pole.
     pub fn class(&self, index: usize) -> String {
         if index == 0 { "pole".to_owned() } else { format!("point step-{}", self.step) }
     }
 }
 
-/// Where a vector is shown.
+/// The place where a vector is shown.
 pub(super) struct Shown {
-    /// The part of it that bears its name.
+    /// The part that carries the name.
     pub ends: (Point, Point),
-    /// Whose line it is.
+    /// The owner of the line.
     pub owner: u32,
-    /// What the name keeps away from.
+    /// The point that the name stays away from.
     pub middle: Point,
-    /// Nothing in the polygon, `inset` in an inset.
+    /// Empty in the polygon, `inset` in an inset.
     pub within: &'static str,
 }
 
@@ -98,7 +100,7 @@ impl Draft<'_> {
         }
     }
 
-    /// The marked points, those together that are nearer than `one_mm`.
+    /// Returns the marked points; points closer than `one_mm` are joined.
     pub(super) fn letters(&self, one_mm: f64) -> Vec<Spot<'_>> {
         let mut spots: Vec<Spot> = Vec::new();
         for Letter { at, name, key, step } in &self.letters {
@@ -113,7 +115,7 @@ impl Draft<'_> {
         spots
     }
 
-    /// Where the part of a vector begins that no shorter one covers: there its name belongs.
+    /// The start of the part of a vector that no shorter one covers: the place of its name.
     pub(super) fn own_part(&self, a: &Arrow) -> Point {
         let (from, to) = a.drawn();
         let inside = |b: &(Point, Point)| is_one(b.0, from) && covers((from, to), b.1) && b.1.distance(to) > LABEL_ROOM_MM;
@@ -121,7 +123,8 @@ impl Draft<'_> {
         far.map_or(from, |b| b.1)
     }
 
-    /// Asks for a vector's name along a line that shows it; it may be left out where both ends are lettered.
+    /// Requests a vector's name along a line that shows it; the name may be left out if both ends
+    /// are lettered.
     pub(super) fn name(&self, d: &mut Drawing, style: &Style, a: &Arrow, shown: Shown) -> String {
         let Shown { ends: (from, to), owner, middle, within } = shown;
         let lettered = |p: Point| self.letters.iter().any(|l| is_one(l.at, p));
@@ -146,31 +149,34 @@ impl Draft<'_> {
 }
 
 impl Arrow {
-    /// Returns true for a vector of trial polygons alone.
+    /// Returns true for a vector that only trial polygons contain.
     pub(super) fn is_tried(&self) -> bool {
         self.class.ends_with("trial")
     }
 
-    /// The line that draws it: of a trial polygon a thin one.
+    /// The stroke of the vector; thin in a trial polygon.
     pub(super) fn stroke(&self, style: &Style) -> Stroke {
         if self.is_tried() { Stroke { width_mm: style.thin.width_mm, ..style.vector } } else { style.vector }
     }
 
-    /// Its key: that of its first name.
+    /// The key: that of the first name.
     pub(super) fn key(&self) -> &str {
         &self.symbols[0].key
     }
 
-    /// The quantity it shows, drawn `times` as large as in the polygon, whose scale is `mu`.
+    /// The quantity of the vector, drawn `times` as large as in the polygon, which has the scale
+    /// `mu`.
     pub(super) fn shown(&self, mu: f64, times: f64) -> Quantity {
         let mm = self.from.distance(self.to);
         let names = self.symbols.iter().map(|n| n.quantity.clone()).collect();
         Quantity { names, length: Some(Length { mm: mm * times, si: mm * mu }) }
     }
 
-    /// Its names: one sign between those of one vector, another before those that only paper does not tell from it.
+    /// The names: one sign between names of the same vector, another one before those that coincide
+    /// only within the precision of the paper.
     fn name(&self) -> String {
-        // A normal part that is all there is bears the name of the whole, where it has one.
+        // A normal component that is the total vector has the name of the total vector, if there is
+        // one.
         let symbols = || self.symbols.iter().map(|n| n.symbol.as_str());
         let whole = symbols().any(|s| !s.contains("^{n}"));
         let names: Vec<&str> = symbols().filter(|s| !whole || !s.contains("^{n}")).collect();

@@ -1,5 +1,5 @@
-//! A polygon of many vectors split by group: each plate shows what one group adds, to a scale of its own, with the vectors known before
-//! that it starts from in grey.
+//! Splits a polygon of many vectors by group: each plate shows the vectors that one group adds, to
+//! its own scale, with the known vectors from which it starts in grey.
 
 use std::collections::HashMap;
 
@@ -14,40 +14,42 @@ use hodograph_paper::paper::style::Style;
 
 use super::{Draft, MANY_ARROWS, is_one};
 
-/// Room for a plate: what stands beside its equations on a page of A4 across.
+/// Space for a plate: beside its equations on an A4 page in landscape.
 const ROOM_MM: [f64; 2] = [125.0, 120.0];
-/// Vectors known before are grey: to be seen, and not to be taken for the plate's own.
+/// Colour of known vectors: visible, but distinct from the plate's own.
 const KNOWN: Colour = Colour::grey(150);
 
-/// The vectors that are found together may be more; of groups put together there are no more than these.
+/// Maximum number of vectors of combined groups; vectors that are found together may be more.
 const MOST_TOGETHER: usize = 10;
 
-/// What a group adds to a polygon.
+/// The vectors that a group adds to a polygon.
 pub struct Plate {
-    /// The group, by its place in the mechanism's list, and behind it those pins that only sit on its links.
+    /// The group, by its index in the mechanism's list, followed by pins that only belong to its
+    /// links.
     pub groups: Vec<usize>,
-    /// Its scale (SI/mm).
+    /// The scale (SI units per mm).
     pub mu: f64,
-    /// The drawing, its pole in the origin.
+    /// The drawing, with its pole at the origin.
     pub part: Part,
 }
 
-/// Which part of a split polygon is meant.
+/// A selected part of a split polygon.
 #[derive(Clone, Copy)]
 pub struct Share<'a> {
     /// The part of each action ([`shares`]).
     pub of: &'a [usize],
-    /// The one meant.
+    /// The selected part.
     pub part: usize,
 }
 
 impl Share<'_> {
-    /// Whether an action belongs to it.
+    /// Returns true if an action belongs to the part.
     pub fn holds(&self, action: usize) -> bool {
         self.of.get(action) == Some(&self.part)
     }
 
-    /// The ends of its vectors and what they find, on paper, in an order that poses with the same actions share; the pole not among them.
+    /// Returns the ends of the part's vectors and the points that they find, on paper, in an order
+    /// that poses with the same actions share; the pole is not included.
     pub fn ends(&self, p: &Polygon) -> Vec<Option<Point>> {
         let mut ends = Vec::new();
         for (_, action) in p.actions.iter().enumerate().filter(|(k, _)| self.holds(*k)) {
@@ -58,8 +60,9 @@ impl Share<'_> {
     }
 }
 
-/// The part that each action of a polygon belongs to, counted from 0, where it is split so that at most some ten vectors stand
-/// together: as few parts as the groups, in the order of solving, can be put together to. One part is no split.
+/// Returns the part that each action of a polygon belongs to, counted from 0. The polygon is split
+/// so that about ten vectors at most are together: groups are combined, in solving order, to as few
+/// parts as possible. A single part is no split.
 pub fn shares(w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<usize> {
     let heads = heads(w, mechanism, p);
     let of: Vec<usize> = groups_of_actions(w, p)
@@ -82,7 +85,8 @@ pub fn shares(w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<usize> {
     of.into_iter().map(|head| part_of[head]).collect()
 }
 
-/// A part of a split polygon before its labels are placed; nothing where it has no vector. `full` as for [`super::drawing`].
+/// Draws a part of a split polygon before its labels are placed; `None` if it has no vector. `full`
+/// as for [`super::drawing`].
 pub fn share_drawing(style: &Style, w: &Writer, p: &Polygon, share: Share, full: bool) -> Option<Drawing> {
     let draft = Draft::of(w, p).only(&|step| share.holds(step))?;
     let mut style = style.clone();
@@ -92,12 +96,13 @@ pub fn share_drawing(style: &Style, w: &Writer, p: &Polygon, share: Share, full:
     Some(draft.draw(&style, &[]).0)
 }
 
-/// Whether a part of a split polygon has more vectors than can be named in type of the usual size.
+/// Returns true if a part of a split polygon has more vectors than can be named in type of the
+/// usual size.
 pub fn is_full_share(w: &Writer, p: &Polygon, share: Share) -> bool {
     Draft::of(w, p).only(&|step| share.holds(step)).is_some_and(|draft| draft.arrows.len() > MANY_ARROWS)
 }
 
-/// The groups that start a plate, each with the pins behind it that only sit on its links.
+/// The groups that start a plate, each followed by the pins that only belong to its links.
 fn heads(w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<Vec<usize>> {
     let mut heads: Vec<Vec<usize>> = Vec::new();
     for group in w.plan.steps(p.on).iter().map(|g| g.group) {
@@ -109,7 +114,7 @@ fn heads(w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<Vec<usize>> {
     heads
 }
 
-/// The plates of a polygon in the order of solving; none for a group that adds no vector.
+/// Returns the plates of a polygon in solving order; groups that add no vector have none.
 pub fn plates(style: &Style, w: &Writer, mechanism: &Mechanism, p: &Polygon) -> Vec<Plate> {
     let heads = heads(w, mechanism, p);
     let of = groups_of_actions(w, p);
@@ -140,7 +145,8 @@ fn plate(style: &Style, w: &Writer, p: &Polygon, mine: &dyn Fn(usize) -> bool) -
     Some((mu, part))
 }
 
-/// The group whose image each action finds, or serves to find; what reads between images belongs to the group before.
+/// The group of the image point that each action finds or helps to find; an action that reads
+/// between image points belongs to the group before it.
 fn groups_of_actions(w: &Writer, p: &Polygon) -> Vec<Option<usize>> {
     let mut of: HashMap<VertexId, usize> = HashMap::new();
     for GroupSteps { group, alternatives, further, .. } in w.plan.steps(p.on) {
@@ -168,7 +174,8 @@ fn groups_of_actions(w: &Writer, p: &Polygon) -> Vec<Option<usize>> {
 }
 
 impl Draft<'_> {
-    /// What these steps draw, and in grey the vectors from which they start; `None` where they draw no vector.
+    /// Keeps the elements that these steps draw, and in grey the vectors from which they start;
+    /// `None` if they draw no vector.
     fn only(mut self, mine: &dyn Fn(usize) -> bool) -> Option<Self> {
         let own = |steps: &[usize]| steps.iter().any(|s| mine(*s));
         let ends: Vec<Point> = self.arrows.iter().filter(|a| own(&a.steps)).flat_map(|a| [a.from, a.to]).collect();

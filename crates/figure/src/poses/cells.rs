@@ -1,6 +1,7 @@
-//! What stands in the cells of a sheet of poses: a drawing for each of them, as on any other sheet, with ground or pole at one place
-//! of its cell, so that neighbouring poses can be compared. In a table only the first drawing of a column that has room for them has all its names; the
-//! others have the letters of their points.
+//! Fills the cells of a sheet of poses: each cell has a drawing, as on any other sheet, with ground
+//! or pole at the same place of its cell, so that neighbouring poses can be compared. In a table
+//! only the first drawing of a column with enough space has all its names; the others have the
+//! letters of their points.
 
 use super::{Row, Table, text};
 use crate::course::courses;
@@ -19,10 +20,11 @@ use hodograph_paper::paper::shown::escaped;
 use hodograph_scene::{DiagramKind, Scene};
 use hodograph_worked::worked::Worked;
 
-/// Curves behind polygons stand back.
+/// Colour of curves behind polygons.
 const BEHIND: Colour = Colour::grey(150);
 
-/// A column: a diagram for each row, and the box that holds each of them with ground or pole at one place.
+/// A column: a diagram for each row, and the box that holds each of them with ground or pole at the
+/// same place.
 pub(super) struct Column {
     pub on: DiagramKind,
     pub parts: Vec<Part>,
@@ -42,7 +44,7 @@ impl Table<'_> {
             .collect()
     }
 
-    /// A row's polygon, where it is on the paper, and who writes its letters.
+    /// A row's polygon, if it is on the paper, and the writer of its letters.
     fn polygon<'a>(&'a self, row: &'a Row, on: DiagramKind) -> Option<(Writer<'a>, &'a Polygon)> {
         let shown = !row.unbounded() && row.shown.contains(&on);
         let p = row.worked.construction.polygon(on).filter(|_| shown)?;
@@ -71,13 +73,13 @@ impl Table<'_> {
                 DiagramKind::Plane => {
                     let drawing = with_names(mechanism::drawing(style, &row.scene, &row.worked, notation, &courses[k]), true);
                     let mut part = drawing.finish_after(&mut habits);
-                    // The diagram's origin may be a point that moves.
+                    // The diagram's origin may be a moving point.
                     let (here, first) = (&row.worked.construction.diagram, &self.rows[0].worked.construction.diagram);
                     part.translate((here.origin - first.origin) * (1.0 / first.mu));
                     part
                 }
                 DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => match self.polygon(row, on) {
-                    // An inset would take more room than the pose.
+                    // An inset would take more space than the pose.
                     Some((w, p)) if self.still => polygon::drawing(style, &w, p, full).finish_after(&mut of_polygon),
                     Some((w, p)) => with_names(polygon::drawing(style, &w, p, full), has_room(p)).finish(),
                     None => Part::of(self.absent(row)),
@@ -95,7 +97,7 @@ impl Table<'_> {
         parts
     }
 
-    /// What stands where there is no polygon.
+    /// The text in place of a missing polygon.
     fn absent(&self, row: &Row) -> Vec<Item> {
         let lang = self.options.lang;
         let said = if row.unbounded() {
@@ -108,7 +110,7 @@ impl Table<'_> {
         vec![said.in_fonts(&style.fonts)]
     }
 
-    /// Paths behind the mechanism, hodographs behind the polygons: they are the same in all rows.
+    /// Paths behind the mechanism, hodographs behind the polygons; they are the same in all rows.
     fn behind(&self, on: DiagramKind) -> Vec<Item> {
         let (Some(moved), Some(first)) = (self.moved, self.rows.first()) else { return Vec::new() };
         let stroke = Stroke { dash: Dash::Solid, ..self.options.style.thin.coloured(BEHIND) };
@@ -126,7 +128,7 @@ impl Table<'_> {
                     let Some(mu) = self.scales.mu.get(on.kind()) else { continue };
                     let curve: Vec<Option<Vec2>> = moved.moments.iter().map(|m| m.vector(k, on.level())).collect();
                     let paper = |v: &Vec2| (*v * (1.0 / mu)).to_point();
-                    // As far as the polygons reach.
+                    // As far as the polygons extend.
                     let most = self.scales.longest_mm() * mu;
                     runs(&curve, moved.full, most).0.iter().map(|run| run.iter().map(paper).collect()).collect()
                 }
@@ -140,11 +142,11 @@ impl Table<'_> {
     }
 }
 
-/// Whether the vectors of a polygon are so long that each can have its name.
+/// True if the vectors of a polygon are long enough for their names.
 fn has_room(p: &Polygon) -> bool {
     let lengths = p.edges.iter().map(|e| e.from.1.distance(e.to.1));
     lengths.sum::<f64>() >= NAMED_MM * p.edges.len() as f64
 }
 
-/// The mean length of vectors that have their names beside them.
+/// Mean length of vectors that have their names beside them.
 const NAMED_MM: f64 = 12.0;

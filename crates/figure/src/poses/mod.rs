@@ -1,8 +1,8 @@
-//! The sheet of many poses: for each of them the mechanism with its velocity and acceleration polygon, all to one set of scales,
-//! in the rows of a table, as in a course's design work.
+//! Draws the sheet of many poses: for each of them the mechanism with its velocity and acceleration
+//! polygon, all to one set of scales, in the rows of a table, as in course design work.
 //!
-//! Decided here: which poses there are, and their scales. What stands in the cells is decided by [`cells`], how they make pages by
-//! [`page`]; [`turn`](mod@turn) shows them one after the other.
+//! This module chooses the poses and their scales. [`cells`] fills the cells, [`page`] forms the
+//! pages; [`turn`](mod@turn) shows the poses one after the other.
 
 mod cells;
 mod page;
@@ -27,25 +27,28 @@ use hodograph_paper::paper::style::Style;
 
 /// Steps in which the mechanism is followed through a turn: 2°.
 const STEPS: usize = 180;
-/// Room for the drawings of one pose in the table: a row of three is as wide as A4 upright, which holds four or five of them.
+/// Space for the drawings of one pose in the table: a row of three is as wide as A4 portrait, which
+/// holds four or five rows.
 const BOXES: Boxes = Boxes { diagram: [48.0, 44.0], polygon: [44.0, 44.0] };
 
-/// What is on the sheet.
+/// The content of the sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wanted {
-    /// So many poses at equal steps of what moves: of a driver from the scene's own through a full turn, or from one end of its travel to
-    /// the other.
+    /// Number of poses, at equal steps of the driver or of time: from the scene's own pose through
+    /// a full turn, or from one end of the travel to the other.
     pub count: usize,
-    /// What moves.
+    /// The moving driver, or time.
     pub swept: Swept,
-    /// Points whose paths and hodographs lie behind the drawings.
+    /// Points with their paths and hodographs behind the drawings.
     pub points: Vec<PointId>,
 }
 
-/// The sheet: of the size that the scene fixes for its paper, else A4, or A3 where a row is wider; as many pages as it takes.
+/// Draws the sheets, on as many pages as needed: of the size that the scene fixes for its paper, or
+/// else A4, or A3 if a row is wider.
 ///
 /// # Errors
-/// `no-motion` where the mechanism cannot be followed from its pose; `paper-too-small` where the paper does not hold one row.
+/// `no-motion` if the mechanism cannot be followed from its pose; `paper-too-small` if the paper
+/// does not hold one row.
 ///
 /// ```
 /// use hodograph_figure::{poses, sheet::Options};
@@ -66,7 +69,7 @@ pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
     Ok(Warned { value: pages, notes: poses.notes(scene, wanted) })
 }
 
-/// All poses worked through to one set of scales.
+/// All poses, solved and drawn to one set of scales.
 struct Poses {
     rows: Vec<Row>,
     full: bool,
@@ -82,7 +85,7 @@ impl Poses {
         let sweep = follower.sweep(STEPS);
         let poses = at_equal_steps(&follower, &sweep, wanted.count);
         follower.proved(poses.iter().map(|p| &p.configuration))?;
-        // Their own scales first, to see how large everything is.
+        // First to their own scales, which give the sizes.
         let work = |p: &Pose| work_pose(&follower.scene_at(scene, p.travel), (&worked.mechanism, &worked.demand), &p.configuration).ok();
         let trials: Vec<(&Pose, (Scene, Worked))> = poses.iter().filter_map(|p| Some((p, work(p)?))).collect();
         let sized: Vec<(f64, &Worked)> = trials.iter().map(|(p, (_, w))| (p.travel, w)).collect();
@@ -100,7 +103,7 @@ impl Poses {
                 Some(Row { scene, worked, shown, end, place: now + pose.travel })
             })
             .collect();
-        // A table has at least one row.
+        // A table has at least two rows, unless a single pose is requested.
         if rows.is_empty() || rows.len() < 2 && wanted.count > 1 {
             let d = Diagnostic::error("no-motion", both!("the mechanism cannot be followed from its pose", "从该位置无法跟踪机构的运动"));
             return Err(d.help(both!("give another pose, or ask for the sheet of this one", "请改变位置，或只画该位置的图")).into());
@@ -115,7 +118,7 @@ impl Poses {
         Table { options, rows, full: *full, swept, moved: moved.as_ref(), scales: scales.clone(), still }
     }
 
-    /// What is to be known of the poses that were asked for.
+    /// Notes about the requested poses.
     fn notes(&self, scene: &Scene, wanted: &Wanted) -> Vec<Diagnostic> {
         let rows = &self.rows;
         let mut notes = Vec::new();
@@ -141,9 +144,10 @@ struct Row {
     scene: Scene,
     worked: Worked,
     shown: Vec<DiagramKind>,
-    /// Whether the driver can go no farther: then nothing but the driver has a vector, and that is no polygon.
+    /// True if the driver is at a limit: then only the driver has a vector, and there is no
+    /// polygon.
     end: bool,
-    /// Where that stands which moves (rad, m or s).
+    /// The place of the driver (rad, m), or the time (s).
     place: f64,
 }
 
@@ -153,7 +157,7 @@ impl Row {
     }
 }
 
-/// All poses, to be laid out.
+/// All poses, ready for layout.
 struct Table<'a> {
     options: &'a Options,
     rows: &'a [Row],
@@ -161,7 +165,8 @@ struct Table<'a> {
     swept: Swept,
     moved: Option<&'a Motion>,
     scales: Scales,
-    /// Whether names stay where they were in the pose before, as the poses follow one another in time.
+    /// True if names keep their places from pose to pose, because the poses follow one another in
+    /// time.
     still: bool,
 }
 

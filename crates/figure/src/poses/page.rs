@@ -1,4 +1,5 @@
-//! How the rows of a sheet of poses make pages: how many stand side by side, their rules, heads and names.
+//! Forms pages from the rows of a sheet of poses: the number of rows side by side, their rules,
+//! heads and names.
 
 use super::cells::Column;
 use super::{Table, text};
@@ -15,20 +16,20 @@ use hodograph_paper::paper::phrase::{Phrase, fill, formula, tr};
 use hodograph_report::amount::scale_formula;
 use hodograph_scene::{DiagramKind, Kind};
 
-/// Air around a drawing in its cell.
+/// Space around a drawing in its cell.
 const AIR_MM: f64 = 3.5;
-/// Width of the column that says which pose a row shows, and height of the table's head.
+/// Width of the column that names the pose of a row, and height of the table's head.
 const NAME_MM: f64 = 26.0;
 const HEAD_MM: f64 = 15.0;
-/// Papers that a printer has: A4 and A3.
+/// Paper sizes of a printer: A4 and A3.
 const PAPERS: [[f64; 2]; 2] = [[210.0, 297.0], [297.0, 420.0]];
-/// Fewer rows on a page are no table.
+/// Minimum number of rows on a page of a table.
 const ROWS_LEAST: usize = 2;
-/// Below the title.
+/// Space below the title.
 const TITLE_MM: f64 = 14.0;
 
 impl Table<'_> {
-    /// Where the driver stands in a pose, with its unit.
+    /// Returns the place of the driver in a pose, with its unit.
     pub(super) fn position(&self, row: usize) -> String {
         let scene = &self.rows[0].scene;
         let (_, kind) = swept_symbol(scene, self.swept);
@@ -39,13 +40,13 @@ impl Table<'_> {
         if unit == "\\degree" { format!("{shown}{unit}") } else { format!("{shown}\\,{unit}") }
     }
 
-    /// Titles and captions are those of any pose, and nothing of the results is shown.
+    /// Titles and captions are the same for all poses, and no results are shown.
     fn maker(&self) -> Maker<'_> {
         let first = &self.rows[0];
         Maker { scene: &first.scene, worked: &first.worked, options: self.options, certified: Vec::new() }
     }
 
-    /// What stands above a column: its name, and its scale.
+    /// The name and the scale above a column.
     fn head(&self, column: &Column) -> (Label, String) {
         let (maker, on) = (self.maker(), column.on);
         let (words, mu) = maker.caption(on);
@@ -55,7 +56,7 @@ impl Table<'_> {
         (Phrase::new(words).label(), mu)
     }
 
-    /// Its two lines, under the middle of their upper edge.
+    /// The two lines of a head, below the middle of its upper edge.
     fn head_items(&self, (words, mu): (Label, String), top: Point) -> [Item; 2] {
         let style = &self.options.style;
         let line =
@@ -63,17 +64,17 @@ impl Table<'_> {
         [line(6.0, words, style.caption_mm), line(12.0, Label::math(mu), style.small_mm)]
     }
 
-    /// How wide a column is: its drawings and its head have room.
+    /// The width of a column: space for its drawings and its head.
     fn wide_mm(&self, column: &Column) -> f64 {
         let head =
             self.head_items(self.head(column), Point::ORIGIN).iter().filter_map(Item::bounds).map(Rect::width_mm).fold(0.0, f64::max);
         column.bounds.width_mm().max(head) + 2.0 * AIR_MM
     }
 
-    /// The figures, one for each page.
+    /// Draws the figures, one for each page.
     ///
     /// # Errors
-    /// A paper that does not hold one row.
+    /// `paper-too-small` if the paper does not hold one row.
     pub(super) fn pages(&self, paper: Option<[f64; 2]>) -> Result<Vec<Figure>, Faults> {
         let columns = self.columns();
         let row_mm = columns.iter().map(|c| c.bounds.height_mm()).fold(0.0, f64::max) + 2.0 * AIR_MM;
@@ -105,7 +106,7 @@ impl Table<'_> {
             }
             None => {
                 let (across, down, size_mm) = choose(&size, width_mm, row_mm, count);
-                // A page that is not full is no larger than what is on it.
+                // A page that is not full is no larger than its content.
                 if count > across * down {
                     (across, down, size_mm)
                 } else {
@@ -123,8 +124,9 @@ impl Table<'_> {
     }
 }
 
-/// How many rows stand side by side and below one another on a paper that a printer has: the smallest that holds some rows, and of its two
-/// ways the one with fewer pages; a sheet of one row where even the largest is too small.
+/// Chooses the numbers of rows side by side and one below the other on a printer's paper: the
+/// smallest paper that holds several rows, in the orientation with fewer pages; or a sheet of one
+/// row if even the largest paper is too small.
 fn choose(size: &dyn Fn(usize, usize) -> [f64; 2], width_mm: f64, row_mm: f64, count: usize) -> (usize, usize, [f64; 2]) {
     let [one_w, one_h] = size(1, 1);
     let on = |[w, h]: [f64; 2]| {
@@ -139,7 +141,7 @@ fn choose(size: &dyn Fn(usize, usize) -> [f64; 2], width_mm: f64, row_mm: f64, c
     formats.into_iter().next().unwrap_or((1, 1, [one_w, one_h]))
 }
 
-/// A page in the making.
+/// A page under construction.
 struct Page<'a> {
     table: &'a Table<'a>,
     columns: &'a [Column],
@@ -236,7 +238,7 @@ impl Page<'_> {
         items
     }
 
-    /// Which pose a row shows.
+    /// The name of the pose in a row.
     fn name(&self, row: usize, at: Point) -> Vec<Item> {
         let style = &self.table.options.style;
         let value = self.table.position(row);

@@ -1,7 +1,8 @@
-//! The poses of a motion one after the other: figures of one size, with ground and poles at one place in all of them.
+//! Draws the poses of a motion one after the other: figures of one size, with ground and poles at
+//! the same place in all of them.
 //!
-//! Decided here: what stands where in a frame. Not decided here: how frames become a moving picture (`render::gif`,
-//! `render::moving`).
+//! This module arranges a frame. The conversion of frames to an animation is in `render::gif` and
+//! `render::moving`.
 
 use super::cells::Column;
 use super::{Poses, Table, Wanted, text};
@@ -15,38 +16,39 @@ use hodograph_report::amount::scale_formula;
 use hodograph_scene::{DiagramKind, Scene, Swept};
 use hodograph_worked::worked::Worked;
 
-/// Between drawings.
+/// Gap between drawings.
 const GAP_MM: f64 = 10.0;
-/// Room for the drawings of a frame.
+/// Space for the drawings of a frame.
 const BOXES: Boxes = Boxes { diagram: [90.0, 80.0], polygon: [95.0, 80.0] };
-/// From the title to the drawings.
+/// Distance from the title to the drawings.
 const TITLE_MM: f64 = 12.0;
-/// From the drawings to the caption's baseline, and from there to the scale's.
+/// Distance from the drawings to the caption's baseline, and from there to the scale's.
 const CAPTION_MM: f64 = 8.0;
 const SCALE_MM: f64 = 5.6;
 
 /// A motion as figures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turn {
-    /// One for each pose, all of one size.
+    /// One figure for each pose, all of one size.
     pub frames: Vec<Figure>,
-    /// Whether the last is followed by the first: after a full turn, and where time goes on; else the motion goes back the way that it came.
+    /// True if the first frame follows the last one: after a full turn, and where time advances.
+    /// Otherwise the motion returns the way it came.
     pub full: bool,
 }
 
 impl Turn {
-    /// The frames of one period, in the order of time.
+    /// Returns the frames of one period, in the order of time.
     pub fn period(&self) -> Vec<&Figure> {
         let back = self.frames.iter().rev().skip(1).take(self.frames.len().saturating_sub(2));
         self.frames.iter().chain(back.filter(|_| !self.full)).collect()
     }
 }
 
-/// The poses at equal steps of a driver as figures of one size, `step_mm` the unit in which it is measured: width and height are whole
-/// even numbers of it, as moving pictures of even numbers of pixels want.
+/// Draws the poses at equal steps of a driver as figures of one size. Width and height are even
+/// multiples of `step_mm`, because animations need even numbers of pixels.
 ///
 /// # Errors
-/// `no-motion` where the mechanism cannot be followed from its pose.
+/// `no-motion` if the mechanism cannot be followed from its pose.
 pub fn turn(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted, step_mm: f64) -> Result<Warned<Turn>, Faults> {
     let poses = Poses::of(scene, worked, wanted, BOXES)?;
     let table = poses.table(options, wanted.swept, true);

@@ -1,4 +1,5 @@
-//! The linkage in its wanted positions with the path of its point, and the structural error of a function.
+//! Draws the linkage in its prescribed positions with the path of its point, and the structural
+//! error of a function.
 
 use super::{ROOM_MM, Set, around, laid_out, page, scale_of};
 use crate::plot::{Axis, Plot};
@@ -15,31 +16,33 @@ use hodograph_paper::paper::symbols as sym;
 use hodograph_report::synthesis::{Posed, positions, traced};
 use hodograph_synthesis::{Candidate, Task};
 
-/// The linkage in all wanted positions, the first in full ink, and the path of E against its places.
+/// Draws the linkage in all prescribed positions, the first one in full ink, and the path of E with
+/// its target points.
 pub fn linkage(task: &Task, candidate: &Candidate, set: Set) -> Figure {
     scaled(task, candidate, set).figure
 }
 
-/// The class of what is drawn of the first position alone, and would move in a picture that moves.
+/// The class of items that belong to the first position only, and would move in an animation.
 pub const MOVES: &str = "moves";
 
-/// The picture of the linkage, and where it puts a place.
+/// The figure of the linkage, with the map from the plane to its paper.
 pub struct Scaled {
-    /// The picture.
+    /// The figure.
     pub figure: Figure,
-    /// Metres for a millimetre of paper.
+    /// Metres per millimetre of paper.
     pub mu_l: f64,
     shift: Vec2,
 }
 
 impl Scaled {
-    /// Where a place (m) is on the paper (mm, y up).
+    /// Returns the position of a point (m) on the paper (mm, y up).
     pub fn place(&self, at: Point) -> Point {
         (at.to_vec2() * (1.0 / self.mu_l)).to_point() + self.shift
     }
 }
 
-/// The linkage in all wanted positions with its scale and its place on the paper.
+/// Draws the linkage in all prescribed positions; returns it with its scale and its position on the
+/// paper.
 pub fn scaled(task: &Task, candidate: &Candidate, set: Set) -> Scaled {
     let Set { style, lang, .. } = set;
     let all = positions(candidate);
@@ -102,7 +105,8 @@ pub fn scaled(task: &Task, candidate: &Candidate, set: Set) -> Scaled {
     Scaled { figure, mu_l: mu, shift }
 }
 
-/// The deviation of the output over the function's range, its extremes marked; none where the task is no function.
+/// Draws the deviation of the output over the range of the function, with its extremes marked;
+/// `None` if the task is no function.
 pub fn deviation(task: &Task, candidate: &Candidate, set: Set) -> Option<Figure> {
     let Set { style, lang, .. } = set;
     let data: Vec<[f64; 2]> = candidate.draft.course.iter().map(|c| [c.x, c.deviation().to_degrees()]).collect();
@@ -128,7 +132,7 @@ pub fn deviation(task: &Task, candidate: &Candidate, set: Set) -> Option<Figure>
     Some(page(task, tr(lang, "structural error", "结构误差"), items, room, (None, Vec::new()), set))
 }
 
-/// Blocks of the first position, with the fixed guides under all places that they take.
+/// Blocks of the first position, with fixed guides under all their positions.
 fn sliders(all: &[Posed], at: &dyn Fn(Point) -> Point, style: &Style) -> Vec<Item> {
     let mut items = Vec::new();
     for (k, slider) in all.first().into_iter().flat_map(|p| &p.sliders).enumerate() {
@@ -138,7 +142,7 @@ fn sliders(all: &[Posed], at: &dyn Fn(Point) -> Point, style: &Style) -> Vec<Ite
             let low = far.iter().copied().fold(0.0, f64::min);
             let high = far.iter().copied().fold(0.0, f64::max);
             let length = high - low + 3.0 * style.block_length_mm;
-            // Hatched below, as the ground is.
+            // Hatched below, like the ground.
             let along = if way.x < 0.0 { -way } else { way };
             items.extend(sym::guide(style, place + way * ((low + high) / 2.0), along.angle(), length, sym::Guide::OneSided));
         }
