@@ -148,8 +148,8 @@ impl Kernel<4, 1> for Against {
     }
 }
 
-/// The rate of the distance s = u·r along a direction u of a link with the angular velocity ω: u·ṙ
-/// + ω u × r.
+/// The rate u·ṙ + ω u × r of the distance s = u·r along a direction u of a link with the angular
+/// velocity ω.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WayRate {
     /// The direction u.
