@@ -328,8 +328,8 @@ mod tests {
     use hodograph_mechanism::mechanism::Mechanism;
     use hodograph_scene::{Angle, edit, read, templates};
 
-    /// Where a four-bar that cannot turn certainly does not close, the general solver is not asked,
-    /// even if the program contains other groups.
+    /// A four-bar that cannot turn certainly does not close over a part of the turn: the general
+    /// solver is not asked there, even if the program contains other groups.
     #[test]
     fn what_surely_misses_is_not_solved_again() {
         let text = templates::instantiate("crank-rocker", &[("l_AB", "240")]).unwrap();

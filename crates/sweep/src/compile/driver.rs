@@ -35,7 +35,7 @@ const AHEAD: [f64; 2] = [1e-9, 1e-11];
 pub(super) enum Rates {
     /// Constant at all positions.
     Even([f64; 2]),
-    /// Those of a follower led by a cam.
+    /// Rates of a follower led by a cam.
     Led([Reg; 2]),
 }
 

@@ -110,7 +110,7 @@ pub(super) enum Spot {
 struct Body {
     /// The point whose motion describes the link.
     origin: Spot,
-    /// That point in the link's frame.
+    /// The own point in the link's frame.
     at: Point,
     /// The arm in the link's frame.
     d: Vec2,

@@ -144,7 +144,7 @@ impl Hangs {
         }
     }
 
-    /// The same pair in a scene with the same links but other numbers of points.
+    /// The corresponding pair in a scene with the same links but other numbers of points.
     fn within(self, from: &Scene, to: &Scene) -> Option<Hangs> {
         Some(match self {
             Hangs::Slides { guide, on, pin } => Hangs::Slides { guide, on, pin: named(from, to, pin)? },
@@ -349,7 +349,7 @@ impl Handed {
         }
     }
 
-    /// The same pose with the contact on the next piece.
+    /// The pose of a state, solved with the contact on the next piece.
     fn handed_over(&self, state: Standing, side: i64) -> Option<Standing> {
         let count = self.variants.len();
         let next = if side > 0 { (state.piece + 1) % count } else { (state.piece + count - 1) % count };
