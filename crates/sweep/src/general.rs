@@ -47,7 +47,7 @@ impl<'a> General<'a> {
         with_driver_at(self.placed.scene, self.driver, stations.place(row, self.placed.scene, self.driver))
     }
 
-    /// True if closed forms put every station, on the closures of the instant.
+    /// True if closed forms solve every station, with the closures of the instant.
     pub fn is_closed_everywhere(&self) -> bool {
         self.placed.scene.is_told_everywhere() && !Whole::new(self.placed, self.driver).counts_turns()
     }

@@ -73,8 +73,8 @@ impl Kernel<5, 4> for Stretch {
 }
 
 /// A translating follower with a round end at P = w + q d in the axes of the carrying link. The
-/// origin is the cam's centre, d the direction of the lift, and w = −e d turned by 90°: 2Aq = G·d +
-/// S with S² = 1 − (G·d⊥ + 2Ae)².
+/// origin is the cam's centre, d the direction of the lift, and w = −e d turned by 90°:
+/// 2Aq = G·d + S with S² = 1 − (G·d⊥ + 2Ae)².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lift {
     /// The numbers A, g and h of the piece.
@@ -194,8 +194,8 @@ impl Kernel<5, 3> for Faced {
 }
 
 /// An oscillating follower. Its arm has the direction u in the axes of the carrying link: M·u = c
-/// with M = A m + N, c = h + f N·P, N = g turned by θ, P the pivot. A round end on an arm l has m =
-/// 2lP, f = −1/l, with −l times the piece's g and its own h; a face has m = ±P⊥, f = 0.
+/// with M = A m + N, c = h + f N·P, N = g turned by θ, P the pivot. A round end on an arm l has
+/// m = 2lP, f = −1/l, with −l times the piece's g and its own h; a face has m = ±P⊥, f = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rock {
     /// The numbers A, g and h.
@@ -234,8 +234,8 @@ impl Kernel<6, 5> for Rock {
     }
 }
 
-/// The rates of [`Rock`] by the time: M·u⊥ ψ′ = f N⊥·P − N⊥·u, M·u⊥ ψ″ = −f N·P + N·u − 2ψ′ N⊥·u⊥ +
-/// c ψ′².
+/// The rates of [`Rock`] by the time: M·u⊥ ψ′ = f N⊥·P − N⊥·u,
+/// M·u⊥ ψ″ = −f N·P + N·u − 2ψ′ N⊥·u⊥ + c ψ′².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RockRate {
     /// The results of [`Rock`].

@@ -264,6 +264,9 @@ fn without_program(general: &General, stations: &Stations, why: &Diagnostic) -> 
 /// The topology of a scene for its whole motion ([`follow::course::over_a_turn`]). Questions about
 /// the contact of a cam are allowed if the scene defines them where it is read, although a driver
 /// replaces the contact.
+///
+/// # Errors
+/// Those of [`Mechanism::new`].
 pub fn mechanism(scene: &Scene) -> Result<Mechanism, Faults> {
     let own = Mechanism::new(scene);
     match own {

@@ -132,7 +132,7 @@ impl Kernel<2, 1> for Sum {
     }
 }
 
-/// The largest ratio of angular velocities: a divisor that is smaller still is zero but for rounding.
+/// The largest ratio of angular velocities: beyond it the divisor is zero within rounding.
 const MOST: f64 = 1.0 / ROUNDING;
 
 /// a / b; NaN if b is within rounding of zero relative to a or to the drivers' rates.

@@ -351,8 +351,7 @@ fn certified(scene: &Scene, worked: &Worked, rung: Rung) -> Vec<Option<f64>> {
     }
 }
 
-/// The starting distance of the loop equations, and the unit of a step of differences: radians of
-/// the driver, or the mechanism's size.
+/// The distance of the pose at which the loop equations start: radians of the driver, or metres.
 const OFF: f64 = 0.035;
 
 /// The rate of the first driver that moves, in radians or metres per second.
@@ -381,7 +380,7 @@ fn size(worked: &Worked, i: usize) -> f64 {
     if size > 0.0 { size } else { 1.0 }
 }
 
-/// The worst error of each level; `None` if nothing of the level is asked.
+/// The worst error of each level; `None` if no question is of the level.
 fn by_level(scene: &Scene, worked: &Worked, error: impl Fn(usize) -> f64) -> [Option<f64>; 2] {
     Level::RATES.map(|level| {
         let of_level = (0..worked.results.len()).filter(|&i| scene.find[worked.results[i].find].what.level() == level);
