@@ -1,29 +1,31 @@
-//! Differential evolution (Storn and Price, rand/1/bin, now and then drawn towards the best): genes whose cost is least.
+//! Differential evolution (Storn and Price, rand/1/bin, with a random pull towards the best):
+//! searches genes of least cost.
 //!
-//! The last gene is a choice of two by its sign and is kept within −1 and 1. The same stream of numbers gives the same bytes.
+//! The last gene is a choice of two by its sign and is kept within −1 and 1. The same stream of
+//! numbers gives the same bytes.
 
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
-/// How many of the last generation are handed on to be refined.
+/// The number of members of the last generation that are refined.
 const REFINED: usize = 12;
 
-/// Numbers from 0 to 1.
+/// A stream of random numbers from 0 to 1.
 pub(super) struct Random(Pcg64);
 
 impl Random {
-    /// A stream of its own for each seed.
+    /// Returns the stream of a seed.
     pub fn new(seed: u64) -> Random {
         Random(Pcg64::seed_from_u64(seed))
     }
 
-    /// From 0 to 1.
+    /// Returns a number from 0 to 1.
     fn unit(&mut self) -> f64 {
-        // 53 bits: every double between 0 and 1 in steps of 2⁻⁵³.
+        // 53 bits: all multiples of 2⁻⁵³ between 0 and 1.
         (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Between two bounds.
+    /// Returns a number between two bounds.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
@@ -33,17 +35,17 @@ impl Random {
     }
 }
 
-/// How large it is, and when two of its members are told apart.
+/// The size of a population, and the criterion by which its members differ.
 pub(super) struct Population<'a, const N: usize> {
-    /// Members.
+    /// The number of members.
     pub count: usize,
-    /// Generations.
+    /// The number of generations.
     pub generations: usize,
-    /// Whether two members are worth refining both.
+    /// True if two members differ enough to refine both.
     pub apart: &'a dyn Fn(&[f64; N], &[f64; N]) -> bool,
 }
 
-/// Evolves; the best members that differ, in order.
+/// Runs the evolution; returns the best members that differ, in order of cost.
 pub(super) fn evolve<const N: usize>(
     population: &Population<N>,
     born: impl Fn(&mut Random) -> [f64; N],

@@ -1,17 +1,19 @@
-//! The crank-rocker whose coupler curve passes nearest to many places: seeded differential evolution over nine dimensions and the
-//! assembly, then Gauss–Newton with the crank angles free.
+//! Searches the crank-rocker whose coupler curve passes nearest to many places: seeded differential
+//! evolution over nine dimensions and the assembly, then Gauss–Newton with the crank angles free.
 //!
-//! The evolution works on distances to a sampled curve; a Gauss–Newton step eliminates the crank
-//! angle of each place by projecting on the curve's normal, so that nine unknowns are left however many places there are
-//! (Levenberg's damping guards the first steps). Runs follow one another, each with a stream of its own, until the best has been found
-//! three times or the places are met; their number is bounded. They go in waves of parallel runs that are looked at in order, and all functions
-//! are libm's: the same bytes on any machine and number of threads.
+//! The evolution works on distances to a sampled curve. A Gauss–Newton step eliminates the crank
+//! angle of each place by projecting on the curve's normal, so that nine unknowns remain for any
+//! number of places (Levenberg's damping guards the first steps). Runs follow one another, each
+//! with a stream of its own, until the best optimum has been found three times or the places are
+//! met; their number is bounded. Parallel runs form waves and are evaluated in order, and all
+//! functions are libm's: the bytes are the same on any machine and number of threads.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
-// clippy.toml lists the functions of f64 whose last bit the platform decides; tests may use them.
+// clippy.toml lists the functions of f64 whose last bit depends on the platform; tests may use
+// them.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
-// The maps name private rooms too; `cargo doc --document-private-items` follows those links.
+// The maps link to private modules too; `cargo doc --document-private-items` resolves those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
 mod evolution;
@@ -26,74 +28,80 @@ use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Samples of a coupler curve.
+/// The number of samples of a coupler curve.
 const SAMPLES: usize = 64;
-/// Linkages in a population, and generations of a run: with these nine runs of ten end in the best optimum of a known curve.
+/// The number of linkages in a population, and of generations in a run: with these nine runs of ten
+/// end in the best optimum of a known curve.
 const POPULATION: usize = 70;
 const GENERATIONS: usize = 110;
-/// Runs at most, and how often the best optimum is to be found: one that half of the runs miss is then missed once in sixteen thousand.
+/// The greatest and the least number of runs, and the number of times that the best optimum must be
+/// found: an optimum that half of the runs miss is then missed once in sixteen thousand.
 const RUNS: usize = 24;
 const LEAST: usize = 14;
 const HITS: usize = 3;
-/// Runs that are made at once.
+/// The number of runs made at once.
 const WAVE: usize = 4;
-/// Optima that are told.
+/// The number of optima returned.
 const TOLD: usize = 3;
-/// No link is longer than so many times the path: what would grow on and on nears a slider-crank.
+/// The greatest length of a link, in sizes of the path: a linkage that would grow without end
+/// approaches a slider-crank.
 pub const LARGEST: f64 = 20.0;
-/// A link within this part of the bound has come to it.
+/// The part of the bound from which a link counts as at the bound.
 const AT_BOUND: f64 = 0.9;
-/// A crank-rocker whose Grashof sum is within this part of its lengths from equality is a change point for who builds it.
+/// The greatest slack of the Grashof sum, as a part of the lengths, at which a crank-rocker is
+/// practically a change point.
 const CHANGE: f64 = 1e-3;
-/// Of more places than these the runs look at so many, evenly taken; what they find is then refined for all. So the work of a search has a
-/// bound: nine unknowns, or ten, are told by sixteen places as well as by hundreds that lie between them.
+/// The number of places that the runs use; of more places they use so many, evenly chosen, and the
+/// results are then refined for all. This bounds the work of a search: sixteen places determine
+/// nine unknowns, or ten, as well as hundreds between them.
 const PLACES: usize = 16;
 
 /// A crank-rocker with its coupler point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Linkage {
-    /// Crank pivot.
+    /// The crank pivot.
     pub a: Point,
-    /// AB, BC, CD, AD (m).
+    /// The lengths AB, BC, CD, AD (m).
     pub lengths: [f64; 4],
-    /// Direction of the frame from A to D (rad).
+    /// The direction of the frame from A to D (rad).
     pub phi: f64,
-    /// E in the coupler's frame: along BC from B, and to the left.
+    /// The point E in the coupler's frame: along BC from B, and to the left.
     pub e: Vec2,
-    /// Whether C lies left of BD.
+    /// True if C is to the left of BD.
     pub left: bool,
 }
 
-/// Points of a position.
+/// The points of a position.
 #[derive(Clone, Copy, Debug)]
 pub struct Place {
-    /// Pin of the crank.
+    /// The pin of the crank.
     pub b: Point,
-    /// Pin of the follower.
+    /// The pin of the follower.
     pub c: Point,
-    /// Coupler point.
+    /// The coupler point.
     pub e: Point,
 }
 
-/// An optimum: the linkage, the crank angles next to the places, the root mean square distance (m).
+/// An optimum: the linkage, the crank angles nearest to the places, the root mean square distance
+/// (m).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
     /// The linkage.
     pub linkage: Linkage,
     /// The crank's angle at each place (rad).
     pub cranks: Vec<f64>,
-    /// Root mean square distance (m).
+    /// The root mean square distance (m).
     pub rms: f64,
 }
 
-/// What a search found, and what it took.
+/// The result of a search, and its effort.
 #[derive(Clone, Debug, Default)]
 pub struct Search {
-    /// Optima, the best first.
+    /// The optima, the best first.
     pub fits: Vec<Fit>,
-    /// Positions evaluated.
+    /// The number of positions evaluated.
     pub evaluations: u64,
-    /// Runs.
+    /// The number of runs.
     pub runs: usize,
 }
 
@@ -103,12 +111,13 @@ impl Linkage {
         Linkage { a: Point::new(ax, ay), lengths: [a, b, c, d], phi, e: Vec2::new(u, v), left: side > 0.0 }
     }
 
-    /// Follower pivot.
+    /// Returns the follower pivot.
     pub fn d(&self) -> Point {
         self.a + Vec2::from_angle(self.phi) * self.lengths[3]
     }
 
-    /// How far it is from a crank-rocker, over its size; 0 for one.
+    /// Returns the deviation from a crank-rocker, relative to the sum of the lengths; 0 for a
+    /// crank-rocker.
     fn fault(&self) -> f64 {
         let [a, b, c, d] = self.lengths;
         let least = b.min(c).min(d);
@@ -118,17 +127,17 @@ impl Linkage {
         (short + positive) / (a.abs() + b.abs() + c.abs() + d.abs())
     }
 
-    /// Whether no length is beyond the bound for a path of this size (m).
+    /// Returns true if no length exceeds the bound for a path of this size (m).
     fn small(&self, size: f64) -> bool {
         self.lengths.iter().chain([&self.e.norm()]).all(|l| *l <= LARGEST * size)
     }
 
-    /// Whether a link has come to the bound.
+    /// Returns true if a link is at the bound.
     fn at_bound(&self, size: f64) -> bool {
         self.lengths.iter().any(|l| *l > AT_BOUND * LARGEST * size)
     }
 
-    /// Its points at a crank angle (rad, in the plane); `None` where it does not close.
+    /// Returns its points at a crank angle (rad, in the plane); `None` if it does not close.
     pub fn place(&self, crank: f64) -> Option<Place> {
         let [a, bc, cd, _] = self.lengths;
         let b = self.a + Vec2::from_angle(crank) * a;
@@ -150,7 +159,7 @@ impl Linkage {
         }
     }
 
-    /// E with its derivatives by the nine parameters and by the crank angle.
+    /// Returns E with its derivatives by the nine parameters and by the crank angle.
     fn slopes(&self, crank: f64) -> Option<(Point, [Vec2; 10])> {
         let p = self.place(crank)?;
         let [a, bc, cd, ad] = self.lengths;
@@ -158,7 +167,8 @@ impl Linkage {
         let cross = w.cross(z);
         let (crank_way, frame_way) = (Vec2::from_angle(crank), Vec2::from_angle(self.phi));
         let arm = p.e - p.b;
-        // For moves of B, D and of the lengths: w·(dC − dB) = b db, z·(dC − dD) = c dc.
+        // Motions dB and dD of the pivots, and changes of the lengths, give w·(dC − dB) = b db and
+        // z·(dC − dD) = c dc.
         let of = |db: Vec2, dd: Vec2, b: f64, c: f64, local: Vec2| {
             let (r, s) = (w.dot(db) + bc * b, z.dot(dd) + cd * c);
             let dc = Vec2::new(r * z.y - s * w.y, s * w.x - r * z.x) * (1.0 / cross);
@@ -182,7 +192,7 @@ impl Linkage {
     }
 }
 
-/// Searches; the same seed gives the same bytes.
+/// Searches the best linkages; the same seed gives the same bytes.
 pub fn search(points: &[Point], seed: u64) -> Search {
     let (middle, size) = extent(points);
     let same = |a: &Fit, b: &Fit| (a.rms - b.rms).abs() <= 1e-9 * size.max(b.rms);
@@ -197,7 +207,8 @@ pub fn search(points: &[Point], seed: u64) -> Search {
     })
 }
 
-/// What is to be said of an optimum: it is as large as the search allows, or at the border of what has a crank.
+/// Returns remarks on an optimum: it is as large as the search allows, or at the limit of
+/// crank-rockers.
 pub fn remarks(fit: &Fit, points: &[Point]) -> Vec<Diagnostic> {
     let linkage = &fit.linkage;
     let grown = || {
@@ -223,14 +234,14 @@ pub fn remarks(fit: &Fit, points: &[Point]) -> Vec<Diagnostic> {
     far.into_iter().chain((slack < CHANGE * (a + b + c + d)).then(at_border)).collect()
 }
 
-/// Those of many that the runs look at, the first among them.
+/// The places that the runs use, the first place among them.
 fn few<T: Copy>(all: &[T]) -> Vec<T> {
     let count = all.len().min(PLACES);
     (0..count).map(|i| all[i * all.len() / count]).collect()
 }
 
 impl Search {
-    /// What was found for some of the places, refined for all of them.
+    /// Refines the results for some of the places for all of them.
     fn of_all(self, same: &dyn Fn(&Fit, &Fit) -> bool, refined: impl Fn(&Fit, &mut u64) -> Option<Fit>) -> Search {
         let mut out = Search { fits: Vec::new(), ..self };
         for fit in self.fits.iter().filter_map(|fit| refined(fit, &mut out.evaluations)) {
@@ -243,17 +254,19 @@ impl Search {
     }
 }
 
-/// The stream of numbers of a run.
+/// The seed of a run's stream of numbers.
 fn stream(seed: u64, run: usize) -> u64 {
     seed.wrapping_mul(1000).wrapping_add(run as u64)
 }
 
-/// Runs until the best optimum has been found often enough, or the places are met; `same` are optima of which one is told.
+/// Runs until the best optimum has been found often enough, or the places are met. Of optima that
+/// are the `same` one is returned.
 fn until_sure(size: f64, same: &(dyn Fn(&Fit, &Fit) -> bool + Sync), one: impl Fn(usize) -> (Vec<Fit>, u64) + Sync + Send) -> Search {
     let mut out = Search::default();
     let mut hits = 0;
     let waves = (0..RUNS).step_by(WAVE).map(|from| from..(from + WAVE).min(RUNS));
-    // A wave is run at once and looked at in order: what comes after the end is not counted, on however many threads.
+    // A wave runs at once and is evaluated in order: runs after the end do not count, for any
+    // number of threads.
     let here = here();
     let all = waves.flat_map(|wave| wave.into_par_iter().map(|run| here.enter(|| one(run))).collect::<Vec<_>>());
     for (run, (fits, evaluations)) in all.enumerate() {
@@ -278,7 +291,7 @@ fn until_sure(size: f64, same: &(dyn Fn(&Fit, &Fit) -> bool + Sync), one: impl F
     out
 }
 
-/// A run: its optima, and the positions evaluated.
+/// Makes one run; returns its optima and the number of positions evaluated.
 fn alone(points: &[Point], middle: Point, size: f64, seed: u64) -> (Vec<Fit>, u64) {
     let mut evaluations = 0;
     let apart = |o: &[f64; 10], p: &[f64; 10]| (0..9).any(|k| (o[k] - p[k]).abs() > 0.05 * size) || (o[9] > 0.0) != (p[9] > 0.0);
@@ -294,7 +307,7 @@ fn alone(points: &[Point], middle: Point, size: f64, seed: u64) -> (Vec<Fit>, u6
     (fits, evaluations)
 }
 
-/// Middle and size of the places.
+/// Returns the middle and the size of the places.
 pub fn extent(points: &[Point]) -> (Point, f64) {
     let of = |f: fn(&Point) -> f64| {
         let (low, high) = points.iter().map(f).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
@@ -304,7 +317,7 @@ pub fn extent(points: &[Point]) -> (Point, f64) {
     (Point::new(x, y), libm::hypot(w, h))
 }
 
-/// A linkage to begin with, around the places.
+/// A random linkage around the places, to begin with.
 fn born(middle: Point, size: f64, random: &mut Random) -> [f64; 10] {
     let a = random.between(0.1, 0.8);
     let rest = [random.between(0.5, 3.0), random.between(0.5, 3.0), random.between(0.5, 3.0)];
@@ -322,7 +335,8 @@ fn born(middle: Point, size: f64, random: &mut Random) -> [f64; 10] {
     ]
 }
 
-/// Mean square distance to the sampled curve, over the square of the size; what is no crank-rocker is worse than all that are.
+/// The mean square distance to the sampled curve, relative to the square of the size; other
+/// linkages than crank-rockers cost more than any crank-rocker.
 fn cost(genes: &[f64; 10], points: &[Point], size: f64, evaluations: &mut u64) -> f64 {
     let linkage = Linkage::of(genes);
     let fault = linkage.fault();
@@ -342,7 +356,7 @@ fn sampled(linkage: &Linkage) -> Vec<Point> {
     (0..SAMPLES).filter_map(|k| Some(linkage.place(TAU * k as f64 / SAMPLES as f64)?.e)).collect()
 }
 
-/// The crank angles next to the places, from finer samples.
+/// The crank angles nearest to the places, from finer samples.
 fn nearest(linkage: &Linkage, points: &[Point], evaluations: &mut u64) -> Option<Vec<f64>> {
     const FINE: usize = 360;
     *evaluations += FINE as u64;
@@ -353,7 +367,8 @@ fn nearest(linkage: &Linkage, points: &[Point], evaluations: &mut u64) -> Option
     points.iter().map(near).collect()
 }
 
-/// Gauss–Newton with Levenberg's damping; `None` where it leads away from crank-rockers.
+/// Refines a linkage by Gauss–Newton with Levenberg's damping; `None` if it leads away from
+/// crank-rockers.
 fn refine(mut linkage: Linkage, mut cranks: Vec<f64>, points: &[Point], size: f64, evaluations: &mut u64) -> Option<Fit> {
     let sum = |l: &Linkage, t: &[f64]| points.iter().zip(t).map(|(p, t)| Some((l.place(*t)?.e - *p).norm2())).sum::<Option<f64>>();
     let mut best = sum(&linkage, &cranks)?;

@@ -1,9 +1,11 @@
 //! Path generation with prescribed timing: the crank turns by given angles from place to place.
 //!
-//! Over the ratios of the lengths and the crank's first angle everything else is linear, in complex numbers E = A + Z₁ p + Z₂ q (p the
-//! crank's direction from the frame, q that of the coupler), so that differential evolution runs over four dimensions and the assembly
-//! and each of its steps solves the rest (variable projection, Golub and Pereyra). All ten unknowns are then refined by Gauss–Newton with
-//! Levenberg's damping. The cognate whose crank turns with the crank (Roberts) meets the same places at the same angles: both are told.
+//! For given ratios of the lengths and a given first angle of the crank everything else is linear,
+//! in complex numbers E = A + Z₁ p + Z₂ q (p the crank's direction from the frame, q that of the
+//! coupler). Differential evolution therefore runs over four dimensions and the assembly, and each
+//! of its steps solves the rest (variable projection, Golub and Pereyra). Gauss–Newton with
+//! Levenberg's damping then refines all ten unknowns. The cognate whose crank turns with the crank
+//! (Roberts) meets the same places at the same angles: both are returned.
 
 use super::evolution::{Population, Random, evolve};
 use super::{Fit, Linkage, Search, extent, few, stream, until_sure};
@@ -11,12 +13,15 @@ use hodograph_base::geom::{Point, Vec2};
 use nalgebra::{SMatrix, SVector};
 use std::f64::consts::TAU;
 
-/// Linkages in a population, and generations of a run: nine runs of ten end in the best optimum of a known curve.
+/// The number of linkages in a population, and of generations in a run: nine runs of ten end in the
+/// best optimum of a known curve.
 const POPULATION: usize = 60;
 const GENERATIONS: usize = 120;
-/// Coupler, rocker and frame over the crank at the beginning: what course books draw.
+/// The ratios of coupler, rocker and frame to the crank at the beginning: those of textbook
+/// drawings.
 const RATIO: [f64; 2] = [1.1, 8.0];
-/// Searches; the same seed gives the same bytes. `turns` are the crank's angles at the places (rad); only their differences count.
+/// Searches the best linkages; the same seed gives the same bytes. `turns` are the crank's angles
+/// at the places (rad); only their differences count.
 pub fn search(points: &[Point], turns: &[f64], seed: u64) -> Search {
     let (_, size) = extent(points);
     let same = |a: &Fit, b: &Fit| {
@@ -29,13 +34,13 @@ pub fn search(points: &[Point], turns: &[f64], seed: u64) -> Search {
         let all = Timed { points, turns, size };
         found = found.of_all(&same, |fit, evaluations| all.refine((fit.linkage, *fit.cranks.first()?), evaluations));
     }
-    // Of those that would grow beyond the bound one stands for all.
+    // Of the optima at the bound only one is kept.
     let mut grown = 0;
     found.fits.retain(|f| {
         grown += usize::from(f.linkage.at_bound(size));
         grown <= 1 || !f.linkage.at_bound(size)
     });
-    // Along a flat valley steps end before its bottom: what lies beside a better one is that one.
+    // Along a flat valley steps end before its bottom: an optimum next to a better one is the same.
     let near = |a: &Fit, b: &Fit| {
         let longest = a.linkage.lengths.into_iter().fold(0.0, f64::max);
         b.rms <= 1.01 * a.rms && a.linkage.lengths.iter().zip(b.linkage.lengths).all(|(p, q)| (p - q).abs() <= 0.05 * longest)
@@ -56,8 +61,9 @@ pub fn search(points: &[Point], turns: &[f64], seed: u64) -> Search {
     found
 }
 
-/// The cognate whose crank turns with the crank: its pivot F is similar to E, its coupler turns as the follower, its follower as the
-/// coupler. `None` where E is the pin C, so that its crank has no length.
+/// The cognate whose crank turns with the crank: its pivot F is similar to E, its coupler turns
+/// with the follower, its follower with the coupler. `None` if E is the pin C, so that its crank
+/// has no length.
 fn twin(fit: &Fit) -> Option<Fit> {
     let l = &fit.linkage;
     let [a, b, c, d] = l.lengths;
@@ -84,7 +90,7 @@ struct Timed<'a> {
 }
 
 impl Timed<'_> {
-    /// A run: its optima, and the positions evaluated.
+    /// Makes one run; returns its optima and the number of positions evaluated.
     fn alone(&self, seed: u64) -> (Vec<Fit>, u64) {
         let mut evaluations = 0;
         let apart = |o: &[f64; 5], p: &[f64; 5]| (0..4).any(|k| (o[k] - p[k]).abs() > 0.05) || (o[4] > 0.0) != (p[4] > 0.0);
@@ -104,7 +110,8 @@ impl Timed<'_> {
         self.projected(genes).map_or(1e6, |(_, sum)| sum / (self.points.len() as f64 * self.size * self.size))
     }
 
-    /// The best linkage of a shape and first angle, and its sum of squares: linear least squares in three complex numbers.
+    /// The best linkage of a shape and first angle, and its sum of squares: linear least squares in
+    /// three complex numbers.
     fn projected(&self, genes: &[f64; 5]) -> Option<((Linkage, f64), f64)> {
         let (shape, start) = (shape(genes), genes[3]);
         let at = |turn: f64| shape.place(start + turn - self.turns[0]);
@@ -119,7 +126,7 @@ impl Timed<'_> {
             .collect();
         let rows = rows?;
         let mean = rows.iter().fold([Vec2::ZERO; 3], |m, r| [0, 1, 2].map(|i| m[i] + r[i])).map(|v| v * (1.0 / rows.len() as f64));
-        // conj(u) v, of which the normal equations are made.
+        // The product conj(u) v, an entry of the normal equations.
         let inner = |u: Vec2, v: Vec2| Vec2::new(u.dot(v), u.cross(v));
         let [mut pp, mut qq] = [0.0; 2];
         let [mut pq, mut pe, mut qe] = [Vec2::ZERO; 3];
@@ -129,7 +136,8 @@ impl Timed<'_> {
             (pq, pe, qe) = (pq + inner(p, q), pe + inner(p, e), qe + inner(q, e));
         }
         let det = pp * qq - pq.norm2();
-        // The coupler hardly turns against the crank, or not at all: no single answer.
+        // The coupler hardly turns relative to the crank, or not at all: the solution is not
+        // unique.
         if det <= 1e-12 * pp * qq {
             return None;
         }
@@ -137,7 +145,8 @@ impl Timed<'_> {
         let z2 = (qe * pp - pe.rotate_by(Vec2::new(pq.x, -pq.y))) * (1.0 / det);
         let sum = rows.iter().map(|r| (r[2] - mean[2] - (r[0] - mean[0]).rotate_by(z1) - (r[1] - mean[1]).rotate_by(z2)).norm2()).sum();
         let scale = z1.norm();
-        // In the coupler's own frame E lies at Z₂ less the turning of the frame, which is that of Z₁.
+        // In the coupler's own frame E is at Z₂ less the rotation of the frame, which is that of
+        // Z₁.
         let way = z1.unit()?;
         let a = Point::ORIGIN + mean[2] - mean[0].rotate_by(z1) - mean[1].rotate_by(z2);
         let linkage = Linkage { a, lengths: shape.lengths.map(|l| l * scale), phi: way.angle(), e: z2.divide_by(way), left: shape.left };
@@ -153,7 +162,8 @@ impl Timed<'_> {
         self.cranks(start).iter().zip(self.points).map(|(t, p)| Some((l.place(*t)?.e - *p).norm2())).sum()
     }
 
-    /// Gauss–Newton with Levenberg's damping over all ten unknowns; `None` where it creeps along a valley without coming to an end.
+    /// Refines all ten unknowns by Gauss–Newton with Levenberg's damping; `None` if it creeps along
+    /// a valley without converging.
     fn refine(&self, (mut linkage, mut start): (Linkage, f64), evaluations: &mut u64) -> Option<Fit> {
         let mut best = self.sum(&linkage, start)?;
         let mut damping = 1e-3;
@@ -198,14 +208,15 @@ impl Timed<'_> {
     }
 }
 
-/// A shape to begin with.
+/// A random shape to begin with.
 fn born(random: &mut Random) -> [f64; 5] {
     let mut ratio = || random.between(libm::log(RATIO[0]), libm::log(RATIO[1]));
     let [b, c, d] = [ratio(), ratio(), ratio()];
     [b, c, d, random.between(0.0, TAU), random.between(-1.0, 1.0)]
 }
 
-/// A shape: a crank of length 1 at the origin, the frame along x; logarithms of the other lengths, the crank's first angle, the assembly.
+/// The linkage of a shape: a crank of length 1 at the origin, the frame along x; the genes are
+/// logarithms of the other lengths, the crank's first angle, and the assembly.
 fn shape(genes: &[f64; 5]) -> Linkage {
     let [b, c, d, _, side] = *genes;
     Linkage { a: Point::ORIGIN, lengths: [1.0, libm::exp(b), libm::exp(c), libm::exp(d)], phi: 0.0, e: Vec2::ZERO, left: side > 0.0 }

@@ -1,7 +1,9 @@
-//! Many mechanisms: parameters varied over a grid or at random, each mechanism at one or many positions of its driver.
+//! Batches of mechanisms: parameters vary over a grid or at random, and each mechanism is solved at
+//! one or many positions of its driver.
 //!
-//! Mechanisms are numbered; the values of one depend on its number alone, so that any stretch of a batch can be computed by
-//! itself, in any order and on any number of threads, with the same bits. Memory is that of a [`Block`], not of the batch.
+//! Mechanisms are numbered, and the values of one depend on its number alone. Any stretch of a
+//! batch can therefore be computed by itself, in any order and on any number of threads, with the
+//! same bits. The memory is that of a [`Block`], not of the batch.
 
 use super::chunks::run_on_branches;
 use super::general::General;
@@ -21,50 +23,50 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
 use std::borrow::Cow;
 
-/// How the parameters' values are chosen.
+/// The choice of the parameters' values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Choice {
-    /// Every combination; the last parameter runs fastest.
+    /// Every combination; the last parameter varies fastest.
     Grid,
-    /// So many mechanisms, each parameter evenly spread between its first and last value.
+    /// Random mechanisms, each parameter evenly distributed between its first and last value.
     Random {
-        /// How many.
+        /// The number of mechanisms.
         count: u64,
-        /// Another seed gives other mechanisms.
+        /// The seed; another seed gives other mechanisms.
         seed: u64,
     },
 }
 
-/// A batch: which mechanisms, at which positions.
+/// A batch: the mechanisms and their positions.
 pub struct Batch<'a> {
     /// The scene whose parameters vary.
     pub scene: &'a Scene,
-    /// Its topology, the same for all.
+    /// Its topology, common to all mechanisms.
     pub mechanism: &'a Mechanism,
     /// The parameters.
     pub variation: Variation,
-    /// The values of each.
+    /// The values of each parameter.
     pub values: Vec<Vec<Value>>,
-    /// Which of them.
+    /// The choice of values for each mechanism.
     pub choice: Choice,
     /// The driver that is swept.
     pub driver: usize,
-    /// Its positions; `None`: where the scene puts it.
+    /// Its positions; `None` for the scene's own position.
     pub stations: Option<Stations>,
 }
 
-/// The rows of a stretch of mechanisms.
+/// The rows of a range of mechanisms.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Block {
-    /// The numbers, a column after the other.
+    /// The numbers, column after column.
     pub columns: Vec<Vec<f64>>,
-    /// Positions that have no row, because the mechanism cannot be assembled there.
+    /// The number of positions that have no row because the mechanism cannot be assembled there.
     pub missing: u64,
 }
 
 impl Batch<'_> {
-    /// How many mechanisms there are.
+    /// The number of mechanisms.
     pub fn mechanisms(&self) -> u64 {
         match self.choice {
             Choice::Grid => self.values.iter().map(|v| v.len() as u64).fold(1, u64::saturating_mul),
@@ -72,7 +74,7 @@ impl Batch<'_> {
         }
     }
 
-    /// Positions of each mechanism.
+    /// The number of positions of each mechanism.
     pub fn positions(&self) -> usize {
         self.stations.as_ref().map_or(1, Stations::len)
     }
@@ -110,7 +112,7 @@ impl Batch<'_> {
                 let mut rng = Pcg64Mcg::seed_from_u64(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(number));
                 let between = |v: &Vec<Value>, rng: &mut Pcg64Mcg| {
                     let (a, b) = (v[0], v[v.len() - 1]);
-                    // 53 random bits: evenly spread multiples of 2^-53.
+                    // 53 random bits give evenly spread multiples of 2^-53.
                     let t = (rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
                     Value { number: a.number + (b.number - a.number) * t, ..a }
                 };
@@ -124,12 +126,13 @@ impl Batch<'_> {
         self.block_in(from, to, Block::default())
     }
 
-    /// [`Batch::block`] in the memory of a block that is no longer needed: fresh memory costs as much as the numbers in it.
+    /// [`Batch::block`] in the memory of a block that is free to be reused: fresh memory costs as
+    /// much as the numbers in it.
     pub fn block_in(&self, from: u64, to: u64, used: Block) -> Block {
         self.block_unless(from, to, used, &never).unwrap_or_default()
     }
 
-    /// The same; `None` when asked to stop.
+    /// [`Batch::block_in`] that can be stopped; returns `None` if `stop` asks for it.
     pub fn block_unless(&self, from: u64, to: u64, used: Block, stop: Stop) -> Option<Block> {
         let (width, positions) = (self.columns().len(), self.positions().max(1));
         let mut columns = used.columns;
@@ -191,12 +194,14 @@ impl Batch<'_> {
         Ok(rows.missing.into_keys().collect())
     }
 
-    /// Where everything is at the instant; where it cannot be assembled there, the driver is put to the first of a dozen stations,
-    /// evenly taken, where it can, and the scene is another.
+    /// The configuration at the instant. If the mechanism cannot be assembled there, the driver is
+    /// moved to the first of a dozen evenly chosen stations where it can be, and the changed scene
+    /// is returned too.
     fn place(&self, scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Result<(Configuration, Option<Scene>), Faults> {
         let first = position::configure(scene, mechanism, demand);
         let (Err(why), Some(stations)) = (&first, &self.stations) else { return first.map(|p| (p.value, None)) };
-        // A dozen places about the way: a mechanism that closes in a smaller part of it is as good as none.
+        // A dozen stations over the range: a mechanism that closes only in a smaller part of it is
+        // of no use.
         let step = stations.len().div_ceil(12).max(1);
         for value in stations.values.iter().step_by(step) {
             let there = with_driver_at(scene, self.driver, *value);
@@ -208,7 +213,7 @@ impl Batch<'_> {
     }
 }
 
-/// Takes the numbers of the missing rows, given in order, out of a column.
+/// Removes the numbers of the missing rows, given in order, from a column.
 fn close(column: &mut Vec<f64>, gaps: &[usize]) {
     let (mut end, all) = (gaps.first().copied().unwrap_or(column.len()), column.len());
     for (k, &gap) in gaps.iter().enumerate() {

@@ -1,16 +1,18 @@
-//! What a link carries: images of its points, its arms and their rates, its turning.
+//! Kernels of a link's motion: images of its points, its arms and their rates, its angular velocity
+//! and angular acceleration.
 //!
-//! A link is known by a point of it and an arm d between two of its places; any other of its points is the image of
-//! the arm, P = O + k d with a complex constant k, and so are the velocities and accelerations of the three (影像).
+//! A point of a link and an arm d between two of its points define the link; any other of its
+//! points is the image of the arm, P = O + k d with a complex constant k. The velocities and
+//! accelerations of the three points obey the same relation (影像).
 
 use super::kernel::{Kernel, Pair, Reg};
 use super::lane::Lane;
 use hodograph_base::geom::Vec2;
 
-/// O + k d.
+/// The image point O + k d, or its velocity or acceleration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Image {
-    /// The link's own point, or its velocity, or its acceleration.
+    /// The link's reference point, or its velocity, or its acceleration.
     pub o: Pair,
     /// The arm, or its rates.
     pub d: Pair,
@@ -31,12 +33,12 @@ impl Kernel<4, 2> for Image {
     }
 }
 
-/// B − A.
+/// The arm B − A.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arm {
-    /// Start.
+    /// The start A.
     pub from: Pair,
-    /// End.
+    /// The end B.
     pub to: Pair,
 }
 
@@ -52,7 +54,7 @@ impl Kernel<4, 2> for Arm {
     }
 }
 
-/// k d: an arm turned and stretched by a complex constant.
+/// The product k d: an arm turned and stretched by a complex constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twist {
     /// The arm.
@@ -77,9 +79,9 @@ impl Kernel<2, 2> for Twist {
 /// The complex product of two vectors: `a` turned by the angle of `b` and stretched by its length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Product {
-    /// First factor.
+    /// The first factor.
     pub a: Pair,
-    /// Second factor.
+    /// The second factor.
     pub b: Pair,
 }
 
@@ -96,14 +98,14 @@ impl Kernel<4, 2> for Product {
     }
 }
 
-/// Q + s t.
+/// The point Q + s t.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Along {
-    /// Start.
+    /// The start Q.
     pub q: Pair,
-    /// Direction.
+    /// The direction t.
     pub t: Pair,
-    /// How far.
+    /// The distance s.
     pub s: Reg,
 }
 
@@ -168,7 +170,7 @@ impl Kernel<6, 2> for SwingRate {
     }
 }
 
-/// ω of an arm d whose end moves by v against its start: d × v / d².
+/// Angular velocity ω of an arm d whose end has the velocity v relative to its start: d × v / d².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turning {
     /// The arm.
@@ -190,14 +192,14 @@ impl Kernel<4, 1> for Turning {
     }
 }
 
-/// α of the same arm: (d × a − 2 ω d·v)/d².
+/// Angular acceleration α of an arm: (d × a − 2 ω d·v)/d².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurningRate {
     /// The arm.
     pub d: Pair,
     /// Its rate.
     pub v: Pair,
-    /// The rate of that.
+    /// The arm's second derivative.
     pub a: Pair,
     /// ω.
     pub omega: Reg,

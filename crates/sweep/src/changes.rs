@@ -1,40 +1,43 @@
-//! The change points of a driver on its way, found once for each period.
+//! The change points of a driver's travel, found once for each period.
 //!
-//! While its joints keep their branches, a program has the period of the driver's turn (with wheels that roll, of several turns). A period without an
-//! event therefore has none on any further turn, and where all branches are as they were some whole turns before, the same change points follow for
-//! ever. A way of a million turns is searched as fast as one of a few.
+//! While its joints keep their branches, a program has the period of the driver's turn (of several
+//! turns with rolling links). After a period without an event no further turn has one. If all
+//! branches are the same as some whole turns before, the same change points recur for ever. Travel
+//! of a million turns is therefore searched as fast as travel of a few.
 
 use super::limit::{Event, Kind, Probe};
 use super::program::{Op, Program};
 
-/// Change points on the way from where a driver stands, in the order in which they are met.
+/// Change points on the travel from the driver's position, in the order in which they are met.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Changes {
-    /// Those that were searched for: all of them, or up to the first that comes again.
+    /// The change points found: all of them, or up to the first that recurs.
     pub events: Vec<Event>,
     again: Option<Again>,
 }
 
-/// The last of the events is one of the others, some turns on.
+/// A recurrence: the last event repeats an earlier one, some turns later.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Again {
-    /// Which of the others.
+    /// The index of the earlier event.
     first: usize,
-    /// How far on, in the sense of the way (rad).
+    /// The distance between the two, in the direction of travel (rad).
     after: f64,
 }
 
-/// Two change points whole turns apart differ by no more than the rounding of where they were found, which is that of the root of a
-/// double zero; two that are not the same one differ by more, or could not be told apart.
+/// The greatest difference between recurrences of one change point that are whole turns apart: the
+/// rounding of their positions, which is that of the root of a double zero. Different change points
+/// differ by more, or cannot be distinguished.
 const SAME: f64 = 1e-6;
 
 impl Changes {
-    /// How many programs the way takes: one for each stretch between change points.
+    /// The number of programs for the travel: one for each stretch between change points.
     pub fn stretches(&self) -> usize {
         self.events.len() + 1
     }
 
-    /// In which of the stretches a value lies; `sense` is 1 on the way upward and −1 downward.
+    /// The index of the stretch that contains a value; `sense` is 1 for travel upward and −1
+    /// downward.
     pub fn stretch(&self, value: f64, sense: f64) -> usize {
         let mut value = value;
         if let (Some(Again { after, .. }), Some(last)) = (self.again, self.events.last()) {
@@ -46,7 +49,8 @@ impl Changes {
         self.events.iter().filter(|e| sense * (value - e.value) > 0.0).count()
     }
 
-    /// The change points up to a value, each of them once; and whether there are more, which are the same ones on further turns.
+    /// The change points up to a value, each of them once, and `true` if they recur on further
+    /// turns.
     pub fn met(&self, until: f64) -> (&[Event], bool) {
         let after_last = |Again { first, after }: Again| {
             let [one, last] = [self.events.get(first)?, self.events.last()?].map(|e| e.value);
@@ -59,7 +63,8 @@ impl Changes {
         (&self.events[..self.events.len() - usize::from(more)], more)
     }
 
-    /// Whether the last event is one of the others on a further turn; `signs` are the branches behind each of them.
+    /// Records whether the last event repeats an earlier one on a further turn, and returns `true`
+    /// if so; `signs` are the branches behind each event.
     fn close(&mut self, period: f64, signs: &[Vec<bool>]) -> bool {
         let (Some(last), Some(after)) = (self.events.last(), signs.last()) else { return false };
         let earlier = self.events.iter().zip(signs).take(self.events.len() - 1).enumerate();
@@ -75,8 +80,9 @@ impl Changes {
 }
 
 impl Probe<'_> {
-    /// The way from where the driver stands to `until`: what ends it, and the change points on it. Each change point turns the
-    /// sign of its joint for what follows.
+    /// Searches the travel from the driver's position to `until`; returns the limit that ends it,
+    /// if any, and its change points. Each change point turns the sign of its joint for the rest of
+    /// the travel.
     pub fn walk(&mut self, until: f64) -> (Option<Event>, Changes) {
         let mut changes = Changes::default();
         if !self.program.tracks.is_empty() {
@@ -86,13 +92,14 @@ impl Probe<'_> {
         let period = self.program.period();
         let mut signs = Vec::new();
         let mut from = self.now;
-        // A change point is left behind by half a step; there are no more of them than steps.
+        // The search goes on half a step behind a change point; there are no more change points
+        // than steps.
         loop {
             let to = if turning && (until - from).abs() > self.span() { from + self.span().copysign(until - from) } else { until };
             let xs = self.samples(from, to);
             let step = xs[1] - xs[0];
             match self.first_event(&xs) {
-                // A whole period without an event is like all that follow.
+                // After a whole period without an event all further periods have none.
                 None if to == until || period.is_some() => return (None, changes),
                 None => from = to,
                 Some(event) if (event.value - until) * step > 0.0 => return (None, changes),
@@ -112,7 +119,7 @@ impl Probe<'_> {
 }
 
 impl Program {
-    /// On which branch each joint is.
+    /// The branch of each joint.
     fn signs(&self) -> Vec<bool> {
         let sign = |step: usize| match &self.steps[0][step].op {
             Op::Circles(k) => k.sign > 0.0,
@@ -139,7 +146,7 @@ mod tests {
         see(&Placed::new(&scene, &m).unwrap())
     }
 
-    /// Every tenth degree of a turn, in line too, so many turns on.
+    /// Every tenth degree of a turn, including positions in line, `turns` turns on.
     fn turn(placed: &Placed, turns: f64) -> Table {
         let [from, to] = [10.0, 370.0].map(|deg| Angle::Deg(deg + 360.0 * turns));
         run(placed, 0, &Stations::turned(from, to, 36), Width::Widest).unwrap()
@@ -163,7 +170,8 @@ mod tests {
         }
     }
 
-    /// The search is that of a few turns, however many there are, and knows where the branches change on the last of them.
+    /// The search takes as many steps as for a few turns, however many there are, and finds the
+    /// branch changes on the last of them.
     #[test]
     fn a_million_turns_are_searched_as_soon_as_a_few() {
         with("60 deg", |placed| {
@@ -172,7 +180,7 @@ mod tests {
                 let now = 60f64.to_radians();
                 let (end, changes) = Probe::of(program.clone(), placed, 0).walk(now + sense * 1e6 * TAU);
                 assert!(end.is_none() && changes.events.len() <= 4, "{changes:?}");
-                // Two change points a turn, each the way into the other's stretch.
+                // Two change points a turn, each leading into the other's stretch.
                 let at = |turns: f64, deg: f64| changes.stretch(now + sense * (turns * TAU + f64::to_radians(deg)), sense);
                 let kinds = |turns: f64| [at(turns, 90.0), at(turns, 200.0), at(turns, 330.0)];
                 assert_eq!(kinds(7.0), kinds(999_999.0), "{changes:?}");

@@ -1,4 +1,5 @@
-//! All stations of a sweep: a program run chunk after chunk into columns, on one thread or on all; and which rows are there.
+//! Runs a program over all stations of a sweep, chunk after chunk into columns, on one thread or on
+//! all, and records which rows exist.
 
 use super::follow::compiled::{self, States};
 use super::fuse::Fused;
@@ -21,14 +22,14 @@ use std::collections::BTreeMap;
 use std::ops::{DerefMut, Range};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The rows of a sweep under way: numbers of all columns, and which rows are there.
+/// The rows of a sweep in progress: the numbers of all columns, and the rows that exist.
 #[derive(Default)]
 pub(super) struct Rows<C = Vec<f64>> {
-    /// The numbers, a column after the other.
+    /// The numbers, column after column.
     pub columns: Vec<C>,
-    /// The rows that are missing, and why.
+    /// The missing rows, with their reasons.
     pub missing: BTreeMap<usize, Faults>,
-    /// The rows whose numbers are not all finite, in order, whose reason is not yet known.
+    /// The rows with numbers that are not finite, in order, before the reason is known.
     pub open: Vec<usize>,
 }
 
@@ -36,8 +37,8 @@ pub(super) struct Rows<C = Vec<f64>> {
 type Near<'a> = &'a (dyn Fn(usize) -> Option<Vec<f64>> + Sync);
 
 impl<C: DerefMut<Target = [f64]>> Rows<C> {
-    /// Hands the rows whose numbers are not all finite to the general solver; where it finds several ways on, the one that goes
-    /// with what is `near` is meant. Comes to an early end, and says false, when asked to stop.
+    /// Hands the open rows to the general solver. Where it finds several ways on, the one nearest
+    /// to the numbers of `near` is taken. Stops early and returns `false` if `stop` asks for it.
     pub fn complete(&mut self, general: &General, stations: &Stations, stop: Stop, near: Near) -> bool {
         let open = std::mem::take(&mut self.open);
         let laid = Stood::beyond_change_points(general, stations, &open);
@@ -55,7 +56,8 @@ impl<C: DerefMut<Target = [f64]>> Rows<C> {
         true
     }
 
-    /// Asks the general solver why the first of each run of missing rows is missing, where the reason is not yet known.
+    /// Asks the general solver for the reason why the first of each run of missing rows is missing,
+    /// if it is not yet known.
     pub fn explain(&mut self, general: &General, stations: &Stations) {
         let mut last = None;
         for (&i, why) in &mut self.missing {
@@ -69,13 +71,13 @@ impl<C: DerefMut<Target = [f64]>> Rows<C> {
 }
 
 impl Rows {
-    /// The same with the numbers copied to other columns.
+    /// Returns the rows with the numbers copied to other columns.
     pub fn copied_to<C: DerefMut<Target = [f64]>>(self, mut columns: Vec<C>) -> Rows<C> {
         columns.iter_mut().zip(&self.columns).for_each(|(c, v)| c.copy_from_slice(v));
         Rows { columns, missing: self.missing, open: self.open }
     }
 
-    /// The numbers of the rows that are there, the driver's values first.
+    /// Returns the numbers of the rows that exist, the driver's values first.
     pub fn there(self, values: Vec<f64>) -> Vec<Vec<f64>> {
         let mut columns: Vec<Vec<f64>> = std::iter::once(values).chain(self.columns).collect();
         if !self.missing.is_empty() {
@@ -98,7 +100,8 @@ impl Rows {
     }
 }
 
-/// The way on that is nearest to a row; the first where there is but one, or nothing to compare with.
+/// The way on that is nearest to a row; the first if there is only one, or nothing to compare it
+/// with.
 fn pick_way(mut ways: Vec<Vec<f64>>, near: impl Fn() -> Option<Vec<f64>>) -> Vec<f64> {
     if ways.len() > 1
         && let Some(near) = near()
@@ -138,12 +141,12 @@ fn states(program: &Program, placed: &Placed, driver: usize, stations: &Stations
     (!program.tracks.is_empty()).then(|| compiled::follow(program, placed, driver, stations))
 }
 
-/// The same, where its followed links, if it has any, are as `states` says.
+/// Runs a program over all stations, with the given states of its followed links.
 pub(super) fn run_with(program: &Program, states: Option<&States>, stations: &Stations, width: Width) -> Rows {
     fill(program, program.fused(), states, stations, width, sized(Vec::new(), program, stations), |_, _| {})
 }
 
-/// Columns for a program's answers at all stations, in the memory of `used` ones.
+/// Columns for a program's answers at all stations, in the memory of `used`.
 pub(super) fn sized(used: Vec<Vec<f64>>, program: &Program, stations: &Stations) -> Vec<Vec<f64>> {
     let mut columns = used;
     columns.resize_with(program.columns.len(), Vec::new);
@@ -151,10 +154,12 @@ pub(super) fn sized(used: Vec<Vec<f64>>, program: &Program, stations: &Stations)
     columns
 }
 
-/// Up to so many stations looking for change points on the way costs less than searching for them beforehand.
+/// The greatest number of stations for which watching for change points during the run costs less
+/// than searching for them beforehand.
 const WATCHED: usize = 4096;
 
-/// Runs a program over all stations, on the other branches of its joints beyond change points; and a note for each of these.
+/// Runs a program over all stations, on the other branches of its joints beyond change points;
+/// returns one note for each of these.
 pub(super) fn run_on_branches<C: DerefMut<Target = [f64]>>(
     program: &Program,
     placed: &Placed,
@@ -191,8 +196,9 @@ pub(super) fn run_on_branches<C: DerefMut<Target = [f64]>>(
     (rows, notes)
 }
 
-/// Runs a program on the branches of the instant and looks on the way at the crossings of the joints that may have a change point: most
-/// mechanisms come nowhere near one, and need not be searched for it. Whether there may be one.
+/// Runs a program on the branches of the instant and watches the crossings of the joints that may
+/// have a change point: most mechanisms come nowhere near one and need no search. Returns `true` if
+/// there may be one.
 fn run_watched<C: DerefMut<Target = [f64]>>(program: &Program, stations: &Stations, width: Width, columns: Vec<C>) -> (Rows<C>, bool) {
     let near = AtomicBool::new(false);
     let fused = program.fused_watched();
@@ -207,19 +213,21 @@ fn run_watched<C: DerefMut<Target = [f64]>>(program: &Program, stations: &Statio
     (rows, near.into_inner())
 }
 
-/// Below so many numbers in registers, some hundred microseconds, a sweep is not worth other threads: waking them takes as long.
+/// The count of numbers in registers (some hundred microseconds) below which a sweep runs on one
+/// thread: waking others takes as long.
 const ALONE: usize = 1 << 19;
 
-/// Chunks that a thread takes at once.
+/// The number of chunks that a thread takes at once.
 const STRETCH: usize = 16;
 
 thread_local! {
-    /// The registers of the last sweep on this thread: those of the next one need no new memory.
+    /// The registers of the last sweep on this thread, so that the next one needs no new memory.
     static REGISTERS: RefCell<Buffer> = RefCell::default();
 }
 
-/// Runs a program in one of its forms over all stations into columns of their length. `states`: its followed links at each station.
-/// `seen` sees the registers of each chunk, and how many positions it has.
+/// Runs a program in one of its forms over all stations into columns of their length. `states` are
+/// its followed links at each station. `seen` receives the registers of each chunk and its number
+/// of positions.
 pub(super) fn fill<C: DerefMut<Target = [f64]>>(
     program: &Program,
     fused: &Fused,
@@ -239,10 +247,10 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
     let together = fused.positions();
     let found: Vec<Option<Reg>> = program.columns.iter().map(|c| fused.place(*c)).collect();
     let [straight, copied] = [true, false].map(|straight| fused.answers(&found, straight));
-    // Where nothing has to be filled in, and no answer is what is given.
+    // True if nothing has to be filled in and no answer is an input.
     let whole = states.is_none() && !found.iter().flatten().any(|r| INPUTS.contains(r));
     let alone = n * fused.registers < ALONE || rayon::current_num_threads() == 1;
-    // The parts of the columns that are filled by one thread at a time.
+    // The parts of the columns that one thread fills at a time.
     let stretch = if alone { n.max(1) } else { STRETCH * together };
     let mut parts: Vec<Vec<&mut [f64]>> = (0..n.div_ceil(stretch)).map(|_| Vec::with_capacity(columns.len())).collect();
     for column in &mut columns {
@@ -259,7 +267,7 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
         }
         fused.run(buffer, width);
     };
-    // The rows of a stretch that are lost, and whether that is sure.
+    // The lost rows of a stretch, each with `true` if the loss is certain.
     let one_stretch = |buffer: &mut Buffer, (number, part): (usize, &mut Vec<&mut [f64]>)| -> Vec<(usize, bool)> {
         let mut lost = Vec::new();
         let (first, end) = (number * stretch, n.min((number + 1) * stretch));
@@ -278,8 +286,9 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
             if buffer.hand_out(answers, places(part, &here), width) {
                 continue;
             }
-            // A row that misses its closure by more than rounding is certainly without a position: the general solver is not asked. A
-            // program of answers alone does not hold the closures; they are computed again, for the lost rows only.
+            // A row that misses its closure by more than rounding certainly has no position: the
+            // general solver is not asked. A program of answers alone does not hold the closures;
+            // they are computed again, for the lost rows only.
             let closures = program.fused_crossings();
             let mut looked = closures.buffer();
             run(closures, &mut looked, &rows);
@@ -308,7 +317,7 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
     Rows { columns, missing, open }
 }
 
-/// Some rows of the columns of a part.
+/// The given rows of a part's columns.
 fn places<'a>(part: &'a mut [&mut [f64]], rows: &Range<usize>) -> impl Iterator<Item = &'a mut [f64]> {
     part.iter_mut().map(|numbers| &mut numbers[rows.clone()])
 }
@@ -319,7 +328,8 @@ mod tests {
     use hodograph_mechanism::mechanism::Mechanism;
     use hodograph_scene::{Angle, edit, read, templates};
 
-    /// Where a four-bar that cannot turn surely does not close, the general solver is not asked, whatever the program is joined to.
+    /// A four-bar that cannot turn certainly does not close over a part of the turn: the general
+    /// solver is not asked there, even if the program contains other groups.
     #[test]
     fn what_surely_misses_is_not_solved_again() {
         let text = templates::instantiate("crank-rocker", &[("l_AB", "240")]).unwrap();

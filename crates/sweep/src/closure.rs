@@ -1,17 +1,20 @@
-//! Positions of the dyads as kernels: two circles, circle and line, two lines, the lever over a pin.
+//! Kernels of the dyads' positions: two circles, circle and line, two lines, the lever over a pin.
 //!
-//! The closures of [`hodograph_mechanism::position::kernel`], each with its branch fixed by a sign and written over [`Lane`]. Where two
-//! loci do not meet the result is NaN; what rounding explains is a touch, by the same rule as there.
+//! These are the closures of [`hodograph_mechanism::position::kernel`], each with its branch fixed
+//! by a sign and written over [`Lane`]. Where two loci do not meet the result is NaN; a miss within
+//! rounding counts as a touch, by the same rule as there.
 
 use super::kernel::{Kernel, Pair, Reg};
 use super::lane::Lane;
 use hodograph_base::geom::Vec2;
 
-/// Rounding slack of a radicand, relative to its terms: see [`hodograph_mechanism::position::kernel`], whose rule this is.
+/// Rounding slack of a radicand, relative to its terms; the rule is that of
+/// [`hodograph_mechanism::position::kernel`].
 pub(super) const TOUCH: f64 = 8.0 * f64::EPSILON;
 
-/// The two factors whose product is the radicand of a closure, and the size of their terms. Both vanish where the joint's
-/// links (or a link and the normal of its guide) come into line; smooth functions of the driver on either side of that.
+/// The two factors of a closure's radicand, and the size of their terms. Both vanish where the
+/// joint's links (or a link and the normal of its guide) come into line, and are smooth functions
+/// of the driver on either side of that.
 pub struct Margin<N> {
     /// Positive while the loci are near enough to meet.
     pub outer: N,
@@ -19,19 +22,21 @@ pub struct Margin<N> {
     pub inner: N,
     /// The size of the terms of both.
     pub terms: N,
-    /// What the product of both is where the loci cross squarely: it over this is sin² of their crossing.
+    /// The product of both factors where the loci cross squarely; the product divided by this is
+    /// sin² of the crossing angle.
     pub full: N,
 }
 
 impl<N: Lane> Margin<N> {
-    /// sin² of the angle under which the loci cross, the transmission angle of the group: smooth in the driver's position,
-    /// negative where they miss each other, with a double zero where they only touch.
+    /// Returns sin² of the angle under which the loci cross, the transmission angle of the group.
+    /// It is smooth in the driver's position, negative where the loci miss each other, with a
+    /// double zero where they only touch.
     #[inline(always)]
     pub fn crossing(&self) -> N {
         self.outer * self.inner / self.full
     }
 
-    /// The root of the product of both; NaN where the loci miss each other.
+    /// Returns the root of the product of both factors; NaN where the loci miss each other.
     #[inline(always)]
     fn root(&self) -> N {
         let slack = self.terms * TOUCH;
@@ -39,9 +44,9 @@ impl<N: Lane> Margin<N> {
     }
 }
 
-/// A closure that can miss.
+/// A closure whose loci can miss each other.
 pub trait Closure<const IN: usize> {
-    /// By how much it does not.
+    /// Returns the margin by which the loci meet.
     fn margin<N: Lane>(&self, x: [N; IN]) -> Margin<N>;
 }
 
@@ -49,11 +54,11 @@ pub trait Closure<const IN: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing<K>(pub K);
 
-/// Of two circles.
+/// The crossing of two circles.
 pub type CirclesCrossing = Crossing<Circles>;
-/// Of circle and line.
+/// The crossing of a circle and a line.
 pub type CircleLineCrossing = Crossing<CircleLine>;
-/// Of a lever over a pin.
+/// The crossing of a lever over a pin.
 pub type LeverCrossing = Crossing<Lever>;
 
 macro_rules! crossings {
@@ -73,19 +78,20 @@ macro_rules! crossings {
 }
 crossings!(Circles: 6 to 3, CircleLine: 7 to 2, Lever: 4 to 2);
 
-/// The meeting point of two circles, to the left (`sign` 1) or right (−1) of the line from the first centre to the second;
-/// and det = u × w of the arms u, w from the centres to it: twice the signed area of the triangle.
+/// The meeting point of two circles, to the left (`sign` 1) or right (−1) of the line from the
+/// first centre to the second, and det = u × w of the arms u, w from the centres to it: twice the
+/// signed area of the triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circles {
-    /// First centre.
+    /// The first centre.
     pub a: Pair,
-    /// First radius.
+    /// The first radius.
     pub r: Reg,
-    /// Second centre.
+    /// The second centre.
     pub b: Pair,
-    /// Second radius.
+    /// The second radius.
     pub s: Reg,
-    /// Which of the two.
+    /// The branch: 1 or −1.
     pub sign: f64,
 }
 
@@ -120,19 +126,19 @@ impl Kernel<6, 3> for Circles {
     }
 }
 
-/// The meeting point of a circle and a line, ahead (`sign` 1) or behind along the line's direction, as the coordinate along
-/// the line counted from the foot of the centre, and the point.
+/// The meeting point of a circle and a line, ahead (`sign` 1) or behind along the line's direction:
+/// the coordinate along the line counted from the foot of the centre, and the point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CircleLine {
-    /// Centre.
+    /// The centre.
     pub a: Pair,
-    /// Radius.
+    /// The radius.
     pub r: Reg,
     /// A point of the line.
     pub q: Pair,
     /// Its unit direction.
     pub t: Pair,
-    /// Which of the two.
+    /// The branch: 1 ahead, −1 behind.
     pub sign: f64,
 }
 
@@ -187,21 +193,23 @@ impl Kernel<8, 2> for Lines {
     }
 }
 
-/// A lever on a pivot whose straight slot runs over a pin: its unit direction in the plane, times the complex constant `k`.
+/// A lever on a pivot with a straight slot over a pin: the slot's unit direction in the plane,
+/// times the complex constant `k`.
 ///
-/// In the lever the slot lies `h` to the left of the parallel to it through the pivot, and the pin at ±w + h i along it,
-/// w² = |AB|² − h². So the slot's direction is t = AB/(±w + h i) = AB (±w − h i)/|AB|².
+/// In the lever's axes the slot runs `h` to the left of the parallel through the pivot, and the pin
+/// is at ±w + h i, w² = |AB|² − h². The slot's direction is therefore t = AB/(±w + h i) = AB (±w −
+/// h i)/|AB|².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lever {
-    /// Pivot.
+    /// The pivot A.
     pub a: Pair,
-    /// Pin.
+    /// The pin B.
     pub b: Pair,
-    /// Offset of the slot.
+    /// The offset of the slot.
     pub h: f64,
-    /// Whether the pin lies ahead of the pivot (1) or behind it (−1).
+    /// 1 if the pin is ahead of the pivot, −1 if it is behind it.
     pub sign: f64,
-    /// What of the lever is wanted, seen from the slot's direction.
+    /// The complex factor that turns the slot's direction into the wanted direction of the lever.
     pub k: [f64; 2],
 }
 

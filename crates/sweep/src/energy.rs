@@ -1,10 +1,11 @@
-//! Balancing moment over a turn of the driver: its mean, the surplus of energy, the flywheel.
+//! The balancing moment over a turn of the driver: its mean, the surplus of energy, the flywheel.
 //!
-//! A constant moment on the driver equal to the mean of the balancing moment M_b does the work of a whole period; the surplus is
-//! E(φ) = ∫ (mean − M_b) dφ. Its greatest difference ΔW is what a flywheel takes up and gives back, J_F = ΔW / (ω² δ).
+//! A constant moment on the driver equal to the mean of the balancing moment M_b does the work of a
+//! whole period; the surplus is E(φ) = ∫ (mean − M_b) dφ. A flywheel absorbs and returns its
+//! greatest difference ΔW, J_F = ΔW / (ω² δ).
 //!
-//! Loads that act over a part of a stroke make M_b jump, and diagrams give it corners: these places are located first, and the stretches between
-//! them are integrated by Gauss' rule of eight points.
+//! Loads that act over a part of a stroke make M_b jump, and diagrams give it corners. These places
+//! are located first, and Gauss' rule of eight points integrates the stretches between them.
 //!
 //! # Source
 //! 孙桓, 陈作模, 葛文杰: 机械原理, ch. 7; R. L. Norton, *Design of Machinery*, ch. 11.
@@ -23,32 +24,33 @@ use hodograph_mechanism::position;
 use hodograph_scene::with_driver_at;
 use std::f64::consts::TAU;
 
-/// Work of the balancing moment over a period.
+/// The work of the balancing moment over a period.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Energy {
-    /// Period (rad) of the driver.
+    /// The period of the driver (rad).
     pub period: f64,
-    /// Mean balancing moment (N·m).
+    /// The mean balancing moment (N·m).
     pub mean: f64,
-    /// The driver's angle (rad) at which the surplus is least, so that it runs slowest.
+    /// The driver's angle at which the surplus is least, so that the driver runs slowest (rad).
     pub slowest: f64,
-    /// The driver's angle (rad) at which it runs fastest.
+    /// The driver's angle at which it runs fastest (rad).
     pub fastest: f64,
-    /// Greatest difference of the surplus, ΔW (J).
+    /// The greatest difference of the surplus, ΔW (J).
     pub surplus: f64,
 }
 
 impl Energy {
-    /// Moment of inertia (kg·m²) of the flywheel on the driver's shaft that keeps the coefficient of speed fluctuation δ at a mean speed ω (rad/s).
+    /// Returns the moment of inertia (kg·m²) of the flywheel on the driver's shaft that keeps the
+    /// coefficient of speed fluctuation δ at a mean speed ω (rad/s).
     pub fn flywheel(&self, omega: f64, delta: f64) -> f64 {
         self.surplus / (omega * omega * delta)
     }
 }
 
-/// Stretches in a turn before jumps are located.
+/// The number of stretches in a turn before jumps are located.
 const PANELS: usize = 72;
 
-/// An angle (rad) is located to this.
+/// The tolerance to which an angle is located (rad).
 const NARROW: f64 = 1e-14 * TAU;
 
 /// Nodes and weights of Gauss' rule of eight points on −1..1.
@@ -68,7 +70,8 @@ fn nodes(a: f64, b: f64) -> [(f64, f64); 8] {
     })
 }
 
-/// The angle up to which something holds, between one at which it does and one at which it does not.
+/// The angle up to which a condition holds, between one at which it does and one at which it does
+/// not.
 fn halved([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> Result<bool, Faults>) -> Result<f64, Faults> {
     while high - low > NARROW {
         let middle = 0.5 * (low + high);
@@ -80,7 +83,7 @@ fn halved([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> Result<bool, Fau
     Ok(0.5 * (low + high))
 }
 
-/// The balancing moment and the stretches of the loads at a driver's angle.
+/// The balancing moment, and the stretches of the loads, as functions of the driver's angle.
 struct Moment<'a> {
     placed: &'a Placed<'a>,
     driver: usize,
@@ -119,7 +122,7 @@ impl Moment<'_> {
         let places: Vec<f64> = (0..count).flat_map(|k| nodes(edge(k), edge(k + 1)).map(|n| n.0)).collect();
         let kinds = places.iter().map(|x| Ok(self.at(*x)?.1)).collect::<Result<Vec<_>, Faults>>()?;
         for k in 0..places.len() {
-            // After the last place the first comes again.
+            // The first place follows the last.
             let next = (k + 1) % places.len();
             let to = places[next] + if next == 0 { period } else { 0.0 };
             if kinds[next] != kinds[k] {
@@ -137,7 +140,8 @@ impl Moment<'_> {
     }
 }
 
-/// Mean balancing moment and surplus of energy over a period of a driver that turns fully; `None` for one that does not.
+/// Returns the mean balancing moment and the surplus of energy over a period of a driver that turns
+/// fully; `None` for a driver that does not.
 ///
 /// # Errors
 /// Those of [`limits`]; a position in which the moment has no value.
@@ -153,7 +157,7 @@ pub fn energy(placed: &Placed, driver: usize) -> Result<Option<Energy>, Faults> 
     let parts = moment.parts(start, period, count)?;
     let works = parts.iter().map(|part| moment.work(*part)).collect::<Result<Vec<f64>, _>>()?;
     let mean = works.iter().sum::<f64>() / period;
-    // Surplus at the ends of the parts, and where M_b passes its mean.
+    // The surplus at the ends of the parts, and where M_b passes its mean.
     let mut surplus: Vec<(f64, f64)> = Vec::new();
     let mut so_far = 0.0;
     for ([a, b], work) in parts.iter().zip(&works) {

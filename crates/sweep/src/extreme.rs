@@ -1,8 +1,10 @@
-//! What a driver's whole motion comes to: extreme positions of the outputs, strokes, time ratios, Grashof's type.
+//! The whole motion of a driver: extreme positions of the outputs, strokes, time ratios, Grashof's
+//! type.
 //!
-//! An output is a link pinned to ground, or a pin or slider that runs along a straight guide on ground, and is not driven
-//! itself. Its extremes are the zeros of its rate ([`swing`](super::swing)), the driver running at unit speed. Where it stands still the mechanism
-//! is in a dead centre if it is driven from there.
+//! An output is a link pinned to ground, or a pin or slider on a straight guide on ground, that is
+//! not driven itself. Its extremes are the zeros of its rate ([`swing`](super::swing)) with the
+//! driver running at unit speed. Where the output has no velocity, the mechanism is in a dead
+//! centre if it is driven from there.
 
 use super::chunks::{Rows, run_parts, run_program};
 use super::compile::outputs;
@@ -21,56 +23,58 @@ use hodograph_scene::{Angle, Given, GuideId, GuidePath, LinkId, Place, PointId, 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// What moves at the other end of the mechanism.
+/// The output at the other end of the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Output {
     /// A link that turns about a pivot on ground: its angle (rad).
     Turning(LinkId),
-    /// What runs along a straight guide on ground: its coordinate from the guide's start (m).
+    /// A point or slider on a straight guide on ground: its coordinate from the guide's start (m).
     Sliding(GuideId),
 }
 
 /// An extreme position of an output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extreme {
-    /// Position of the driver (rad or m).
+    /// The position of the driver (rad or m).
     pub driver: f64,
-    /// Where the output goes on, if it dwells there; the driver's position then begins the dwell.
+    /// The driver's position at the end of a dwell, if the output dwells there; `driver` is then
+    /// its beginning.
     pub until: Option<f64>,
-    /// Position of the output (rad or m); angles run on without jumps.
+    /// The position of the output (rad or m); angles are continuous.
     pub output: f64,
-    /// Whether it is one because the driver itself goes no farther.
+    /// True if the output is extreme because the driver itself is at a limit.
     pub at_limit: bool,
 }
 
-/// An output over the whole motion.
+/// The extremes and the stroke of an output over the whole motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Swing {
-    /// Which.
+    /// The output.
     pub output: Output,
     /// Its extremes in the order of the driver's positions.
     pub extremes: Vec<Extreme>,
-    /// From the lowest to the highest position (rad or m); `None` where it turns fully, or the driver has no end.
+    /// The difference of the lowest and the highest position (rad or m); `None` if the output turns
+    /// fully or the driver has no end.
     pub stroke: Option<f64>,
-    /// The crank angle of the slower of two strokes over that of the faster one, without the dwells between them; where a full turn has just two
-    /// extremes.
+    /// The crank angle of the slower of two strokes divided by that of the faster one, without the
+    /// dwells between them; only where a full turn has exactly two extremes.
     pub time_ratio: Option<f64>,
 }
 
 /// The smallest transmission angle of a group.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transmission {
-    /// Its links.
+    /// The links of the group.
     pub links: Vec<LinkId>,
-    /// The pin at which they meet, if it is one.
+    /// The pin at which they meet, if it is a pin.
     pub pin: Option<PointId>,
     /// The angle (rad, at most 90°).
     pub angle: f64,
-    /// Where it is.
+    /// The driver's position there (rad or m).
     pub driver: f64,
 }
 
-/// The type of a four-bar by Grashof's rule, as seen from its driver.
+/// The type of a four-bar by Grashof's rule, seen from its driver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Grashof {
     /// The driver turns fully, the output swings.
@@ -81,16 +85,18 @@ pub enum Grashof {
     DoubleCrank,
     /// The coupler turns fully, both others swing.
     DoubleRocker,
-    /// No link turns fully: shortest and longest together are longer than the two others.
+    /// No link turns fully: the sum of the shortest and the longest is greater than that of the two
+    /// others.
     TripleRocker,
-    /// Shortest and longest together are as long as the two others: it comes into line.
+    /// The shortest and the longest together are as long as the two others: the links come into
+    /// line.
     ChangePoint,
 }
 
-/// Everything about the motion as a whole.
+/// The limits, outputs and type of the whole motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limits {
-    /// How far the driver goes.
+    /// The range of the driver.
     pub range: Range,
     /// The outputs.
     pub swings: Vec<Swing>,
@@ -98,23 +104,24 @@ pub struct Limits {
     pub transmission: Vec<Transmission>,
     /// The type of a four-bar with its lengths: driver, coupler, output, frame (m).
     pub grashof: Option<(Grashof, [f64; 4])>,
-    /// After how many turns of a driver that turns fully everything stands as it did: one; more with what rolls, or where a joint meets an odd
-    /// number of change points on a turn; 0: never.
+    /// The number of turns of a fully turning driver after which the pose recurs: 1; more with
+    /// rolling links, or where a joint meets an odd number of change points in a turn; 0 if it
+    /// never recurs.
     pub turns: u64,
-    /// The turns that were looked through for extremes: those, or one where they are too many.
+    /// The number of turns searched for extremes: `turns`, or 1 if they are too many.
     pub seen: u64,
 }
 
-/// Most turns whose extremes are listed.
+/// The greatest number of turns whose extremes are listed.
 pub(super) const MOST_TURNS: u64 = 12;
 
-/// Samples over the whole motion, between which a rate changes its sign at most once.
+/// The number of samples over the whole motion, between which a rate changes its sign at most once.
 const SAMPLES: usize = 720;
 
-/// An angle of 90° to what rounding leaves of its sine.
+/// An angle of 90° within the rounding of its sine.
 const SQUARE: f64 = std::f64::consts::FRAC_PI_2 - 1e-7;
 
-/// The limits of a scene for one of its drivers; the others stand.
+/// Returns the limits of a scene for one of its drivers; the others are at rest.
 ///
 /// # Errors
 /// A scene that cannot be placed; a driver that the scene does not have.
@@ -127,12 +134,12 @@ pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Lim
     }
     let program = match outputs(scene, mechanism, &placed.at, driver, &found) {
         Ok(program) => program,
-        // A group without a compiled form, or one that lies on it.
+        // A group without a compiled form, or a group connected to one.
         Err(_) => return Ok(walked(&placed, driver, &found)),
     };
     let range = range(program.clone(), &placed, driver);
     let turning = range.full() && program.angular;
-    // After as many turns again every joint is back on its branch.
+    // After twice as many turns every joint is back on its branch.
     let turns = if turning { program.turns * if range.flipped() { 2 } else { 1 } } else { 1 };
     let seen = if turning { turns_seen(turns) } else { 1 };
     let span = if turning { [range.now, range.now + TAU * seen as f64] } else { range.bounds() };
@@ -141,7 +148,7 @@ pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Lim
     let probe = Probe::of(program.clone(), &placed, driver);
     let joints = program.joints.iter().zip(probe.transmission(span[0], span[1]));
     let transmission = joints
-        // A lever is pushed squarely everywhere.
+        // A lever has a transmission angle of 90° everywhere.
         .filter(|(_, (at, angle))| at.is_finite() && *angle < SQUARE)
         .map(|(j, (at, angle))| Transmission { links: j.links.clone(), pin: j.pin, angle, driver: at })
         .collect();
@@ -149,7 +156,8 @@ pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Lim
     Ok(Limits { range, swings, transmission, grashof, turns, seen })
 }
 
-/// Where a driver ends downward and upward, the others standing; `None` where nothing stops it.
+/// Returns the lower and upper end of a driver's travel, the others at rest; `None` where nothing
+/// stops it.
 ///
 /// # Errors
 /// Those of [`limits`].
@@ -158,12 +166,13 @@ pub fn ends(scene: &Scene, driver: usize) -> Result<[Option<f64>; 2], Faults> {
     Ok(limits(scene, &mechanism, driver)?.range.ends.map(|end| end.map(|event| event.value)))
 }
 
-/// The turns that are looked through of a motion that comes again after so many.
+/// The turns to search of a motion whose pose recurs after `turns`.
 pub(super) fn turns_seen(turns: u64) -> u64 {
     if (1..=MOST_TURNS).contains(&turns) { turns } else { 1 }
 }
 
-/// The scene with one driver running at unit speed, so that rates are derivatives by its position; the others stand.
+/// The scene with one driver running at unit speed, so that rates are derivatives by its position;
+/// the others are at rest.
 fn at_unit_speed(scene: &Scene, driver: usize) -> Result<Scene, Faults> {
     let mut scene = scene.clone();
     let Some(d) = scene.drivers.get_mut(driver) else {
@@ -176,14 +185,15 @@ fn at_unit_speed(scene: &Scene, driver: usize) -> Result<Scene, Faults> {
     Ok(scene)
 }
 
-/// The scene with its driver at some position where it can be assembled, where nothing in the scene says at which: the whole motion
-/// is looked through from there. The scene itself where there is none, or where it is told.
+/// The scene with its driver at a position where it can be assembled, if the scene gives the driver
+/// no position: the whole motion is searched from there. Returns the scene unchanged if it gives a
+/// position, or if it can be assembled nowhere.
 fn posed(scene: Scene, mechanism: &Mechanism, driver: usize) -> Scene {
     let silent = |f: &Faults| f.list.iter().all(|d| d.code == "driver-without-position");
     if placed(&scene, mechanism).err().is_none_or(|faults| !silent(&faults)) {
         return scene;
     }
-    // A slider or a cylinder goes no farther than all lengths together.
+    // A slider or a cylinder travels no farther than the sum of all lengths.
     let lengths = scene.lengths.iter().map(|l| l.value.value);
     let coordinates = scene.points.iter().filter_map(|p| match &p.place {
         Place::At([x, y]) => Some(libm::hypot(x.value, y.value)),
@@ -208,10 +218,10 @@ fn posed(scene: Scene, mechanism: &Mechanism, driver: usize) -> Scene {
     parts.map(at).find(|s| placed(s, mechanism).is_ok()).unwrap_or(scene)
 }
 
-/// Positions at each side of zero that are tried as a start: 5° of a turn.
+/// The number of starting positions tried at each side of zero: 5° of a turn.
 const STARTS: usize = 36;
 
-/// All of a scene placed.
+/// Places the whole scene, all groups included.
 fn placed<'a>(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<Placed<'a>, Faults> {
     let none = Demand { groups: vec![None; mechanism.groups.len()], level: Default::default(), needs: Vec::new() };
     let demand = none.with_all_positions();
@@ -219,7 +229,7 @@ fn placed<'a>(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<Placed<'a>, 
     Ok(Placed { scene, mechanism, demand, at, ends: Ends::default() })
 }
 
-/// The same limits without a compiled program, for comparison.
+/// Returns the limits without a compiled program, for comparison.
 #[cfg(test)]
 pub(super) fn limits_walked(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Limits, Faults> {
     let scene = &at_unit_speed(scene, driver)?;
@@ -227,7 +237,7 @@ pub(super) fn limits_walked(scene: &Scene, mechanism: &Mechanism, driver: usize)
     Ok(walked(&placed, driver, &outputs_of(scene, mechanism, driver)))
 }
 
-/// The same for a mechanism that is followed: no transmission angle and no change point is looked for.
+/// The limits of a mechanism that is followed, without transmission angles and change points.
 fn walked(placed: &Placed, driver: usize, found: &[Output]) -> Limits {
     let now = position_now(placed.scene, &placed.at, driver);
     let follower = Follower::new(placed.scene, placed.mechanism, &placed.demand, &placed.at, driver);
@@ -269,7 +279,8 @@ fn outputs_of(scene: &Scene, m: &Mechanism, driver: usize) -> Vec<Output> {
     out
 }
 
-/// The driver's positions at which cams go from one stage or piece to the next, each with the period after which it comes again (rad).
+/// The driver's positions at which cams pass from one stage or piece to the next, each with the
+/// period after which it recurs (rad).
 fn joints(scene: &Scene, driver: usize) -> Vec<[f64; 2]> {
     let turned = scene.cams.iter().filter_map(|c| c.disc.as_ref()).filter(|t| t.driver == driver);
     let of = |t: &Turning| -> Vec<[f64; 2]> {
@@ -282,7 +293,7 @@ fn joints(scene: &Scene, driver: usize) -> Vec<[f64; 2]> {
     turned.flat_map(of).collect()
 }
 
-/// Columns of an output in the program: position, rate, acceleration.
+/// The column of an output in the program: position, rate or acceleration.
 fn column(rows: &Rows, output: usize, level: usize) -> &[f64] {
     &rows.columns[3 * output + level]
 }
@@ -316,7 +327,8 @@ fn swings(
     found.iter().enumerate().map(|(k, output)| swing(*output, of(k), &rows.missing, &course, &|x| at(x, k))).collect()
 }
 
-/// The type of a four-bar: a crank on ground, a bar from it, and a bar from ground that meet in one pin.
+/// The type of a four-bar: a crank on ground, a bar from it, and a bar from ground that meet in one
+/// pin.
 fn grashof(placed: &Placed, driver: usize) -> Option<(Grashof, [f64; 4])> {
     let (scene, m) = (placed.scene, placed.mechanism);
     let (crank, against) = scene.drivers[driver].kind.turned()?;
@@ -350,12 +362,13 @@ fn grashof(placed: &Placed, driver: usize) -> Option<(Grashof, [f64; 4])> {
     Some((grashof_of(lengths), lengths))
 }
 
-/// The type of a four-bar of these lengths: driver, coupler, output, frame.
+/// Returns the type of a four-bar of these lengths: driver, coupler, output, frame.
 pub fn grashof_of(lengths: [f64; 4]) -> Grashof {
     let shortest = (0..4).fold(0, |best, k| if lengths[k] < lengths[best] { k } else { best });
     let (least, most) = (lengths[shortest], lengths.iter().copied().fold(0.0, f64::max));
     let excess = 2.0 * (least + most) - lengths.iter().sum::<f64>();
-    // What a person writes is equal to ten digits: a sum that differs by rounding is none.
+    // Lengths that a person writes agree to ten digits: a sum that differs by rounding counts as
+    // equal.
     if excess.abs() <= 1e-12 * most {
         Grashof::ChangePoint
     } else if excess > 0.0 {

@@ -1,4 +1,5 @@
-//! Single positions by the general solvers, where a program has no value; and the messages about rows and limits.
+//! Single positions by the general solvers, where a program has no value, and the messages about
+//! rows and limits.
 
 use super::Placed;
 use super::follow::whole::Whole;
@@ -15,7 +16,7 @@ use hodograph_scene::{Find, Kind, Lang, LinkId, Scene};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// The general way to single rows of a sweep.
+/// Solves single rows of a sweep by the general solvers.
 pub(super) struct General<'a> {
     placed: &'a Placed<'a>,
     driver: usize,
@@ -31,7 +32,7 @@ impl<'a> General<'a> {
         self.placed.scene
     }
 
-    /// The scene where it stands at the instant.
+    /// The scene placed at the instant.
     pub fn placed(&self) -> &'a Placed<'a> {
         self.placed
     }
@@ -46,19 +47,20 @@ impl<'a> General<'a> {
         with_driver_at(self.placed.scene, self.driver, stations.place(row, self.placed.scene, self.driver))
     }
 
-    /// Whether every station is where closed forms put it on the closures of the instant.
+    /// True if closed forms solve every station, with the closures of the instant.
     pub fn is_closed_everywhere(&self) -> bool {
         self.placed.scene.is_told_everywhere() && !Whole::new(self.placed, self.driver).counts_turns()
     }
 
-    /// Whether a cam's contact is right at the instant only, with no driver for it; then each position is that of the scene as it is read there.
+    /// True if a cam's contact is valid at the instant only, with no driver to replace it; then
+    /// each position is that of the scene read again with the driver there.
     pub fn is_read_again(&self) -> bool {
         let scene = self.placed.scene;
         scene.source.is_some() && scene.is_told_everywhere() && scene.kept_cams().next().is_some()
     }
 
-    /// One row by the position solver, with the closures of the instant, and the loop equations; at a change point one for
-    /// each way on.
+    /// Solves one row by the position solver, with the closures of the instant, and the loop
+    /// equations; at a change point returns one row for each way on.
     pub fn solve(&self, stations: &Stations, row: usize) -> Result<Vec<Vec<f64>>, Faults> {
         let p = self.placed;
         let scene = self.scene_at(stations, row);
@@ -67,10 +69,12 @@ impl<'a> General<'a> {
             let there = Afresh::of(&scene, &|_| None)?;
             return Ok(vec![scene.find.iter().map(|f| there.answer(f)).collect::<Result<Vec<_>, _>>()?.concat()]);
         }
-        // Closed forms do not tell on which turn wheels stand, nor the pose beside one that is given by coordinates.
+        // Closed forms do not give the turn of wheels, nor the pose near one that is given by
+        // coordinates.
         if self.is_closed_everywhere() {
             let told = self.answers(&scene, &position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?);
-            // A group without closed forms is only refined from the instant, which far from it leads to no position.
+            // A group without closed forms is only refined from the instant, which leads to no
+            // position far from it.
             if !told.as_ref().is_err_and(stated::is_unproven) {
                 return told;
             }
@@ -78,12 +82,13 @@ impl<'a> General<'a> {
         self.answers(&scene, &Whole::new(p, self.driver).standing(stations.values[row])?)
     }
 
-    /// One row where everything stands as it does `at`, else by the position solver; one for each way on.
+    /// Solves one row with the configuration `at`, or else by the position solver; one row for each
+    /// way on.
     pub fn ways(&self, stations: &Stations, row: usize, at: Option<&Configuration>) -> Result<Vec<Vec<f64>>, Faults> {
         at.map_or_else(|| self.solve(stations, row), |at| self.answers(&self.scene_at(stations, row), at))
     }
 
-    /// The row of a pose, one for each way on.
+    /// Returns the row of a pose, one for each way on.
     ///
     /// # Errors
     /// A position that is not the scene's.
@@ -98,13 +103,13 @@ impl<'a> General<'a> {
     fn row(&self, scene: &Scene, at: &Configuration, solution: &Solution) -> Result<Vec<f64>, Faults> {
         let mut row = Vec::new();
         let mut afresh = None;
-        // A driver stands for the contact of a cam, of which the scene knows the piece of the instant.
+        // A driver replaces the contact of a cam; the scene knows only the piece of the instant.
         let led = scene.source.is_some() && (0..scene.drivers.len()).any(|d| scene.is_led(d));
         for f in &scene.find {
             let known = if led && f.what.infinite(scene).is_some() { None } else { numbers(scene, at, solution, f) };
             match known {
                 Some(numbers) => row.extend(numbers?),
-                // What is of that contact.
+                // Answers that depend on that contact.
                 None if led => {
                     let there = match afresh.take() {
                         Some(there) => there,
@@ -139,7 +144,7 @@ fn finite(row: Vec<f64>) -> Result<Vec<f64>, Faults> {
     }
 }
 
-/// The scene as it is read for one position.
+/// A scene read again for one position.
 struct Afresh {
     scene: Scene,
     at: Configuration,
@@ -147,7 +152,7 @@ struct Afresh {
 }
 
 impl Afresh {
-    /// Reads a scene whose drivers stand at the position.
+    /// Reads the scene, with its drivers at the position, again.
     fn of(scene: &Scene, place: &dyn Fn(&str) -> Option<[f64; 2]>) -> Result<Afresh, Faults> {
         let scene = scene.read_again(place)?;
         let mechanism = Mechanism::new(&scene)?.value;
@@ -163,7 +168,7 @@ impl Afresh {
     }
 }
 
-/// Refuses a scene whose follower does not get where its cam leads.
+/// Refuses a scene whose follower does not reach the position that its cam demands.
 fn unfollowed(scene: &Scene) -> Result<(), Faults> {
     let Some(cam) = scene.lost_follower() else { return Ok(()) };
     let (cam, follower) = (scene.link_name(cam.cam), scene.link_name(cam.follower));
@@ -172,7 +177,7 @@ fn unfollowed(scene: &Scene) -> Result<(), Faults> {
     Err(Diagnostic::error("limit", message).into())
 }
 
-/// A driver's value for people: `phi_1 = 92.5°`.
+/// A driver's value for readers: `phi_1 = 92.5°`.
 pub(super) fn driver_words(scene: &Scene, driver: usize, value: f64) -> String {
     let (name, kind) = scene.driver_name(driver);
     let turning = kind == Kind::Angle;
@@ -189,7 +194,7 @@ pub(super) fn links_words(scene: &Scene, links: &[LinkId]) -> Both {
     }
 }
 
-/// What a change point is told as.
+/// The note of a change point.
 pub(super) fn change_note(scene: &Scene, driver: usize, change: &Event) -> Diagnostic {
     let (links, at) = (links_words(scene, &change.links), driver_words(scene, driver, change.value));
     Diagnostic::note(
@@ -202,7 +207,7 @@ pub(super) fn change_note(scene: &Scene, driver: usize, change: &Event) -> Diagn
     )
 }
 
-/// What is told of change points that come again as far as a value.
+/// The note of change points that recur as far as a value.
 pub(super) fn again_note(scene: &Scene, driver: usize, until: f64) -> Diagnostic {
     let until = driver_words(scene, driver, until);
     Diagnostic::note(
@@ -214,7 +219,7 @@ pub(super) fn again_note(scene: &Scene, driver: usize, until: f64) -> Diagnostic
     )
 }
 
-/// What a limit of the driver is told as.
+/// The note of a limit of the driver.
 pub(super) fn limit_note(scene: &Scene, driver: usize, limit: &Event) -> Diagnostic {
     let at = driver_words(scene, driver, limit.value);
     let what = limit.toggle.as_ref().map_or_else(
@@ -222,7 +227,7 @@ pub(super) fn limit_note(scene: &Scene, driver: usize, limit: &Event) -> Diagnos
             let pin = limit.pin.map_or(Both::default(), |p| both!(" at {}", "在 {} 处", scene.point_name(p)));
             let links = links_words(scene, &limit.links);
             match limit.links.len() {
-                // A slot, at the end of what it reaches.
+                // A slot at the end of its reach.
                 1 => both!("{} reaches no farther{}", "{}{}不能再够到", links, pin),
                 _ => both!("{} come into line{}", "{}{}共线", links, pin),
             }
@@ -232,13 +237,13 @@ pub(super) fn limit_note(scene: &Scene, driver: usize, limit: &Event) -> Diagnos
     Diagnostic::note("limit", both!("the driver goes no farther than {at}: there {}", "原动件最远到 {at}：{}", what))
 }
 
-/// A run of missing rows, and why the first of them is missing.
+/// A run of missing rows, and the reason why the first of them is missing.
 pub(super) struct Gap {
     pub rows: Range<usize>,
     pub why: Both,
 }
 
-/// The runs of missing rows, the first row of all being the `first` of the sweep.
+/// The runs of missing rows; the number of the first row of all is `first`.
 pub(super) fn runs(missing: &BTreeMap<usize, Faults>, first: usize) -> Vec<Gap> {
     let mut gaps: Vec<Gap> = Vec::new();
     for (i, why) in missing {

@@ -1,7 +1,8 @@
-//! What a compiled operation is: it takes registers and fills the next ones, position by position.
+//! The form of a compiled operation: it reads registers and fills the next ones, position by
+//! position.
 //!
-//! An operation is written as one formula over [`Lane`]; how it is run over a chunk, four lanes wide or one, is decided by
-//! [`super::run`](mod@super::run) for all of them alike.
+//! An operation is written as one formula over [`Lane`]; [`super::run`](mod@super::run) decides for
+//! all of them alike how it runs over a chunk, four lanes wide or one.
 
 use super::lane::Lane;
 
@@ -12,15 +13,15 @@ pub struct Reg(pub u32);
 /// The registers of a vector's two components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pair {
-    /// To the right.
+    /// The component to the right.
     pub x: Reg,
-    /// Up.
+    /// The upward component.
     pub y: Reg,
 }
 
-/// One operation: `IN` numbers to `OUT`.
+/// One operation from `IN` numbers to `OUT` numbers.
 pub trait Kernel<const IN: usize, const OUT: usize>: Copy {
-    /// The registers that it reads.
+    /// The registers that the operation reads.
     fn inputs(&self) -> [Reg; IN];
 
     /// The formula.

@@ -1,47 +1,51 @@
-//! The numbers that a compiled sweep runs over: one position at a time, four side by side, or one with its derivative.
+//! The numbers of a compiled sweep: one position at a time, four side by side, or one with its
+//! derivative.
 //!
-//! A kernel is written once over [`Lane`]. The four lanes of [`fearless_simd`] do the very operations of `f64`, each rounded
-//! by itself and none fused, so that both give the same bits on every machine. [`Dual`] carries the derivative by the
-//! driver along, for Newton's method on what ends a motion.
+//! A kernel is written once over [`Lane`]. The four lanes of [`fearless_simd`] do the very
+//! operations of `f64`, each rounded by itself and none fused, so that both give the same bits on
+//! every machine. [`Dual`] carries the derivative by the driver along, for Newton's method on the
+//! limits of a motion.
 
 use fearless_simd::{Select, Simd, SimdBase, SimdFloat, f64x4};
 use hodograph_base::number::Ring;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// What a number is added to and taken from again to lose all digits behind the point: 1.5·2⁵².
+/// The number 1.5·2⁵²: adding and subtracting it removes all digits behind the point.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
 
 /// A number of a sweep: one or several positions.
 pub trait Lane: Ring + Div<Output = Self> + Mul<f64, Output = Self> + Add<f64, Output = Self> {
-    /// A constant in the numbers of this one.
+    /// Returns a constant as a number of this type.
     fn constant(self, x: f64) -> Self;
 
-    /// The square root; NaN of what is negative.
+    /// Returns the square root; NaN for negative numbers.
     fn sqrt(self) -> Self;
 
-    /// Zero where rounding explains that it is not (|x| ≤ `slack`/4), NaN where it is less than −`slack`, else at least itself.
+    /// Returns zero if the number is zero within rounding (|x| ≤ `slack`/4), NaN if it is less than
+    /// −`slack`, else a number that is at least itself.
     ///
-    /// The rule by which [`hodograph_mechanism::position::kernel`] tells a touch from a miss.
+    /// By this rule [`hodograph_mechanism::position::kernel`] distinguishes a touch from a miss.
     fn touching(self, slack: Self) -> Self;
 
-    /// The number, or zero where it is negative; NaN stays.
+    /// Returns the number, or zero if it is negative; NaN stays.
     fn or_zero(self) -> Self;
 
-    /// The nearest whole number, of numbers below 2⁵¹; its derivative is zero.
+    /// Returns the nearest whole number, for numbers below 2⁵¹; its derivative is zero.
     fn nearest(self) -> Self;
 
-    /// `after` where the number is at least `from`, else, and where it is NaN, `before`.
+    /// Returns `after` if the number is at least `from`, else (and for NaN) `before`.
     fn past(self, from: f64, after: Self, before: Self) -> Self;
 
-    /// The smaller one; `other` where either is NaN.
+    /// Returns the smaller number; `other` if either is NaN.
     fn least(self, other: Self) -> Self;
 
-    /// The root of the radicand of a closure whose smaller factor is `least`: zero where rounding explains that there is a factor, NaN
-    /// where the loci miss each other, for the other factor is positive then. The rule of [`Lane::touching`], in fewer steps: the root
+    /// Returns the root of the radicand of a closure whose smaller factor is `least`: zero where
+    /// that factor is zero within rounding, NaN where the loci miss each other, because the other
+    /// factor is positive then. This is the rule of [`Lane::touching`] in fewer steps: the root
     /// need not wait for it.
     fn root_unless_touching(self, least: Self, slack: Self) -> Self;
 
-    /// Angle of the vector (x, y) = (`x`, `self`), in (−π, π].
+    /// Returns the angle of the vector (x, y) = (`x`, `self`), in (−π, π].
     fn atan2(self, x: Self) -> Self;
 }
 
@@ -146,10 +150,10 @@ impl<S: Simd> Lane for f64x4<S> {
     }
 }
 
-/// Which form of the kernels is run; both give the same bits.
+/// The form of the kernels to run; both give the same bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Width {
-    /// Four positions at once where the machine can (AVX2, found at run time), else one.
+    /// Four positions at once if the machine can (AVX2, found at run time), else one.
     #[default]
     Widest,
     /// One position at a time.
@@ -157,19 +161,19 @@ pub enum Width {
 }
 
 impl Width {
-    /// Four SIMD lanes of the machine, where they are wanted and there.
+    /// Returns four SIMD lanes of the machine, if they are wanted and available.
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     pub(super) fn four(self) -> Option<fearless_simd::Avx2> {
         if self == Width::Widest { fearless_simd::Level::new().as_avx2() } else { None }
     }
 
-    /// Four SIMD lanes of the machine (two by two), where they are wanted and there.
+    /// Returns four SIMD lanes of the machine (two by two), if they are wanted and available.
     #[cfg(target_arch = "aarch64")]
     pub(super) fn four(self) -> Option<fearless_simd::Neon> {
         if self == Width::Widest { fearless_simd::Level::new().as_neon() } else { None }
     }
 
-    /// Other machines run one position at a time.
+    /// Returns `None`: other machines run one position at a time.
     #[cfg(not(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64")))]
     pub(super) fn four(self) -> Option<fearless_simd::Fallback> {
         None
@@ -186,7 +190,7 @@ pub struct Dual {
 }
 
 impl Dual {
-    /// A number that does not change.
+    /// Returns a number that does not change.
     pub fn fixed(value: f64) -> Dual {
         Dual { value, slope: 0.0 }
     }

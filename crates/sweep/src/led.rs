@@ -1,9 +1,12 @@
-//! Followers of cams as kernels: where the cam stands, which piece holds the follower there, and the follower's place and rates.
+//! Kernels of cam followers: the cam's angle, the piece that holds the follower there, and the
+//! follower's position and rates.
 //!
-//! A piece of a profile is a circle or a line on which the follower's point runs in the cam: its pitch curve A|b|² − g·b + h = 0 with
-//! |g|² − 4Ah = 1, where A = 1/2L for an arc (L = ρ + r, K its centre: g = K/L) and A = 0 for a line (−g its outward normal). One closed form then
-//! serves arcs and lines alike, and positions side by side in a chunk may touch different pieces. Place and rates follow from the equation
-//! and its derivatives by the angle θ by which the cam is turned, G = g turned by θ. Laws are polynomials and waves of the angle.
+//! A piece of a profile is a circle or a line on which the follower's point runs in the cam. Its
+//! pitch curve is A|b|² − g·b + h = 0 with |g|² − 4Ah = 1, where A = 1/2L for an arc (L = ρ + r, K
+//! its centre: g = K/L) and A = 0 for a line (−g its outward normal). One closed form then serves
+//! arcs and lines alike, and positions side by side in a chunk may touch different pieces. Position
+//! and rates follow from the equation and its derivatives by the angle θ by which the cam is
+//! turned, G = g turned by θ. Laws are polynomials and waves of the angle.
 
 use super::kernel::{Kernel, Pair, Reg};
 use super::lane::Lane;
@@ -11,14 +14,15 @@ use super::turns::{QUARTER, turned};
 use hodograph_base::geom::Vec2;
 use std::f64::consts::{FRAC_1_PI, TAU};
 
-/// The angle of the cam from the beginning of its first stretch on, in its own sense (rad), in one turn.
+/// The angle of the cam from the beginning of its first stretch, in the cam's own sense, within one
+/// turn (rad).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phase {
-    /// Where the driver stands, of [`super::turns::Quarters`].
+    /// The driver's angle in [`super::turns::Quarters`].
     pub quarters: Pair,
-    /// By how much the angle grows with the driver: ±1, or the ratio of the wheels between the two.
+    /// The rate of the angle by the driver's angle: ±1, or the ratio of the wheels between the two.
     pub sense: f64,
-    /// The angle at which the first stretch begins (rad), less what is seen from one side of joints.
+    /// The angle at which the first stretch begins, less the shift to one side of junctions (rad).
     pub start: f64,
 }
 
@@ -31,23 +35,24 @@ impl Kernel<2, 1> for Phase {
     #[inline(always)]
     fn eval<N: Lane>(&self, [k, r]: [N; 2]) -> [N; 1] {
         let Phase { sense, start, .. } = *self;
-        // Behind wheels a turn of the driver is none of the cam.
+        // With wheels between them, a turn of the driver is not a turn of the cam.
         let m = if sense.abs() == 1.0 { k + (k * 0.25).nearest() * -4.0 } else { k };
         let x = m * (sense * QUARTER[0]) + (m * (sense * QUARTER[1]) + (r * sense + -start));
         [x + (x * (0.5 * FRAC_1_PI) + -0.5).nearest() * -TAU]
     }
 }
 
-/// Four numbers of the piece that is touched: those of the stretches before, or those of one that begins at an angle.
+/// Four numbers of the piece in contact: those of the stretches before, or from an angle on those
+/// of this stretch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stretch {
     /// The angle of the cam.
     pub at: Reg,
-    /// The numbers before.
+    /// The numbers of the stretches before.
     pub before: [Reg; 4],
-    /// Where the stretch begins.
+    /// The angle at which this stretch begins.
     pub from: f64,
-    /// Its numbers.
+    /// The numbers of this stretch.
     pub numbers: [f64; 4],
 }
 
@@ -67,23 +72,24 @@ impl Kernel<5, 4> for Stretch {
     }
 }
 
-/// A translating follower with a round end at P = w + q d in the axes of the carrying link, the cam's centre being the origin, d the direction of
-/// the lift, w = −e d turned by 90°: 2Aq = G·d + S with S² = 1 − (G·d⊥ + 2Ae)².
+/// A translating follower with a round end at P = w + q d in the axes of the carrying link. The
+/// origin is the cam's centre, d the direction of the lift, and w = −e d turned by 90°:
+/// 2Aq = G·d + S with S² = 1 − (G·d⊥ + 2Ae)².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lift {
-    /// A, g, and h of the piece.
+    /// The numbers A, g and h of the piece.
     pub piece: [Reg; 4],
-    /// cos θ, sin θ.
+    /// The components cos θ and sin θ.
     pub turn: Pair,
-    /// +1, or −1 where θ is the opposite of that.
+    /// +1, or −1 if `turn` is that of −θ.
     pub way: f64,
-    /// d.
+    /// The direction d.
     pub direction: Vec2,
-    /// e.
+    /// The offset e.
     pub offset: f64,
-    /// Where the follower's own coordinate stands at q = 0.
+    /// The follower's own coordinate at q = 0.
     pub origin: f64,
-    /// +1 where that grows with q, else −1.
+    /// +1 if that coordinate grows with q, else −1.
     pub out: f64,
 }
 
@@ -94,7 +100,7 @@ impl Kernel<6, 5> for Lift {
         [a, x, y, h, self.turn.x, self.turn.y]
     }
 
-    /// The follower's coordinate, q, G, S.
+    /// Returns the follower's coordinate, q, G, S.
     #[inline(always)]
     fn eval<N: Lane>(&self, [a, gx, gy, h, c, s]: [N; 6]) -> [N; 5] {
         let (d, e) = (self.direction, self.offset);
@@ -104,7 +110,7 @@ impl Kernel<6, 5> for Lift {
         let across = gy * d.x + gx * -d.y;
         let t = across + a * (2.0 * e);
         let root = ((t + 1.0) * (-t + 1.0)).sqrt();
-        // The same root in two forms, neither of which takes nearly equal numbers from each other.
+        // The root in two forms; neither subtracts nearly equal numbers.
         let rest = h + across * e + a * (e * e);
         let (num, den) = (along.past(0.0, along + root, rest + rest), along.past(0.0, a + a, along - root));
         let q = num / den;
@@ -112,20 +118,20 @@ impl Kernel<6, 5> for Lift {
     }
 }
 
-/// Its rates: Sq′ = G⊥·P, Sq″ = 2q′ G⊥·d − G·P − 2Aq′², by the time.
+/// The rates of [`Lift`] by the time: Sq′ = G⊥·P, Sq″ = 2q′ G⊥·d − G·P − 2Aq′².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LiftRate {
-    /// What [`Lift`] fills, from q on.
+    /// The results of [`Lift`], from q on.
     pub lift: [Reg; 4],
-    /// A.
+    /// The number A.
     pub a: Reg,
-    /// d.
+    /// The direction d.
     pub direction: Vec2,
-    /// e.
+    /// The offset e.
     pub offset: f64,
-    /// θ̇, θ̈.
+    /// The rates θ̇ and θ̈.
     pub rates: [f64; 2],
-    /// +1 where the follower's own coordinate grows with q, else −1.
+    /// +1 if the follower's own coordinate grows with q, else −1.
     pub out: f64,
 }
 
@@ -143,29 +149,29 @@ impl Kernel<5, 2> for LiftRate {
         let along = gx * d.x + gy * d.y;
         let across = gy * d.x + gx * -d.y;
         let inverse = a.constant(1.0) / root;
-        // G⊥·P and G·P of P = q d − e d⊥; G⊥·d = −across, G⊥·d⊥ = along.
+        // For P = q d − e d⊥, this computes G⊥·P and G·P; G⊥·d = −across, G⊥·d⊥ = along.
         let q1 = (-(q * across) + along * -e) * inverse;
         let q2 = (q1 * across * -2.0 + (across * e - q * along) - a * q1 * q1 * 2.0) * inverse;
         [q1 * (self.out * w), q2 * (self.out * (w * w)) + q1 * (self.out * acceleration)]
     }
 }
 
-/// A translating follower with a flat face square to its guide: q = K·d + ρ, of which g = K and h = ρ.
+/// A translating follower with a flat face square to its guide: q = K·d + ρ, with g = K and h = ρ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Faced {
-    /// Nothing, K, ρ.
+    /// An unused number, K and ρ.
     pub piece: [Reg; 4],
-    /// cos θ, sin θ.
+    /// The components cos θ and sin θ.
     pub turn: Pair,
-    /// +1, or −1 where θ is the opposite of that.
+    /// +1, or −1 if `turn` is that of −θ.
     pub way: f64,
-    /// d.
+    /// The direction d.
     pub direction: Vec2,
-    /// Where the follower's own coordinate stands at q = 0.
+    /// The follower's own coordinate at q = 0.
     pub origin: f64,
-    /// θ̇, θ̈.
+    /// The rates θ̇ and θ̈.
     pub rates: [f64; 2],
-    /// +1 where the follower's own coordinate grows with q, else −1.
+    /// +1 if the follower's own coordinate grows with q, else −1.
     pub out: f64,
 }
 
@@ -176,7 +182,7 @@ impl Kernel<5, 3> for Faced {
         [x, y, h, self.turn.x, self.turn.y]
     }
 
-    /// The follower's coordinate and its rates.
+    /// Returns the follower's coordinate and its rates.
     #[inline(always)]
     fn eval<N: Lane>(&self, [kx, ky, rho, c, s]: [N; 5]) -> [N; 3] {
         let (d, out, [w, acceleration]) = (self.direction, self.out, self.rates);
@@ -187,21 +193,22 @@ impl Kernel<5, 3> for Faced {
     }
 }
 
-/// An oscillating follower, whose arm has the direction u in the axes of the carrying link: M·u = c with M = A m + N, c = h + f N·P,
-/// N = g turned by θ, P the pivot. With a round end on an arm l: m = 2lP, f = −1/l, of −l times the piece's g and its own h; a face: m = ±P⊥, f = 0.
+/// An oscillating follower. Its arm has the direction u in the axes of the carrying link: M·u = c
+/// with M = A m + N, c = h + f N·P, N = g turned by θ, P the pivot. A round end on an arm l has
+/// m = 2lP, f = −1/l, with −l times the piece's g and its own h; a face has m = ±P⊥, f = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rock {
-    /// A, g, h.
+    /// The numbers A, g and h.
     pub piece: [Reg; 4],
-    /// cos θ, sin θ.
+    /// The components cos θ and sin θ.
     pub turn: Pair,
-    /// +1, or −1 where θ is the opposite of that.
+    /// +1, or −1 if `turn` is that of −θ.
     pub way: f64,
-    /// m.
+    /// The vector m.
     pub m: Vec2,
-    /// f P.
+    /// The vector f P.
     pub pivot: Vec2,
-    /// Which of the two directions.
+    /// The branch: the sign that selects one of the two directions.
     pub sign: f64,
 }
 
@@ -212,7 +219,7 @@ impl Kernel<6, 5> for Rock {
         [a, x, y, h, self.turn.x, self.turn.y]
     }
 
-    /// u, N, and M·u⊥.
+    /// Returns u, N and M·u⊥.
     #[inline(always)]
     fn eval<N: Lane>(&self, [a, gx, gy, h, c, s]: [N; 6]) -> [N; 5] {
         let (m, p) = (self.m, self.pivot);
@@ -227,16 +234,17 @@ impl Kernel<6, 5> for Rock {
     }
 }
 
-/// Its rates: M·u⊥ ψ′ = f N⊥·P − N⊥·u, M·u⊥ ψ″ = −f N·P + N·u − 2ψ′ N⊥·u⊥ + c ψ′², by the time.
+/// The rates of [`Rock`] by the time: M·u⊥ ψ′ = f N⊥·P − N⊥·u,
+/// M·u⊥ ψ″ = −f N·P + N·u − 2ψ′ N⊥·u⊥ + c ψ′².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RockRate {
-    /// What [`Rock`] fills.
+    /// The results of [`Rock`].
     pub rock: [Reg; 5],
-    /// h.
+    /// The number h.
     pub h: Reg,
-    /// f P.
+    /// The vector f P.
     pub pivot: Vec2,
-    /// θ̇, θ̈.
+    /// The rates θ̇ and θ̈.
     pub rates: [f64; 2],
 }
 
@@ -251,7 +259,7 @@ impl Kernel<6, 2> for RockRate {
     fn eval<N: Lane>(&self, [ux, uy, nx, ny, det, h]: [N; 6]) -> [N; 2] {
         let (p, [w, acceleration]) = (self.pivot, self.rates);
         let inverse = h.constant(1.0) / det;
-        // N⊥·v = N × v.
+        // For every v, N⊥·v = N × v.
         let (np, nxp) = (nx * p.x + ny * p.y, nx * p.y + ny * -p.x);
         let (nu, nxu) = (nx * ux + ny * uy, nx * uy - ny * ux);
         let q1 = (nxp - nxu) * inverse;
@@ -260,14 +268,15 @@ impl Kernel<6, 2> for RockRate {
     }
 }
 
-/// A law at the angle of the cam: from the beginning of its stage u = φ − u₀, c₀ + c₁u + c₂u² and its derivatives.
+/// A law of the cam's angle, c₀ + c₁u + c₂u² with its derivatives; u = φ − u₀ counts from the
+/// beginning of the stage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parabola {
-    /// φ.
+    /// The angle φ.
     pub at: Reg,
-    /// u₀, c₀, c₁, c₂.
+    /// The numbers u₀, c₀, c₁ and c₂.
     pub numbers: [Reg; 4],
-    /// By how much φ is ahead, so that it is seen from one side of joints (rad).
+    /// The shift of φ ahead, so that it is on one side of junctions (rad).
     pub ahead: f64,
 }
 
@@ -278,7 +287,7 @@ impl Kernel<5, 4> for Parabola {
         [self.at, a, b, c, d]
     }
 
-    /// s, s′, s″, u.
+    /// Returns s, s′, s″, u.
     #[inline(always)]
     fn eval<N: Lane>(&self, [at, start, c0, c1, c2]: [N; 5]) -> [N; 4] {
         let u = at + -self.ahead - start;
@@ -287,14 +296,14 @@ impl Kernel<5, 4> for Parabola {
     }
 }
 
-/// The same with a polynomial of the third degree times u³ added.
+/// A law with a polynomial of the third degree times u³ added.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Higher {
-    /// s, s′, s″, u.
+    /// The first register of s, s′, s″, u.
     pub low: Reg,
-    /// c₃ to c₆.
+    /// The coefficients c₃ to c₆.
     pub numbers: [Reg; 4],
-    /// c₇.
+    /// The coefficient c₇.
     pub last: Reg,
 }
 
@@ -316,12 +325,12 @@ impl Kernel<9, 4> for Higher {
     }
 }
 
-/// The same with a wave A sin(ku + p) added.
+/// A law with a wave A sin(ku + p) added.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wave {
-    /// s, s′, s″, u.
+    /// The first register of s, s′, s″, u.
     pub low: Reg,
-    /// A, k, p.
+    /// The numbers A, k and p.
     pub numbers: [Reg; 3],
 }
 
@@ -340,12 +349,12 @@ impl Kernel<7, 4> for Wave {
     }
 }
 
-/// Rates by the time of what goes by an angle: s′ω, s″ω² + s′α.
+/// The rates by the time of a function of an angle: s′ω, s″ω² + s′α.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ByAngle {
-    /// s, s′, s″.
+    /// The first register of s, s′, s″.
     pub low: Reg,
-    /// ω, α of the angle.
+    /// The rates ω and α of the angle.
     pub rates: [f64; 2],
 }
 

@@ -1,21 +1,33 @@
-//! A whole motion at once: the scene compiled into a straight list of operations and run over all positions of a driver.
+//! Sweeps over a whole motion: the scene is compiled into a straight list of operations, which run
+//! over all positions of a driver.
 //!
-//! [`run()`] is the way in: a placed scene, the driver and its stations to a [`Table`]; a [`Sweep`] is compiled once for many. [`compile()`] makes the [`program::Program`], one
-//! operation for each group and effect ([`closure`], [`carry`], [`rows`], [`reading`] are the kernels). [`fuse`] makes one operation of
-//! those that belong together, and [`run`](mod@run) runs them over chunks of positions, four side by side where the machine can
-//! ([`lane`]); joints that may change their branch on the way are known by [`suspect`]; what rolls turns by the ratios of its [`train`], counted in whole [`turns`]; class III groups, and as a whole the mechanisms that have no program, are followed from one position to the next ([`follow`]). Positions at
-//! which the formulas have no value (a dead centre, a change point) are handed to the general solver one by one; those that
-//! cannot be assembled are left out, with the reason in the notes.
-//! [`long`] sweeps, those of parameters ([`vary`]) and those through time ([`timed`]), go piece by piece ([`pieces`]), [`batch`]es block by block. [`stood`] answers what has no kernel where the program puts everything. [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
+//! [`run()`] is the entry point: it turns a placed scene, the driver and its stations into a
+//! [`Table`]. A [`Sweep`] is compiled once for many runs. [`compile()`] makes the
+//! [`program::Program`], with one operation for each group and effect ([`closure`], [`carry`],
+//! [`rows`] and [`reading`] are the kernels). [`fuse`] combines operations that belong together,
+//! and [`run`](mod@run) runs them over chunks of positions, four side by side where the machine can
+//! ([`lane`]). [`suspect`] finds the joints that may change their branch during the motion. The
+//! angles of rolling links follow from the ratios of their [`train`], counted in whole [`turns`].
+//! Class III groups, and whole mechanisms that have no program, are followed from one position to
+//! the next ([`follow`]). Positions at which the formulas have no value (a dead centre, a change
+//! point) are handed to the general solver one by one. Positions that cannot be assembled are left
+//! out, with the reason in the notes.
 //!
-//! Not decided here: what a question means ([`hodograph_mechanism::answer`]) and how a single position is solved for drawing
-//! ([`hodograph_mechanism::position`], [`hodograph_analytic`]); both are the check of this room.
+//! [`long`] sweeps, sweeps of parameters ([`vary`]) and sweeps through time ([`timed`]) run piece
+//! by piece ([`pieces`]), [`batch`]es block by block. [`stood`] answers questions that have no
+//! kernel in mechanisms whose positions have a program. [`follow`] returns whole configurations
+//! instead of columns, for drawings; [`zoom`] finds extremes between stations.
+//!
+//! This crate decides neither what a question means ([`hodograph_mechanism::answer`]) nor how a
+//! single position is solved for drawing ([`hodograph_mechanism::position`],
+//! [`hodograph_analytic`]); both serve as the check of this crate.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
-// clippy.toml lists the functions of f64 whose last bit the platform decides; tests may use them.
+// clippy.toml lists the functions of f64 whose last bit depends on the platform; tests may use
+// them.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
-// The maps name private rooms too; `cargo doc --document-private-items` follows those links.
+// The maps link to private modules too; `cargo doc --document-private-items` resolves those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
 pub mod batch;
@@ -82,27 +94,28 @@ pub struct Placed<'a> {
     pub scene: &'a Scene,
     /// Its topology.
     pub mechanism: &'a Mechanism,
-    /// What is called for.
+    /// The required parts of the solution.
     pub demand: Demand,
-    /// Where everything is at the instant.
+    /// The configuration at the instant.
     pub at: Configuration,
-    /// Ends of the ways along which single positions could be followed.
+    /// The known ends of travel, from following to single positions.
     pub ends: Ends,
 }
 
-/// The ends of the ways along which drivers could be followed from the instant, with the reason; a value beyond an end is not tried again. The key is the
-/// driver, and true for the way backward.
+/// Ends of travel up to which drivers can be followed from the instant, each with its reason.
+/// Values beyond a known end are not tried again. The key is the driver, and `true` for backward
+/// travel.
 #[derive(Debug, Default)]
 pub struct Ends(Mutex<BTreeMap<(usize, bool), (f64, Faults)>>);
 
 impl Ends {
-    /// Why a way (rad or m) of a driver leads nowhere, where that is known.
+    /// Returns the reason why a driver cannot travel so far (rad or m), if it is known.
     fn of(&self, driver: usize, way: f64) -> Option<Faults> {
         let known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         known.get(&(driver, way < 0.0)).filter(|(end, _)| way.abs() > *end).map(|(_, why)| why.clone())
     }
 
-    /// Notes that a driver could be followed as far as `way`, and no farther in this direction.
+    /// Records that a driver can be followed as far as `way`, and no farther in this direction.
     fn note(&self, driver: usize, way: f64, backward: bool, why: &Faults) {
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         known.entry((driver, backward)).or_insert_with(|| (way.abs(), why.clone()));
@@ -122,10 +135,11 @@ impl<'a> Placed<'a> {
     }
 }
 
-/// The answers to the scene's questions at all stations of a driver.
+/// Returns the answers to the scene's questions at all stations of a driver.
 ///
-/// A row for each station that can be assembled, in the order of the stations; see [`Table`]. The result does not depend on
-/// the number of threads, on the width or on how the stations are cut into chunks.
+/// The table has a row for each station that can be assembled, in the order of the stations; see
+/// [`Table`]. The result does not depend on the number of threads, on the width or on how the
+/// stations are cut into chunks.
 ///
 /// # Errors
 /// A driver that the scene does not have; a sampled position that is not the scene's.
@@ -135,17 +149,18 @@ pub fn run(placed: &Placed, driver: usize, stations: &Stations, width: Width) ->
     Ok(sweep.run(stations, width, Table::default()))
 }
 
-/// The answers at some values of a driver (rad or m); `None` for a driver that the scene does not have.
+/// Returns the answers at given values of a driver (rad or m); `None` for a driver that the scene
+/// does not have.
 pub fn of_values(placed: &Placed, driver: usize, values: Vec<f64>) -> Option<Table> {
     let per_value = station::angle_per_value(placed.scene, &placed.at, driver);
     run(placed, driver, &Stations::of_values(values, per_value), Width::Widest).ok()
 }
 
-/// A scene compiled for one of its drivers, to be swept again and again.
+/// A scene compiled for one of its drivers, for repeated sweeps.
 pub struct Sweep<'a> {
     placed: &'a Placed<'a>,
     driver: usize,
-    /// Or why there is none.
+    /// The program, or the reason why there is none.
     program: Result<Program, Diagnostic>,
 }
 
@@ -165,8 +180,8 @@ impl<'a> Sweep<'a> {
         Ok(Sweep { placed, driver, program })
     }
 
-    /// The answers at all stations, as those of [`run()`], in the memory of a table that is no longer needed: fresh memory costs more
-    /// than the numbers in it.
+    /// Returns the answers at all stations, equal to those of [`run()`], in the memory of a table
+    /// that is free to be reused: fresh memory costs more than the numbers in it.
     pub fn run(&self, stations: &Stations, width: Width, used: Table) -> Table {
         let Sweep { placed, driver, program } = self;
         let mut stock: Vec<Vec<f64>> = used.columns.into_iter().map(|c| c.values).collect();
@@ -197,9 +212,10 @@ impl<'a> Sweep<'a> {
     }
 }
 
-/// How the rows of questions are made that have no program.
+/// The way to make the rows of questions that have no program.
 enum Beside {
-    /// Each by the general solver: followers of cams move by laws, or the scene is read again for each.
+    /// The general solver solves each row: followers of cams move by laws, or the scene is read
+    /// again for each row.
     Each,
     /// The positions have a program.
     Stood(Box<Stood>),
@@ -221,7 +237,7 @@ impl Beside {
     }
 }
 
-/// All rows of questions that have no program, for which there is a reason; and what is told of them.
+/// All rows of questions that have no program, for the given reason, and the notes on them.
 fn without_program(general: &General, stations: &Stations, why: &Diagnostic) -> (chunks::Rows, Vec<Diagnostic>) {
     let (placed, driver) = (general.placed(), general.driver());
     let mut notes = vec![why.clone()];
@@ -245,8 +261,9 @@ fn without_program(general: &General, stations: &Stations, why: &Diagnostic) -> 
     (rows, notes)
 }
 
-/// The topology of a scene for its whole motion ([`follow::course::over_a_turn`]). Questions about the contact of a cam are allowed that the scene
-/// defines where it is read, though a driver stands for the contact.
+/// The topology of a scene for its whole motion ([`follow::course::over_a_turn`]). Questions about
+/// the contact of a cam are allowed if the scene defines them where it is read, although a driver
+/// replaces the contact.
 ///
 /// # Errors
 /// Those of [`Mechanism::new`].
@@ -261,7 +278,7 @@ pub fn mechanism(scene: &Scene) -> Result<Mechanism, Faults> {
     }
 }
 
-/// The program of a driver.
+/// Compiles the program of a driver.
 fn compiled(placed: &Placed, driver: usize) -> Result<Program, Diagnostic> {
     if General::new(placed, driver).is_read_again()
         && let Some(cam) = placed.scene.kept_cams().next()
@@ -288,7 +305,8 @@ fn each(general: &General, stations: &Stations) -> chunks::Rows {
     rows
 }
 
-/// The numbers next to a station: the mean of a thousandth of the reach to either side, each on its own side of a change point.
+/// The numbers next to a station: the mean of two positions a thousandth of the reach to either
+/// side, each on its own side of a change point.
 fn beside(program: &Program, placed: &Placed, driver: usize, x: f64) -> Option<Vec<f64>> {
     let off = 1e-3 * limit::reach(placed, driver);
     let sides = Stations::of_values(vec![x - off, x + off], station::angle_per_value(placed.scene, &placed.at, driver));
@@ -298,7 +316,8 @@ fn beside(program: &Program, placed: &Placed, driver: usize, x: f64) -> Option<V
     mean.iter().all(|v| v.is_finite()).then_some(mean)
 }
 
-/// Lowest and highest of the stations and of where the driver stands.
+/// The driver's position in the scene, and the lowest and highest value of the stations and that
+/// position.
 fn span(placed: &Placed, driver: usize, stations: &Stations) -> (f64, [f64; 2]) {
     let now = station::position_now(placed.scene, &placed.at, driver);
     let low = stations.values.iter().copied().fold(now, f64::min);
@@ -306,14 +325,15 @@ fn span(placed: &Placed, driver: usize, stations: &Stations) -> (f64, [f64; 2]) 
     (now, [low, high])
 }
 
-/// A note for each limit of the driver within the span of the stations.
+/// One note for each limit of the driver within the span of the stations.
 fn ends(program: &Program, placed: &Placed, driver: usize, stations: &Stations) -> Vec<Diagnostic> {
     let (now, span) = span(placed, driver, stations);
     let end = |until: f64| (until != now).then(|| Probe::of(program.clone(), placed, driver).walk(until).0).flatten();
     span.into_iter().filter_map(end).map(|e| general::limit_note(placed.scene, driver, &e)).collect()
 }
 
-/// The program of each stretch between change points, with its stations; and a note for each change point.
+/// The program of each stretch between change points, with its stations, and one note for each
+/// change point.
 fn branches(program: Program, placed: &Placed, driver: usize, stations: &Stations) -> (Vec<(Program, Vec<usize>)>, Vec<Diagnostic>) {
     let (now, span) = span(placed, driver, stations);
     let changes = change_points(&program, placed, driver, now, span);
@@ -321,7 +341,7 @@ fn branches(program: Program, placed: &Placed, driver: usize, stations: &Station
     (stretches(program, now, &changes, stations), notes)
 }
 
-/// A note for each change point of the driver's way, and one where they come again on further turns.
+/// One note for each change point of the driver's travel, and one if they recur on further turns.
 fn change_notes(placed: &Placed, driver: usize, changes: &[Changes; 2], span: [f64; 2]) -> Vec<Diagnostic> {
     let mut notes = Vec::new();
     for (changes, until) in changes.iter().zip(span) {
@@ -332,11 +352,11 @@ fn change_notes(placed: &Placed, driver: usize, changes: &[Changes; 2], span: [f
     notes
 }
 
-/// The change points of the driver's way from where it stands downward, and those upward.
+/// The change points of the driver's travel from its position in the scene, downward and upward.
 fn change_points(program: &Program, placed: &Placed, driver: usize, now: f64, span: [f64; 2]) -> [Changes; 2] {
     let mut changes = [Changes::default(), Changes::default()];
     if program.tracks.is_empty() && program.suspects().next().is_some() {
-        // Both ways are searched by one program.
+        // Both directions share one compiled program.
         program.fused_crossings();
         for (changes, until) in changes.iter_mut().zip(span).filter(|(_, until)| *until != now) {
             *changes = Probe::of(program.clone(), placed, driver).walk(until).1;

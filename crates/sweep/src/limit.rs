@@ -1,9 +1,11 @@
-//! Where a driver can go, and where a group comes into line: limits, change points, the worst transmission angle.
+//! Limits and change points of a driver, and the smallest transmission angles.
 //!
-//! Every closed form knows sin² of the angle under which its two loci cross ([`super::closure::Margin::crossing`]), a smooth function of
-//! the driver's position that goes on past the limit. Its simple zeros are the limits, its double zeros the change points, its
-//! smallest value the worst transmission angle. All are located by Newton's method with exact derivatives, kept between
-//! bounds by halving; class III groups by Newton's method on the legs' equations together with their determinant.
+//! Every closed form gives sin² of the angle under which its two loci cross
+//! ([`super::closure::Margin::crossing`]), a smooth function of the driver's position that
+//! continues past the limit. Its simple zeros are the limits, its double zeros the change points,
+//! its smallest value gives the smallest transmission angle. All are located by Newton's method
+//! with exact derivatives, kept between bounds by halving; for class III groups by Newton's method
+//! on the legs' equations together with their determinant.
 
 use super::Placed;
 use super::follow::triad::State;
@@ -18,42 +20,43 @@ use std::collections::VecDeque;
 use std::f64::consts::TAU;
 use std::rc::Rc;
 
-/// What happens to a group at a position of the driver.
+/// The event of a group at a position of the driver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// It cannot be assembled beyond.
+    /// The group cannot be assembled beyond.
     Limit,
-    /// It comes into line and goes on: its branch changes sign.
+    /// The group comes into line and passes through: its branch changes sign.
     ChangePoint,
 }
 
 /// A position at which a group is in line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
-    /// Position of the driver (rad or m).
+    /// The position of the driver (rad or m).
     pub value: f64,
-    /// What happens.
+    /// The kind of event.
     pub kind: Kind,
     /// The links of the group.
     pub links: Vec<LinkId>,
-    /// The pin at which they meet; `None` where the group turns on a link.
+    /// The pin at which they meet; `None` if the core of the group is a link.
     pub pin: Option<PointId>,
-    /// Which of the program's joints; `None` for a class III group.
+    /// The index of the joint in the program; `None` for a class III group.
     pub joint: Option<usize>,
-    /// Which legs hold one another there, where it is a matter of legs.
+    /// The legs that hold one another there, if the event concerns legs.
     pub toggle: Option<Toggle>,
 }
 
-/// How far a driver goes from where it stands.
+/// The range of a driver from its position in the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Range {
-    /// Where it stands.
+    /// The driver's position in the scene.
     pub now: f64,
-    /// Where it ends downward and upward; `None` where it turns fully (or nothing stops it within twice the mechanism's size).
+    /// The ends downward and upward; `None` where the driver turns fully (or nothing stops it
+    /// within twice the mechanism's size).
     pub ends: [Option<Event>; 2],
-    /// Change points on the way.
+    /// The change points within the range.
     pub changes: Vec<Event>,
-    /// How far was looked to either side.
+    /// The distance searched to either side.
     pub reach: f64,
 }
 
@@ -64,63 +67,69 @@ impl Range {
         [end(0, self.now - self.reach), end(1, self.now + self.reach)]
     }
 
-    /// Whether a crank turns fully.
+    /// True if the driver has no end: a crank turns fully.
     pub fn full(&self) -> bool {
         self.ends.iter().all(Option::is_none)
     }
 
-    /// True where a joint stands on its other branch at the end of a range without ends: it met an odd number of change points.
+    /// True if a joint is on its other branch at the end of a range without ends: it met an odd
+    /// number of change points.
     pub(super) fn flipped(&self) -> bool {
         let met = |joint: usize| self.changes.iter().filter(|c| c.joint == Some(joint)).count();
         self.changes.iter().filter_map(|c| c.joint).any(|joint| met(joint) % 2 == 1)
     }
 }
 
-/// A program with its driver, to be looked at anywhere.
+/// A program with its driver, for evaluation at any position.
 pub struct Probe<'a> {
     /// The program.
     pub program: Program,
     placed: &'a Placed<'a>,
     driver: usize,
     per_value: f64,
-    /// Where the driver stands.
+    /// The driver's position in the scene.
     pub now: f64,
     start: Option<State>,
 }
 
-/// Steps of a search over the whole reach: two degrees, or as fine a part of the way.
+/// The number of steps of a search over the whole reach: two degrees, or the same part of the
+/// travel.
 const STEPS: usize = 180;
 
-/// A smallest crossing (sin²) among the samples is looked at more closely below this: within a degree of a double zero it is
-/// less, unless the joint turns twenty times as fast as the driver.
+/// The crossing (sin²) below which a smallest sample is examined more closely: within a degree of a
+/// double zero the crossing is less, unless the joint turns twenty times as fast as the driver.
 pub(super) const SUSPECT: f64 = 0.1;
 
-/// Whether these stations leave no room between them for a limit or a change point that the crossings at them, each more than
-/// [`SUSPECT`], would not tell of: no farther apart than the samples of a search, with the driver's own place among them.
+/// True if these stations, with crossings of more than [`SUSPECT`] at each, leave no gap in which a
+/// limit or a change point goes unnoticed: they are no farther apart than the samples of a search,
+/// and their span includes the driver's position in the scene.
 pub(super) fn dense(program: &Program, placed: &Placed, driver: usize, stations: &Stations) -> bool {
     let step = reach(placed, driver) / (STEPS as f64 * program.finer());
     let now = position_now(placed.scene, &placed.at, driver);
     let ends = stations.values.first().zip(stations.values.last());
-    // All of them, without a look at each whether to go on.
+    // The fold tests all of them, without a branch at each.
     let close = || stations.values.windows(2).fold(true, |close, w| close & ((w[1] - w[0]).abs() <= step));
     ends.is_some_and(|(a, b)| (now - a) * (now - b) <= 0.0) && close()
 }
 
-/// After so many times its reach a sliding driver is looked at in steps that grow, each by this factor on the one before.
+/// The number of reaches after which a sliding driver is searched in growing steps; [`GROWTH`] is
+/// the factor from one to the next.
 const FAR: f64 = 4.0;
 const GROWTH: f64 = 1.05;
 
-/// A double zero is met to the rounding of its two factors: a crossing (sin²) this small is a change point. At 1e-7 rad from being
-/// in line, sin² is 1e-14; a mechanism whose lengths miss a change point by less than that cannot be told from one that has it.
+/// The crossing (sin²) up to which a zero is a change point: a double zero is met to the rounding
+/// of its two factors. At 1e-7 rad from being in line, sin² is 1e-14; a mechanism with lengths that
+/// miss a change point by less than that cannot be distinguished from one that has it.
 const TOUCHING: f64 = 1e-14;
 
-/// Most turns through which limits are looked for: gears whose numbers of teeth have no common factor stand as they did after hundreds.
+/// The greatest number of turns searched for limits: the pose of gears without a common factor in
+/// their numbers of teeth recurs after hundreds.
 const MOST_TURNS: u64 = 1000;
 
-/// Turns that are looked through where a mechanism never stands as it did.
+/// The number of turns searched where the pose of a mechanism never recurs.
 const SOME_TURNS: f64 = 100.0;
 
-/// A wheel that turns faster than this many times the driver is looked at no more closely.
+/// The ratio of a wheel's to the driver's angular velocity above which the search becomes no finer.
 const FASTEST: f64 = 16.0;
 
 /// A turn, or twice the mechanism's size.
@@ -129,7 +138,7 @@ pub(super) fn reach(placed: &Placed, driver: usize) -> f64 {
 }
 
 impl<'a> Probe<'a> {
-    /// A program and where its driver stands.
+    /// Prepares a program and the driver's position.
     pub fn of(program: Program, placed: &'a Placed<'a>, driver: usize) -> Probe<'a> {
         let mut probe = Probe {
             program,
@@ -147,12 +156,13 @@ impl<'a> Probe<'a> {
         (libm::cos(x * self.per_value), libm::sin(x * self.per_value), self.per_value)
     }
 
-    /// A turn, or twice the mechanism's size.
+    /// Returns a turn, or twice the mechanism's size.
     pub fn reach(&self) -> f64 {
         reach(self.placed, self.driver)
     }
 
-    /// How far a driver is looked at to either side of where it stands: until everything stands as it did, or twice the mechanism's size.
+    /// Returns the distance to search to either side of the driver's position: until the pose
+    /// recurs, or twice the mechanism's size.
     pub fn span(&self) -> f64 {
         match self.program.angular {
             true => self.program.period().unwrap_or(SOME_TURNS * TAU),
@@ -160,7 +170,7 @@ impl<'a> Probe<'a> {
         }
     }
 
-    /// sin² of the crossing of a joint at a driver position, with its derivative.
+    /// The crossing (sin²) of a joint at a driver position, with its derivative.
     fn crossing(&self, joint: usize, x: f64) -> Dual {
         let (cos, sin, per_value) = self.turn(x);
         let mut registers = self.program.inputs(x, cos, sin, per_value);
@@ -169,10 +179,12 @@ impl<'a> Probe<'a> {
         registers[joint.crossing.0 as usize]
     }
 
-    /// Where a way is looked at: in equal steps, and once beyond its end, so that what lies at the very end is seen too.
+    /// The positions to examine on a travel: in equal steps, and one beyond its end, so that an
+    /// event at the very end is seen too.
     ///
-    /// A driver that slides has left the mechanism behind after some times its size; from there on the steps grow with the way, so
-    /// that neither their number nor the gap in which a limit lies is out of measure.
+    /// A sliding driver leaves the mechanism behind after some times its size; from there on the
+    /// steps grow with the travel, so that neither their number nor the gap that contains a limit
+    /// grows out of proportion.
     pub(super) fn samples(&self, from: f64, until: f64) -> Vec<f64> {
         let way = until - from;
         let near = FAR * self.reach();
@@ -193,7 +205,7 @@ impl<'a> Probe<'a> {
         xs
     }
 
-    /// With followed links: only where it ends.
+    /// The end of a travel with followed links.
     pub(super) fn walk_tracks(&self, until: f64) -> Option<Event> {
         let mut state = self.start.clone()?;
         let xs = self.samples(self.now, until);
@@ -228,13 +240,14 @@ impl<'a> Probe<'a> {
         out
     }
 
-    /// The first limit or change point on a way.
+    /// The first limit or change point on a travel.
     pub(super) fn first_event(&self, xs: &[f64]) -> Option<Event> {
         let c = self.sampled(xs);
         for i in 0..xs.len() {
             for j in 0..c.len() {
                 let here = c[j][i];
-                // Closures of groups upstream come first in the list; where one of them misses, this one has no meaning.
+                // Closures of groups upstream come first in the list; where one of them misses,
+                // this one has no meaning.
                 let meaning = |i: usize| c[..j].iter().all(|u| u[i] >= -TOUCHING);
                 if i > 0 && c[j][i - 1] > TOUCHING && here < -TOUCHING && meaning(i) {
                     return Some(self.event(j, Kind::Limit, self.root(j, xs[i - 1], xs[i])));
@@ -261,7 +274,8 @@ impl<'a> Probe<'a> {
         Event { value, kind, links: j.links.clone(), pin: j.pin, joint: Some(joint), toggle }
     }
 
-    /// A zero of a joint's crossing between a position where it is positive and one where it is negative (or has no value).
+    /// A zero of a joint's crossing between a position where it is positive and one where it is
+    /// negative (or has no value).
     fn root(&self, joint: usize, inside: f64, outside: f64) -> f64 {
         let (mut inside, mut outside) = (inside, outside);
         let mut x = 0.5 * (inside + outside);
@@ -275,7 +289,7 @@ impl<'a> Probe<'a> {
             let newton = x - c.value / c.slope;
             let within = (newton - inside) * (newton - outside) < 0.0;
             let next = if within { newton } else { 0.5 * (inside + outside) };
-            // No double lies between, or Newton's method stands still.
+            // No double remains between the bounds, or Newton's method makes no progress.
             if next == x || next == inside || next == outside {
                 return next;
             }
@@ -284,12 +298,12 @@ impl<'a> Probe<'a> {
         x
     }
 
-    /// Where a joint's crossing is smallest between two positions, and how small: its derivative's zero, by halving and
-    /// secants (the derivative is smooth too).
+    /// The position and value of a joint's smallest crossing between two positions: the zero of its
+    /// derivative, by halving and secants (the derivative is smooth too).
     fn least(&self, joint: usize, a: f64, b: f64) -> (f64, f64) {
         let at = |x: f64| self.crossing(joint, x);
         let (mut a, mut b) = ((a, at(a).slope), (b, at(b).slope));
-        // Slopes of one sign: the smallest value lies at an end.
+        // Slopes of one sign: the smallest value is at an end.
         let mut best = if a.1 * (b.0 - a.0) > 0.0 { (a.0, at(a.0).value) } else { (b.0, at(b.0).value) };
         if a.1 * b.1 >= 0.0 {
             return best;
@@ -311,12 +325,13 @@ impl<'a> Probe<'a> {
         best
     }
 
-    /// The limit next to a state from which a class III group cannot go on: its fold, or a limit of what lies upstream.
+    /// The limit next to a state from which a class III group cannot go on: its fold, or a limit
+    /// upstream.
     fn fold(&self, stuck: &State, until: f64) -> Event {
         let dets = self.program.determinants(stuck);
-        // The group whose determinant is smallest, relative to its own size, is the one that folds.
+        // The group with the smallest determinant, relative to its own size, is the one that folds.
         let track = dets.iter().enumerate().min_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map_or(0, |t| t.0);
-        // What closes before the group may be at its limit instead.
+        // A joint that closes before the group may be at its limit instead.
         let step = (until - stuck.value).signum() * 1e-6 * self.reach();
         let (cos, sin, per_value) = self.turn(stuck.value + step);
         let mut beyond = self.program.inputs(stuck.value + step, cos, sin, per_value);
@@ -332,7 +347,8 @@ impl<'a> Probe<'a> {
         Event { value, kind: Kind::Limit, links: group.links.clone(), pin: None, joint: None, toggle }
     }
 
-    /// The smallest transmission angle of each joint over a range (rad, at most 90°), and where it is; none with class III groups.
+    /// Returns the smallest transmission angle of each joint over a range (rad, at most 90°) and
+    /// its driver position, in the order (position, angle); empty with class III groups.
     pub fn transmission(&self, low: f64, high: f64) -> Vec<(f64, f64)> {
         if !self.program.tracks.is_empty() {
             return Vec::new();
@@ -351,8 +367,8 @@ impl<'a> Probe<'a> {
     }
 }
 
-/// Cosines and sines at the positions of a search. The last ones are kept: thousands of mechanisms of a batch are searched at the same
-/// positions.
+/// Cosines and sines at the positions of a search. The last ones are kept: thousands of mechanisms
+/// of a batch are searched at the same positions.
 fn sampled_at(xs: &[f64], per_value: f64) -> Rc<Stations> {
     thread_local! {
         static LAST: RefCell<VecDeque<(f64, Rc<Stations>)>> = const { RefCell::new(VecDeque::new()) };
@@ -369,7 +385,7 @@ fn sampled_at(xs: &[f64], per_value: f64) -> Rc<Stations> {
     })
 }
 
-/// The range of a driver from where it stands, for a program that holds the groups that matter.
+/// The range of a driver from its position, for a program that holds the relevant groups.
 pub fn range(program: Program, placed: &Placed, driver: usize) -> Range {
     let mut probe = Probe::of(program.clone(), placed, driver);
     let (now, reach) = (probe.now, probe.span());
@@ -384,12 +400,14 @@ pub fn range(program: Program, placed: &Placed, driver: usize) -> Range {
 }
 
 impl Program {
-    /// By how much a driver that turns goes on until everything stands as it did (rad); `None` where that is never, or too far to look.
+    /// Returns the driver's angle after which the pose recurs (rad); `None` if it never does, or
+    /// after too many turns to search.
     pub(super) fn period(&self) -> Option<f64> {
         (1..=MOST_TURNS).contains(&self.turns).then_some(TAU * self.turns as f64)
     }
 
-    /// How many times as many steps it takes to look at everything.
+    /// Returns the factor on the number of steps that makes a search fine enough for the fastest
+    /// wheel.
     pub(super) fn finer(&self) -> f64 {
         self.fastest.min(FASTEST).ceil()
     }
@@ -413,7 +431,7 @@ mod tests {
     use hodograph_mechanism::mechanism::Mechanism;
     use hodograph_scene::{read, templates};
 
-    /// A way beyond all measure ends where one of the mechanism's own size does.
+    /// A very long travel ends at the same limit as one of the mechanism's own size.
     #[test]
     fn a_limit_is_where_it_is_however_far_the_way_goes() {
         for name in ["excavator", "oscillating-cylinder", "scotch-yoke", "robot-arm"] {

@@ -14,35 +14,36 @@ use super::{Beside, Placed, Stations, Steps, Width, beside, change_notes, change
 use hodograph_base::diag::{Diagnostic, Faults};
 use std::ops::Range;
 
-/// A sweep of a driver under way.
+/// A sweep of a driver in progress.
 pub struct Long<'a> {
     placed: &'a Placed<'a>,
     driver: usize,
     steps: Steps,
-    /// Whether the driver's values descend.
+    /// True if the driver's values descend.
     descending: bool,
     way: Way<'a>,
     general: General<'a>,
     gaps: Gaps,
 }
 
-/// How the rows are made.
+/// The way to make the rows.
 enum Way<'a> {
-    /// Each by itself.
+    /// Each row by itself.
     Free {
         program: Box<Program>,
-        /// The ends of the whole way.
+        /// The ends of the whole travel.
         reach: Stations,
         now: f64,
         changes: [Changes; 2],
     },
-    /// With links that are followed.
+    /// With followed links.
     Compiled { course: Box<Chains<Compiled<'a>>>, reach: Stations },
-    /// Each by the general solver: followers of cams move by laws.
+    /// Each row by the general solver: followers of cams move by laws.
     Each,
-    /// Each by the loop equations, where the program of the positions puts everything; why there is no program of the questions.
+    /// Each row by the loop equations; the positions have a program, the questions have none, for
+    /// the reason `why`.
     Stood { stood: Box<Stood>, reach: Stations, now: f64, changes: [Changes; 2], why: Diagnostic },
-    /// The whole mechanism is followed; why there is no program.
+    /// The whole mechanism is followed; there is no program, for the reason `why`.
     Whole { course: Box<Chains<Whole<'a>>>, why: Diagnostic },
 }
 
@@ -112,7 +113,7 @@ impl<'a> Long<'a> {
     }
 }
 
-/// Positions of a course ascend, rows may not.
+/// The row of a position: positions of a course ascend, rows may descend.
 fn flipped(i: usize, descending: bool, count: usize) -> usize {
     if descending { count - 1 - i } else { i }
 }
@@ -130,7 +131,7 @@ impl Pieces for Long<'_> {
     fn at_once(&self) -> usize {
         match self.way {
             Way::Free { .. } => 1 << 16,
-            // As many as are gone over again from one state.
+            // As many positions as are repeated from one state.
             Way::Compiled { .. } | Way::Whole { .. } | Way::Each | Way::Stood { .. } => STRIDE,
         }
     }

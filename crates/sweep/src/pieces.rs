@@ -1,4 +1,4 @@
-//! Rows that come piece by piece: what a writer of tables asks for, whatever is swept.
+//! Rows that come piece by piece, for writers of tables, whatever is swept.
 
 use super::chunks::Rows;
 use super::compile::ask;
@@ -9,34 +9,35 @@ use hodograph_scene::{Find, Scene};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Whether to stop, asked again and again while a piece is made.
+/// A function that returns `true` to stop; it is called again and again while a piece is made.
 pub type Stop<'a> = &'a (dyn Fn() -> bool + Sync);
 
-/// Nobody asks.
+/// A [`Stop`] that never stops.
 pub(super) fn never() -> bool {
     false
 }
 
-/// The rows of a sweep under way, in their order.
+/// The rows of a sweep in progress, in their order.
 pub trait Pieces: Send {
     /// Name and unit of each column, the swept quantity first.
     fn columns(&self) -> Vec<(String, &'static str)>;
 
-    /// How many rows there are, if none is missing.
+    /// The number of rows, if none is missing.
     fn count(&self) -> usize;
 
-    /// Rows of a piece that is made in a moment.
+    /// The number of rows of a piece that takes a moment.
     fn at_once(&self) -> usize;
 
-    /// The numbers of some rows, as far as they are there, a column after the other; `None` when asked to stop. Pieces are asked for in
-    /// order; their rows do not depend on how they are cut.
+    /// Returns the numbers of some rows, as far as they exist, column after column; `None` if
+    /// `stop` asks to stop. Pieces are requested in order; their rows do not depend on how they are
+    /// cut.
     fn piece(&mut self, rows: Range<usize>, stop: Stop) -> Option<Vec<Vec<f64>>>;
 
-    /// What the rows cannot say, of all pieces so far.
+    /// Notes on the rows of all pieces so far, such as the missing ones.
     fn notes(&self) -> Vec<Diagnostic>;
 }
 
-/// All rows in memory.
+/// Collects all rows in memory.
 pub fn gather(pieces: &mut dyn Pieces) -> Table {
     let mut columns: Vec<Column> = pieces.columns().into_iter().map(|(name, unit)| Column { name, unit, values: Vec::new() }).collect();
     let (count, step) = (pieces.count(), pieces.at_once());
@@ -61,7 +62,8 @@ struct Infinite {
 }
 
 impl Gaps {
-    /// None yet in a sweep of this scene. What has a meaning has a number wherever there is a position.
+    /// Starts without gaps for a sweep of this scene. Answers with a meaning have a number in every
+    /// position, so that only the others are watched.
     pub fn of(scene: &Scene) -> Gaps {
         let columns = scene.find.iter().flat_map(|f| ask::names(f).into_iter().map(move |(name, _)| (f, name))).enumerate();
         let bounded = |f: &Find| f.what.meaning(scene).is_some();
@@ -69,7 +71,7 @@ impl Gaps {
         Gaps { missing: Vec::new(), infinite: infinite.collect() }
     }
 
-    /// Takes note of the infinite answers of a row.
+    /// Records the infinite answers of a row.
     pub fn see(&mut self, row: usize, answer: impl Fn(usize) -> f64) {
         for of in self.infinite.iter_mut().filter(|of| answer(of.column).is_infinite()) {
             match of.runs.last_mut().filter(|run| run.end == row) {
@@ -79,14 +81,14 @@ impl Gaps {
         }
     }
 
-    /// Takes note of all rows of a piece, of which `first` is the first.
+    /// Records the gaps in all rows of a piece; `first` is the number of its first row.
     pub fn see_all(&mut self, rows: &Rows, first: usize) {
         self.add(&rows.missing, first);
         let count = if self.infinite.is_empty() { 0 } else { rows.columns[0].len() };
         (0..count).filter(|i| !rows.missing.contains_key(i)).for_each(|i| self.see(first + i, |column| rows.columns[column][i]));
     }
 
-    /// Takes note of the rows of a piece, of which `first` is the first.
+    /// Records the missing rows of a piece; `first` is the number of its first row.
     pub fn add(&mut self, missing: &BTreeMap<usize, Faults>, first: usize) {
         for gap in runs(missing, first) {
             match self.missing.last_mut().filter(|g| g.rows.end == gap.rows.start) {
@@ -96,7 +98,7 @@ impl Gaps {
         }
     }
 
-    /// Whether no row is missing.
+    /// Returns true if no row is missing.
     pub fn is_empty(&self) -> bool {
         self.missing.is_empty()
     }

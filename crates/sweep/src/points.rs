@@ -1,8 +1,9 @@
-//! Points through the travel of one driver, or through time: where they go, and their velocities and accelerations on the way (their
-//! hodographs, when these are drawn from one pole).
+//! Positions, velocities and accelerations of points through the travel of one driver, or through
+//! time (the vectors drawn from one pole are their hodographs).
 //!
-//! The mechanism is followed by [`super::follow`], each pose solved by the loop equations. A driver that goes on alone runs at the scene's rate, with the
-//! scene's acceleration, in every pose; through time rates are those of the time. Between the steps poses are added where a curve bends.
+//! [`super::follow`] follows the mechanism, and the loop equations solve each pose. A single driver
+//! in motion runs at the scene's rate, with the scene's acceleration, in every pose; through time
+//! the rates are those of the time. Poses are added between the steps where a curve bends.
 
 use super::follow::{Follower, Pose, Sweep};
 use super::station;
@@ -16,30 +17,34 @@ use hodograph_scene::{Asked, Find, Given, OnLink, PointId, Scene, Swept};
 
 /// Steps through a turn: 1°, the resolution of a printed curve.
 const STEPS: usize = 360;
-/// A curve may be off its chord by this part of its size: a tenth of a millimetre on a drawing of 100 mm.
+/// The greatest distance of a curve from its chord, relative to its size: a tenth of a millimetre
+/// on a drawing of 100 mm.
 const BEND: f64 = 1e-3;
-/// Rounds of halving: next to a limit everything goes with the root of the distance, and steps grow small quickly.
+/// The number of rounds of halving: next to a limit everything varies as the root of the distance,
+/// and steps become small quickly.
 const ROUNDS: usize = 7;
-/// More poses than this are not halved again: a curve of the size of a page has no room for them.
+/// The number of poses above which no more are added: a curve of the size of a page cannot show
+/// them.
 const MOST_MOMENTS: usize = 3000;
-/// Next to a limit vectors grow beyond all bounds: what is so many times as large as half of all leaves the paper.
+/// The ratio of a vector to the median above which it is off the paper: next to a limit vectors
+/// grow beyond all bounds.
 const OFF_PAPER: f64 = 2.5;
 
-/// One pose, and how the points move there.
+/// One pose, with the velocities and accelerations of the points.
 #[derive(Clone, Debug)]
 pub struct Moment {
-    /// How far what moves has gone from the scene's pose (rad, m or s).
+    /// The travel of the driver, or the time, from the scene's pose (rad, m or s).
     pub travel: f64,
-    /// Where it stands (rad, m or s).
+    /// The driver's position, or the time (rad, m or s).
     pub place: f64,
-    /// Where everything is.
+    /// The configuration.
     pub configuration: Configuration,
     /// Velocity (m/s) and acceleration (m/s²) of each point; `None` where they are unbounded or have no value.
     pub vectors: Vec<[Option<Vec2>; 2]>,
 }
 
 impl Moment {
-    /// The velocity or the acceleration of a point; `None` of positions.
+    /// The velocity or the acceleration of a point; `None` for positions.
     pub fn vector(&self, point: usize, level: Level) -> Option<Vec2> {
         self.vectors[point][Level::RATES.iter().position(|rate| *rate == level)?]
     }
@@ -48,19 +53,20 @@ impl Moment {
 /// The motion of some points through a driver's travel.
 #[derive(Clone, Debug)]
 pub struct Motion {
-    /// Whose motion.
+    /// The points.
     pub points: Vec<PointId>,
     /// All poses, in the order of travel.
     pub moments: Vec<Moment>,
-    /// So many of them at equal steps of the driver or of the time; the ends of a bounded travel are among them.
+    /// Poses at equal steps of the driver or of the time; the ends of a bounded travel are among
+    /// them.
     pub marks: Vec<Moment>,
-    /// Whether the mechanism comes back to its first pose after a full turn.
+    /// True if the mechanism returns to its first pose after a full turn.
     pub full: bool,
-    /// Whether it can go no farther at the beginning, and at the end.
+    /// True for the beginning, and for the end, if the mechanism can go no farther there.
     pub limits: [bool; 2],
 }
 
-/// The scene with the drivers standing that do not go on: then a velocity is tangent to the path.
+/// The scene with all other drivers at rest, so that a velocity is tangent to the path.
 pub fn alone(scene: &Scene, swept: Swept) -> Scene {
     let mut scene = scene.clone();
     let Swept::Driver(driver) = swept else { return scene };
@@ -71,16 +77,17 @@ pub fn alone(scene: &Scene, swept: Swept) -> Scene {
     scene
 }
 
-/// The largest of some sizes that one paper holds: all of a motion without limits; of another not those that are many times as
-/// large as half of all, but in any case the scene's `own`. `None` where there are none.
+/// Returns the largest size that one paper holds: of a motion without limits the largest of all; of
+/// another 2.5 times the median at most, but in any case the scene's `own`. `None` if there are no
+/// sizes.
 pub fn bounded(mut sizes: Vec<f64>, own: f64, unlimited: bool) -> Option<f64> {
     sizes.sort_by(f64::total_cmp);
     let largest = *sizes.last()?;
     Some(if unlimited { largest } else { largest.min((OFF_PAPER * sizes[sizes.len() / 2]).max(own)) })
 }
 
-/// So many poses at equal steps of the driver, in the sense in which it moves: from the scene's own through a full turn, or from one end
-/// of the travel to the other.
+/// Returns `count` poses at equal steps of the driver, in the sense of its motion: from the scene's
+/// own through a full turn, or from one end of the travel to the other.
 pub fn at_equal_steps(follower: &Follower, sweep: &Sweep, count: usize) -> Vec<Pose> {
     let (Some(first), Some(last)) = (sweep.poses.first(), sweep.poses.last()) else { return Vec::new() };
     let turn = sweep.period();
@@ -93,7 +100,7 @@ pub fn at_equal_steps(follower: &Follower, sweep: &Sweep, count: usize) -> Vec<P
     let pose = |k: usize| {
         let travel = if !sweep.full && count > 1 && k + 1 == count { last.travel } else { from + step * k as f64 };
         let near = near(travel)?;
-        // A pose of the sweep but for rounding is that pose: at a limit nothing lies a hair beyond.
+        // A pose of the sweep within rounding is that pose: at a limit there is no pose beyond it.
         if (near.travel - travel).abs() <= 1e-9 * (last.travel - first.travel) {
             return Some(near.clone());
         }
@@ -112,16 +119,17 @@ struct Tracer<'a> {
     mechanism: &'a Mechanism,
     demand: Demand,
     follower: &'a Follower<'a>,
-    /// Where that stands in the scene's own pose which moves.
+    /// The driver's position, or the time, in the scene's own pose.
     now: f64,
     points: &'a [PointId],
     unlimited: bool,
 }
 
-/// Follows the points of a placed scene through the travel of a driver, or through time, and marks `marks` poses at equal steps of it.
+/// Follows the points of a placed scene through the travel of a driver, or through time, and marks
+/// `marks` poses at equal steps of it.
 ///
-/// `demand` is what the configuration was made for; it holds all positions. Where one driver goes on, the others stand at their places, with their
-/// rates.
+/// The configuration was made for `demand`, which holds all positions. If one driver moves, the
+/// others keep their positions, with their rates.
 pub fn motion(
     scene: &Scene,
     mechanism: &Mechanism,
@@ -181,7 +189,8 @@ impl Tracer<'_> {
         Moment { travel: pose.travel, place: self.now + pose.travel, configuration: at.clone(), vectors }
     }
 
-    /// Adds poses where a curve is farther from its chord than can be printed; whether there were any.
+    /// Adds poses where a curve is farther from its chord than print can show; returns `true` if
+    /// there were any.
     fn refine(&self, moments: &mut Vec<Moment>) -> bool {
         let most =
             |of: &dyn Fn(&Moment) -> Option<f64>| bounded(moments.iter().filter_map(of).collect(), 0.0, self.unlimited).unwrap_or(0.0);
@@ -203,10 +212,10 @@ impl Tracer<'_> {
         moments.len() > count
     }
 
-    /// The pose in the middle of two, where it is wanted.
+    /// The pose in the middle of two, if it is needed.
     fn between(&self, a: &Moment, b: &Moment, sizes: &[[f64; 3]]) -> Option<Moment> {
-        // The middle of two poses of a smooth curve is off its chord by no more than an eighth of how much the chord turns:
-        // where the ends are near, nothing is looked at.
+        // The middle of two poses of a smooth curve is off its chord by at most an eighth of the
+        // change of the chord's direction: with near ends nothing needs to be examined.
         let parts = |m: &Moment, k: usize| {
             let place = m.configuration.points[self.points[k].0].map(|p| p.to_vec2());
             [place, m.vectors[k][0], m.vectors[k][1]]

@@ -1,7 +1,8 @@
-//! A compiled program: a straight list of operations over registers for each effect.
+//! Compiled programs: a straight list of operations over registers for each effect.
 //!
-//! An operation reads registers that come before those it fills. The list is what limits and followed links look at, one
-//! position at a time and in numbers with derivatives; over many positions it is run as [`super::fuse`] makes it.
+//! An operation reads registers that precede those it fills. Limits and followed links evaluate the
+//! list itself, one position at a time and in numbers with derivatives; over many positions it runs
+//! in the form that [`super::fuse`] makes of it.
 
 use super::carry::{Along, Arm, Image, Product, Swing, SwingRate, Turning, TurningRate, Twist};
 use super::closure::{CircleLine, CircleLineCrossing, Circles, CirclesCrossing, Closure, Lever, LeverCrossing, Lines, Margin};
@@ -21,145 +22,147 @@ use std::ops::Range;
 use std::sync::OnceLock;
 
 operations! { Op:
-    /// Two circles.
+    /// Position of the pin of two circles.
     Circles,
-    /// Circle and line.
+    /// Position on circle and line.
     CircleLine,
-    /// Two lines.
+    /// Position on two lines.
     Lines,
-    /// A lever over a pin.
+    /// Direction of a lever over a pin.
     Lever,
-    /// How squarely two circles cross.
+    /// Crossing (sin²) of two circles.
     CirclesCrossing,
-    /// How squarely circle and line cross.
+    /// Crossing (sin²) of circle and line.
     CircleLineCrossing,
-    /// How squarely a lever lies to its pivot.
+    /// Crossing (sin²) of a lever with its pivot and pin.
     LeverCrossing,
-    /// A point of a link, its velocity, its acceleration.
+    /// Position, velocity or acceleration of a point of a link.
     Image,
-    /// From point to point.
+    /// The arm from point to point.
     Arm,
-    /// A constant turn and stretch.
+    /// A constant turn and stretch of a vector.
     Twist,
-    /// A turn by another vector's angle.
+    /// A vector turned by another vector's angle.
     Product,
-    /// A quotient of two vectors.
+    /// The quotient of two vectors.
     Quotient,
-    /// A ratio of angular velocities.
+    /// The ratio of angular velocities.
     Ratio,
-    /// So far in a direction.
+    /// A point at a distance in a direction.
     Along,
     /// Velocity of a point of a link.
     Swing,
     /// Acceleration of a point of a link.
     SwingRate,
-    /// ω of an arm.
+    /// Angular velocity of an arm.
     Turning,
-    /// α of an arm.
+    /// Angular acceleration of an arm.
     TurningRate,
-    /// Row of a bar or a cylinder.
+    /// The velocity row of a bar or a cylinder.
     Distance,
-    /// The same for accelerations.
+    /// The acceleration row of a bar or a cylinder.
     DistanceRate,
-    /// Row of a guide.
+    /// The velocity row of a guide.
     Guided,
-    /// The same for accelerations.
+    /// The acceleration row of a guide.
     GuidedRate,
-    /// Row of a slot, for accelerations.
+    /// The acceleration row of a slot.
     SlotRate,
-    /// Row without its turning.
+    /// A velocity row reduced by the known rotation.
     Reduced,
-    /// The same for accelerations.
+    /// An acceleration row reduced by the known rotation.
     ReducedRate,
-    /// Turning of a pinned link.
+    /// Angular velocity or acceleration of a pinned link.
     TurnOf,
-    /// Two rows.
+    /// The solution of two rows.
     Cross,
-    /// Three rows.
+    /// The solution of three rows.
     Three,
-    /// Two bars.
+    /// Velocity of the pin of two bars.
     Bars,
-    /// The same for accelerations.
+    /// Acceleration of the pin of two bars.
     BarsRate,
-    /// Length of a vector.
+    /// The length of a vector.
     Length,
-    /// Angle of a vector.
+    /// The angle of a vector.
     Direction,
-    /// Part of a vector.
+    /// The component of a vector along another.
     Part,
-    /// Part along a direction.
+    /// The dot product of a vector and a direction.
     Dot,
-    /// Coriolis term.
+    /// The Coriolis term.
     Coriolis,
-    /// Sum of two numbers.
+    /// The sum of two numbers.
     Sum,
-    /// Power of weight and inertia.
+    /// The power of weight and inertia.
     Massive,
-    /// Sum with a product.
+    /// The sum with a product.
     Times,
-    /// Power of a spring.
+    /// The power of a spring.
     Spring,
-    /// Angle of the driver within a period.
+    /// The angle of the driver within a period.
     Repeated,
-    /// Amount of a load along its course.
+    /// The amount of a load along its course.
     Ramp,
-    /// A number in one sense of motion.
+    /// A number in one sense of motion, else zero.
     Forward,
     /// The driver's angle in quarter turns.
     Quarters,
-    /// A part of the driver's way.
+    /// A ratio of the driver's travel.
     Geared,
-    /// cos and sin of an angle.
+    /// Cosine and sine of an angle.
     Turned,
-    /// How far a line has turned against another.
+    /// The angle of a line relative to another.
     Against,
-    /// Rate of a way along a track.
+    /// The rate of the distance along a track.
     WayRate,
-    /// The rate of that.
+    /// The second derivative of the distance along a track.
     WayAcceleration,
     /// The angle of a cam.
     Phase,
-    /// What is known of the piece that is touched.
+    /// The numbers of the piece in contact.
     Stretch,
     /// A translating follower.
     Lift,
-    /// Its rates.
+    /// The rates of a translating follower.
     LiftRate,
-    /// A translating face with its rates.
+    /// A translating flat face with its rates.
     Faced,
     /// An oscillating follower.
     Rock,
-    /// Its rates.
+    /// The rates of an oscillating follower.
     RockRate,
     /// A law of the second degree.
     Parabola,
-    /// What is of higher degrees.
+    /// The higher degrees of a law.
     Higher,
     /// A wave.
     Wave,
-    /// Rates of what goes by an angle.
+    /// Rates of a function of an angle.
     ByAngle,
 }
 
 /// An operation and the first of the registers that it fills.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
-    /// What is done.
+    /// The operation.
     pub op: Op,
     /// The first register filled.
     pub out: Reg,
 }
 
-/// The closure of a group that can miss: where its margin vanishes the driver stops, or the mechanism changes its branch.
+/// A closure that can miss: where its margin vanishes, the driver stops or the mechanism changes
+/// its branch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     /// The group, an index into [`hodograph_mechanism::mechanism::Mechanism::groups`].
     pub group: usize,
     /// The step of positions that closes it.
     pub step: usize,
-    /// Where its crossing is found ([`Margin::crossing`]), which nothing but a search for its ends asks for.
+    /// The register of its crossing ([`Margin::crossing`]), read only by a search for limits and
+    /// change points.
     pub crossing: Reg,
-    /// The links that lie in line where it ends.
+    /// The links that are in line at its end.
     pub links: Vec<LinkId>,
     /// The pin at which they meet.
     pub pin: Option<PointId>,
@@ -172,39 +175,42 @@ pub struct Program {
     pub steps: [Vec<Step>; 3],
     /// Registers with fixed values.
     pub constants: Vec<(Reg, f64)>,
-    /// How many registers there are.
+    /// The number of registers.
     pub registers: usize,
-    /// Where each column of the answers is found.
+    /// The register of each column of the answers.
     pub columns: Vec<Reg>,
     /// The closures that can miss, in solving order.
     pub joints: Vec<Joint>,
-    /// Position, velocity and acceleration of each point, as far as they are there: what belongs together.
+    /// Position, velocity and acceleration of each point, as far as they exist: pairs that belong
+    /// together.
     pub motions: Vec<[Option<Pair>; 3]>,
     /// The groups that are followed from position to position, in solving order.
     pub tracks: Vec<Track>,
-    /// Whether the swept quantity is an angle.
+    /// True if the swept quantity is an angle.
     pub angular: bool,
-    /// After how many turns of it everything stands as it did: one, or what rolls needs more; 0 where it never does.
+    /// The number of turns after which the pose recurs: one, or more with rolling links; 0 if it
+    /// never recurs.
     pub turns: u64,
-    /// How many times as fast as it the fastest of all wheels turns; at least 1.
+    /// The greatest ratio of a wheel's angular velocity to that of its driver; at least 1.
     pub fastest: f64,
-    /// The program as it is run, once it has been: for its answers, for its joints' crossings, for its answers and some crossings.
+    /// The forms of the program that run, each once it is needed: for its answers, for its joints'
+    /// crossings, for its answers and some crossings.
     pub(super) runs: [OnceLock<Fused>; 3],
 }
 
-/// The registers of the swept quantity: its value, and cosine and sine of it as an angle.
+/// The register of the swept quantity's value.
 pub const VALUE: Reg = Reg(0);
-/// Cosine.
+/// The register of its cosine, as an angle.
 pub const COS: Reg = Reg(1);
-/// Sine.
+/// The register of its sine, as an angle.
 pub const SIN: Reg = Reg(2);
 
-/// All three, the first of all registers.
+/// All three inputs, the first of all registers.
 pub(super) const INPUTS: [Reg; 3] = [VALUE, COS, SIN];
 
 impl Program {
-    /// Registers of one position with the inputs filled in, each with its derivative by the swept quantity. `per_value`: the
-    /// derivative of the angle whose cosine and sine are given.
+    /// Registers of one position with the inputs filled in, each with its derivative by the swept
+    /// quantity. `per_value` is the derivative of the angle that belongs to the cosine and sine.
     pub fn inputs(&self, value: f64, cos: f64, sin: f64, per_value: f64) -> Vec<Dual> {
         let mut registers = vec![Dual::fixed(0.0); self.registers];
         for (reg, value) in &self.constants {
@@ -222,7 +228,7 @@ impl Program {
         self.steps[0][steps].iter().for_each(|s| s.op.run(&mut single, s.out));
     }
 
-    /// The margin of a joint, from the registers that `read` reads.
+    /// The margin of a joint; `read` reads a register.
     pub fn margin<N: Lane>(&self, joint: &Joint, read: &impl Fn(Reg) -> N) -> Option<Margin<N>> {
         fn of<N: Lane, const IN: usize, const OUT: usize, K: Kernel<IN, OUT> + Closure<IN>>(k: &K, read: &impl Fn(Reg) -> N) -> Margin<N> {
             k.margin(k.inputs().map(read))

@@ -1,11 +1,11 @@
-//! What questions ask beyond points and rates, as kernels: lengths, angles, parts of a vector, the Coriolis term.
+//! Kernels of answers other than points and rates: lengths, angles, components, the Coriolis term.
 
 use super::kernel::{Kernel, Pair, Reg};
 use super::lane::Lane;
 use hodograph_base::geom::Vec2;
 use hodograph_scene::quantity::ROUNDING;
 
-/// |v|.
+/// The length |v| of a vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Length {
     /// The vector.
@@ -43,10 +43,10 @@ impl Kernel<2, 1> for Direction {
     }
 }
 
-/// The part of v along u, whatever u's length.
+/// The component of v along u, for any length of u.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Part {
-    /// Direction.
+    /// The direction.
     pub u: Pair,
     /// The vector.
     pub v: Pair,
@@ -66,10 +66,10 @@ impl Kernel<4, 2> for Part {
     }
 }
 
-/// u·v.
+/// The dot product u·v.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dot {
-    /// Direction.
+    /// The direction.
     pub u: Pair,
     /// The vector.
     pub v: Pair,
@@ -87,12 +87,12 @@ impl Kernel<4, 1> for Dot {
     }
 }
 
-/// aᵏ = 2 ω × v_r.
+/// The Coriolis acceleration aᵏ = 2 ω × v_r.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coriolis {
-    /// v_r.
+    /// The relative velocity v_r.
     pub v: Pair,
-    /// ω of the link that carries the guide.
+    /// The angular velocity ω of the link that carries the guide.
     pub omega: Reg,
 }
 
@@ -109,14 +109,14 @@ impl Kernel<3, 2> for Coriolis {
     }
 }
 
-/// a + k b.
+/// The sum a + k b.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sum {
-    /// First.
+    /// The first number, a.
     pub a: Reg,
-    /// Second.
+    /// The second number, b.
     pub b: Reg,
-    /// Its factor.
+    /// The factor k.
     pub k: f64,
 }
 
@@ -132,7 +132,7 @@ impl Kernel<2, 1> for Sum {
     }
 }
 
-/// The largest ratio of angular velocities: a divisor that is smaller still is zero but for rounding.
+/// The largest ratio of angular velocities: beyond it the divisor is zero within rounding.
 const MOST: f64 = 1.0 / ROUNDING;
 
 /// a / b; NaN if b is within rounding of zero relative to a or to the drivers' rates.

@@ -1,4 +1,5 @@
-//! Mechanisms with rolling pairs swept: compiled, by Newton's method, by differences, and against whole numbers.
+//! Tests of swept mechanisms with rolling pairs: compiled, by Newton's method, by differences, and
+//! against whole numbers.
 
 use super::extreme::limits;
 use super::{Placed, Stations, Width, compile, follow::whole, run};
@@ -13,14 +14,14 @@ const FAST: &str = r#"{"units": {"length": "mm", "angle": "deg"}, "links": {"1":
     "gears": [{"links": ["2","3"], "centres": ["A","D"], "teeth": [21, 40], "at": "K", "phase": "0 deg"}],
     "driver": {"link": "2", "angle": "0 deg", "omega": "10 rad/s"}, "find": ["phi_3","omega_3","alpha_3","v_K3","a_K3","v_C","a_C"]}"#;
 
-/// A planet between a sun that drives and a ring that stands, with a dyad behind.
+/// A planet between a driving sun and a fixed ring, followed by a dyad.
 const PLANET: &str = r#"{"units": {"length": "mm", "angle": "deg"}, "links": {"1": ["O","D"], "2": ["O"], "3": ["O","Q"], "4": ["Q","B"],
     "5": ["B","C"], "6": ["C","D"]}, "ground": "1", "points": {"O": [0,0], "Q": [36,48], "B": [46,66], "C": [110,80], "D": [120,10]},
     "gears": [{"links": ["2","4"], "centres": ["O","Q"], "radii": [30,30], "at": "K"},
               {"links": ["4","1"], "centres": ["Q","O"], "radii": [30,90], "ring": "1", "at": "E"}],
     "driver": {"link": "2", "omega": "-10 rad/s"}, "find": ["v_K4","v_B","v_C","omega_6","alpha_6","a_E4","a_B","omega_3"]}"#;
 
-/// Each with how far it is swept (rad, m).
+/// The scenes, each with the length of its sweep (rad, m).
 const SCENES: [(&str, &str, f64); 11] = [
     ("mesh", FAST, 3.0 * TAU),
     ("planet", PLANET, 0.5 * TAU),
@@ -105,7 +106,7 @@ fn with<T>(text: &str, see: impl FnOnce(&Placed) -> T) -> T {
     see(&Placed::new(&scene, &m).unwrap_or_else(|f| panic!("{f}\n{text}")))
 }
 
-/// The columns of both ways, the driver's values first.
+/// The columns by both methods, the driver's values first.
 fn both(name: &str, placed: &Placed, stations: &Stations) -> [Vec<Vec<f64>>; 2] {
     let compiled = compile(placed.scene, placed.mechanism, &placed.at, Some(0), &placed.scene.find);
     assert!(compiled.is_ok(), "{name}: {:?}", compiled.err());
@@ -140,7 +141,8 @@ fn compiled_is_what_newton_finds() {
     }
 }
 
-/// Every velocity is followed by the acceleration of the same point or link in `find`: differences of the first are the second.
+/// In `find`, the acceleration of a point or link follows its velocity: differences of the velocity
+/// give the acceleration.
 #[test]
 fn compiled_rates_are_differences() {
     let pairs = [
@@ -209,7 +211,7 @@ fn random_trains_are_what_newton_finds() {
             find.extend([format!("\"v_C{k}\""), format!("\"a_C{k}\""), format!("\"omega_{link}\"")]);
         }
         let (base, driven) = if planets { ("\"P0\"".to_owned(), ", \"99\": [") } else { (ground.join(","), "") };
-        // On an arm that drives, about a first wheel that stands.
+        // On an arm as the driver, about a fixed first wheel.
         let arm = if planets { format!("{driven}{}]", ground.join(",")) } else { String::new() };
         let drivers = if planets {
             r#"[{"link": "99", "omega": "2 rad/s"}, {"link": "2", "omega": "0 rad/s"}]"#
@@ -231,7 +233,7 @@ fn random_trains_are_what_newton_finds() {
     }
 }
 
-/// After ten thousand turns every angle is the one that whole numbers tell.
+/// After ten thousand turns every angle is the one that whole numbers give.
 #[test]
 fn ten_thousand_turns_lose_nothing() {
     with(FAST, |placed| {
@@ -241,7 +243,8 @@ fn ten_thousand_turns_lose_nothing() {
                 run(placed, 0, &Stations::turned(Angle::Deg(from as f64), Angle::Deg((from + 360) as f64), 120), Width::Widest).unwrap();
             let phi = &table.columns[1].values;
             for (i, phi) in phi.iter().enumerate() {
-                // −21/40 of the way, and the half turn by which the pair's phase begins: the angle at 0 is 0.
+                // −21/40 of the travel, and the half turn by which the pair's phase begins: the
+                // angle at 0 is 0.
                 let way = (-21 * (from + 3 * i as i64)).rem_euclid(360 * 40) as f64 / 40.0;
                 let off = libm::remainder(phi - way.to_radians(), TAU).abs();
                 assert!(off < 1e-15 * 8.0, "turn {turn}, {way}: off by {off:e}");
@@ -250,7 +253,7 @@ fn ten_thousand_turns_lose_nothing() {
     });
 }
 
-/// Newton's method comes as far as it is sent, and says what the program says.
+/// Newton's method reaches any travel that it is sent to, and agrees with the program.
 #[test]
 fn newton_is_not_blocked_by_the_length_of_the_way() {
     with(FAST, |placed| {
@@ -259,14 +262,14 @@ fn newton_is_not_blocked_by_the_length_of_the_way() {
     });
 }
 
-/// Limits lie on any of the turns after which a train stands as before.
+/// Limits exist on any of the turns after which a train's pose recurs.
 #[test]
 fn limits_are_found_beyond_one_turn() {
     let scene = read(PLANET).unwrap().value;
     let m = Mechanism::new(&scene).unwrap().value;
     let found = limits(&scene, &m, 0).unwrap();
     let ends: Vec<f64> = found.range.ends.iter().flatten().map(|e| e.value.to_degrees()).collect();
-    // Where |BD| = BC + CD, with OQ turned by φ/4 and QB by −φ/2.
+    // The position at which |BD| = BC + CD, with OQ turned by φ/4 and QB by −φ/2.
     assert!(
         ends.len() == 2 && (ends[0] + 659.536_744_354_043_7).abs() < 1e-9 && (ends[1] - 241.225_814_241_048_6).abs() < 1e-9,
         "{ends:?}"

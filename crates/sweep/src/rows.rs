@@ -1,22 +1,25 @@
-//! Velocities and accelerations of the groups as kernels: each leg gives one row n·v_P = c, the rows of a group are solved.
+//! Kernels of the groups' velocities and accelerations: each leg gives one row n·v_P = c, and the
+//! rows of a group are solved together.
 //!
-//! For a pin P = its own place; for a link P is the place where the leg holds it, r the arm to it from the link's own
-//! point. The rows of accelerations have the same n. Two bars, the RRR dyad, have kernels of their own that do both.
+//! For a pin, P is its own place; for a link, P is the place where the leg holds it, r the arm to
+//! it from the link's own point. The rows of accelerations have the same n. Two bars, the RRR dyad,
+//! have kernels of their own that do both.
 
 use super::kernel::{Kernel, Pair, Reg};
 use super::lane::Lane;
 use hodograph_base::geom::Vec2;
 
-/// P keeps a distance l from F that grows at a given rate: n = P − F, c = n·v_F + l l̇.
+/// The velocity row of a distance: P keeps a distance l from F that grows at a given rate, n = P −
+/// F, c = n·v_F + l l̇.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Distance {
-    /// P − F.
+    /// The vector P − F.
     pub n: Pair,
-    /// v_F.
+    /// The velocity v_F.
     pub vf: Pair,
-    /// l.
+    /// The distance l.
     pub l: Reg,
-    /// l̇.
+    /// The rate l̇.
     pub rate: f64,
 }
 
@@ -32,22 +35,22 @@ impl Kernel<5, 1> for Distance {
     }
 }
 
-/// The same for accelerations: c = n·a_F − |v_P − v_F|² + l̇² + l l̈.
+/// The acceleration row of a distance: c = n·a_F − |v_P − v_F|² + l̇² + l l̈.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistanceRate {
-    /// P − F.
+    /// The vector P − F.
     pub n: Pair,
-    /// v_P.
+    /// The velocity v_P.
     pub vp: Pair,
-    /// v_F.
+    /// The velocity v_F.
     pub vf: Pair,
-    /// a_F.
+    /// The acceleration a_F.
     pub af: Pair,
-    /// l.
+    /// The distance l.
     pub l: Reg,
-    /// l̇.
+    /// The rate l̇.
     pub rate: f64,
-    /// l̈.
+    /// The second derivative l̈.
     pub acceleration: f64,
 }
 
@@ -64,17 +67,17 @@ impl Kernel<9, 1> for DistanceRate {
     }
 }
 
-/// P moves at a given rate along n, a direction of a body Q that turns with ω: c = n·(v_O + ω × r) + rate, O a point
-/// of Q and r the arm from it to P.
+/// The velocity row of a guide: P moves at a given rate along n, a direction of a body Q with the
+/// angular velocity ω, c = n·(v_O + ω × r) + rate, with O a point of Q and r the arm from it to P.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Guided {
-    /// Direction.
+    /// The direction n.
     pub n: Pair,
-    /// P − O.
+    /// The arm r = P − O.
     pub r: Pair,
-    /// v_O.
+    /// The velocity v_O.
     pub vo: Pair,
-    /// ω of the body.
+    /// The angular velocity ω of the body.
     pub omega: Reg,
     /// The rate.
     pub rate: f64,
@@ -92,24 +95,25 @@ impl Kernel<7, 1> for Guided {
     }
 }
 
-/// The same for accelerations: c = n·(a_O + α × r − ω² r) + 2 ω n·(v_r turned by 90°) + acceleration, v_r = v_P − v_O − ω × r.
+/// The acceleration row of a guide: c = n·(a_O + α × r − ω² r) + 2 ω n·(v_r turned by 90°) +
+/// acceleration, v_r = v_P − v_O − ω × r.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GuidedRate {
-    /// Direction.
+    /// The direction n.
     pub n: Pair,
-    /// P − O.
+    /// The arm r = P − O.
     pub r: Pair,
-    /// v_P.
+    /// The velocity v_P.
     pub vp: Pair,
-    /// v_O.
+    /// The velocity v_O.
     pub vo: Pair,
-    /// a_O.
+    /// The acceleration a_O.
     pub ao: Pair,
-    /// ω of the body.
+    /// The angular velocity ω of the body.
     pub omega: Reg,
-    /// α of the body.
+    /// The angular acceleration α of the body.
     pub alpha: Reg,
-    /// The rate of the rate.
+    /// The second derivative along n.
     pub acceleration: f64,
 }
 
@@ -130,21 +134,22 @@ impl Kernel<12, 1> for GuidedRate {
     }
 }
 
-/// A slot of the link runs over a known point B; n is square to the slot, r = B − O. For accelerations
-/// c = n·a_B − 2 ω n·(v_r turned by 90°), v_r = v_B − v_O − ω × r; for velocities c = n·v_B is a [`Distance`] at rate 0.
+/// The acceleration row of a slot: a slot of the link runs over a known point B, n is square to the
+/// slot, r = B − O: c = n·a_B − 2 ω n·(v_r turned by 90°), v_r = v_B − v_O − ω × r. For velocities
+/// c = n·v_B is a [`Distance`] at rate 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlotRate {
-    /// Square to the slot.
+    /// The direction n, square to the slot.
     pub n: Pair,
-    /// B − O.
+    /// The arm r = B − O.
     pub r: Pair,
-    /// v_B.
+    /// The velocity v_B.
     pub vb: Pair,
-    /// a_B.
+    /// The acceleration a_B.
     pub ab: Pair,
-    /// v_O of the link.
+    /// The velocity v_O of the link.
     pub vo: Pair,
-    /// ω of the link.
+    /// The angular velocity ω of the link.
     pub omega: Reg,
 }
 
@@ -163,16 +168,17 @@ impl Kernel<11, 1> for SlotRate {
     }
 }
 
-/// The row of a link's own point, where the turning is known: c' = c − ω n·(r turned by 90°).
+/// The velocity row of a link's own point, for a known angular velocity: c' = c − ω n·(r turned by
+/// 90°).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reduced {
-    /// n.
+    /// The normal n.
     pub n: Pair,
-    /// r.
+    /// The arm r.
     pub r: Pair,
-    /// c.
+    /// The right-hand side c.
     pub c: Reg,
-    /// ω.
+    /// The angular velocity ω.
     pub omega: Reg,
 }
 
@@ -188,18 +194,18 @@ impl Kernel<6, 1> for Reduced {
     }
 }
 
-/// The same for accelerations: c' = c + ω² n·r − α n·(r turned by 90°).
+/// The acceleration row of a link's own point: c' = c + ω² n·r − α n·(r turned by 90°).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReducedRate {
-    /// n.
+    /// The normal n.
     pub n: Pair,
-    /// r.
+    /// The arm r.
     pub r: Pair,
-    /// c.
+    /// The right-hand side c.
     pub c: Reg,
-    /// ω.
+    /// The angular velocity ω.
     pub omega: Reg,
-    /// α, or zero where it is still unknown.
+    /// The angular acceleration α, or zero while it is unknown.
     pub alpha: Reg,
 }
 
@@ -215,16 +221,17 @@ impl Kernel<7, 1> for ReducedRate {
     }
 }
 
-/// The turning of a link whose own point moves by v: ω = (c − n·v)/(n·(r turned by 90°)). With a reduced row, α alike.
+/// Angular velocity of a link with the velocity v of its own point: ω = (c − n·v)/(n·(r turned by
+/// 90°)). With a reduced row it gives α in the same way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurnOf {
-    /// n.
+    /// The normal n.
     pub n: Pair,
-    /// r.
+    /// The arm r.
     pub r: Pair,
-    /// c.
+    /// The right-hand side c.
     pub c: Reg,
-    /// v of the link's own point.
+    /// The velocity v of the link's own point.
     pub v: Pair,
 }
 
@@ -240,16 +247,16 @@ impl Kernel<7, 1> for TurnOf {
     }
 }
 
-/// Two rows crossed: v with n₁·v = c₁, n₂·v = c₂.
+/// The solution of two rows: v with n₁·v = c₁, n₂·v = c₂.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cross {
-    /// n₁.
+    /// The normal n₁.
     pub n1: Pair,
-    /// c₁.
+    /// The right-hand side c₁.
     pub c1: Reg,
-    /// n₂.
+    /// The normal n₂.
     pub n2: Pair,
-    /// c₂.
+    /// The right-hand side c₂.
     pub c2: Reg,
 }
 
@@ -266,10 +273,10 @@ impl Kernel<6, 2> for Cross {
     }
 }
 
-/// Three rows: v and ω of a link with n·(v + ω × r) = c for each.
+/// The solution of three rows: v and ω of a link with n·(v + ω × r) = c for each.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Three {
-    /// n, r and c of the three.
+    /// The n, r and c of the three rows.
     pub rows: [(Pair, Pair, Reg); 3],
 }
 
@@ -289,27 +296,27 @@ impl Kernel<15, 3> for Three {
         let det = ta * bc + tb * ca_ + tc * ab;
         let omega = (ca * bc + cb * ca_ + cc * ab) / det;
         let pick = |fa: N, fb: N, fc: N| {
-            // Σ c_i (f_j τ_k − f_k τ_j), f the other component of the normals.
+            // The formula Σ c_i (f_j τ_k − f_k τ_j), with f the other component of the normals.
             (ca * (fb * tc - fc * tb) + cb * (fc * ta - fa * tc) + cc * (fa * tb - fb * ta)) / det
         };
         [pick(na.y, nb.y, nc.y), -pick(na.x, nb.x, nc.x), omega]
     }
 }
 
-/// Two bars A–C, B–C: v_C, and 1/det for the accelerations.
+/// Velocity v_C of the pin of two bars A–C and B–C, and 1/det for the accelerations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bars {
-    /// C.
+    /// The pin C.
     pub c: Pair,
-    /// A.
+    /// The end A.
     pub a: Pair,
-    /// B.
+    /// The end B.
     pub b: Pair,
-    /// v_A.
+    /// The velocity v_A.
     pub va: Pair,
-    /// v_B.
+    /// The velocity v_B.
     pub vb: Pair,
-    /// (C − A) × (C − B).
+    /// The determinant (C − A) × (C − B).
     pub det: Reg,
 }
 
@@ -330,18 +337,18 @@ impl Kernel<11, 3> for Bars {
     }
 }
 
-/// The same for accelerations.
+/// Acceleration of the pin of two bars.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BarsRate {
-    /// The velocities' operation.
+    /// The operation of the velocities.
     pub bars: Bars,
-    /// v_C.
+    /// The velocity v_C.
     pub vc: Pair,
-    /// a_A.
+    /// The acceleration a_A.
     pub aa: Pair,
-    /// a_B.
+    /// The acceleration a_B.
     pub ab: Pair,
-    /// 1/det.
+    /// The quotient 1/det.
     pub inverse: Reg,
 }
 

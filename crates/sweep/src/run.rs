@@ -1,9 +1,10 @@
-//! A program run over chunks of positions, four at a time or one.
+//! Runs a program over chunks of positions, four at a time or one.
 //!
-//! Registers hold [`CHUNK`] positions each (structure of arrays); each operation runs through the whole chunk before the next
-//! begins. Whether four positions are run at once or one changes no bit.
+//! Registers hold [`CHUNK`] positions each (structure of arrays); each operation runs through the
+//! whole chunk before the next begins. Four positions at once and one give the same bits.
 
-// Several arrays are gone through side by side; loops over numbers are sure to be unrolled.
+// The loops step through several arrays side by side; loops over numbers are certain to be
+// unrolled.
 #![allow(clippy::needless_range_loop)]
 
 use super::fuse::{Fused, cranks::*, kernels::*};
@@ -14,8 +15,8 @@ use super::station::Stations;
 use fearless_simd::{Simd, SimdBase, SimdFrom, f64x4};
 use std::ops::Range;
 
-/// Positions run together: the registers of an eight-link mechanism with velocities and accelerations then stay in a
-/// first-level cache of 32 KiB.
+/// The number of positions run together: the registers of an eight-link mechanism with velocities
+/// and accelerations then stay in a first-level cache of 32 KiB.
 pub const CHUNK: usize = 64;
 
 /// Groups of four in a chunk.
@@ -24,17 +25,18 @@ const QUADS: usize = CHUNK / 4;
 /// The numbers of a register at all positions of a chunk.
 type Block = [[f64; 4]; QUADS];
 
-/// One register's numbers. Aligned, for a group of four that lies across two lines of the cache takes twice as long to store.
+/// One register's numbers. They are aligned, because a group of four across two lines of the cache
+/// takes twice as long to store.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 struct Column(Block);
 
-/// Runs kernels of whatever kind.
+/// A runner of kernels of any kind.
 pub(super) trait Runner {
     fn run<const IN: usize, const OUT: usize, K: Kernel<IN, OUT>>(&mut self, kernel: &K, out: Reg);
 }
 
-/// Operations, each named once: the enumeration, its conversions and its one dispatch.
+/// Declares operations, each named once: the enumeration, its conversions and its one dispatch.
 macro_rules! operations {
     ($all:ident: $($(#[$doc:meta])* $name:ident),* $(,)?) => {
         /// An operation.
@@ -84,21 +86,21 @@ operations! { Whole:
     SliderP, SliderV, SliderA, SliderVL, SliderAL,
     /// A slot of a lever over a pin.
     SlottedV, SlottedA,
-    /// The same on the pin of a crank.
+    /// A slot of a lever over the pin of a crank.
     CrankDyadP, CrankDyadV, CrankDyadA, CrankDyadVL, CrankDyadAL,
     CrankSliderP, CrankSliderV, CrankSliderA, CrankSliderVL, CrankSliderAL,
     CrankSlottedV, CrankSlottedA,
-    /// The same, the crank turning evenly.
+    /// A slot of a lever over the pin of a crank that turns evenly.
     EvenDyadP, EvenDyadV, EvenDyadA, EvenDyadVL, EvenDyadAL,
     EvenSliderP, EvenSliderV, EvenSliderA, EvenSliderVL, EvenSliderAL,
     EvenSlottedV, EvenSlottedA,
-    /// Turning of a line.
+    /// Angular velocity or acceleration of a line.
     TurnedV, TurnedA,
-    /// Turning of a line of which one point is fixed.
+    /// Angular velocity or acceleration of a line with one fixed point.
     TurnedGroundV, TurnedGroundA,
 }
 
-/// What is run: an operation of the compiled list, or several as one.
+/// An operation to run: one of the compiled list, or several as one.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Any {
     One(Op),
@@ -115,7 +117,8 @@ impl Any {
     }
 }
 
-/// An operation, where what it reads ends in the list of wires, and the first of the registers that it fills.
+/// An operation, the end of its inputs in the list of wires, and the first of the registers that it
+/// fills.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed {
     pub op: Any,
@@ -123,16 +126,17 @@ pub(super) struct Placed {
     pub out: Reg,
 }
 
-/// A chunk's registers.
+/// The registers of a chunk.
 #[derive(Clone, Debug, Default)]
 pub struct Buffer {
     columns: Vec<Column>,
-    /// Groups of four that are filled.
+    /// The number of filled groups of four.
     quads: usize,
 }
 
 impl Buffer {
-    /// The same memory for so many registers, with whatever is in it: an operation fills registers before others read them.
+    /// Returns the same memory for a number of registers, with arbitrary contents: an operation
+    /// fills registers before others read them.
     pub(super) fn sized(mut self, registers: usize) -> Buffer {
         if self.columns.len() < registers {
             self.columns.resize(registers, Column([[0.0; 4]; QUADS]));
@@ -145,7 +149,7 @@ impl Buffer {
         self.columns[reg.0 as usize].0[row / 4][row % 4]
     }
 
-    /// Sets it.
+    /// Sets the number of a register at a position of the chunk.
     pub fn set(&mut self, reg: Reg, row: usize, value: f64) {
         self.columns[reg.0 as usize].0[row / 4][row % 4] = value;
     }
@@ -155,14 +159,15 @@ impl Buffer {
         &self.columns[reg.0 as usize].0.as_flattened()[..n]
     }
 
-    /// Takes the numbers of answers to their places, which are of one length. Whether all of them are finite, for sure: a sum with what is
-    /// not finite is not either, and none need be looked at by itself.
+    /// Copies the numbers of answers to their places, which all have one length. Returns true only
+    /// if all of them are finite: a sum with an infinite number or NaN is not finite either, so no
+    /// number needs a test of its own.
     pub(super) fn hand_out<'a>(&self, answers: &[Answer], places: impl Iterator<Item = &'a mut [f64]>, width: Width) -> bool {
         if let Some(simd) = width.four() {
             return simd.vectorize(
                 #[inline(always)]
                 || {
-                    // Four sums side by side, for each waits for what was added before.
+                    // Four sums side by side, because each waits for the addition before it.
                     let mut sums = [f64x4::splat(simd, 0.0); 4];
                     let mut rest = 0.0;
                     for (answer, place) in answers.iter().zip(places) {
@@ -216,24 +221,26 @@ impl Buffer {
         let end = values.len().next_multiple_of(4);
         let column = self.columns[reg.0 as usize].0.as_flattened_mut();
         column[..values.len()].copy_from_slice(values);
-        // The last group repeats the last position, so that no lane of it meets numbers of another chunk.
+        // The last group repeats the last position, so that none of its lanes holds numbers of
+        // another chunk.
         if let Some(last) = values.last() {
             column[values.len()..end].fill(*last);
         }
     }
 }
 
-/// The registers of a chunk take no more than this, so that a long chain stays in a second-level cache too.
+/// The most memory that the registers of a chunk take (bytes), so that a long chain stays in a
+/// second-level cache too.
 const ROOM: usize = 128 * 1024;
 
 impl Fused {
-    /// How many positions are best run together: a whole chunk, or fewer where there are many registers.
+    /// The best number of positions to run together: a whole chunk, or fewer with many registers.
     pub fn positions(&self) -> usize {
-        // Fewer than four groups would not pay for going through the list.
+        // Fewer than four groups do not repay the pass through the list.
         4 * (ROOM / (self.registers * size_of::<[f64; 4]>())).clamp(4, QUADS)
     }
 
-    /// Fills in the inputs of a chunk: some stations, as many as [`Fused::positions`] at most.
+    /// Fills in the inputs of a chunk: some stations, [`Fused::positions`] at most.
     pub fn load(&self, buffer: &mut Buffer, stations: &Stations, rows: Range<usize>) {
         buffer.quads = rows.len().div_ceil(4);
         for reg in &self.inputs {
@@ -246,7 +253,7 @@ impl Fused {
         }
     }
 
-    /// Runs a chunk whose inputs are filled in.
+    /// Runs a chunk with filled inputs.
     pub fn run(&self, buffer: &mut Buffer, width: Width) {
         let quads = buffer.quads;
         let Some((inputs, own)) = buffer.columns.split_first_chunk_mut::<{ INPUTS.len() }>() else { return };
@@ -256,8 +263,9 @@ impl Fused {
         self.run_in(Memory { inputs, slots, quads, wires: &[] }, width);
     }
 
-    /// Runs the chunk of [`CHUNK`] stations from `first` on, with nothing filled in. What is [`Answer::There`] the operations put to its
-    /// place themselves, while they compute: to carry it there afterwards takes a fifth of the time again.
+    /// Runs the chunk of [`CHUNK`] stations from `first` on, without filling anything in.
+    /// Operations put the answers of the form [`Answer::There`] directly in their places while they
+    /// compute: copying them afterwards takes a fifth of the time more.
     pub(super) fn run_there<'a>(
         &'a self,
         buffer: &'a mut Buffer,
@@ -283,7 +291,8 @@ impl Fused {
         self.run_in(Memory { inputs: [values, cosines, sines], slots, quads: QUADS, wires: &[] }, width);
     }
 
-    /// Where answers are found that are in these registers; `straight`: when operations put what they can to its place themselves.
+    /// The answers in these registers; with `straight`, operations put those that they can directly
+    /// in their places.
     pub(super) fn answers(&self, found: &[Option<Reg>], straight: bool) -> Vec<Answer> {
         let constant = |reg: Reg| self.constants.iter().any(|(r, _)| *r == reg);
         let twice = |reg: Reg| found.iter().filter(|r| **r == Some(reg)).count() > 1;
@@ -312,10 +321,11 @@ impl Fused {
         }
     }
 
-    /// Whether at a row of a chunk that was run some closure misses by more than rounding may explain: of a program that has the
-    /// crossings of its joints, for what closures read may be inside an operation of another.
+    /// True if, at a row of a chunk that was run, some closure misses by more than rounding may
+    /// explain. The program must have the crossings of its joints, because the inputs of closures
+    /// may be inside another operation.
     pub fn misses(&self, program: &Program, buffer: &Buffer, row: usize) -> bool {
-        // As much as a hundred roundings of the terms: nearer to a touch the general solver decides.
+        // A hundred roundings of the terms: nearer to a touch the general solver decides.
         const SURE: f64 = -100.0 * f64::EPSILON;
         program.joints.iter().any(|j| {
             let margin = self.margin(program, j, buffer, row);
@@ -329,18 +339,18 @@ impl Fused {
     }
 }
 
-/// How an answer gets to its place in a table.
+/// The way of an answer to its place in a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Answer {
     /// The operation that fills this register puts it there.
     There(Reg),
-    /// From this register.
+    /// It is copied from this register.
     In(Reg),
-    /// There is none.
+    /// There is no answer.
     Nowhere,
 }
 
-/// The registers of a chunk that is run, and where its operation reads.
+/// The registers of a running chunk, and the inputs of its operation.
 struct Memory<'a> {
     inputs: [&'a Block; INPUTS.len()],
     /// The registers that are not inputs.
@@ -349,7 +359,7 @@ struct Memory<'a> {
     wires: &'a [Reg],
 }
 
-/// What an operation reads and what it fills.
+/// The inputs and results of an operation.
 type Columns<'a, const IN: usize, const OUT: usize> = ([&'a Block; IN], [&'a mut Block; OUT]);
 
 impl Memory<'_> {
@@ -384,17 +394,19 @@ impl<S: Simd> Runner for Four<'_, S> {
     fn run<const IN: usize, const OUT: usize, K: Kernel<IN, OUT>>(&mut self, kernel: &K, out: Reg) {
         let simd = self.simd;
         let memory = &mut self.memory;
-        // A function of its own for each kernel: all of them in one take three times as long to compile. It finds its columns itself, for
-        // handed in they would go through memory.
+        // Each kernel is a function of its own: all of them in one take three times as long to
+        // compile. It finds its columns itself, because as arguments they would go through memory.
         simd.vectorize(
             #[inline(always)]
             || {
                 let quads = memory.quads.min(QUADS);
                 let Some((x, y)) = memory.columns::<IN, OUT>(out) else { return };
-                // A copy, which no number that is put out can lie in: what is made of its constants is made before the loop.
+                // The copy cannot alias a number that is written, so values made of its constants
+                // are computed before the loop.
                 let kernel = *kernel;
                 for i in 0..quads {
-                    // A loop, for what is not inlined runs without SIMD registers.
+                    // The loop makes sure of inlining; code that is not inlined runs without SIMD
+                    // registers.
                     let mut lanes = [f64x4::splat(simd, 0.0); IN];
                     for k in 0..IN {
                         lanes[k] = f64x4::simd_from(simd, x[k][i]);
@@ -422,7 +434,7 @@ impl<'a> AsMut<Memory<'a>> for One<'a> {
 }
 
 impl Runner for One<'_> {
-    // As with four.
+    // A function of its own for each kernel, as with four.
     #[inline(never)]
     fn run<const IN: usize, const OUT: usize, K: Kernel<IN, OUT>>(&mut self, kernel: &K, out: Reg) {
         let quads = self.memory.quads.min(QUADS);

@@ -1,4 +1,4 @@
-//! Proof of a sweep by samples: some of its positions are judged by what the scene states.
+//! Proof of a sweep by samples: some of its positions are judged by the statements of the scene.
 
 use super::chunks::run_parts;
 use super::general::General;
@@ -10,15 +10,17 @@ use hodograph_base::diag::Faults;
 use hodograph_mechanism::position::Configuration;
 use hodograph_mechanism::stated::{self, Moment};
 
-/// Positions that are judged in a sweep of any length: both ends, and others evenly between them. The tests judge every position of sweeps of all
-/// templates.
+/// The number of positions judged in a sweep of any length: both ends, and others evenly between
+/// them. The tests judge every position of sweeps of all templates.
 const SAMPLES: usize = 9;
 
-/// The largest number of stations through which a group is followed to the judged positions: about that of a usual sweep.
+/// The largest number of stations through which a group is followed to the judged positions: about
+/// that of a usual sweep.
 const FOLLOWED: usize = 73;
 
-/// Checks that some positions in which the compiled program of a sweep puts the mechanism meet what the scene states. `value` tells the driver's value at
-/// each of `count` stations. Positions that the mechanism does not reach are not judged. Rows that no program makes are proved one by one as they are
+/// Checks that some positions of a sweep's compiled program satisfy the statements of the scene.
+/// `value` returns the driver's value at each of `count` stations. Positions that the mechanism
+/// does not reach are not judged. Rows made without a program are proved one by one as they are
 /// made.
 ///
 /// # Errors

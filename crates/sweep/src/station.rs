@@ -1,4 +1,5 @@
-//! The positions at which a driver is looked at: its values, with the cosine and sine of each where it turns.
+//! Positions of a driver in a sweep: its values, with the cosine and sine of each for a turning
+//! driver.
 
 use hodograph_base::geom::Vec2;
 use hodograph_base::trig;
@@ -10,95 +11,99 @@ use std::ops::Range;
 /// Values of a driver (rad or m), in order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stations {
-    /// Value of each.
+    /// The value of each station.
     pub values: Vec<f64>,
-    /// Cosine and sine of each as an angle; for a driver along an arc, of the angle that its way makes there.
+    /// The cosine of each as an angle; for a driver along an arc, of the angle that belongs to its
+    /// travel.
     pub cosines: Vec<f64>,
-    /// Sines.
+    /// The sine of each.
     pub sines: Vec<f64>,
 }
 
 impl Stations {
-    /// `steps` equal steps from one angle to another, both ends included; degrees are reduced exactly.
+    /// Returns `steps` equal steps from one angle to another, both ends included; degrees are
+    /// reduced exactly.
     pub fn turned(from: Angle, to: Angle, steps: usize) -> Stations {
         Steps { way: Way::Turn(from, to), steps }.all()
     }
 
-    /// Given values, which mean angle·`per_value` for cosine and sine.
+    /// Returns given values; `angle = value·per_value` gives cosine and sine.
     pub fn of_values(values: Vec<f64>, per_value: f64) -> Stations {
         let (sines, cosines) = values.iter().map(|v| (libm::sin(v * per_value), libm::cos(v * per_value))).unzip();
         Stations { values, cosines, sines }
     }
 
-    /// `steps` equal steps from one length to another, both ends included.
+    /// Returns `steps` equal steps from one length to another, both ends included.
     pub fn slid(from: f64, to: f64, steps: usize, per_value: f64) -> Stations {
         Steps { way: Way::Slide { from, to, per_value }, steps }.all()
     }
 
-    /// Some of them.
+    /// Returns the stations of some rows.
     pub fn pick(&self, rows: &[usize]) -> Stations {
         let of = |values: &[f64]| rows.iter().map(|&i| values[i]).collect();
         Stations { values: of(&self.values), cosines: of(&self.cosines), sines: of(&self.sines) }
     }
 
-    /// Where one puts a driver of a scene: its value, of an angle beyond a turn without the whole turns, as exactly as cosine and
-    /// sine have it; unless wheels stand elsewhere on every turn.
+    /// The position of a scene's driver at a station: its value. An angle beyond a turn loses the
+    /// whole turns, as exactly as cosine and sine give it, unless wheels are in another position on
+    /// every turn.
     pub(super) fn place(&self, i: usize, scene: &Scene, driver: usize) -> f64 {
-        // Behind wheels a turn of the driver is none of a cam.
+        // With wheels between them, a turn of the driver is not a turn of a cam.
         let turned = scene.drivers[driver].kind.turns() && scene.rolling.is_empty() && self.values[i].abs() > TAU;
         if turned { libm::atan2(self.sines[i], self.cosines[i]) } else { self.values[i] }
     }
 
-    /// Their indices in the order of their values.
+    /// Indices of the stations in the order of their values.
     pub(super) fn ascending(&self) -> Vec<usize> {
         let mut order: Vec<usize> = (0..self.len()).collect();
         order.sort_by(|&a, &b| self.values[a].total_cmp(&self.values[b]));
         order
     }
 
-    /// How many.
+    /// Returns the number of stations.
     pub fn len(&self) -> usize {
         self.values.len()
     }
 
-    /// Whether there are none.
+    /// Returns true if there are none.
     pub fn is_empty(&self) -> bool {
         self.values.is_empty()
     }
 }
 
-/// From where to where a driver goes.
+/// The range of a driver's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Way {
     /// From one angle to another.
     Turn(Angle, Angle),
-    /// From one value to another (rad or m), which mean angle·`per_value` for cosine and sine.
+    /// From one value to another (rad or m); `angle = value·per_value` gives cosine and sine.
     Slide {
         /// The first value.
         from: f64,
-        /// The last.
+        /// The last value.
         to: f64,
         /// See [`angle_per_value`].
         per_value: f64,
     },
 }
 
-/// Equal steps of a driver, both ends included: [`Stations`] of any part of them are made where they are needed.
+/// Equal steps of a driver, both ends included; the [`Stations`] of any part of them are made where
+/// they are needed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Steps {
-    /// From where to where.
+    /// The range.
     pub way: Way,
-    /// How many steps; there is a station more.
+    /// The number of steps; there is one station more.
     pub steps: usize,
 }
 
 impl Steps {
-    /// All stations.
+    /// Returns all stations.
     pub fn all(&self) -> Stations {
         self.part(0..self.steps + 1)
     }
 
-    /// The value of one station.
+    /// Returns the value of one station.
     pub fn value(&self, i: usize) -> f64 {
         match self.way {
             Way::Slide { from, to, .. } => between(from, to, i, self.steps),
@@ -106,7 +111,7 @@ impl Steps {
         }
     }
 
-    /// Some of the stations, the same whatever part they are asked in.
+    /// Returns some of the stations; they do not depend on how the steps are divided into parts.
     pub fn part(&self, rows: Range<usize>) -> Stations {
         let steps = self.steps;
         match self.way {
@@ -126,7 +131,7 @@ impl Steps {
     }
 }
 
-/// The `i`-th of `steps` equal steps between two angles; degrees stay degrees where both are.
+/// The `i`-th of `steps` equal steps between two angles, in degrees if both ends are.
 fn turned(from: Angle, to: Angle, i: usize, steps: usize) -> Angle {
     match (from, to) {
         (Angle::Deg(a), Angle::Deg(b)) => Angle::Deg(between(a, b, i, steps)),
@@ -143,7 +148,8 @@ fn between(a: f64, b: f64, i: usize, steps: usize) -> f64 {
     }
 }
 
-/// The angle of a driver's motion by its value: 1 where it turns, 1/ρ along an arc, 0 where no angle is in it.
+/// Returns the angle of a driver's motion per unit of its value: 1 if it turns, 1/ρ along an arc, 0
+/// if the motion has no angle.
 pub fn angle_per_value(scene: &Scene, at: &Configuration, driver: usize) -> f64 {
     let kind = &scene.drivers[driver].kind;
     match kind.guide().and_then(|guide| at.shapes.guides[guide.0]) {
@@ -153,8 +159,9 @@ pub fn angle_per_value(scene: &Scene, at: &Configuration, driver: usize) -> f64 
     }
 }
 
-/// Where a driver stands at the instant (rad or m). Of an angle of more than a turn only the part of a turn counts: the pose is the
-/// same, and the way from it is counted in turns of the stations, not in those that a scene has written; unless wheels stand elsewhere on
+/// Returns the position of a driver at the instant (rad or m). An angle of more than a turn is
+/// reduced to its part of a turn: the pose is the same, and travel from it is counted in turns of
+/// the stations, not of the scene's angle. It is not reduced if wheels are in another position on
 /// every turn.
 pub fn position_now(scene: &Scene, at: &Configuration, driver: usize) -> f64 {
     let written = scene.drivers[driver].kind.angle().map(|angle| angle.value);
@@ -166,7 +173,8 @@ pub fn position_now(scene: &Scene, at: &Configuration, driver: usize) -> f64 {
     }
 }
 
-/// Where that stands at the instant which goes on from pose to pose: a driver (rad or m), or the time (s).
+/// Returns the start of a motion from pose to pose: the driver's position at the instant (rad or
+/// m), or the time (s).
 pub fn now(scene: &Scene, at: &Configuration, swept: Swept) -> f64 {
     match swept {
         Swept::Driver(d) => position_now(scene, at, d),
@@ -174,8 +182,8 @@ pub fn now(scene: &Scene, at: &Configuration, swept: Swept) -> f64 {
     }
 }
 
-/// The value of each driver in a placed mechanism: the angle that the scene counts (rad, as written where it is written),
-/// the coordinate along the guide, the length of the cylinder (m).
+/// The value of each driver in a placed mechanism: its angle in the scene's count (rad; the scene's
+/// own value where it is given), the coordinate along the guide, the length of the cylinder (m).
 pub(super) fn driver_positions(scene: &Scene, at: &Configuration) -> Vec<f64> {
     let measured = newton::driver_values(scene, at);
     scene

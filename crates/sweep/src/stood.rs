@@ -1,6 +1,8 @@
-//! Questions without a kernel of a mechanism that has a program: this places everything at each station, and the loop equations answer there.
+//! Answers questions without a kernel in a mechanism whose positions have a program: the program
+//! gives the configuration at each station, and the loop equations answer there.
 //!
-//! So these rows are on the same branches as those of all other questions, whatever lies on the way to them.
+//! These rows are therefore on the same branches as those of all other questions, whatever events
+//! precede them.
 
 use super::chunks::{Rows, run_parts};
 use super::compile::{self, ask};
@@ -19,19 +21,20 @@ use rayon::prelude::*;
 
 /// The positions of a mechanism, compiled.
 pub(super) struct Stood {
-    /// The program of the places.
+    /// The program of the positions.
     pub program: Program,
     points: Vec<PointId>,
     links: Vec<LinkId>,
 }
 
 impl Stood {
-    /// The positions of a placed mechanism that is moved by a driver; `None` where a group has no kernel, or is followed.
+    /// Compiles the positions of a placed mechanism moved by a driver; `None` if a group has no
+    /// kernel, or is followed.
     pub fn of(placed: &Placed, driver: usize) -> Option<Stood> {
         Stood::even_followed(placed, driver).filter(|s| s.program.tracks.is_empty())
     }
 
-    /// As [`Stood::of`], including groups that are followed.
+    /// Compiles as [`Stood::of`] does, but includes groups that are followed.
     pub fn even_followed(placed: &Placed, driver: usize) -> Option<Stood> {
         let (scene, m, at) = (placed.scene, placed.mechanism, &placed.at);
         let points: Vec<PointId> =
@@ -42,7 +45,8 @@ impl Stood {
         Some(Stood { program, points, links })
     }
 
-    /// The rows of stations, by the program of each stretch between change points; `None` when asked to stop.
+    /// The rows of stations, by the program of each stretch between change points; `None` if `stop`
+    /// asks to stop.
     pub fn rows(&self, parts: &[(Program, Vec<usize>)], general: &General, stations: &Stations, stop: Stop) -> Option<Rows> {
         let placed = general.placed();
         let there = run_parts(parts, placed, general.driver(), stations, Width::Widest);
@@ -64,8 +68,9 @@ impl Stood {
         Some(rows)
     }
 
-    /// The positions at some stations where a joint may have a change point on the way, beyond which the closures of the instant do not hold; `None`
-    /// where they hold, and where the program has no value.
+    /// Configurations at stations where a joint may have a change point on the way, beyond which
+    /// the closures of the instant do not hold; `None` where they hold, and where the program has
+    /// no value.
     pub fn beyond_change_points(general: &General, stations: &Stations, rows: &[usize]) -> Vec<Option<Configuration>> {
         let (placed, driver) = (general.placed(), general.driver());
         let asked = !rows.is_empty() && general.is_closed_everywhere() && !general.is_read_again();
@@ -77,7 +82,7 @@ impl Stood {
         (0..rows.len()).map(|k| stood.laid(placed, &found.columns, k)).collect()
     }
 
-    /// Where everything is in a row; `None` where the program has no value.
+    /// The configuration of a row; `None` where the program has no value.
     pub fn laid(&self, placed: &Placed, columns: &[Vec<f64>], row: usize) -> Option<Configuration> {
         let pair = |k: usize| Some(Vec2::new(columns.get(2 * k)?[row], columns.get(2 * k + 1)?[row])).filter(|v| v.is_finite());
         let (mut poses, mut points) = (vec![None; placed.scene.links.len()], vec![None; placed.scene.points.len()]);

@@ -1,9 +1,11 @@
-//! Which closures may have a change point, told from the program before any position of it is computed.
+//! Closures that may have a change point, found from the program before any position of it is
+//! computed.
 //!
-//! A crank leads its pin round a circle. To a fixed place, or to a fixed line, the pin is nearest and farthest at two positions of the
-//! crank only, and everywhere else it comes nearer or goes away: between a crank and ground a crossing ([`super::closure::Margin::crossing`])
-//! has its smallest values there, and a double zero, which is a change point, nowhere else. Two numbers tell whether it has one. What
-//! hangs on other links is searched.
+//! A crank leads its pin round a circle. The pin is nearest to a fixed place or line, and farthest
+//! from it, at two positions of the crank only, and everywhere else its distance grows or
+//! decreases. Between a crank and ground a crossing ([`super::closure::Margin::crossing`]) has its
+//! smallest values there, and a double zero, which is a change point, nowhere else. Two numbers
+//! therefore decide whether it has one. Joints that depend on other links are searched.
 
 use super::closure::{Circles, Closure};
 use super::kernel::{Pair, Reg};
@@ -11,7 +13,8 @@ use super::program::{COS, Joint, Op, Program, SIN};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::mechanism::Level;
 
-/// A crossing (sin²) that is no change point for sure, whatever rounding does to it: under two degrees from one.
+/// The crossing (sin²) above which there is certainly no change point, whatever the rounding: it
+/// belongs to under two degrees from one.
 const SURE: f64 = 1e-3;
 
 impl Program {
@@ -22,11 +25,12 @@ impl Program {
 
     fn suspect(&self, joint: &Joint) -> bool {
         let extremes = self.extremes(&self.steps[Level::Position as usize][joint.step].op);
-        // What is not a number is not sure either.
+        // A value that is not a number is not certain either.
         !extremes.is_some_and(|both| both.iter().all(|c| c.abs() > SURE))
     }
 
-    /// The crossings of a closure between a crank's pin and ground where the pin is nearest and where it is farthest; `None` for others.
+    /// The crossings of a closure between a crank's pin and ground where the pin is nearest and
+    /// where it is farthest; `None` for other closures.
     fn extremes(&self, closure: &Op) -> Option<[f64; 2]> {
         match closure {
             Op::Circles(k) => {
@@ -44,14 +48,14 @@ impl Program {
         }
     }
 
-    /// The shortest and the longest way of a crank's pin from a fixed place.
+    /// The shortest and the longest distance of a crank's pin from a fixed place.
     fn ways(&self, pin: Pair, place: Pair) -> Option<[f64; 2]> {
         let (pin, place) = (self.pin(pin)?, self.place(place)?);
         let off = (place - pin.centre).norm();
         Some([off - pin.radius, off + pin.radius])
     }
 
-    /// The circle of a point that turns as the driver does about a fixed one.
+    /// The circle of a point that turns with the driver about a fixed one.
     fn pin(&self, point: Pair) -> Option<Pin> {
         let Op::Image(image) = self.maker(point)? else { return None };
         let Op::Twist(arm) = self.maker(image.d)? else { return None };
@@ -87,15 +91,15 @@ mod tests {
     use hodograph_mechanism::mechanism::Mechanism;
     use hodograph_scene::{edit, read, templates};
 
-    /// Cranks with groups of each kind, of many lengths: where no joint is suspect the search finds no change point, and where the search
-    /// finds one the joint is suspect.
+    /// Cranks with groups of each kind, of many lengths: where no joint is suspect the search finds
+    /// no change point, and where the search finds one the joint is suspect.
     #[test]
     fn what_is_not_suspect_has_no_change_point() {
         let lengths =
             |name: &'static str, of: &'static str, all: &[f64]| all.iter().map(|l| (name, vec![(of, l.to_string())])).collect::<Vec<_>>();
         let mut scenes = lengths("slider-crank", "l_AB", &[20.0, 60.0, 279.0, 280.0]);
         scenes.extend(lengths("whitworth", "l_AB", &[50.0, 60.0, 110.0]));
-        // Four-bars: crank-rockers, drag links, rockers, and those whose links can lie in one line.
+        // Four-bars: crank-rockers, drag links, rockers, and those with links that can be in line.
         for ab in [60, 90, 100, 140, 250] {
             for bc in [150, 240, 250, 300] {
                 for cd in [100, 200, 260] {

@@ -1,4 +1,4 @@
-//! What a sweep returns: columns of numbers with names and units, and notes of what the rows cannot say.
+//! The result of a sweep: columns of numbers with names and units, and notes on the rows.
 
 use hodograph_base::diag::Diagnostic;
 
@@ -13,22 +13,23 @@ pub struct Column {
     pub values: Vec<f64>,
 }
 
-/// The positions of a sweep, a row each, in the order in which they were asked for.
+/// The positions of a sweep, one row each, in the order of the request.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
-    /// The swept quantity first, then what was asked for.
+    /// The swept quantity first, then the answers.
     pub columns: Vec<Column>,
-    /// Which positions are missing and why, where a branch changed, what had no compiled form.
+    /// Notes on missing positions with their reasons, changes of branch, and questions without a
+    /// compiled form.
     pub notes: Vec<Diagnostic>,
 }
 
 impl Table {
-    /// How many rows there are.
+    /// Returns the number of rows.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |c| c.values.len())
     }
 
-    /// A column by its name.
+    /// Returns a column by its name.
     pub fn column(&self, name: &str) -> Option<&Column> {
         self.columns.iter().find(|c| c.name == name)
     }

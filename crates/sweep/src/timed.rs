@@ -1,7 +1,8 @@
-//! The answers through time: all drivers go on, each by its law or at its rate.
+//! Answers through time: all drivers move, each by its law or at its rate.
 //!
-//! The mechanism is followed from its instant to both ends once ([`Follower`]); each row is found from the nearest pose on that way, and
-//! answered by the loop equations. Nothing jumps to another assembly, and no row depends on where others are.
+//! The mechanism is followed from its instant to both ends once ([`Follower`]). Each row is found
+//! from the nearest pose on that path, and answered by the loop equations. The mechanism never
+//! jumps to another assembly, and no row depends on the position of others.
 
 use super::follow::whole::event;
 use super::follow::{Follower, Pose, Sweep};
@@ -17,14 +18,14 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Steps of the way at least.
+/// The least number of steps over the time.
 const STEPS: usize = 360;
-/// A way of more steps of the fastest driver, of 10° each, is not gone.
+/// The greatest number of steps, of 10° of the fastest driver, that are followed.
 const MOST_STEPS: usize = 36_000;
-/// Rows of a moment.
+/// The number of rows that take a moment.
 const AT_ONCE: usize = 4096;
 
-/// A mechanism followed through a time.
+/// A mechanism followed through time.
 pub struct Timed<'a> {
     placed: &'a Placed<'a>,
     follower: Follower<'a>,
@@ -34,7 +35,8 @@ pub struct Timed<'a> {
 }
 
 impl<'a> Timed<'a> {
-    /// Follows a placed scene between two times (s); those that are not told are the ends of its usual way ([`Follower::reach`]).
+    /// Follows a placed scene between two times (s); times that are not given are the ends of its
+    /// usual range ([`Follower::reach`]).
     ///
     /// # Errors
     /// `range`: more turns of the drivers than are followed.
@@ -56,18 +58,18 @@ impl<'a> Timed<'a> {
         Ok((Timed { placed, follower, sweep, now }, [from, to]))
     }
 
-    /// Equal steps from one time (s) to another.
+    /// Returns equal steps from one time (s) to another.
     pub fn steps(&'a self, [from, to]: [f64; 2], steps: usize) -> Times<'a> {
         let at = |i: usize| if i == steps { to } else { from + (to - from) * (i as f64 / steps as f64) };
         Times { timed: self, times: (0..=steps).map(at).collect(), gaps: Gaps::of(self.placed.scene) }
     }
 
-    /// The answers at some times (s).
+    /// Returns the answers at given times (s).
     pub fn table(&self, times: Vec<f64>) -> Table {
         pieces::gather(&mut Times { timed: self, times, gaps: Gaps::of(self.placed.scene) })
     }
 
-    /// Why nothing is beyond a travel, the last that was reached.
+    /// The reason why the motion ends at a travel, the last one reached.
     fn stopped(&self, travel: f64) -> Faults {
         let (scene, mechanism, at) = (self.placed.scene, self.placed.mechanism, significant(self.now + travel, 6));
         let pose = self.sweep.poses.iter().find(|p| p.travel == travel);
@@ -104,7 +106,7 @@ impl<'a> Timed<'a> {
     }
 }
 
-/// Rows at times.
+/// Rows at given times.
 pub struct Times<'a> {
     timed: &'a Timed<'a>,
     times: Vec<f64>,
@@ -157,7 +159,7 @@ mod tests {
     use hodograph_mechanism::mechanism::Mechanism;
     use hodograph_scene::{read, templates};
 
-    /// A table through time holds what each scene of that instant answers.
+    /// A table through time holds the answers of the scene at each instant.
     #[test]
     fn each_row_is_the_scene_at_its_instant() {
         for name in ["plate-by-law", "cart-by-law"] {
@@ -181,7 +183,8 @@ mod tests {
         }
     }
 
-    /// Of drivers without laws the rows are those of the scene moved on by its rates: speeds are the differences of places.
+    /// For drivers without laws the rows are those of the scene advanced by its rates: speeds are
+    /// the differences of positions.
     #[test]
     fn several_drivers_go_on_together() {
         let mut scene = read(templates::get("five-bar").unwrap()).unwrap().value;
@@ -200,7 +203,8 @@ mod tests {
         }
     }
 
-    /// One driver at a constant rate: through time the rows are those of a sweep of the driver, of every kind of mechanism.
+    /// One driver at a constant rate: through time the rows are those of a sweep of the driver, for
+    /// every kind of mechanism.
     #[test]
     fn through_time_one_driver_does_what_its_sweep_tells() {
         let mut compared = 0;
@@ -217,7 +221,7 @@ mod tests {
             let now = crate::station::position_now(&scene, &placed.at, 0);
             let values = times.iter().map(|time| now + scene.drivers[0].rate.value * time).collect();
             let (told, meant) = (timed.table(times), crate::of_values(&placed, 0, values).unwrap());
-            // Beyond a limit a crank can stand, but time does not lead there.
+            // A crank can be assembled beyond a limit, but time does not lead there.
             assert!(
                 told.rows() == meant.rows() || 0 < told.rows() && !told.notes.is_empty(),
                 "{}: {:?} {:?}",
@@ -229,7 +233,8 @@ mod tests {
             assert!((0..told.rows()).all(|k| (meant.columns[0].values[k] - place(k)).abs() < 1e-9), "{}", t.name);
             for (a, b) in told.columns[1..].iter().zip(&meant.columns[1..]) {
                 let alike = meant.columns[1..].iter().filter(|c| c.unit == b.unit).flat_map(|c| &c.values);
-                // Where all of a kind vanish, what is left is rounding of the driver's own.
+                // Where all answers of a kind vanish, only rounding of the driver's own size
+                // remains.
                 let most = alike.fold(0.1 * scene.drivers[0].rate.value.powi(2), |m: f64, v| m.max(v.abs()));
                 for (k, (a, v)) in a.values.iter().zip(&b.values).enumerate() {
                     assert!((a - v).abs() <= 1e-7 * most, "{}, {} in row {k}: {a} against {v}", t.name, b.name);

@@ -1,9 +1,11 @@
-//! Trains of rolling pairs: by which ratios the angles of links hang on one another.
+//! Trains of rolling pairs: the ratios that relate the angles of links.
 //!
-//! Rolling and locking are linear in the angles: two circles keep ρ₁(φ₁ − β) + ρ₂(φ₂ − β) (β: the line of centres), on a straight track
-//! s + ρ(φ₂ − φ₁) is kept, a slider keeps its angle against its guide. So within a group the angles are found from what is known by
-//! elimination, an arm and its planets at once: each is a [`Combination`] of angles that something else tells. Numbers of teeth are whole, and
-//! so are the ratios fractions of whole numbers: where a link stands after a thousand turns is known to the last digit.
+//! Rolling and locking are linear in the angles. Two circles keep ρ₁(φ₁ − β) + ρ₂(φ₂ − β) (β: the
+//! line of centres), a straight track keeps s + ρ(φ₂ − φ₁), a slider keeps its angle relative to
+//! its guide. Within a group elimination therefore finds the angles from the known ones, an arm and
+//! its planets at once: each is a [`Combination`] of independent angles. Numbers of teeth are
+//! whole, so the ratios are fractions of whole numbers, and the angle of a link after a thousand
+//! turns is known to the last digit.
 
 use hodograph_mechanism::mechanism::{Form, Mechanism};
 use hodograph_mechanism::position::Configuration;
@@ -12,30 +14,32 @@ use hodograph_scene::{LinkId, PointId, Relation, RollingId, Scene};
 /// A ratio of angles: a fraction of whole numbers where it is one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ratio {
-    /// Its value.
+    /// The value of the ratio.
     pub value: f64,
     /// Numerator and denominator, the latter positive, without a common factor.
     pub exact: Option<(i64, i64)>,
 }
 
-/// Denominators of fractions that a ratio of radii is taken for: within the rounding of the radii hardly any other number lies so near to one.
+/// The greatest denominator of a fraction that a ratio of radii is taken for: within the rounding
+/// of the radii hardly any other number is so near to one.
 const MOST_DENOMINATOR: i64 = 100_000;
 
-/// A number this small against 1 is the rounding of zero.
+/// The size, relative to 1, below which a number is the rounding of zero.
 const ZERO: f64 = 1e-12;
 
 impl Ratio {
     pub const ONE: Ratio = Ratio { value: 1.0, exact: Some((1, 1)) };
 
-    /// A fraction.
+    /// Returns the fraction p/q.
     pub fn of(p: i64, q: i64) -> Ratio {
         let g = gcd(p, q).max(1) * if q < 0 { -1 } else { 1 };
         Ratio { value: p as f64 / q as f64, exact: (q != 0).then_some((p / g, q / g)) }
     }
 
-    /// A number that comes from lengths: the fraction that it is to their rounding, if there is one.
+    /// Returns a number that comes from lengths, as the fraction that it equals within their
+    /// rounding, if there is one.
     pub fn near(value: f64) -> Ratio {
-        // Convergents of its continued fraction.
+        // The convergents of its continued fraction.
         let (mut a, mut b) = ((0i64, 1i64), (1i64, 0i64));
         let mut rest = value.abs();
         while rest.is_finite() && rest < 1e9 {
@@ -96,17 +100,17 @@ fn gcd(a: i64, b: i64) -> i64 {
     i64::try_from(a).unwrap_or(1)
 }
 
-/// The turns after which what comes again after each of two numbers of turns does so; 0: never.
+/// The turns after which both of two recurring states recur, from the turns of each; 0 if never.
 pub(super) fn together(a: u64, b: u64) -> u64 {
     if a == 0 || b == 0 {
         return 0;
     }
     let g = gcd(a as i64, b as i64).max(1) as u64;
-    // What takes more turns than this is never seen to come again.
+    // A recurrence after more turns than this counts as none.
     (a / g).checked_mul(b).filter(|n| *n < 1 << 40).unwrap_or(0)
 }
 
-/// What tells an angle.
+/// An independent angle or distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Source {
     /// A turning driver.
@@ -115,34 +119,34 @@ pub(super) enum Source {
     Link(LinkId),
     /// The line from one point to another.
     Line(PointId, PointId),
-    /// How far a wheel has gone along its track (m).
+    /// The travel of a wheel along its track (m).
     Way(RollingId),
 }
 
-/// How far a link has turned since the instant, as a sum of how far other things have.
+/// The rotation of a link since the instant, as a sum of factors times independent angles.
 pub(super) type Combination = Vec<(Source, Ratio)>;
 
-/// The links of a mechanism whose angles are told by others.
+/// The links of a mechanism with angles that follow from others.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Train {
-    /// Of each link; `None` for one whose angle its place tells.
+    /// The rotation of each link; `None` for one whose angle follows from its position.
     links: Vec<Option<Combination>>,
 }
 
-/// An angle as a group sees it.
+/// An angle in the equations of a group.
 enum Seen {
     Unknown(usize),
     Known(Combination),
 }
 
-/// One equation of a group: factors of its links' angles, and what their sum is.
+/// One equation of a group: factors of its links' angles, and their sum.
 struct Equation {
     factors: Vec<Ratio>,
     sum: Combination,
 }
 
 impl Train {
-    /// All angles that follow from rolling, locking and driving.
+    /// Finds all angles that follow from rolling, locking and driving.
     pub fn of(scene: &Scene, m: &Mechanism, at: &Configuration) -> Train {
         let mut train = Train { links: vec![None; scene.links.len()] };
         if scene.rolling.is_empty() {
@@ -159,24 +163,24 @@ impl Train {
         train
     }
 
-    /// How far a link has turned, if something else tells it.
+    /// Returns the rotation of a link, if it follows from others.
     pub fn of_link(&self, l: LinkId) -> Option<&Combination> {
         self.links.get(l.0)?.as_ref()
     }
 
-    /// The same of any link: of one that is no part of a train it is its own.
+    /// Returns the rotation of any link; that of a link outside a train is its own.
     pub fn turned(&self, l: LinkId) -> Combination {
         self.of_link(l).cloned().unwrap_or_else(|| vec![(Source::Link(l), Ratio::ONE)])
     }
 
-    /// The turns of a driver after which all links stand as they did; 0 where they never do. What is no part of a train comes again with
-    /// every turn.
+    /// Returns the turns of a driver after which the angles of all links recur; 0 if they never do.
+    /// Links outside a train recur with every turn.
     pub fn turns(&self) -> u64 {
         let all = self.links.iter().flatten().flatten().filter(|(s, _)| !matches!(s, Source::Way(_)));
         all.map(|(_, ratio)| ratio.exact.map_or(0, |(_, q)| q as u64)).fold(1, together)
     }
 
-    /// How many times as fast as what moves it the fastest wheel turns; at least 1.
+    /// Returns the greatest ratio of a wheel's angular velocity to that of its source; at least 1.
     pub fn fastest(&self) -> f64 {
         let all = self.links.iter().flatten().flatten().filter(|(s, _)| !matches!(s, Source::Way(_)));
         all.map(|(_, ratio)| ratio.value.abs()).fold(1.0, f64::max)
@@ -212,7 +216,8 @@ impl Train {
                     }
                     Relation::Slide { centre, .. } => {
                         let placed = |p: PointId| m.group_of_pin[p.0] != Some(g);
-                        // A track or a centre that the group itself places is placed by this pair.
+                        // A track or a centre that belongs to the group itself gets its position
+                        // from this pair.
                         if m.groups[g].links.contains(&a) || !placed(centre) {
                             return None;
                         }
@@ -241,7 +246,7 @@ impl Train {
 }
 
 impl Equation {
-    /// k (φ₁ − β) + (φ₂ − β), with k the ratio of the first circle to the second.
+    /// Adds k (φ₁ − β) + (φ₂ − β), with k the ratio of the first circle to the second.
     fn circles(&mut self, first: Seen, second: Seen, line: Seen, k: Ratio) {
         self.add(first, k);
         self.add(second, Ratio::ONE);
@@ -277,7 +282,7 @@ pub(super) fn add(to: &mut Combination, other: &Combination, factor: Ratio) {
     to.retain(|(_, ratio)| !ratio.is_zero());
 }
 
-/// The unknowns that equations tell, by elimination.
+/// The unknowns that the equations determine, by elimination.
 fn solved(mut equations: Vec<Equation>, unknowns: usize) -> Vec<Option<Combination>> {
     let mut of = vec![None; unknowns];
     let mut done = 0;

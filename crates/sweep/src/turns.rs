@@ -1,8 +1,9 @@
-//! Cosine and sine of angles that are counted beyond a turn, as kernels.
+//! Kernels of cosine and sine of angles that are counted beyond a turn.
 //!
-//! A driver's angle is its value, and its cosine and sine, which are exact where the angle is written in degrees, however many turns it has.
-//! [`Quarters`] makes of the three a whole number of quarter turns and what is left, to the last digit; [`Geared`] multiplies both by a ratio
-//! of whole numbers, the turns in whole numbers, so that after thousands of them nothing is lost.
+//! A driver's angle consists of its value, and its cosine and sine, which are exact for any number
+//! of turns if the angle is written in degrees. [`Quarters`] makes of the three a whole number of
+//! quarter turns and a remainder, exact to the last digit. [`Geared`] multiplies both by a ratio of
+//! whole numbers, the turns in whole numbers, so that no digit is lost after thousands of them.
 
 use super::kernel::{Kernel, Pair, Reg};
 use super::lane::Lane;
@@ -13,7 +14,7 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 /// π/2 in two parts: the first has 33 bits, so that a whole number of them is exact.
 pub(super) const QUARTER: [f64; 2] = [1.570_796_326_734_125_6, 6.077_100_506_506_192e-11];
 
-/// cos and sin of `x` and `j` quarter turns, |x| hardly more than an eighth of a turn.
+/// Returns cos and sin of `x` plus `j` quarter turns, for |x| hardly more than an eighth of a turn.
 ///
 /// # Source
 /// The polynomials of fdlibm, *k_sin.c* and *k_cos.c* (Sun Microsystems, 1993).
@@ -39,14 +40,14 @@ fn rotor<N: Lane>(j: N, x: N) -> [N; 2] {
     [c * cj - s * sj, s * cj + c * sj]
 }
 
-/// cos and sin of an angle (rad) and a number of quarter turns.
+/// Returns cos and sin of an angle (rad) plus a number of quarter turns.
 #[inline(always)]
 pub(super) fn turned<N: Lane>(j: N, x: N) -> [N; 2] {
     let more = (x * FRAC_2_PI).nearest();
     rotor(j + more, x + more * -QUARTER[0] + more * -QUARTER[1])
 }
 
-/// The driver's angle as a whole number of quarter turns, and the rest (rad).
+/// The driver's angle as a whole number of quarter turns, and the remainder (rad).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quarters;
 
@@ -60,23 +61,24 @@ impl Kernel<3, 2> for Quarters {
     fn eval<N: Lane>(&self, [value, c, s]: [N; 3]) -> [N; 2] {
         let k = (value * FRAC_2_PI).nearest();
         let near = value + k * -QUARTER[0] + k * -QUARTER[1];
-        // The value is rounded to its own size; by how much tell cosine and sine, which are not.
+        // The value is rounded in proportion to its size; cosine and sine are not, and give the
+        // difference.
         let [cw, sw] = rotor(k, near);
         let off = s * cw - c * sw;
         [k, near + off * (off * off * (1.0 / 6.0) + 1.0)]
     }
 }
 
-/// cos and sin of p/q of the way of the driver since the instant.
+/// Cosine and sine of p/q of the driver's travel since the instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Geared {
-    /// Where it stands, of [`Quarters`].
+    /// The driver's angle in [`Quarters`].
     pub quarters: Pair,
-    /// Where it stood.
+    /// The driver's angle at the instant, in the same form.
     pub start: [f64; 2],
-    /// Numerator: whole, or any number over 1.
+    /// The numerator: whole, or any number over 1.
     pub p: f64,
-    /// Denominator: whole.
+    /// The denominator: whole.
     pub q: f64,
 }
 
@@ -98,7 +100,7 @@ impl Kernel<2, 2> for Geared {
     }
 }
 
-/// cos and sin of an angle of any size (rad).
+/// Cosine and sine of an angle of any size (rad).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turned {
     /// The angle.
@@ -118,16 +120,17 @@ impl Kernel<1, 2> for Turned {
     }
 }
 
-/// How far a line has turned against another that turns along with it in the mean (rad), in (centre − π, centre + π].
+/// The angle of a line relative to another that turns along with it in the mean (rad), in (centre −
+/// π, centre + π].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Against {
     /// The line.
     pub d: Pair,
-    /// cos and sin of how far the other has turned.
+    /// Cosine and sine of the other's rotation.
     pub turn: Pair,
     /// The direction of the line at the instant, turned by the centre.
     pub start: Vec2,
-    /// The middle of all such angles.
+    /// The middle of the interval of the angle.
     pub centre: f64,
 }
 
@@ -145,16 +148,17 @@ impl Kernel<4, 1> for Against {
     }
 }
 
-/// The rate of the way s = u·r along a direction u of a link that turns with ω: u·ṙ + ω u × r.
+/// The rate u·ṙ + ω u × r of the distance s = u·r along a direction u of a link with the angular
+/// velocity ω.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WayRate {
-    /// u.
+    /// The direction u.
     pub u: Pair,
-    /// r.
+    /// The vector r.
     pub r: Pair,
-    /// ṙ.
+    /// The rate ṙ.
     pub v: Pair,
-    /// ω.
+    /// The angular velocity ω.
     pub omega: Reg,
 }
 
@@ -171,14 +175,14 @@ impl Kernel<7, 1> for WayRate {
     }
 }
 
-/// The rate of that: u·r̈ + 2 ω u × ṙ + α u × r − ω² u·r.
+/// The second derivative of the distance: u·r̈ + 2 ω u × ṙ + α u × r − ω² u·r.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WayAcceleration {
-    /// What it is the rate of.
+    /// The operation of the rate.
     pub way: WayRate,
-    /// r̈.
+    /// The second derivative r̈.
     pub a: Pair,
-    /// α.
+    /// The angular acceleration α.
     pub alpha: Reg,
 }
 
@@ -202,7 +206,8 @@ mod tests {
     use hodograph_base::trig;
     use hodograph_scene::Angle;
 
-    /// Of a hundred thousand turns as of one: against whole numbers, in the numbers of one position and of four.
+    /// After a hundred thousand turns the angles are as exact as after one: compared with whole
+    /// numbers, for one position and for four.
     #[test]
     fn no_digit_is_lost_over_many_turns() {
         let start = {
@@ -219,7 +224,7 @@ mod tests {
                     let (s, c) = trig::sin_cos(Angle::Deg(degrees as f64));
                     let quarters = Quarters.eval([Angle::Deg(degrees as f64).radians(), c, s]);
                     let [gc, gs] = geared.eval(quarters);
-                    // p/q of the way in whole numbers: degrees over q.
+                    // The travel times p/q in whole numbers: degrees over q.
                     let way = (p * (degrees - 30)).rem_euclid(360 * q);
                     let (es, ec) = trig::sin_cos(Angle::Deg(way as f64 / q as f64));
                     worst = worst.max((gc - ec).abs()).max((gs - es).abs());

@@ -1,7 +1,9 @@
-//! A scene with other values of its parameters, without reading its file again: for sweeps over a parameter and for batches.
+//! Other values of a scene's parameters, without reading its file again: for sweeps over a
+//! parameter and for batches.
 //!
-//! The quantities that depend on the varied parameters are found once, with their expressions; setting values only
-//! evaluates these. What the reader would refuse (a length that is not positive) is refused here too.
+//! The quantities that depend on the varied parameters are found once, with their expressions;
+//! setting values only evaluates these. Values that the reader refuses (a length that is not
+//! positive) are refused here too.
 
 use super::chunks::{Rows, run_program};
 use super::follow::course::over_a_turn;
@@ -23,7 +25,7 @@ use std::ops::Range;
 
 /// A quantity of a scene.
 enum Slot<'a> {
-    /// In SI units; whether it must be greater than zero.
+    /// A number in SI units; `true` if it must be greater than zero.
     Number(&'a mut Given, bool),
     Angle(&'a mut Given<Angle>),
 }
@@ -72,27 +74,28 @@ fn slots(scene: &mut Scene) -> Vec<Slot<'_>> {
     out
 }
 
-/// Which parameters vary, and what depends on them.
+/// The varied parameters, and the quantities that depend on them.
 #[derive(Clone, Debug)]
 pub struct Variation {
     /// All parameters in order, with their expressions.
     parameters: Vec<(String, Expr)>,
-    /// The varied ones, indices into `parameters`.
+    /// The varied parameters, as indices into `parameters`.
     varied: Vec<usize>,
     /// The value of each parameter that does not depend on the varied ones.
     fixed: Vec<Option<Value>>,
-    /// Indices into [`slots`] of what depends on them.
+    /// The dependent quantities, as indices into [`slots`], with their expressions.
     dependent: Vec<(usize, Expr)>,
-    /// A scene with cams or loads is read again for other values: geometry of cams is made where it is read, and strokes of loads follow from all of it.
+    /// The scene to read again for other values, if it has cams or loads: the geometry of cams is
+    /// made where it is read, and strokes of loads follow from the whole scene.
     again: Option<Again>,
 }
 
-/// Which scene is read again.
+/// The scene to read again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Again {
-    /// That of the instant.
+    /// The scene of the instant.
     Instant,
-    /// That of the whole motion, whose followers are drivers.
+    /// The scene of the whole motion, with followers as drivers.
     Motion,
 }
 
@@ -111,7 +114,7 @@ impl Variation {
         Ok(Variation { again, ..Variation::of(scene, names)? })
     }
 
-    /// See [`Variation::new`]; cams stay as they stand in the scene.
+    /// Makes a variation as [`Variation::new`] does, but leaves the cams as they are in the scene.
     pub(super) fn of(scene: &Scene, names: &[&str]) -> Result<Variation, Faults> {
         let mut faults = Faults::default();
         let known: Vec<&str> = scene.parameters.iter().map(|p| p.0.as_str()).collect();
@@ -139,7 +142,7 @@ impl Variation {
         for (name, given) in &scene.parameters {
             parameters.push((name.clone(), expr::parse(&given.text, &known)?));
         }
-        // What changes with the varied parameters, directly or through others.
+        // The names of parameters that change with the varied ones, directly or through others.
         let mut moving: Vec<&str> = varied.iter().map(|&i| known[i]).collect();
         for (i, (name, expr)) in parameters.iter().enumerate() {
             if !varied.contains(&i) && mentions(expr, &moving) {
@@ -176,10 +179,11 @@ impl Variation {
         Kind::ALL.into_iter().find(|kind| Wanted::of(*kind).dim() == dim).map_or("", Kind::si)
     }
 
-    /// A value of a parameter as a command line gives it: a bare number takes the unit that the scene writes.
+    /// Reads a value of a parameter from a command line: a bare number takes the unit that the
+    /// scene writes.
     ///
     /// # Errors
-    /// What is no quantity of the parameter's kind.
+    /// A text that is no quantity of the parameter's kind.
     pub fn value(&self, scene: &Scene, name: &str, text: &str) -> Result<Value, Faults> {
         let known: Vec<&str> = self.parameters.iter().map(|p| p.0.as_str()).collect();
         let i =
@@ -197,22 +201,22 @@ impl Variation {
         Ok(value)
     }
 
-    /// `steps` equal steps between two values, both ends included.
+    /// Returns `steps` equal steps between two values, both ends included.
     ///
     /// # Errors
-    /// As [`Variation::value`].
+    /// Those of [`Variation::value`].
     pub fn span(&self, scene: &Scene, name: &str, from: &str, to: &str, steps: usize) -> Result<Span, Faults> {
         let (a, b) = (self.value(scene, name, from)?, self.value(scene, name, to)?);
-        // Degrees stay degrees only where both ends are.
+        // Degrees stay degrees only if both ends are degrees.
         let degrees = a.degrees && b.degrees;
         let number = |v: Value| if degrees { v.number } else { v.si() };
         Ok(Span { first: Value { number: number(a), dim: a.dim, degrees }, last: number(b), steps })
     }
 
-    /// The values of [`Variation::span`], all of them.
+    /// Returns all values of [`Variation::span`].
     ///
     /// # Errors
-    /// As [`Variation::value`].
+    /// Those of [`Variation::value`].
     pub fn range(&self, scene: &Scene, name: &str, from: &str, to: &str, steps: usize) -> Result<Vec<Value>, Faults> {
         let span = self.span(scene, name, from, to, steps)?;
         Ok((0..=steps).map(|i| span.value(i)).collect())
@@ -226,7 +230,8 @@ impl Variation {
         })
     }
 
-    /// The values of all parameters, those of the varied ones given (or as written where none are).
+    /// The values of all parameters, with the given values of the varied ones (or as written
+    /// without any).
     fn values(&self, varied: &[Value]) -> Result<Vec<Value>, Faults> {
         let mut values = Vec::with_capacity(self.parameters.len());
         for (i, (_, expr)) in self.parameters.iter().enumerate() {
@@ -240,15 +245,17 @@ impl Variation {
         Ok(values)
     }
 
-    /// The topology of a scene whose parameters were set, where it is another one than before: what stands for the contact of a cam may change.
+    /// The topology of a scene after its parameters were set, if it differs from the one before:
+    /// the driver that replaces the contact of a cam may change.
     pub(super) fn topology(&self, scene: &Scene) -> Result<Option<Mechanism>, Faults> {
         self.again.map(|_| super::mechanism(scene)).transpose()
     }
 
-    /// Gives the varied parameters their values, one each, in a scene that this variation was made for.
+    /// Gives the varied parameters their values, one each, in a scene for which this variation was
+    /// made.
     ///
     /// # Errors
-    /// A length that becomes zero or negative, a value that is no number.
+    /// A length that becomes zero or negative; a value that is no number.
     pub fn set(&self, scene: &mut Scene, varied: &[Value]) -> Result<(), Faults> {
         let values = self.values(varied)?;
         if let Some(again) = self.again {
@@ -283,7 +290,7 @@ impl Variation {
     }
 }
 
-/// Whether an expression uses one of the names.
+/// True if an expression uses one of the names.
 fn mentions(expr: &Expr, names: &[&str]) -> bool {
     match &expr.kind {
         ExprKind::Parameter(name) => names.contains(&name.as_str()),
@@ -297,14 +304,14 @@ fn mentions(expr: &Expr, names: &[&str]) -> bool {
 #[derive(Clone, Copy, Debug)]
 pub struct Span {
     first: Value,
-    /// In the unit of the first.
+    /// The last value, in the unit of the first.
     last: f64,
-    /// How many steps; there is a value more.
+    /// The number of steps; there is one value more.
     pub steps: usize,
 }
 
 impl Span {
-    /// One of the values.
+    /// Returns one of the values.
     pub fn value(&self, i: usize) -> Value {
         let number = match i {
             0 => self.first.number,
@@ -315,8 +322,9 @@ impl Span {
     }
 }
 
-/// The answers to the scene's questions for each value of one varied parameter, the drivers standing where the scene puts them:
-/// [`Pieces`]. Values for which there is no mechanism are rows that are missing, with their reason in the notes.
+/// The answers to the scene's questions for each value of one varied parameter, with the drivers at
+/// the scene's positions: [`Pieces`]. Values without a mechanism are missing rows, with their
+/// reason in the notes.
 pub struct Varied<'a> {
     scene: &'a Scene,
     mechanism: &'a Mechanism,
@@ -326,7 +334,7 @@ pub struct Varied<'a> {
 }
 
 impl<'a> Varied<'a> {
-    /// The sweep of a variation of one parameter.
+    /// Starts the sweep of a variation of one parameter.
     pub fn new(scene: &'a Scene, mechanism: &'a Mechanism, variation: &'a Variation, span: Span) -> Varied<'a> {
         Varied { scene, mechanism, variation, span, gaps: Gaps::of(scene) }
     }
@@ -336,7 +344,8 @@ impl<'a> Varied<'a> {
     }
 }
 
-/// Rows of a moment: each is a mechanism placed and compiled, some tens of microseconds.
+/// The number of rows that take a moment: each is a mechanism placed and compiled, some tens of
+/// microseconds.
 const AT_ONCE: usize = 4096;
 
 impl Pieces for Varied<'_> {

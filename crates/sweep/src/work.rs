@@ -1,27 +1,28 @@
-//! The power of loads as kernels: that of the drivers is its opposite, and with one driver so is its balancing moment or force.
+//! Kernels of the power of loads. The drivers' power is the opposite; with one driver so is its
+//! balancing moment or force.
 
 use super::kernel::{Kernel, Pair, Reg};
 use super::lane::Lane;
 use std::f64::consts::FRAC_1_PI;
 
-/// The power of a link's weight and inertia on top of others: before + G·v − m a·v − J α ω.
+/// The power of a link's weight and inertia added to others: before + G·v − m a·v − J α ω.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Massive {
-    /// Velocity of the centre of mass.
+    /// The velocity v of the centre of mass.
     pub v: Pair,
-    /// Its acceleration.
+    /// The acceleration a of the centre of mass.
     pub a: Pair,
-    /// ω.
+    /// The angular velocity ω.
     pub omega: Reg,
-    /// α.
+    /// The angular acceleration α.
     pub alpha: Reg,
-    /// The power before (W).
+    /// The power of the loads before (W).
     pub before: Reg,
-    /// Mass (kg).
+    /// The mass m (kg).
     pub m: f64,
-    /// Moment of inertia about the centre of mass (kg·m²).
+    /// The moment of inertia J about the centre of mass (kg·m²).
     pub j: f64,
-    /// Weight (N).
+    /// The weight G (N).
     pub weight: [f64; 2],
 }
 
@@ -39,12 +40,12 @@ impl Kernel<7, 1> for Massive {
     }
 }
 
-/// A product on top of another number: before + a b.
+/// A product added to another number: before + a b.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Times {
-    /// First factor.
+    /// The first factor.
     pub a: Reg,
-    /// Second factor.
+    /// The second factor.
     pub b: Reg,
     /// The number before.
     pub before: Reg,
@@ -62,18 +63,18 @@ impl Kernel<3, 1> for Times {
     }
 }
 
-/// The power of a spring on top of others: before − k (l − l₀) dl/dt.
+/// The power of a spring added to others: before − k (l − l₀) dl/dt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spring {
-    /// From one end to the other.
+    /// The vector from one end to the other.
     pub d: Pair,
-    /// Its rate.
+    /// The rate of that vector.
     pub v: Pair,
-    /// The power before (W).
+    /// The power of the loads before (W).
     pub before: Reg,
-    /// Stiffness k (N/m).
+    /// The stiffness k (N/m).
     pub stiffness: f64,
-    /// Free length l₀ (m).
+    /// The free length l₀ (m).
     pub free: f64,
 }
 
@@ -90,14 +91,15 @@ impl Kernel<5, 1> for Spring {
     }
 }
 
-/// The angle of the driver (degrees), less whole periods so that it is `first` or more.
+/// The angle of the driver (degrees), reduced by whole periods to the first that is `first` or
+/// more.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Repeated {
-    /// The driver's angle, of [`super::turns::Quarters`].
+    /// The driver's angle in [`super::turns::Quarters`].
     pub quarters: Pair,
-    /// The least angle, less what rounding may make of it.
+    /// The least angle, less an allowance for rounding.
     pub first: f64,
-    /// The period.
+    /// The period (degrees).
     pub period: f64,
 }
 
@@ -115,7 +117,7 @@ impl Kernel<2, 1> for Repeated {
     }
 }
 
-/// The amount of a load along its course: that before, or from a place on a + b (x − from).
+/// The amount of a load along its course: the amount before, or from a place on a + b (x − origin).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ramp {
     /// The place x.
@@ -126,9 +128,9 @@ pub struct Ramp {
     pub from: f64,
     /// The place from which the line counts.
     pub origin: f64,
-    /// a.
+    /// The amount a.
     pub amount: f64,
-    /// b.
+    /// The slope b.
     pub slope: f64,
 }
 
@@ -144,14 +146,14 @@ impl Kernel<2, 1> for Ramp {
     }
 }
 
-/// A number where another is at least `from`, else zero.
+/// A number, if another is at least `from`, else zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Forward {
-    /// The number that is compared.
+    /// The number to compare.
     pub speed: Reg,
-    /// The number.
+    /// The number to return.
     pub number: Reg,
-    /// The least.
+    /// The least value of `speed`.
     pub from: f64,
 }
 

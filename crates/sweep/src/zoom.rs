@@ -2,13 +2,15 @@
 
 use super::Table;
 
-/// Stations of each look, and looks: each narrows the range by 16, so that five make a step of a degree 1e-6 of it, where a
-/// smooth extreme is true to the last digits of `f64` and the zero of a magnitude to 1e-6 of what it was a step off.
+/// The number of stations of each pass; [`LOOKS`] is the number of passes. Each narrows the range
+/// by 16, so that five make a step of a degree 1e-6 of it. A smooth extreme is then true to the
+/// last digits of `f64`, and the zero of a magnitude to 1e-6 of its value a step away.
 const STATIONS: usize = 32;
 const LOOKS: usize = 5;
 
-/// The highest or lowest value of a column (by name) between two values of what is swept, and where it is; `table` sweeps some values. `None`
-/// where nothing can be assembled or the column is not there.
+/// Returns the highest or lowest value of a column (by name) between two values of the swept
+/// quantity, as (position, value); `table` sweeps given values. `None` if nothing can be assembled
+/// or the column does not exist.
 pub fn extreme(table: &dyn Fn(Vec<f64>) -> Option<Table>, column: &str, range: [f64; 2], highest: bool) -> Option<(f64, f64)> {
     let [mut from, mut to] = range;
     let mut best: Option<(f64, f64)> = None;
@@ -41,7 +43,8 @@ mod tests {
         let mechanism = Mechanism::new(&scene).unwrap().value;
         let placed = Placed::new(&scene, &mechanism).unwrap();
         let table = |values| of_values(&placed, 0, values);
-        // Between these two stations, at 180 degrees, the crank is in line: there the piston's speed is zero.
+        // Between these two stations, at 180 degrees, the crank is in line: the piston's speed is
+        // zero there.
         let (at, v) = extreme(&table, "v_C", [170.0_f64.to_radians(), 190.0_f64.to_radians()], false).unwrap();
         assert!((at.to_degrees() - 180.0).abs() < 1e-4 && v < 1e-5, "{} {v}", at.to_degrees());
         assert_eq!(extreme(&table, "v_X", [0.0, 1.0], true), None);

@@ -1,13 +1,15 @@
-//! The whole way as one call, and how true its answers are.
+//! The whole solution as one call, and the accuracy of its answers.
 //!
-//! Rooms: [`accuracy`] (how far drawing and analysis are apart, and what a pencil makes of the drawing), [`worked`] (each stage's result
-//! kept), [`certified`] (how many digits are true), [`effort`] (what was done, and what accuracy costs).
+//! Modules: [`accuracy`] (the difference of drawing and analysis, and the effect of a pencil error
+//! on the drawing), [`worked`] (the result of each stage), [`certified`] (the number of true
+//! digits), [`effort`] (the work done, and the cost of accuracy).
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
-// clippy.toml lists the functions of f64 whose last bit the platform decides; tests may use them.
+// clippy.toml lists the functions of f64 whose last bit depends on the platform; tests may use
+// them.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
-// The maps name private rooms too; `cargo doc --document-private-items` follows those links.
+// The maps link to private modules too; `cargo doc --document-private-items` resolves those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
 pub mod accuracy;

@@ -1,7 +1,7 @@
-//! A scene worked through: every stage once, in order, each result kept.
+//! Works a scene through: every stage once, in order, with each result kept.
 //!
-//! The arrows of the crate documentation as one call, for the command line, for tests and for callers who want it all. Each
-//! stage is public by itself as well.
+//! This is the sequence of stages in the crate documentation as one call, for the command line, for
+//! tests and for callers that need all results. Each stage is public by itself as well.
 
 pub mod contact;
 mod far;
@@ -34,52 +34,53 @@ use hodograph_mechanism::position::{self, Configuration};
 use hodograph_mechanism::stated::{self, Moment};
 use hodograph_scene::{Asked, Find, LinkId, Scene};
 
-/// How much is wanted beyond the scene's questions.
+/// The extent of the work beyond the scene's questions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Scope {
-    /// Only what the questions call for.
+    /// Only the parts that the questions require.
     #[default]
     Questions,
-    /// All positions too, because the whole mechanism is to be drawn.
+    /// All positions too, because the whole mechanism is drawn.
     Figure,
 }
 
-/// Everything that is known of a scene at its instant.
+/// All results for a scene at its instant.
 #[derive(Clone, Debug)]
 pub struct Worked {
-    /// Topology.
+    /// The topology.
     pub mechanism: Mechanism,
-    /// What the questions call for.
+    /// The requirements of the questions.
     pub demand: Demand,
-    /// Positions.
+    /// The positions.
     pub configuration: Configuration,
-    /// Equations.
+    /// The equations.
     pub plan: Plan,
     /// The drawing board.
     pub construction: Drawing,
-    /// Evaluations of the construction: a trial for its scales, and the drawing; more often in a pose that loses digits or special points.
+    /// The number of evaluations of the construction: a trial for its scales, and the drawing; more
+    /// in a pose that loses digits, or with special points.
     pub drawings: usize,
-    /// Reactions by moments and force polygons, where forces are asked for and can be drawn.
+    /// Reactions by moments and force polygons, if forces are asked for and can be drawn.
     pub equilibrium: Option<Equilibrium>,
-    /// The loop equations' solution.
+    /// The solution of the loop equations.
     pub solution: Solution,
     /// One result for each question that has an answer in the pose, in the order of the questions.
     pub results: Vec<Outcome>,
-    /// The questions that have none.
+    /// The questions that have no answer in the pose.
     pub unanswered: Vec<Unanswered>,
-    /// The instantaneous centres asked for that lie at infinity.
+    /// The requested instantaneous centres that are at infinity.
     pub at_infinity: Vec<Far>,
-    /// What only repeats what the others fix, looked at in several positions; empty for [`work_placed`].
+    /// Links and pairs that repeat others, checked in several positions; empty for [`work_placed`].
     pub redundant: Vec<position::redundant::Checked>,
-    /// Crossings under less than 10°, with what helps.
+    /// Crossings under less than 10°, with remedies.
     pub bad_angles: Vec<BadAngle>,
-    /// The tolerances of hand drawing, where [`Worked::with_drafting`] asked for them.
+    /// The tolerances of hand drawing, if [`Worked::with_drafting`] was called.
     pub drafting: Option<Drafting>,
 }
 
 impl Worked {
-    /// All that is needed to draw the construction again with another pencil.
+    /// Returns everything that is needed to draw the construction again with another pencil.
     pub fn drawn<'a>(&'a self, scene: &'a Scene) -> Drawn<'a> {
         let mut values = vec![None; scene.find.len()];
         for r in &self.results {
@@ -95,13 +96,13 @@ impl Worked {
         }
     }
 
-    /// The same with the tolerances that drawing by hand has: for the scene's pencil, or the usual one.
+    /// Adds the tolerances of hand drawing, for the scene's pencil or the usual one.
     pub fn with_drafting(mut self, scene: &Scene) -> Worked {
         self.drafting = Some(self.by_hand(scene));
         self
     }
 
-    /// The tolerances that drawing by hand has, for the scene's pencil or the usual one.
+    /// Returns the tolerances of hand drawing, for the scene's pencil or the usual one.
     pub fn by_hand(&self, scene: &Scene) -> Drafting {
         drafting(&self.drawn(scene), pencil_mm(scene))
     }
@@ -117,52 +118,59 @@ fn pencil_mm(scene: &Scene) -> f64 {
 pub struct Outcome {
     /// Index into the scene's `find` list.
     pub find: usize,
-    /// Read off the paper; `None` where the group is not drawable.
+    /// The value read off the paper; `None` if the group is not drawable.
     pub drawn: Option<Answer>,
-    /// From the loop equations (positions: from the configuration); see also [`Outcome::longer`].
+    /// The value from the loop equations (for positions from the configuration); see also
+    /// [`Outcome::longer`].
     pub computed: Value,
-    /// How far the two are apart; `None` for positions and where nothing was drawn.
+    /// The difference of the two; `None` for positions and where nothing was drawn.
     pub agreement: Option<Agreement>,
-    /// The size (SI) of what it is measured against: the largest vector or rate of its kind, for positions the mechanism.
+    /// The reference size (SI) of the answer: the largest vector or rate of its kind, for positions
+    /// the mechanism's size.
     pub scale: f64,
     /// The answer on the other motion through each change point of the pose (see [`hodograph_analytic::Singularity::other`]); empty
     /// for positions and in every other pose.
     pub others: Vec<Value>,
-    /// A value of no more than this (SI) cannot be told from zero.
+    /// The value (SI) up to which the answer cannot be distinguished from zero.
     pub noise: f64,
-    /// Where the answer comes from the next order of the loop equations, because the pose is singular: how many of its
-    /// digits are true.
+    /// The number of true digits of an answer from the next order of the loop equations, if the
+    /// pose is singular.
     pub next_order: Option<usize>,
-    /// Where `f64` cannot tell the pose from a singular one: the rung of the ladder that can, and from which the value comes
-    /// instead of the loop equations.
+    /// The rung of the ladder that distinguishes the pose from a singular one, if `f64` cannot; the
+    /// value then comes from that rung instead of the loop equations.
     pub longer: Option<Rung>,
 }
 
 impl Outcome {
-    /// The value to print: the drawing's where there is one; zero where it is no more than rounding.
+    /// Returns the value to print: the drawing's, if there is one; zero if it is no more than
+    /// rounding.
     pub fn value(&self) -> Value {
         self.drawn.as_ref().map_or(self.computed, |a| a.value).above(self.noise)
     }
 }
 
-/// What cannot be told from zero in a solution of which nothing was drawn, relative to the largest of its kind: rounding, and
-/// how far the pose is from the singular one for which it was solved.
+/// The size, relative to the largest of its kind, below which a value of a solution without a
+/// drawing cannot be distinguished from zero: rounding, and the distance of the pose from the
+/// singular one for which it was solved.
 fn blur_of(pose: &Solution) -> f64 {
     let off = pose.singular.iter().map(|s| s.off).fold(0.0, f64::max);
     crate::accuracy::ROUNDING + 16.0 * off
 }
 
-/// Works a scene through; one that may stand at a joint of two pieces of a cam's profile is taken by [`instant`] first.
+/// Works a scene through. A scene that may be at a junction of two pieces of a cam's profile must
+/// pass [`instant`] first.
 ///
 /// # Errors
-/// The faults of the first stage that has any; `position-unproven` where the position that was found breaks a statement of the scene. A pose in which some parts have no motion is no fault: their questions are
-/// [`Worked::unanswered`].
+/// The faults of the first stage that has any; `position-unproven` if the position found breaks a
+/// statement of the scene. A pose in which some parts have no motion is no fault: their questions
+/// are [`Worked::unanswered`].
 pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     joint::goes_on(scene)?;
     let Warned { value: mechanism, mut notes } = Mechanism::new(scene)?;
     notes.extend(hodograph_scene::quantity::notes(scene));
     let mut demand = Demand::of(scene, &mechanism);
-    // What only repeats the others is checked by its pins as far as the motion is asked for.
+    // Links that repeat others are checked by their pins, at all levels of motion that are asked
+    // for.
     for (a, b) in (0..scene.links.len()).filter_map(|l| mechanism.held(LinkId(l))) {
         let deepest = demand.level;
         for level in Level::RATES.into_iter().filter(|level| *level <= deepest) {
@@ -185,7 +193,8 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     let bad_angles = bad_angles(&drawn, pencil_mm(scene));
     notes.extend(bad_angles.iter().map(|b| b.diagnostic(&drawn)));
     worked.bad_angles = bad_angles;
-    // What repeats the others only nearly makes two mechanisms of one: the drawing and the loop equations hold different pairs of it.
+    // Links that repeat others only approximately make two mechanisms of one: the drawing and the
+    // loop equations use different pairs of it.
     let nearly = redundant.iter().filter(|r| r.verdict == Verdict::Almost).map(|r| r.off_m).fold(0.0, f64::max);
     let blur = NEARLY * nearly / worked.configuration.extent().max(f64::MIN_POSITIVE);
     for a in worked.results.iter_mut().filter_map(|r| r.agreement.as_mut()).filter(|_| nearly > 0.0) {
@@ -195,8 +204,9 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     Ok(Warned { value: worked, notes })
 }
 
-/// The stages from positions on, for callers who followed the mechanism to a pose by themselves; crossings under bad angles
-/// are not looked for, and what double precision keeps next to a singular pose is estimated, not measured.
+/// Works through the stages from positions on, for callers that followed the mechanism to a pose by
+/// themselves. Crossings under bad angles are not searched for, and the loss of double precision
+/// next to a singular pose is estimated, not measured.
 ///
 /// # Errors
 /// The faults of the first stage that has any.
@@ -204,16 +214,17 @@ pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configur
     stages(scene, mechanism, demand, configuration, false)
 }
 
-/// Room (mm) for the largest force polygon.
+/// The space (mm) for the largest force polygon.
 const FORCES_MM: [f64; 2] = [110.0, 110.0];
 
-/// Rounding of a reaction, in that of one polygon.
+/// The rounding of a reaction, relative to that of one polygon.
 const POLYGONS: f64 = 10.0;
 
-/// By how much more than a length an acceleration may be off: a length enters it by its square, and by two links.
+/// The factor of an acceleration's error on a length's: a length enters it by its square, and by
+/// two links.
 const NEARLY: f64 = 64.0;
 
-/// The stages from positions on; `measured` as in [`pose::pose`].
+/// The stages from positions on; `measured` is that of [`pose::pose`].
 fn stages(
     scene: &Scene,
     mechanism: Mechanism,
@@ -239,7 +250,8 @@ fn stages(
     let blur = blur_of(&solution);
     let sizes = Sizes::of(scene, construction, &configuration);
     let (mut results, mut unanswered, mut at_infinity) = (Vec::new(), Vec::new(), Vec::new());
-    // The loop equations hold a driven pin by the links that it carries; where those have no motion its own group still has one.
+    // The loop equations hold a driven pin by the links that it carries; if those have no motion,
+    // its own group still has one.
     let beside = |find: &Find| {
         let asked = Demand::of_questions(scene, &mechanism, [find]);
         if solution.refused.is_empty() || singular.iter().any(|g| asked.groups[*g].is_some()) {
@@ -254,7 +266,7 @@ fn stages(
     };
     for (i, (find, drawn)) in scene.find.iter().zip(drawing.answers.iter().cloned()).enumerate() {
         let drawn = drawn.or_else(|| of_forces(i, find));
-        // What is drawn is checked by the loop equations, near a singular pose as elsewhere.
+        // The loop equations check drawn answers, near a singular pose as elsewhere.
         let computed = match written.as_ref().filter(|_| drawn.is_none()) {
             Some(written) => written.values[i],
             None => solution.answer(scene, &configuration, &find.what).or_else(|| beside(find)),
@@ -288,7 +300,8 @@ fn stages(
         let agreement = match (&drawn, level) {
             (Some(d), _) if matches!(find.what, Asked::Force(_)) => {
                 let crossings = equilibrium.as_ref().map_or(1.0, Equilibrium::magnified);
-                // A reaction stands at the end of several polygons, each of which rests on those before.
+                // A reaction is the result of several polygons, each of which depends on those
+                // before.
                 Some(compare(d.value, computed, POLYGONS * scale, magnified(demand.level).max(crossings)))
             }
             (_, Level::Position) | (None, _) => None,
@@ -296,7 +309,8 @@ fn stages(
                 let agreement = compare(d.value, computed, scale, magnified(level));
                 Some(match &near {
                     Some(near) => near.promised(i, agreement),
-                    // Taken for the singular pose next to it, the pose is told to the root of its rounding.
+                    // Solved as the singular pose next to it, the pose is known to the root of its
+                    // rounding.
                     None if !(solution.singular.is_empty() && solution.refused.is_empty()) => agreement.no_better_than(f64::EPSILON.sqrt()),
                     None => agreement.no_better_than(solution.near.first().map_or(0.0, |n| n.loss)),
                 })

@@ -1,5 +1,6 @@
-//! The questions as columns: which registers answer them. The definitions are those of [`hodograph_mechanism::answer::evaluate`];
-//! what has no [`Meaning`] has no kernel, and the loop equations answer it.
+//! The questions as columns: the registers that answer them. The definitions are those of
+//! [`hodograph_mechanism::answer::evaluate`]. Questions without a [`Meaning`] have no kernel; the
+//! loop equations answer them.
 
 use super::{Compiler, NoKernel, Spot};
 use crate::carry::{Arm, Twist};
@@ -17,7 +18,8 @@ const V: Level = Level::Velocity;
 const A: Level = Level::Acceleration;
 
 impl Compiler<'_> {
-    /// The columns of a question: a number one, a vector its two components and its length.
+    /// Adds the columns of a question: a number has one, a vector its two components and its
+    /// length.
     pub(super) fn answer(&mut self, find: &Find) -> Result<(), NoKernel> {
         let one = |c: &mut Self, reg: Reg| c.columns.push(reg);
         let vector = |c: &mut Self, level: Level, v: Pair| c.vector_columns(level, v);
@@ -81,7 +83,7 @@ impl Compiler<'_> {
                 let v = self.coriolis(&a, &b, find)?;
                 vector(self, V, v)
             }
-            // No kernel is of these: the loop equations answer them.
+            // These have no kernel: the loop equations answer them.
             Meaning::Relative(Split::SlidingNormal | Split::SlidingTangential, ..) | Meaning::Seen(..) => {
                 return Err(no_kernel(find));
             }
@@ -108,13 +110,13 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// A vector's two components and its length.
+    /// Adds a vector's two components and its length.
     pub(super) fn vector_columns(&mut self, level: Level, v: Pair) {
         let length = self.emit(level, Length { v }, 1);
         self.columns.extend([v.x, v.y, length]);
     }
 
-    /// Position, rate and acceleration of an output.
+    /// Adds position, rate and acceleration of an output.
     pub(super) fn output(&mut self, output: Output) -> Result<(), NoKernel> {
         let regs = match output {
             Output::Turning(l) => {
@@ -131,7 +133,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// How far the runner of a straight guide is along it, the guide's direction, and the runner.
+    /// The coordinate of the runner along a straight guide, the guide's direction, and the runner.
     fn along(&mut self, g: GuideId) -> Result<(Reg, Pair, Spot), NoKernel> {
         let guide = &self.scene.guides[g.0];
         let (slot, runner) = match (self.slot(g)?, guide.pin, guide.slider) {
@@ -166,12 +168,14 @@ impl Compiler<'_> {
         Ok(self.emit_pair(P, Arm { from, to }))
     }
 
-    /// The line whose angle a link's is: from its first point to its second, else that of its guide, else its frame's axis.
+    /// The line that defines a link's angle: from its first point to its second, else that of its
+    /// guide, else its frame's axis.
     fn line_of(&mut self, l: LinkId) -> Result<Pair, NoKernel> {
         if let [a, b, ..] = self.scene.links[l.0].points[..] {
             return self.line(a, b);
         }
-        // As in a pose: a guide that is told on the link comes before that in which it slides.
+        // As in a pose, a guide defined on the link takes precedence over the guide in which it
+        // slides.
         if let Some(g) = hodograph_mechanism::position::guide_of(self.scene, l)
             && let Some(direction) = self.direction_in_link(g)
         {
@@ -197,7 +201,8 @@ impl Compiler<'_> {
         self.direction_on(l, Vec2::new(1.0, 0.0))
     }
 
-    /// The direction of a straight guide in the frame of its link, by the form of the link, else as it lies in the pose.
+    /// The direction of a straight guide in the frame of its link, by the shape of the link, else
+    /// by the pose.
     fn direction_in_link(&self, g: GuideId) -> Option<Vec2> {
         use hodograph_mechanism::position::{Path, Pose};
         let on = self.scene.guides[g.0].on;
@@ -209,7 +214,8 @@ impl Compiler<'_> {
         }
     }
 
-    /// 2 ω × v_r, ω that of the link that carries the guide between the two points.
+    /// The acceleration 2 ω × v_r, with ω of the link that carries the guide between the two
+    /// points.
     fn coriolis(&mut self, a: &OnLink, b: &OnLink, find: &Find) -> Result<Pair, NoKernel> {
         let v = self.relative(a, b, V)?;
         let Some(Joined::Guide(g)) = joined(self.scene, a, b) else { return Err(no_kernel(find)) };
@@ -217,7 +223,8 @@ impl Compiler<'_> {
         Ok(self.emit_pair(V, Coriolis { v, omega }))
     }
 
-    /// Parts of the motion of a cylinder's ends have no kernel: the loop equations answer them.
+    /// Refuses parts of the motion of a cylinder's ends, which have no kernel: the loop equations
+    /// answer them.
     fn no_cylinder(&self, a: &OnLink, b: &OnLink, find: &Find) -> Result<(), NoKernel> {
         match joined(self.scene, a, b) {
             Some(Joined::Cylinder(_)) => Err(no_kernel(find)),
@@ -234,7 +241,7 @@ pub(super) fn no_kernel(find: &Find) -> NoKernel {
     .at(find.span)
 }
 
-/// The columns of a question: name and unit of each.
+/// Name and unit of each column of a question.
 pub(crate) fn names(find: &Find) -> Vec<(String, &'static str)> {
     let entry = find.what.entry();
     entry.form.columns().iter().map(|c| (format!("{}{c}", find.text), entry.kind.si())).collect()

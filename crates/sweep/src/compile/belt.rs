@@ -1,5 +1,5 @@
-//! The ends of a strand as operations: both stand still on the link that carries the centres, so that either is an image of the line of
-//! centres.
+//! Operations for the ends of a strand: both are fixed on the link that carries the centres, so
+//! that each is an image of the line of centres.
 
 use super::{Compiler, NoKernel, Spot};
 use crate::carry::Image;

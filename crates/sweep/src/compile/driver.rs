@@ -1,8 +1,10 @@
-//! Drivers as registers: the swept one, those that stand, and followers that a cam on the swept one leads.
+//! Drivers as registers: the swept one, those at rest, and followers led by a cam on the swept one.
 //!
-//! A led follower has its place and its rates in registers ([`crate::led`]). The cam's angle selects the piece of its profile, or of its law, at
-//! each position: the angles at which the stretches of a turn begin are found once. At a joint of two pieces the one ahead in the driver's sense
-//! counts. A sweep that asks for a quantity without an operation solves each position by itself.
+//! A led follower has its position and its rates in registers ([`crate::led`]). The cam's angle
+//! selects the piece of its profile, or of its law, at each position: the angles at which the
+//! stretches of a turn begin are found once. At a junction of two pieces the one ahead in the
+//! driver's sense counts. A sweep that needs a quantity without an operation solves each position
+//! by itself.
 
 use super::rate::Row;
 use super::{Compiler, NoKernel, Spot};
@@ -24,22 +26,23 @@ use hodograph_scene::{GuideId, LinkId, PointId};
 const P: Level = Level::Position;
 const V: Level = Level::Velocity;
 
-/// From how far before a joint what follows it counts (rad): as far as [`Disc::touched`] looks ahead, and as near as stages of a law are one place.
+/// The angles before a junction from which the following piece counts (rad): the distance that
+/// [`Disc::touched`] looks ahead, and the tolerance within which stages of a law meet.
 const AHEAD: [f64; 2] = [1e-9, 1e-11];
 
-/// Rate of a driver and the rate of that.
+/// Rate and acceleration of a driver.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Rates {
-    /// The same at all positions.
+    /// Constant at all positions.
     Even([f64; 2]),
-    /// Those of a follower that a cam leads.
+    /// Rates of a follower led by a cam.
     Led([Reg; 2]),
 }
 
 impl Rates {
     pub const NONE: Rates = Rates::Even([0.0; 2]);
 
-    /// What is the same at all positions, and what is added to that.
+    /// Returns the constant part, and the register to add to it.
     pub fn parts(self, level: Level) -> (f64, Option<Reg>) {
         let slot = level as usize - 1;
         match self {
@@ -49,24 +52,25 @@ impl Rates {
     }
 }
 
-/// A follower that a cam leads, in registers.
+/// A follower led by a cam, in registers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Led {
     place: Place,
     rates: [Reg; 2],
 }
 
-/// Where it is.
+/// The position of a led follower.
 #[derive(Clone, Copy, Debug)]
 enum Place {
-    /// Its way along its guide.
+    /// Its coordinate along its guide.
     Way(Reg),
     /// The direction of its arm.
     Direction(Pair),
 }
 
 impl Compiler<'_> {
-    /// The swept driver's value, a driver's fixed one, or the way of a follower that a cam leads.
+    /// The swept driver's value, a driver's fixed value, or the coordinate of a follower led by a
+    /// cam.
     pub(super) fn driver_value(&mut self, d: usize) -> Result<Reg, NoKernel> {
         if self.driver == Some(d) {
             return Ok(VALUE);
@@ -78,7 +82,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Cosine and sine of a driver's angle; `arc`: of its way along an arc of this radius.
+    /// Cosine and sine of a driver's angle; with `arc`, of its travel along an arc of this radius.
     pub(super) fn driver_turn(&mut self, d: usize, arc: Option<f64>) -> Result<Pair, NoKernel> {
         if self.driver == Some(d) {
             return Ok(Pair { x: COS, y: SIN });
@@ -98,7 +102,7 @@ impl Compiler<'_> {
         Ok(self.fixed(Vec2::new(c, s)))
     }
 
-    /// Rate of a driver and the rate of that.
+    /// Rate and acceleration of a driver.
     pub(super) fn driver_rates(&mut self, d: usize) -> Result<Rates, NoKernel> {
         Ok(match self.led(d)? {
             Some(led) => Rates::Led(led.rates),
@@ -106,7 +110,7 @@ impl Compiler<'_> {
         })
     }
 
-    /// The same of a driver that no cam leads.
+    /// Rate and acceleration of a driver that no cam leads.
     pub(super) fn even_rates(&mut self, d: usize) -> Result<[f64; 2], NoKernel> {
         match self.driver_rates(d)? {
             Rates::Even(rates) => Ok(rates),
@@ -119,7 +123,7 @@ impl Compiler<'_> {
         [driver.rate.value, driver.acceleration.as_ref().map_or(0.0, |a| a.value)]
     }
 
-    /// The swept driver's angle in quarter turns, and what it was at the instant.
+    /// The swept driver's angle in quarter turns, and its value at the instant.
     pub(super) fn quarters(&mut self, driver: usize) -> (Pair, [f64; 2]) {
         if let Some(known) = self.trains.quarters {
             return known;
@@ -154,8 +158,9 @@ impl Compiler<'_> {
         Ok(self.emit_pair(P, Image { o, d: arm, k: [1.0, 0.0] }))
     }
 
-    /// In a link that is pinned at `far` and carries a straight guide along which a driver pushes a pin: the vector from
-    /// pivot to pin in the link's frame, its part along the guide, and the driver's rates.
+    /// The geometry of a ram, a link that is pinned at `far` and carries a straight guide along
+    /// which a driver pushes a pin: the vector from pivot to pin in the link's frame, its component
+    /// along the guide, and the driver's rates.
     pub(super) fn ram(
         &mut self,
         g: usize,
@@ -178,13 +183,13 @@ impl Compiler<'_> {
         Ok((q, way, Rates::Even(self.even_rates(driver)?)))
     }
 
-    /// A follower that leads something for which there is no operation.
+    /// The message that a follower leads a quantity without an operation.
     fn not_led(&self, d: usize) -> NoKernel {
         let name = self.scene.driver_name(d).0;
         Diagnostic::note("no-kernel", both!("what {name} moves has no compiled form", "{name} 所带动的构件不能预编译，逐位置求解（较慢）"))
     }
 
-    /// A driver that a cam on the swept one leads.
+    /// A driver that is led by a cam on the swept one.
     fn led(&mut self, d: usize) -> Result<Option<Led>, NoKernel> {
         let scene = self.scene;
         if scene.is_on_a_course(d) {
@@ -204,7 +209,8 @@ impl Compiler<'_> {
         Ok(Some(led))
     }
 
-    /// The angle of a cam from the beginning of its first stretch, seen from that side of joints to which it goes on, and by how much it is ahead.
+    /// The angle of a cam from the beginning of its first stretch, shifted ahead to the side of
+    /// junctions in the driver's sense, and the shift.
     fn phase(&mut self, t: &Turning, first: f64, ahead: f64) -> (Reg, f64) {
         let sense = t.disc.sense * t.way;
         let backward = self.given_rates(t.driver)[0] * sense < 0.0;
@@ -214,7 +220,8 @@ impl Compiler<'_> {
         (self.emit(P, Phase { quarters, sense, start }, 1), ahead)
     }
 
-    /// Four numbers of the stretch in which a cam stands; each stretch with the angle at which it begins.
+    /// Four numbers of the stretch at the cam's angle; `stretches` gives each with the angle at
+    /// which it begins.
     fn of_stretch(&mut self, at: Reg, stretches: &[(f64, [f64; 4])]) -> [Reg; 4] {
         let Some((_, first)) = stretches.first() else { return [self.zero(); 4] };
         let mut regs = first.map(|x| self.constant(x));
@@ -229,7 +236,7 @@ impl Compiler<'_> {
         regs
     }
 
-    /// A follower that a profile of arcs and lines leads.
+    /// A follower led by a profile of arcs and lines.
     fn led_by_pieces(&mut self, t: &Turning, segments: &[Segment]) -> Led {
         let stretches = t.disc.stretches();
         let first = stretches[0].0;
@@ -270,7 +277,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// A follower that a law leads, from its place on the base circle.
+    /// A follower led by a law, from its place on the base circle.
     fn led_by_law(&mut self, t: &Turning, rest: f64, law: &Law) -> Led {
         let (at, ahead) = self.phase(t, 0.0, AHEAD[1]);
         let table = Terms::of(law, t.origin + t.outward * rest, t.outward);
@@ -296,7 +303,7 @@ impl Compiler<'_> {
     }
 }
 
-/// What of a piece the operation reads that a follower of this kind has.
+/// The numbers of a piece that the operation for this kind of follower reads.
 fn numbers(disc: &Disc, segment: &Segment) -> [f64; 4] {
     let [a, x, y, h] = match (*segment, disc.touch) {
         (Segment::Arc { centre, radius, .. }, Touch::Point { radius: r }) => {
@@ -309,7 +316,7 @@ fn numbers(disc: &Disc, segment: &Segment) -> [f64; 4] {
             [0.0, -n.x, -n.y, -(distance + r)]
         }
         (Segment::Arc { centre, radius, .. }, Touch::Flat { .. }) if radius >= 0.0 => [1.0, centre.x, centre.y, radius],
-        // A face touches neither hollow flanks nor lines.
+        // A face touches neither concave flanks nor lines.
         (Segment::Arc { .. } | Segment::Line { .. }, Touch::Flat { .. }) => [f64::NAN; 4],
     };
     match (disc.follower, disc.touch) {
@@ -319,15 +326,17 @@ fn numbers(disc: &Disc, segment: &Segment) -> [f64; 4] {
     }
 }
 
-/// The terms of a law in one of its stretches, u counted from the beginning of the stage: u₀, c₀, c₁, c₂; c₃ to c₆; c₇, A, k, p.
+/// The terms of a law in one of its stretches, with u counted from the beginning of the stage: u₀,
+/// c₀, c₁, c₂; c₃ to c₆; c₇, A, k, p.
 struct Terms {
-    /// Where the stretch begins.
+    /// The angle at which the stretch begins.
     from: f64,
     groups: [[f64; 4]; 3],
 }
 
 impl Terms {
-    /// Of all stretches of a law, its lift counted from `base` in the sense `outward`.
+    /// Returns the terms of all stretches of a law, with its lift counted from `base` in the sense
+    /// `outward`.
     fn of(law: &Law, base: f64, outward: f64) -> Vec<Terms> {
         let mut out = Vec::new();
         let mut lift = 0.0;

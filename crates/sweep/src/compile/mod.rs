@@ -1,12 +1,16 @@
-//! From a scene that is placed at its instant to a program for all positions of one swept driver.
+//! Compiles a scene placed at its instant to a program for all positions of one swept driver.
 //!
-//! Compiled on demand: what is asked for calls for points and turnings at a level, those call for groups at that level,
-//! those for what lies upstream. Lengths, guides and the branch of each closure are those of the instant's configuration: the
-//! branch of a dyad is the sign of its area (or the side of the foot of a guide), a class III group keeps its assembly.
-//! Decided here: what a link is known by, and who asks whom. [`place`] and [`rate`] know the groups ([`triad`] those that are followed, [`rolling`] the trains), [`driver`] the drivers, [`ask`] the questions, [`work`] those of forces.
+//! Compilation is on demand: questions need points and angular velocities at a level, those need
+//! groups at that level, and groups need those upstream. Lengths, guides and the branch of each
+//! closure are those of the instant's configuration: the branch of a dyad is the sign of its area
+//! (or the side of the foot of a guide), and a class III group keeps its assembly.
 //!
-//! A group that has no kernel is named ([`Compiler::without_kernel`]); the caller then follows the whole mechanism by
-//! Newton's method, position by position.
+//! This module defines the reference of each link and the order of requests. [`place`] and [`rate`]
+//! handle the groups ([`triad`] those that are followed, [`rolling`] the trains), [`driver`] the
+//! drivers, [`ask`] the questions, [`work`] those of forces.
+//!
+//! A group that has no kernel is named ([`Compiler::without_kernel`]); the caller then follows the
+//! whole mechanism by Newton's method, position by position.
 
 pub(super) mod ask;
 mod belt;
@@ -34,10 +38,11 @@ use hodograph_scene::{Find, GuideId, LinkId, PointId, RollingId, Scene};
 use rate::Row;
 use rolling::Trains;
 
-/// Why a scene is not compiled: the group that has no kernel.
+/// The reason why a scene is not compiled: the group that has no kernel.
 pub type NoKernel = Diagnostic;
 
-/// Compiles the answers to `find` for a driver that is swept (`None`: all drivers stand; the program then has one position).
+/// Compiles the answers to `find` for a swept driver (`None`: all drivers are at rest; the program
+/// then has one position).
 ///
 /// # Errors
 /// The group that has no kernel.
@@ -47,8 +52,8 @@ pub fn compile(scene: &Scene, m: &Mechanism, at: &Configuration, driver: Option<
     Ok(c.finish())
 }
 
-/// Compiles position, rate and acceleration of outputs, three columns each; and the positions of all groups, so that every joint
-/// is among the program's.
+/// Compiles position, rate and acceleration of outputs, three columns each, and the positions of
+/// all groups, so that the program contains every joint.
 ///
 /// # Errors
 /// The group that has no kernel.
@@ -63,7 +68,8 @@ pub fn outputs(scene: &Scene, m: &Mechanism, at: &Configuration, driver: usize, 
     Ok(c.finish())
 }
 
-/// Compiles the places of points, and origin and x axis of the frames of links: two columns each.
+/// Compiles the positions of points, and origin and x axis of the frames of links: two columns
+/// each.
 ///
 /// # Errors
 /// The group that has no kernel.
@@ -88,33 +94,33 @@ pub fn places(
     Ok(c.finish())
 }
 
-/// A place that moves: a pin, a link's own point, or another point fixed in a link.
+/// A moving point: a pin, a link's own point, or another point fixed in a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Spot {
     /// A pin.
     Pin(PointId),
-    /// The point by which a link is known.
+    /// The reference point of a link.
     Own(LinkId),
     /// A place in a link's frame.
     Fixed(LinkId, Point),
 }
 
-/// By what a link is known.
+/// The reference of a link: its own point and its arm.
 #[derive(Clone, Debug)]
 struct Body {
-    /// The point by whose motion it is described.
+    /// The point whose motion describes the link.
     origin: Spot,
-    /// That point in the link's frame.
+    /// The own point in the link's frame.
     at: Point,
     /// The arm in the link's frame.
     d: Vec2,
-    /// The two pins between which the arm lies; `None` where the turning is known instead.
+    /// The two pins between which the arm extends; `None` if the angular velocity is known instead.
     between: Option<(PointId, PointId)>,
-    /// Own point, its velocity and acceleration, where it is no pin.
+    /// Own point, its velocity and acceleration, if it is not a pin.
     own: [Option<Pair>; 3],
     /// The arm and its rates.
     arm: [Option<Pair>; 3],
-    /// ω and α (0 and 1 here are velocity and acceleration).
+    /// The angular velocity and acceleration (index 0 and 1).
     turning: [Option<Reg>; 2],
 }
 
@@ -131,9 +137,10 @@ pub(super) struct Compiler<'a> {
     m: &'a Mechanism,
     at: &'a Configuration,
     driver: Option<usize>,
-    /// Value of each driver at the instant: radians between the lines that its angle counts from and to, metres.
+    /// The value of each driver at the instant: the angle between its two lines (rad), or metres.
     values: Vec<f64>,
-    /// A power of two near the size of the mechanism: arms that have no length of their own get this one.
+    /// A power of two near the size of the mechanism: arms without a length of their own get this
+    /// one.
     unit: f64,
     steps: [Vec<Step>; 3],
     constants: Vec<(Reg, f64)>,
@@ -144,11 +151,11 @@ pub(super) struct Compiler<'a> {
     points: Vec<[Option<Pair>; 3]>,
     bodies: Vec<Option<Body>>,
     slots: Vec<Option<Slot>>,
-    /// For each group, up to which level it is done.
+    /// The level up to which each group is compiled.
     done: Vec<Option<Level>>,
     rows: Vec<Vec<Row>>,
     trains: Trains,
-    /// Followers that cams lead.
+    /// Followers led by cams.
     leds: Vec<(usize, driver::Led)>,
 }
 
@@ -161,7 +168,7 @@ impl<'a> Compiler<'a> {
             driver,
             values: driver_positions(scene, at),
             unit: 1.0 / power_of_two_scale(at.extent()),
-            // About as many operations has a dyad for each effect.
+            // A dyad has about this many operations for each effect.
             steps: std::array::from_fn(|_| Vec::with_capacity(6 * (1 + m.groups.len()))),
             constants: Vec::with_capacity(8 * (1 + m.groups.len())),
             registers: SIN.0 + 1,
@@ -212,7 +219,7 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// A group for which there is no kernel.
+    /// The message that a group has no kernel.
     fn without_kernel(&self, group: usize) -> NoKernel {
         let g = &self.m.groups[group];
         let names: Vec<_> = g.links.iter().map(|l| self.scene.link_name(*l)).collect();
@@ -279,7 +286,7 @@ impl<'a> Compiler<'a> {
         Ok(self.bodies[l.0].as_ref().expect("just made sure of"))
     }
 
-    /// A link that nothing places.
+    /// The message that no group gives a link its position.
     fn lost(&self, l: LinkId) -> NoKernel {
         Diagnostic::note(
             "no-kernel",
@@ -288,7 +295,7 @@ impl<'a> Compiler<'a> {
         .at(self.scene.links[l.0].span)
     }
 
-    /// A point of the scene: place, velocity or acceleration.
+    /// A point of the scene: position, velocity or acceleration.
     pub(super) fn point(&mut self, p: PointId, level: Level) -> Result<Pair, NoKernel> {
         if let Some(pair) = self.points[p.0][level as usize] {
             return Ok(pair);
@@ -314,7 +321,7 @@ impl<'a> Compiler<'a> {
         Ok(pair)
     }
 
-    /// Any moving place.
+    /// The position, velocity or acceleration of any spot.
     pub(super) fn spot(&mut self, spot: Spot, level: Level) -> Result<Pair, NoKernel> {
         match spot {
             Spot::Pin(p) => self.point(p, level),
@@ -348,7 +355,7 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// A place at the instant.
+    /// The position of a spot at the instant.
     fn now(&self, spot: Spot) -> Point {
         let nowhere = Point::new(f64::NAN, f64::NAN);
         match spot {

@@ -1,4 +1,5 @@
-//! Positions of a group as operations, and the rows that its legs will give for velocities and accelerations.
+//! Operations for the positions of a group, and the rows of its legs for velocities and
+//! accelerations.
 
 use super::driver::Rates;
 use super::rate::Row;
@@ -13,7 +14,7 @@ use hodograph_mechanism::mechanism::{Core, Entry, Hold, Leg, Level, Strut};
 use hodograph_mechanism::position::{Path, Pose};
 use hodograph_scene::{GuideId, LinkId, PointId};
 
-/// Where a point may lie as far as one leg is concerned, with its centre or a point and direction at the instant.
+/// The locus of a point by one leg, with its centre, or a point and direction, at the instant.
 #[derive(Clone, Copy)]
 pub(super) enum Locus {
     Circle { centre: Pair, radius: Reg, now: Point },
@@ -23,7 +24,7 @@ pub(super) enum Locus {
 const P: Level = Level::Position;
 
 impl Compiler<'_> {
-    /// Brings a group to a level, and what it rests on.
+    /// Brings a group, and the groups that it depends on, to a level.
     pub(super) fn group(&mut self, g: usize, level: Level) -> Result<(), NoKernel> {
         if self.done[g].is_none() {
             self.done[g] = Some(P);
@@ -83,14 +84,14 @@ impl Compiler<'_> {
                     self.known_by_turning(link, Spot::Pin(far), far, Vec2::new(d, 0.0), arm)?;
                     self.rows[g].push(Row::Ram { link, far, pin, guide, driver });
                 }
-                // Barrel and rod are no links of the group.
+                // Barrel and rod do not belong to the group.
                 Strut::Cylinder(_) => {}
             }
         }
         Ok(())
     }
 
-    /// A bar is known by its two pins.
+    /// Makes the two pins of a bar its reference.
     fn bar(&mut self, link: LinkId, far: PointId, near: PointId) -> Result<(), NoKernel> {
         let (Some(a), Some(b)) = (self.at.shapes.local(link, far), self.at.shapes.local(link, near)) else {
             return Err(self.lost(link));
@@ -107,7 +108,8 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// A link is known by a pin of it and the arm `d` in its frame, placed already.
+    /// Makes a pin of a link, and the arm `d` in its frame, its reference; the arm has its position
+    /// already.
     pub(super) fn known_by_turning(&mut self, link: LinkId, origin: Spot, pin: PointId, d: Vec2, arm: Pair) -> Result<(), NoKernel> {
         let at = self.at.shapes.local(link, pin).ok_or_else(|| self.lost(link))?;
         self.bodies[link.0] = Some(Body { origin, at, d, between: None, own: [None; 3], arm: [Some(arm), None, None], turning: [None; 2] });
@@ -124,7 +126,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// A spot, of the pin `near`, at a strut's length from the known pin `far`.
+    /// The locus of a spot, the pin `near`, at a strut's length from the known pin `far`.
     fn at_strut(&mut self, g: usize, p: Spot, (near, far): (PointId, PointId), strut: Strut) -> Result<Locus, NoKernel> {
         match strut {
             Strut::Bar(link) => {
@@ -149,14 +151,14 @@ impl Compiler<'_> {
         }
     }
 
-    /// A spot at a distance from another: its locus and its row.
+    /// The locus of a spot at a distance from another; adds its row.
     fn circle(&mut self, g: usize, p: Spot, far: Spot, l: Reg, rates: Rates, bar: bool) -> Result<Locus, NoKernel> {
         let centre = self.spot(far, P)?;
         self.rows[g].push(Row::Distance { p, far, l, rates, bar });
         Ok(Locus::Circle { centre, radius: l, now: self.now(far) })
     }
 
-    /// A spot on a guide of a known link.
+    /// The locus of a spot on a guide of a known link.
     fn on_guide(&mut self, g: usize, p: Spot, guide: GuideId) -> Result<Locus, NoKernel> {
         let on = self.scene.guides[guide.0].on;
         if let Some(slot) = self.slot(guide)? {
@@ -169,9 +171,10 @@ impl Compiler<'_> {
         self.circle(g, p, Spot::Fixed(on, centre), radius, Rates::NONE, false)
     }
 
-    /// Where two loci meet, on the side of the instant.
+    /// The meeting point of two loci, on the branch of the instant.
     fn meet(&mut self, g: usize, a: Locus, b: Locus, now: Point) -> Result<Pair, NoKernel> {
-        // Below this sine the instant itself lies at a change of branch, and the closure that was chosen there counts.
+        // Below this sine the instant itself is at a change of branch, and the closure chosen there
+        // counts.
         const DECIDED: f64 = 1e-7;
         let chosen = if self.at.closures[g] == 0 { 1.0 } else { -1.0 };
         let sign = |sine: f64| if sine.abs() > DECIDED { sine.signum() } else { chosen };
@@ -199,7 +202,8 @@ impl Compiler<'_> {
         Ok(Pair { x: out, y: Reg(out.0 + 1) })
     }
 
-    /// Notes that the next step of positions closes a group and can miss, and that this is how squarely its loci cross.
+    /// Records that the next step of positions closes a group and can miss; `crossing` is the sin²
+    /// of the angle at which its loci cross.
     fn joint(&mut self, g: usize, crossing: impl Into<Op>) {
         let crossing = self.emit(P, crossing, 1);
         let group = &self.m.groups[g];
@@ -225,7 +229,7 @@ impl Compiler<'_> {
         } else {
             self.triad(g, link, &holds)?;
         }
-        // The group's pins sit on the core.
+        // The group's pins are on the core.
         for &p in &self.m.groups[g].pins.clone() {
             let local = self.at.shapes.local(link, p).ok_or_else(|| self.without_kernel(g))?;
             self.points[p.0][P as usize] = Some(self.spot(Spot::Fixed(link, local), P)?);
@@ -236,7 +240,8 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// The arm of a link whose angle against a known one is driven, or stays as it is at the instant; in its frame, in the plane.
+    /// The arm of a link whose angle relative to a known one is driven, or stays that of the
+    /// instant: in its frame, and in the plane.
     fn arm_at_angle(&mut self, g: usize, link: LinkId, of: LinkId, driver: Option<usize>) -> Result<(Vec2, Pair), NoKernel> {
         let pose = |c: &Self, l: LinkId| if l == c.scene.ground { Some(Pose::GROUND) } else { c.at.poses[l.0] };
         let Some(driver) = driver else {
@@ -275,7 +280,7 @@ impl Compiler<'_> {
         Ok((own, arm))
     }
 
-    /// A link whose angle is known and whose place two legs hold, or a driver along a guide.
+    /// Places a link with a known angle, held by two legs, or by a driver along a guide.
     fn shifted(&mut self, g: usize, link: LinkId, holds: &[Hold], d: Vec2, arm: Pair) -> Result<(), NoKernel> {
         let at = self.own_point(link, holds);
         self.bodies[link.0] =
@@ -295,17 +300,17 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// The point by which a link on legs is known: that at which its first leg holds it.
+    /// The reference point of a link on legs: the point at which its first leg holds it.
     pub(super) fn own_point(&self, link: LinkId, holds: &[Hold]) -> Point {
         let near = holds.iter().find_map(Hold::near);
         let local = near.and_then(|p| self.at.shapes.local(link, p));
         local.or(self.at.shapes.points[link.0].first().map(|(_, at)| *at)).unwrap_or(Point::ORIGIN)
     }
 
-    /// The locus of a link's own point, its arm being known.
+    /// The locus of a link's own point, for a known arm.
     fn locus_of_link(&mut self, g: usize, link: LinkId, hold: &Hold) -> Result<Locus, NoKernel> {
         let (spot, locus) = self.held(g, link, hold)?;
-        // From the place that is held to the link's own point.
+        // The vector from the held point to the link's own point.
         let body = self.bodies[link.0].as_ref().ok_or_else(|| self.lost(link))?;
         let back = match spot {
             Spot::Fixed(l, local) if l == link => body.at - local,
@@ -327,7 +332,7 @@ impl Compiler<'_> {
         })
     }
 
-    /// How a leg holds a link: the place of the link that it holds, and the locus of that place; its row is noted.
+    /// The point of a link that a leg holds, and the locus of that point; adds the leg's row.
     pub(super) fn held(&mut self, g: usize, link: LinkId, hold: &Hold) -> Result<(Spot, Locus), NoKernel> {
         let local = |c: &Self, p: PointId| c.at.shapes.local(link, p).ok_or_else(|| c.without_kernel(g));
         match *hold {
@@ -346,7 +351,7 @@ impl Compiler<'_> {
                     let spot = Spot::Fixed(link, at);
                     let slot = self.slot(guide)?.ok_or_else(|| self.without_kernel(g))?;
                     let Some(Path::Line { direction, .. }) = self.at.guides[guide.0] else { return Err(self.without_kernel(g)) };
-                    // The slider keeps the distance from its guide that it has at the instant.
+                    // The slider keeps its distance from the guide of the instant.
                     let now = self.now(spot);
                     let pose = self.at.poses[other.0].unwrap_or(Pose::GROUND);
                     let through = self.spot(Spot::Fixed(other, pose.to_local(now)), P)?;
@@ -367,12 +372,13 @@ impl Compiler<'_> {
         }
     }
 
-    /// A slot of the link runs over a known place: the place of the link that is held is where the slot's line begins.
+    /// A slot of the link over a known point: the held point of the link is the beginning of the
+    /// slot's line.
     fn in_slot(&mut self, g: usize, link: LinkId, over: Spot, guide: GuideId) -> Result<(Spot, Locus), NoKernel> {
         match self.at.shapes.guides[guide.0] {
             Some(Path::Line { through, direction }) => {
                 let through = match over {
-                    // A gliding link keeps the distance that it has.
+                    // A gliding link keeps the distance of the instant.
                     Spot::Pin(_) => through,
                     Spot::Own(_) | Spot::Fixed(..) => self.at.poses[link.0].map_or(through, |pose| pose.to_local(self.now(over))),
                 };
@@ -391,7 +397,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// A link on a known pivot, with a slot over a known pin.
+    /// Places a link on a known pivot, with a slot over a known pin.
     fn lever(&mut self, g: usize, link: LinkId, pivot: PointId, holds: &[Hold]) -> Result<(), NoKernel> {
         let (&[Hold::Slot { pin, guide }], Some(at)) = (holds, self.at.shapes.local(link, pivot)) else {
             return Err(self.without_kernel(g));
@@ -404,7 +410,7 @@ impl Compiler<'_> {
                 let span = (runner - at).norm();
                 let chosen = if self.at.closures[g] == 0 { 1.0 } else { -1.0 };
                 let sign = if ahead.abs() > 1e-7 * span { ahead.signum() } else { chosen };
-                // Seen from the slot's direction, the frame's x axis is its conjugate.
+                // Relative to the slot's direction, the frame's x axis is its conjugate.
                 let k = [direction.x * self.unit, -direction.y * self.unit];
                 let closure = Lever { a, b, h: direction.cross(through - at), sign, k };
                 self.joint(g, Crossing(closure));

@@ -1,4 +1,5 @@
-//! Velocities and accelerations of a group as operations: a row for each leg, and the rows solved.
+//! Operations for velocities and accelerations of a group: a row for each leg, and the solution of
+//! the rows.
 
 use super::driver::Rates;
 use super::{Compiler, NoKernel, Spot};
@@ -12,22 +13,23 @@ use hodograph_mechanism::mechanism::{Core, Level};
 use hodograph_mechanism::position::Path;
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId};
 
-/// What a leg says of the motion of a group's core. Rates are those of a driver, or zero.
+/// The condition of a leg on the motion of a group's core. Rates are those of a driver, or zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Row {
-    /// A pin that sits on a known link.
+    /// A pin on a known link.
     Carried { at: Spot },
-    /// `p` keeps the distance `l` from `far`; `bar`: two of them make the RRR dyad.
+    /// `p` keeps the distance `l` from `far`; two rows with `bar` make the RRR dyad.
     Distance { p: Spot, far: Spot, l: Reg, rates: Rates, bar: bool },
     /// `p` moves at a rate along `n`, fixed in a known link.
     Guided { p: Spot, on: LinkId, n: Pair, rates: Rates },
-    /// A slot of the core link, square to `n`, runs over a known place.
+    /// A slot of the core link, square to `n`, runs over a known point.
     Slot { link: LinkId, over: Spot, n: Pair },
-    /// The core link turns against a known one at a rate.
+    /// The core link turns relative to a known one at a rate.
     Turning { of: LinkId, rates: Rates },
-    /// The core link rolls on a known one: at the contact both have one velocity along `n`, and of their accelerations the parts along it.
+    /// The core link rolls on a known one: at the contact both have one velocity along `n`, and
+    /// equal components of their accelerations along it.
     Rolled { pair: RollingId, other: LinkId, n: Pair },
-    /// A link pinned at `far` along whose guide a driver pushes the core pin: it follows.
+    /// A link pinned at `far`, along whose guide a driver pushes the core pin: it follows.
     Ram { link: LinkId, far: PointId, pin: PointId, guide: GuideId, driver: usize },
 }
 
@@ -62,7 +64,7 @@ impl Compiler<'_> {
 
     /// The velocity or acceleration of a core pin.
     fn pin_at(&mut self, g: usize, pin: PointId, level: Level) -> Result<(), NoKernel> {
-        // Put back below: nothing else asks for the rows of a group while it is solved.
+        // The rows are put back below: nothing else needs the rows of a group while it is solved.
         let rows = std::mem::take(&mut self.rows[g]);
         let mut solved = rows.iter().filter(|r| !matches!(r, Row::Ram { .. }));
         let pair = match (solved.next(), solved.next(), solved.next()) {
@@ -108,7 +110,8 @@ impl Compiler<'_> {
         Ok(self.emit_pair(A, BarsRate { bars, vc, aa, ab, inverse: Reg(vc.x.0 + 2) }))
     }
 
-    /// Velocity or acceleration of a core link's own point, and its turning.
+    /// Velocity or acceleration of a core link's own point, and its angular velocity or
+    /// acceleration.
     fn link_at(&mut self, g: usize, link: LinkId, level: Level) -> Result<(), NoKernel> {
         let rows = self.rows[g].clone();
         let turned = rows.iter().find_map(|r| if let Row::Turning { of, rates } = r { Some((*of, *rates)) } else { None });
@@ -168,7 +171,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// ω or α of a link that turns against a known one at a rate.
+    /// Angular velocity or acceleration of a link that turns relative to a known one at a rate.
     fn turned(&mut self, of: LinkId, rates: Rates, level: Level) -> Result<Reg, NoKernel> {
         let (rate, led) = rates.parts(level);
         if of == self.scene.ground {
@@ -185,7 +188,8 @@ impl Compiler<'_> {
         }
     }
 
-    /// A place that a cam leads along a guide of the ground: the rate times the direction of the guide.
+    /// The velocity or acceleration of a point led by a cam along a guide of the ground: the rate
+    /// times the direction of the guide.
     fn led_on_ground(&mut self, first: &Row, second: &Row, level: Level) -> Option<Pair> {
         let (Row::Guided { on: a, rates: Rates::Even([0.0, 0.0]), .. }, Row::Guided { on: b, n, rates, .. }) = (first, second) else {
             return None;
@@ -195,7 +199,7 @@ impl Compiler<'_> {
         Some(self.emit_pair(level, Along { q, t: *n, s }))
     }
 
-    /// For accelerations the row of a link's point takes the centripetal part along: c + ω² n·r.
+    /// Adds, for accelerations, the centripetal part to the row of a link's point: c + ω² n·r.
     fn without_centripetal(&mut self, link: LinkId, n: Pair, r: Pair, c: Reg, level: Level) -> Result<Reg, NoKernel> {
         if level == V {
             return Ok(c);
@@ -204,7 +208,7 @@ impl Compiler<'_> {
         Ok(self.emit(A, ReducedRate { n, r, c, omega, alpha }, 1))
     }
 
-    /// The row of a link's own point where the turning is known.
+    /// The row of a link's own point for a known angular velocity.
     fn reduced(&mut self, row: &Row, link: LinkId, level: Level) -> Result<(Pair, Reg), NoKernel> {
         let (n, r, c) = self.row(row, Some(link), level)?;
         let Some(r) = r else { return Ok((n, c)) };
@@ -219,7 +223,8 @@ impl Compiler<'_> {
         Ok((n, c))
     }
 
-    /// n, the arm from the core link's own point to where the leg holds it (with a core link), and c.
+    /// The normal n, the arm from the core link's own point to the point that the leg holds (with a
+    /// core link), and c.
     fn row(&mut self, row: &Row, core: Option<LinkId>, level: Level) -> Result<(Pair, Option<Pair>, Reg), NoKernel> {
         match *row {
             Row::Distance { p, far, l, rates, .. } => {
@@ -286,7 +291,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// The arm from one place to another; emitted once.
+    /// The arm from one spot to another, emitted once.
     pub(super) fn between(&mut self, from: Spot, to: Spot) -> Result<Pair, NoKernel> {
         let (from, to) = (self.spot(from, P)?, self.spot(to, P)?);
         let arm = Arm { from, to };
@@ -303,8 +308,9 @@ impl Compiler<'_> {
         }
     }
 
-    /// The turning of a link AB in which a driver pushes B along a guide of direction t: ω = AB × (v_B − v_A − ṡ t)/|AB|² and
-    /// α = AB × (a_B − a_A − 2 ω × ṡ t − s̈ t)/|AB|².
+    /// Angular velocity or acceleration of a link AB in which a driver pushes B along a guide of
+    /// direction t: ω = AB × (v_B − v_A − ṡ t)/|AB|² and α = AB × (a_B − a_A − 2 ω × ṡ t − s̈
+    /// t)/|AB|².
     fn turning_of_ram(
         &mut self,
         link: LinkId,

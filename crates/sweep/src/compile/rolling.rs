@@ -1,7 +1,9 @@
-//! Rolling pairs as operations: the angles of trains, wheels and racks on straight tracks, places of contact.
+//! Operations for rolling pairs: the angles of trains, wheels and racks on straight tracks, points
+//! of contact.
 //!
-//! What a [`Train`] is made of turns by a sum of angles: the driver's times a whole ratio ([`Geared`]), and those of lines that no train
-//! tells. Such a line turns by whole turns with the driver's, found once by following it, and by less than half a turn beside ([`Against`]).
+//! The links of a [`Train`] turn by a sum of angles: the driver's times a whole ratio ([`Geared`]),
+//! and those of lines that no train determines. Such a line turns by whole turns with the driver,
+//! found once by following it, and by less than half a turn besides ([`Against`]).
 
 use super::{Compiler, NoKernel, Spot};
 use crate::carry::{Along, Arm, Image, Product, Swing, SwingRate, Twist};
@@ -22,38 +24,40 @@ const P: Level = Level::Position;
 const V: Level = Level::Velocity;
 const A: Level = Level::Acceleration;
 
-/// What the compiler knows of trains.
+/// The state of the compiler for trains.
 pub(super) struct Trains {
     pub train: Train,
-    /// Groups that are placed by their angles.
+    /// Groups placed by their angles.
     placed: Vec<usize>,
-    /// The driver's angle in quarter turns, and what it was.
+    /// The driver's angle in quarter turns, and its value at the instant.
     pub(super) quarters: Option<(Pair, [f64; 2])>,
     rotors: Vec<([f64; 2], Pair)>,
     wound: Vec<(Source, Wound)>,
-    /// See [`Program::turns`].
+    /// The turns after which the pose recurs; see [`Program::turns`].
     pub turns: u64,
-    /// See [`Program::fastest`].
+    /// The greatest ratio of a wheel; see [`Program::fastest`].
     pub fastest: f64,
 }
 
-/// How far something has turned since the instant: with the driver, and beside that (rad; of a way on a track: m).
+/// The rotation since the instant: the part with the driver, and the rest (rad; of a travel on a
+/// track: m).
 #[derive(Clone, Copy)]
 struct Wound {
     turns: Ratio,
     rest: Reg,
 }
 
-/// Most turns through which a line is followed to see how it turns.
+/// The greatest number of turns through which a line is followed to count its turns.
 const MOST_TURNS: u64 = 60;
 
-/// Steps of it, for each turn or for the whole of another way.
+/// The number of steps for each turn, or for the whole of another travel.
 const STEPS: f64 = 360.0;
 
-/// Most by which it may turn in one (rad): else it is not known by how many turns.
+/// The greatest angle of a line in one step (rad) at which its turns can be counted.
 const QUICK: f64 = 1.0;
 
-/// As far from half a turn it stays, so that what lies between the steps does too.
+/// The least distance from half a turn (rad), so that angles between the steps stay within half a
+/// turn too.
 const ASIDE: f64 = 0.5;
 
 impl Trains {
@@ -67,7 +71,8 @@ impl Trains {
 }
 
 impl Compiler<'_> {
-    /// Places a group whose links hang by one pin each and turn as something else tells; whether it is one.
+    /// Places a group whose links have one pin each and turn with others; returns `true` if it is
+    /// such a group.
     pub(super) fn train(&mut self, g: usize) -> Result<bool, NoKernel> {
         let Some(hung) = self.hung(g) else { return Ok(false) };
         for (link, pin) in hung {
@@ -82,7 +87,8 @@ impl Compiler<'_> {
         Ok(true)
     }
 
-    /// The links of a group of rolling ones with the pins at which they hang, each placed before; `None` where they hang otherwise.
+    /// The links of a group of rolling ones with the pins that carry them, in an order in which
+    /// each pin is known; `None` if they are carried otherwise.
     fn hung(&self, g: usize) -> Option<Vec<(LinkId, PointId)>> {
         let group = &self.m.groups[g];
         let forms = || group.constraints.iter().map(|&c| self.m.constraints[c].form());
@@ -103,7 +109,7 @@ impl Compiler<'_> {
         Some(hung)
     }
 
-    /// The group's pins that sit on a link of it and are not placed yet.
+    /// Places the group's pins that are on a link of it and not placed yet.
     fn pins_of(&mut self, g: usize, link: LinkId, level: Level) -> Result<(), NoKernel> {
         for &p in &self.m.groups[g].pins.clone() {
             if self.points[p.0][level as usize].is_none()
@@ -115,7 +121,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// Velocities or accelerations of such a group.
+    /// Velocities or accelerations of a group placed by its angles.
     pub(super) fn train_at(&mut self, g: usize, level: Level) -> Result<(), NoKernel> {
         for (link, _) in self.hung(g).unwrap_or_default() {
             let turned = self.trains.train.turned(link);
@@ -126,7 +132,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// cos and sin of how far a combination has turned since the instant.
+    /// Cosine and sine of the rotation of a combination since the instant.
     fn rotor(&mut self, turned: &Combination) -> Result<Pair, NoKernel> {
         let (with, beside) = self.parts(turned)?;
         let geared = (!with.is_zero()).then(|| self.geared(with)).flatten();
@@ -138,13 +144,14 @@ impl Compiler<'_> {
         })
     }
 
-    /// What of a combination goes with the driver's angle, and the sum of the rest.
+    /// The part of a combination that turns with the driver's angle, and the sum of the rest.
     fn parts(&mut self, turned: &Combination) -> Result<(Ratio, Option<Reg>), NoKernel> {
         let (mut with, mut beside) = (Ratio::of(0, 1), None);
         for &(source, ratio) in turned {
             match source {
                 Source::Driver(d) if self.driver == Some(d) => with = with.plus(ratio),
-                // The other drivers stand, but for those that cams lead; and where none is swept, everything does.
+                // The other drivers are at rest, unless cams lead them; without a swept driver
+                // everything is.
                 Source::Driver(d) => drop(self.even_rates(d)?),
                 _ if self.driver.is_none() => {}
                 Source::Link(_) | Source::Line(..) | Source::Way(_) => {
@@ -157,13 +164,13 @@ impl Compiler<'_> {
         Ok((with, beside))
     }
 
-    /// A sum and k times another number.
+    /// A sum plus k times another number.
     fn plus(&mut self, level: Level, sum: Option<Reg>, b: Reg, k: f64) -> Reg {
         let a = sum.unwrap_or_else(|| self.zero());
         if sum.is_none() && k == 1.0 { b } else { self.emit(level, Sum { a, b, k }, 1) }
     }
 
-    /// cos and sin of a part of the driver's way; `None` without a driver.
+    /// Cosine and sine of a ratio of the driver's travel; `None` without a driver.
     fn geared(&mut self, ratio: Ratio) -> Option<Pair> {
         let driver = self.driver?;
         let (quarters, start) = self.quarters(driver);
@@ -181,7 +188,7 @@ impl Compiler<'_> {
         Some(pair)
     }
 
-    /// How far a source that no train tells has turned, or gone.
+    /// The rotation, or travel, of a source that no train determines.
     fn wound(&mut self, source: Source) -> Result<Wound, NoKernel> {
         if let Some((_, known)) = self.trains.wound.iter().find(|(s, _)| *s == source) {
             return Ok(*known);
@@ -226,8 +233,9 @@ impl Compiler<'_> {
         }
     }
 
-    /// By how many turns a line turns with each turn of the driver, its direction at the instant turned by the middle of what is beside
-    /// that, and this middle; `None` where it strays by half a turn, or cannot be followed.
+    /// The turns of a line for each turn of the driver, its direction at the instant turned by the
+    /// middle of the remaining angle, and this middle; `None` if it strays by half a turn, or
+    /// cannot be followed.
     fn winding(&self, d: Pair) -> Option<(Ratio, Vec2, f64)> {
         let driver = self.driver?;
         if !self.tracks.is_empty() || self.trains.turns == 0 || self.trains.turns > MOST_TURNS {
@@ -257,7 +265,7 @@ impl Compiler<'_> {
         let start = line(now)?;
         let reach = if turning { TAU * self.trains.turns as f64 } else { 2.0 * self.at.extent() };
         let parts = if turning { STEPS * self.trains.turns as f64 * self.trains.fastest.ceil().min(16.0) } else { STEPS };
-        // The angle at each step as far as the line is there; and whether that is all the way.
+        // The angle at each step as far as the line exists, and `true` if that is all the way.
         let follow = |way: f64| -> Option<(Vec<f64>, bool)> {
             let (mut angles, mut before) = (vec![0.0], start);
             for i in 1..=parts as usize {
@@ -291,7 +299,7 @@ impl Compiler<'_> {
         (0.5 * (high - low) < PI - ASIDE).then(|| (turns, start.rotate_by(Vec2::from_angle(centre)), centre))
     }
 
-    /// ω or α of a combination.
+    /// Angular velocity or acceleration of a combination.
     fn rate_of(&mut self, turned: &Combination, level: Level) -> Result<Reg, NoKernel> {
         let mut driven = 0.0;
         let mut rates = Vec::new();
@@ -319,7 +327,7 @@ impl Compiler<'_> {
         self.turning_of_arm(d, v, level, |c| arm(c, A), |c| c.turning_of_line([a, b], V))
     }
 
-    /// The wheel's centre, and where the track begins.
+    /// The wheel's centre, the link with the track, the beginning of the track, and its direction.
     fn on_track(&mut self, r: RollingId) -> Result<(PointId, LinkId, Spot, Pair), NoKernel> {
         let pair = &self.scene.rolling[r.0];
         let Relation::Slide { centre, guide } = pair.relation() else { return Err(self.lost(pair.links[1])) };
@@ -328,14 +336,15 @@ impl Compiler<'_> {
         Ok((centre, pair.links[0], Spot::Fixed(pair.links[0], through), u))
     }
 
-    /// How far a wheel's centre stands along its track (m), and from where to where that is.
+    /// The coordinate of a wheel's centre along its track (m), and the vector from the beginning to
+    /// the centre.
     fn way(&mut self, r: RollingId) -> Result<(Reg, Pair), NoKernel> {
         let (centre, _, from, u) = self.on_track(r)?;
         let arm = self.between(from, Spot::Pin(centre))?;
         Ok((self.emit(P, Dot { u, v: arm }, 1), arm))
     }
 
-    /// The same at the instant.
+    /// The coordinate of a wheel's centre along its track at the instant (m).
     fn way_now(&mut self, r: RollingId) -> Result<f64, NoKernel> {
         let (centre, track, from, _) = self.on_track(r)?;
         let Some(Path::Line { direction, .. }) = self.scene.rolling[r.0].guide().and_then(|g| self.at.shapes.guides[g.0]) else {
@@ -345,7 +354,7 @@ impl Compiler<'_> {
         Ok(pose.turn(direction).dot(self.now(Spot::Pin(centre)) - self.now(from)))
     }
 
-    /// Its rate, or the rate of that.
+    /// The first or second derivative of the coordinate along the track.
     fn rate_of_way(&mut self, r: RollingId, level: Level) -> Result<Reg, NoKernel> {
         let (centre, track, from, u) = self.on_track(r)?;
         let arm = self.between(from, Spot::Pin(centre))?;
@@ -361,8 +370,9 @@ impl Compiler<'_> {
         Ok(self.emit(A, WayAcceleration { way, a, alpha }, 1))
     }
 
-    /// Of a link with a known angle that rolls along a straight track, or is one: the line on which its place lies, square to the track,
-    /// as a place of the link, a point of the line and its direction.
+    /// The line, square to the track, that contains the held point of a link with a known angle
+    /// that rolls along a straight track or carries it: the point of the link, a point of the line
+    /// and its direction.
     pub(super) fn along_track(&mut self, link: LinkId, r: RollingId) -> Result<(Spot, Pair, Pair), NoKernel> {
         let pair = &self.scene.rolling[r.0];
         let [track, wheel] = pair.links;
@@ -370,11 +380,11 @@ impl Compiler<'_> {
         let now = self.way_now(r)?;
         let mut turned = self.trains.train.turned(wheel);
         add(&mut turned, &self.trains.train.turned(track), Ratio::of(-1, 1));
-        // s = s₀ − ρ (Δφ₂ − Δφ₁).
+        // The relation is s = s₀ − ρ (Δφ₂ − Δφ₁).
         let (with, beside) = self.parts(&turned)?;
         let mut s = self.constant(now);
         if let (false, Some(driver)) = (with.is_zero(), self.driver) {
-            // What runs along with the driver never comes back.
+            // A coordinate that grows with the driver never recurs.
             self.trains.turns = 0;
             let start = position_now(self.scene, self.at, driver);
             s = self.constant(now + rho * with.value * start);
@@ -395,12 +405,13 @@ impl Compiler<'_> {
         Ok((Spot::Fixed(wheel, local), self.emit_pair(P, Along { q, t: u, s }), normal))
     }
 
-    /// The direction along which the two links of a pair on a straight track have one velocity at the contact.
+    /// The direction along which the two links of a pair on a straight track have one velocity at
+    /// the contact.
     pub(super) fn tangent(&mut self, r: RollingId) -> Result<Pair, NoKernel> {
         Ok(self.on_track(r)?.3)
     }
 
-    /// One of the places of contact of a pair.
+    /// One of the points of contact of a pair.
     pub(super) fn contact(&mut self, r: RollingId, at: PointId) -> Result<Pair, NoKernel> {
         let [r1, r2] = self.at.shapes.rolling[r.0];
         match self.scene.rolling[r.0].touch() {
@@ -418,7 +429,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// The velocity, or acceleration, that a link has at a place.
+    /// The velocity, or acceleration, of a link at a point.
     pub(super) fn of_link_at(&mut self, link: LinkId, place: Pair, level: Level) -> Result<Pair, NoKernel> {
         if link == self.scene.ground {
             return Ok(self.fixed(Vec2::ZERO));

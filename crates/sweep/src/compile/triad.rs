@@ -1,4 +1,4 @@
-//! Links on three legs as operations: followed from position to position.
+//! Operations for links on three legs, which are followed from position to position.
 
 use super::place::Locus;
 use super::{Body, Compiler, NoKernel, Spot};
@@ -12,7 +12,7 @@ use hodograph_scene::LinkId;
 const P: Level = Level::Position;
 
 impl Compiler<'_> {
-    /// A link on three legs: followed from position to position.
+    /// Places a link on three legs: it is followed from position to position.
     pub(super) fn triad(&mut self, g: usize, link: LinkId, holds: &[Hold]) -> Result<(), NoKernel> {
         let [_, _, _] = holds else { return Err(self.without_kernel(g)) };
         let pose = self.at.poses[link.0].ok_or_else(|| self.lost(link))?;
@@ -39,14 +39,14 @@ impl Compiler<'_> {
         let start = (pose.to_world(at), pose.axis);
         self.tracks.push(Track { group: g, link, step, own, arm, unit: self.unit, held, start });
         self.bodies[link.0] = Some(body);
-        // The rows come after the track: they need the link's places.
+        // The rows come after the track: they need the link's points.
         for hold in holds {
             self.held(g, link, hold)?;
         }
         Ok(())
     }
 
-    /// A leg of a followed link: what is known of it, in registers.
+    /// A leg of a followed link: its known quantities, in registers.
     fn held_for_track(&mut self, g: usize, link: LinkId, body: &Body, hold: &Hold) -> Result<Held, NoKernel> {
         // Local places are counted from the link's own point.
         let from_own = |local: Point| local - body.at;
@@ -60,7 +60,8 @@ impl Compiler<'_> {
                 }
                 None => Err(self.without_kernel(g)),
             },
-            // A gliding leg needs the link's own place at the instant only, which is known before the link is.
+            // A gliding leg needs the link's own position at the instant, which is known before the
+            // link is.
             Hold::Glide { .. } | Hold::Rolls { .. } => Err(self.without_kernel(g)),
             Hold::Distance { .. } | Hold::Guide { .. } => {
                 let rows = self.rows[g].len();

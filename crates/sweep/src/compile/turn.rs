@@ -1,4 +1,4 @@
-//! How links turn: their arms, ω and α, and the points that are carried by them.
+//! The rotation of links: their arms, ω and α, and the points that they carry.
 
 use super::super::carry::{Arm, Swing, SwingRate, Turning, TurningRate};
 use super::super::kernel::{Pair, Reg};
@@ -40,7 +40,7 @@ impl Compiler<'_> {
         Ok(pair)
     }
 
-    /// ω or α of a link.
+    /// The angular velocity or acceleration of a link.
     pub(super) fn turning(&mut self, l: LinkId, level: Level) -> Result<Reg, NoKernel> {
         let slot = level as usize - 1;
         if let Some(passive) = self.m.passive[l.0] {
@@ -63,7 +63,7 @@ impl Compiler<'_> {
         Ok(reg)
     }
 
-    /// ω or α of a line whose arm and rates are known.
+    /// The angular velocity or acceleration of a line with known arm and rates.
     pub(super) fn turning_of_arm(
         &mut self,
         d: Pair,
@@ -81,7 +81,8 @@ impl Compiler<'_> {
         })
     }
 
-    /// A block turns with its guide, or with the radius to its pin; barrel and rod turn with the line of their cylinder.
+    /// The angular velocity or acceleration of a passive link: a block turns with its guide, or
+    /// with the radius to its pin; barrel and rod turn with the line of their cylinder.
     fn turning_of_follower(&mut self, l: LinkId, passive: Passive, level: Level) -> Result<Reg, NoKernel> {
         let (from, to) = match passive {
             Passive::Block(g) => {
@@ -104,7 +105,7 @@ impl Compiler<'_> {
         self.turning_of_arm(d, v, level, |c| arm(c, Level::Acceleration), |c| c.turning(l, Level::Velocity))
     }
 
-    /// The vector of the point of a link that lies at a place.
+    /// The velocity or acceleration of the point of a link that coincides with a point.
     pub(super) fn carried(&mut self, p: PointId, l: LinkId, level: Level) -> Result<Pair, NoKernel> {
         if self.scene.links[l.0].points.contains(&p) || level == Level::Position {
             return self.point(p, level);

@@ -1,5 +1,5 @@
-//! Balancing moments, powers and inertia forces as columns. One driver does the opposite work of all loads, so no reaction is needed:
-//! M_b ω = −Σ(F·v + M ω).
+//! Balancing moments, powers and inertia forces as columns. One driver does the opposite work of
+//! all loads, so no reaction is needed: M_b ω = −Σ(F·v + M ω).
 
 use super::ask::no_kernel;
 use super::{Compiler, NoKernel};
@@ -19,7 +19,7 @@ const V: Level = Level::Velocity;
 const A: Level = Level::Acceleration;
 
 impl Compiler<'_> {
-    /// The columns of a quantity of forces that no reaction enters.
+    /// Adds the columns of a force quantity that needs no reaction.
     pub(super) fn by_motion(&mut self, what: ByMotion, find: &Find) -> Result<(), NoKernel> {
         match what {
             ByMotion::Power => {
@@ -65,7 +65,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// −m a_S.
+    /// The inertia force −m a_S.
     fn inertia(&mut self, l: LinkId, find: &Find) -> Result<Pair, NoKernel> {
         let mass = self.scene.loads.mass_of(l).filter(|_| self.scene.has_inertia());
         let Some((m, s)) = mass.and_then(|mass| Some((mass.m.as_ref()?.value, mass.at?))) else { return Err(no_kernel(find)) };
@@ -73,13 +73,13 @@ impl Compiler<'_> {
         Ok(Pair { x: self.negative(a.x, m), y: self.negative(a.y, m) })
     }
 
-    /// −k a.
+    /// The product −k a.
     fn negative(&mut self, a: Reg, k: f64) -> Reg {
         let zero = self.zero();
         self.emit(A, Sum { a: zero, b: a, k: -k }, 1)
     }
 
-    /// The power of all loads, of a scene with one driver that moves.
+    /// The power of all loads, for a scene with one driver that moves.
     fn power(&mut self, find: &Find) -> Result<Reg, NoKernel> {
         let scene = self.scene;
         let loads = &scene.loads;
@@ -120,13 +120,13 @@ impl Compiler<'_> {
         Ok(power)
     }
 
-    /// The power of an applied load on top of others.
+    /// The power of an applied load, added to others.
     fn of_load(&mut self, applied: &Applied, before: Reg, find: &Find) -> Result<Reg, NoKernel> {
         let velocity = |c: &mut Self| match applied.at {
             Some(point) => c.vector(&OnLink { point, link: Some(applied.link) }, V),
             None => Err(no_kernel(find)),
         };
-        // The power of a load of 1 N or 1 N·m, with its amount; of components that of the whole.
+        // The power of a load of 1 N or 1 N·m, and its amount; for components the whole power.
         let (unit, amount) = match &applied.size {
             Size::Components([x, y]) => {
                 let v = velocity(self)?;
@@ -172,7 +172,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// The amount of a load along its course: `constant` within it where it has no diagram.
+    /// The amount of a load along its course; without a diagram `constant` within the course.
     fn along_course(&mut self, course: &Course, constant: f64, find: &Find) -> Result<Reg, NoKernel> {
         let (at, near, onward) = match &course.along {
             Along::Stroke { point, guide, .. } => {
@@ -217,7 +217,7 @@ impl Compiler<'_> {
         }
         let last = stations[stations.len() - 1].at.value() + near;
         amount = self.emit(P, Ramp { at, before: amount, from: last.next_up(), origin: 0.0, amount: 0.0, slope: 0.0 }, 1);
-        // On the way back it does not act.
+        // The load does not act on the return stroke.
         Ok(match onward {
             Some(speed) => self.emit(V, Forward { speed, number: amount, from: -ROUNDING * fastest(self.scene, self.at) }, 1),
             None => amount,

@@ -1,50 +1,55 @@
-//! Following a mechanism from one position of its driver to the next, in pieces, with the same states whatever pieces are asked for.
+//! Follows a mechanism from one position of its driver to the next, in pieces; the states do not
+//! depend on the pieces.
 //!
-//! Each state is computed from the one before it, so the rows of a sweep form chains: one from where the driver stands upward, one downward, which is
-//! backward in the table. A chain keeps its state at every [`STRIDE`]-th position (checkpoints), so that any part of it can be computed again without
-//! the whole; memory is that of these states. A crank that is stopped on one way round may reach a position on the other: what lies beyond a chain's
-//! end is looked for from there, in chains of the same kind.
+//! Each state is computed from the one before it, so the rows of a sweep form chains: one from the
+//! driver's start upward and one downward, which runs backward in the table. A chain keeps its
+//! state at every [`STRIDE`]-th position (checkpoints), so that any part of it can be computed
+//! again without the whole; the memory is that of these states. A crank that is stopped in one
+//! sense may reach a position in the other: positions beyond a chain's end are searched from there,
+//! in chains of the same kind.
 
 use hodograph_base::diag::Faults;
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// What is followed.
+/// A motion to follow.
 pub(crate) trait Follow {
-    /// Where everything that is followed stands.
+    /// The state of everything that is followed.
     type State: Clone;
 
-    /// The state where the driver stands; `None` where the pose does not fit.
+    /// Returns the state at the driver's start; `None` if the pose does not fit.
     fn start(&self) -> Option<Self::State>;
 
-    /// The state at a value of the driver, reached from another without a jump; else the last one that was reached.
+    /// Returns the state at a value of the driver, reached from another without a jump; else the
+    /// last one that was reached.
     fn advance(&self, from: &Self::State, value: f64) -> Result<Self::State, Self::State>;
 
-    /// Why the mechanism stops on its way to a value, after the last state that was reached (`None`: at the start already).
+    /// The reason why the mechanism stops on its way to a value, after the last state that was
+    /// reached (`None`: at the start already).
     fn stopped(&self, last: Option<&Self::State>, toward: f64) -> Faults;
 
-    /// Whether a position comes again after a turn of the driver.
+    /// True if a position recurs after a turn of the driver.
     fn turns(&self) -> bool;
 }
 
-/// Positions between two states that are kept.
+/// The number of positions from one kept state to the next.
 pub(crate) const STRIDE: usize = 4096;
 
-/// Positions in the order in which they are reached, one from the other.
+/// Positions in the order in which they are reached, each from the one before.
 struct Chain<S> {
-    /// Which; their values ascend.
+    /// The positions; their values ascend.
     positions: Range<usize>,
-    /// Whether the last one is reached first.
+    /// True if the last position is reached first.
     backward: bool,
-    /// What is added to each value: a turn, for positions that are reached on the other way round.
+    /// The summand of each value: a turn, for positions that are reached in the other sense.
     shift: f64,
-    /// How many have been reached, and the state at the last of them.
+    /// The number of positions reached so far, and the state at the last of them.
     front: (usize, S),
     /// The state before every [`STRIDE`]-th step, as far as it was reached.
     kept: Vec<S>,
-    /// Why no more of them are reached than have been.
+    /// The reason why no more positions can be reached.
     end: Option<Faults>,
-    /// Where the rest is looked for then.
+    /// The chains in which the rest is then searched.
     beyond: Vec<Chain<S>>,
 }
 
@@ -59,24 +64,24 @@ pub(crate) struct Chains<F: Follow> {
 /// The value at each position.
 pub(crate) type Values<'a> = &'a dyn Fn(usize) -> f64;
 
-/// What becomes of a position.
+/// The receiver of each position's state, or of the reason why there is none.
 type Visit<'a, S> = &'a mut dyn FnMut(usize, Result<&S, &Faults>);
 
 impl<F: Follow> Chains<F> {
-    /// A course through `count` positions from where the driver stands, `start`.
+    /// Prepares a course through `count` positions from the driver's value `start`.
     pub fn new(follow: F, start: f64, count: usize, values: Values) -> Chains<F> {
         let first = follow.start();
         let chains = first.as_ref().map_or_else(Vec::new, |first| outward(first, start, 0..count, 0.0, values));
         Chains { follow, start, first, chains }
     }
 
-    /// What is followed.
+    /// Returns the motion that is followed.
     pub fn follow(&self) -> &F {
         &self.follow
     }
 
-    /// Shows the state at each of some positions, in no order, or why there is none. Comes to an early end, and says false, when
-    /// asked to stop.
+    /// Shows the state at each of some positions, in any order, or the reason why there is none.
+    /// Stops early and returns `false` if `stop` asks for it.
     pub fn states(&mut self, part: Range<usize>, values: Values, stop: &dyn Fn() -> bool, visit: Visit<F::State>) -> bool {
         let Some(first) = &self.first else {
             let why = self.follow.stopped(None, self.start);
@@ -102,19 +107,20 @@ impl<F: Follow> Chains<F> {
                     lost.extend(other.rest());
                 }
             }
-            // Why the way there directly ends is what the reader asks first.
+            // The reader needs the reason why the direct way ends.
             lost.iter().flat_map(|rest| overlap(rest, &part)).for_each(|p| visit(p, Err(&why)));
         }
         true
     }
 
-    /// The last states of the ways directly from the start, downward and upward, that have been found to end.
+    /// The last states of the direct ways from the start, downward and upward, that were found to
+    /// end.
     pub fn ended(&self) -> impl Iterator<Item = &F::State> {
         self.chains.iter().rev().filter(|c| c.end.is_some()).map(|c| &c.front.1)
     }
 }
 
-/// The chains upward and downward from the start, through positions whose values ascend.
+/// The chains upward and downward from the start, through positions with ascending values.
 fn outward<S: Clone>(first: &S, start: f64, positions: Range<usize>, shift: f64, values: Values) -> Vec<Chain<S>> {
     // The first position that is not below the start.
     let (mut low, mut high) = (positions.start, positions.end);
@@ -141,7 +147,7 @@ fn overlap(a: &Range<usize>, b: &Range<usize>) -> Range<usize> {
 }
 
 impl<S: Clone> Chain<S> {
-    /// The position that is reached in a step.
+    /// The position of a step.
     fn position(&self, step: usize) -> usize {
         if self.backward { self.positions.end - 1 - step } else { self.positions.start + step }
     }
@@ -152,7 +158,8 @@ impl<S: Clone> Chain<S> {
         self.end.as_ref().map(|_| if self.backward { start..end - self.front.0 } else { start + self.front.0..end })
     }
 
-    /// Follows as far as the positions asked for, or over them again, and shows those of them that are reached.
+    /// Follows as far as the requested positions, or repeats a part of the chain, and shows the
+    /// positions that are reached.
     fn walk<F: Follow<State = S>>(
         &mut self,
         follow: &F,
@@ -167,7 +174,7 @@ impl<S: Clone> Chain<S> {
         }
         let Range { start, end } = self.positions;
         let steps = if self.backward { end - mine.end..end - mine.start } else { mine.start - start..mine.end - start };
-        // What has been passed is gone over again, from the last state that was kept.
+        // Steps already passed are repeated from the last kept state.
         let (mut step, mut state) = match self.front.0 <= steps.start {
             true => self.front.clone(),
             false => (steps.start / STRIDE * STRIDE, self.kept[steps.start / STRIDE].clone()),
@@ -185,7 +192,7 @@ impl<S: Clone> Chain<S> {
                 Ok(reached) => state = reached,
                 Err(reached) => {
                     self.end = Some(follow.stopped(Some(&reached), value));
-                    // The last state tells where it stops.
+                    // The last state gives the place of the stop.
                     self.front = (step, reached);
                     return true;
                 }

@@ -1,6 +1,8 @@
-//! All drivers through time: each by its law, else with the constant acceleration that it has at the instant.
+//! The motion of all drivers through time: each by its law, else with the constant acceleration
+//! that it has at the instant.
 //!
-//! Laws of time are evaluated anew at every time ([`Variation`] over `t`); nothing is extrapolated from the instant.
+//! Laws of time are evaluated anew at every time ([`Variation`] over `t`); nothing is extrapolated
+//! from the instant.
 
 use crate::station::position_now;
 use crate::vary::Variation;
@@ -10,37 +12,37 @@ use hodograph_scene::front::TIME;
 use hodograph_scene::{Given, Scene, Swept, driver_position, with_driver_at};
 use std::f64::consts::TAU;
 
-/// Turns of the fastest driver that are shown at most.
+/// The greatest number of turns of the fastest driver that are shown.
 const TURNS_SEEN: f64 = 3.0;
-/// Times at which the turning of drivers is sampled.
+/// The number of times at which the angles of drivers are sampled.
 const SAMPLES: usize = 256;
 /// A step of a driver (rad): 10°.
 const STEP: f64 = std::f64::consts::PI / 18.0;
 
-/// How every driver moves.
+/// The motion of every driver.
 #[derive(Clone)]
 pub struct Clock {
     /// The scene at its instant.
     scene: Scene,
-    /// Where each driver stands at the instant (rad or m).
+    /// The position of each driver at the instant (rad or m).
     positions: Vec<f64>,
-    /// What depends on t, and one second of it; `None` without laws of time.
+    /// The quantities that depend on t, and the value of one second; `None` without laws of time.
     laws: Option<(Variation, Value)>,
 }
 
-/// A driver some time after the instant, in SI units.
+/// The motion of a driver some time after the instant, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gone {
-    /// How far it has gone since.
+    /// The travel since the instant.
     pub by: f64,
-    /// Its rate there.
+    /// The rate at that time.
     pub rate: f64,
-    /// Its acceleration there.
+    /// The acceleration at that time.
     pub acceleration: f64,
 }
 
 impl Clock {
-    /// The clock of a scene that is placed at its instant.
+    /// Makes the clock of a scene placed at its instant.
     pub fn of(scene: &Scene, at: &Configuration) -> Clock {
         let laws = scene.has_laws_of_time().then(|| {
             let variation = Variation::of(scene, &[TIME]).ok()?;
@@ -51,7 +53,8 @@ impl Clock {
         Clock { scene: scene.clone(), positions, laws: laws.flatten() }
     }
 
-    /// The drivers `t` seconds after the instant; `None` where a law has no value.
+    /// Returns the motion of the drivers `t` seconds after the instant; `None` where a law has no
+    /// value.
     pub fn gone(&self, t: f64) -> Option<Vec<Gone>> {
         let mut there = None;
         if let Some((laws, second)) = &self.laws {
@@ -73,7 +76,8 @@ impl Clock {
         gone.iter().all(|g| g.by.is_finite() && g.rate.is_finite() && g.acceleration.is_finite()).then_some(gone)
     }
 
-    /// A scene at that time: the drivers with their positions, rates and accelerations there.
+    /// Returns a scene at a time `t` after the instant (s): the drivers have their positions, rates
+    /// and accelerations of that time.
     pub fn scene_at(&self, scene: &Scene, t: f64) -> Scene {
         let Some(gone) = self.gone(t) else { return scene.clone() };
         let mut there = scene.clone();
@@ -86,16 +90,18 @@ impl Clock {
             };
             driver.rate = given(g.rate, ["rad/s", "m/s"]);
             driver.acceleration = (g.acceleration != 0.0).then(|| given(g.acceleration, ["rad/s^2", "m/s^2"]));
-            // Followers of cams are laid by the driver's rates.
+            // The driver's rates decide on which side the followers of cams are placed.
             let position = driver_position(scene, d).unwrap_or(self.positions[d]);
             there = with_driver_at(&there, d, position + g.by);
         }
         there
     }
 
-    /// How long before and after the instant the motion is shown (s): with laws from t = 0 to twice the instant; without them, or at t = 0,
-    /// onward through a turn of the slowest driver that turns, but at most three of the fastest. Where all slide, as far as the mechanism is large:
-    /// either way, with laws onward only, and for a second where nothing moves.
+    /// Returns the times before and after the instant for which the motion is shown (s): with laws
+    /// from t = 0 to twice the instant; without them, or at t = 0, onward through a turn of the
+    /// slowest turning driver, but at most three of the fastest. If all drivers slide, the time of
+    /// travel through the mechanism's size: in both directions, with laws onward only; with laws
+    /// and no motion, one second.
     pub fn reach(&self, extent: f64) -> [f64; 2] {
         let instant = self.scene.instant();
         if self.laws.is_some() && instant > 0.0 {
@@ -111,7 +117,7 @@ impl Clock {
         }
         let [fastest, slowest] = turns.iter().fold([f64::INFINITY, 0.0_f64], |[least, most], t| [least.min(*t), most.max(*t)]);
         match (self.laws.is_some(), turns.is_empty()) {
-            // A law at t = 0 tells no time by itself.
+            // A law at t = 0 gives no time by itself.
             (true, true) if slides == 0.0 => [0.0, 1.0],
             (true, true) => [0.0, slides],
             (false, true) => [slides; 2],
@@ -119,7 +125,7 @@ impl Clock {
         }
     }
 
-    /// In how many steps a way has to be gone, so that no driver turns by more than 10° in one.
+    /// Returns the number of steps in which no driver turns by more than 10° each.
     pub fn steps(&self, [before, after]: [f64; 2]) -> usize {
         let turning: Vec<usize> = (0..self.scene.drivers.len()).filter(|d| self.scene.drivers[*d].kind.turns()).collect();
         let mut turned = vec![0.0; turning.len()];
@@ -136,7 +142,7 @@ impl Clock {
     }
 }
 
-/// What goes on from pose to pose, with what it takes to say where everything is then.
+/// The moving quantity: a driver, or the time with the drivers' motion.
 pub(super) enum Course {
     Driver(usize),
     Time(Box<Clock>),
@@ -163,7 +169,7 @@ mod tests {
         Clock::of(scene, &Placed::new(scene, &m).unwrap().at)
     }
 
-    /// What the clock says of a time is what the scene says whose instant it is.
+    /// At any time the clock gives the same drivers as the scene with that instant.
     #[test]
     fn a_law_at_another_time_is_the_scene_at_that_instant() {
         for name in ["plate-by-law", "cart-by-law"] {

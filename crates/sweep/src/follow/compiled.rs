@@ -1,4 +1,4 @@
-//! The followed links of a program on their way through the positions of a driver.
+//! The followed links of a program through the positions of a driver.
 
 use super::chains::{Chains, Follow, Values};
 use super::triad::State;
@@ -9,7 +9,7 @@ use crate::station::{Stations, angle_per_value, position_now};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use std::ops::Range;
 
-/// A program whose links are followed.
+/// A program with followed links.
 pub(crate) struct Compiled<'a> {
     program: Program,
     placed: &'a Placed<'a>,
@@ -17,11 +17,11 @@ pub(crate) struct Compiled<'a> {
     per_value: f64,
 }
 
-/// The followed links at each station, or why they are not there.
+/// The followed links at each station, or the reason why they have no position there.
 pub(crate) type States = Vec<Result<State, Faults>>;
 
 impl<'a> Compiled<'a> {
-    /// The course of a program's links through `count` values.
+    /// Prepares the course of a program's links through `count` values.
     pub fn course(program: Program, placed: &'a Placed<'a>, driver: usize, count: usize, values: Values) -> Chains<Compiled<'a>> {
         let tracked = Compiled { program, placed, driver, per_value: angle_per_value(placed.scene, &placed.at, driver) };
         Chains::new(tracked, position_now(placed.scene, &placed.at, driver), count, values)
@@ -64,7 +64,8 @@ impl Follow for Compiled<'_> {
     }
 }
 
-/// The states of some positions of a course, by the row that `row` tells; `None` when asked to stop.
+/// The states of some positions of a course; `row` gives the row of each. `None` if `stop` asks to
+/// stop.
 pub(crate) fn states(
     course: &mut Chains<Compiled>,
     part: Range<usize>,

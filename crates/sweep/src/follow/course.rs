@@ -1,9 +1,12 @@
-//! Cams of several pieces whose followers move with other links than they do, over a whole motion.
+//! The whole motion of cams of several pieces with followers that move with other links than they
+//! do.
 //!
-//! Along one piece of the profile the contact is a pair like any other, and Newton's method follows the mechanism from step to step (natural
-//! continuation). Where the contact leaves its piece the place of the drivers is found by bisection, and the motion goes on with the pair of
-//! the next piece, from the same pose. What comes of it is the coordinate of the follower in the pair on which it hangs, with its rates by
-//! the loop equations: the scene that is swept has a driver there instead of the contact, as with a cam and a follower that one link carries.
+//! Along one piece of the profile the contact is a pair like any other, and Newton's method follows
+//! the mechanism from step to step (natural continuation). Where the contact leaves its piece,
+//! bisection finds the position of the drivers, and the motion goes on with the pair of the next
+//! piece, from the same pose. The result is the coordinate of the follower in the pair that carries
+//! it, with its rates by the loop equations: the swept scene has a driver there instead of the
+//! contact, as it has for a cam and a follower carried by one link.
 
 use super::step::{Pose, STRAY, foretold, stray};
 use crate::station::position_now;
@@ -22,22 +25,26 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// A step of a driver that turns (rad): 5°.
+/// A step of a turning driver (rad): 5°.
 const STEP: f64 = std::f64::consts::PI / 36.0;
-/// A step of one that slides, as a part of the mechanism's size.
+/// A step of a sliding driver, as a part of the mechanism's size.
 const PART: f64 = 0.02;
-/// Steps from one place of the drivers to another before the way counts as blocked.
+/// The number of steps from one position of the drivers to another after which the way counts as
+/// blocked.
 const MOST_STEPS: usize = 10_000;
-/// A step shorter than this part of the way between two places goes nowhere.
+/// The part of the way between two positions below which a step is too short.
 const SHORTEST: f64 = 1e-9;
-/// A contact beyond the end of its piece by less than this (rad, or a part of a line) is on it: a joint is found to rounding.
+/// The greatest distance beyond the end of its piece at which a contact counts as on it (rad, or a
+/// part of a line): a junction is found to rounding.
 const ON: f64 = 1e-11;
 
-/// A scene for its whole motion: followers that cams of several pieces lead are drivers, whichever links carry them.
+/// Returns a scene for its whole motion: followers of cams of several pieces are drivers, whichever
+/// links carry them.
 pub fn over_a_turn(scene: &Scene) -> Scene {
     let mut out = scene.over_a_turn();
     let mut several = (0..out.cams.len()).filter(|i| out.cams[*i].posed.is_some());
-    // Where two such cams lead one another, or another cam leads the follower of one, each piece would stand for many pairs.
+    // If two such cams lead one another, or another cam leads the follower of one, each piece would
+    // occur in many pairs.
     if let (Some(cam), None) = (several.next(), several.next())
         && out.own_drivers() == out.drivers.len()
         && let Some((handed, hangs)) = Handed::of(scene, cam)
@@ -48,7 +55,7 @@ pub fn over_a_turn(scene: &Scene) -> Scene {
     out
 }
 
-/// A mechanism whose contact is on one of the pieces.
+/// A mechanism with its contact on one of the pieces.
 struct Variant {
     scene: Scene,
     mechanism: Mechanism,
@@ -65,18 +72,18 @@ impl Variant {
     }
 }
 
-/// Where everything is, the contact on one piece.
+/// A configuration with the contact on one piece.
 #[derive(Clone)]
 struct Standing {
     piece: usize,
     at: Configuration,
-    /// What the drivers hold, as Newton's method counts.
+    /// The drivers' values, as Newton's method counts them.
     drivers: Vec<f64>,
-    /// The follower's coordinate, turns counted.
+    /// The follower's coordinate, with counted turns.
     coordinate: f64,
 }
 
-/// The pair on which a follower hangs, by which its coordinate is counted.
+/// The pair that carries a follower, in which its coordinate is counted.
 #[derive(Clone, Copy)]
 enum Hangs {
     Slides { guide: usize, on: LinkId, pin: PointId },
@@ -101,7 +108,7 @@ impl Hangs {
         Some(Hangs::Turns { follower: cam.follower, against, line: [pivot, other] })
     }
 
-    /// What the driver that stands for the contact moves.
+    /// The place of the driver that replaces the contact.
     fn held(self) -> HangsOn {
         match self {
             Hangs::Slides { guide, .. } => HangsOn::Guide(GuideId(guide)),
@@ -126,7 +133,8 @@ impl Hangs {
                 let Path::Line { direction, .. } = at.guides[guide]? else { return None };
                 let seat = |level| if on == scene.ground { Some(Vec2::zero()) } else { motion.vector(level, pin, Some(on)) };
                 let apart = |level| Some(motion.vector(level, pin, None)? - seat(level)?);
-                // The Coriolis part stands square to the guide, so that along it only the sliding is left.
+                // The Coriolis term is square to the guide, so that only the sliding is left along
+                // it.
                 Some([direction.dot(apart(Level::Velocity)?), direction.dot(apart(Level::Acceleration)?)])
             }
             Hangs::Turns { follower, against, .. } => {
@@ -136,7 +144,7 @@ impl Hangs {
         }
     }
 
-    /// The same pair in a scene with the same links, whose points have other numbers.
+    /// The corresponding pair in a scene with the same links but other numbers of points.
     fn within(self, from: &Scene, to: &Scene) -> Option<Hangs> {
         Some(match self {
             Hangs::Slides { guide, on, pin } => Hangs::Slides { guide, on, pin: named(from, to, pin)? },
@@ -152,26 +160,29 @@ fn named(from: &Scene, to: &Scene, p: PointId) -> Option<PointId> {
     to.points.iter().position(|q| q.name == from.points[p.0].name).map(PointId)
 }
 
-/// A mechanism that is handed on from piece to piece.
+/// A mechanism that passes from piece to piece.
 struct Handed {
     cam: usize,
-    /// For each piece of the profile, as far as it can be touched, with the pair on which the follower hangs there.
+    /// The mechanism for each piece of the profile that can be touched, with the pair that carries
+    /// the follower there.
     variants: Vec<Option<(Variant, Hangs)>>,
     start: Standing,
-    /// Where the drivers stand at the start, as the scene counts, and how long their steps are.
+    /// The positions of the drivers at the start, in the scene's count; `steps` are the lengths of
+    /// their steps.
     positions: Vec<f64>,
     steps: Vec<f64>,
-    /// Places so many steps of one driver from the start; `None` where the way ends before.
+    /// Positions a number of steps of one driver from the start; `None` where the way ends before.
     known: Mutex<BTreeMap<(usize, i64), Option<Standing>>>,
-    /// Places that were asked for, by the bits of the drivers' ways: each output and each rate of a sweep asks for the same ones.
+    /// Positions found before, by the bits of the drivers' travels: each output and each rate of a
+    /// sweep needs the same ones.
     asked: Mutex<BTreeMap<Vec<u64>, Option<Standing>>>,
 }
 
-/// Most places that are kept.
+/// The greatest number of kept positions.
 const KEPT: usize = 4096;
 
 impl Handed {
-    /// With that on which its follower hangs.
+    /// Prepares the mechanism; returns also the pair that carries its follower.
     fn of(scene: &Scene, cam: usize) -> Option<(Handed, HangsOn)> {
         let own = Variant::of(scene)?;
         let (c, pieces) = own.cam(cam)?;
@@ -192,7 +203,8 @@ impl Handed {
         Some((Handed { cam, variants, start, positions, steps, known: Mutex::default(), asked: Mutex::default() }, hangs.held()))
     }
 
-    /// A place so many steps of a driver from the start, each reached from the one before it: the same whatever is asked first.
+    /// The position a number of steps of a driver from the start, each reached from the one before
+    /// it: it does not depend on the order of requests.
     fn grid(&self, driver: usize, steps: i64) -> Option<Standing> {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         let way = steps.signum();
@@ -213,7 +225,7 @@ impl Handed {
         last
     }
 
-    /// Where everything is when the drivers have gone so far from the start.
+    /// The configuration when the drivers have travelled by `gone` from the start.
     fn standing(&self, gone: &[f64]) -> Option<Standing> {
         let to: Vec<f64> = self.start.drivers.iter().zip(gone).map(|(from, by)| from + by).collect();
         let mut moving = gone.iter().enumerate().filter(|(_, by)| **by != 0.0);
@@ -224,7 +236,7 @@ impl Handed {
         self.advance(from, &to)
     }
 
-    /// [`Handed::standing`], on either way round, kept.
+    /// Returns [`Handed::standing`], reached in either sense, and keeps it.
     fn stands(&self, gone: &[f64]) -> Option<Standing> {
         let key: Vec<u64> = gone.iter().map(|x| x.to_bits()).collect();
         let kept = self.asked.lock().unwrap_or_else(PoisonError::into_inner).get(&key).cloned();
@@ -240,7 +252,8 @@ impl Handed {
         found
     }
 
-    /// The way to the same place of a driver that turns alone, round the other way; `None` where there is none.
+    /// The travel to the same position, in the other sense, of a single turning driver; `None` if
+    /// there is none.
     fn other_way_round(&self, gone: &[f64]) -> Option<Vec<f64>> {
         let mut moving = (0..gone.len()).filter(|d| gone[*d] != 0.0);
         let (driver, None) = (moving.next()?, moving.next()) else { return None };
@@ -253,7 +266,7 @@ impl Handed {
         Some(other)
     }
 
-    /// On a straight way of the drivers, from piece to piece.
+    /// Follows a straight way of the drivers, from piece to piece.
     fn advance(&self, mut state: Standing, to: &[f64]) -> Option<Standing> {
         let extent = self.start.at.extent();
         for _ in 0..MOST_STEPS {
@@ -268,7 +281,8 @@ impl Handed {
         None
     }
 
-    /// The same on one piece, as far as the way leads on it; steps are at most such a part of the way.
+    /// Follows the way on one piece, as far as it leads on it; `most` is the greatest step, as a
+    /// part of the way.
     fn along(&self, state: Standing, from: &[f64], to: &[f64], most: f64, extent: f64) -> Option<Standing> {
         let (variant, hangs) = self.variants[state.piece].as_ref()?;
         let at = |part: f64| -> Vec<f64> {
@@ -303,7 +317,8 @@ impl Handed {
         on(&now, coordinate)
     }
 
-    /// Beyond which end of its piece a contact lies, if it does: before its beginning (−1), or after its end (+1).
+    /// The end of its piece beyond which a contact is, if any: before its beginning (−1), or after
+    /// its end (+1).
     fn left(&self, piece: usize, at: &Configuration) -> Option<Option<i64>> {
         let (variant, _) = self.variants[piece].as_ref()?;
         let (cam, pieces) = variant.cam(self.cam)?;
@@ -311,7 +326,7 @@ impl Handed {
         Some(if before.max(after) <= ON { None } else { Some(if after > before { 1 } else { -1 }) })
     }
 
-    /// The last pose on a piece between one on it and one beyond it, and beyond which end that is.
+    /// The last pose on a piece between one on it and one beyond it, and the end that it reaches.
     fn joint(
         &self,
         piece: usize,
@@ -322,7 +337,7 @@ impl Handed {
         let mut side = self.left(piece, &outside.configuration)??;
         loop {
             let middle = 0.5 * (inside.travel + outside.travel);
-            // No double lies between.
+            // No double remains between.
             if middle <= inside.travel || middle >= outside.travel {
                 return Some((inside, side));
             }
@@ -334,7 +349,7 @@ impl Handed {
         }
     }
 
-    /// The same pose with the contact on the next piece.
+    /// The pose of a state, solved with the contact on the next piece.
     fn handed_over(&self, state: Standing, side: i64) -> Option<Standing> {
         let count = self.variants.len();
         let next = if side > 0 { (state.piece + 1) % count } else { (state.piece + count - 1) % count };
@@ -345,11 +360,11 @@ impl Handed {
         Some(Standing { piece: next, at, ..state })
     }
 
-    /// A pose of one variant as one of another.
+    /// Converts a pose of one variant into one of another.
     fn on_another(&self, from: &Variant, to: &Variant, at: &Configuration, [piece, next]: [usize; 2]) -> Option<Configuration> {
         let (cam, pieces) = from.cam(self.cam)?;
         let centre = pieces::centre(&from.scene, cam, pieces, at, next);
-        // A point that is new is the centre of the piece.
+        // A new point is the centre of the piece.
         let place = |p: PointId| match named(&to.scene, &from.scene, p) {
             Some(q) => at.points[q.0],
             None => centre.map(|c| at.poses[cam.cam.0].map_or(c, |pose| pose.to_world(c))),
@@ -370,7 +385,8 @@ impl Handed {
     }
 }
 
-/// A follower that is led: where everything is, the scene of the piece that is touched with its drivers at their rates, the follower's rates.
+/// A led follower: the configuration, the scene of the piece in contact with its drivers at their
+/// rates, and the follower's rates.
 struct Following<'a> {
     standing: Standing,
     variant: &'a Variant,
@@ -420,7 +436,7 @@ impl Leads for Handed {
     }
 }
 
-/// Everything, as far as accelerations.
+/// The demand for all groups, up to accelerations.
 fn all_of(m: &Mechanism) -> Demand {
     Demand { groups: vec![Some(Level::Acceleration); m.groups.len()], level: Level::Acceleration, needs: Vec::new() }
 }

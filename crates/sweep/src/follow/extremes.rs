@@ -1,8 +1,8 @@
-//! The motion as a whole of mechanisms that have no compiled form: followed by Newton's method from pose to pose, each solved by
-//! the loop equations.
+//! The whole motion of mechanisms without a compiled form: Newton's method follows it from pose to
+//! pose, and the loop equations solve each pose.
 //!
-//! What [`crate::extreme`] asks of a program is asked here of the follower: the range of the driver, and position, rate and
-//! acceleration of every output at samples of it and between them.
+//! It gives [`crate::extreme`] the same results as a program: the range of the driver, and
+//! position, rate and acceleration of every output at samples of the range and between them.
 
 use super::poses::{Follower, Sweep};
 use super::whole::{Whole, event};
@@ -16,10 +16,11 @@ use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::{PointId, Scene};
 use std::borrow::Cow;
 
-/// Samples through a turn, between which a rate changes its sign at most once: one for each degree.
+/// The number of samples through a turn, between which a rate changes its sign at most once: one
+/// for each degree.
 const SAMPLES: usize = 360;
 
-/// A mechanism that is followed through the whole travel of a driver.
+/// A mechanism followed through the whole travel of a driver.
 pub(crate) struct Walk<'a> {
     placed: &'a Placed<'a>,
     driver: usize,
@@ -29,12 +30,13 @@ pub(crate) struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
-    /// Follows the mechanism. The scene's driver runs at unit speed, the others stand.
+    /// Follows the mechanism. The scene's driver runs at unit speed, the others are at rest.
     pub fn new(placed: &'a Placed<'a>, driver: usize, follower: &'a Follower<'a>, now: f64) -> Walk<'a> {
         Walk { placed, driver, follower, sweep: follower.sweep(SAMPLES), now }
     }
 
-    /// How far the driver goes. Where a joint leaves the paper nothing more is looked for, and it is no limit.
+    /// Returns the range of the driver. Where a joint leaves the paper the search ends, and this is
+    /// no limit.
     pub fn range(&self) -> Range {
         let (scene, poses) = (self.placed.scene, &self.sweep.poses);
         let reach = if scene.drivers[self.driver].kind.turns() { self.sweep.period() } else { 2.0 * self.placed.at.extent() };
@@ -43,7 +45,7 @@ impl<'a> Walk<'a> {
             let (Some(travel), Some(pose)) = (limit, pose) else { continue };
             if !self.sweep.far(pose) {
                 let (moved, value) = (Whole::new(self.placed, self.driver), self.now + travel);
-                // Halving has come as near to the fold as the root of the rounding.
+                // Halving comes as near to the fold as the root of the rounding.
                 let located = moved.limit(value, &pose.configuration);
                 *end = Some(located.unwrap_or_else(|| event(self.placed.mechanism, value, &pose.configuration)));
             }
@@ -51,42 +53,44 @@ impl<'a> Walk<'a> {
         Range { now: self.now, ends, changes: Vec::new(), reach }
     }
 
-    /// First and last place of the driver that was reached.
+    /// Returns the first and last position of the driver that was reached.
     pub fn span(&self) -> [f64; 2] {
         let poses = &self.sweep.poses;
         let travel = |pose: Option<&super::Pose>| self.now + pose.map_or(0.0, |p| p.travel);
         if self.sweep.full { [self.now, self.now + self.sweep.period()] } else { [travel(poses.first()), travel(poses.last())] }
     }
 
-    /// That after which everything stands as it did, where it has been followed through all of it.
+    /// Returns the driver's angle after which the pose recurs, if all of it was followed.
     pub fn period(&self) -> Option<f64> {
         self.sweep.full.then(|| self.sweep.period())
     }
 
-    /// The turns through which it was followed.
+    /// Returns the number of turns followed.
     pub fn turns(&self) -> u64 {
         self.sweep.turns
     }
 
-    /// The turns after which everything stands as it did; 0: never.
+    /// Returns the number of turns after which the pose recurs; 0 if it never does.
     pub fn returns(&self) -> u64 {
         self.follower.returns()
     }
 
-    /// Position, rate and acceleration of an output at a place of the driver; `None` where it has none.
+    /// Returns position, rate and acceleration of an output at a position of the driver; `None`
+    /// where it has none.
     pub fn at(&self, value: f64, output: Output) -> Option<[f64; 3]> {
         let travel = value - self.now;
         let poses = &self.sweep.poses;
         if let Some(pose) = poses.iter().find(|p| p.travel == travel) {
             return self.moving(&pose.configuration, travel, output);
         }
-        // At a limit two assemblies meet: from there Newton's method may go to either, from this side of it only to its own.
+        // At a limit two assemblies meet: from there Newton's method may go to either, from this
+        // side of it only to its own.
         let inner = poses.iter().enumerate().filter(|(k, _)| !self.sweep.is_limit(*k)).map(|(_, pose)| pose);
         let near = inner.min_by(|a, b| self.apart(a.travel, travel).total_cmp(&self.apart(b.travel, travel)))?;
         self.moving(&self.follower.at(&near.configuration, travel)?, travel, output)
     }
 
-    /// How far two places of the driver are apart; on a full turn the end is the beginning.
+    /// The distance of two positions of the driver; on a full turn the end is the beginning.
     fn apart(&self, a: f64, b: f64) -> f64 {
         let d = (a - b).abs();
         let period = self.sweep.period();
@@ -136,7 +140,7 @@ mod tests {
         assert!((a - b).abs() <= tolerance, "{name}: {a} against {b}");
     }
 
-    /// What has a compiled form too: full turns, bounded ones, sliders, a link on three legs.
+    /// Mechanisms with a compiled form: full turns, bounded ones, sliders, a link on three legs.
     #[test]
     fn walking_finds_what_the_compiled_program_finds() {
         for name in ["crank-rocker", "slider-crank", "shaper", "class-iii-six-bar", "five-bar"] {

@@ -1,7 +1,8 @@
-//! All poses of a mechanism through the travel of one driver, or through time: followed from the scene's pose without a jump to another
-//! assembly, to the full turn or to the limits at both ends.
+//! All poses of a mechanism through the travel of one driver, or through time: followed from the
+//! scene's pose without a jump to another assembly, to the full turn or to the limits at both ends.
 //!
-//! Decided here: where the poses are and what is a limit. Not decided here: what is drawn in them.
+//! This module decides where the poses are and which of them are limits. It does not decide what is
+//! drawn in them.
 
 use super::clock::Course;
 use super::step::{Pose, STRAY, foretold, stray};
@@ -23,59 +24,63 @@ use crate::train::Train;
 /// The poses of a driver's travel, or of a time.
 #[derive(Clone, Debug)]
 pub struct Sweep {
-    /// In the order of growing travel; the scene's own pose has the travel 0.
+    /// The poses in the order of growing travel; the scene's own pose has the travel 0.
     pub poses: Vec<Pose>,
-    /// Whether the mechanism comes back to its first pose after a full turn, or after [`Sweep::turns`].
+    /// True if the mechanism returns to its first pose after a full turn, or after
+    /// [`Sweep::turns`].
     pub full: bool,
-    /// Travel at which the mechanism can go no farther back and no farther on; the pose there is the first and the last one.
+    /// The travel at which the mechanism can go no farther back, and no farther on; the pose there
+    /// is the first or the last one.
     pub limits: [Option<f64>; 2],
-    /// Through how many turns of a driver that turns: those after which everything stands as it did, one unless wheels roll; one too
-    /// where these are too many.
+    /// The turns of a turning driver that are followed: those after which the pose recurs (one
+    /// without rolling links), or one if these are too many.
     pub turns: u64,
 }
 
 impl Sweep {
-    /// The travel after which a full motion comes again (rad).
+    /// Returns the travel after which a full motion recurs (rad).
     pub fn period(&self) -> f64 {
         TAU * self.turns as f64
     }
 
-    /// Whether nothing stops the motion: then no vector grows beyond all bounds.
+    /// Returns true if nothing stops the motion; no vector then grows beyond all bounds.
     pub fn is_unlimited(&self) -> bool {
         self.limits == [None, None]
     }
 
-    /// Whether the driver can go no farther than a pose.
+    /// Returns true if the driver can go no farther than a pose.
     pub fn is_limit(&self, k: usize) -> bool {
         k == 0 && self.limits[0].is_some() || k + 1 == self.poses.len() && self.limits[1].is_some()
     }
 
-    /// From a pose to its neighbour.
+    /// Returns the travel from a pose to its neighbour.
     pub fn step(&self, k: usize) -> f64 {
         let neighbour = if k > 0 { self.poses.get(k - 1) } else { self.poses.get(1) };
         neighbour.map_or(0.0, |n| (n.travel - self.poses[k].travel).abs())
     }
 
-    /// Whether a pose is an end because a joint leaves the paper there.
+    /// Returns true if a pose is an end because a joint leaves the paper there.
     pub fn far(&self, pose: &Pose) -> bool {
         let Some(base) = self.poses.iter().find(|p| p.travel == 0.0) else { return false };
         stray(&pose.configuration, &base.configuration) > FAR * 0.999 * base.configuration.extent()
     }
 }
 
-/// Halvings of a step before the motion is taken to end: 5° become 0.0003°.
+/// The number of halvings of a step after which the motion is taken to end: 5° become 0.0003°.
 const HALVINGS: usize = 14;
-/// A joint that has gone so many times the mechanism's size from its place has left the paper: two lines that become
-/// parallel send their crossing beyond all bounds.
+/// The distance of a joint from its place, in sizes of the mechanism, above which it is off the
+/// paper: the crossing of two lines that become parallel goes beyond all bounds.
 const FAR: f64 = 3.0;
-/// Parts of steps in a walk, for each of its steps: a mechanism that needs more has no motion that could be shown.
+/// The greatest number of partial steps in a walk, for each of its steps: a mechanism that needs
+/// more has no motion to show.
 const PARTS: usize = 20;
-/// Fewest steps between two limits.
+/// The fewest steps between two limits.
 const STEPS_LEAST: usize = 48;
 
-/// Follows a mechanism along one driver's travel, the other drivers held, or through time.
+/// Follows a mechanism along one driver's travel, with the other drivers held, or through time.
 pub struct Follower<'a> {
-    /// With rates at which the drivers have gone, after a time of one, as far as one driver moves or all do.
+    /// The scene with rates such that the drivers reach a pose after unit time: one driver moves,
+    /// or all do.
     scene: Scene,
     mechanism: &'a Mechanism,
     demand: &'a Demand,
@@ -85,12 +90,12 @@ pub struct Follower<'a> {
 }
 
 impl<'a> Follower<'a> {
-    /// Whether the driver moves toward smaller positions in the scene.
+    /// Returns true if the driver moves toward smaller positions in the scene.
     pub fn goes_back(&self) -> bool {
         self.back
     }
 
-    /// Of the scene in its own pose; `swept` is what goes on.
+    /// Prepares to follow the scene from its own pose; `swept` is the moving quantity.
     pub fn new(
         scene: &Scene,
         mechanism: &'a Mechanism,
@@ -102,20 +107,20 @@ impl<'a> Follower<'a> {
         let course = Course::of(scene, base, swept);
         let back = matches!(swept, Swept::Driver(d) if scene.drivers[d].rate.value < 0.0);
         let mut scene = scene.clone();
-        // Only the driver moves, by a unit in a unit of time: then time is its travel.
+        // Only the driver moves, at unit rate, so that the time is its travel.
         for d in 0..scene.drivers.len() {
             set_rate(&mut scene, d, if swept == Swept::Driver(d) { 1.0 } else { 0.0 });
         }
         Follower { scene, mechanism, demand, base, course, back }
     }
 
-    /// Where a driver stands in the scene's own pose (rad or m).
+    /// The position of a driver in the scene's own pose (rad or m).
     fn start(&self, driver: usize) -> f64 {
         driver_position(&self.scene, driver).unwrap_or_else(|| position_now(&self.scene, self.base, driver))
     }
 
-    /// A scene of the same drivers at a travel, as far as it says where they are: with one that moves, all rates are as they were; through time
-    /// they are those of the time.
+    /// Returns a scene of the same drivers at a travel, as far as the scene gives their positions.
+    /// With one driver in motion all rates are unchanged; through time they are those of the time.
     pub fn scene_at(&self, scene: &Scene, travel: f64) -> Scene {
         match &self.course {
             Course::Driver(d) => with_driver_at(scene, *d, self.start(*d) + travel),
@@ -123,13 +128,14 @@ impl<'a> Follower<'a> {
         }
     }
 
-    /// Whether it is a driver that turns.
+    /// True if a turning driver moves.
     fn turns(&self) -> bool {
         matches!(self.course, Course::Driver(d) if self.scene.drivers[d].kind.turns())
     }
 
-    /// How far the motion is shown before and after the scene's pose (rad, m or s): a turn of a driver, or the turns after which all stand as they
-    /// did; twice the mechanism's size; the time of [`Clock::reach`](super::clock::Clock::reach).
+    /// Returns the range of the motion shown before and after the scene's pose (rad, m or s): the
+    /// turns of a driver after which the pose recurs; twice the mechanism's size; the time of
+    /// [`Clock::reach`](super::clock::Clock::reach).
     pub fn reach(&self) -> [f64; 2] {
         let extent = self.base.extent();
         match &self.course {
@@ -139,7 +145,7 @@ impl<'a> Follower<'a> {
         }
     }
 
-    /// In how many steps at least a way through time has to be gone, so that no driver turns by much in one.
+    /// Returns the least number of steps through time in which no driver turns by much.
     pub fn steps(&self, reach: [f64; 2]) -> usize {
         match &self.course {
             Course::Driver(_) => 1,
@@ -147,12 +153,12 @@ impl<'a> Follower<'a> {
         }
     }
 
-    /// All poses, in at least `count` steps of a turn or of the whole way.
+    /// Returns all poses, in at least `count` steps of a turn or of the whole range.
     pub fn sweep(&self, count: usize) -> Sweep {
         self.through(self.reach(), count)
     }
 
-    /// The same, so far before and after the scene's pose.
+    /// Returns all poses of a given range before and after the scene's pose.
     pub fn through(&self, [before, after]: [f64; 2], count: usize) -> Sweep {
         let turns = self.turns();
         let returns = if turns { self.returns() } else { 1 };
@@ -181,7 +187,7 @@ impl<'a> Follower<'a> {
         let range = up.last().map_or(0.0, |p| p.travel) - down.last().map_or(0.0, |p| p.travel);
         if (low.is_some() || high.is_some()) && range > 0.0 && range < step * STEPS_LEAST as f64 {
             let fine = range / STEPS_LEAST as f64;
-            // The ends have been found: to halve for them anew would be most of the work.
+            // The ends are known: halving for them anew would be most of the work.
             let ends = [up.pop().filter(|_| high.is_some()), down.pop().filter(|_| low.is_some())];
             let [top, bottom] = ends;
             let here = here();
@@ -194,7 +200,7 @@ impl<'a> Follower<'a> {
         Sweep { poses, full: false, limits: [low, high], turns: seen }
     }
 
-    /// Checks that positions of this motion meet what the scene states.
+    /// Checks that positions of this motion satisfy the statements of the scene.
     ///
     /// # Errors
     /// `position-unproven`, those of the first position that breaks a statement.
@@ -202,20 +208,20 @@ impl<'a> Follower<'a> {
         positions.into_iter().try_for_each(|at| stated::proved(&self.scene, self.mechanism, at, Moment::Later(self.base)))
     }
 
-    /// The turns of the driver after which everything stands as it did; 0: never.
+    /// Returns the number of turns of the driver after which the pose recurs; 0 if it never does.
     pub fn returns(&self) -> u64 {
         Train::of(&self.scene, self.mechanism, self.base).turns()
     }
 
-    /// Whether all links that roll stand as at the instant.
+    /// True if all rolling links have the directions of the instant.
     fn rolled_back(&self, at: &Configuration) -> bool {
         let axis = |c: &Configuration, l: LinkId| c.poses[l.0].map(|p| p.axis);
         let links = self.scene.rolling.iter().flat_map(|r| r.links);
         links.filter_map(|l| Some((axis(at, l)? - axis(self.base, l)?).norm())).all(|off| off < 1e-6)
     }
 
-    /// Poses from the scene's one on, in steps, as far as `reach`; where the motion ends before, the last is its end, which may be
-    /// known.
+    /// Poses from the scene's own on, in steps, as far as `reach`. If the motion ends before, the
+    /// last pose is its end, which may be known.
     fn walk(&self, step: f64, reach: f64, known: Option<Pose>) -> (Vec<Pose>, Option<f64>) {
         let reach = known.as_ref().map_or(reach, |end| end.travel.abs());
         let count = (((reach / step.abs()) * (1.0 - 1e-9)).ceil() as usize).max(usize::from(known.is_some()));
@@ -246,12 +252,12 @@ impl<'a> Follower<'a> {
         (poses, None)
     }
 
-    /// The next pose on the way to a travel: there, or a part of the way where the motion bends.
+    /// The next pose on the way to a travel: there, or at a part of the way where the motion bends.
     fn next(&self, before: Option<&Pose>, now: &Pose, target: f64) -> Option<Pose> {
         let half = |travel: f64| now.travel + (travel - now.travel) / 2.0;
         let mut travel = target;
         let mut halvings = 0;
-        // Where the last part of the way was short, the next will hardly be much longer.
+        // After a short last part of the way, the next will hardly be much longer.
         let last = before.map_or(f64::INFINITY, |b| (now.travel - b.travel).abs());
         while halvings < HALVINGS / 2 && (travel - now.travel).abs() > 2.0 * last {
             (travel, halvings) = (half(travel), halvings + 1);
@@ -273,11 +279,12 @@ impl<'a> Follower<'a> {
         let (mut inside, mut outside) = (now.clone(), target);
         loop {
             let middle = 0.5 * (inside.travel + outside);
-            // No double lies between.
+            // No double remains between.
             if middle == inside.travel || middle == outside {
                 return inside;
             }
-            // Close to its limit a mechanism moves as the root of the distance: nothing is foretold, and nearness is judged broadly.
+            // Close to its limit a mechanism moves as the root of the distance: the pose is not
+            // extrapolated, and nearness is judged broadly.
             match self.at(&inside.configuration, middle).filter(|c| self.stray(c, &inside.configuration) < 10.0 * STRAY) {
                 Some(configuration) => inside = Pose { travel: middle, configuration },
                 None => outside = middle,
@@ -285,13 +292,14 @@ impl<'a> Follower<'a> {
         }
     }
 
-    /// The pose at a travel that is nearest to a guess; `None` where the mechanism does not close, or leaves the paper.
+    /// Returns the pose at a travel that is nearest to a guess; `None` if the mechanism does not
+    /// close, or leaves the paper.
     pub fn at(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
         self.closed(guess, travel).filter(|c| self.stray(c, self.base) < FAR)
     }
 
     fn closed(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
-        // Closed forms are exact; other groups have to be found from the guess.
+        // Closed forms are exact; other groups must be found from the guess.
         if self.mechanism.groups.iter().any(|g| g.class().is_some_and(|class| class != "II")) {
             return self.by_newton(guess, travel);
         }
@@ -319,7 +327,8 @@ impl<'a> Follower<'a> {
         Some(best)
     }
 
-    /// How far each driver has gone at a travel; `None` where a law of time has no value.
+    /// The travel of each driver at a travel of the motion; `None` where a law of time has no
+    /// value.
     fn gone(&self, travel: f64) -> Option<Vec<f64>> {
         match &self.course {
             Course::Driver(d) => Some((0..self.scene.drivers.len()).map(|k| if k == *d { travel } else { 0.0 }).collect()),
@@ -327,8 +336,8 @@ impl<'a> Follower<'a> {
         }
     }
 
-    /// The scene whose drivers go on at constant rates, and the time after which they have gone so far; the followers of its cams are where they
-    /// are then, and stand.
+    /// The scene with drivers at constant rates, and the time after which they have the travels
+    /// `gone`. The followers of its cams have their positions of that time, and are at rest.
     fn later(&self, gone: &[f64], travel: f64) -> (Cow<'_, Scene>, f64) {
         let mut scene = self.with_followers(gone);
         if let Course::Driver(_) = self.course {
@@ -341,7 +350,7 @@ impl<'a> Follower<'a> {
         (scene, 1.0)
     }
 
-    /// The scene with the followers of its cams where the drivers' travels hold them; they stand there.
+    /// The scene with the followers of its cams where the drivers' travels hold them, at rest.
     fn with_followers(&self, gone: &[f64]) -> Cow<'_, Scene> {
         let mut scene = Cow::Borrowed(&self.scene);
         for (d, by) in gone.iter().enumerate().filter(|(d, _)| self.scene.has_laws(*d)) {
@@ -380,7 +389,7 @@ impl<'a> Follower<'a> {
     }
 }
 
-/// What a pose between two others is about.
+/// Returns the approximate configuration of a pose between two others.
 pub fn between(one: &Pose, other: &Pose, travel: f64) -> Configuration {
     foretold(Some(one), other, travel)
 }

@@ -1,7 +1,9 @@
-//! Steps of a followed mechanism: where the motion leads, and whether what was found there was followed or jumped to another assembly.
+//! Steps of a followed mechanism: the predicted pose, and the test whether the pose found was
+//! followed or jumped to another assembly.
 //!
-//! Decided here, for all that is followed as whole configurations: the predictor is the secant through the last two poses, and a pose that strays from
-//! it is refused; whoever follows then takes a shorter step. Links on three legs inside a program are judged more sharply, by their tangents and
+//! These rules hold for everything that is followed as whole configurations. The predictor is the
+//! secant through the last two poses. A pose that strays from it is refused; the caller then takes
+//! a shorter step. Links on three legs inside a program have a stricter test, by their tangents and
 //! determinants ([`super::triad`]).
 
 use hodograph_base::geom::{Point, Vec2};
@@ -10,14 +12,15 @@ use hodograph_mechanism::position::{Configuration, Pose as Frame};
 /// One pose.
 #[derive(Clone, Debug)]
 pub struct Pose {
-    /// How far the driver has gone from the scene's position (rad or m), or the time (s).
+    /// The driver's travel from the scene's position (rad or m), or the time (s).
     pub travel: f64,
-    /// Where everything is.
+    /// The configuration.
     pub configuration: Configuration,
 }
 
-/// A joint that strays farther than this part of the mechanism's size from where its motion leads has jumped to another
-/// assembly, or turns so fast that the step must be smaller. (A crank as long as the mechanism strays by 0.008 in 5°.)
+/// The greatest distance of a joint from its predicted position, as a part of the mechanism's size:
+/// a joint that strays farther has jumped to another assembly, or turns so fast that the step must
+/// be smaller. (A crank as long as the mechanism strays by 0.008 in 5°.)
 pub(super) const STRAY: f64 = 0.03;
 
 /// The largest distance (m) of a joint in two poses.
@@ -25,7 +28,8 @@ pub(super) fn stray(a: &Configuration, b: &Configuration) -> f64 {
     a.points.iter().zip(&b.points).filter_map(|(a, b)| Some(a.as_ref()?.distance(*b.as_ref()?))).fold(0.0, f64::max)
 }
 
-/// Where the motion leads: the secant through the last two poses, extrapolated in the ratio of the travels.
+/// The predicted pose: the secant through the last two poses, extrapolated in the ratio of the
+/// travels.
 pub(super) fn foretold(before: Option<&Pose>, now: &Pose, travel: f64) -> Configuration {
     let mut guess = now.configuration.clone();
     let Some(before) = before else { return guess };

@@ -1,9 +1,12 @@
-//! Class III groups along a sweep: predictor–corrector continuation with step control, which stays on its assembly.
+//! Class III groups along a sweep: predictor–corrector continuation with step control, which stays
+//! on its assembly.
 //!
-//! A link on three legs has up to six assemblies, which no single sign tells apart. From an accepted position the next is predicted along
-//! the tangent and corrected by Newton's method. It is accepted only where the iteration converges within [`PATIENCE`] steps, the correction is
-//! small against the predicted move, and the determinant of the three legs keeps its sign (two assemblies that meet at a fold have opposite
-//! signs); else the step is halved. Where steps become as small as [`SMALLEST`] the mechanism stands at its limit.
+//! A link on three legs has up to six assemblies, which no single sign distinguishes. From an
+//! accepted position the next is predicted along the tangent and corrected by Newton's method. It
+//! is accepted only if the iteration converges within [`PATIENCE`] steps, the correction is small
+//! relative to the predicted move, and the determinant of the three legs keeps its sign (two
+//! assemblies that meet at a fold have opposite signs); else the step is halved. Where steps become
+//! as small as [`SMALLEST`] the mechanism is at its limit.
 //!
 //! # Source
 //! E. L. Allgower, K. Georg, *Numerical Continuation Methods* (1990), ch. 6.
@@ -16,21 +19,22 @@ use hodograph_mechanism::position::toggle::PARALLEL;
 use hodograph_mechanism::position::triad::{TriadLeg, cramer};
 use hodograph_scene::LinkId;
 
-/// A leg that holds a followed link: what is known of it, in registers. Local places count from the link's own point.
+/// A leg that holds a followed link: its known quantities, in registers. Local places count from
+/// the link's own point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Held {
-    /// Local point `near` at a distance from `far`.
+    /// The local point `near` at a distance from `far`.
     Circle {
-        /// In the link.
+        /// The point in the link.
         near: Vec2,
-        /// In the plane.
+        /// The point in the plane.
         far: Pair,
-        /// Distance.
+        /// The distance.
         radius: Reg,
     },
-    /// Local point `near` on a line.
+    /// The local point `near` on a line.
     Line {
-        /// In the link.
+        /// The point in the link.
         near: Vec2,
         /// A point of the line.
         through: Pair,
@@ -55,13 +59,13 @@ pub struct Track {
     pub group: usize,
     /// The link.
     pub link: LinkId,
-    /// The steps of positions that come before it.
+    /// The number of steps of positions that come before it.
     pub step: usize,
-    /// Where its own point goes.
+    /// The registers of its own point.
     pub own: Pair,
-    /// Where its arm goes: the frame's x axis, `unit` long.
+    /// The registers of its arm: the frame's x axis, `unit` long.
     pub arm: Pair,
-    /// Length of the arm, near the size of the mechanism (m).
+    /// The length of the arm, near the size of the mechanism (m).
     pub unit: f64,
     /// Its legs.
     pub held: [Held; 3],
@@ -69,28 +73,29 @@ pub struct Track {
     pub start: (Point, Vec2),
 }
 
-/// Smallest step of the driver, relative to a radian or to the size of the mechanism: nearer to a fold than this, Newton's
-/// method meets the square root of rounding.
+/// The smallest step of the driver, relative to a radian or to the size of the mechanism: nearer to
+/// a fold than this, Newton's method meets the square root of rounding.
 const SMALLEST: f64 = 1e-9;
 
-/// Most steps of Newton's method in an accepted move: from a good prediction quadratic convergence needs three or four.
+/// The greatest number of steps of Newton's method in an accepted move: from a good prediction
+/// quadratic convergence needs three or four.
 const PATIENCE: usize = 5;
 
-/// Largest correction, as a part of the predicted move: the tangent of a smooth path is truer than this, the way to another
-/// assembly is not.
+/// The largest correction, as a part of the predicted move: the tangent of a smooth path is truer
+/// than this, the way to another assembly is not.
 const LEAP: f64 = 0.3;
 
-/// Most by which the determinant may grow or shrink in one move: toward a fold it goes with the root of the distance, so that
-/// the distance itself may shrink sixteenfold.
+/// The greatest ratio by which the determinant may grow or shrink in one move: toward a fold it
+/// varies as the root of the distance, so that the distance itself may shrink sixteenfold.
 const STEADY: f64 = 4.0;
 
-/// A correction below this (relative to the mechanism) is no leap, however short the move.
+/// The correction (relative to the mechanism) below which a move is no leap, however short.
 const SLIGHT: f64 = 1e-6;
 
-/// Where the followed links are, and how they go on.
+/// The positions of the followed links, and their tangents.
 #[derive(Clone, Debug)]
 pub struct State {
-    /// Value of the swept quantity.
+    /// The value of the swept quantity.
     pub value: f64,
     links: Vec<Followed>,
 }
@@ -99,24 +104,27 @@ pub struct State {
 struct Followed {
     own: Point,
     axis: Vec2,
-    /// Derivatives by the swept quantity: of the own point, of the angle.
+    /// Derivatives of the own point and of the angle by the swept quantity.
     slope: (Vec2, f64),
-    /// Of the three legs; its sign tells neighbouring assemblies apart.
+    /// The determinant of the three legs; its sign distinguishes neighbouring assemblies.
     det: f64,
 }
 
-/// Cosine and sine of the swept quantity's value, and the derivative of that angle by the value.
+/// A function that returns cosine and sine of the swept quantity's value, and the derivative of
+/// that angle by the value.
 pub type Turn<'a> = &'a dyn Fn(f64) -> (f64, f64, f64);
 
 impl Program {
-    /// The followed links at the instant, where the swept quantity has the given value; `None` where the pose does not fit.
+    /// Returns the followed links at the instant, with the given value of the swept quantity;
+    /// `None` if the pose does not fit.
     pub fn start(&self, value: f64, turn: Turn) -> Option<State> {
         let guess: Vec<Followed> =
             self.tracks.iter().map(|t| Followed { own: t.start.0, axis: t.start.1, slope: (Vec2::ZERO, 0.0), det: 0.0 }).collect();
         self.settle(&State { value, links: guess }, value, turn).map(|(state, _)| state)
     }
 
-    /// Goes on to a value of the swept quantity; on failure the last state that was reached.
+    /// Advances to a value of the swept quantity; on failure returns the last state that was
+    /// reached.
     pub fn advance(&self, from: &State, value: f64, turn: Turn) -> Result<State, State> {
         let scale = if self.angular { 1.0 } else { self.tracks.first().map_or(1.0, |t| t.unit) };
         let mut state = from.clone();
@@ -141,7 +149,7 @@ impl Program {
         Ok(state)
     }
 
-    /// One guarded move; and whether it was so easy that the next may be longer.
+    /// Makes one guarded move; returns also `true` if it was so easy that the next may be longer.
     fn settle(&self, from: &State, value: f64, turn: Turn) -> Option<(State, bool)> {
         let (cos, sin, per_value) = turn(value);
         let mut registers = self.inputs(value, cos, sin, per_value);
@@ -172,8 +180,8 @@ impl Program {
         }
     }
 
-    /// Whether the lines along which a followed link's legs hold it are parallel in a state next to its fold; else they meet in
-    /// one point.
+    /// Returns true if the lines along which a followed link's legs hold it are parallel in a state
+    /// next to its fold; else they meet in one point.
     pub fn parallel(&self, track: usize, at: &State, turn: Turn) -> bool {
         let t = &self.tracks[track];
         let (cos, sin, per_value) = turn(at.value);
@@ -191,7 +199,7 @@ impl Program {
         [u.cross(v), v.cross(w), w.cross(u)].iter().all(|sine| sine.abs() < PARALLEL)
     }
 
-    /// The determinants of the followed links' legs: where one vanishes the driver stops.
+    /// Returns the determinants of the followed links' legs: where one vanishes, the driver stops.
     pub fn determinants(&self, state: &State) -> Vec<f64> {
         state.links.iter().map(|f| f.det).collect()
     }
@@ -208,7 +216,7 @@ impl Track {
         put(registers, self.arm.y, arm.y, rate.y);
     }
 
-    /// The legs as the position solver has them.
+    /// The legs in the form of the position solver.
     fn legs(&self, registers: &[Dual]) -> [TriadLeg; 3] {
         let number = |r: Reg| registers[r.0 as usize].value;
         let point = |p: Pair| Point::new(number(p.x), number(p.y));
@@ -221,7 +229,7 @@ impl Track {
         })
     }
 
-    /// By how much each leg's residual changes with the swept quantity while the link stands still.
+    /// The derivative of each leg's residual by the swept quantity with the link at rest.
     fn drift(&self, registers: &[Dual], own: Point, axis: Vec2) -> [f64; 3] {
         let slope = |r: Reg| registers[r.0 as usize].slope;
         let number = |r: Reg| registers[r.0 as usize].value;
@@ -239,12 +247,12 @@ impl Track {
         })
     }
 
-    /// One guarded move of the link; and whether it was easy.
+    /// Makes one guarded move of the link; returns also `true` if it was easy.
     fn move_on(&self, last: &Followed, moved: f64, registers: &[Dual]) -> Option<(Followed, bool)> {
         let legs = self.legs(registers);
         let (along, turned) = (last.slope.0 * moved, last.slope.1 * moved);
         let predicted = along.norm() / self.unit + turned.abs();
-        // A prediction that turns the link by a radian predicts nothing.
+        // A prediction that turns the link by more than a radian is useless.
         if predicted.is_nan() || predicted > 1.0 {
             return None;
         }
@@ -279,8 +287,9 @@ impl Track {
         }
         let slope = (Vec2::new(slope[0], slope[1]), slope[2] / self.unit);
         if !first {
-            // The tangent at the new place leads back to the old one, and the determinant has not changed by much: between two
-            // assemblies that come close to each other it passes through a small value, or through two zeros.
+            // The tangent at the new place leads back to the old one, and the determinant changes
+            // little: between two assemblies that come close to each other it passes through a
+            // small value, or through two zeros.
             let back = (own - slope.0 * moved - last.own).norm() / self.unit + (axis.divide_by(last.axis).angle() - slope.1 * moved).abs();
             let ratio = det / last.det;
             if back > SLIGHT + LEAP * predicted.max(corrected) || !(1.0 / STEADY..=STEADY).contains(&ratio) {
@@ -291,14 +300,17 @@ impl Track {
     }
 }
 
-/// Steps of Newton's method on a fold; from a state next to it half of them suffice.
+/// The greatest number of steps of Newton's method on a fold; from a state next to it half of them
+/// suffice.
 const FOLD_PATIENCE: usize = 30;
 
 impl Program {
-    /// The fold next to a state: the value of the swept quantity at which the legs' equations and their determinant vanish together.
+    /// Returns the fold next to a state: the value of the swept quantity at which the legs'
+    /// equations and their determinant vanish together.
     ///
-    /// There the pose moves along the kernel of the legs while the driver stands, so that the value is exact to second order.
-    /// `None` where Newton's method does not settle near by, or another followed link comes before this one.
+    /// There the pose moves along the kernel of the legs while the driver is at rest, so that the
+    /// value is exact to second order. Returns `None` if Newton's method does not converge near by,
+    /// or another followed link comes before this one.
     pub fn fold(&self, track: usize, near: &State, turn: Turn) -> Option<f64> {
         let t = &self.tracks[track];
         if track > 0 {

@@ -1,5 +1,6 @@
-//! Mechanisms that have no program: all their equations are solved together by Newton's method, each position from the one before it (natural
-//! continuation with step control), and the loop equations answer the questions there.
+//! Mechanisms that have no program: Newton's method solves all their equations together, each
+//! position from the one before it (natural continuation with step control), and the loop equations
+//! answer the questions there.
 
 use super::chains::{Chains, Follow, Values};
 use super::step::{Pose, STRAY, foretold, stray};
@@ -21,29 +22,32 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// Where gears tell one turn from the next, no step of the driver may be taken for one in the other sense: an eighth of a turn of the fastest
-/// wheel.
+/// The greatest step of the fastest wheel: an eighth of a turn. With gears, turns are distinct, and
+/// a step of the driver must not be taken for one in the other sense.
 const PART_OF_A_TURN: f64 = std::f64::consts::FRAC_PI_4;
 
-/// Steps through such a part of a turn, or of the mechanism's size, before the way counts as blocked.
+/// The number of steps through such a part of a turn, or of the mechanism's size, after which the
+/// way counts as blocked.
 const MOST_STEPS: usize = 200;
 
-/// A mechanism that is moved by one of its drivers.
+/// A mechanism moved by one of its drivers.
 pub(crate) struct Whole<'a> {
     placed: &'a Placed<'a>,
     driver: usize,
-    /// Where the driver stands at the instant.
+    /// The position of the driver at the instant.
     now: f64,
-    /// What the drivers hold at the instant, as Newton's method counts.
+    /// The drivers' values at the instant, as Newton's method counts them.
     drivers: DriverValues,
-    /// How many times as fast as the driver the fastest wheel turns, and the turns after which all stand as they did; 0: never.
+    /// The ratio of the fastest wheel's angular velocity to the driver's, and the number of turns
+    /// after which the pose recurs; 0 if it never does.
     wheels: (f64, u64),
 }
 
-/// A step that is longer than so many times the one before it is not foretold: the secant is rounding.
+/// The greatest ratio of a step to the one before it for a prediction: beyond it the secant is
+/// rounding.
 const FARTHEST: f64 = 2.0;
 
-/// Where everything is at a value of the driver, which is the pose's travel, and in the step before.
+/// The configuration at a value of the driver, which is the pose's travel, and at the step before.
 #[derive(Clone)]
 pub(crate) struct Standing {
     now: Pose,
@@ -55,7 +59,7 @@ impl Standing {
         Standing { now: Pose { travel: value, configuration: at.clone() }, before: None }
     }
 
-    /// Where the motion leads.
+    /// The predicted configuration.
     fn ahead(&self, value: f64) -> Configuration {
         let step = |from: &Pose, to: f64| (to - from.travel).abs();
         let near = |before: &&Pose| step(&self.now, value) <= FARTHEST * step(before, self.now.travel);
@@ -68,7 +72,7 @@ impl Standing {
 }
 
 impl<'a> Whole<'a> {
-    /// A mechanism where it stands.
+    /// Prepares a mechanism in its pose of the instant.
     pub fn new(placed: &'a Placed<'a>, driver: usize) -> Whole<'a> {
         let now = position_now(placed.scene, &placed.at, driver);
         let train = Train::of(placed.scene, placed.mechanism, &placed.at);
@@ -76,14 +80,14 @@ impl<'a> Whole<'a> {
         Whole { placed, driver, now, wheels, drivers: newton::driver_values(placed.scene, &placed.at) }
     }
 
-    /// Its course through `count` values.
+    /// Prepares its course through `count` values.
     pub fn course(placed: &'a Placed<'a>, driver: usize, count: usize, values: Values) -> Chains<Whole<'a>> {
         let moved = Whole::new(placed, driver);
         let now = moved.now;
         Chains::new(moved, now, count, values)
     }
 
-    /// What the drivers hold when this one has a value.
+    /// The drivers' values when this driver has a value.
     fn holding(&self, value: f64) -> DriverValues {
         let mut drivers = self.drivers.clone();
         drivers.0[self.driver] += value - self.now;
@@ -102,20 +106,21 @@ impl<'a> Whole<'a> {
         self.placed.scene.drivers[self.driver].kind.turns()
     }
 
-    /// Whether the mechanism stands elsewhere after a turn of the driver: gears may.
+    /// True if the mechanism may have another pose after a turn of the driver, as with gears.
     pub fn counts_turns(&self) -> bool {
         self.is_turning() && !self.placed.scene.rolling.is_empty()
     }
 
-    /// The limit next to a pose, as exactly as the equations can tell it, and what holds the mechanism there. `None` where no limit is
-    /// near by.
+    /// Returns the limit next to a pose, as exactly as the equations give it, and the toggle there.
+    /// `None` if no limit is near by.
     pub fn limit(&self, value: f64, near: &Configuration) -> Option<Event> {
         let p = self.placed;
         let (there, at) = fold(p.scene, p.mechanism, near, &self.holding(value), self.driver)?;
         Some(event(p.mechanism, self.now + (there - self.drivers.0[self.driver]), &at))
     }
 
-    /// Where everything is at a value, which may be many turns on: for what only the numbers next to one position need.
+    /// Returns the configuration at a value, which may be many turns away; for callers that need
+    /// single positions.
     pub fn standing(&self, value: f64) -> Result<Configuration, Faults> {
         let mut way = value - self.now;
         if self.wheels.1 > 0 {
@@ -134,17 +139,19 @@ impl<'a> Whole<'a> {
         })
     }
 
-    /// The limit by which a state was the last on its way.
+    /// Returns the limit at which a state is the last on its way.
     pub fn end(&self, last: &Standing) -> Option<Event> {
         self.limit(last.now.travel, &last.now.configuration)
     }
 }
 
-/// What stops a mechanism in the pose of a limit.
+/// The event that stops a mechanism in the pose of a limit.
 pub(crate) fn event(m: &Mechanism, value: f64, at: &Configuration) -> Event {
-    // A group without a closed form, or on three legs of which one rolls, holds the driver, unless legs are told that hold one another.
+    // A group without a closed form, or a group on three legs with a rolling one, holds the driver,
+    // unless legs are known to hold one another.
     let followed = || m.groups.iter().find(|g| g.core == Core::Higher || g.class() == Some("III"));
-    // Where no joint is seen to lock, the last that the driver moves does: something is named in any case.
+    // If no joint is found to lock, the last group that the driver moves is named, so that the
+    // message always names one.
     let last = || m.groups.iter().rev().find(|g| g.class().is_some());
     let toggle = Toggle::at(m, at).or_else(|| followed().or_else(last).map(|g| Toggle::Open(g.links.clone())));
     let links = toggle.as_ref().map_or_else(Vec::new, Toggle::links);
@@ -158,11 +165,12 @@ impl Follow for Whole<'_> {
         Some(Standing::first(self.now, &self.placed.at))
     }
 
-    /// In steps that each converge near by.
+    /// Advances in steps that each converge near by.
     fn advance(&self, from: &Standing, to: f64) -> Result<Standing, Standing> {
         let p = self.placed;
         let part = if self.is_turning() { PART_OF_A_TURN / self.wheels.0 } else { PART_OF_A_TURN * p.at.extent() };
-        // So many for every part of the way: no end of it is out of reach because it is far.
+        // The number of steps starts anew for every part of the way, so that no end is out of reach
+        // because it is far.
         let (mut state, mut left) = (from.clone(), MOST_STEPS);
         let mut gone = 0.0;
         let most = if self.counts_turns() { PART_OF_A_TURN / self.wheels.0 } else { f64::INFINITY };
@@ -206,7 +214,8 @@ impl Follow for Whole<'_> {
     }
 }
 
-/// Some rows of a course. Position in the course and row of the stations are told by `row`; `None` when asked to stop.
+/// Some rows of a course. `row` gives the row of the stations for a position of the course. Returns
+/// `None` if `stop` asks to stop.
 pub(crate) fn rows(
     course: &mut Chains<Whole>,
     general: &General,
@@ -231,14 +240,14 @@ pub(crate) fn rows(
     done.then_some(Rows { columns, missing, open: Vec::new() })
 }
 
-/// A note for each limit that a course has met.
+/// One note for each limit that a course meets.
 pub(crate) fn ends(course: &Chains<Whole>) -> Vec<Diagnostic> {
     let moved = course.follow();
     let limits = course.ended().filter_map(|last| moved.end(last));
     limits.map(|e| general::limit_note(moved.placed.scene, moved.driver, &e)).collect()
 }
 
-/// All rows of stations in any order, and a note for each limit on the way to them.
+/// All rows of stations in any order, and one note for each limit on the way to them.
 pub(crate) fn follow(placed: &Placed, driver: usize, stations: &Stations) -> (Rows, Vec<Diagnostic>) {
     let order = stations.ascending();
     let values = |position: usize| stations.values[order[position]];

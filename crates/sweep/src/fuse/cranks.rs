@@ -1,4 +1,5 @@
-//! Fuses a crank with the one group that hangs on its pin: what the crank finds stays in the machine's registers.
+//! Fuses a crank with the one group that is connected to its pin: the crank's results stay in the
+//! machine's registers.
 
 use super::kernels::*;
 use super::{Ordered, Unit};
@@ -6,16 +7,18 @@ use crate::kernel::{Kernel, Reg};
 use crate::lane::Lane;
 use crate::run::{Any, Whole};
 
-/// A group that hangs on the pin of a crank and on nothing else that moves, together with the crank.
+/// A group that is connected to the pin of a crank and to no other moving part, together with the
+/// crank.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnCrank<C, K> {
     /// The crank.
     pub crank: C,
-    /// The group, whose registers are not read.
+    /// The group, with registers that are not read.
     pub group: K,
 }
 
-/// Joins every crank whose numbers one unit alone reads, and reads nothing else, with that unit.
+/// Joins each crank with the unit that reads its numbers, if that unit is the only reader and reads
+/// nothing else.
 pub(super) fn join(all: &mut Ordered, wanted: &[Reg]) {
     let mut k = 0;
     while k < all.order.len() {
@@ -31,7 +34,7 @@ pub(super) fn join(all: &mut Ordered, wanted: &[Reg]) {
     }
 }
 
-/// The unit that a crank is joined with, and what both are then.
+/// The unit to join with a crank, and the kernel of both.
 fn reader(all: &Ordered, crank: u32, wanted: &[Reg]) -> Option<(u32, Whole)> {
     let Unit { op, outs } = &all.units[crank as usize];
     if !is_crank(op) || outs.iter().any(|r| wanted.contains(r)) {
@@ -49,8 +52,8 @@ fn is_crank(op: &Any) -> bool {
     matches!(op, Any::Whole(CrankP(_) | CrankV(_) | CrankA(_) | EvenP(_) | EvenV(_) | EvenA(_)))
 }
 
-/// Groups on cranks: the name of each, the kernels of both, how many numbers the one hands to the other, and how many come out; and
-/// [`joined`], which finds the kernel of both.
+/// Declares the groups on cranks: the name of each, the kernels of both, the count of numbers from
+/// the one to the other, and the count of results; and [`joined`], which finds the kernel of both.
 macro_rules! on_cranks {
     ($($name:ident = $crank:ident, $group:ident: $in:literal => $out:literal;)*) => {
         $(
@@ -70,7 +73,7 @@ macro_rules! on_cranks {
             }
         )*
 
-        /// The kernel of a group on a crank, where there is one.
+        /// The kernel of a group on a crank, if there is one.
         fn joined(crank: Any, group: Any) -> Option<Whole> {
             match (crank, group) {
                 $((Any::Whole(Whole::$crank(crank)), Any::Whole(Whole::$group(group))) => {

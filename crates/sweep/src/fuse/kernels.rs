@@ -1,14 +1,17 @@
-//! Kernels that do a place, its velocity and its acceleration in one pass: what one effect has found stays in the machine's
-//! registers for the next.
+//! Kernels that compute a point's position, velocity and acceleration in one pass: the results of
+//! one effect stay in the machine's registers for the next.
 //!
-//! `LEVELS` says how far they go (1: position, 2: and velocity, 3: and acceleration); with `LENGTHS` the lengths of the rates
-//! come out too. `GROUND`: the place that a bar or a link hangs on does not move; its rates are not even multiplied by. A
-//! vector is two numbers; a place with its rates comes in as `LEVELS` vectors, one after the other, and goes out alike,
+//! `LEVELS` is the number of levels (1: position, 2: and velocity, 3: and acceleration); with
+//! `LENGTHS` the lengths of the rates are results too. `GROUND`: the point that a bar or a link is
+//! connected to is fixed; its rates do not even enter as factors. A vector is two numbers; a point
+//! with its rates enters as `LEVELS` vectors, one after the other, and results in the same order,
 //! with the lengths last.
 //!
-//! No closures and no array functions here: what is not inlined runs without SIMD registers.
+//! This module uses no closures and no array functions: code that is not inlined runs without SIMD
+//! registers.
 
-// Several arrays are gone through side by side; loops over numbers are sure to be unrolled.
+// The loops step through several arrays side by side; loops over numbers are certain to be
+// unrolled.
 #![allow(clippy::needless_range_loop)]
 
 use super::super::closure::TOUCH;
@@ -16,119 +19,127 @@ use super::super::kernel::{Kernel, Pair, Reg};
 use super::super::lane::Lane;
 use hodograph_base::geom::Vec2;
 
-/// A place and its rates; what a kernel's levels do not reach is not read.
+/// A position and its rates; those beyond a kernel's levels are not read.
 pub type Motion = [Pair; 3];
 
-/// Two bars A–C and B–C of constant lengths: C, to the left (`sign` 1) or right (−1) of the line from A to B.
+/// Two bars A–C and B–C of constant lengths: C, to the left (`sign` 1) or right (−1) of the line
+/// from A to B.
 ///
 /// # Source
-/// [`super::super::closure::Circles`], [`super::super::rows::Bars`] and [`super::super::rows::BarsRate`], with 2/√m for 1/(u × w).
+/// [`super::super::closure::Circles`], [`super::super::rows::Bars`] and
+/// [`super::super::rows::BarsRate`], with 2/√m for 1/(u × w).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dyad<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> {
-    /// A.
+    /// The point A.
     pub a: Motion,
-    /// B, where it moves.
+    /// The point B, if it moves.
     pub b: Motion,
-    /// B, where it does not.
+    /// The point B, if it is fixed.
     pub at: [f64; 2],
-    /// |AC|.
+    /// The length |AC|.
     pub r: f64,
-    /// |BC|.
+    /// The length |BC|.
     pub s: f64,
-    /// Which of the two.
+    /// The branch: 1 or −1.
     pub sign: f64,
 }
 
-/// A point on a link that turns about a fixed pivot as a given angle does: P = O + k (cos, sin), at a constant ω and α.
+/// A point on a link that turns about a fixed pivot by a given angle: P = O + k (cos, sin), at a
+/// constant ω and α.
 ///
-/// `EVEN`: k is real and α zero, as with a crank that turns evenly and whose angle is that of its arm; what would be added is not.
+/// `EVEN`: k is real and α zero, as for a crank at constant angular velocity with the angle of its
+/// arm; the terms that vanish are left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crank<const LEVELS: usize, const EVEN: bool> {
-    /// Cosine and sine.
+    /// Cosine and sine of the angle.
     pub turn: Pair,
-    /// O.
+    /// The pivot O.
     pub o: [f64; 2],
     /// Real and imaginary part of k.
     pub k: [f64; 2],
-    /// ω.
+    /// The angular velocity ω.
     pub omega: f64,
-    /// α.
+    /// The angular acceleration α.
     pub alpha: f64,
 }
 
-/// A point of a link by two others: P = O + k (N − O), and its rates alike (影像).
+/// A point of a link by two others: P = O + k (N − O), and its rates in the same way (影像).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coupled<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> {
-    /// N.
+    /// The point N.
     pub n: Motion,
-    /// O, where it moves.
+    /// The point O, if it moves.
     pub o: Motion,
-    /// O, where it does not.
+    /// The point O, if it is fixed.
     pub at: [f64; 2],
     /// Real and imaginary part of k.
     pub k: [f64; 2],
 }
 
-/// A point of a link by another and the arm: P = O + k d, and its rates alike.
+/// A point of a link by another and the arm: P = O + k d, and its rates in the same way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Images<const LEVELS: usize, const LENGTHS: bool> {
-    /// O.
+    /// The point O.
     pub o: Motion,
-    /// d.
+    /// The arm d.
     pub d: Motion,
     /// Real and imaginary part of k.
     pub k: [f64; 2],
 }
 
-/// A pin C at a constant distance from A, on a straight guide that is fixed: ahead (`sign` 1) of the foot of A or behind it.
+/// A pin C at a constant distance from A, on a fixed straight guide: ahead (`sign` 1) of the foot
+/// of A or behind it (−1).
 ///
-/// The pin moves along the guide alone: with u = C − A, ṡ = u·v_A/(u·t) and s̈ = (u·a_A − |v_C − v_A|²)/(u·t).
+/// The pin moves along the guide alone: with u = C − A, ṡ = u·v_A/(u·t) and s̈ = (u·a_A − |v_C −
+/// v_A|²)/(u·t).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slider<const LEVELS: usize, const LENGTHS: bool> {
-    /// A.
+    /// The point A.
     pub a: Motion,
-    /// |AC|.
+    /// The length |AC|.
     pub r: f64,
     /// A point of the guide.
     pub q: [f64; 2],
     /// Its unit direction.
     pub t: [f64; 2],
-    /// Which of the two.
+    /// The branch: 1 ahead, −1 behind.
     pub sign: f64,
 }
 
-/// ω of the line from O to N, and with three levels α.
+/// Angular velocity ω of the line from O to N, and with three levels α.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turned<const GROUND: bool, const LEVELS: usize> {
-    /// N.
+    /// The point N.
     pub n: Motion,
-    /// O, where it moves.
+    /// The point O, if it moves.
     pub o: Motion,
-    /// O, where it does not.
+    /// The point O, if it is fixed.
     pub at: [f64; 2],
 }
 
-/// A lever on a fixed pivot A whose straight slot runs over a pin B: its arm with the rates of that, ω, and with three levels α.
+/// A lever on a fixed pivot A with a straight slot over a pin B: its arm with the rates, ω, and
+/// with three levels α.
 ///
 /// # Source
-/// [`super::super::closure::Lever`] and [`super::super::rows::SlotRate`]: n·v_B = ω n·(r turned by 90°), r = B − A, n square to the slot.
+/// [`super::super::closure::Lever`] and [`super::super::rows::SlotRate`]: n·v_B = ω n·(r turned by
+/// 90°), r = B − A, n square to the slot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slotted<const LEVELS: usize> {
-    /// B.
+    /// The pin B.
     pub b: Motion,
-    /// A.
+    /// The pivot A.
     pub at: [f64; 2],
-    /// Offset of the slot.
+    /// The offset of the slot.
     pub h: f64,
-    /// Whether the pin lies ahead of the pivot (1) or behind it (−1).
+    /// 1 if the pin is ahead of the pivot, −1 if it is behind it.
     pub sign: f64,
-    /// The arm, seen from the slot's direction.
+    /// The complex factor from the slot's direction to the arm.
     pub k: [f64; 2],
-    /// n, seen from the arm.
+    /// The complex factor from the arm to n.
     pub n: [f64; 2],
 }
 
-/// The registers of places with their rates, one place after the other.
+/// The registers of points with their rates, one point after the other.
 fn wires<const IN: usize>(levels: usize, places: &[Motion]) -> [Reg; IN] {
     std::array::from_fn(|i| {
         let pair = places[i / (2 * levels)][i / 2 % levels];
@@ -136,7 +147,7 @@ fn wires<const IN: usize>(levels: usize, places: &[Motion]) -> [Reg; IN] {
     })
 }
 
-/// The `i`-th vector of what comes in.
+/// The `i`-th vector of the input.
 #[inline(always)]
 fn vector<N: Lane, const IN: usize>(x: &[N; IN], i: usize) -> Vec2<N> {
     Vec2::new(x[2 * i], x[2 * i + 1])
@@ -148,19 +159,19 @@ fn fixed<N: Lane>(like: N, [x, y]: [f64; 2]) -> Vec2<N> {
     Vec2::new(like.constant(x), like.constant(y))
 }
 
-/// k v, of a complex constant.
+/// The product k v with a complex constant k.
 #[inline(always)]
 fn twisted<N: Lane>(v: Vec2<N>, [p, q]: [f64; 2]) -> Vec2<N> {
     Vec2::new(v.x * p + v.y * -q, v.x * q + v.y * p)
 }
 
-/// v with u·v = p and w·v = q, `inverse` of u × w being in both already.
+/// Returns v with u·v = p and w·v = q; p and q already contain the factor `inverse` of u × w.
 #[inline(always)]
 fn crossed<N: Lane>(u: Vec2<N>, w: Vec2<N>, p: N, q: N) -> Vec2<N> {
     Vec2::new(p * w.y - q * u.y, q * u.x - p * w.x)
 }
 
-/// Puts out a place, its rates, and the lengths of these.
+/// Returns a point, its rates, and the lengths of these.
 #[inline(always)]
 fn put<N: Lane, const LEVELS: usize, const OUT: usize>(v: [Vec2<N>; LEVELS]) -> [N; OUT] {
     let mut out = [v[0].x; OUT];
@@ -174,7 +185,7 @@ fn put<N: Lane, const LEVELS: usize, const OUT: usize>(v: [Vec2<N>; LEVELS]) -> 
 }
 
 impl<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> Dyad<GROUND, LEVELS, LENGTHS> {
-    /// C, and 1/det of its bars.
+    /// Returns C, and 1/det of its bars.
     #[inline(always)]
     fn close<N: Lane>(&self, a: Vec2<N>, b: Vec2<N>) -> (Vec2<N>, N) {
         let (sum, difference) = (self.r + self.s, self.r - self.s);
@@ -183,7 +194,7 @@ impl<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> Dyad<GROUND, 
         let (outer, inner) = (d2.constant(sum * sum) - d2, d2 + -(difference * difference));
         let slack = (d2 + (self.r * self.r + self.s * self.s)) * TOUCH;
         let root = (outer * inner).root_unless_touching(outer.least(inner), slack);
-        // The sign goes along outside of the root: nothing waits for it.
+        // The sign is applied outside of the root, so that nothing waits for it.
         let half = d2.constant(0.5 * self.sign) / d2;
         let (f, h) = (half * (sum * difference * self.sign) + 0.5, root * half);
         (Vec2::new(a.x + d.x * f - d.y * h, a.y + d.y * f + d.x * h), d2.constant(2.0 * self.sign) / root)
@@ -199,7 +210,7 @@ impl<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> Dyad<GROUND, 
         if LEVELS > 1 {
             let va = vector(&x, 1);
             let p = u.dot(va) * inverse;
-            // Of a point on ground q is zero.
+            // For a point on ground q is zero.
             out[1] = if GROUND { Vec2::new(p * w.y, -(p * w.x)) } else { crossed(u, w, p, w.dot(vector(&x, LEVELS + 1)) * inverse) };
             if LEVELS > 2 {
                 let v = out[1];
@@ -217,12 +228,12 @@ impl<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> Dyad<GROUND, 
 }
 
 impl<const LEVELS: usize, const EVEN: bool> Crank<LEVELS, EVEN> {
-    /// The same crank of other levels, or as one that turns evenly.
+    /// Returns the crank with other levels, or in the form for constant angular velocity.
     pub fn turned_to<const OTHER: usize, const NOW: bool>(self) -> Crank<OTHER, NOW> {
         Crank { turn: self.turn, o: self.o, k: self.k, omega: self.omega, alpha: self.alpha }
     }
 
-    /// Whether it is as `EVEN` says.
+    /// Returns true if the form `EVEN` applies.
     pub fn is_even(&self) -> bool {
         self.k[1] == 0.0 && self.alpha == 0.0
     }
@@ -288,7 +299,7 @@ impl<const LEVELS: usize, const LENGTHS: bool> Slider<LEVELS, LENGTHS> {
         let mut out = [c; LEVELS];
         if LEVELS > 1 {
             let u = c - a;
-            // w is u·t, the way from the foot of A.
+            // The number w is u·t, the distance from the foot of A.
             let inverse = w.constant(1.0) / w;
             let (va, rate) = (vector(&x, 1), u.dot(vector(&x, 1)) * inverse);
             out[1] = Vec2::new(rate * t[0], rate * t[1]);
@@ -345,7 +356,7 @@ impl<const LEVELS: usize> Slotted<LEVELS> {
     }
 }
 
-/// Each kernel with its levels: its name, how many numbers go in and out.
+/// Declares the kernels with their levels: the name of each, and the counts of inputs and results.
 macro_rules! kernels {
     ($($name:ident = $kernel:ty: $levels:literal, $in:literal => $out:literal, $places:expr;)*) => {
         $(

@@ -11,7 +11,7 @@ use crate::rows::{ReducedRate, SlotRate, TurnOf};
 use crate::run::{Any, Whole};
 use arrayvec::ArrayVec;
 
-/// What is known of a lever while its operations are looked for.
+/// The operations of a lever that are known during the search for the others.
 struct Slot<'a> {
     lever: &'a Lever,
     arm: Pair,
@@ -25,7 +25,7 @@ impl Matching<'_> {
         let Some(at) = self.fixed(lever.a).filter(|_| self.alive[i]) else { return };
         let arm = pair(self.steps[i].out);
         let later = || (i + 1..self.steps.len()).filter(|&k| self.alive[k] && !taken[k]);
-        // A link has one slot, and what is square to it is made once.
+        // A link has one slot, and its normal is made once.
         let Some((turn, slot, v)) = later().find_map(|k| {
             let Op::TurnOf(turn) = &self.steps[k].op else { return None };
             let Op::Twist(twist) = self.op(turn.n)?.1 else { return None };
@@ -73,14 +73,15 @@ impl Matching<'_> {
         units.push(Unit { op: Any::Whole(op), outs });
     }
 
-    /// v_B, if a turning is that of the slot over it: ω = n·v_B / n·(r turned).
+    /// The velocity v_B, if `turn` gives the ω of the lever from its slot: ω = n·v_B / n·(r turned
+    /// by 90°).
     fn pin_velocity(&self, slot: &Slot, turn: &TurnOf) -> Option<Pair> {
         let Op::Distance(row) = self.row(turn.c)? else { return None };
         let rests = row.rate == 0.0 && row.n == slot.n && self.still(turn.v);
         (rests && self.reaches(slot, turn.r)).then_some(row.vf)
     }
 
-    /// a_B, if a turning is that of the slot's accelerations.
+    /// The acceleration a_B, if `turn` gives the α of the lever from its slot.
     fn pin_acceleration(&self, slot: &Slot, turn: &TurnOf, omega: Reg, v: Pair) -> Option<Pair> {
         let Op::ReducedRate(ReducedRate { n, r, c, omega: w, alpha }) = *self.row(turn.c)? else { return None };
         let Op::SlotRate(SlotRate { n: normal, r: arm, vb, ab, vo, omega: turning }) = *self.row(c)? else { return None };
@@ -89,7 +90,7 @@ impl Matching<'_> {
         (same && rests && self.reaches(slot, turn.r)).then_some(ab)
     }
 
-    /// Whether an arm leads from the lever's pivot to its pin.
+    /// True if an arm leads from the lever's pivot to its pin.
     fn reaches(&self, slot: &Slot, r: Pair) -> bool {
         self.op(r).is_some_and(|(_, op)| *op == Op::Arm(Arm { from: slot.lever.a, to: slot.lever.b })) && slot.arm != r
     }

@@ -1,4 +1,5 @@
-//! Pattern matching on the list of operations: finds those that give position, velocity and acceleration of one point, or turning of one line.
+//! Pattern matching on the list of operations: finds those that give position, velocity and
+//! acceleration of one point, or angular velocity and angular acceleration of one line.
 
 use super::kernels::{Coupled, Crank, Dyad, Images, Motion, Slider, Turned};
 use super::{NONE, Outs, Unit, Wires};
@@ -9,24 +10,24 @@ use crate::rows::Cross;
 use crate::run::{Any, Whole};
 use arrayvec::ArrayVec;
 
-/// A program looked at from its registers.
+/// A program indexed by its registers.
 pub struct Matching<'a> {
     pub(super) program: &'a Program,
     pub(super) steps: &'a [Step],
     /// The values of constant registers.
     pub constants: Vec<Option<f64>>,
-    /// The step that fills a register.
+    /// The step that fills each register.
     maker: Vec<u32>,
-    /// How often a register is read by what is asked for.
+    /// The number of times that each register is read by needed steps and wanted answers.
     uses: Vec<u32>,
-    /// How many registers each step fills, and whether anything asks for them.
+    /// The number of registers that each step fills; `alive` is true for the steps that are needed.
     outs: Vec<u32>,
     pub(super) alive: Vec<bool>,
-    /// The step of the length of the vector that begins at a register.
+    /// The step that computes the length of the vector that begins at a register.
     length: Vec<u32>,
 }
 
-/// A whole kernel of as many levels as there are, with lengths or without.
+/// A whole kernel of the given number of levels, with lengths or without.
 macro_rules! levels {
     ($levels:expr, $lengths:expr, $kernel:expr => $p:ident $v:ident $a:ident $vl:ident $al:ident) => {
         match ($levels, $lengths) {
@@ -39,10 +40,10 @@ macro_rules! levels {
     };
 }
 
-/// Something for each level of motion.
+/// A list with an entry for each level of motion.
 pub(super) type Few<T> = ArrayVec<T, 3>;
 
-/// What was found for one point: its kernel by levels and lengths, and the pairs that it fills.
+/// The kernel found for one point, by levels and lengths.
 type Made<'a> = &'a dyn Fn(usize, bool) -> Whole;
 
 impl<'a> Matching<'a> {
@@ -79,7 +80,7 @@ impl<'a> Matching<'a> {
         m
     }
 
-    /// Every step that is asked for by itself.
+    /// Every needed step as a unit of its own.
     pub fn singles(&self) -> Vec<Unit> {
         (0..self.steps.len()).filter(|&i| self.alive[i]).map(|i| self.single(i)).collect()
     }
@@ -89,7 +90,7 @@ impl<'a> Matching<'a> {
         Unit { op: Any::One(step.op), outs: (0..self.outs[i]).map(|k| Reg(step.out.0 + k)).collect() }
     }
 
-    /// The steps with those that belong together made one.
+    /// The needed steps, with those that belong together combined.
     pub fn units(&self) -> Vec<Unit> {
         let mut taken = vec![false; self.steps.len()];
         let mut units = Vec::with_capacity(self.steps.len());
@@ -104,7 +105,7 @@ impl<'a> Matching<'a> {
         units
     }
 
-    /// The operation that fills a pair, if it is asked for.
+    /// The operation that fills a pair, if it is needed.
     pub(super) fn op(&self, pair: Pair) -> Option<(usize, &Op)> {
         let i = self.maker[pair.x.0 as usize];
         let step = self.steps.get(i as usize)?;
@@ -128,12 +129,12 @@ impl<'a> Matching<'a> {
         self.fixed(p) == Some([0.0; 2])
     }
 
-    /// A place and its rates that are constant.
+    /// The position, if it is constant and its rates are zero.
     fn ground(&self, m: &[Pair]) -> Option<[f64; 2]> {
         self.fixed(m[0]).filter(|_| m[1..].iter().all(|rate| self.still(*rate)))
     }
 
-    /// Position, velocity and acceleration of a point.
+    /// Combines position, velocity and acceleration of a point.
     fn motion(&self, motion: &[Option<Pair>; 3], taken: &mut [bool], units: &mut Vec<Unit>) {
         let (mut pairs, mut ops) = (Few::new(), Few::new());
         for pair in motion.iter().map_while(|p| *p) {
@@ -161,12 +162,12 @@ impl<'a> Matching<'a> {
         }
     }
 
-    /// Two bars.
+    /// Matches two bars.
     fn dyad(&self, ops: &[&Op], pairs: &[Pair], put: &mut dyn FnMut(bool, Made)) -> bool {
         let Op::Circles(c) = ops[0] else { return false };
         let (Some(r), Some(s)) = (self.constant(c.r), self.constant(c.s)) else { return false };
         let (mut a, mut b) = (Few::from_iter([c.a]), Few::from_iter([c.b]));
-        // What passes between the effects is passed nowhere else.
+        // Numbers passed from effect to effect must have no other readers.
         let det = Reg(pairs[0].x.0 + 2);
         if let Some(op) = ops.get(1) {
             let Op::Bars(v) = op else { return false };
@@ -192,7 +193,7 @@ impl<'a> Matching<'a> {
         }
         let (moving, at, r, s, sign) = match (self.ground(&a), self.ground(&b)) {
             (_, Some(at)) => (a, Some(at), r, s, c.sign),
-            // Seen from B, what was left is right.
+            // Seen from B, left becomes right.
             (Some(at), None) => (b.clone(), Some(at), s, r, -c.sign),
             (None, None) => (a, None, r, s, c.sign),
         };
@@ -206,7 +207,7 @@ impl<'a> Matching<'a> {
         true
     }
 
-    /// A point of a link.
+    /// Matches a point of a link.
     fn image(&self, ops: &[&Op], put: &mut dyn FnMut(bool, Made)) -> bool {
         let mut images = Few::new();
         for op in ops {
@@ -247,7 +248,7 @@ impl<'a> Matching<'a> {
         true
     }
 
-    /// Where an arm ends that begins at a place.
+    /// The end of an arm that begins at a point.
     fn end_from(&self, d: Pair, o: Pair) -> Option<Pair> {
         match self.op(d)? {
             (_, Op::Arm(Arm { from, to })) if *from == o => Some(*to),
@@ -255,7 +256,7 @@ impl<'a> Matching<'a> {
         }
     }
 
-    /// An arm that turns as the driver does, and its rates.
+    /// Matches an arm that turns with the driver, and its rates.
     fn crank(&self, o: [f64; 2], k: [f64; 2], d: &[Pair]) -> Option<Crank<3, false>> {
         let (_, Op::Twist(twist)) = self.op(d[0])? else { return None };
         let turn = Pair { x: COS, y: SIN };
@@ -276,7 +277,7 @@ impl<'a> Matching<'a> {
         Some(crank)
     }
 
-    /// A pin on a bar and on a fixed guide.
+    /// Matches a pin on a bar and on a fixed guide.
     fn slider(&self, ops: &[&Op], pairs: &[Pair], put: &mut dyn FnMut(bool, Made)) -> bool {
         self.sliding(ops, pairs).is_some_and(|s| {
             let Slider { a, r, q, t, sign } = s;
@@ -316,7 +317,7 @@ impl<'a> Matching<'a> {
         Some(Slider { a: motion_of(&a), r, q, t, sign: c.sign })
     }
 
-    /// The rows of a crossing, that of a distance first: its direction and operation, the other's.
+    /// The two rows of a crossing, that of a distance first: each with its direction and operation.
     fn rows_of(&self, c: &Cross) -> Option<(Pair, &Op, Pair, &Op)> {
         let row = |reg: Reg| self.maker(reg).map(|i| &self.steps[i].op);
         let (first, second) = (row(c.c1)?, row(c.c2)?);
@@ -326,7 +327,7 @@ impl<'a> Matching<'a> {
         }
     }
 
-    /// ω and α of a line between two points.
+    /// Combines ω and α of a line between two points.
     fn turning(&self, i: usize, taken: &mut [bool], units: &mut Vec<Unit>) {
         let Op::Turning(turning) = &self.steps[i].op else { return };
         if !self.alive[i] || taken[i] {
@@ -366,7 +367,8 @@ impl<'a> Matching<'a> {
     }
 }
 
-/// The rates that are not there repeat the last one; nothing reads them.
+/// The motion of the given pairs; rates that do not exist repeat the last one, and nothing reads
+/// them.
 pub(super) fn motion_of(pairs: &[Pair]) -> Motion {
     std::array::from_fn(|i| pairs[i.min(pairs.len() - 1)])
 }

@@ -1,9 +1,11 @@
-//! Kernel fusion: the compiled list of operations rewritten to fewer ones that each do more, and without those whose results nothing reads.
+//! Kernel fusion: rewrites the compiled list of operations to fewer ones that each do more, and
+//! drops those with results that nothing reads.
 //!
-//! The compiled list has one small operation for each group and effect; run one by one, most of their time goes into loads and stores. So the
-//! operations of one point, for its position, velocity and acceleration, are found again ([`matching`]) and replaced by one kernel of [`kernels`]; what
-//! stands between them is run as it is. Nothing here knows of mechanisms: a dyad is recognised by its operations, wherever it hangs. The numbers are
-//! the same whatever the width.
+//! The compiled list has one small operation for each group and effect; run one by one, most of
+//! their time goes into loads and stores. The operations of one point, for its position, velocity
+//! and acceleration, are therefore found again ([`matching`]) and replaced by one kernel of
+//! [`kernels`]; operations between them run unchanged. This module knows nothing of mechanisms: a
+//! dyad is recognised by its operations, in any place. The numbers do not depend on the width.
 
 pub mod cranks;
 pub mod kernels;
@@ -18,33 +20,34 @@ use hodograph_mechanism::mechanism::Level;
 use matching::Matching;
 use std::ops::Range;
 
-/// A program ready to be run.
+/// A program ready to run.
 #[derive(Clone, Debug)]
 pub struct Fused {
     pub(super) steps: Vec<Placed>,
     pub(super) wires: Vec<Reg>,
     pub(super) registers: usize,
-    /// Which of a position's inputs are read.
+    /// The inputs of a position that are read.
     pub(super) inputs: ArrayVec<Reg, 3>,
     /// Registers with fixed values.
     pub(super) constants: Vec<(Reg, f64)>,
-    /// Where a register of the program is found, if anything reads it.
+    /// The register here of each register of the program, if anything reads it.
     place: Vec<Option<Reg>>,
     /// The values of the program's constant registers.
     values: Vec<Option<f64>>,
 }
 
-/// Operations that are run together: what is run, and the registers of the program that it fills.
+/// Operations that run together, and the registers of the program that they fill.
 pub(super) struct Unit {
     pub op: Any,
     pub outs: Outs,
 }
 
-/// The registers that a unit fills: three pairs and the lengths of two of them at most. A mechanism of a batch has its program for some
-/// microseconds, in which many small vectors would be felt.
+/// The registers that a unit fills: three pairs and the lengths of two of them at most. A mechanism
+/// of a batch has its program for some microseconds, so that many small vectors would cost
+/// noticeable time.
 pub(super) type Outs = ArrayVec<Reg, 8>;
 
-/// What an operation reads, and how many registers it fills.
+/// The registers that an operation reads, and the number of registers that it fills.
 #[derive(Default)]
 struct Wires {
     ins: Vec<Reg>,
@@ -60,17 +63,18 @@ impl Runner for Wires {
 }
 
 impl Program {
-    /// The program for its answers.
+    /// Returns the program for its answers.
     pub fn fused(&self) -> &Fused {
         self.runs[0].get_or_init(|| Fused::of(self, Level::Acceleration, &self.answers().collect::<Vec<_>>()))
     }
 
-    /// The program for the crossings of its joints: positions only.
+    /// Returns the program for the crossings of its joints: positions only.
     pub(super) fn fused_crossings(&self) -> &Fused {
         self.runs[1].get_or_init(|| Fused::of(self, Level::Position, &self.crossings().collect::<Vec<_>>()))
     }
 
-    /// The program for its answers and the crossings of the joints that may have a change point.
+    /// Returns the program for its answers and the crossings of the joints that may have a change
+    /// point.
     pub(super) fn fused_watched(&self) -> &Fused {
         self.runs[2].get_or_init(|| Fused::of(self, Level::Acceleration, &self.answers().chain(self.suspects()).collect::<Vec<_>>()))
     }
@@ -89,23 +93,23 @@ const NONE: u32 = u32::MAX;
 
 impl Fused {
     fn of(program: &Program, level: Level, wanted: &[Reg]) -> Fused {
-        // Whatever an operation reads has a lower number than what it fills.
+        // Everything that an operation reads has a lower number than its results.
         let mut steps: Vec<Step> = program.steps[..=level as usize].concat();
         steps.sort_by_key(|s| s.out.0);
         let matching = Matching::new(program, &steps, wanted);
         let fused = Ordered::of(program.registers, matching.units(), wanted);
-        // Fused operations could wait for one another in a circle; the list as it was compiled cannot.
+        // Fused operations might wait for one another in a circle; the list as compiled cannot.
         let mut ordered = fused.or_else(|| Ordered::of(program.registers, matching.singles(), wanted)).unwrap_or_default();
         cranks::join(&mut ordered, wanted);
         ordered.placed(program, matching.constants, wanted)
     }
 
-    /// Where a register of the program is found; `None` for one that nothing asked for.
+    /// Returns the register here of a register of the program; `None` if nothing reads it.
     pub fn place(&self, reg: Reg) -> Option<Reg> {
         self.place.get(reg.0 as usize).copied().flatten()
     }
 
-    /// The number of a register of the program at a row; NaN where nothing asked for it.
+    /// Returns the number of a register of the program at a row; NaN if nothing reads it.
     pub fn number(&self, buffer: &Buffer, reg: Reg, row: usize) -> f64 {
         match self.place(reg) {
             Some(place) => buffer.get(place, row),
@@ -113,12 +117,12 @@ impl Fused {
         }
     }
 
-    /// Registers for a chunk, with the constants in their places.
+    /// Returns registers for a chunk, with the constants in their places.
     pub fn buffer(&self) -> Buffer {
         self.buffer_in(Buffer::default())
     }
 
-    /// The same in the memory of another.
+    /// Returns registers for a chunk in the memory of another buffer.
     pub(super) fn buffer_in(&self, used: Buffer) -> Buffer {
         let mut buffer = used.sized(self.registers);
         for (reg, value) in &self.constants {
@@ -128,19 +132,19 @@ impl Fused {
     }
 }
 
-/// Units in an order in which each finds what it reads, with all that they read, one after the other.
+/// Units in an order in which each finds its inputs.
 #[derive(Default)]
 struct Ordered {
     units: Vec<Unit>,
     order: Vec<u32>,
-    /// What units read, one after the other.
+    /// The inputs of the units, one after the other.
     wires: Vec<Reg>,
-    /// Where it is found for each unit.
+    /// The range of inputs of each unit.
     reads: Vec<Range<usize>>,
 }
 
 impl Ordered {
-    /// `None` where units wait for one another.
+    /// Orders the units; `None` if units wait for one another.
     fn of(registers: usize, units: Vec<Unit>, wanted: &[Reg]) -> Option<Ordered> {
         let mut maker = vec![NONE; registers];
         let n = units.len();
@@ -238,7 +242,8 @@ impl Fused {
         self.registers += 1;
     }
 
-    /// Makes sure that a register that is read has a place: what no unit fills is a constant.
+    /// Makes sure that a register that is read has a place: a register that no unit fills is a
+    /// constant.
     fn know(&mut self, reg: Reg) {
         if self.place[reg.0 as usize].is_none() {
             self.give(reg);
@@ -264,14 +269,14 @@ mod tests {
         let now = station::position_now(&scene, &placed.at, 0);
         let reach = 0.01 * if station::angle_per_value(&scene, &placed.at, 0) == 1.0 { 1.0 } else { placed.at.extent() };
         let stations = Stations::slid(now, now + reach, 9, station::angle_per_value(&scene, &placed.at, 0));
-        // What is seen from a frame has no kernel.
+        // Questions seen from a frame have no kernel.
         let has = |f: &&Find| compile(&scene, &m, &placed.at, Some(0), std::slice::from_ref(*f)).is_ok();
         let find: Vec<Find> = scene.find.iter().filter(has).cloned().collect();
         assert!(!find.is_empty(), "{name}");
         (compile(&scene, &m, &placed.at, Some(0), &find).unwrap(), stations)
     }
 
-    /// The everyday mechanisms run as one operation for each point.
+    /// Common mechanisms run as one operation for each point.
     #[test]
     fn one_operation_for_each_point() {
         let leg = ["v_C", "v_D", "v_E", "v_F", "v_G", "a_C", "a_D", "a_E", "a_F", "a_G"];
@@ -281,7 +286,7 @@ mod tests {
             ("crank-rocker", &["v_B", "v_C"], 3),
             ("crank-rocker", &["v_C", "a_C", "omega_3", "alpha_3"], 2),
             ("slider-crank", &["v_C", "a_C"], 1),
-            // The rates of G do not need its place: they are arm, image and length each.
+            // The rates of G do not need its position: they are arm, image and length each.
             ("jansen-leg", &leg, 11),
         ] {
             let (program, _) = program(name, find);
@@ -290,7 +295,7 @@ mod tests {
         }
     }
 
-    /// Fused or one by one, the numbers are the same but for rounding.
+    /// Fused or one by one, the numbers are equal within rounding.
     #[test]
     fn fused_is_what_the_list_says() {
         for t in templates::list() {

@@ -1,4 +1,5 @@
-//! Crossings under a bad angle, and what helps in each case: only what has been tried and found to help is proposed.
+//! Crossings under a bad angle, and the remedies in each case: only remedies that a trial found to
+//! help are proposed.
 
 use super::drafting::{CrossingTolerance, Drawn, Tolerance, crossings, drafting};
 use hodograph_base::diag::{Both, Diagnostic, both};
@@ -12,27 +13,33 @@ use hodograph_mechanism::position::newton::{driver_values, moved};
 use hodograph_scene::{DiagramKind, Kind};
 use std::collections::BTreeMap;
 
-/// Under this angle (degrees) a pencil error is more than five times magnified (1 / sin 10° = 5.8): the reader is told.
+/// The angle (degrees) below which a pencil error is magnified more than five times (1 / sin 10° =
+/// 5.8): the reader is warned.
 pub const BAD_DEG: f64 = 10.0;
-/// From this angle on it is less than three times magnified: a pose where the lines cross so is proposed.
+/// The angle (degrees) from which on a pencil error is magnified less than three times: a pose with
+/// such crossings is proposed.
 const GOOD_DEG: f64 = 20.0;
-/// How far the driver is turned in search of one, and in what steps: further away it is another problem.
+/// The greatest angle by which the driver is turned in search of a pose, and the step: a pose
+/// further away is another problem.
 const SEARCH_DEG: f64 = 30.0;
 const SEARCH_STEP_DEG: f64 = 5.0;
 
-/// In a construction of more crossings nothing is tried: each trial draws all of it anew.
+/// The number of crossings above which nothing is tried: each trial draws the whole construction
+/// anew.
 const MANY: usize = 100;
 
 /// A crossing under a bad angle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BadAngle {
-    /// The crossing; that of the velocity polygon where both polygons have it (the angle is the same).
+    /// The crossing; that of the velocity polygon if both polygons have it (the angle is the same).
     pub crossing: CrossingTolerance,
-    /// The pencil error (mm) for which it is judged.
+    /// The pencil error for which it is judged (mm).
     pub pencil_mm: f64,
-    /// Drawn so many times as large, every answer is within 1 %; `None` where it is now, or where A0 is too small for that.
+    /// The enlargement with which every answer is within 1 %; `None` if it is within 1 % without,
+    /// or if A0 is too small.
     pub larger: Option<f64>,
-    /// Another special point of the triad, with which no line crosses under a bad angle and the worst answer is better.
+    /// Another special point of the triad that gives no crossing under a bad angle and a better
+    /// worst answer.
     pub special: Option<OtherPoint>,
     /// A pose nearby in which the lines cross under a good angle.
     pub pose: Option<NearbyPose>,
@@ -43,27 +50,28 @@ pub struct BadAngle {
 pub struct OtherPoint {
     /// The group.
     pub group: usize,
-    /// The legs on whose constraint lines it lies.
+    /// The two legs with constraint lines through the point.
     pub legs: (usize, usize),
-    /// The worst angle then (degrees).
+    /// The worst angle of its crossings (degrees).
     pub worst_deg: f64,
 }
 
-/// A pose nearby.
+/// A nearby pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearbyPose {
     /// The driver to turn.
     pub driver: usize,
-    /// By how much (degrees, counter-clockwise plus).
+    /// The angle of the turn (degrees, counter-clockwise positive).
     pub turn_deg: f64,
-    /// To which angle, as the scene counts it (degrees); `None` where the scene gives the pose otherwise.
+    /// The driver's angle in the pose, in the scene's count (degrees); `None` if the scene gives
+    /// the pose otherwise.
     pub to_deg: Option<f64>,
-    /// The angle of the crossing there.
+    /// The angle of the crossing in the pose (degrees).
     pub crossing_deg: f64,
 }
 
-/// The crossings under a bad angle, in drawing order, each vertex once; in a construction of more than a hundred crossings without what
-/// helps.
+/// Returns the crossings under a bad angle, in drawing order, each vertex once; without remedies in
+/// a construction of more than a hundred crossings.
 pub fn bad_angles(drawn: &Drawn, pencil_mm: f64) -> Vec<BadAngle> {
     let mut bad: Vec<CrossingTolerance> = Vec::new();
     for c in crossings(drawn.construction, pencil_mm) {
@@ -91,19 +99,21 @@ pub fn bad_angles(drawn: &Drawn, pencil_mm: f64) -> Vec<BadAngle> {
         .collect()
 }
 
-/// The enlargement with which every answer is within 1 %, where it is needed and there is paper for it.
+/// The enlargement with which every answer is within 1 %, if it is needed and a sheet is large
+/// enough for it.
 fn larger(tolerances: &[Option<Tolerance>]) -> Option<f64> {
     let all: Vec<_> = tolerances.iter().flatten().filter_map(|t| t.larger.as_ref()).collect();
     let worst = all.iter().max_by(|a, b| a.factor.total_cmp(&b.factor))?;
     (worst.factor > 1.0 && all.iter().all(|l| l.sheet().is_some())).then(|| worst.rounded())
 }
 
-/// The worst relative tolerance; infinite where one is not known.
+/// The worst relative tolerance; infinite if one is not known.
 fn worst(tolerances: &[Option<Tolerance>]) -> f64 {
     tolerances.iter().map(|t| t.as_ref().map_or(f64::INFINITY, |t| t.relative.unwrap_or(0.0))).fold(0.0, f64::max)
 }
 
-/// The velocities drawn exactly in a configuration; their lines cross under the same angles as those of the accelerations.
+/// The velocities drawn exactly in a configuration; their lines cross under the same angles as
+/// those of the accelerations.
 fn redrawn(drawn: &Drawn, at: &Configuration, layout: &Layout) -> Option<Drawing> {
     let layout = Layout { scales: layout.scales.clone().with(Kind::Acceleration, None), ..layout.clone() };
     drawn.construction.acts.draw(drawn.scene, at, drawn.plan, &layout, &mut Exact).ok()
@@ -148,19 +158,19 @@ struct Tried {
     crossings: Vec<CrossingTolerance>,
 }
 
-/// The search for poses nearby, as far as it has gone: the drivers one after the other, each turned step by step, now one way, now the
-/// other. All crossings under a bad angle look at the same poses.
+/// The state of the search for nearby poses: the drivers one after the other, each turned step by
+/// step, alternating between the two senses. All crossings under a bad angle share the poses.
 struct Search<'a> {
     drawn: &'a Drawn<'a>,
-    /// The sine of each crossing as it is drawn: it changes its sign only through a dead centre, and beyond it, or in another assembly,
-    /// the problem is not the same.
+    /// The sine of each crossing in the drawing. It changes its sign only through a dead centre;
+    /// beyond it, or in another assembly, the problem is not the same.
     was: BTreeMap<(DiagramKind, usize), f64>,
     ahead: Vec<(usize, usize, usize)>,
     ways: Vec<[Option<Configuration>; 2]>,
     tried: Vec<Tried>,
 }
 
-/// The ways in which a driver is turned.
+/// The senses in which a driver is turned.
 const SENSES: [f64; 2] = [1.0, -1.0];
 
 impl<'a> Search<'a> {
@@ -198,7 +208,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// One step on; the crossings there. `None` when the mechanism goes no further this way.
+    /// Advances one step, and returns the crossings there; `None` if the mechanism goes no further
+    /// in this sense.
     fn step(&mut self, driver: usize, way: usize) -> Option<Vec<CrossingTolerance>> {
         let drawn = self.drawn;
         let from = self.ways[driver][way].take()?;
@@ -215,7 +226,8 @@ impl<'a> Search<'a> {
     }
 }
 
-/// What is nearly at a dead centre, as the beginning of a clause; nothing for a special point on the diagram.
+/// The pairs that are nearly at a dead centre, as the beginning of a clause; empty for a special
+/// point on the diagram.
 fn near(drawn: &Drawn, c: &CrossingTolerance) -> Both {
     let Some(polygon) = drawn.construction.polygon(c.on) else { return Both::default() };
     let edges = polygon.actions.iter().find_map(|a| {
@@ -231,7 +243,7 @@ fn near(drawn: &Drawn, c: &CrossingTolerance) -> Both {
 }
 
 impl BadAngle {
-    /// As a warning.
+    /// Returns the crossing as a warning.
     pub fn diagnostic(&self, drawn: &Drawn) -> Diagnostic {
         let name = vertex_name(drawn.scene, drawn.plan, self.crossing.target);
         let moves = match self.crossing.moves_on_paper_mm() {

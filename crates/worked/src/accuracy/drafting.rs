@@ -1,10 +1,11 @@
-//! What drawing by hand is worth: the tolerance of every reading, derived step by step.
+//! The accuracy of drawing by hand: the tolerance of every reading, derived step by step.
 //!
-//! Each mark of the construction is displaced by itself while all other steps are repeated exactly; what the answers do
-//! is the sensitivity to that mark. Marks miss independently and normally ([`Blunt`](hodograph_board::construct::pencil::Blunt)), so
-//! the variances of what they do add up (the square root of the sum of squares), and the tolerance is the radius within which 95 % of
-//! the answers fall. It is of first order: true while it is small against the answer, and a warning where it is not.
-//! [`simulate`](super::simulate()) is the check.
+//! Each mark of the construction is displaced by itself while all other steps are repeated exactly;
+//! the change of the answers is the sensitivity to that mark. Marks miss independently and normally
+//! ([`Blunt`](hodograph_board::construct::pencil::Blunt)), so the variances of their effects add up
+//! (the square root of the sum of squares), and the tolerance is the radius within which 95 % of
+//! the answers fall. It is of first order: true while it is small relative to the answer, and a
+//! warning otherwise. [`simulate`](super::simulate()) is the check.
 
 use super::larger::{Larger, larger};
 use hodograph_base::diag::Faults;
@@ -17,25 +18,25 @@ use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{Asked, ByKind, DiagramKind, Kind, Scene};
 
-/// A finished construction with all that is needed to draw it again.
+/// A finished construction with everything that is needed to draw it again.
 #[derive(Clone, Debug)]
 pub struct Drawn<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// Topology.
+    /// The topology.
     pub mechanism: &'a Mechanism,
-    /// True positions.
+    /// The true positions.
     pub configuration: &'a Configuration,
-    /// Equations.
+    /// The equations.
     pub plan: &'a Plan,
     /// The exact drawing.
     pub construction: &'a Drawing,
-    /// The true answers, one for each question; `None` for what is not drawn.
+    /// The true answers, one for each question; `None` for questions that are not drawn.
     pub values: Vec<Option<Value>>,
 }
 
 impl Drawn<'_> {
-    /// Width and height of a drawing (mm).
+    /// Returns width and height of a drawing (mm).
     pub fn size_mm(&self, on: DiagramKind) -> [f64; 2] {
         match self.construction.polygon(on) {
             Some(p) => p.extent().map(|s| s / p.mu),
@@ -43,7 +44,8 @@ impl Drawn<'_> {
         }
     }
 
-    /// What is read when the same is drawn with a pencil: one value for each question, `None` for what is not drawn.
+    /// Draws the construction with a pencil, and returns the readings: one value for each question,
+    /// `None` for questions that are not drawn.
     ///
     /// # Errors
     /// Two lines that the pencil made parallel.
@@ -55,13 +57,14 @@ impl Drawn<'_> {
     }
 }
 
-/// What drawing by hand makes of a construction.
+/// The tolerances of a construction drawn by hand.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drafting {
-    /// The pencil error (mm): 95 % of the marks fall within it.
+    /// The pencil error: 95 % of the marks fall within it (mm).
     pub pencil_mm: f64,
-    /// For each question; `None` where it is not drawn, or nothing moves, or where a mark's error may undo the drawing; and everywhere
-    /// in a drawing of more than a thousand marks.
+    /// The tolerance for each question; `None` if it is not drawn, if nothing moves, or if a mark's
+    /// error may undo the drawing; `None` for all questions in a drawing of more than a thousand
+    /// marks.
     pub tolerances: Vec<Option<Tolerance>>,
     /// Every crossing, in drawing order.
     pub crossings: Vec<CrossingTolerance>,
@@ -70,48 +73,52 @@ pub struct Drafting {
 /// The tolerance of one reading.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tolerance {
-    /// In SI: 95 % of the readings lie within this of the true answer (for a vector: within a circle of this radius about
-    /// its end).
+    /// The radius (SI) about the true answer that contains 95 % of the readings (for a vector: a
+    /// circle about its end).
     pub absolute: f64,
-    /// As a part of the answer; `None` for an answer of zero, and for coordinates and angles, whose zero is arbitrary.
+    /// The tolerance as a part of the answer; `None` for an answer of zero, and for coordinates and
+    /// angles, which have an arbitrary zero.
     pub relative: Option<f64>,
-    /// What of `absolute` comes from marks on the diagram, the velocity and the acceleration polygon, each alone.
+    /// The part of `absolute` from marks on the diagram, the velocity and the acceleration polygon,
+    /// each alone.
     pub parts: ByKind,
-    /// How large the drawings have to be for 1 %; `None` where `relative` is.
+    /// The enlargement of the drawings for 1 %; `None` if `relative` is.
     pub larger: Option<Larger>,
 }
 
-/// A crossing and what a pencil makes of it.
+/// A crossing and the effect of a pencil error on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrossingTolerance {
     /// The drawing: [`DiagramKind::Plane`] for the special point of a triad on the diagram.
     pub on: DiagramKind,
     /// The vertex found.
     pub target: VertexId,
-    /// Sine of the angle between the lines, signed from the first to the second.
+    /// The sine of the angle between the lines, signed from the first to the second.
     pub sine: f64,
-    /// How far one line that misses by the pencil error moves it: e / |sine| (mm).
+    /// The displacement of the crossing by one line that misses by the pencil error: e / |sine|
+    /// (mm).
     pub moves_mm: f64,
-    /// The same through μ, in SI.
+    /// The displacement through μ, in SI.
     pub moves: f64,
 }
 
-/// No sheet is longer (mm): the long side of A0.
+/// The length of the longest sheet (mm): the long side of A0.
 const LONGEST_SHEET_MM: f64 = 1189.0;
 
 impl CrossingTolerance {
-    /// `moves_mm`, unless that leaves every sheet.
+    /// Returns `moves_mm`, unless that leaves every sheet.
     pub fn moves_on_paper_mm(&self) -> Option<f64> {
         (self.moves_mm <= LONGEST_SHEET_MM).then_some(self.moves_mm)
     }
 
-    /// The angle between the lines, in degrees from 0 to 90.
+    /// Returns the angle between the lines, in degrees from 0 to 90.
     pub fn angle_deg(&self) -> f64 {
         libm::asin(self.sine.abs().min(1.0)).to_degrees()
     }
 }
 
-/// Every crossing of a construction with what a pencil error (mm) makes of it, in drawing order.
+/// Returns every crossing of a construction with the effect of a pencil error (mm) on it, in
+/// drawing order.
 pub fn crossings(paper: &Drawing, pencil_mm: f64) -> Vec<CrossingTolerance> {
     let mut all = Vec::new();
     for on in DiagramKind::OF_MOTION {
@@ -124,14 +131,15 @@ pub fn crossings(paper: &Drawing, pencil_mm: f64) -> Vec<CrossingTolerance> {
     all
 }
 
-/// The tolerances of all readings for a pencil error (mm).
+/// Returns the tolerances of all readings for a pencil error (mm).
 ///
-/// Costs four drawings for each mark: some hundred microseconds for a four-bar, some milliseconds for ten links.
+/// The cost is four drawings for each mark: some hundred microseconds for a four-bar, some
+/// milliseconds for ten links.
 pub fn drafting(drawn: &Drawn, pencil_mm: f64) -> Drafting {
     let layout = Layout::of(drawn.construction);
     let spreads = spreads(drawn, &layout, pencil_mm / radius_in_deviations());
     let tolerances = drawn.values.iter().enumerate().map(|(find, value)| {
-        // Where nothing moves there is no polygon, no scale, and nothing to read.
+        // Without motion there is no polygon, no scale, and nothing to read.
         if drawn.size_mm(drawn.scene.find[find].what.diagram()) == [0.0, 0.0] {
             return None;
         }
@@ -147,7 +155,7 @@ pub fn drafting(drawn: &Drawn, pencil_mm: f64) -> Drafting {
     Drafting { pencil_mm, tolerances: tolerances.collect(), crossings: crossings(drawn.construction, pencil_mm) }
 }
 
-/// Displaces one mark, or only writes down on which drawing each mark is made.
+/// A pencil that displaces one mark, or only records the drawing of each mark.
 struct Slip {
     marks: Vec<DiagramKind>,
     count: usize,
@@ -171,15 +179,17 @@ impl Pencil for Slip {
     }
 }
 
-/// For the derivatives a mark is displaced by this part (2⁻²⁰) of its drawing's larger side: far below what bends the answers even
-/// at flat crossings, and the rounding of the drawing, 1e-16 of that side, spoils ten digits fewer than there are.
+/// The displacement of a mark for the derivatives, as a part (2⁻²⁰) of its drawing's larger side.
+/// It is small enough for linear answers even at flat crossings, and the rounding of the drawing,
+/// 1e-16 of that side, leaves ten digits.
 const STEP: f64 = 1.0 / 1_048_576.0;
 
-/// Each mark is displaced by itself and the rest drawn again: the work grows with the square of the marks. Ten links have some hundred.
+/// The greatest number of marks. Each mark is displaced by itself and the rest drawn again: the
+/// work grows with the square of the marks. Ten links have some hundred.
 const MOST_MARKS: usize = 1000;
 
-/// The covariances of the answers for marks that miss by `deviation_mm` in x and in y; `None` where a displaced mark undoes the drawing, or there
-/// are more than [`MOST_MARKS`].
+/// The covariances of the answers for marks that miss by `deviation_mm` in x and in y; `None` if a
+/// displaced mark undoes the drawing, or if there are more than [`MOST_MARKS`].
 fn spreads(drawn: &Drawn, layout: &Layout, deviation_mm: f64) -> Option<Vec<Option<Spread>>> {
     let mut first = Slip { marks: Vec::new(), count: 0, displaced: None };
     let base = drawn.read_with(layout, &mut first).ok()?;
@@ -194,7 +204,7 @@ fn spreads(drawn: &Drawn, layout: &Layout, deviation_mm: f64) -> Option<Vec<Opti
     let steps_mm: ByKind = DiagramKind::OF_MOTION.into_iter().map(step_mm).collect();
     for (mark, on) in first.marks.iter().enumerate() {
         let h = steps_mm.get(on.kind()).unwrap_or(0.0);
-        // In a drawing that is a single point (nothing moves) no mark is made.
+        // A drawing that is a single point (nothing moves) has no marks.
         if h == 0.0 {
             continue;
         }
@@ -226,12 +236,12 @@ pub(super) fn difference(what: &Asked, a: Value, b: Value) -> Vec2 {
     }
 }
 
-/// Covariances of one answer by the drawing on which the marks were made.
+/// The covariances of one answer, by the drawing on which the marks were made.
 #[derive(Clone, Debug, Default)]
 struct Spread(ByKind<Covariance>);
 
 impl Spread {
-    /// That of one drawing.
+    /// The covariance of one drawing.
     fn on(&mut self, on: DiagramKind) -> &mut Covariance {
         self.0.entry(on.kind())
     }
@@ -250,18 +260,20 @@ struct Covariance {
 }
 
 impl Covariance {
-    /// Adds what one mark does that is displaced by its deviation.
+    /// Adds the effect of one mark displaced by its deviation.
     fn add(&mut self, v: Vec2) {
         self.xx += v.x * v.x;
         self.xy += v.x * v.y;
         self.yy += v.y * v.y;
     }
 
-    /// The radius within which a part `p` of normal errors of this covariance fall.
+    /// The radius that contains a part `p` of normal errors of this covariance.
     ///
-    /// With the principal deviations s₁ ≥ s₂ the error is ρ(s₁ cos φ, s₂ sin φ), ρ Rayleigh's and φ even, so that the part within R is the
-    /// mean over φ of 1 − exp(−R²/2h), h = s₁² cos²φ + s₂² sin²φ. For s₂ = 0 this is the error function (Craig's form), for
-    /// s₂ = s₁ Rayleigh's law. The mean over equal steps of a smooth periodic function converges faster than any power.
+    /// With the principal deviations s₁ ≥ s₂ the error is ρ(s₁ cos φ, s₂ sin φ), with ρ Rayleigh
+    /// distributed and φ uniform, so that the part within R is the mean over φ of 1 − exp(−R²/2h),
+    /// h = s₁² cos²φ + s₂² sin²φ. For s₂ = 0 this is the error function (Craig's form), for s₂ = s₁
+    /// Rayleigh's law. The mean over equal steps of a smooth periodic function converges faster
+    /// than any power.
     fn radius(&self, p: f64) -> f64 {
         const STEPS: usize = 32;
         let (mean, half) = (0.5 * (self.xx + self.yy), libm::hypot(0.5 * (self.xx - self.yy), self.xy));
@@ -277,7 +289,8 @@ impl Covariance {
             };
             (0..STEPS).map(at).sum::<f64>() / STEPS as f64
         };
-        // In units of s₁ the radius lies between that of an error along one line and that of one alike in all directions.
+        // In units of s₁ the radius is between that of an error along one line and that of one
+        // equal in all directions.
         let (mut lo, mut hi) = (0.0, (-2.0 * libm::log(1.0 - p)).sqrt());
         for _ in 0..52 {
             let mid = 0.5 * (lo + hi);
@@ -299,7 +312,7 @@ mod tests {
         assert!((line.radius(0.5) - 2.0 * 0.674_490).abs() < 1e-5);
         let disc = Covariance { xx: 4.0, xy: 0.0, yy: 4.0 };
         assert!((disc.radius(0.95) - 2.0 * radius_in_deviations()).abs() < 1e-9);
-        // Turned by 45° nothing changes.
+        // A turn by 45° changes nothing.
         let turned = Covariance { xx: 2.0, xy: 2.0, yy: 2.0 };
         assert!((turned.radius(0.95) - line.radius(0.95)).abs() < 1e-9);
         assert_eq!(Covariance::default().radius(0.95), 0.0);

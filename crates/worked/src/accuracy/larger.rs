@@ -1,4 +1,4 @@
-//! How large the drawings have to be for a wanted tolerance.
+//! The enlargement of drawings for a wanted tolerance.
 
 use super::drafting::Drawn;
 use hodograph_board::construct::Layout;
@@ -12,31 +12,34 @@ const WANTED: f64 = 0.01;
 const SHEETS: [(&str, [f64; 2]); 5] =
     [("A4", [210.0, 297.0]), ("A3", [297.0, 420.0]), ("A2", [420.0, 594.0]), ("A1", [594.0, 841.0]), ("A0", [841.0, 1189.0])];
 
-/// Kept free on each side of a sheet (mm).
+/// The margin on each side of a sheet (mm).
 const BORDER_MM: f64 = 10.0;
 
 /// The drawings enlarged until a reading is within 1 %.
 ///
-/// All drawings on which the reading rests (diagram, velocity polygon, acceleration polygon) are enlarged alike: the tolerance is then exactly in
-/// inverse proportion. One of them alone would not do in general, for the marks of the others stay.
+/// All drawings that the reading depends on (diagram, velocity polygon, acceleration polygon) are
+/// enlarged alike: the tolerance is then exactly in inverse proportion. To enlarge one of them
+/// alone would not suffice in general, because the marks of the others stay.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Larger {
-    /// By this factor; not more than 1 where the drawing is large enough as it is.
+    /// The factor of the enlargement; not more than 1 if the drawing is large enough.
     pub factor: f64,
-    /// Scales (SI per mm) for that: the next of the series, the present one where it suffices, none for a drawing on which the reading does not
-    /// rest.
+    /// The scales for that (SI per mm): the next of the series, the present one if it suffices,
+    /// none for a drawing that the reading does not depend on.
     pub scales: ByKind,
-    /// Width and height of the largest of these drawings then (mm).
+    /// Width and height of the largest of these enlarged drawings (mm).
     pub size_mm: [f64; 2],
 }
 
 impl Larger {
-    /// The factor to tenths, from 10 on to whole numbers, rounded up: a little larger does no harm, a little smaller would not do.
+    /// Returns the factor to tenths, from 10 on to whole numbers, rounded up: a little larger does
+    /// no harm, a little smaller would not suffice.
     pub fn rounded(&self) -> f64 {
         if self.factor < 10.0 { (self.factor * 10.0).ceil() / 10.0 } else { self.factor.ceil() }
     }
 
-    /// The smallest sheet that holds the largest of the drawings, upright or across; `None` where A0 does not.
+    /// Returns the smallest sheet that holds the largest of the drawings, upright or across; `None`
+    /// if A0 does not.
     pub fn sheet(&self) -> Option<&'static str> {
         let [w, h] = self.size_mm;
         let (short, long) = (w.min(h) + 2.0 * BORDER_MM, w.max(h) + 2.0 * BORDER_MM);
@@ -44,7 +47,7 @@ impl Larger {
     }
 }
 
-/// The enlargement for a relative tolerance; `parts` says which drawings matter.
+/// The enlargement for a relative tolerance; `parts` is positive for the drawings that matter.
 pub(super) fn larger(paper: &Paper, drawn: &Drawn, layout: &Layout, relative: f64, parts: &ByKind) -> Larger {
     let factor = relative / WANTED;
     let present = layout.scales.clone().with(Kind::Length, Some(layout.mu));

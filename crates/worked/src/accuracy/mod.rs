@@ -1,4 +1,5 @@
-//! How far drawing and analysis are apart, where a pose is settled, and what the drawing is worth on paper.
+//! The difference of drawing and analysis, the final positions of a pose, and the accuracy of the
+//! drawing on paper.
 
 mod agreement;
 mod bad_angle;

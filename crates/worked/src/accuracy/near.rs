@@ -1,7 +1,9 @@
-//! What double precision keeps of the answers in a pose that is nearly singular: measured against longer numbers, not estimated.
+//! The digits that double precision keeps of the answers in a nearly singular pose: measured
+//! against longer numbers, not estimated.
 //!
-//! The loss depends on how the pose is written: coordinates along an axis keep all digits next to a dead centre, the same turned by
-//! an angle keep few, and accelerations may cancel. No condition number tells that.
+//! The loss depends on the notation of the pose: coordinates along an axis keep all digits next to
+//! a dead centre, the same coordinates turned by an angle keep few, and accelerations may cancel.
+//! No condition number shows that.
 
 use super::agreement::{Agreement, compare};
 use super::written::{Regular, regular};
@@ -13,33 +15,33 @@ use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::Scene;
 
-/// How many digits text answers print unless more are asked for; where fewer are kept, a warning is due.
+/// The number of digits that text answers print by default; if fewer are kept, a warning is due.
 const PRINTED: f64 = 6.0;
 
-/// The answers of longer numbers, and how far the loop equations are from them.
+/// The answers of longer numbers, and the errors of the loop equations relative to them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kept {
-    /// The answers.
+    /// The answers of longer numbers.
     pub truth: Regular,
-    /// For each question how far the loop equations are off, or the drawing where that is more, relative as
-    /// [`Agreement::difference`]; `None` for positions.
+    /// The error of the loop equations for each question, or that of the drawing if it is greater,
+    /// relative as [`Agreement::difference`]; `None` for positions.
     pub errors: Vec<Option<f64>>,
-    /// The same of the loop equations alone.
+    /// The error of the loop equations alone.
     computed: Vec<Option<f64>>,
 }
 
-/// What there is to be measured: the two ways, and the size against which an answer is judged.
+/// The two ways to measure, and the size against which an answer is judged.
 pub struct Ways<'a, S> {
-    /// The loop equations.
+    /// The solution of the loop equations.
     pub solution: &'a Solution,
-    /// What was read off the paper, for each question.
+    /// The values read off the paper, for each question.
     pub drawn: &'a [Option<Value>],
-    /// The size of what an answer of a level is measured against.
+    /// The function that returns the reference size for an answer of a level.
     pub scale: S,
 }
 
-/// Measures what the two ways keep of a scene's answers; `None` where no rung of the ladder has them all. `truth`: the answers, where
-/// they are known already.
+/// Measures the digits that the two ways keep of a scene's answers; `None` if no rung of the ladder
+/// has them all. `truth` are the answers, if they are known already.
 pub fn kept<S: Fn(Level, &Value) -> f64>(
     scene: &Scene,
     (m, demand): (&Mechanism, &Demand),
@@ -59,20 +61,20 @@ pub fn kept<S: Fn(Level, &Value) -> f64>(
 }
 
 impl Kept {
-    /// What the agreement of a question's two ways promises: no more than what the loop equations keep of it.
+    /// Limits the agreement of a question's two ways to the digits that they were measured to keep.
     pub fn promised(&self, question: usize, agreement: Agreement) -> Agreement {
         let off = self.errors[question].unwrap_or(0.0);
         Agreement { bound: agreement.bound.max(2.0 * off), ..agreement }
     }
 
-    /// Whether double precision has lost an answer: the loop equations are farther off than any agreement may promise, or the
-    /// drawing is, by what its crossings explain.
+    /// Returns true if double precision has lost an answer: the loop equations are farther off than
+    /// any agreement allows, or the drawing is, by as much as its crossings explain.
     pub fn lost(&self, question: usize, agreement: Option<Agreement>) -> bool {
         let off = self.computed[question].is_some_and(|e| e.is_nan() || e > Agreement::MOST);
         off || agreement.is_some_and(|a| !a.holds() && a.difference <= a.bound)
     }
 
-    /// What is said of the pose where all answers are kept: of how many digits.
+    /// Returns the note of a pose in which all answers are kept, with the number of their digits.
     pub fn note(&self, near: &Near, condition: f64) -> Diagnostic {
         let worst = self.errors.iter().flatten().copied().fold(f64::EPSILON, f64::max);
         let digits = (-libm::log10(worst)).floor();
@@ -93,7 +95,8 @@ impl Kept {
     }
 }
 
-/// What is said where nothing but an estimate is at hand; nothing where it leaves the digits that are printed.
+/// Returns the warning if only an estimate is available; `None` if the estimate leaves the digits
+/// that are printed.
 pub fn estimated(near: &Near, condition: f64) -> Option<Diagnostic> {
     let digits = (-libm::log10(10.0 * near.loss)).floor();
     let left = if digits < 1.0 { both!("no digit", "不到一位") } else { both!("about {digits} digits", "约 {digits} 位") };

@@ -1,7 +1,8 @@
-//! Positions as good as `f64` can hold them: where the closed forms lost digits (circles that barely cross), they are found again
-//! in longer numbers and rounded once.
+//! Positions as accurate as `f64` can hold them: where the closed forms lost digits (circles that
+//! barely cross), they are found again in longer numbers and rounded once.
 //!
-//! Drawing and analysis share the positions: digits that these have lost neither way can notice.
+//! Drawing and analysis share the positions: neither way can notice digits that the positions have
+//! lost.
 
 use super::rung::{Climb, Rung};
 use hodograph_base::geom::{Point, Vec2};
@@ -12,29 +13,33 @@ use hodograph_mechanism::motion::Moved;
 use hodograph_mechanism::position::{self, Configuration, Path, Pose};
 use hodograph_scene::Scene;
 
-/// Positions whose bound is within this part of the mechanism's size are taken as they are. A crossing under the angle φ magnifies
-/// rounding by 1/sin φ: a bound of 6e-14 stands for a crossing under a degree or two, or for a chain of many dyads.
+/// The bound, as a part of the mechanism's size, within which positions are left unchanged. A
+/// crossing under the angle φ magnifies rounding by 1/sin φ: a bound of 6e-14 belongs to a crossing
+/// under a degree or two, or to a chain of many dyads.
 const PLAIN: f64 = 256.0 * f64::EPSILON;
 
-/// Known to this part of the size, a rounded position is within a unit in the last place of the true one.
+/// The part of the size to which a rounded position must be known, to be within a unit in the last
+/// place of the true one.
 const KNOWN: f64 = f64::EPSILON / 8.0;
 
-/// Positions off by less than this stay as the closed forms gave them: the bound of a long chain is far larger than its error, and
-/// what else is asked for must not move a digit of it.
+/// The least error at which positions are replaced: the bound of a long chain is far larger than
+/// its error, and other questions must not change a digit of it.
 const OFF: f64 = 64.0 * f64::EPSILON;
 
-/// The configuration of a scene at its instant with every position rounded from its certified value, where `f64` has lost digits
-/// of any; unchanged where it has not, or where no rung can tell (a group that is not proved, one that closes only within rounding).
+/// Returns the configuration of a scene at its instant with every position rounded from its
+/// certified value, if `f64` has lost digits of any. It is unchanged if `f64` has not, or if no
+/// rung can decide (a group that is not proved, one that closes only within rounding).
 pub fn settled(scene: &Scene, m: &Mechanism, demand: &Demand, at: Configuration) -> Configuration {
     settled_beyond(scene, m, demand, at, [PLAIN, OFF])
 }
 
-/// The same to the last digit, for a pose in which even rounding is magnified beyond what may be said.
+/// Returns the configuration to the last digit, for a pose in which even rounding is magnified
+/// beyond the allowed error.
 pub fn settled_finely(scene: &Scene, m: &Mechanism, demand: &Demand, at: Configuration) -> Configuration {
     settled_beyond(scene, m, demand, at, [0.0, f64::EPSILON / 4.0])
 }
 
-/// `plain` and `least`: see [`PLAIN`] and [`OFF`].
+/// The configuration for the thresholds `plain` and `least`, see [`PLAIN`] and [`OFF`].
 fn settled_beyond(scene: &Scene, m: &Mechanism, demand: &Demand, at: Configuration, [plain, least]: [f64; 2]) -> Configuration {
     let extent = at.extent();
     let places = Places { scene, m, demand, at: &at, extent };
@@ -51,19 +56,19 @@ fn settled_beyond(scene: &Scene, m: &Mechanism, demand: &Demand, at: Configurati
         }
     }
     match last {
-        // What is no better known than that is no correction.
+        // A position that is no better known than that is no correction.
         Some(found) if found.bound <= PLAIN * extent && found.off > least * extent => found.at,
         _ => at,
     }
 }
 
-/// What a rung makes of the positions.
+/// The positions of a rung.
 struct Found {
-    /// Rounded; a number of `f64` that the rung does not contradict is kept.
+    /// The rounded positions; a number of `f64` that the rung does not contradict is kept.
     at: Configuration,
-    /// The largest bound of a place's error (m), directions counted at the mechanism's size.
+    /// The largest bound of a place's error, with directions counted at the mechanism's size (m).
     bound: f64,
-    /// By how much `f64` is off (m).
+    /// The error of `f64` (m).
     off: f64,
 }
 
@@ -104,7 +109,7 @@ impl Climb for Places<'_> {
     }
 }
 
-/// Rounds numbers of a rung into those of `f64`, and takes note of how far they were apart.
+/// Rounds numbers of a rung to `f64`, and records the differences.
 struct Rounding {
     bound: f64,
     off: f64,
@@ -112,7 +117,7 @@ struct Rounding {
 }
 
 impl Rounding {
-    /// `unit`: the length by which the number counts (m).
+    /// Rounds one number; `unit` is the length of its unit (m).
     fn number<N: Real>(&mut self, here: &mut f64, there: N, unit: f64) -> Option<()> {
         if !there.is_decided() {
             return None;
@@ -156,7 +161,7 @@ impl Rounding {
         }
     }
 
-    /// What one of the two has not, the other has not either.
+    /// Rounds an optional value; both options must have a value, or neither.
     fn option<A, B>(&mut self, here: &mut Option<A>, there: &Option<B>, each: impl Fn(&mut Self, &mut A, &B) -> Option<()>) -> Option<()> {
         match (here, there) {
             (Some(here), Some(there)) => each(self, here, there),

@@ -1,4 +1,5 @@
-//! The rungs of the precision ladder: balls over `f64`, over double-double, over longer and longer numbers.
+//! The rungs of the precision ladder: balls over `f64`, over double-double, over longer and longer
+//! numbers.
 
 use hodograph_base::budget::spend;
 use hodograph_base::number::decimal::Certain;
@@ -12,16 +13,17 @@ pub enum Rung {
     Double,
     /// Double-double with a bound of its error.
     DoubleDouble,
-    /// Numbers of so many bits, with a bound of their error.
+    /// Numbers of this many bits, with a bound of their error.
     Long(usize),
 }
 
 impl Rung {
-    /// All of them, the cheapest first. The last is longer than any digits that are asked for by the depth of a dead centre
-    /// written with twenty decimals; beyond it lie only ties and poses that are singular as written.
+    /// All rungs, the cheapest first. The last has more digits than any request loses by the depth
+    /// of a dead centre written with twenty decimals; beyond it only ties and poses that are
+    /// singular as written remain.
     pub const LADDER: [Rung; 5] = [Rung::Double, Rung::DoubleDouble, Rung::Long(192), Rung::Long(384), Rung::Long(768)];
 
-    /// The last: beyond it nothing is tried.
+    /// The last rung: beyond it nothing is tried.
     pub const LAST: Rung = Rung::LADDER[Rung::LADDER.len() - 1];
 
     /// Does the work in this rung's numbers.
@@ -34,7 +36,7 @@ impl Rung {
         }
     }
 
-    /// For programs and tables: `f64`, `double-double`, `192 bit`.
+    /// Returns the name for programs and tables: `f64`, `double-double`, `192 bit`.
     pub fn name(self) -> String {
         match self {
             Rung::Double => "f64".into(),
@@ -46,9 +48,9 @@ impl Rung {
 
 /// Work that can be done on any rung.
 pub trait Climb {
-    /// What comes of it: nothing that holds numbers of the rung, which mean nothing outside.
+    /// The result of the work. It contains no numbers of the rung, which have no meaning outside.
     type Found;
 
-    /// The work itself.
+    /// Does the work in numbers of type `N`.
     fn with<N: Certain + Moved>(&self) -> Self::Found;
 }

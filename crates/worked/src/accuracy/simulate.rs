@@ -1,25 +1,27 @@
-//! Drawing many times with a blunt pencil, and how far the readings lie from the truth.
+//! Repeated drawing with a blunt pencil, and the errors of the readings.
 
 use super::drafting::{Drawn, difference};
 use hodograph_board::construct::Layout;
 use hodograph_board::construct::pencil::Blunt;
 
-/// Errors of one answer over many drawings.
+/// The errors of one answer over many drawings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Errors {
-    /// The error (SI) that half of the drawings stay within; infinite where half of them fail.
+    /// The error (SI) that half of the drawings stay within; infinite if half of them fail.
     pub median: f64,
     /// The error that 95 % of the drawings stay within.
     pub within_95: f64,
-    /// Both as parts of the answer; `None` for an answer of zero.
+    /// Both errors as parts of the answer; `None` for an answer of zero.
     pub relative: Option<[f64; 2]>,
 }
 
-/// Draws the scene `runs` times with a pencil of the given error (mm), to the scales of the finished construction; the errors of each question's
-/// answer, `None` for what is not drawn and for no runs at all.
+/// Draws the scene `runs` times with a pencil of the given error (mm), to the scales of the
+/// finished construction. Returns the errors of each question's answer; `None` for questions that
+/// are not drawn, and if `runs` is zero.
 ///
-/// The error of a vector is the length of the difference, so that a wrong direction counts too. A drawing in which the pencil made two lines
-/// parallel has an infinite error. The same seed gives the same numbers.
+/// The error of a vector is the length of the difference, so that a wrong direction counts too. A
+/// drawing in which the pencil made two lines parallel has an infinite error. The same seed gives
+/// the same numbers.
 pub fn simulate(drawn: &Drawn, pencil_mm: f64, runs: usize, seed: u64) -> Vec<Option<Errors>> {
     let layout = Layout::of(drawn.construction);
     let mut pencil = Blunt::new(pencil_mm, seed);

@@ -1,8 +1,10 @@
-//! What a pose is as it is written, where `f64` cannot tell, or loses the digits of the answers.
+//! The pose as it is written, where `f64` cannot distinguish it from a singular one, or loses the
+//! digits of the answers.
 //!
-//! Within some 1e-8 of a dead point or a limit (a pose by lengths, known in `f64` to the root of its rounding), within 1e-13 of it
-//! (one by coordinates), the loop equations must take a pose for a singular one. In longer numbers lengths and coordinates are what
-//! is written, and a group whose pivots are surely not zero has one motion.
+//! Within some 1e-8 of a dead point or a limit (a pose by lengths, known in `f64` to the root of
+//! its rounding), or within 1e-13 of it (a pose by coordinates), the loop equations must take a
+//! pose for a singular one. Longer numbers hold lengths and coordinates as written, and a group
+//! with pivots that are certainly not zero has one motion.
 
 use super::rung::{Climb, Rung};
 use hodograph_base::number::Real;
@@ -16,14 +18,16 @@ use hodograph_scene::{Find, Place, Scene};
 /// A pose that is not singular as written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Regular {
-    /// The answer to each question, to `f64`; `None` where it has none.
+    /// The answer to each question, to `f64`; `None` if it has none.
     pub values: Vec<Option<Value>>,
-    /// The rung that told the pose from a singular one, and its answers to the last digit of an `f64`.
+    /// The rung that distinguished the pose from a singular one, or the one that gave the answers
+    /// to the last digit of an `f64`.
     pub rung: Rung,
 }
 
-/// The answers to some questions, whose demand is given, if on some rung every group surely has one motion; `None` where the
-/// pose is singular as written, does not close, or is not the one that is written but one to which the mechanism was followed.
+/// Returns the answers to some questions with the given demand, if on some rung every group
+/// certainly has one motion. Returns `None` if the pose is singular as written, does not close, or
+/// is not the written one but one to which the mechanism was followed.
 pub fn regular(scene: &Scene, m: &Mechanism, demand: &Demand, at: &Configuration, questions: &[Find]) -> Option<Regular> {
     let extent = at.extent();
     let given = |p: usize| match &scene.points[p].place {
@@ -45,13 +49,15 @@ pub fn regular(scene: &Scene, m: &Mechanism, demand: &Demand, at: &Configuration
     found
 }
 
-/// Near a limit `f64` knows the pose to some 1e-8 of the mechanism's size; what is farther off is another pose.
+/// The distance, as a part of the mechanism's size, beyond which a pose is another one: near a
+/// limit `f64` knows the pose to some 1e-8 of the size.
 const SAME_POSE: f64 = 1e-6;
 
-/// An answer known to this part of itself is the nearest `f64` but for a unit in the last place.
+/// The part of an answer to which it must be known, to be the nearest `f64` within a unit in the
+/// last place.
 const KNOWN: f64 = f64::EPSILON / 2.0;
 
-/// What may be zero, and is surely less than this part of the largest answer of its kind, is zero.
+/// The part of the largest answer of its kind below which a possible zero is zero.
 const NOTHING: f64 = 1e-30;
 
 struct Written<'a> {
@@ -64,7 +70,7 @@ struct Written<'a> {
 }
 
 impl Climb for Written<'_> {
-    /// The answers, and whether all are known to the last digit.
+    /// The answers, and `true` if all are known to the last digit.
     type Found = Option<(Vec<Option<Value>>, bool)>;
 
     fn with<N: Certain + Moved>(&self) -> Self::Found {
@@ -91,12 +97,13 @@ impl Climb for Written<'_> {
         for (i, answer) in answers.iter().enumerate() {
             let nothing = NOTHING * largest(i);
             let mut number = |x: N, size: f64| {
-                // What cannot be told from zero has no sign and no digit.
+                // A number that cannot be distinguished from zero has no sign and no digit.
                 let zero = x.approx().abs() <= x.radius();
                 known &= x.is_decided() && x.radius() <= if zero { nothing } else { KNOWN * size };
                 if zero { 0.0 } else { x.approx() }
             };
-            // The components of a vector are known as it is; other numbers each by itself.
+            // The components of a vector are known relative to its length, other numbers each by
+            // itself.
             values.push(answer.map(|value| match value {
                 Value::Vector(v) => value.map(|x| number(x, v.approx().norm())),
                 Value::Scalar(_) | Value::Point(_) => value.map(|x| number(x, x.approx().abs())),
@@ -111,7 +118,7 @@ fn approx<N: Real>(value: &Value<N>) -> Value {
     value.map(|x| x.approx())
 }
 
-/// The groups on which a question rests.
+/// Returns the groups that a question depends on.
 pub fn groups_of_question(scene: &Scene, m: &Mechanism, find: &Find) -> Vec<usize> {
     let asked = Demand::of_questions(scene, m, [find]);
     (0..m.groups.len()).filter(|g| asked.groups[*g].is_some()).collect()

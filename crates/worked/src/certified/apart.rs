@@ -1,14 +1,15 @@
-//! Answers that are looked at together although some of them may rest on a group that does not close.
+//! Evaluates answers together although some of them may depend on a group that does not close.
 
 use super::ladder::Why;
 use hodograph_base::diag::Diagnostic;
 use hodograph_mechanism::mechanism::Demand;
 
-/// Looks at some answers together.
+/// A function that evaluates some answers together.
 type Look<'a, T> = &'a dyn Fn(&[usize]) -> Result<Vec<Result<T, Why>>, Diagnostic>;
 
-/// What is seen of some answers together. One group that does not close must not take the answers of the others with it: the first such
-/// group is looked for by halving, since those before it close; what rests on it is refused, and the rest is looked at again.
+/// Evaluates some answers together. One group that does not close must not remove the answers of
+/// the others: the first such group is found by halving, because those before it close; answers
+/// that depend on it are refused, and the rest is evaluated again.
 pub(super) fn apart<T>(
     open: &[usize],
     look: Look<T>,
@@ -43,7 +44,7 @@ pub(super) fn apart<T>(
         let rests = |k: &usize| demand(&[open[*k]]).groups.get(sound).is_some_and(Option::is_some);
         let (mut lost, rest): (Vec<usize>, Vec<usize>) = left.iter().copied().partition(rests);
         if lost.is_empty() {
-            // It is no group that does not close: nothing that is asked for can be told.
+            // The fault is not a group that does not close: no requested answer can be given.
             lost.clone_from(&left);
             left.clear();
         } else {
@@ -61,8 +62,9 @@ mod tests {
     use hodograph_mechanism::mechanism::Level;
     use std::cell::Cell;
 
-    /// A chain of groups, each resting on the one before it, of which one does not close: what rests on it is refused, the rest is told,
-    /// and the number of times that positions are found grows with the logarithm of the chain's length.
+    /// A chain of groups, each dependent on the one before it, with one that does not close:
+    /// answers that depend on it are refused, the rest is given, and the number of times that
+    /// positions are found grows with the logarithm of the chain's length.
     #[test]
     fn a_group_that_does_not_close_takes_only_what_rests_on_it() {
         for n in [1, 2, 50, 100, 200, 400] {

@@ -1,7 +1,9 @@
-//! The precision ladder: every answer as a ball, in `f64` first and in longer numbers as far as digits call for it.
+//! The precision ladder: every answer as a ball, in `f64` first and in longer numbers as far as the
+//! digits require it.
 //!
-//! What is certified is the mathematics of the scene *as written*: positions by the closed forms (or a proof of the root),
-//! motions group by group. Neither the drawing nor the loop equations take part; that they agree is said elsewhere.
+//! The certificate is for the mathematics of the scene *as written*: positions by the closed forms
+//! (or a proof of the root), motions group by group. Neither the drawing nor the loop equations
+//! take part; their agreement is a separate statement.
 
 use super::apart::apart;
 pub use super::printed::Part;
@@ -21,11 +23,11 @@ use hodograph_mechanism::position::Configuration;
 use hodograph_mechanism::{motion, position};
 use hodograph_scene::{Kind, Lang, Scene};
 
-/// A number with an interval that surely contains it.
+/// A number with an interval that certainly contains it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Number {
     enclosure: Enclosure,
-    /// Whether it is zero, or so small a part of what it is measured against that it is printed as zero.
+    /// True if it is zero, or so small a part of its reference size that it is printed as zero.
     pub zero: bool,
 }
 
@@ -34,19 +36,19 @@ impl Number {
         Number { enclosure, zero: false }
     }
 
-    /// The same, zero where that is said.
+    /// Returns the number, marked as zero if `zero` is true.
     pub(super) fn or_zero(self, zero: bool) -> Number {
         Number { zero, ..self }
     }
 
-    /// To at most `digits` significant digits, all of them true, as people write numbers; and how many they are. `None` where
-    /// not even one is certain.
+    /// Returns the number with at most `digits` significant digits, all of them true, in common
+    /// notation, and the count of digits; `None` if not even one is certain.
     pub fn text(&self, digits: usize) -> Option<(String, usize)> {
         let (e, digits) = self.scientific(digits)?;
         Some((digits::plain(&e), digits))
     }
 
-    /// The same in e notation.
+    /// Returns the number in e notation, and the count of digits.
     fn scientific(&self, digits: usize) -> Option<(String, usize)> {
         if self.zero {
             return Some(("0e0".into(), digits));
@@ -56,12 +58,13 @@ impl Number {
         more.chain((1..digits).rev()).find_map(|k| self.enclosure.rounded(k).map(|e| (e, k)))
     }
 
-    /// Whether all of `digits` are certain.
+    /// Returns true if all of `digits` are certain.
     pub(super) fn holds(&self, digits: usize, last: bool) -> bool {
         self.zero || self.enclosure.holds(digits) || (last && self.enclosure.holds(digits + 1))
     }
 
-    /// To at most `digits` true digits, in a unit 10^`shift` times smaller (millimetres for metres: 3).
+    /// Returns the number with at most `digits` true digits, in a unit 10^`shift` times smaller
+    /// (millimetres for metres: 3).
     pub fn text_scaled(&self, digits: usize, shift: i32) -> Option<(String, usize)> {
         let (e, digits) = self.scientific(digits)?;
         let (mantissa, exponent) = e.split_once('e')?;
@@ -69,63 +72,65 @@ impl Number {
         Some((digits::plain(&format!("{mantissa}e{}", if self.zero { 0 } else { exponent + shift })), digits))
     }
 
-    /// −1, 0 or 1.
+    /// Returns the sign: −1, 0 or 1.
     pub fn sign(&self) -> f64 {
         if self.zero { 0.0 } else { self.enclosure.approx.signum() }
     }
 
-    /// The interval.
+    /// Returns the interval.
     pub fn enclosure(&self) -> &Enclosure {
         &self.enclosure
     }
 }
 
-/// What the ladder says of one answer.
+/// The certificate of one answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Certified {
     /// The rung that sufficed, or the last.
     pub rung: Rung,
-    /// Its numbers; empty where no rung gave any.
+    /// The numbers of the answer; empty if no rung gave any.
     pub parts: Vec<(Part, Number)>,
-    /// What the ruler gives on the drawing.
+    /// The reading of the ruler on the drawing.
     pub reading: Option<Reading>,
-    /// Why not all digits asked for are certain; `None`: they are.
+    /// The reason why not all requested digits are certain; `None` if they are.
     pub why: Option<Why>,
 }
 
 /// A length on the drawing: the answer through its scale.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
-    /// mm of polygon.
+    /// The length on the polygon (mm).
     pub length_mm: Number,
-    /// For an angular rate, the arm in the unit in which lengths are printed (m, or that of the book).
+    /// The arm of an angular rate, in the unit in which lengths are printed (m, or that of the
+    /// book).
     pub arm: Option<Number>,
 }
 
-/// Digits to which readings are printed: one more than a ruler gives.
+/// The number of digits to which readings are printed: one more than a ruler gives.
 pub const READING_DIGITS: usize = 4;
 
-/// Why digits are missing.
+/// The reason why digits are missing.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Why {
     /// The rung has too few digits for this pose.
     TooClose,
-    /// In the longest numbers still: a tie, or a value that cannot be told from zero.
+    /// A tie, or a value that cannot be distinguished from zero, even in the longest numbers.
     Tie,
-    /// The links whose equations may be singular.
+    /// The equations of these links may be singular.
     Singular(Both),
-    /// The pose is singular, and the answer from the next order of the loop equations: in `f64` only, true to so many digits.
+    /// The pose is singular, and the answer comes from the next order of the loop equations: in
+    /// `f64` only, true to this many digits.
     NextOrder(usize),
-    /// It has no value in this pose.
+    /// The answer has no value in this pose.
     NoValue,
-    /// It has one in `f64` only: what the profile of a cam says.
+    /// The answer has a value in `f64` only: one that depends on the profile of a cam.
     Double,
-    /// The position solver's own words.
+    /// The message of the position solver.
     Refused(Diagnostic),
 }
 
 impl Why {
-    /// In words, to stand in brackets after the number.
+    /// Returns the reason in words, for brackets after the number.
     pub fn words(&self, lang: Lang) -> String {
         match (self, lang) {
             (Why::TooClose, Lang::En) => "the pose is too close to a dead centre for more".into(),
@@ -147,13 +152,14 @@ impl Why {
 }
 
 impl Certified {
-    /// One of its numbers.
+    /// Returns one of the answer's numbers.
     pub fn part(&self, part: Part) -> Option<&Number> {
         self.parts.iter().find(|(p, _)| *p == part).map(|(_, n)| n)
     }
 
-    /// To how many digits the `f64` value is printed where nothing is certified: roughly, or as far as the next order of the
-    /// loop equations is known to be true.
+    /// Returns the number of digits to which the `f64` value is printed if nothing is certified
+    /// (two, or those that the next order of the loop equations is known to give), and `true` in
+    /// the latter case.
     pub fn rough_digits(&self, digits: usize) -> (usize, bool) {
         match self.why {
             Some(Why::NextOrder(known)) => (digits.min(known), true),
@@ -162,11 +168,12 @@ impl Certified {
     }
 }
 
-/// Digits that may be asked for: the last rung has some 230, and a reader no use for more.
+/// The greatest number of digits that may be requested: the last rung has some 230, and a reader
+/// needs no more than this.
 pub const MOST_DIGITS: usize = 30;
 
-/// Certifies every answer of a worked scene to `digits` significant digits (at most [`MOST_DIGITS`]), climbing only for
-/// those that call for it.
+/// Certifies every answer of a worked scene to `digits` significant digits (at most
+/// [`MOST_DIGITS`]), climbing only for answers that require it.
 pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> {
     let digits = digits.clamp(1, MOST_DIGITS);
     let bounded = scene.bounded();
@@ -176,8 +183,8 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
         .iter()
         .map(|_| Certified { rung: Rung::Double, parts: Vec::new(), reading: None, why: Some(Why::NoValue) })
         .collect();
-    // What the pose leaves singular no longer number mends, and where it is singular within the rounding of its lengths only
-    // the ladder would tell the motion of another pose.
+    // Longer numbers do not help in a singular pose; if it is singular within the rounding of its
+    // lengths, the ladder would give the motion of another pose.
     for (c, known) in out.iter_mut().zip(&worked.results).filter_map(|(c, r)| Some((c, r.next_order?))) {
         c.why = Some(Why::NextOrder(known));
     }
@@ -186,7 +193,8 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
     for rung in Rung::LADDER {
         let last = rung == Rung::LAST;
         let find = |i: &usize| &scene.find[worked.results[*i].find];
-        // Only what is still open, and only as far as it calls for: the other groups are neither placed nor solved again.
+        // Only the open answers, and only their groups: the other groups are neither placed nor
+        // solved again.
         let demand = |open: &[usize]| Demand::of_questions(scene, m, open.iter().map(find));
         let look = |open: &[usize]| rung.climb(&Look { scene, worked, demand: &demand(open), open, digits });
         let closes = |demand: &Demand| rung.climb(&Closes { scene, worked, demand });
@@ -208,13 +216,15 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
                 Err(why) => c.why = Some(why),
             }
         }
-        // A group that does not close on this rung may close on the next: an angle of many turns fills the short ones.
+        // A group that does not close on this rung may close on the next: an angle of many turns
+        // uses up the short ones.
         open.retain(|i| out[*i].why.is_some());
         if open.is_empty() {
             break;
         }
     }
-    // What does not close as written, in the longest numbers, has no digits, however many a shorter rung saw.
+    // An answer that does not close as written, in the longest numbers, has no digits, whatever a
+    // shorter rung gave.
     for c in &mut out {
         if let Some(Why::Refused(Diagnostic { code: "cannot-assemble", .. })) = c.why {
             (c.parts, c.reading) = (Vec::new(), None);
@@ -223,7 +233,7 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
     out
 }
 
-/// Whether the groups of a demand close, in one kind of number.
+/// The check that the groups of a demand close, in one kind of number.
 struct Closes<'a> {
     scene: &'a Scene,
     worked: &'a Worked,
@@ -239,19 +249,19 @@ impl Climb for Closes<'_> {
     }
 }
 
-/// Why a group does not close.
+/// The reason why a group does not close.
 fn not_closed(faults: Faults) -> Diagnostic {
     faults.list.into_iter().next().unwrap_or_else(|| {
         Diagnostic::error("not-closed", both!("a group does not close in longer numbers", "有杆组在高精度计算中不能装配"))
     })
 }
 
-/// Some answers in one kind of number.
+/// The evaluation of some answers in one kind of number.
 struct Look<'a> {
     scene: &'a Scene,
     worked: &'a Worked,
     demand: &'a Demand,
-    /// Which: indices of results.
+    /// The answers, as indices of results.
     open: &'a [usize],
     digits: usize,
 }
@@ -284,14 +294,15 @@ impl Climb for Look<'_> {
     }
 }
 
-/// The parts of an answer, or why it has none.
+/// The parts of an answer, or the reason why it has none.
 pub type Parts = Result<Vec<(Part, Number)>, Why>;
 
-/// The same with the reading.
+/// The parts of an answer with the reading.
 type Seen = Result<(Vec<(Part, Number)>, Option<Reading>), Why>;
 
-/// Whether an answer is surely no more than what drawing and loop equations cannot tell from zero beside the largest of its kind. A place has no
-/// such size: it is counted from a chosen origin.
+/// True if an answer is certainly no more than the size that drawing and loop equations cannot
+/// distinguish from zero next to the largest of its kind. A place has no such size: it is counted
+/// from a chosen origin.
 fn is_nothing<N: Certain>(noise: f64, value: Value<N>) -> bool {
     let size = match value {
         Value::Vector(v) => v.norm(),
@@ -301,7 +312,7 @@ fn is_nothing<N: Certain>(noise: f64, value: Value<N>) -> bool {
     size.enclosure().is_some_and(|e| e.largest() <= noise)
 }
 
-/// The numbers of an answer, all zero where it is; a direction of nothing is none.
+/// The numbers of an answer, all zero if the answer is; a zero vector has no direction.
 fn none_of_nothing(nothing: bool, mut list: Vec<(Part, Number)>) -> Vec<(Part, Number)> {
     if nothing {
         list.retain(|(part, _)| *part != Part::Direction);
@@ -310,7 +321,7 @@ fn none_of_nothing(nothing: bool, mut list: Vec<(Part, Number)>) -> Vec<(Part, N
     list
 }
 
-/// What the ruler gives: |v|/μ, or |ω| l/μ for an angular rate measured on a line of length l.
+/// The reading of the ruler: |v|/μ, or |ω| l/μ for an angular rate measured on a line of length l.
 fn reading<N: Certain>(scene: &Scene, at: &Configuration<N>, r: &Outcome, value: Value<N>) -> Option<Reading> {
     let m = r.drawn.as_ref()?.measured.as_ref()?;
     let mu: N = scale::number(m.mu);
@@ -325,21 +336,23 @@ fn reading<N: Certain>(scene: &Scene, at: &Configuration<N>, r: &Outcome, value:
         _ => return None,
     };
     let mut length_mm = number(size / mu)?;
-    // Less than a thousandth of a millimetre is nothing that a ruler gives; beside an answer that is surely not zero it is told.
+    // Less than a thousandth of a millimetre is no reading of a ruler; if the interval excludes
+    // zero, it is given.
     length_mm.zero = length_mm.enclosure.contains_zero() && length_mm.enclosure.largest() < 1e-3 || is_nothing(r.noise, value);
     Some(Reading { length_mm, arm: arm.and_then(|arm| number(scene.book.in_chosen(Kind::Length, arm))) })
 }
 
-/// The numbers of one answer as they are printed; `scale` is the size against which it is judged to be zero.
+/// Returns the numbers of one answer in their printed form; `scale` is the size against which it is
+/// judged to be zero.
 ///
 /// # Errors
 /// An answer whose equations may be singular.
 pub fn parts<N: Certain>(kind: Kind, value: Value<N>, scale: f64, digits: usize) -> Parts {
-    // Ten digits below the last that is asked for.
+    // Ten digits below the last requested one.
     let nothing = libm::exp10(-(digits as f64 + 10.0));
     let number = |x: N, against: f64| -> Result<Number, Why> {
         let enclosure = x.enclosure().ok_or(Why::TooClose)?;
-        // Where nothing is driven, nothing moves: what may be zero is zero.
+        // Without a driver in motion nothing moves: a possible zero is zero.
         let zero = enclosure.contains_zero() && (against == 0.0 || enclosure.largest() <= nothing * against);
         Ok(Number { enclosure, zero })
     };
@@ -362,7 +375,8 @@ pub fn parts<N: Certain>(kind: Kind, value: Value<N>, scale: f64, digits: usize)
                 }
             } else if let Some(direction) = direction_degrees(v) {
                 let mut direction = number(direction, 1.0)?;
-                // A direction is counted against the whole turn: what is surely below its last decimal is none.
+                // A direction is relative to the whole turn: one that is certainly below its last
+                // decimal is zero.
                 direction.zero =
                     direction.enclosure.contains_zero() && direction.enclosure.largest() <= libm::exp10(-(digits as f64 + 4.0));
                 list.push((Part::Direction, direction));
@@ -373,8 +387,8 @@ pub fn parts<N: Certain>(kind: Kind, value: Value<N>, scale: f64, digits: usize)
     }
 }
 
-/// The direction of a vector in degrees, in (−180, 180]: counted from the nearest axis, so that what lies along one is
-/// known to lie there. `None` where the vector may be zero.
+/// The direction of a vector in degrees, in (−180, 180], counted from the nearest axis, so that a
+/// vector along an axis is known to be there. `None` if the vector may be zero.
 fn direction_degrees<N: Real>(v: Vec2<N>) -> Option<N> {
     let quarter = libm::rint(v.approx().angle().to_degrees() / 90.0);
     let (x, y) = match quarter as i32 {
@@ -387,7 +401,7 @@ fn direction_degrees<N: Real>(v: Vec2<N>) -> Option<N> {
     if !rest.is_decided() {
         return None;
     }
-    // Just beyond the half turn counting begins from the other side.
+    // Just beyond the half turn the count begins from the other side.
     let beyond = quarter.abs() == 2.0 && rest.approx() > 0.0 && rest.approx().abs() > rest.radius();
     let base = if beyond {
         -180.0

@@ -1,4 +1,5 @@
-//! How many digits are true: of every answer, of every step of the drawing, and what is printed with them.
+//! The number of true digits of every answer and of every step of the drawing, and the numbers to
+//! print.
 
 mod apart;
 pub mod ladder;

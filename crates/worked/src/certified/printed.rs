@@ -1,21 +1,21 @@
-//! Which numbers an answer has, and which of them are printed: where the scene asks for a unit of the book, that in this unit, certified
-//! there and rounded once.
+//! The numbers of an answer, and the ones to print: if the scene asks for a unit of the book, the
+//! number in this unit, certified there and rounded once.
 
 use super::ladder::{Certified, Number, Why};
 use hodograph_base::number::decimal::Certain;
 use hodograph_mechanism::answer::Value;
 use hodograph_scene::{Asked, Book};
 
-/// Which number of an answer.
+/// The kinds of numbers of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// Length of a vector (SI).
+    /// The length of a vector (SI).
     Magnitude,
-    /// Its direction, degrees in (−180, 180].
+    /// The direction of a vector, degrees in (−180, 180].
     Direction,
-    /// Its component to the right, or the coordinate of a place (SI).
+    /// The component to the right, or the coordinate of a place (SI).
     X,
-    /// Its component up, or the coordinate of a place (SI).
+    /// The upward component, or the coordinate of a place (SI).
     Y,
     /// A scalar in SI units (an angle in radians).
     Scalar,
@@ -25,12 +25,12 @@ pub enum Part {
     Printed,
     /// The coordinate to the right of a place in that unit.
     PrintedX,
-    /// The coordinate up.
+    /// The upward coordinate of a place in that unit.
     PrintedY,
 }
 
 impl Part {
-    /// For programs.
+    /// Returns the key for programs.
     pub fn key(self) -> &'static str {
         match self {
             Part::Magnitude => "magnitude",
@@ -46,10 +46,11 @@ impl Part {
     }
 }
 
-/// Adds an answer's magnitude, its coordinates, or the answer itself, in its chosen unit; nothing where none is chosen. It is zero where the SI number is.
+/// Adds an answer's magnitude, its coordinates, or the answer itself, in its chosen unit; adds
+/// nothing if none is chosen. The number is zero if the SI number is.
 ///
 /// # Errors
-/// A value that the numbers at hand do not tell.
+/// A value that the numbers at hand do not determine.
 pub fn with_printed<N: Certain>(
     book: &Book,
     what: &Asked,
@@ -75,8 +76,8 @@ pub fn with_printed<N: Certain>(
 }
 
 impl Certified {
-    /// Whether a number of the answer is one that is printed: a vector by magnitude and direction, a place by its coordinates, an angle in
-    /// degrees, and all in the unit that the scene asks for.
+    /// Returns true if a number of the answer is printed: a vector by magnitude and direction, a
+    /// place by its coordinates, an angle in degrees, and all in the unit that the scene asks for.
     pub fn prints(&self, part: Part) -> bool {
         let has = |part| self.part(part).is_some();
         match part {

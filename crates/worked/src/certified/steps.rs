@@ -1,8 +1,9 @@
-//! The numbers that the steps of a construction tell, certified.
+//! The certified numbers of a construction's steps.
 //!
-//! The drawing board itself is run again in numbers that know their error, on the scales and with the special points that the
-//! drawing in `f64` chose; what is measured on that board is true within its bound. As with the answers, what one rung leaves
-//! uncertain the next is asked for, and the loop equations take no part.
+//! The drawing board itself runs again in numbers that know their error, on the scales and with the
+//! special points that the drawing in `f64` chose; a measurement on that board is true within its
+//! bound. As for the answers, the next rung is asked for numbers that one rung leaves uncertain,
+//! and the loop equations take no part.
 
 use super::ladder::{Number, READING_DIGITS, Why};
 use crate::accuracy::{Climb, Rung};
@@ -18,17 +19,17 @@ use hodograph_mechanism::position;
 use hodograph_scene::{Book, DiagramKind, Kind, Scene};
 use std::collections::BTreeMap;
 
-/// Which number of a step.
+/// The kinds of numbers of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum What {
-    /// A length on paper (mm), counted where a step tells several: of the edges it drew, of the vector it found, or of the
-    /// relative vector from which it took an angular rate.
+    /// A length on paper (mm), counted if a step has several: of the edges it drew, of the vector
+    /// it found, or of the relative vector from which it took an angular rate.
     Length(usize),
     /// The angle of a crossing, in degrees from 0 to 90.
     Angle,
-    /// How far a pencil error moves a crossing (mm).
+    /// The displacement of a crossing by a pencil error (mm).
     Moved,
-    /// The same through μ, in the unit in which such vectors are printed.
+    /// The displacement through μ, in the unit in which such vectors are printed.
     Off,
     /// The arm by which a measured rate is divided, in the unit in which lengths are printed.
     Arm,
@@ -37,7 +38,8 @@ pub enum What {
 }
 
 impl What {
-    /// Digits to which it is printed: an angle one fewer than a length, an error as errors are.
+    /// Returns the number of digits to print: for an angle one fewer than for a length, for an
+    /// error two.
     pub fn digits(self) -> usize {
         match self {
             What::Length(_) | What::Arm | What::Rate => READING_DIGITS,
@@ -47,12 +49,13 @@ impl What {
     }
 }
 
-/// One number of a construction: its diagram, the action (its index there; on the diagram, which counts no
-/// actions, the crossing) or the vertex, and which.
+/// The key of one number of a construction: its diagram, the action (its index there; on the
+/// diagram, which counts no actions, the crossing) or the vertex, and the kind of number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Key {
     Step(DiagramKind, usize, What),
-    /// Length of the vector of a vertex in which a laid-off vector ends, in the unit in which it is printed.
+    /// The length of the vector of a vertex that ends a laid-off vector, in the unit in which it is
+    /// printed.
     Vector(DiagramKind, VertexId),
 }
 
@@ -65,29 +68,31 @@ impl Key {
     }
 }
 
-/// What the steps of a construction tell, each number as far as it is certain.
+/// The numbers of a construction's steps, each number as far as it is certain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Steps {
-    /// The pencil error (mm) for which crossings were weighed; `None`: not weighed.
+    /// The pencil error for which crossings were weighed (mm); `None` if they were not.
     pub pencil_mm: Option<f64>,
     numbers: BTreeMap<Key, (Number, Rung)>,
-    /// Why some numbers have fewer digits than their kind; `None`: none has.
+    /// The reason why some numbers have fewer digits than their kind; `None` if none has.
     pub why: Option<Why>,
 }
 
-/// Less on paper is nothing (mm): a hundred times the rounding of the drawing in `f64`, and a millionth of what a ruler shows.
+/// The length on paper up to which it counts as zero (mm): a hundred times the rounding of the
+/// drawing in `f64`, and a millionth of the ruler's resolution.
 const NOTHING_MM: f64 = 1e-9;
 
-/// A given rate is zero below this part of the largest of its polygon.
+/// The part of the largest rate of its polygon below which a given rate is zero.
 const NOTHING: f64 = 1e-14;
 
 impl Steps {
-    /// A number of an action on a diagram; `None` where not even its first digit is certain.
+    /// Returns a number of an action on a diagram; `None` if not even its first digit is certain.
     pub fn text(&self, on: DiagramKind, action: usize, what: What) -> Option<String> {
         Some(self.number(on, action, what)?.text(what.digits())?.0)
     }
 
-    /// What is told of each crossing of a drawing, in the order of [`Drawing::crossings`].
+    /// Returns a function for each crossing of a drawing that gives its numbers, in the order of
+    /// [`Drawing::crossings`].
     pub fn crossings<'a>(&'a self, paper: &Drawing, on: DiagramKind) -> Vec<impl Fn(What) -> Option<String> + 'a> {
         let crossed = |(i, a): (usize, &Action)| matches!(a, Action::Cross { .. } | Action::Trials { .. }).then_some(i);
         let at: Vec<usize> = match paper.polygon(on) {
@@ -97,24 +102,26 @@ impl Steps {
         at.into_iter().map(move |i| move |what| self.text(on, i, what)).collect()
     }
 
-    /// The number itself.
+    /// Returns a number of an action on a diagram, with its interval.
     pub fn number(&self, on: DiagramKind, action: usize, what: What) -> Option<&Number> {
         self.numbers.get(&Key::Step(on, action, what)).map(|n| &n.0)
     }
 
-    /// The length of the vector of a vertex in which a laid-off vector ends, in the unit in which such vectors are printed (SI, or that
-    /// of the book).
+    /// Returns the length of the vector of a vertex that ends a laid-off vector, in the unit in
+    /// which such vectors are printed (SI, or that of the book).
     pub fn vector(&self, on: DiagramKind, v: VertexId) -> Option<&Number> {
         self.numbers.get(&Key::Vector(on, v)).map(|n| &n.0)
     }
 
-    /// All of them, each with the digits to which it is printed and the rung that gave it, in the order of the drawing.
+    /// Returns all numbers, each with the digits to which it is printed and the rung that gave it,
+    /// in the order of the drawing.
     pub fn all(&self) -> impl Iterator<Item = (&Number, usize, Rung)> {
         self.numbers.iter().map(|(key, (n, rung))| (n, key.digits(), *rung))
     }
 }
 
-/// Certifies what the steps of a worked scene's construction tell; with a pencil error (mm), how far it moves each crossing.
+/// Certifies the numbers of the steps of a worked scene's construction; with a pencil error (mm),
+/// also the displacement of each crossing.
 pub fn steps(scene: &Scene, worked: &Worked, pencil_mm: Option<f64>) -> Steps {
     let mut done = Steps { pencil_mm, numbers: BTreeMap::new(), why: None };
     if worked.construction.diagrams.is_empty() {
@@ -168,7 +175,7 @@ impl Climb for Redrawn<'_> {
     }
 }
 
-/// Everything that the sentences tell of a drawing; `None` for what has no value in its numbers.
+/// All numbers that the sentences on a drawing use; `None` for those without a value.
 fn numbers<N: Certain>(book: &Book, paper: &Drawing<N>, pencil_mm: Option<f64>) -> Vec<(Key, Option<Number>)> {
     let mut out = Vec::new();
     for (i, c) in paper.diagram.crossed.iter().enumerate() {
@@ -186,7 +193,7 @@ fn numbers<N: Certain>(book: &Book, paper: &Drawing<N>, pencil_mm: Option<f64>) 
             match action {
                 Action::LayOff(e) => {
                     tell(What::Length(0), length(span(&p.edges[*e])));
-                    // A given vector stands in the equations as a number.
+                    // A given vector is a number in the equations.
                     if let Mark::Image(v) = p.edges[*e].to.0 {
                         let nothing = from_pole(p, v).and_then(length).is_some_and(|l| l.zero);
                         let size = from_pole(p, v).and_then(|drawn| some(vector((drawn * scale::number(p.mu)).norm())));
@@ -232,7 +239,8 @@ fn numbers<N: Certain>(book: &Book, paper: &Drawing<N>, pencil_mm: Option<f64>) 
     out
 }
 
-/// What is told of a crossing of this sine; `off` is what so many millimetres of its drawing are worth.
+/// The numbers of a crossing with this sine; `off` converts millimetres of its drawing to printed
+/// units.
 fn crossing<N: Certain>(sine: N, off: impl Fn(N) -> N, pencil_mm: Option<f64>) -> Vec<(What, Option<Number>)> {
     let mut told = vec![(What::Angle, some(angle_deg(sine)))];
     if let Some(e) = pencil_mm {
@@ -254,7 +262,7 @@ fn some<N: Certain>(x: N) -> Option<Number> {
     x.enclosure().map(Number::new)
 }
 
-/// A length on paper (mm), zero where it is surely nothing.
+/// A length on paper (mm), zero if it is certainly negligible.
 fn length<N: Certain>(v: Vec2<N>) -> Option<Number> {
     length_of(v.norm())
 }
@@ -265,7 +273,7 @@ fn length_of<N: Certain>(mm: N) -> Option<Number> {
     Some(n.or_zero(nothing))
 }
 
-/// The angle from 0 to 90 degrees that has a sine, but for its sign.
+/// The angle from 0 to 90 degrees with this sine, up to its sign.
 fn angle_deg<N: Real>(sine: N) -> N {
     let cosine = (N::from_f64(1.0) - sine * sine).sqrt_or_zero();
     sine.magnitude().atan2(cosine) * N::from_f64(180.0) / N::pi()

@@ -1,8 +1,8 @@
-//! What was done for a scene's questions, counted in the results of the stages that did it.
+//! The work done for a scene's questions, counted in the results of the stages that did it.
 //!
-//! Nothing here predicts: an equation counts as closed when its crossing is on the paper, a group as solved when the loop
-//! equations hold its motion. So the counters show whether the work is what was asked, and a stage that does more than
-//! that shows in them.
+//! Nothing here is a prediction: an equation counts as closed when its crossing is on the paper, a
+//! group as solved when the loop equations hold its motion. The counters therefore show whether the
+//! work matches the questions, and a stage that does more shows in them.
 
 pub mod truth;
 pub mod ways;
@@ -14,47 +14,48 @@ use hodograph_board::plan::Step;
 use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::DiagramKind;
 
-/// What was done at one level of motion.
+/// The work done at one level of motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Motion {
-    /// Groups (driven links among them) whose motion the loop equations gave.
+    /// The number of groups (driven links among them) with a motion from the loop equations.
     pub groups: usize,
-    /// Vector equations written, in the alternative that was drawn.
+    /// The number of vector equations written, in the alternative that was drawn.
     pub equations_planned: usize,
-    /// Vector equations closed on paper.
+    /// The number of vector equations closed on paper.
     pub equations_closed: usize,
-    /// Points found on paper by their image, or as points of a link that does not turn.
+    /// The number of points found on paper by their image, or as points of a link that does not
+    /// turn.
     pub images: usize,
-    /// Vectors drawn: laid off, or closed by a crossing.
+    /// The number of vectors drawn: laid off, or closed by a crossing.
     pub vectors: usize,
-    /// Angular rates found on paper.
+    /// The number of angular rates found on paper.
     pub rates: usize,
-    /// Unknowns of the loop equations.
+    /// The number of unknowns of the loop equations.
     pub unknowns: usize,
 }
 
 /// The work done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
-    /// Groups (driven links among them) whose place was found.
+    /// The number of groups (driven links among them) with a position.
     pub groups_placed: usize,
-    /// Velocities.
+    /// The work for velocities.
     pub velocity: Motion,
-    /// Accelerations.
+    /// The work for accelerations.
     pub acceleration: Motion,
-    /// Evaluations of the construction: a trial and the drawing.
+    /// The number of evaluations of the construction: a trial and the drawing.
     pub drawings: usize,
-    /// Questions answered.
+    /// The number of questions answered.
     pub answers: usize,
-    /// Numbers that the precision ladder vouches for and the answers print: magnitude and direction of a vector, or the one
-    /// number; 0 where nothing was certified.
+    /// The number of certified numbers that the answers print: magnitude and direction of a vector,
+    /// or the one number; 0 if nothing was certified.
     pub certified_values: usize,
-    /// Labels for which a place was searched; 0 where no figure was laid out.
+    /// The number of labels for which a place was searched; 0 if no figure was laid out.
     pub labels_placed: usize,
 }
 
 impl Work {
-    /// Counts what was done up to the answers.
+    /// Counts the work up to the answers.
     pub fn of(worked: &Worked) -> Work {
         let groups = || worked.mechanism.groups.iter().filter(|g| !g.is_carried());
         let at = &worked.configuration;
@@ -71,23 +72,23 @@ impl Work {
         }
     }
 
-    /// Levels reached: none, positions, velocities, accelerations.
+    /// Returns the number of levels reached: none, positions, velocities, accelerations.
     pub fn levels(&self) -> usize {
         [self.groups_placed, self.velocity.unknowns, self.acceleration.unknowns].iter().filter(|n| **n > 0).count()
     }
 
-    /// The same with the numbers that were certified.
+    /// Adds the number of certified numbers.
     pub fn with_certified(self, certified: &[Certified]) -> Work {
         Work { certified_values: certified.iter().map(printed).sum(), ..self }
     }
 
-    /// The same with the labels of a figure that was laid out (`Figure::labels_placed`).
+    /// Adds the number of labels of a figure that was laid out (`Figure::labels_placed`).
     pub fn with_labels(self, labels_placed: usize) -> Work {
         Work { labels_placed, ..self }
     }
 }
 
-/// How many certified numbers of an answer are printed.
+/// The number of certified numbers of an answer that are printed.
 fn printed(c: &Certified) -> usize {
     c.parts.iter().filter(|(part, number)| c.prints(*part) && number.text(1).is_some()).count()
 }
@@ -129,7 +130,8 @@ fn motion(worked: &Worked, level: Level) -> Motion {
     done
 }
 
-/// Whether an action ends an equation: two lines crossed, a whole vector laid off, or nothing added at all.
+/// True if an action ends an equation: two lines crossed, a whole vector laid off, or nothing added
+/// at all.
 fn closes(p: &Polygon, action: &Action) -> bool {
     match action {
         Action::Cross { .. } | Action::Trials { .. } | Action::Reach(_) => true,

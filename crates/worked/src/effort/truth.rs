@@ -1,8 +1,10 @@
-//! What the answers are to far more digits than anyone prints, found in another way: velocities and accelerations as
-//! differences of positions over a time so short that the difference formula is exact.
+//! The answers to far more digits than anyone prints, found in another way: velocities and
+//! accelerations as differences of positions over a time so short that the difference formula is
+//! exact.
 //!
-//! Only the positions are shared with the rest. With 640 bits and a time of 2^-180 s the formula's own error is near 1e-108
-//! of the third derivative, rounding near 1e-84: no formula for a velocity or an acceleration is believed.
+//! Only the positions are shared with the other ways. With 640 bits and a time of 2^-180 s the
+//! formula's own error is near 1e-108 of the third derivative, and rounding near 1e-84: no formula
+//! for a velocity or an acceleration is trusted.
 
 use crate::worked::Worked;
 use hodograph_base::diag::Faults;
@@ -13,26 +15,26 @@ use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::{self, Configuration};
 use hodograph_scene::{LinkId, PointId, Scene};
 
-/// Bits of the numbers in which [`answers`] must run: see [`hodograph_base::number::within`].
+/// The bits of the numbers in which [`answers`] must run: see [`hodograph_base::number::within`].
 pub const BITS: usize = 640;
 
-/// Exponent of the time step.
+/// The exponent of the time step.
 const STEP: f64 = -180.0;
 
 /// Three configurations in equal steps of time: a source of vectors by difference quotients.
 pub struct Differences<N> {
-    /// A step before the scene's instant.
+    /// The configuration a step before the scene's instant.
     pub before: Configuration<N>,
-    /// At the instant.
+    /// The configuration at the instant.
     pub now: Configuration<N>,
-    /// A step after it.
+    /// The configuration a step after it.
     pub after: Configuration<N>,
     /// The time between two of them (s).
     pub step: N,
 }
 
 impl<N: Real> Differences<N> {
-    /// First or second difference quotient of a place.
+    /// The first or second difference quotient of a place.
     fn quotient(&self, level: Level, [a, b, c]: [Point<N>; 3]) -> Vec2<N> {
         let one = N::from_f64(1.0);
         match level {
@@ -69,19 +71,21 @@ impl<N: Real> Source<N> for Differences<N> {
     }
 }
 
-/// All answers of a worked scene, to be called within a region of [`BITS`] bits; `None` for what has none.
+/// Returns all answers of a worked scene; `None` for those without a value. It must be called
+/// within a region of [`BITS`] bits.
 ///
 /// # Errors
-/// Scenes whose pose is given by coordinates, or that do not close in longer numbers: see [`position::later`].
+/// Scenes whose pose is given by coordinates, or that do not close in longer numbers: see
+/// [`position::later`].
 pub fn answers(scene: &Scene, worked: &Worked) -> Result<Vec<Option<Value<Big>>>, Faults> {
     let source = differences(scene, worked)?;
     Ok(worked.results.iter().map(|r| evaluate(scene, &source.now, &source, &scene.find[r.find].what)).collect())
 }
 
-/// The places from which they come, to be called in such a region too.
+/// Returns the configurations for [`answers`]; it must be called within such a region too.
 ///
 /// # Errors
-/// As [`answers`].
+/// Those of [`answers`].
 pub fn differences(scene: &Scene, worked: &Worked) -> Result<Differences<Big>, Faults> {
     let (m, demand, meant) = (&worked.mechanism, &worked.demand, &worked.configuration);
     let step = Big::from_f64(libm::exp2(STEP));

@@ -1,8 +1,9 @@
-//! The ways to the answer, each with its error against the truth and the time it takes: what accuracy costs.
+//! The ways to the answer, each with its error relative to the truth and its time: the cost of
+//! accuracy.
 //!
-//! Every way does the whole work from positions to answers, but for reading the scene. Errors are those of the worst answer
-//! of a level, relative to the answer (or to a thousandth of the largest vector of its kind). The truth is 512-bit arithmetic
-//! with a bound of its error.
+//! Every way does the whole work from positions to answers, except for reading the scene. Errors
+//! are those of the worst answer of a level, relative to the answer (or to a thousandth of the
+//! largest vector of its kind). The truth is 512-bit arithmetic with a bound of its error.
 
 use super::truth::Differences;
 use crate::accuracy::Rung;
@@ -23,14 +24,15 @@ use hodograph_sweep::extreme::ends;
 use std::hint::black_box;
 use std::time::Duration;
 
-/// What a way is.
+/// A way to the answers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Way {
-    /// On paper with a pencil of this error (mm): the median, and what 95 % of the drawings stay within.
+    /// On paper with a pencil of this error (mm): the median, and the error that 95 % of the
+    /// drawings stay within.
     Paper(f64),
-    /// The drawing board with each drawn number rounded to `f32`.
+    /// On the drawing board with each drawn number rounded to `f32`.
     DrawingSingle,
-    /// The drawing board in `f64`.
+    /// On the drawing board in `f64`.
     Drawing,
     /// Group by group in `f32`.
     ClosedSingle,
@@ -38,31 +40,32 @@ pub enum Way {
     Closed,
     /// Group by group in double-double.
     ClosedDouble,
-    /// Group by group in numbers of so many bits.
+    /// Group by group in numbers of this many bits.
     ClosedLong(usize),
-    /// All loop equations, positions by Newton's method from a pose 2° off until the last correction is below this.
+    /// By all loop equations, with positions by Newton's method from a pose 2° off until the last
+    /// correction is below this.
     Loops(f64),
-    /// Differences of positions over this turn of the driver (rad).
+    /// By differences of positions over this turn of the driver (rad).
     Differences(f64),
-    /// A rung of the ladder: the error is the bound that it certifies.
+    /// By a rung of the ladder: the error is the bound that it certifies.
     Certified(Rung),
 }
 
-/// A way, measured.
+/// The measurement of one way.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
-    /// Which.
+    /// The way.
     pub way: Way,
-    /// Worst relative error of the velocities and of the accelerations asked for; `None` where nothing of that level is asked,
-    /// infinite where the way failed.
+    /// The worst relative error of the requested velocities and accelerations; `None` if nothing of
+    /// that level is requested, infinite if the way failed.
     pub errors: [Option<f64>; 2],
-    /// The same within 95 % of the drawings, on paper.
+    /// The errors that 95 % of the drawings stay within, on paper.
     pub within_95: [Option<f64>; 2],
-    /// Median time (s); `None` on paper: the minutes of a human are left out.
+    /// The median time (s); `None` on paper: the minutes of a human are left out.
     pub seconds: Option<f64>,
 }
 
-/// Every way on the way to the truth.
+/// All ways, in the order of the table.
 const WAYS: [Way; 31] = {
     use Way::*;
     [
@@ -100,25 +103,26 @@ const WAYS: [Way; 31] = {
     ]
 };
 
-/// Bits of the truth: 200 and more remain behind any pose that is written with twenty decimals.
+/// The bits of the truth: 200 and more remain in any pose that is written with twenty decimals.
 const TRUTH_BITS: usize = 512;
 
 /// An answer to more digits than an `f64` holds: one or two components.
 type Long = Vec<Kept>;
 
-/// Drawings simulated for each pencil.
+/// The number of drawings simulated for each pencil.
 const DRAWINGS: usize = 400;
 
-/// What times are told by, and for how long each way is repeated.
+/// The clock, and the time for which each way is repeated.
 #[derive(Clone, Copy)]
 pub struct Watch<'a> {
-    /// The time since some moment; it never goes back. (`Instant` is not to be had everywhere, in a browser for one.)
+    /// The time since some moment; it never goes back. (`Instant` is not available everywhere, for
+    /// example in a browser.)
     pub now: &'a dyn Fn() -> Duration,
-    /// Each way is repeated for about so long.
+    /// The approximate time for which each way is repeated.
     pub patience: Duration,
 }
 
-/// Measures every way on a worked scene; the median of the times of its runs counts.
+/// Measures every way on a worked scene; the time is the median over its runs.
 ///
 /// ```
 /// use hodograph_worked::effort::ways::{Watch, measure};
@@ -135,7 +139,7 @@ pub struct Watch<'a> {
 /// ```
 ///
 /// # Errors
-/// The truth cannot be told: the pose is singular as written, or a group is not proved.
+/// A pose without a truth: it is singular as written, or a group is not proved.
 pub fn measure(scene: &Scene, worked: &Worked, watch: Watch) -> Result<Vec<Measured>, Faults> {
     of_ways(scene, worked, &WAYS, watch)
 }
@@ -149,16 +153,16 @@ const SERIES: [Way; 7] = {
 /// One pose of a series.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Near {
-    /// How far before the toggle (rad, or m for sliders and cylinders).
+    /// The distance before the toggle (rad, or m for sliders and cylinders).
     pub distance: f64,
-    /// The driver's position there.
+    /// The driver's position in the pose (rad or m).
     pub position: f64,
-    /// The ways; empty where the pose has no truth.
+    /// The measurements; empty if the pose has no truth.
     pub ways: Vec<Measured>,
 }
 
-/// The same for poses that approach the toggle of the first driver: a tenth before it, a hundredth, down to 1e-12 radians
-/// (or of its way), on the side on which the scene stands.
+/// Measures some ways on poses that approach the toggle of the first driver: a tenth before it, a
+/// hundredth, down to 1e-12 radians (or of its travel), on the scene's side.
 ///
 /// # Errors
 /// Nothing stops the driver, or the pose is given by coordinates.
@@ -234,12 +238,12 @@ fn asked<N: Real>(scene: &Scene, worked: &Worked, at: &Configuration<N>, source:
     worked.results.iter().map(|r| evaluate(scene, at, source, &scene.find[r.find].what)).collect()
 }
 
-/// What is read question by question, for those that have an answer in the pose.
+/// The values read for the questions that have an answer in the pose.
 fn of_results(worked: &Worked, read: Answers<f64>) -> Answers<f64> {
     worked.results.iter().map(|r| read[r.find]).collect()
 }
 
-/// Runs a way as long as the watch has patience and takes the median of the times of its runs.
+/// Repeats a way for the watch's time and takes the median of the times of its runs.
 fn timed<T>(watch: Watch, mut run: impl FnMut() -> T) -> (T, f64) {
     let begin = (watch.now)();
     let since = |start: Duration| (watch.now)().saturating_sub(start);
@@ -347,16 +351,15 @@ fn certified(scene: &Scene, worked: &Worked, rung: Rung) -> Vec<Option<f64>> {
     }
 }
 
-/// How far off the loop equations start, and what a step of differences is counted in: radians of the driver, or of the
-/// mechanism's size.
+/// The distance of the pose at which the loop equations start: radians of the driver, or metres.
 const OFF: f64 = 0.035;
 
-/// Turn of the drivers in a second: the rate of the first that moves, in radians or in the mechanism's size.
+/// The rate of the first driver that moves, in radians or metres per second.
 fn pace(scene: &Scene) -> Option<f64> {
     scene.drivers.iter().map(|d| d.rate.value.abs()).find(|r| *r > 0.0)
 }
 
-/// The configuration when the first moving driver has gone on by `h` and the others with it.
+/// The configuration after the first moving driver has advanced by `h`, and the others with it.
 fn off(scene: &Scene, worked: &Worked, h: f64) -> Option<Configuration> {
     let t = h / pace(scene)?;
     let mut drivers = newton::driver_values(scene, &worked.configuration);
@@ -370,14 +373,14 @@ fn lifted(v: Option<Value>) -> Option<Long> {
     kept(v?.map(Big::from_f64))
 }
 
-/// What an answer's error is counted against.
+/// The reference size of an answer's error.
 fn size(worked: &Worked, i: usize) -> f64 {
     let r = &worked.results[i];
     let size = r.computed.magnitude().max(1e-3 * r.scale);
     if size > 0.0 { size } else { 1.0 }
 }
 
-/// The worst of each level; `None` where nothing of the level is asked.
+/// The worst error of each level; `None` if no question is of the level.
 fn by_level(scene: &Scene, worked: &Worked, error: impl Fn(usize) -> f64) -> [Option<f64>; 2] {
     Level::RATES.map(|level| {
         let of_level = (0..worked.results.len()).filter(|&i| scene.find[worked.results[i].find].what.level() == level);

@@ -1,7 +1,8 @@
 //! The point of contact of a cam and its follower as a point of one of them, at the instant.
 //!
-//! In the next instant another point is touched, so it is no point of the scene; in a solved pose it can be added to it, its place in the link
-//! known, and what moves there be asked as of any other point.
+//! In the next instant another point is in contact, so that the scene has no such point. In a
+//! solved pose it can be added, with a known place in the link, and its motion can be asked for as
+//! that of any other point.
 
 use crate::worked::{Worked, work_placed};
 use hodograph_base::geom::Point;
@@ -9,9 +10,9 @@ use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{LinkId, Place, PointId, Scene};
 
-/// The name of the point of contact: that of the scene, or E, or the next letter that is free.
+/// Returns the name of the point of contact: that of the scene, or E, or the next free letter.
 pub fn name(scene: &Scene, cam: usize) -> String {
-    // The point that stands for the contact in questions has its name by right.
+    // The point that represents the contact in questions may keep its name.
     let own = |i: usize| scene.cams[cam].touch == Some(PointId(i));
     let taken = |n: &str| scene.points.iter().enumerate().any(|(i, p)| p.name == n && !own(i));
     let own = scene.cams[cam].at.clone().filter(|n| !taken(n));
@@ -19,8 +20,8 @@ pub fn name(scene: &Scene, cam: usize) -> String {
     own.unwrap_or_else(free)
 }
 
-/// The scene with the point of contact of a cam as a point of one of its links, and its pose; the number of that point. Questions that name the
-/// contact are about it.
+/// Returns the scene with the point of contact of a cam as a point of one of its links, its pose,
+/// and the number of that point. Questions that name the contact refer to it.
 pub fn with_contact(
     scene: &Scene,
     at: &Configuration,
@@ -42,7 +43,7 @@ pub fn with_contact(
     Some((scene, at, own))
 }
 
-/// Works a scene through in a pose that is known.
+/// Works a scene through in a known pose.
 pub fn work_at(scene: &Scene, at: Configuration) -> Option<Worked> {
     let mechanism = Mechanism::new(scene).ok()?.value;
     let demand = Demand::of(scene, &mechanism).with_all_positions();

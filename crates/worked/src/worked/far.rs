@@ -1,4 +1,5 @@
-//! Questions whose answer is no value: those that have none in the pose, and instantaneous centres at infinity, which are told as directions.
+//! Questions without a value: those that have none in the pose, and instantaneous centres at
+//! infinity, which are given as directions.
 
 use hodograph_analytic::{Refused, Solution};
 use hodograph_base::diag::Both;
@@ -9,14 +10,15 @@ use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::{Asked, PointMotion, Rate, Turning};
 use hodograph_scene::{LinkId, OnLink, PointId, Scene};
 
-/// What rounding leaves of a relative velocity, as a part of the larger of the two.
+/// The rounding of a relative velocity, as a part of the larger of the two velocities.
 const ROUNDING: f64 = 1e-12;
 
-/// A centre further off than so many sizes of the mechanism is what rounding makes of one at infinity: the turnings of the links agree to all
-/// digits but the last few.
+/// The distance of a centre, in sizes of the mechanism, beyond which it is at infinity within
+/// rounding: the angular velocities of the links agree to all but the last few digits.
 const BEYOND: f64 = 1e12;
 
-/// Whether a centre's place is no more than rounding. A body with one point has no size that tells.
+/// True if a centre's place is no more than rounding. A body with one point has no size for
+/// comparison.
 pub(super) fn is_nowhere(what: &Asked, value: &Value, extent_m: f64) -> bool {
     match (what, value) {
         (Asked::InstantCentre(_), Value::Point(p)) => extent_m > 0.0 && p.to_vec2().norm() > BEYOND * extent_m,
@@ -29,12 +31,12 @@ pub(super) fn is_nowhere(what: &Asked, value: &Value, extent_m: f64) -> bool {
 pub struct Unanswered {
     /// Index into the scene's `find` list.
     pub find: usize,
-    /// Why.
+    /// The reason.
     pub why: NoAnswer,
 }
 
 impl Unanswered {
-    /// The part of the mechanism that has no motion, where it rests on one.
+    /// Returns the part of the mechanism that has no motion, if that is the reason.
     pub fn refused(&self) -> Option<&Refused> {
         match &self.why {
             NoAnswer::NoMotion(refused) => Some(refused),
@@ -43,28 +45,30 @@ impl Unanswered {
     }
 }
 
-/// Why a question has no answer in the pose.
+/// The reason why a question has no answer in the pose.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoAnswer {
-    /// It rests on a part of the mechanism that has no motion.
+    /// The answer depends on a part of the mechanism that has no motion.
     NoMotion(Box<Refused>),
-    /// The motion is known, and leaves the quantity undefined: the ratio to a link at rest, the radius of a straight path. In words.
+    /// The motion is known, and leaves the quantity undefined: the ratio to a link at rest, the
+    /// radius of a straight path. In words.
     NoValue(Both),
-    /// It is infinite: the radius of a straight flank. In words.
+    /// The quantity is infinite: the radius of a straight flank. In words.
     Infinite(Both),
 }
 
-/// A centre that is nowhere in the plane: the two links turn alike.
+/// A centre at infinity: the two links have the same angular velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Far {
     /// Index into the scene's `find` list.
     pub find: usize,
-    /// The direction in which it lies (degrees from the x axis, from 0 to 180: both ends of a line are one point at infinity), square to the
-    /// relative velocity; none where the links do not move against one another, so that every point serves.
+    /// The direction of the centre (degrees from the x axis, from 0 to 180: both ends of a line are
+    /// one point at infinity), square to the relative velocity; `None` if the links do not move
+    /// relative to one another, so that every point is a centre.
     pub direction_deg: Option<f64>,
 }
 
-/// The centre that a question asks, if it lies at infinity.
+/// The centre of a question, if it is at infinity.
 pub(super) fn far(scene: &Scene, solution: &Solution, at: &Configuration, find: usize) -> Option<Far> {
     let Asked::InstantCentre(centre) = scene.find[find].what else { return None };
     let base = centre.links.iter().find_map(|(_, p)| at.points[(*p)?.0])?;

@@ -1,4 +1,4 @@
-//! Groups higher than class III: which of them the special points draw, and what is said of them.
+//! Groups higher than class III: those that special points draw, and the notes on them.
 
 use crate::accuracy::crossings;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
@@ -13,7 +13,8 @@ pub(super) fn drawn(mechanism: &Mechanism, plan: &Plan) -> Vec<usize> {
     (0..mechanism.groups.len()).filter(higher).collect()
 }
 
-/// The sine of the flattest crossing by which a group is drawn; 0 for a drawing that cannot be made.
+/// The sine of the flattest crossing in the drawing of a group; 0 for a drawing that cannot be
+/// made.
 pub(super) fn worst_sine(g: usize, plan: &Plan, drawing: &Result<Drawing, Faults>) -> f64 {
     let Ok(drawing) = drawing else { return 0.0 };
     let steps: Vec<&Step> = plan.steps(DiagramKind::Velocity).iter().filter(|s| s.group == g).flat_map(|s| s.steps(0)).collect();
@@ -31,7 +32,8 @@ fn contacts(scene: &Scene, mechanism: &Mechanism, group: &Group) -> Vec<Both> {
     inner.map(|[a, b]| both!("{} and {}", "{} 与 {} ", scene.link_name(a), scene.link_name(b))).collect()
 }
 
-/// What is said of the groups higher than class III that are called for: by what they are drawn, or that they are not.
+/// The notes on the required groups higher than class III: the means of drawing them, or that they
+/// are not drawn.
 pub(super) fn notes(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Diagnostic> {
     let planned = |g: usize| plan.undrawable.contains(&g) || plan.steps(DiagramKind::Velocity).iter().any(|s| s.group == g);
     let groups = mechanism.groups.iter().enumerate().filter(|(g, group)| matches!(group.core, Core::Higher) && planned(*g));

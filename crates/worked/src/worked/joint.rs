@@ -1,9 +1,11 @@
-//! A pose at a joint of two pieces of a cam's profile, cam and follower moving with different links.
+//! A pose at a junction of two pieces of a cam's profile, with cam and follower moving with
+//! different links.
 //!
-//! There is one velocity there and two accelerations, since the curvature jumps. Which of the two pieces is touched from the instant on only the
-//! velocities tell: the contact goes round the cam in the sense of v_r, a flat face in that of its turning against the cam. So the scene is solved
-//! on the piece that it was read with, and taken over to the other where that is the one that follows. Where one link carries both, the scene
-//! has decided it when it was read.
+//! There is one velocity there and two accelerations, because the curvature jumps. The velocities
+//! decide which of the two pieces is in contact from the instant on: the contact moves round the
+//! cam in the sense of v_r, on a flat face in the sense of its angular velocity relative to the
+//! cam. The scene is therefore solved on the piece with which it was read, and transferred to the
+//! other if that one follows. If one link carries both, the scene decides when it is read.
 
 use hodograph_analytic::{self as analytic, Solution};
 use hodograph_base::diag::{Both, Diagnostic, Faults, Severity, Warned, both};
@@ -13,10 +15,11 @@ use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::{self, Configuration, pieces};
 use hodograph_scene::{Cam, Find, Kind, Pieces, Scene};
 
-/// A contact nearer to an end of its piece than this (rad, or a part of a line) is on the joint: what nine digits of a pose can tell.
+/// The distance from an end of its piece (rad, or a part of a line) within which a contact is on
+/// the junction: the accuracy of nine digits of a pose.
 const ON_THE_JOINT: f64 = 1e-9;
 
-/// Accelerations that differ by no more than this part are one.
+/// The relative difference up to which accelerations are equal.
 const ONE: f64 = 1e-9;
 
 /// A scene in motion at its instant.
@@ -34,7 +37,8 @@ impl Moving {
         Some(Moving { at, solution })
     }
 
-    /// The piece beside the one that is touched, where the two meet in the pose, and whether the contact goes on to it.
+    /// The piece next to the one in contact, if the two meet in the pose, and `true` if the contact
+    /// goes on to it.
     fn joint(&self, scene: &Scene, cam: &Cam, pieces: &Pieces) -> Option<(usize, bool)> {
         let meeting = pieces::meeting(cam, pieces, &self.at)?;
         let (piece, count) = (&pieces.segments[pieces.touched], pieces.segments.len());
@@ -52,8 +56,9 @@ impl Moving {
     }
 }
 
-/// The scene as it goes on from its instant: at a joint of two pieces of a cam's profile it touches the piece that follows, and a note tells both
-/// accelerations. Everywhere else it is the scene itself.
+/// Returns the scene as it goes on from its instant: at a junction of two pieces of a cam's profile
+/// it touches the piece that follows, and a note gives both accelerations. Everywhere else it
+/// returns the scene itself.
 pub fn instant(scene: Scene) -> Warned<Scene> {
     match at_joint(&scene) {
         Some(Joint { next: Some(next), note }) => Warned { value: next, notes: vec![note] },
@@ -62,10 +67,10 @@ pub fn instant(scene: Scene) -> Warned<Scene> {
     }
 }
 
-/// Refuses a scene whose follower leaves the piece that it touches at this very instant.
+/// Refuses a scene whose follower leaves the piece in contact at this very instant.
 ///
 /// # Errors
-/// `joint`: the scene is to be taken by [`instant`] first.
+/// `joint`: the scene must pass [`instant`] first.
 pub(super) fn goes_on(scene: &Scene) -> Result<(), Faults> {
     let Some(Joint { next: Some(_), note }) = at_joint(scene) else { return Ok(()) };
     let d = Diagnostic { severity: Severity::Error, ..note };
@@ -74,13 +79,13 @@ pub(super) fn goes_on(scene: &Scene) -> Result<(), Faults> {
 
 /// A pose in which two pieces of a profile meet.
 struct Joint {
-    /// The scene on the other piece, where that is the one that follows.
+    /// The scene on the other piece, if that is the one that follows.
     next: Option<Scene>,
-    /// Both accelerations.
+    /// The note on both accelerations.
     note: Diagnostic,
 }
 
-/// The joint that is touched in the pose, if one is and the accelerations jump there.
+/// The junction in contact in the pose, if there is one and the accelerations jump there.
 fn at_joint(scene: &Scene) -> Option<Joint> {
     let told = |c: &Cam| c.posed.as_ref().is_some_and(|p| !p.others.is_empty());
     let (index, cam) = scene.cams.iter().enumerate().find(|(_, c)| told(c))?;
@@ -106,7 +111,7 @@ fn at_joint(scene: &Scene) -> Option<Joint> {
     Some(Joint { next: if onward { Some(taken_over(scene, index, beside)?) } else { None }, note })
 }
 
-/// The scene on another piece of a cam, which knows the rest of them.
+/// The scene on another piece of a cam, with the rest of the pieces.
 fn taken_over(scene: &Scene, cam: usize, piece: usize) -> Option<Scene> {
     let pieces = scene.cams[cam].posed.as_ref()?;
     let mut own = scene.clone();
@@ -117,7 +122,7 @@ fn taken_over(scene: &Scene, cam: usize, piece: usize) -> Option<Scene> {
     Some(next)
 }
 
-/// The accelerations asked for that are another before the instant than after it.
+/// The requested accelerations that differ before and after the instant.
 fn jumps([before, after]: &[(&Scene, &Moving); 2]) -> Vec<Both> {
     let value = |(scene, moving): &(&Scene, &Moving), text: &str| {
         let find = scene.find.iter().find(|f| f.text == text)?;

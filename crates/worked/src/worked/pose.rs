@@ -1,8 +1,9 @@
-//! The pose of a scene with all that is open about it decided: how fine the positions are, which groups are not drawn, and what longer numbers
-//! answer instead. No later stage looks back.
+//! The pose of a scene with all open choices decided: the fineness of the positions, the groups
+//! that are not drawn, and the answers of longer numbers instead. No later stage changes them.
 //!
-//! Decided by a trial: loop equations and drawing with positions as they are. Where the two lose digits next to a singular pose, the trial is made
-//! once more with positions to the last digit; groups whose digits are lost all the same are left out of the drawing.
+//! A trial decides: loop equations and drawing with the given positions. If the two lose digits
+//! next to a singular pose, the trial is repeated with positions to the last digit; groups that
+//! still lose their digits are left out of the drawing.
 
 use super::higher;
 use super::sizes::Sizes;
@@ -17,7 +18,7 @@ use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::{DiagramKind, LinkId, PointId, Scene};
 
-/// Input of the stages from positions on.
+/// The input of the stages from positions on.
 #[derive(Clone, Copy)]
 pub(super) struct Given<'a> {
     pub scene: &'a Scene,
@@ -25,38 +26,40 @@ pub(super) struct Given<'a> {
     pub demand: &'a Demand,
 }
 
-/// A drawing with its plan, and the answers that are read off it.
+/// A drawing with its plan, and the answers read off it.
 pub(super) struct Sheet {
     pub plan: Plan,
     pub construction: Drawing,
-    /// One for each question that is drawn.
+    /// The answers, one for each question; `None` for questions that are not drawn.
     pub answers: Vec<Option<Answer>>,
 }
 
-/// Evaluations of a construction that is drawn: a trial for its scales, and the drawing.
+/// The number of evaluations of a construction: a trial for its scales, and the drawing.
 const TRIAL_AND_DRAWING: usize = 2;
 
-/// A pose in which everything is decided.
+/// A pose with everything decided.
 pub(super) struct Posed {
-    /// Positions, as fine as they have to be.
+    /// The positions, as fine as necessary.
     pub configuration: Configuration,
-    /// Solution of the loop equations.
+    /// The solution of the loop equations.
     pub solution: Solution,
-    /// Groups that are not drawn because they are singular, or lose their digits.
+    /// The groups that are not drawn because they are singular, or lose their digits.
     pub singular: Vec<usize>,
-    /// Answers of longer numbers, where the pose is nearly singular.
+    /// The answers of longer numbers, if the pose is nearly singular.
     pub written: Option<Regular>,
-    /// The digits that drawing and loop equations keep, where they were measured.
+    /// The digits that drawing and loop equations keep, if they were measured.
     pub near: Option<Kept>,
     /// The drawing without the groups that are not drawn.
     pub drawing: Sheet,
-    /// Evaluations of constructions: two, but for poses that lose digits or special points.
+    /// The number of evaluations of constructions: two, but more for poses that lose digits, or
+    /// with special points.
     pub drawings: usize,
     /// Remarks on the pose.
     pub notes: Vec<Diagnostic>,
 }
 
-/// Decides a pose; `measured` says that the digits kept next to a singular pose are measured, not estimated.
+/// Decides a pose. With `measured` the digits kept next to a singular pose are measured, not
+/// estimated.
 ///
 /// # Errors
 /// Those of the loop equations and of the drawing.
@@ -84,7 +87,7 @@ pub(super) fn pose(given: Given, configuration: Configuration, measured: bool) -
     Ok(posed)
 }
 
-/// Loop equations and drawing with positions as they are.
+/// Loop equations and drawing with the given positions.
 fn trial(given: Given, configuration: Configuration) -> Result<Posed, Faults> {
     let Given { scene, mechanism, demand } = given;
     let mut solution = analytic::solve(scene, mechanism, &configuration, demand)?;
@@ -98,10 +101,10 @@ fn trial(given: Given, configuration: Configuration) -> Result<Posed, Faults> {
     Ok(Posed { configuration, solution, singular, written, near: None, drawing, drawings, notes: Vec::new() })
 }
 
-/// The drawing without some groups; adds to `drawings` how often it was evaluated.
+/// The drawing without some groups; adds the number of evaluations to `drawings`.
 ///
-/// A group of higher class is drawn by the first way in which no lines cross under a bad angle, else by the way with the best angles. Where none can be
-/// drawn, it is left to the loop equations.
+/// A group of higher class is drawn by the first way in which no lines cross under a bad angle,
+/// else by the way with the best angles. If none can be drawn, it is left to the loop equations.
 fn draw(given: Given, configuration: &Configuration, without: &[usize], drawings: &mut usize) -> Result<Sheet, Faults> {
     let Given { scene, mechanism, demand } = given;
     let mut constructed = |ways: &Ways| {
@@ -144,12 +147,12 @@ fn draw(given: Given, configuration: &Configuration, without: &[usize], drawings
 }
 
 impl Sheet {
-    /// The values that were read.
+    /// The values read off the drawing.
     fn values(&self) -> Vec<Option<Value>> {
         self.answers.iter().map(|a| a.as_ref().map(|a| a.value)).collect()
     }
 
-    /// Factor by which rounding is magnified at the worst crossing of a level.
+    /// Returns the factor by which rounding is magnified at the worst crossing of a level.
     pub fn magnified(&self, level: Level) -> f64 {
         self.construction.magnified(DiagramKind::of(level))
     }
@@ -171,7 +174,7 @@ impl Posed {
             let computed = self.solution.answer(scene, &self.configuration, &scene.find[i].what)?;
             (level > Level::Position).then(|| compare(read, computed, sizes.against(level, &computed), self.drawing.magnified(level)))
         };
-        // Questions that longer numbers answer already are not lost.
+        // Questions that longer numbers already answer are not lost.
         let open = |i: &usize| read[*i].is_some() || self.written.is_none();
         let lost: Vec<usize> = (0..scene.find.len()).filter(open).filter(|i| near.lost(*i, agreed(*i))).collect();
         lost_groups(scene, mechanism, &self.solution, &lost)
@@ -185,7 +188,8 @@ impl Posed {
         self.near = kept(scene, (mechanism, demand), &self.configuration, &ways, self.written.clone());
     }
 
-    /// Leaves groups out of the drawing, whose answers are those of longer numbers; the others are judged by what is left on the paper.
+    /// Leaves groups out of the drawing, with the answers of longer numbers; the other groups are
+    /// judged by the remaining drawing.
     fn leave_out(&mut self, given: Given, lost: &[usize]) -> Result<(), Faults> {
         if let Some(near) = &self.near {
             let words = self
@@ -203,7 +207,8 @@ impl Posed {
     }
 }
 
-/// The nearly singular groups on which answers rest that double precision has lost; where none of them is, all on which they rest.
+/// The nearly singular groups of answers that double precision has lost; for an answer without such
+/// a group, all groups that it depends on.
 fn lost_groups(scene: &Scene, m: &Mechanism, solution: &Solution, lost: &[usize]) -> Vec<usize> {
     let near: Vec<usize> = solution.near.iter().flat_map(|n| groups_of(scene, m, (&n.links, &n.pins))).collect();
     let mut groups: Vec<usize> = Vec::new();
@@ -217,7 +222,7 @@ fn lost_groups(scene: &Scene, m: &Mechanism, solution: &Solution, lost: &[usize]
     groups
 }
 
-/// The warning about a pose that only longer numbers tell from a singular one.
+/// The warning about a pose that only longer numbers distinguish from a singular one.
 fn near_singular(words: &Both, regular: &Regular) -> Diagnostic {
     let numbers = regular.rung.name();
     Diagnostic::warning(
@@ -231,7 +236,8 @@ fn near_singular(words: &Both, regular: &Regular) -> Diagnostic {
     .help(both!("choose a pose further off, or one that is singular as written", "请取离奇异位置较远的位置，或按所给数值恰为奇异的位置"))
 }
 
-/// The groups that are singular in the pose: their lines coincide, so that no crossing on paper tells anything.
+/// The groups that are singular in the pose: their lines coincide, so that no crossing on paper has
+/// a meaning.
 fn singular_groups(scene: &Scene, m: &Mechanism, solution: &Solution) -> Vec<usize> {
     let answered = solution.singular.iter().flat_map(|s| groups_of(scene, m, (&s.links, &s.pins)));
     let refused = solution.refused.iter().flat_map(|r| groups_of(scene, m, (&r.links, &r.pins)));
@@ -241,7 +247,8 @@ fn singular_groups(scene: &Scene, m: &Mechanism, solution: &Solution) -> Vec<usi
     groups
 }
 
-/// The groups of links and pins; a link that follows others has none of its own and counts as its pins.
+/// The groups of links and pins; a link that follows others has no group of its own and counts as
+/// its pins.
 pub(super) fn groups_of(scene: &Scene, m: &Mechanism, (links, pins): (&[LinkId], &[PointId])) -> Vec<usize> {
     let of_pins = |pins: &[PointId]| pins.iter().filter_map(|p| m.group_of_pin[p.0]).collect::<Vec<usize>>();
     let of_link = |l: &LinkId| m.group_of_link[l.0].map_or_else(|| of_pins(&scene.links[l.0].points), |g| vec![g]);

@@ -1,4 +1,5 @@
-//! Motions of scenes with cams. Each pose has its own replacement of them, as [`work`] has that of the instant.
+//! Motions of scenes with cams. Each pose has its own replacement of the cams, as [`work`] has that
+//! of the instant.
 
 use super::{Scope, Worked, instant, work, work_placed};
 use hodograph_base::diag::Faults;
@@ -7,11 +8,12 @@ use hodograph_mechanism::position::{self, Configuration};
 use hodograph_scene::{PointId, Scene};
 use hodograph_sweep::follow::course::over_a_turn;
 
-/// Points of two readings of a scene are in one place if they lie no farther apart than this part of its extent: an assembly that is another one
-/// differs by more, rounding by less.
+/// The distance, as a part of the extent, up to which points of two readings of a scene coincide:
+/// another assembly differs by more, rounding by less.
 const SAME_PLACE: f64 = 1e-7;
 
-/// The scene for its whole motion, worked through at the instant; `None` where the scene serves as it is.
+/// Works the scene for its whole motion through at the instant; `None` if the given scene serves
+/// for the motion.
 ///
 /// # Errors
 /// Those of [`work`].
@@ -29,11 +31,12 @@ fn is_of_motion(scene: &Scene) -> bool {
     scene.own_drivers() < scene.drivers.len()
 }
 
-/// Works a pose of a motion through, and returns the scene that is read for it. `scene` is that of the motion with its drivers in the pose, `at` the
-/// places of all its points there.
+/// Works a pose of a motion through, and returns the scene read for it. `scene` is that of the
+/// motion with its drivers in the pose, `at` the places of all its points there.
 ///
-/// A follower that the motion moves as a driver is moved by its cam again: by the arc or line that stands for the contact in the pose. Where none does,
-/// near an inflection of the profile, the follower remains a driver.
+/// A follower that the motion moves as a driver is moved by its cam again: by the arc or line that
+/// replaces the contact in the pose. If there is none, near an inflection of the profile, the
+/// follower remains a driver.
 ///
 /// # Errors
 /// Those of [`work_placed`].
@@ -46,7 +49,8 @@ pub fn work_pose(scene: &Scene, of: (&Mechanism, &Demand), at: &Configuration) -
 
 /// The scene as its file reads in the pose, if its assembly is that of the motion.
 ///
-/// Points of the cam alone are not compared: the centre of curvature is one of them, and another one in each pose.
+/// Points of the cam alone are not compared: the centre of curvature is one of them, and differs in
+/// each pose.
 fn read_again(scene: &Scene, at: &Configuration) -> Option<(Scene, Worked)> {
     if !is_of_motion(scene) {
         return None;

@@ -105,7 +105,7 @@ fn of_friction(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Di
     notes
 }
 
-/// Sliders on which the force of their guide acts outside the length over which they bear.
+/// Remarks on sliders that bear the force of their guide outside their length.
 fn of_guides(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Diagnostic> {
     let Some(forces) = solution.forces() else { return Vec::new() };
     let tilt = |(g, guide): (usize, &Guide)| {

@@ -1,6 +1,7 @@
 //! The sizes against which small answers are judged.
 //!
-//! Decided here: what counts as large in a pose. They are found once for a construction, as a sheet may ask for thousands of answers.
+//! This module decides which size counts as large in a pose. The sizes are found once for a
+//! construction, because a sheet may need thousands of answers.
 
 use hodograph_board::construct::{self, Drawing};
 use hodograph_mechanism::answer::Value;
@@ -10,7 +11,7 @@ use hodograph_scene::{DiagramKind, Driver, Scene};
 
 /// The sizes of a pose and of its polygons.
 pub(super) struct Sizes {
-    /// Of the mechanism, in m.
+    /// The size of the mechanism (m).
     pub extent: f64,
     velocity: Size,
     acceleration: Size,
@@ -23,12 +24,15 @@ struct Size {
 }
 
 impl Sizes {
-    /// Of a vector, the longest one of its polygon, or what the drivers would make at the size of the mechanism where all vectors vanish. Of
-    /// an angular rate the largest rate, or what that vector makes on the shortest arm on which a rate was measured (ω of a short link is a
-    /// small difference of vectors divided by a small length, and α may vanish where ω² l does not).
+    /// Finds the sizes. That of vectors is the longest one of the polygon, or, if all vectors
+    /// vanish, the effect of the drivers at the size of the mechanism. That of angular rates is the
+    /// largest rate, or that vector divided by the shortest arm on which a rate was measured (ω of
+    /// a short link is a small difference of vectors divided by a small length, and α may vanish
+    /// where ω² l does not).
     pub fn of(scene: &Scene, paper: &Drawing, at: &Configuration) -> Sizes {
         let extent = at.extent();
-        // A driver that starts from rest has no speed yet; what it would have after turning by a radian measures it.
+        // A driver that starts from rest has no speed yet; its speed after a radian, or after the
+        // mechanism's size, is the measure.
         let driven = |d: &Driver| {
             let (rate, a) = (d.rate.value.abs(), d.acceleration.as_ref().map_or(0.0, |a| a.value.abs()));
             if d.kind.turns() { rate.max(a.sqrt()) * extent } else { rate.max((a * extent).sqrt()) }
@@ -46,7 +50,7 @@ impl Sizes {
         Sizes { extent, velocity: size(DiagramKind::Velocity, speed), acceleration: size(DiagramKind::Acceleration, acceleration) }
     }
 
-    /// What an answer of a level is measured against.
+    /// Returns the reference size for an answer of a level.
     pub fn against(&self, level: Level, value: &Value) -> f64 {
         let size = if level == Level::Acceleration { &self.acceleration } else { &self.velocity };
         match value {

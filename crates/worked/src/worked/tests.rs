@@ -1,4 +1,4 @@
-//! What a scene means where it says a thing in another way than usual: seen in what is answered and told.
+//! Tests of scenes with alternative notations, by their answers and notes.
 
 use super::{Scope, work};
 use hodograph_analytic::SingularKind;
@@ -18,7 +18,7 @@ fn notes(source: &str) -> Vec<Diagnostic> {
 
 const LENGTHS: &str = r#"{"AB": "100 mm", "BC": "250 mm", "CD": "200 mm", "AD": "300 mm", "BE": "150 mm", "CE": "140 mm"}"#;
 
-/// A four-bar with a coupler point, its sides as said and its lengths.
+/// A four-bar with a coupler point, with the given sides and lengths.
 fn four_bar(side: &str, lengths: &str) -> String {
     format!(
         r#"{{"links": {{"1": ["A", "B"], "2": ["B", "C", "E"], "3": ["C", "D"], "4": ["A", "D"]}}, "ground": "4", "lengths": {lengths},
@@ -28,7 +28,7 @@ fn four_bar(side: &str, lengths: &str) -> String {
 
 #[test]
 fn the_angle_of_a_slot_is_that_of_its_link() {
-    // A disc that is nothing but its pivot and its slot, in which a pin runs that a rod guides.
+    // A disc that consists of its pivot and its slot only; a pin on a guided rod runs in the slot.
     let slotted = |driver: &str| {
         format!(
             r#"{{"links": {{"1": ["O"], "2": ["B", "C"], "4": ["O", "C"]}}, "ground": "4",
@@ -65,7 +65,7 @@ fn notes_speak_in_the_units_of_the_scene() {
 
 #[test]
 fn a_side_that_fits_all_assemblies_does_not_decide() {
-    // D lies to the right of AB in both assemblies; C is above AD in one of them only.
+    // D is to the right of AB in both assemblies; C is above AD in one of them only.
     let side = |said: &str| {
         notes(&four_bar(said, LENGTHS)).into_iter().filter(|d| d.code.contains("side") || d.code.contains("assembly")).collect()
     };
@@ -83,7 +83,8 @@ fn a_side_that_fits_all_assemblies_does_not_decide() {
     }
 }
 
-/// Two dyads on the same pivots: the first assembly of each lays them on one another, and the last one has no base.
+/// Two dyads on the same pivots: the first assembly of each makes them coincide, and the last one
+/// has no base.
 #[test]
 fn another_assembly_is_tried_where_the_first_does_not_close() {
     let text = r#"{"links": {"1": ["Q", "C"], "2": ["O", "A"], "3": ["O", "B"], "4": ["A", "C"], "5": ["C", "B"], "6": ["A", "P"],
@@ -98,7 +99,7 @@ fn another_assembly_is_tried_where_the_first_does_not_close() {
     assert!(v.x.abs() < 1e-12 * v.norm() && (x - (0.18f64.powi(2) - 0.08f64.powi(2)) / 0.12).abs() < 1e-12, "{v:?} {x}");
     assert!(worked.notes.iter().any(|d| d.code == "assembly-by-default"), "what was chosen is said: {:?}", worked.notes);
     assert!(worked.value.solution.singular.iter().all(|s| s.kind != SingularKind::ChangePoint));
-    // Where none closes, the first fault stands, and the way out is told.
+    // If none closes, the first fault is reported, with the remedy.
     let apart = text.replace(r#""AP": "80 mm", "PB": "80 mm""#, r#""AP": "1 mm", "PB": "1 mm""#);
     let said = work(&read(apart).unwrap().value, Scope::Questions).unwrap_err().to_string();
     assert!(said.contains("or say with \"side\" or \"sketch\" which assembly of links"), "{said}");
@@ -116,7 +117,7 @@ fn answers_have_the_form_that_the_table_says() {
                 assert_eq!(value.form(), entry.form, "{} {}", t.name, find.text);
                 assert_eq!(value.columns().len(), entry.form.columns().len());
             }
-            // What is answered by a formula is known to be wanted.
+            // A quantity answered by a formula is known to be required.
             assert!(find.what.needs().iter().any(|n| n.1 == entry.level), "{} {}", t.name, find.text);
         }
     }
@@ -142,7 +143,7 @@ fn ratios_are_those_of_the_teeth() {
         let faults = read(asking(wrong)).unwrap_err();
         assert!(faults.list.iter().all(|d| d.code == "find" || d.help.is_some()), "{wrong}: {faults}");
     }
-    // A link that stands still divides nothing.
+    // A link at rest divides nothing.
     let still = text.replace("240 rpm", "0 rpm").replace(r#""find": ["#, r#""find": ["i_24", "#);
     let scene = read(still).unwrap().value;
     let worked = work(&scene, Scope::Questions).unwrap().value;
@@ -154,7 +155,8 @@ fn ratios_are_those_of_the_teeth() {
     );
 }
 
-/// Whatever is asked of links at rest is answered or told to have no value; no question takes the others' answers away.
+/// Every question about links at rest is answered or reported to have no value; no question removes
+/// the others' answers.
 #[test]
 fn what_rest_leaves_undefined_is_one_answer_of_many() {
     let mut undefined = 0;
@@ -172,7 +174,7 @@ fn what_rest_leaves_undefined_is_one_answer_of_many() {
             let framed = points.iter().flat_map(|p| links.iter().map(move |l| format!("{p}/{l}")));
             asked.extend(names.chain(framed).map(|n| format!("{symbol}_{n}")));
         }
-        // Those that the scene has.
+        // The questions that apply to the scene.
         asked.retain(|q| {
             json["find"] = serde_json::json!([q]);
             read(json.to_string()).is_ok_and(|s| hodograph_scene::quantity::undefined(&s.value).list.is_empty())
