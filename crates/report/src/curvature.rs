@@ -291,7 +291,8 @@ impl Words<'_> {
             self.place(pole.acceleration_pole),
         );
         let bresse = pole.bresse.map_or_else(|| tr(lang, "the line PJ (α = 0)", "直线 PJ（α = 0）").to_owned(), |d| self.length(d.norm()));
-        row(letter("b"), ["Bresse's circle", "布雷斯圆直径"], none(), bresse);
+        let bresse_drawn = drawn.and_then(|d| d.bresse).filter(|_| pole.bresse.is_some());
+        row(letter("b"), ["Bresse's circle", "布雷斯圆直径"], bresse_drawn.map_or_else(none, |d| self.length(d.norm())), bresse);
         rows
     }
 

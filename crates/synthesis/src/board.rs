@@ -8,10 +8,8 @@ use super::candidate::Draft;
 use super::fourbar;
 use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2, cross_lines};
-use hodograph_board::construct::pencil::{Blunt, Pencil};
+use hodograph_board::construct::pencil::{Blunt, Hand};
 pub use hodograph_mechanism::position::kernel::crossing as cross_circles;
-use hodograph_scene::DiagramKind;
-use std::cell::RefCell;
 
 /// How strongly a stroke is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,10 +64,7 @@ pub struct Board {
     pub steps: Vec<Step>,
     /// What has been read.
     pub readings: Vec<Reading>,
-    /// A hand that misses; none puts every mark where it is meant.
-    hand: RefCell<Option<Blunt>>,
-    /// The places that the hand has laid off (m), each with its mark: a place is marked once.
-    laid: RefCell<Vec<(Point, Point)>>,
+    hand: Hand,
 }
 
 /// Circles whose lines are nearer than this are seen to touch (mm).
@@ -124,17 +119,17 @@ impl Line {
 impl Board {
     /// An empty sheet.
     pub fn new(mu_l: f64) -> Board {
-        Board { mu_l, steps: Vec::new(), readings: Vec::new(), hand: RefCell::default(), laid: RefCell::default() }
+        Board { mu_l, steps: Vec::new(), readings: Vec::new(), hand: Hand::default() }
     }
 
-    /// An empty sheet for a pencil that misses: what is laid off and pricked, openings of the compasses, readings.
+    /// An empty sheet for a pencil that misses: what is laid off and marked, openings of the compasses, readings.
     pub fn by_hand(mu_l: f64, pencil: Blunt) -> Board {
-        Board { hand: RefCell::new(Some(pencil)), ..Board::new(mu_l) }
+        Board { hand: Hand::with(pencil, 1.0), ..Board::new(mu_l) }
     }
 
     /// Where a mark falls that is meant to be at a place.
-    fn pricked(&self, at: Point) -> Point {
-        self.hand.borrow_mut().as_mut().map_or(at, |pencil| pencil.mark(DiagramKind::Plane, at))
+    fn marked(&self, at: Point) -> Point {
+        self.hand.mark(at)
     }
 
     /// Where two circles cross, left of the line of centres first; a hand pricks them where they miss by no more than a pencil's line.
@@ -146,7 +141,7 @@ impl Board {
             Some([at, at])
         };
         let found = cross_circles(p, r, q, s).or_else(touching)?;
-        Some(found.map(|at| self.pricked(at)))
+        Some(found.map(|at| self.marked(at)))
     }
 
     /// Where a line crosses a circle, in the line's order; see [`Board::circles`].
@@ -156,11 +151,11 @@ impl Board {
             (self.misses() && foot.distance(centre) - radius_mm < LINE_MM).then_some([foot, foot])
         };
         let found = line.cross_circle(centre, radius_mm).or_else(touching)?;
-        Some(found.map(|at| self.pricked(at)))
+        Some(found.map(|at| self.marked(at)))
     }
 
     fn misses(&self) -> bool {
-        self.hand.borrow().is_some()
+        self.hand.misses()
     }
 
     /// What a reading stands for (m or rad).
@@ -172,18 +167,12 @@ impl Board {
     pub fn mm(&self, length_m: f64) -> f64 {
         let length = length_m / self.mu_l;
         // Taken between the points of the compasses along a ruler: what counts of a miss is its part along it.
-        length + self.pricked(Point::ORIGIN).x
+        length + self.marked(Point::ORIGIN).x
     }
 
     /// A place on paper. One that has been laid off before is the mark that is there.
     pub fn at(&self, place: Point) -> Point {
-        let mut laid = self.laid.borrow_mut();
-        if let Some((_, mark)) = laid.iter().find(|(known, _)| *known == place) {
-            return *mark;
-        }
-        let mark = self.pricked(Point::new(place.x / self.mu_l, place.y / self.mu_l));
-        laid.push((place, mark));
-        mark
+        self.hand.laid_off(place, Point::new(place.x / self.mu_l, place.y / self.mu_l))
     }
 
     /// Begins a step.
@@ -230,7 +219,7 @@ impl Board {
 
     /// Reads a length.
     pub fn read(&mut self, name: &str, p: Point, q: Point) -> &mut Board {
-        self.readings.push(Reading { name: name.to_owned(), measured: self.pricked(p).distance(self.pricked(q)), angle: false });
+        self.readings.push(Reading { name: name.to_owned(), measured: self.marked(p).distance(self.marked(q)), angle: false });
         self
     }
 
@@ -244,7 +233,7 @@ impl Board {
     pub fn bisector(&mut self, p: Point, q: Point) -> Option<Line> {
         // An opening well over the half makes the crossings sharp.
         let opening = 0.7 * p.distance(q);
-        let [one, other] = cross_circles(p, opening, q, opening)?.map(|at| self.pricked(at));
+        let [one, other] = cross_circles(p, opening, q, opening)?.map(|at| self.marked(at));
         let line = Line::through(one, other)?;
         for (centre, at) in [(p, one), (q, one), (p, other), (q, other)] {
             self.arc(centre, at);
@@ -257,13 +246,13 @@ impl Board {
     /// The middle of two places.
     pub fn middle(&mut self, p: Point, q: Point) -> Option<Point> {
         let line = self.bisector(p, q)?;
-        line.cross(&Line::through(p, q)?).map(|at| self.pricked(at))
+        line.cross(&Line::through(p, q)?).map(|at| self.marked(at))
     }
 
     /// The centre of the circle through three places: two bisectors crossed.
     pub fn centre(&mut self, p: Point, q: Point, r: Point) -> Option<Point> {
         let (one, other) = (self.bisector(p, q)?, self.bisector(q, r)?);
-        let centre = self.pricked(one.cross(&other)?);
+        let centre = self.marked(one.cross(&other)?);
         for (line, a, b) in [(one, p, q), (other, q, r)] {
             let middle = a + (b - a) * 0.5;
             if middle.distance(centre) > 0.0 && line.along.norm2() > 0.0 {
@@ -280,7 +269,7 @@ impl Board {
         let lean = side * (std::f64::consts::FRAC_PI_2 - angle);
         let chord = q - p;
         let (one, other) = (Line::ray(p, chord.angle() + lean), Line::ray(q, (p - q).angle() - lean));
-        let centre = self.pricked(one.cross(&other)?);
+        let centre = self.marked(one.cross(&other)?);
         self.line(p, centre, Weight::Thin).line(q, centre, Weight::Thin);
         let radius = centre.distance(p);
         self.circle(centre, radius, Weight::Thin);
@@ -302,7 +291,7 @@ impl Board {
             // In line with the two points the circles touch.
             None => to[0] + (to[1] - to[0]) * ((at - from[0]).dot(from[1] - from[0]) / (from[1] - from[0]).norm2()),
         };
-        let found = self.pricked(found);
+        let found = self.marked(found);
         self.arc(to[0], found).arc(to[1], found);
         Some(found)
     }
@@ -316,7 +305,7 @@ impl Board {
     pub fn halve_at(&mut self, a: Point, c: [Point; 2], letter: &str) -> Option<()> {
         let far = usize::from(a.distance(c[1]) > a.distance(c[0]));
         let (long, short) = (c[far], c[1 - far]);
-        let reach = a.distance(short) + self.pricked(Point::ORIGIN).x;
+        let reach = a.distance(short) + self.marked(Point::ORIGIN).x;
         let ray = Line::through(a, long)?;
         let cut = ray.place(reach);
         self.step(both!(

@@ -5,7 +5,7 @@
 //! 100 drawings have it.
 
 use super::{Board, Candidate, Task};
-use hodograph_board::construct::pencil::{Blunt, USUAL_MM, WITHIN};
+use hodograph_board::construct::pencil::{Blunt, USUAL_MM, bound};
 
 /// Drawings: the 95 % bound of so many is known to a tenth of itself.
 const DRAWINGS: u64 = 200;
@@ -25,10 +25,7 @@ pub fn tolerances(task: &Task, candidate: &Candidate, board: &Board) -> Vec<Opti
             let read = hand.as_ref()?.readings.get(k).filter(|r| r.name == exact.name)?;
             Some((board.value(read) - board.value(exact)).abs())
         };
-        let mut far: Vec<f64> = all.iter().map(|hand| off(hand).unwrap_or(f64::INFINITY)).collect();
-        far.sort_by(f64::total_cmp);
-        let bound = (WITHIN * far.len() as f64).ceil() as usize - 1;
-        far.get(bound).copied().filter(|v| v.is_finite())
+        bound(all.iter().map(|hand| off(hand).unwrap_or(f64::INFINITY)).collect())
     };
     (0..board.readings.len()).map(of).collect()
 }

@@ -9,6 +9,7 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
+use std::cell::RefCell;
 
 /// The part of a normal error in the plane, independent in x and y, that lies within the stated pencil error.
 pub const WITHIN: f64 = 0.95;
@@ -97,6 +98,77 @@ impl Pencil for Blunt {
         // The distance of a normal error is Rayleigh's: P(r > R) = exp(−R²/2σ²), which is 5 % at the stated error.
         let distance = self.error_mm * (libm::log(self.uniform()) / libm::log(1.0 - WITHIN)).sqrt();
         at + Vec2::from_angle(self.uniform() * std::f64::consts::TAU) * distance
+    }
+}
+
+/// Returns the bound within which the part [`WITHIN`] of some errors falls; `None` without errors, and
+/// where it is infinite.
+pub fn bound(mut errors: Vec<f64>) -> Option<f64> {
+    errors.sort_by(f64::total_cmp);
+    let within = ((WITHIN * errors.len() as f64).ceil() as usize).saturating_sub(1);
+    errors.get(within).copied().filter(|v| v.is_finite())
+}
+
+/// A hand that draws on the mechanism's paper: exactly, or with a pencil that misses. It marks every given
+/// place and lays every given direction once, however often the construction comes back to them.
+#[derive(Clone, Debug)]
+pub struct Hand {
+    /// Units of the drawing's places per millimetre of paper.
+    per_mm: f64,
+    pencil: RefCell<Option<Blunt>>,
+    laid: RefCell<Vec<(Point, Point)>>,
+    ruled: RefCell<Vec<(Vec2, Vec2)>>,
+}
+
+impl Default for Hand {
+    /// The exact hand.
+    fn default() -> Hand {
+        Hand { per_mm: 1.0, pencil: RefCell::default(), laid: RefCell::default(), ruled: RefCell::default() }
+    }
+}
+
+impl Hand {
+    /// Returns a hand with a pencil; the places of the drawing have `per_mm` units per millimetre of paper.
+    pub fn with(pencil: Blunt, per_mm: f64) -> Hand {
+        Hand { per_mm, pencil: RefCell::new(Some(pencil)), ..Hand::default() }
+    }
+
+    /// True if its marks miss.
+    pub fn misses(&self) -> bool {
+        self.pencil.borrow().is_some()
+    }
+
+    /// Returns the mark that is meant to fall at a place.
+    pub fn mark(&self, at: Point) -> Point {
+        match self.pencil.borrow_mut().as_mut() {
+            Some(pencil) => at + pencil.mark(DiagramKind::Plane, Point::ORIGIN).to_vec2() * self.per_mm,
+            None => at,
+        }
+    }
+
+    /// Returns the mark of a given place. A place that has a mark keeps it.
+    pub fn given(&self, place: Point) -> Point {
+        self.laid_off(place, place)
+    }
+
+    /// Returns the mark of a given place whose key is another value: the place as it is written.
+    pub fn laid_off(&self, key: Point, at: Point) -> Point {
+        if let Some((_, mark)) = self.laid.borrow().iter().find(|(known, _)| *known == key) {
+            return *mark;
+        }
+        let mark = self.mark(at);
+        self.laid.borrow_mut().push((key, mark));
+        mark
+    }
+
+    /// Returns the direction of a ruler along a given unit vector, laid at two marks of a distance.
+    pub fn ruler(&self, u: Vec2, apart: f64) -> Vec2 {
+        if let Some((_, ruled)) = self.ruled.borrow().iter().find(|(known, _)| *known == u) {
+            return *ruled;
+        }
+        let ruled = self.pencil.borrow_mut().as_mut().map_or(u, |p| p.ruler(DiagramKind::Plane, u, apart / self.per_mm));
+        self.ruled.borrow_mut().push((u, ruled));
+        ruled
     }
 }
 

@@ -1,10 +1,9 @@
 //! Draws the construction of pole, inflection circle and centres of curvature over the mechanism,
 //! with its steps and values as text below.
 //!
-//! Rays, collineation axis and auxiliary points are at the places that the ruler finds
-//! ([`hodograph_methods::curvature::drawing`]). Pole, inflection circle, poles of the motion and
-//! centres of curvature are at the places that the analysis computes; the figure therefore states
-//! that they are calculated, and is no independent proof.
+//! All places are those that the ruler finds ([`hodograph_methods::curvature::drawing`]). Where the
+//! ruler finds no pole (a dead centre, parallel rays, too few known paths), pole, inflection circle
+//! and centres are at the places that the analysis computes, and the figure says so.
 
 use crate::list::Wanted;
 use crate::mechanism;
@@ -76,7 +75,7 @@ fn text(w: &Wanted, words: &Words, of: &OfLink) -> Part {
     let mut lines: Vec<Label> = Vec::new();
     let mut add = |phrase: &Phrase| lines.extend(wrapped(phrase, TEXT_MM, style.small_mm, &style.fonts));
     words.remarks(of).iter().for_each(&mut add);
-    if of.pole().is_some() {
+    if of.pole().is_some() && of.drawn().is_none() {
         add(&words.calculated());
     }
     for (k, step) in words.steps(of).iter().enumerate() {
@@ -145,11 +144,11 @@ fn places(of: &OfLink) -> Vec<Point> {
         out.extend(rays.collineation.and_then(End::at));
         out.extend(rays.known.iter().flat_map(|k| [k.moving, k.fixed]).filter_map(End::at));
     }
-    if let Some(pole) = of.pole() {
+    if let Some(pole) = of.shown() {
         out.extend([pole.pole, pole.inflection_pole(), pole.acceleration_pole]);
         out.extend(pole.ball);
     }
-    out.extend(of.points.iter().filter_map(|p| if let Bend::About(centre, _) = p.bend { Some(centre) } else { None }));
+    out.extend(of.points.iter().filter_map(|p| if let Bend::About(centre, _) = p.shown() { Some(centre) } else { None }));
     out
 }
 
@@ -174,7 +173,7 @@ impl Over<'_, '_> {
             }
             Ruler::Rolling(_) | Ruler::Hinge(_) | Ruler::NoRays => {}
         }
-        if let State::Turning(pole) = self.of.state {
+        if let Some(pole) = self.of.shown() {
             self.circles(pole);
             self.centres();
         }
@@ -328,7 +327,7 @@ impl Over<'_, '_> {
 
     /// Half of the length of the tangent (mm); the pole is in its middle.
     pub(super) fn half_tangent(&self) -> f64 {
-        let diameter_mm = self.of.pole().map_or(0.0, |pole| pole.diameter()) / self.w.worked.construction.diagram.mu;
+        let diameter_mm = self.of.shown().map_or(0.0, |pole| pole.diameter()) / self.w.worked.construction.diagram.mu;
         TANGENT_MM.min(diameter_mm.max(2.0 * SENSE_MM))
     }
 
@@ -358,7 +357,7 @@ impl Over<'_, '_> {
 
     /// Draws the centres of the points' paths, with the lines that find them.
     fn centres(&mut self) {
-        let Some(pole) = self.of.pole() else { return };
+        let Some(pole) = self.of.shown() else { return };
         let (p, j) = (self.at(pole.pole), self.at(pole.inflection_pole()));
         let given = |point: PointId| match &self.of.drawing {
             Ruler::Rays(r) => r.known.iter().any(|k| k.why.moving() == Some(point)),
@@ -367,7 +366,7 @@ impl Over<'_, '_> {
         let asked: Vec<_> = self.of.points.iter().filter(|q| !given(q.point)).cloned().collect();
         for q in asked {
             let e = self.at(q.at);
-            let Bend::About(centre, radius) = q.bend else {
+            let Bend::About(centre, radius) = q.shown() else {
                 if q.bend == Bend::Straight {
                     self.chain("ray", &[e, p]);
                 }

@@ -91,6 +91,16 @@ pub struct OfPoint {
     pub drawn: Option<Traced>,
 }
 
+impl OfPoint {
+    /// Returns the bend as a figure shows it: about the centre that is drawn, else about the calculated one.
+    pub fn shown(&self) -> Bend {
+        match (self.bend, self.drawn.map(|drawn| drawn.centre)) {
+            (Bend::About(..), Some(plane::End::At(centre))) => Bend::About(centre, centre.distance(self.at)),
+            (bend, _) => bend,
+        }
+    }
+}
+
 /// The pole's places and circles on paper, from the drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drawn {
@@ -104,6 +114,8 @@ pub struct Drawn {
     pub pole_velocity: Option<Vec2>,
     /// Ball's point, by the two circle points.
     pub ball: Option<Point>,
+    /// The diameter of Bresse's circle from the pole: PJ turned by a quarter, times ω²/α.
+    pub bresse: Option<Vec2>,
 }
 
 impl OfLink {
@@ -115,19 +127,34 @@ impl OfLink {
         }
     }
 
-    /// The same by drawing.
+    /// Returns the pole and what belongs to it as a figure shows them: at the places of the drawing, and at
+    /// those of the analysis where there is no drawing.
+    pub fn shown(&self) -> Option<Pole> {
+        let pole = self.pole()?;
+        let Some(drawn) = self.drawn().filter(|_| !pole.stands()) else { return Some(pole) };
+        Some(Pole {
+            pole: drawn.pole,
+            normal: drawn.normal,
+            pole_velocity: drawn.pole_velocity.unwrap_or(pole.pole_velocity),
+            acceleration_pole: drawn.acceleration_pole.unwrap_or(pole.acceleration_pole),
+            bresse: pole.bresse.and(drawn.bresse).or(pole.bresse),
+            ball: pole.ball.and(drawn.ball).or(pole.ball),
+        })
+    }
+
+    /// Returns what the drawing finds; `None` if it finds no pole.
     pub fn drawn(&self) -> Option<Drawn> {
         let (pole, normal, ball) = match &self.drawing {
             Drawing::Rays(r) => (r.pole, r.normal(), r.ball().map(|b| b.at)),
             Drawing::Rolling(r) => (r.pole, r.inflection - r.pole, None),
             Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => return None,
         };
-        let turned = |[omega, alpha]: [f64; 2]| {
-            let (square, along) = (omega * omega, Vec2::new(omega * omega, -alpha));
-            (square > 0.0).then(|| (pole + (normal * square).divide_by(along), normal.perp() * omega))
-        };
-        let by_rates = self.read.and_then(turned);
-        Some(Drawn { pole, normal, acceleration_pole: by_rates.map(|r| r.0), pole_velocity: by_rates.map(|r| r.1), ball })
+        let rates = self.read.filter(|[omega, _]| *omega != 0.0);
+        let acceleration_pole =
+            rates.map(|[omega, alpha]| pole + (normal * (omega * omega)).divide_by(Vec2::new(omega * omega, -alpha)));
+        let pole_velocity = rates.map(|[omega, _]| normal.perp() * omega);
+        let bresse = rates.filter(|[_, alpha]| *alpha != 0.0).map(|[omega, alpha]| normal.perp() * (omega * omega / alpha));
+        Some(Drawn { pole, normal, acceleration_pole, pole_velocity, ball, bresse })
     }
 
     /// How far drawing and analysis are apart: the largest difference of a place, relative to the distances from which it is drawn;
