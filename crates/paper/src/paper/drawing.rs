@@ -275,7 +275,7 @@ impl Drawing {
         self.finish_within(habits, room)
     }
 
-    /// Places the labels of a drawing in a series within `room` and returns the finished part.
+    /// Places the labels of a drawing in a series within an area and returns the finished part.
     pub fn finish_within(self, habits: &mut Habits, room: Rect) -> Part {
         self.placed(habits, room, Leads::Short)
     }

@@ -85,9 +85,9 @@ pub struct Run {
 /// assert_eq!(text::set(&Label::math("3")).width_em, 0.5);
 /// assert_eq!(text::set(&Label::text("\u{1F600}")).faults[0].code, "missing-glyph");
 /// ```
+///
 /// The result is kept in the label and shared by its clones, because a label is measured many times
 /// during placement.
-/// A label is measured many times while places are tried, and set once: it keeps the result, which its clones share.
 pub fn set(label: &Label) -> Arc<Typeset> {
     Arc::clone(label.kept().get_or_init(|| Arc::new(set_anew(label))))
 }
