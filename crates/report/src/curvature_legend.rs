@@ -37,7 +37,7 @@ impl Words<'_> {
         if let Drawing::Rays(rays) = &of.drawing {
             self.legend_of_rays(rays, &mut add);
         }
-        // The centres that are found, and the points on rays without a centre.
+        // Points with a centre of curvature; `found` omits those with a centre given by a ray.
         let bent: Vec<_> = of.points.iter().filter(|p| matches!(p.bend, Bend::About(..))).collect();
         let on_ray = |p: PointId| matches!(&of.drawing, Drawing::Rays(rays) if rays.known.iter().any(|k| k.why.moving() == Some(p)));
         let found: Vec<String> = bent.iter().filter(|p| !on_ray(p.point)).map(|p| self.centre(p.point)).collect();

@@ -137,7 +137,7 @@ mod tests {
             (svg.matches("x2=\"9\"").count(), svg.matches("<animate").count(), svg.matches("display=\"inline\"").count()),
             (1, 3, 1)
         );
-        // Between the two that stay, as in each frame.
+        // Between the two static elements, as in each frame.
         let place = |what: &str| svg.find(what).unwrap();
         assert!(place("x2=\"9\"") < place("x2=\"3\"") && place("x2=\"3\"") < place("x2=\"8\""));
         assert!(svg.contains("A &lt;turn&gt;") && svg.contains("dur=\"6s\"") && svg.contains("keyTimes=\"0;0.333;0.667\""), "{svg}");

@@ -44,8 +44,8 @@ pub const CONTRACT: &str = "svg/1";
 ///
 /// # Errors
 ///
-/// `label-syntax` for a label that cannot be read, `not-finite` for an item with a coordinate that is not a number,
-/// all of them in the order of the items.
+/// `label-syntax` for a label that cannot be read, `not-finite` for an item with a coordinate that is
+/// not finite, all of them in the order of the items.
 ///
 /// ```
 /// use hodograph_paper::paper::item::{Colour, Figure, Item, Shape, Stroke};

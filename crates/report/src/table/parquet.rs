@@ -51,8 +51,8 @@ impl Parquet {
         });
         let fields = fields.collect::<ParquetResult<Vec<_>>>()?;
         let root = Type::group_type_builder("schema").with_fields(fields).build()?;
-        // Answers hardly repeat: a dictionary would cost more than it saves. Nor do column statistics help a reader to skip pages:
-        // of the mechanisms in a row group some are always fast and some slow.
+        // Answers rarely repeat: a dictionary would cost more than it saves. Column statistics would
+        // not help a reader to skip pages: each row group contains both fast and slow mechanisms.
         let mut properties = WriterProperties::builder()
             .set_dictionary_enabled(false)
             .set_encoding(Encoding::PLAIN)
