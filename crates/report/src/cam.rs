@@ -118,7 +118,8 @@ impl Report<'_> {
         }
         match self.disc().follower {
             Follower::Translating { offset, .. } => {
-                // Positive towards the instantaneous centre of cam and follower on the outward motion.
+                // Positive towards the instantaneous centre of cam and follower on the outward
+                // motion.
                 line(format!("  {} e = {}", tr(lang, "offset", "偏距"), self.say(Which::Offset, Unit::Length, offset * self.disc().sense)));
             }
             Follower::Oscillating { pivot, arm, .. } => {

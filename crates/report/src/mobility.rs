@@ -79,8 +79,8 @@ fn not_kept_apart(survey: &Survey) -> usize {
     first.mechanism.kept_apart(&first.scene).filter(|g| known(looked(&Opened::Guide(*g)).as_ref()) == Known::Locks).count()
 }
 
-/// Returns the check by the lengths of each pair that is redundant by topology; `None` if lengths are
-/// missing.
+/// Returns the check by the lengths of each pair that is redundant by topology; `None` if lengths
+/// are missing.
 fn checked(survey: &Survey) -> Vec<Option<Checked>> {
     let Some(first) = survey.choices.first() else { return Vec::new() };
     let (scene, m) = (&first.scene, &first.mechanism);

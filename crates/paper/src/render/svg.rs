@@ -40,12 +40,12 @@ pub const CONTRACT: &str = "svg/1";
 
 /// Writes a figure.
 ///
-/// Warnings: `missing-glyph` for a character that no embedded font has.
+/// Warnings: `missing-glyph` for a character that no font has.
 ///
 /// # Errors
 ///
-/// `label-syntax` for a label that cannot be read, `not-finite` for an item with a coordinate that is
-/// not finite, all of them in the order of the items.
+/// `label-syntax` for a label that cannot be read, `not-finite` for an item with a coordinate that
+/// is not finite, all of them in the order of the items.
 ///
 /// ```
 /// use hodograph_paper::paper::item::{Colour, Figure, Item, Shape, Stroke};

@@ -51,8 +51,9 @@ impl Parquet {
         });
         let fields = fields.collect::<ParquetResult<Vec<_>>>()?;
         let root = Type::group_type_builder("schema").with_fields(fields).build()?;
-        // Answers rarely repeat: a dictionary would cost more than it saves. Column statistics would
-        // not help a reader to skip pages: each row group contains both fast and slow mechanisms.
+        // Answers rarely repeat: a dictionary would cost more than it saves. Column statistics
+        // would not help a reader to skip pages: each row group contains both fast and slow
+        // mechanisms.
         let mut properties = WriterProperties::builder()
             .set_dictionary_enabled(false)
             .set_encoding(Encoding::PLAIN)
